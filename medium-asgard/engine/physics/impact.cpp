@@ -1,6 +1,6 @@
 #include "physics/impact.h"
 
-#include "physics/complementarity.h"
+#include "complementarity/convex.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,6 +35,17 @@ Response responseOf(const std::vector<ImpactBody>& bodies, std::size_t body, con
     else
         r.angularVelocity = b.inverseInertia * r.lever.cross(direction);
     return r;
+}
+
+// Forces that push and never pull; empty when none keep the contacts from being pushed in.
+std::vector<double> pushesOf(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
+    complementarity::Laws laws;
+    for (Eigen::Index i = 0; i < b.size(); ++i)
+        complementarity::addUnilateral(laws);
+    const auto answer = complementarity::solveConvex(a, b, laws);
+    if (!answer)
+        return {};
+    return {answer->forces.data(), answer->forces.data() + b.size()};
 }
 
 class Round {
@@ -79,7 +90,7 @@ public:
             for (Eigen::Index j = 0; j < n; ++j)
                 a(i, j) = mobility(c, chosen[static_cast<std::size_t>(j)]);
         }
-        return solveComplementarity(a, b);
+        return pushesOf(a, b);
     }
 
     void apply(std::size_t i, double impulse) {
@@ -191,7 +202,7 @@ RestingForces restingForces(const ImpactBody& body, const Vector& freeAccelerati
     const Eigen::MatrixXd mobility = body.inverseMass * moving * moving.transpose() +
                                      turning * body.inverseInertia * turning.transpose();
     RestingForces result;
-    result.normalForces = solveComplementarity(mobility, free);
+    result.normalForces = pushesOf(mobility, free);
     if (result.normalForces.empty())
         result.normalForces.assign(contacts.size(), 0);
     const Eigen::Map<const Eigen::VectorXd> forces(result.normalForces.data(), n);

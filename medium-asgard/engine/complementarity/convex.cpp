@@ -1,0 +1,176 @@
+#include "complementarity/convex.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cmath>
+
+namespace complementarity {
+
+namespace {
+
+using Set = std::vector<Index>;
+
+// The state of every row while the active set changes. Rows inside are the set.
+class ActiveSet {
+public:
+    ActiveSet(const Matrix& a, const Vector& b, const Laws& laws)
+        : a_(a), b_(b), laws_(laws), states_(laws.size(), State::inside),
+          forces_(Vector::Zero(b.size())) {
+        for (std::size_t k = 0; k < laws.size(); ++k)
+            if (const Law& law = laws[k]; law.low >= 0 || law.high <= 0) {
+                states_[k] = law.low >= 0 ? State::low : State::high;
+                forces_[law.first] = boundOf(k);
+            }
+    }
+
+    void find() {
+        moveInside();
+        const double tolerance = 1e-14 * b_.cwiseAbs().maxCoeff();
+        for (Index round = 0; round < 30 * b_.size() + 30; ++round) {
+            const Vector rates = a_ * forces_ + b_;
+            const Index worst = mostWanted(rates, tolerance);
+            if (worst < 0)
+                return;
+            states_[static_cast<std::size_t>(worst)] = State::inside;
+            moveInside();
+        }
+    }
+
+    [[nodiscard]] const Vector& forces() const { return forces_; }
+    [[nodiscard]] const States& states() const { return states_; }
+
+    // The shortest forces of the rows inside for which their rates are 0, by `of`, which has no
+    // ridge; the other rows keep their bounds.
+    [[nodiscard]] Vector shortest(const Matrix& of) const {
+        const Set set = inside();
+        Vector forces = forces_;
+        forces(set).setZero();
+        if (!set.empty()) {
+            const Vector right = -wanted(of, forces, set);
+            const Vector some =
+                Eigen::CompleteOrthogonalDecomposition<Matrix>(of(set, set)).solve(right);
+            forces(set) = some;
+        }
+        return forces;
+    }
+
+private:
+    [[nodiscard]] double boundOf(std::size_t k) const {
+        return states_[k] == State::low ? laws_[k].low : laws_[k].high;
+    }
+    [[nodiscard]] Set inside() const {
+        Set set;
+        for (std::size_t k = 0; k < states_.size(); ++k)
+            if (states_[k] == State::inside)
+                set.push_back(laws_[k].first);
+        return set;
+    }
+    [[nodiscard]] Vector wanted(const Matrix& of, const Vector& forces, const Set& set) const {
+        if (forces.isZero(0))
+            return b_(set);
+        const Vector rates = of * forces + b_;
+        return rates(set);
+    }
+
+    // The row at a bound whose rate is farthest on the wrong side; -1: none.
+    [[nodiscard]] Index mostWanted(const Vector& rates, double tolerance) const {
+        Index worst = -1;
+        double most = tolerance;
+        for (std::size_t k = 0; k < states_.size(); ++k) {
+            const double rate = rates[laws_[k].first];
+            const double wrong = states_[k] == State::low    ? -rate
+                                 : states_[k] == State::high ? rate
+                                                             : 0;
+            if (wrong > most && laws_[k].low < laws_[k].high) {
+                most = wrong;
+                worst = static_cast<Index>(k);
+            }
+        }
+        return worst;
+    }
+
+    // To the minimum over the rows inside, as far as their bounds allow; a row that gets to one
+    // stays there, and the rest goes on.
+    void moveInside() {
+        for (;;) {
+            const Set set = inside();
+            if (set.empty())
+                return;
+            Vector to = forces_;
+            to(set).setZero();
+            const Vector right = -wanted(a_, to, set);
+            const Vector some = a_(set, set).ldlt().solve(right);
+            to(set) = some;
+            if (!retreat(to))
+                return;
+        }
+    }
+
+    // True: a row has met its bound on the way.
+    bool retreat(const Vector& to) {
+        double fraction = 1;
+        for (std::size_t k = 0; k < states_.size(); ++k)
+            if (const double bound = passed(k, to); std::isfinite(bound)) {
+                const double from = forces_[laws_[k].first], way = to[laws_[k].first] - from;
+                fraction = std::min(fraction, way != 0 ? (bound - from) / way : 0);
+            }
+        const Vector before = forces_;
+        forces_ += fraction * (to - before);
+        bool hasMet = false;
+        const double close = 1e-14 * forces_.cwiseAbs().maxCoeff();
+        for (std::size_t k = 0; k < states_.size(); ++k)
+            if (const double bound = passed(k, to);
+                std::isfinite(bound) && std::abs(forces_[laws_[k].first] - bound) <= close) {
+                states_[k] = bound == laws_[k].low ? State::low : State::high;
+                forces_[laws_[k].first] = bound;
+                hasMet = true;
+            }
+        if (!hasMet)
+            forces_ = to;
+        return hasMet;
+    }
+
+    // The bound of a row inside that `to` has reached or passed; not finite: none.
+    [[nodiscard]] double passed(std::size_t k, const Vector& to) const {
+        const Law& law = laws_[k];
+        if (states_[k] != State::inside)
+            return unbounded;
+        return to[law.first] <= law.low    ? law.low
+               : to[law.first] >= law.high ? law.high
+                                           : unbounded;
+    }
+
+    const Matrix& a_;
+    const Vector& b_;
+    const Laws& laws_;
+    States states_;
+    Vector forces_;
+};
+
+} // namespace
+
+std::optional<Answer> solveConvex(const Matrix& a, const Vector& b, const Laws& laws) {
+    const Index n = b.size();
+    if (n == 0)
+        return Answer{};
+    // A little on the diagonal makes the minimum unique and close to the shortest solution.
+    const double ridge = 1e-10 * std::max(a.diagonal().maxCoeff(), 1e-300);
+    const Matrix firm = a + ridge * Matrix::Identity(n, n);
+    ActiveSet set(firm, b, laws);
+    set.find();
+    const auto answerOf = [&](const Vector& forces) {
+        return Answer{forces, a * forces + b, set.states()};
+    };
+    // Without it, on the same rows: the shortest solution to the last bits.
+    const Answer exact = answerOf(set.shortest(a));
+    if (violation(a, b, laws, exact) <= 1e-11)
+        return exact;
+    const Answer close = answerOf(set.forces());
+    if (violation(a, b, laws, close) <= 1e-7)
+        return close;
+    return std::nullopt;
+}
+
+} // namespace complementarity

@@ -1,0 +1,24 @@
+// The states of the laws, from nothing: an interior point method.
+//
+// Each force goes to its law's bounds only in the limit: with a small t > 0
+//     interval   w = l - h,   l (f - low) = t,   h (high - f) = t
+//     disc       r s + f.w = t,   r w + s f = 0     with an s > |w|, the slip
+// Newton's method follows the solutions as t goes to 0. Some twenty steps lead there, whatever the
+// masses and however many contacts share a load (Wright, Primal-dual interior-point methods, 1997;
+// for discs, as second-order cones: Alizadeh and Goldfarb, 2003; where they follow a normal force:
+// Acary, Armand, Nguyen and Shpakovych, 2023).
+#pragma once
+
+#include "complementarity/laws.h"
+
+namespace complementarity {
+
+struct Approach {
+    Vector forces; // strictly inside the laws
+    States states; // to which they lead
+    int steps = 0;
+};
+
+[[nodiscard]] Approach approach(const Matrix& a, const Vector& b, const Laws& laws);
+
+} // namespace complementarity

@@ -1,0 +1,65 @@
+// Rows of forces with laws: the one form of joints, contacts, motors, friction and held switches.
+//
+//     w = A f + b         f: forces (or impulses, or weights), w: rates (or speeds) that they give
+//
+// Each row of f belongs to one law:
+//     interval  low <= f <= high; w = 0 inside, w >= 0 at low, w <= 0 at high
+//     disc      |f| <= r; w = 0 inside; at the edge w points against f
+//               f has one, two or three rows; r = radius + coefficient * f[normal], at least 0
+// A joint is an interval without ends, a contact one from 0 on, a motor one between its greatest
+// forces, Coulomb's friction a disc whose radius is the coefficient times the normal force.
+//
+// Units are the caller's. Rows of couples are best divided by a length, so that forces of least
+// norm mean something.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <limits>
+#include <vector>
+
+namespace complementarity {
+
+using Index = Eigen::Index;
+using Matrix = Eigen::MatrixXd;
+using Vector = Eigen::VectorXd;
+
+inline constexpr double unbounded = std::numeric_limits<double>::infinity();
+
+struct Law {
+    enum class Kind { interval, disc };
+    Kind kind = Kind::interval;
+    Index first = 0, rows = 1;                 // an interval has one row
+    double low = -unbounded, high = unbounded; // interval
+    double radius = 0, coefficient = 0;        // disc
+    Index normal = -1;                         // disc: the row of the normal force; -1: none
+};
+
+using Laws = std::vector<Law>;
+
+// Laws of the next rows.
+void addEquality(Laws& laws);
+void addInterval(Laws& laws, double low, double high);
+void addUnilateral(Laws& laws); // f >= 0
+void addDisc(Laws& laws, Index rows, double radius);
+void addFriction(Laws& laws, Index rows, Index normal, double coefficient);
+[[nodiscard]] Index rowsOf(const Laws& laws);
+
+// Where the force of a law is among those that the law allows.
+enum class State { inside, low, high, edge };
+using States = std::vector<State>; // one for each law
+
+struct Answer {
+    Vector forces, rates;
+    States states;
+};
+
+[[nodiscard]] double radiusOf(const Law& disc, const Vector& forces);
+
+// By how much the answer breaks the laws, over the size of what enters: of forces beyond their
+// bounds over the largest force; of rates over the largest of b, and of those that forces at fixed
+// bounds give.
+[[nodiscard]] double violation(const Matrix& a, const Vector& b, const Laws& laws,
+                               const Answer& answer);
+
+} // namespace complementarity

@@ -1,0 +1,175 @@
+#include "complementarity/newton.h"
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cmath>
+
+namespace complementarity {
+
+namespace {
+
+// Unknown: the forces of the laws inside and at edges, then for each edge s times its radius.
+class Equations {
+public:
+    Equations(const Matrix& a, const Vector& b, const Laws& laws, const States& states,
+              const Vector& near, Aim aim)
+        : aim_(aim), a_(a), b_(b), laws_(laws), states_(states), forces_(near) {
+        for (std::size_t k = 0; k < laws.size(); ++k)
+            place(k);
+        unknowns_ = static_cast<Index>(rows_.size() + edges_.size());
+        if (edges_.empty() && aim == Aim::shortest) // linear: wherever it begins
+            forces_(rows_).setZero();
+        const Vector rates = a_ * forces_ + b_;
+        for (const std::size_t k : edges_) {
+            const auto force = forces_.segment(laws[k].first, laws[k].rows);
+            const double length = std::max(force.norm(), 1e-300);
+            slips_.push_back(
+                std::max(0.0, -rates.segment(laws[k].first, laws[k].rows).dot(force) / length));
+        }
+    }
+
+    // False: no solution was met.
+    bool solve() {
+        if (unknowns_ == 0)
+            return true;
+        for (int round = 0; round < 50; ++round) {
+            const double change = step();
+            if (!std::isfinite(change))
+                return false;
+            if (change <= 1e-15)
+                return true;
+        }
+        return true; // the caller judges what was met
+    }
+
+    [[nodiscard]] Answer answer() const {
+        Answer answer{forces_, a_ * forces_ + b_, states_};
+        return answer;
+    }
+
+private:
+    void place(std::size_t k) {
+        const Law& law = laws_[k];
+        if (states_[k] == State::inside || (states_[k] == State::edge && !isClosed(law))) {
+            if (states_[k] == State::edge)
+                edges_.push_back(k);
+            for (Index i = 0; i < law.rows; ++i)
+                rows_.push_back(law.first + i);
+        } else if (law.kind == Law::Kind::disc) {
+            forces_.segment(law.first, law.rows).setZero();
+        } else {
+            forces_[law.first] = states_[k] == State::low ? law.low : law.high;
+        }
+    }
+
+    // A disc without radius: of a contact that is open.
+    [[nodiscard]] bool isClosed(const Law& disc) const {
+        if (disc.radius > 0 || disc.normal < 0 || disc.coefficient <= 0)
+            return disc.radius <= 0;
+        for (std::size_t k = 0; k < laws_.size(); ++k)
+            if (laws_[k].first == disc.normal)
+                return states_[k] == State::low && laws_[k].low <= 0;
+        return false;
+    }
+
+    double step() {
+        Matrix change = Matrix::Zero(unknowns_, unknowns_);
+        Vector wrong(unknowns_), now(unknowns_);
+        const Vector rates = a_ * forces_ + b_;
+        const auto forces = static_cast<Index>(rows_.size());
+        change.topLeftCorner(forces, forces) = a_(rows_, rows_);
+        wrong.head(forces) = rates(rows_);
+        now.head(forces) = forces_(rows_);
+        for (std::size_t e = 0; e < edges_.size(); ++e)
+            addEdge(e, forces + static_cast<Index>(e), change, wrong, now);
+        const Eigen::CompleteOrthogonalDecomposition<Matrix> equations(change);
+        const Vector to = aim_ == Aim::shortest ? equations.solve(Vector(change * now - wrong))
+                                                : Vector(now - equations.solve(wrong));
+        forces_(rows_) = to.head(forces);
+        for (std::size_t e = 0; e < edges_.size(); ++e)
+            slips_[e] = to[forces + static_cast<Index>(e)];
+        const double size = std::max(to.cwiseAbs().maxCoeff(), 1e-300);
+        return (to - now).cwiseAbs().maxCoeff() / size;
+    }
+
+    // In its rows w + slip f/r = 0, and in that of the slip (|f|^2/r - r)/2 = 0.
+    void addEdge(std::size_t e, Index last, Matrix& change, Vector& wrong, Vector& now) const {
+        const Law& law = laws_[edges_[e]];
+        const double radius = std::max(radiusOf(law, forces_), 1e-300);
+        const double slip = slips_[e] / radius;
+        now[last] = slips_[e];
+        double square = 0;
+        for (Index i = 0; i < law.rows; ++i) {
+            const Index at = placeOf(law.first + i);
+            const double force = forces_[law.first + i];
+            wrong[at] += slip * force;
+            change(at, at) += slip;
+            change(at, last) = force / radius;
+            change(last, at) = force / radius;
+            square += force * force;
+        }
+        wrong[last] = (square / radius - radius) / 2;
+        const Index normal = law.normal < 0 ? -1 : placeOf(law.normal);
+        if (normal < 0)
+            return;
+        const double grows = law.coefficient; // the radius, with the normal force
+        change(last, normal) -= (square / (radius * radius) + 1) / 2 * grows;
+        for (Index i = 0; i < law.rows; ++i) {
+            const Index at = placeOf(law.first + i);
+            change(at, normal) -= slip / radius * grows * forces_[law.first + i];
+        }
+    }
+
+    [[nodiscard]] Index placeOf(Index row) const {
+        const auto found = std::ranges::find(rows_, row);
+        return found == rows_.end() ? -1 : found - rows_.begin();
+    }
+
+    Aim aim_;
+    const Matrix& a_;
+    const Vector& b_;
+    const Laws& laws_;
+    const States& states_;
+    Vector forces_;
+    std::vector<Index> rows_;
+    std::vector<std::size_t> edges_;
+    std::vector<double> slips_; // of each edge: the speed, or acceleration, against its force
+    Index unknowns_ = 0;
+};
+
+} // namespace
+
+std::optional<Answer> solveStates(const Matrix& a, const Vector& b, const Laws& laws,
+                                  const States& states, const Vector& near, Aim aim) {
+    Equations equations(a, b, laws, states, near, aim);
+    if (!equations.solve())
+        return std::nullopt;
+    return equations.answer();
+}
+
+States improved(const Laws& laws, const Answer& answer) {
+    States states = answer.states;
+    for (std::size_t k = 0; k < laws.size(); ++k) {
+        const Law& law = laws[k];
+        if (law.kind == Law::Kind::disc) {
+            const auto force = answer.forces.segment(law.first, law.rows);
+            const auto rate = answer.rates.segment(law.first, law.rows);
+            if (states[k] == State::inside && force.norm() > radiusOf(law, answer.forces))
+                states[k] = State::edge;
+            else if (states[k] == State::edge && rate.dot(force) > 0)
+                states[k] = State::inside;
+            continue;
+        }
+        const double force = answer.forces[law.first], rate = answer.rates[law.first];
+        if (states[k] == State::inside && force < law.low)
+            states[k] = State::low;
+        else if (states[k] == State::inside && force > law.high)
+            states[k] = State::high;
+        else if ((states[k] == State::low && rate < 0) || (states[k] == State::high && rate > 0))
+            states[k] = law.low < law.high ? State::inside : states[k];
+    }
+    return states;
+}
+
+} // namespace complementarity

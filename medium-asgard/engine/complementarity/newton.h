@@ -1,0 +1,24 @@
+// The forces of given states, to the last bits.
+//
+// Once it is known of each law whether its force is inside, at a bound or at the edge, the laws are
+// equations: rates inside are 0, and at the edge of a disc  w + s f = 0, |f| = r  with an unknown
+// s >= 0 (Alart and Curnier, 1991, for the edge). They are linear but for the edges; Newton's
+// method solves them. Where they have many solutions one takes the shortest, or the nearest.
+#pragma once
+
+#include "complementarity/laws.h"
+
+#include <optional>
+
+namespace complementarity {
+
+enum class Aim { shortest, nearest }; // of many solutions
+
+// From the forces `near`. Nothing where the equations have no solution.
+[[nodiscard]] std::optional<Answer> solveStates(const Matrix& a, const Vector& b, const Laws& laws,
+                                                const States& states, const Vector& near, Aim aim);
+
+// The states that the answer's wrong forces and rates ask for: a law that is right keeps its own.
+[[nodiscard]] States improved(const Laws& laws, const Answer& answer);
+
+} // namespace complementarity

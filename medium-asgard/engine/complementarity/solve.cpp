@@ -1,0 +1,158 @@
+#include "complementarity/solve.h"
+
+#include "complementarity/convex.h"
+#include "complementarity/interior.h"
+#include "complementarity/newton.h"
+#include "complementarity/sweeps.h"
+
+#include <algorithm>
+
+namespace complementarity {
+
+namespace {
+
+constexpr double kept = 1e-11; // a violation under this is rounding
+constexpr std::size_t fewLaws = 6;
+
+std::vector<State> possibleStates(const Law& law) {
+    std::vector<State> states = {State::inside};
+    if (law.kind == Law::Kind::disc)
+        states.push_back(State::edge);
+    if (law.kind == Law::Kind::interval && law.low > -unbounded)
+        states.push_back(State::low);
+    if (law.kind == Law::Kind::interval && law.high < unbounded)
+        states.push_back(State::high);
+    return states;
+}
+
+bool isConvex(const Matrix& a, const Laws& laws) {
+    return std::ranges::all_of(laws,
+                               [](const Law& law) { return law.kind == Law::Kind::interval; }) &&
+           (a - a.transpose()).cwiseAbs().maxCoeff() <= 1e-12 * a.cwiseAbs().maxCoeff();
+}
+
+class Search {
+public:
+    Search(const Matrix& a, const Vector& b, const Laws& laws, Work& work)
+        : a_(a), b_(b), laws_(laws), work_(work) {}
+
+    // From these states and forces, and those that their faults ask for: the answer with the least
+    // violation. Its sign alone decides a state, so that a threshold is right to rounding.
+    std::optional<Answer> near(const States& states, const Vector& forces) {
+        if (auto answer = near(states, forces, Aim::shortest))
+            return answer;
+        return near(states, forces, Aim::nearest);
+    }
+
+    std::optional<Answer> fromNothing() {
+        const Approach inside = approach(a_, b_, laws_);
+        work_.steps = inside.steps;
+        if (auto answer = near(inside.states, inside.forces))
+            return answer;
+        return bySweeps();
+    }
+
+private:
+    std::optional<Answer> near(States states, const Vector& forces, Aim aim) {
+        constexpr int most = 20;
+        std::optional<Answer> best;
+        double least = kept;
+        for (int round = 0; round < most; ++round) {
+            ++work_.tries;
+            const std::optional<Answer> answer = solveStates(a_, b_, laws_, states, forces, aim);
+            if (!answer)
+                break;
+            if (const double faulty = violation(a_, b_, laws_, *answer); faulty <= least) {
+                best = answer;
+                least = faulty;
+            } else if (best) {
+                break;
+            }
+            const States next = improved(laws_, *answer);
+            if (next == states)
+                break;
+            states = next;
+        }
+        return best;
+    }
+
+    // A little on the diagonal leads redundant laws to short forces.
+    std::optional<Answer> bySweeps() {
+        constexpr int most = 4096;
+        const Matrix firm = a_ + 1e-10 * Matrix(a_.diagonal().asDiagonal());
+        Vector forces = Vector::Zero(b_.size());
+        for (int next = 16; work_.sweeps < most; next *= 4) {
+            double change = 0;
+            for (; work_.sweeps < next; ++work_.sweeps)
+                change = sweep(firm, b_, laws_, forces);
+            if (auto answer = near(statesOf(firm, b_, laws_, forces), forces))
+                return answer;
+            if (!(change > 1e-15 * forces.cwiseAbs().maxCoeff()) || !forces.allFinite())
+                return std::nullopt;
+        }
+        return std::nullopt;
+    }
+
+    const Matrix& a_;
+    const Vector& b_;
+    const Laws& laws_;
+    Work& work_;
+};
+
+bool isOther(const Answer& answer, const std::vector<Answer>& found) {
+    return std::ranges::none_of(found, [&](const Answer& other) {
+        const double size = std::max(answer.forces.norm(), other.forces.norm());
+        return (answer.forces - other.forces).norm() <= 1e-9 * size;
+    });
+}
+
+} // namespace
+
+std::vector<Answer> everySolution(const Matrix& a, const Vector& b, const Laws& laws) {
+    std::vector<Answer> found;
+    std::vector<std::vector<State>> possible;
+    std::size_t ways = 1;
+    for (const Law& law : laws) {
+        possible.push_back(possibleStates(law));
+        ways *= possible.back().size();
+    }
+    const Approach inside = approach(a, b, laws);
+    for (std::size_t way = 0; way < ways; ++way) {
+        States states;
+        std::size_t digits = way;
+        for (const std::vector<State>& of : possible) {
+            states.push_back(of[digits % of.size()]);
+            digits /= of.size();
+        }
+        const std::optional<Answer> answer =
+            solveStates(a, b, laws, states, inside.forces, Aim::shortest);
+        if (answer && violation(a, b, laws, *answer) <= kept && isOther(*answer, found))
+            found.push_back(*answer);
+    }
+    return found;
+}
+
+std::optional<Answer> solve(const Matrix& a, const Vector& b, const Laws& laws, const Answer& guess,
+                            Work* work) {
+    Work counted;
+    Work& counts = work != nullptr ? *work : counted;
+    counts = {};
+    if (b.size() == 0)
+        return Answer{};
+    Search search(a, b, laws, counts);
+    if (guess.states.size() == laws.size() && guess.forces.size() == b.size())
+        if (auto answer = search.near(guess.states, guess.forces))
+            return answer;
+    if (isConvex(a, laws))
+        return solveConvex(a, b, laws);
+    if (auto answer = search.fromNothing())
+        return answer;
+    const auto choices =
+        std::ranges::count_if(laws, [](const Law& law) { return possibleStates(law).size() > 1; });
+    if (static_cast<std::size_t>(choices) > fewLaws)
+        return std::nullopt;
+    const std::vector<Answer> all = everySolution(a, b, laws);
+    return all.empty() ? std::nullopt : std::optional(all.front());
+}
+
+} // namespace complementarity

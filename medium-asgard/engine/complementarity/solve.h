@@ -1,0 +1,33 @@
+// The forces that keep laws of every kind.
+//
+// Intervals on a symmetric A are a convex problem, which convex.h solves. Discs whose radius
+// follows a normal force, and an A that is not symmetric (contacts that slide, held switches), need
+// not have a solution, and may have several. Here the states of a guess are tried first, so that
+// what held goes on holding where it can; then those to which sweeps lead; of few laws at last all
+// states.
+//
+// LIMIT: of more laws than those tried one by one, a problem whose sweeps do not converge counts as
+// one without solution.
+#pragma once
+
+#include "complementarity/laws.h"
+
+#include <optional>
+
+namespace complementarity {
+
+struct Work {      // counts of the last solve, for tests and reports
+    int steps = 0; // of the interior point method
+    int sweeps = 0;
+    int tries = 0; // choices of states
+};
+
+// Nothing where no solution was found. `guess`: the forces and states that held before, or none.
+[[nodiscard]] std::optional<Answer> solve(const Matrix& a, const Vector& b, const Laws& laws,
+                                          const Answer& guess = {}, Work* work = nullptr);
+
+// All solutions of few laws, each with other states: two of one problem with different rates are an
+// indeterminate motion (Painleve's rod). `laws` has at most six that are not equalities.
+[[nodiscard]] std::vector<Answer> everySolution(const Matrix& a, const Vector& b, const Laws& laws);
+
+} // namespace complementarity

@@ -1,0 +1,192 @@
+#include "complementarity/solve.h"
+
+#include <Eigen/LU>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace complementarity {
+namespace {
+
+constexpr double g = 9.81;
+
+// A block of mass 1 on a slope: rows along the normal, down the slope and across.
+struct Slope {
+    Matrix a = Matrix::Identity(3, 3);
+    Laws laws;
+    explicit Slope(double friction) {
+        addUnilateral(laws);
+        addFriction(laws, 2, 0, friction);
+    }
+    [[nodiscard]] Answer at(double angle) const {
+        const Vector b = (Vector(3) << -g * std::cos(angle), g * std::sin(angle), 0).finished();
+        return solve(a, b, laws).value();
+    }
+};
+
+TEST(Solve, ABlockHoldsOnASlopeUpToTheAngleOfFriction) {
+    const Slope slope(0.6);
+    const double angle = std::atan(0.6);
+    const Answer holds = slope.at(angle - 1e-12);
+    EXPECT_EQ(holds.states[1], State::inside);
+    EXPECT_LE(holds.rates.norm(), 1e-15);
+    const Answer slides = slope.at(angle + 1e-9);
+    EXPECT_EQ(slides.states[1], State::edge);
+    EXPECT_GT(slides.rates[1], 0);
+    const Answer fast = slope.at(1);
+    EXPECT_NEAR(fast.rates[1], g * (std::sin(1.0) - 0.6 * std::cos(1.0)), 1e-14);
+    EXPECT_NEAR(fast.forces[1], -0.6 * g * std::cos(1.0), 1e-14);
+    EXPECT_EQ(fast.rates[2], 0);
+}
+
+TEST(Solve, AContactThatOpensHasNoFriction) {
+    const Slope slope(0.6);
+    const Vector b = (Vector(3) << 1, 2, 3).finished();
+    const Answer answer = solve(slope.a, b, slope.laws).value();
+    EXPECT_TRUE(answer.forces.isZero(0));
+    EXPECT_EQ(answer.rates, b);
+}
+
+// Two equal balls on a floor, one on both, in a plane; masses, radii and weights are 1. Rows: for
+// each contact its normal and its tangent. The pile stands where the friction between balls is at
+// least 2 - sqrt 3, and that on the floor a third of it.
+class ThreeBalls {
+public:
+    ThreeBalls(double ballFriction, double floorFriction) {
+        const double c = 0.5, s = std::numbers::sqrt3 / 2;
+        addContact(0, -1, 0, -1, floorFriction); // from the first body to its partner
+        addContact(1, -1, 0, -1, floorFriction);
+        addContact(0, 2, c, s, ballFriction);
+        addContact(1, 2, -c, s, ballFriction);
+        Matrix mass = Matrix::Identity(9, 9);
+        for (Index body = 0; body < 3; ++body)
+            mass(3 * body + 2, 3 * body + 2) = 0.4;
+        const Matrix j = jacobian_;
+        a_ = j * mass.inverse() * j.transpose();
+        Vector weight = Vector::Zero(9);
+        for (Index body = 0; body < 3; ++body)
+            weight[3 * body + 1] = -1;
+        b_ = j * weight;
+    }
+    [[nodiscard]] bool stands() const {
+        const std::optional<Answer> answer = solve(a_, b_, laws_);
+        return answer && answer->rates.cwiseAbs().maxCoeff() <= 1e-12;
+    }
+
+private:
+    // (x, y): from the body's centre towards its partner, of length 1.
+    void addContact(Index body, Index partner, double x, double y, double friction) {
+        const Index row = jacobian_.rows();
+        jacobian_.conservativeResize(row + 2, 9);
+        jacobian_.bottomRows(2).setZero();
+        const auto add = [&](Index of, double sign) { // the lever is sign * (x, y)
+            jacobian_.block(row, 3 * of, 2, 3) << -x * sign, -y * sign, 0, -y * sign, x * sign, 1;
+        };
+        add(body, 1);
+        if (partner >= 0)
+            add(partner, -1);
+        const Index normal = row;
+        addUnilateral(laws_);
+        addFriction(laws_, 1, normal, friction);
+    }
+
+    Matrix jacobian_ = Matrix(0, 9);
+    Matrix a_;
+    Vector b_;
+    Laws laws_;
+};
+
+TEST(Solve, ThreeBallsStandAtTheFrictionThatTheyNeed) {
+    const double needed = 2 - std::numbers::sqrt3;
+    EXPECT_TRUE(ThreeBalls(needed * (1 + 1e-9), needed).stands());
+    EXPECT_FALSE(ThreeBalls(needed * (1 - 1e-9), needed).stands());
+    EXPECT_TRUE(ThreeBalls(0.5, needed / 3 * (1 + 1e-9)).stands());
+    EXPECT_FALSE(ThreeBalls(0.5, needed / 3 * (1 - 1e-9)).stands());
+}
+
+// A rod that slides on its lower end at 1 rad over the floor. Friction turns it into the floor:
+// with much of it the normal force would have to be negative to hold the end (Painleve).
+TEST(Solve, PainlevesRodHasNoneOrTwoSolutions) {
+    const auto rowsWith = [](double friction, double free) {
+        const double s = std::sin(1.0), c = std::cos(1.0); // mass 1, length 2, I = 1/3
+        const double normal = 1 + 3 * c * c, along = -3 * s * c;
+        return std::pair(Matrix::Constant(1, 1, normal + friction * along),
+                         Vector::Constant(1, free));
+    };
+    Laws laws;
+    addUnilateral(laws);
+    const auto [usual, free] = rowsWith(0.3, -g);
+    EXPECT_EQ(everySolution(usual, free, laws).size(), 1u);
+    const auto [steep, pressed] = rowsWith(2, -g);
+    EXPECT_LT(steep(0, 0), 0);
+    EXPECT_FALSE(solve(steep, pressed, laws));
+    const auto [same, lifted] = rowsWith(2, 0.5);
+    EXPECT_EQ(everySolution(same, lifted, laws).size(), 2u);
+    // The state before goes on.
+    for (const State state : {State::inside, State::low}) {
+        const Answer before{Vector::Ones(1), Vector::Ones(1), {state}};
+        EXPECT_EQ(solve(same, lifted, laws, before)->states[0], state);
+    }
+}
+
+// Rows of bodies in a random heap, as J M^-1 J' of 6 freedoms each.
+struct Heap {
+    Matrix a;
+    Vector b;
+    Laws laws;
+};
+
+Heap randomHeap(std::mt19937_64& random, Index bodies, Index contacts, double friction) {
+    std::normal_distribution<double> normal;
+    std::uniform_int_distribution<Index> body(0, bodies - 1);
+    Matrix j = Matrix::Zero(3 * contacts, 6 * bodies);
+    Heap heap;
+    for (Index c = 0; c < contacts; ++c) {
+        for (const double sign : {1.0, -1.0}) {
+            const Index of = body(random);
+            for (Index row = 0; row < 3; ++row)
+                for (Index k = 0; k < 6; ++k)
+                    j(3 * c + row, 6 * of + k) += sign * normal(random);
+        }
+        addUnilateral(heap.laws);
+        addFriction(heap.laws, 2, 3 * c, friction);
+    }
+    Vector inverse(6 * bodies), free(6 * bodies);
+    for (Index i = 0; i < inverse.size(); ++i) {
+        inverse[i] = std::pow(10, -std::abs(normal(random))); // masses of 1 to some 1000
+        free[i] = normal(random);
+    }
+    heap.a = j * inverse.asDiagonal() * j.transpose();
+    heap.b = j * free;
+    return heap;
+}
+
+TEST(Solve, RandomHeapsKeepTheirLaws) {
+    std::mt19937_64 random(11);
+    int found = 0, steps = 0, tries = 0, tried = 0;
+    for (const double friction : {0.1, 0.5, 1.0})
+        for (Index contacts = 1; contacts <= 20; ++contacts) {
+            const Heap heap = randomHeap(random, 1 + contacts / 2, contacts, friction);
+            Work work;
+            const auto answer = solve(heap.a, heap.b, heap.laws, {}, &work);
+            ++tried;
+            steps += work.steps;
+            tries += work.tries;
+            if (!answer)
+                continue;
+            ++found;
+            EXPECT_LE(violation(heap.a, heap.b, heap.laws, *answer), 1e-11);
+            // A guess that is right costs one solve of its states.
+            const auto again = solve(heap.a, heap.b, heap.laws, *answer, &work);
+            ASSERT_TRUE(again);
+            EXPECT_EQ(work.steps, 0);
+        }
+    EXPECT_EQ(found, tried);
+    EXPECT_LE(steps, 30 * tried);
+    EXPECT_LE(tries, 3 * tried);
+}
+
+} // namespace
+} // namespace complementarity
