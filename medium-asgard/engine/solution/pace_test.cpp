@@ -1,6 +1,7 @@
 // The pace of steps and events, and what of it says that a finish is never reached.
 #include "solution/pace.h"
 #include "solution/solver_testing.h"
+#include "stepping/work_estimate.h"
 
 #include <gtest/gtest.h>
 

@@ -13,7 +13,7 @@
 #pragma once
 
 #include "equations/partition.h"
-#include "solution/component.h"
+#include "stepping/component.h"
 
 #include <memory>
 #include <optional>

@@ -82,19 +82,20 @@ private:
             const auto& model = component->equations().bound()->model;
             if (!steps_) {
                 model_ = model;
-                steps_.emplace(component->stride(), component->control(), model->function());
+                steps_.emplace(component->integration().stride(), component->control(),
+                               model->function());
                 values_.resize(component->equations().size());
             }
             if (model != model_)
                 changed_.push_back(component);
-            else if (!steps_->takes(component->stride(), component->control()))
+            else if (!steps_->takes(component->integration().stride(), component->control()))
                 advanceAlone(*component, mustStep, false);
             else
                 return enter(lane, *component, mustStep);
         }
     }
     void enter(std::size_t lane, Component& component, bool mustStep) {
-        steps_->enter(lane, component.stride(), component.control(),
+        steps_->enter(lane, component.integration().stride(), component.control(),
                       component.equations().constants());
         lanes_[lane] = {.component = &component, .mustStep = mustStep};
         ++taken_;
@@ -136,11 +137,11 @@ private:
         for (std::size_t lane = 0; lane < AlikeSteps::lanes; ++lane) {
             if (!lanes_[lane].component)
                 continue;
-            std::optional<double> to = lanes_[lane].component->strideEnd();
+            std::optional<double> to = lanes_[lane].component->integration().strideEnd();
             while (lanes_[lane].component && !to) {
                 letGo(lane);
                 if (lanes_[lane].component)
-                    to = lanes_[lane].component->strideEnd();
+                    to = lanes_[lane].component->integration().strideEnd();
             }
             if (to) {
                 lanes_[lane].to = *to;
@@ -174,7 +175,7 @@ private:
             lanes_[lane].next = attempt.next;
             if (attempt.outcome == Attempt::Outcome::accepted)
                 accepted |= here;
-            else if (!component->refuseStride(attempt, h[lane]))
+            else if (!component->integration().refuseStride(attempt, h[lane]))
                 end(lane, attempt, h[lane]);
         }
         return accepted;
@@ -189,7 +190,7 @@ private:
 
     void take(std::size_t lane, double h) {
         Component& component = *lanes_[lane].component;
-        steps_->columns(lane, component.columns());
+        steps_->columns(lane, component.integration().columns());
         component.takeStride(h, lanes_[lane].to, lanes_[lane].next);
         lanes_[lane].mustStep = false;
     }
@@ -203,7 +204,7 @@ private:
             return letGo(lane);
         if (!(accepted & here))
             return;
-        const bool changes = component->changesAfterStride(h, steps_->crossing(lane));
+        const bool changes = component->integration().changesAfterStride(h, steps_->crossing(lane));
         if (!changes && component->time() < until_)
             return;
         (void)empty(lane);

@@ -6,7 +6,7 @@
 // The motion of each has the same bits as alone, and its counts are the same, whoever is beside it.
 #pragma once
 
-#include "solution/component.h"
+#include "stepping/component.h"
 
 #include <functional>
 #include <span>

@@ -197,7 +197,7 @@ void Solver::Implementation::advanceGroups(std::span<const std::size_t> groups, 
     for (const std::size_t group : groups) {
         const std::vector<std::size_t>& places = schedule_.components(group);
         const bool maySo = groups.size() > 1 && places.size() == 1 && options_.eventDriven &&
-                           components_[places[0]]->mayGoSideBySide();
+                           components_[places[0]]->integration().mayGoSideBySide();
         if (maySo)
             single.push_back(places[0]);
         else

@@ -175,14 +175,14 @@ Solver::Implementation::axesOf(const Turn& turn) const {
             continue;
         if (x == noComponent || !components_[x] || !readers_[x].empty())
             return std::nullopt;
-        const Component::PlainRate* rate = components_[x]->plainRate();
+        const PlainRate* rate = components_[x]->plainRate();
         if (!rate)
             return std::nullopt;
         if (v == noComponent) { // a place that stays
             if (rate->unknown || rate->constant != 0)
                 return std::nullopt;
         } else {
-            const Component::PlainRate* bend =
+            const PlainRate* bend =
                 components_[v] ? components_[v]->plainRate() : nullptr;
             if (rate->unknown != turn.velocities[k] || !bend || bend->unknown ||
                 readers_[v] != std::vector<std::size_t>{x})

@@ -4,12 +4,12 @@
 
 #include "equations/partition.h"
 #include "equations/prepared_equations.h"
-#include "solution/component.h"
 #include "solution/kept_bytes.h"
 #include "solution/pace.h"
 #include "solution/schedule.h"
 #include "solution/solver.h"
 #include "solution/workers.h"
+#include "stepping/component.h"
 
 #include <algorithm>
 #include <atomic>

@@ -1,5 +1,5 @@
 // Surfaces that lie in the same place, and switch together; see component_equations.h.
-#include "solution/component_equations.h"
+#include "modes/component_equations.h"
 
 #include <algorithm>
 #include <cmath>

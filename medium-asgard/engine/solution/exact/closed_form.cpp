@@ -1,4 +1,4 @@
-#include "solution/closed_form.h"
+#include "exact/closed_form.h"
 
 #include "expression/operation.h"
 

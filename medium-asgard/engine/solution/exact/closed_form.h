@@ -5,7 +5,7 @@
 // integrated by a method is the exact integral of the velocity's pieces.
 #pragma once
 
-#include "solution/component_equations.h"
+#include "modes/component_equations.h"
 
 namespace solution {
 

@@ -1,6 +1,6 @@
 // Which side of each surface holds; see component_equations.h. What slides on surfaces is in
 // component_sliding.cpp.
-#include "solution/component_equations.h"
+#include "modes/component_equations.h"
 
 #include <algorithm>
 #include <cmath>

@@ -20,7 +20,7 @@
 // a body that rests on something and is lifted does not sink into it by rounding first.
 #pragma once
 
-#include "solution/closed_form.h"
+#include "exact/closed_form.h"
 
 #include <Eigen/Core>
 

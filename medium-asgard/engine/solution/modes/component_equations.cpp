@@ -1,4 +1,4 @@
-#include "solution/component_equations.h"
+#include "modes/component_equations.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // The Jacobian of a component; see component_equations.h.
-#include "solution/component_equations.h"
+#include "modes/component_equations.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 // With a the vector whose direction it is, scaled by the roots of its weights, and u what stands
 // for a/|a| while a is held at 0: expressions of a/|a| are evaluated with u times next to nothing
 // for a and next to nothing for |a|.
-#include "solution/component_equations.h"
+#include "modes/component_equations.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>

@@ -1,6 +1,6 @@
 // Places at which several surfaces meet, and no order of passing them comes to an end; see
 // component_equations.h.
-#include "solution/component_equations.h"
+#include "modes/component_equations.h"
 
 #include <algorithm>
 #include <cmath>

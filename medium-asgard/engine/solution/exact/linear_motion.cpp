@@ -1,4 +1,4 @@
-#include "solution/linear_motion.h"
+#include "exact/linear_motion.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Motion on surfaces, between the branches of their sides; see component_equations.h.
-#include "solution/component_equations.h"
+#include "modes/component_equations.h"
 
 #include <Eigen/LU>
 #include <Eigen/QR>

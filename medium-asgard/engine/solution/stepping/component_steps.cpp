@@ -1,0 +1,307 @@
+// How a component steps, and passes its switches; see component.h and solver.h.
+#include "stepping/component.h"
+#include "stepping/work_estimate.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace solution {
+
+std::optional<std::size_t> Component::waitsFor() {
+    // A model in closed form, and the choice of a first step, look at one piece of each input.
+    const bool single = !(models_.current() && models_.current()->looksAhead());
+    const double until =
+        single ? infinity : progress_.time + landingOf(around_.options) * progress_.proposed;
+    return boundary_.find(around_.histories, equations_->inputs().unknowns(),
+                          {progress_.time, until, single});
+}
+
+void Component::step() {
+    if (endsBeforeStep())
+        return;
+    equations_->inputs().window(boundary_.limit());
+    if (stepOverSliver())
+        return;
+    if (!models_.current()) {
+        plainRate_.reset();
+        if (unknowns_.size() == 1 && progress_.quaternions.empty() &&
+            boundary_.phasesUntil() == infinity)
+            plainRate_ = plainRateOf(*equations_);
+        models_.decide(stepPlainly());
+    }
+    if (stop_ || progress_.time == infinity)
+        return;
+    take(models_.current()->propose());
+}
+
+bool Component::endsBeforeStep() {
+    if (boundary_.ends() && boundary_.limit() <= progress_.time) {
+        end(Stop::Reason::inputEnded, {},
+            context_.names({0}) + " reads " + around_.set->unknowns[*boundary_.ends()].name +
+                ", whose motion ended");
+        stop_->culprits.push_back(*boundary_.ends());
+    } else if (history()->size() > around_.options.maximumSteps) { // without steps thrown away
+        end(Stop::Reason::tooManySteps, {},
+            context_.names({0}) + " took more than " +
+                std::to_string(around_.options.maximumSteps) + " steps up to here");
+    } else if (isHopeless()) {
+        end(Stop::Reason::tooLong, {},
+            context_.names({0}) +
+                " changes so fast that the finish is more than a billion steps away");
+    }
+    return stop_.has_value();
+}
+
+// A motion by itself, on equations that never change, has one pace. Others may change theirs: there
+// as many steps are made first as a burst is likely to need.
+bool Component::isHopeless() {
+    constexpr std::size_t burst = 2'097'152;
+    const History& history = *writer_.history();
+    const std::size_t n = history.size();
+    if (!Integration::isEstimateDue(n))
+        return false;
+    const bool mayChange = boundary_.phasesUntil() < infinity ||
+                           !equations_->model().surfaces().empty() || equations_->hasDirections() ||
+                           !equations_->inputs().unknowns().empty();
+    if (mayChange && n < burst)
+        return false;
+    const auto at = [&history](std::size_t step) { return history.step(step).origin; };
+    const double beyond = farthestFinish(n, {.start = at(0),
+                                             .first = at(n / 4),
+                                             .second = at(n / 2),
+                                             .third = at(3 * n / 4),
+                                             .now = progress_.time});
+    hopelessBeyond_ = std::min(hopelessBeyond_, beyond);
+    return around_.options.finish > beyond;
+}
+
+// Rounding left a sliver of time before the boundary: nothing moves in it.
+bool Component::stepOverSliver() {
+    const double limit = boundary_.limit();
+    if (limit - progress_.time > shortestStep(progress_.time))
+        return false;
+    const std::vector<double> y = states();
+    std::vector<Coefficients> still(y.size(), Coefficients{});
+    for (std::size_t i = 0; i < y.size(); ++i)
+        still[i][0] = y[i];
+    accept({.curves = {still, progress_.time, 1, limit}});
+    return true;
+}
+
+// A motion that goes on for ever needs no look at its equations.
+bool Component::stepPlainly() {
+    if (!plainRate_ || boundary_.limit() < infinity || around_.options.method != "auto")
+        return false;
+    const auto piece =
+        plainPiece(*plainRate_, around_.histories, progress_.time, progress_.values[0]);
+    if (!piece)
+        return false;
+    writer_.history()->dropAnchor();
+    ++counts_.evaluations;
+    writer_.append(piece->stepFrom(progress_.time), piece->numbers());
+    progress_.time = infinity;
+    return true;
+}
+
+// ---------------------------------------------------------------------------------------------
+// What models propose
+
+void Component::take(const Proposal& proposal) {
+    if (const auto* piece = std::get_if<StepPiece>(&proposal)) {
+        accept(*piece);
+    } else if (const auto* at = std::get_if<SwitchAtOnce>(&proposal)) {
+        pass(at->violation, true);
+    } else if (const auto* ending = std::get_if<Ending>(&proposal)) {
+        end(*ending);
+    } else if (std::holds_alternative<NextModel>(proposal)) {
+        models_.next();
+        progress_.proposed = 0;
+    }
+}
+
+// Every step of every model comes here.
+void Component::accept(const StepPiece& piece) {
+    write(piece);
+    std::span<const double> y;
+    if (piece.end) {
+        y = *piece.end;
+        if (!land(y))
+            return;
+    }
+    if (piece.crossing) {
+        pass(*piece.crossing, false);
+    } else if (piece.isAtRest) {
+        settle();
+    } else if (piece.end) {
+        const auto afterwards = models_.current()->goOn(y);
+        if (const auto* violation = std::get_if<Violation>(&afterwards))
+            pass(*violation, false);
+        else if (const auto* ending = std::get_if<Ending>(&afterwards))
+            end(*ending);
+    }
+    if (!stop_ && progress_.time >= boundary_.limit() && progress_.time < infinity)
+        arrive();
+}
+
+void Component::write(const StepPiece& piece) {
+    if (piece.kind == StepPiece::Kind::nothing)
+        return;
+    if (piece.kind != StepPiece::Kind::uncounted)
+        ++counts_.steps;
+    if (piece.kind == StepPiece::Kind::integrated) {
+        ++counts_.integratedSteps;
+        counts_.integratedFrom = std::min(counts_.integratedFrom, progress_.time);
+    }
+    if (piece.held)
+        writer_.append(piece.curves, *piece.held);
+    else
+        writer_.append(piece.curves, models_.held(), heldPart * context_.tolerance);
+    progress_.time = piece.curves.until;
+}
+
+// The states are y here, and y what they become when quaternions are normalized. False: the motion
+// ends.
+bool Component::land(std::span<const double>& y) {
+    progress_.put(equations_->states(), y);
+    progress_.normalize();
+    takeHeldValues();
+    if (stop_ || overflows(y))
+        return false;
+    if (!progress_.quaternions.empty()) {
+        progress_.take(equations_->states(), progress_.ended);
+        y = progress_.ended;
+    }
+    memory_.now.control.observe(y);
+    equations_->lookNoMoreBeyond();
+    switches_.goOn();
+    return true;
+}
+
+bool Component::overflows(std::span<const double> y) {
+    for (std::size_t i = 0; i < y.size(); ++i)
+        if (!(std::abs(y[i]) <= largestValue)) {
+            const std::vector<std::size_t> culprit = {equations_->states()[i]};
+            end(Stop::Reason::overflow, culprit, context_.names(culprit) + " grows over 1e100");
+            return true;
+        }
+    return false;
+}
+
+void Component::arrive() {
+    if (progress_.time >= boundary_.phasesUntil()) {
+        openRegime(true);
+        if (!stop_)
+            begin();
+    } else if (boundary_.restarts()) {
+        begin();
+    }
+    // The end of an input is reported by the next step, which cannot be made.
+}
+
+void Component::takeStride(double h, double to, double next) {
+    accept(models_.integration().takenStride(h, to, next));
+}
+
+void Component::endStride(const Attempt& attempt, double h) {
+    if (const auto proposal = models_.integration().refuse(attempt, h))
+        take(*proposal);
+}
+
+void Component::changeMethodAfterStride() {
+    if (const auto ending = models_.integration().changeMethod())
+        end(*ending);
+}
+
+// ---------------------------------------------------------------------------------------------
+// Switches
+
+void Component::pass(const Violation& violation, bool immediate) {
+    const auto giveUp = [&] {
+        const std::vector<std::size_t> flipping = equations_->unknownsOf(violation);
+        end(Stop::Reason::decisions, flipping.empty() ? std::vector<std::size_t>{0} : flipping,
+            "expressions that switch with " + switchingWith(violation) +
+                " switch to and fro here and no time goes on: each branch leads back into the "
+                "other, and no motion between them was found");
+    };
+    ++counts_.switches;
+    if (immediate) {
+        if (switches_.addAtOnce() > 8 * equations_->watches() + 8)
+            return giveUp();
+    } else {
+        switches_.add(progress_.time, equations_->surfacesOf(violation));
+        if (switches_.isEndless(progress_.time))
+            return giveUp();
+    }
+    std::vector<double> y = states();
+    equations_->inputs().window(infinity);
+    if ((immediate || !comesToRest(y)) &&
+        equations_->cross(violation, progress_.time, y, passing(violation, immediate)) ==
+            ComponentEquations::Crossing::impossible)
+        return giveUp();
+    progress_.put(equations_->states(), y);
+    takeHeldValues();
+    settle();
+}
+
+// On other branches from here on.
+void Component::settle() {
+    if (stop_)
+        return;
+    models_.forget();
+    progress_.proposed = 0;
+    writer_.beginAnew();
+    memory_.keep(progress_.time);
+    placeAnchor();
+}
+
+std::string Component::switchingWith(const Violation& violation) const {
+    const std::vector<std::size_t> own = equations_->unknownsOf(violation);
+    std::string text = own.empty() ? "" : context_.names(own);
+    for (const std::size_t unknown : equations_->inputsOf(violation))
+        text += (text.empty() ? "" : ", ") + around_.set->unknowns[unknown].name;
+    return text.empty() ? "the time" : text;
+}
+
+// On all surfaces about which it swung, where that is no farther away than the error that a step
+// may have. Or on those that it passes in turn about a point where all of them meet: a motion that
+// a switching curve leads to its end goes to and fro there by what counts as standing on a surface.
+bool Component::comesToRest(std::vector<double>& y) {
+    const double time = progress_.time, since = boundary_.phasesFrom();
+    const bool shrinks = switches_.swingsShrink(time, since);
+    if (!shrinks && !switches_.goesToAndFro(time, since))
+        return false;
+    const std::vector<std::size_t> surfaces = switches_.surfacesOfLast();
+    if (surfaces.size() < 2 || (!shrinks && !equations_->standsOn(surfaces, time, y)))
+        return false;
+    ErrorControl& control = memory_.now.control;
+    control.prepare(y, time - switches_.timeOfLast());
+    std::vector<double> reach(y.size());
+    for (std::size_t i = 0; i < y.size(); ++i)
+        reach[i] = control.scale(i);
+    if (!equations_->holdOn(surfaces, time, reach, y))
+        return false;
+    switches_.rest(time);
+    return true;
+}
+
+// Across, unless that went to and fro without time going on; or hardly, where rounding crosses a
+// surface that the motion touches. Near such a place it stays on it only once: a motion that comes
+// back to its surface at ever shorter intervals has no motion beyond their end.
+ComponentEquations::Passing Component::passing(const Violation& violation, bool immediate) {
+    using enum ComponentEquations::Passing;
+    const double time = progress_.time;
+    const std::size_t patience = context_.patience(), atOnce = switches_.atOnce();
+    if (immediate && violation.time > time)
+        return leaves;
+    if (immediate && atOnce == patience + 1)
+        return solved;
+    if (immediate)
+        return atOnce > 2 * patience ? stays : atOnce > patience ? stands : across;
+    if (!switches_.hasSwitched(time) || switches_.swingsShrink(time, boundary_.phasesFrom()) ||
+        switches_.hasStayedNear(time))
+        return across;
+    switches_.stay(time);
+    return stays;
+}
+
+} // namespace solution

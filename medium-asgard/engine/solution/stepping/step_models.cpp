@@ -1,0 +1,43 @@
+#include "stepping/step_models.h"
+
+namespace solution {
+
+void StepModels::begin() {
+    forget();
+    integration_.begin();
+}
+
+void StepModels::forget() {
+    integration_.dropMethod();
+    current_ = nullptr;
+}
+
+void StepModels::take(StepModel& model, const char* name, const char* method, const char* why) {
+    current_ = &model;
+    context_.counts.model = name;
+    context_.counts.method = method;
+    context_.counts.why = why;
+}
+
+void StepModels::decide(bool isPlain) {
+    const bool ladder = context_.options.method == "auto";
+    const bool hasStates = !context_.equations().states().empty();
+    if ((ladder || !hasStates) && (isPlain || closedForm_.applies()))
+        take(closedForm_, "closed-form", "exact", "polynomials in time");
+    else if (!hasStates)
+        take(values_, "closed-form", "evaluation", "held by expressions");
+    else if (ladder && linear_.applies())
+        take(linear_, "linear", "exponential",
+             "linear, with constant coefficients: exact at the ends of its pieces");
+    else
+        current_ = &integration_;
+}
+
+void StepModels::next() {
+    if (context_.equations().states().empty())
+        current_ = &values_;
+    else
+        current_ = &integration_;
+}
+
+} // namespace solution
