@@ -182,8 +182,7 @@ Solver::Implementation::axesOf(const Turn& turn) const {
             if (rate->unknown || rate->constant != 0)
                 return std::nullopt;
         } else {
-            const PlainRate* bend =
-                components_[v] ? components_[v]->plainRate() : nullptr;
+            const PlainRate* bend = components_[v] ? components_[v]->plainRate() : nullptr;
             if (rate->unknown != turn.velocities[k] || !bend || bend->unknown ||
                 readers_[v] != std::vector<std::size_t>{x})
                 return std::nullopt;

@@ -4,16 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 namespace solution {
 
 // The surfaces on which it slides, and those on which the point lies; of those that are joined one.
 std::vector<std::size_t> ComponentEquations::surfacesHere() {
-    std::vector<std::size_t> here = sliding_;
+    std::vector<std::size_t> here = mode_.sliding;
     for (std::size_t s = 0; s < model_.surfaces().size(); ++s) {
-        if (std::ranges::find(here, s) != here.end() || isJoined(s) ||
-            decisions_[model_.surfaces()[s].members[0].decision] == expression::noBranch)
+        if (std::ranges::find(here, s) != here.end() || mode_.isCoincident(s) ||
+            mode_.decisions[model_.surfaces()[s].members[0].decision] == expression::noBranch)
             continue;
         if (model_.surfaces()[s].whole && !takeLevel(s))
             continue;
@@ -38,10 +37,10 @@ bool ComponentEquations::isSolved(std::span<const std::size_t> surfaces, Solutio
         return false;
     const std::vector<double> rates = out_;
     return std::ranges::all_of(surfaces, [&](std::size_t s) {
-        if (std::ranges::find(sliding_, s) != sliding_.end())
+        if (mode_.slidesOn(s))
             return true;
         const Slope slope = guardRate(s, rates);
-        return slope.rate * sides_[s] > (asked.leaves ? slope.noise : -slope.noise);
+        return slope.rate * mode_.sides[s] > (asked.leaves ? slope.noise : -slope.noise);
     });
 }
 
@@ -49,10 +48,10 @@ bool ComponentEquations::isSolved(std::span<const std::size_t> surfaces, Solutio
 // their ends, so that it lasts, and all else is left at once.
 bool ComponentEquations::solveCorner() {
     constexpr std::size_t most = 5;
-    const auto before = std::tuple(sides_, levels_, decisions_, sliding_, joined_);
+    const Mode before = mode_;
     const std::vector<std::size_t> here = surfacesHere();
     const auto restore = [&] {
-        std::tie(sides_, levels_, decisions_, sliding_, joined_) = before;
+        mode_ = before;
         return false;
     };
     if (here.size() < 2 || here.size() > most)
@@ -64,15 +63,15 @@ bool ComponentEquations::solveCorner() {
     for (const Solution asked : wishes)
         for (std::size_t slides = 0; slides <= here.size(); ++slides)
             for (std::size_t way = 0; way < ways; ++way) {
-                sliding_.clear();
+                mode_.sliding.clear();
                 std::size_t digits = way;
                 for (const std::size_t s : here) {
                     if (digits % 3 == 2)
-                        sliding_.push_back(s);
+                        mode_.sliding.push_back(s);
                     setSide(s, digits % 3 == 1 ? +1 : -1);
                     digits /= 3;
                 }
-                if (sliding_.size() == slides && isSolved(here, asked))
+                if (mode_.sliding.size() == slides && isSolved(here, asked))
                     return true;
             }
     return restore();

@@ -23,11 +23,9 @@ ComponentEquations::ComponentEquations(std::shared_ptr<const BoundModel> bound,
     : bound_(std::move(bound)), model_(bound_->model ? *bound_->model : noModel()),
       inputs_(histories, bound_->inputs), in_(model_.symbols().size()),
       out_(model_.outputs().size()), base_(out_.size()), other_(out_.size()),
-      guards_(model_.function().decisions()), sides_(model_.surfaces().size(), onSurface),
-      levels_(model_.surfaces().size(), 0), joined_(model_.surfaces().size()),
-      isGrazed_(model_.surfaces().size(), 0), wasPassed_(model_.surfaces().size(), 0),
-      decisions_(model_.function().decisions()), units_(model_.directions().parts),
-      isPlain_(decisions_.empty() && bound_->held.empty() && bound_->loop.empty() &&
+      guards_(model_.function().decisions()), mode_(model_),
+      wasPassed_(model_.surfaces().size(), 0), units_(model_.directions().parts),
+      isPlain_(mode_.decisions.empty() && bound_->held.empty() && bound_->loop.empty() &&
                model_.directions().ranges.empty()),
       readsInputs_(!bound_->inputs.empty()) {
     std::ranges::copy(bound_->constants,
@@ -46,10 +44,10 @@ void ComponentEquations::fill(double t, std::span<const double> y) {
 // is written v/abs(v) is then the sign that it means, and v abs(v) is still 0.
 void ComponentEquations::evaluate(std::span<double> out) {
     bool isMoved = false;
-    if (!decisions_.empty())
+    if (!mode_.decisions.empty())
         for (const auto& [surface, state] : model_.ownGuards())
-            if (in_[1 + state] == 0 && sides_[surface] != onSurface) {
-                in_[1 + state] = sides_[surface] * nextToNothing;
+            if (in_[1 + state] == 0 && mode_.sides[surface] != Mode::onSurface) {
+                in_[1 + state] = mode_.sides[surface] * nextToNothing;
                 isMoved = true;
             }
     evaluateOutputs(out);
@@ -97,7 +95,7 @@ bool ComponentEquations::rates(double t, std::span<const double> y, std::span<do
         return false;
     if (!sliding()) {
         evaluate(out_);
-        if (looksBeyond_ && !areFinite(out_))
+        if (mode_.looksBeyond && !areFinite(out_))
             evaluateWhereItIs();
     }
     for (std::size_t i = 0; i < states().size(); ++i)
@@ -106,26 +104,26 @@ bool ComponentEquations::rates(double t, std::span<const double> y, std::span<do
 }
 
 void ComponentEquations::evaluateWhereItIs() {
-    const std::vector<expression::Decision> held = decisions_;
-    model_.function().tape().decide(in_, decisions_, guards_, scratch_);
-    if (decisions_ != held)
+    const std::vector<expression::Decision> held = mode_.decisions;
+    model_.function().tape().decide(in_, mode_.decisions, guards_, scratch_);
+    if (mode_.decisions != held)
         evaluateOutputs(out_);
-    decisions_ = held;
+    mode_.decisions = held;
 }
 
 bool ComponentEquations::lookBeyond(double t, std::span<const double> y) {
-    if (looksBeyond_ || sliding())
+    if (mode_.looksBeyond || sliding())
         return false;
     fill(t, y);
-    model_.function().guards(in_, guards_, scratch_, decisions_);
+    model_.function().guards(in_, guards_, scratch_, mode_.decisions);
     for (std::size_t s = 0; s < model_.surfaces().size(); ++s)
-        looksBeyond_ = looksBeyond_ || (isOnSide(s) && std::abs(guard(s)) <= standing);
-    return looksBeyond_;
+        mode_.looksBeyond = mode_.looksBeyond || (isOnSide(s) && std::abs(guard(s)) <= standing);
+    return mode_.looksBeyond;
 }
 
 bool ComponentEquations::heldValues(double t, std::span<const double> y, std::span<double> out) {
     fill(t, y);
-    if (sticking_.empty() || !weigh())
+    if (mode_.sticking.empty() || !weigh())
         evaluate(out_);
     std::copy(out_.begin() + static_cast<std::ptrdiff_t>(states().size()), out_.end(), out.begin());
     return std::all_of(out.begin(), out.end(), [](double x) { return std::isfinite(x); });
@@ -163,7 +161,7 @@ std::optional<Decision> ComponentEquations::decisionOf(Node switching) const {
     const auto at = std::ranges::lower_bound(switches, switching);
     if (at == switches.end() || *at != switching)
         return std::nullopt;
-    return decisions_[static_cast<std::size_t>(at - switches.begin())];
+    return mode_.decisions[static_cast<std::size_t>(at - switches.begin())];
 }
 
 std::optional<std::size_t> ComponentEquations::stateOf(Node symbol) const {

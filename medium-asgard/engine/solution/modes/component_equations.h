@@ -37,6 +37,7 @@
 #include "equations/bound_model.h"
 #include "expression/function.h"
 #include "integrators/system.h"
+#include "modes/mode.h"
 
 #include <Eigen/Core>
 
@@ -99,7 +100,7 @@ public:
     // lie a little beyond it, where the branch that holds has no value. From now on rates() takes
     // the other one there, until lookNoMoreBeyond(). False: it does already, or no surface is here.
     [[nodiscard]] bool lookBeyond(double t, std::span<const double> y);
-    void lookNoMoreBeyond() { looksBeyond_ = false; }
+    void lookNoMoreBeyond() { mode_.looksBeyond = false; }
     // Places in `unknowns` of those whose rate or value is not finite.
     [[nodiscard]] std::vector<std::size_t> notFinite(double t, std::span<const double> y);
 
@@ -123,7 +124,7 @@ public:
 
     // Branches. decide() is from the values alone, with what the fields say on a surface itself.
     void decide(double t, std::span<double> y);
-    [[nodiscard]] std::size_t watches() const { return watches_.size() + sticking_.size(); }
+    [[nodiscard]] std::size_t watches() const { return watches_.size() + mode_.sticking.size(); }
     void watch(double t, std::span<const double> y, std::span<double> values);
     // At its time the rates lead away from all its surfaces, to the sides that hold: only an error
     // of polynomials crosses them, where a guard is smaller than that.
@@ -157,8 +158,9 @@ public:
     [[nodiscard]] bool standsOn(const std::vector<std::size_t>& surfaces, double t,
                                 std::span<const double> y);
     [[nodiscard]] std::vector<std::size_t> surfacesOf(const Violation& violation) const;
+    [[nodiscard]] const Mode& mode() const { return mode_; }
     // On surfaces, or held at 0 where directions have none.
-    [[nodiscard]] bool sliding() const { return !sliding_.empty() || !sticking_.empty(); }
+    [[nodiscard]] bool sliding() const { return mode_.isHeld(); }
 
     // Directions (component_sticking.cpp).
     [[nodiscard]] bool hasDirections() const { return !model_.directions().ranges.empty(); }
@@ -189,7 +191,6 @@ private:
         enum class Kind { side, least, most } kind; // least, most: of a weight
         std::size_t surface;
     };
-    static constexpr int onSurface = 0;
     static constexpr double standing = 1e-12; // on a surface, by the value of its guard
     // The distance of a move off a surface, or off a length of 0, for its direction; its square is
     // still a number.
@@ -251,7 +252,6 @@ private:
     [[nodiscard]] std::vector<std::size_t> symbolsOf(const Violation& violation) const;
     [[nodiscard]] bool passWhole(std::size_t surface, bool insist);
     // Joining (component_joined.cpp).
-    [[nodiscard]] bool isJoined(std::size_t surface) const;
     [[nodiscard]] bool takeLevel(std::size_t surface);
     void join(std::size_t surface);
     using Distances = std::array<double, 4>;
@@ -309,36 +309,23 @@ private:
     std::vector<double> in_; // values of the model's symbols; constants stand at the end
     std::vector<double> out_, base_, other_, guards_;
 
-    std::vector<int> sides_; // -1, 0, 1; of sliding surfaces -1
-    // Of floors and ceilings that slide, or were passed: the whole number where they did.
-    std::vector<expression::Decision> levels_;
-    struct Joined {
-        std::size_t surface;
-        int orientation; // of its sides, as seen from those of the one with which it is joined
-    };
-    std::vector<std::vector<Joined>> joined_; // by surface; empty but for what slides or is passed
-    std::vector<int> ahead_;                  // those that looksAhead() saw, by surface
-    // The guard crosses 0 by rounding alone, or no rate beyond the surface moves the state away
-    // from it.
-    std::vector<char> isGrazed_;
+    Mode mode_;
+    std::vector<int> ahead_;      // those that looksAhead() saw, by surface
     std::vector<char> wasPassed_; // by surface, since the start or the last event
-    std::vector<expression::Decision> decisions_;
-    std::vector<std::size_t> sliding_; // surfaces
     // On these the motion was told to stand, at that time; passing another then moves it off none
     // of them.
     std::vector<std::size_t> standing_;
     double standingAt_ = 0;
     std::vector<double> weights_;
-    std::vector<std::size_t> sticking_;  // directions whose vectors are held at 0
-    std::optional<std::size_t> given_;   // of these, the one whose units are not to be found
-    std::optional<std::size_t> leaving_; // of these, one that sets off
-    double growth_ = 0, pull_ = 0;       // of that: rate of its vector, and of it without friction
-    std::vector<double> units_;          // for parts of unit vectors that are held, by part
-    std::vector<double> inMoving_;       // symbols, and rates of states and inputs
+    std::optional<std::size_t>
+        given_; // of what sticks, the direction whose units are not to be found
+    double growth_ = 0,
+           pull_ = 0;           // of what sets off: rate of its vector, and of it without friction
+    std::vector<double> units_; // for parts of unit vectors that are held, by part
+    std::vector<double> inMoving_;          // symbols, and rates of states and inputs
     std::vector<double> measures_, inHeld_; // of the model's directions
     std::vector<double> reach_;             // by state
     double tolerance_ = 0;                  // by which it was made
-    bool looksBeyond_ = false;
     bool slidingFailed_ = false;
     std::vector<Watch> watches_;
     std::vector<expression::Decision> derivedDecisions_;

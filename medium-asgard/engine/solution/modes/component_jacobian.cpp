@@ -18,10 +18,10 @@ void ComponentEquations::evaluate(const ComponentModel::Derived& derived,
                                   std::span<const double> in, std::span<double> out) {
     derivedDecisions_.clear();
     for (const ComponentModel::Derived::Source& source : derived.sources)
-        derivedDecisions_.push_back(source.decision ? decisions_[*source.decision]
-                                    : source.surface
-                                        ? Decision{sides_[*source.surface]} * source.orientation
-                                        : expression::noBranch);
+        derivedDecisions_.push_back(source.decision  ? mode_.decisions[*source.decision]
+                                    : source.surface ? Decision{mode_.sides[*source.surface]} *
+                                                           source.orientation
+                                                     : expression::noBranch);
     if (derivedDecisions_.empty())
         derived.function.evaluate(in, out, scratch_);
     else

@@ -8,29 +8,23 @@ namespace solution {
 
 using expression::Decision;
 
-bool ComponentEquations::isJoined(std::size_t surface) const {
-    return std::ranges::any_of(joined_, [surface](const std::vector<Joined>& list) {
-        return std::ranges::find(list, surface, &Joined::surface) != list.end();
-    });
-}
-
 // Of floor and ceil, on a side of the whole number that is their level.
 Decision ComponentEquations::decisionBeside(std::size_t surface, int side) const {
     const Decision above = model_.surfaces()[surface].ceiling ? 1 : 0;
-    return levels_[surface] + above - (side > 0 ? 0 : 1);
+    return mode_.levels[surface] + above - (side > 0 ? 0 : 1);
 }
 
 // Nothing has moved it from the side on which it was put.
 bool ComponentEquations::isOnSide(std::size_t surface) const {
     return !model_.surfaces()[surface].whole ||
-           decisions_[model_.surfaces()[surface].members[0].decision] ==
-               decisionBeside(surface, sides_[surface]);
+           mode_.decisions[model_.surfaces()[surface].members[0].decision] ==
+               decisionBeside(surface, mode_.sides[surface]);
 }
 
 // From the surface; of floor and ceil from their level.
 double ComponentEquations::distance(std::size_t surface) {
     const bool isWhole = model_.surfaces()[surface].whole;
-    return valueOf(surface) - (isWhole ? static_cast<double>(levels_[surface]) : 0);
+    return valueOf(surface) - (isWhole ? static_cast<double>(mode_.levels[surface]) : 0);
 }
 
 // The whole number nearest to the argument of floor or ceil, and the side on which it is. False:
@@ -39,16 +33,16 @@ bool ComponentEquations::takeLevel(std::size_t surface) {
     field();
     const std::vector<double> now = out_;
     const Slope slope = guardRate(surface, now);
-    const Decision taken = decisions_[model_.surfaces()[surface].members[0].decision];
+    const Decision taken = mode_.decisions[model_.surfaces()[surface].members[0].decision];
     const double nearest = std::round(slope.value);
     constexpr double largest = 9e15;
     if (taken == expression::noBranch || slope.still || !(std::abs(nearest) < largest) ||
         !(std::abs(slope.value - nearest) <= slope.near))
         return false;
-    levels_[surface] = static_cast<Decision>(nearest);
+    mode_.levels[surface] = static_cast<Decision>(nearest);
     for (const int side : {-1, +1})
         if (taken == decisionBeside(surface, side)) {
-            sides_[surface] = side;
+            mode_.sides[surface] = side;
             return true;
         }
     return false;
@@ -61,7 +55,7 @@ ComponentEquations::Distances ComponentEquations::distancesAround(std::size_t su
     const std::vector<double> here(in_.begin(),
                                    in_.begin() + static_cast<std::ptrdiff_t>(variables));
     const bool isWhole = model_.surfaces()[surface].whole;
-    const double level = isWhole ? static_cast<double>(levels_[surface]) : 0;
+    const double level = isWhole ? static_cast<double>(mode_.levels[surface]) : 0;
     std::vector<double> values(variables + 1);
     Distances distances{};
     for (std::size_t k = 0; k < distances.size(); ++k) {
@@ -98,7 +92,7 @@ template <class Values> double factorBetween(const Values& these, const Values& 
 std::optional<int> ComponentEquations::orientationBeside(std::size_t surface,
                                                          std::span<const Distances, 2> mine,
                                                          std::size_t other) {
-    const int before = sides_[surface];
+    const int before = mode_.sides[surface];
     double factors[2];
     for (const int side : {-1, +1}) {
         setOwnSide(surface, side);
@@ -113,19 +107,19 @@ std::optional<int> ComponentEquations::orientationBeside(std::size_t surface,
 
 // With all that lies in the same place.
 void ComponentEquations::join(std::size_t surface) {
-    joined_[surface].clear();
+    mode_.coincident[surface].clear();
     if (model_.surfaces().size() == 1)
         return;
     constexpr double near = 1e-2;
     std::optional<std::array<Distances, 2>> mine;
-    const int before = sides_[surface];
+    const int before = mode_.sides[surface];
     for (std::size_t s = 0; s < model_.surfaces().size(); ++s) {
-        const bool slides = std::ranges::find(sliding_, s) != sliding_.end();
-        if (s == surface || slides || isJoined(s) ||
-            decisions_[model_.surfaces()[s].members[0].decision] == expression::noBranch)
+        const bool slides = mode_.slidesOn(s);
+        if (s == surface || slides || mode_.isCoincident(s) ||
+            mode_.decisions[model_.surfaces()[s].members[0].decision] == expression::noBranch)
             continue;
         if (model_.surfaces()[s].whole)
-            levels_[s] = std::llround(valueOf(s));
+            mode_.levels[s] = std::llround(valueOf(s));
         if (!(std::abs(distance(s)) <= near))
             continue;
         if (!mine) {
@@ -137,7 +131,7 @@ void ComponentEquations::join(std::size_t surface) {
             setOwnSide(surface, before);
         }
         if (const auto orientation = orientationBeside(surface, *mine, s))
-            joined_[surface].push_back({s, *orientation});
+            mode_.coincident[surface].push_back({s, *orientation});
     }
 }
 

@@ -14,39 +14,38 @@ using expression::Node;
 
 void ComponentEquations::setSide(std::size_t surface, int side) {
     setOwnSide(surface, side);
-    for (const Joined& other : joined_[surface])
+    for (const Mode::Coincident& other : mode_.coincident[surface])
         setOwnSide(other.surface, side * other.orientation);
 }
 
 void ComponentEquations::setOwnSide(std::size_t surface, int side) {
-    sides_[surface] = side;
+    mode_.sides[surface] = side;
     if (model_.surfaces()[surface].whole) { // the branches beside that whole number
-        decisions_[model_.surfaces()[surface].members[0].decision] = decisionBeside(surface, side);
+        mode_.decisions[model_.surfaces()[surface].members[0].decision] =
+            decisionBeside(surface, side);
         return;
     }
     for (const Surface::Member& member : model_.surfaces()[surface].members)
-        decisions_[member.decision] = Decision{side} * member.orientation;
+        mode_.decisions[member.decision] = Decision{side} * member.orientation;
 }
 
 void ComponentEquations::setGrazed(std::size_t surface, bool isGrazed) {
-    isGrazed_[surface] = isGrazed ? 1 : 0;
-    for (const Joined& other : joined_[surface])
-        isGrazed_[other.surface] = isGrazed_[surface];
+    mode_.isGrazed[surface] = isGrazed ? 1 : 0;
+    for (const Mode::Coincident& other : mode_.coincident[surface])
+        mode_.isGrazed[other.surface] = mode_.isGrazed[surface];
 }
 
 void ComponentEquations::refreshWatches() {
     watches_.clear();
-    const auto slides = [this](std::size_t s) {
-        return std::find(sliding_.begin(), sliding_.end(), s) != sliding_.end();
-    };
+    const auto slides = [this](std::size_t s) { return mode_.slidesOn(s); };
     for (std::size_t s = 0; s < model_.surfaces().size(); ++s)
         if (!slides(s))
-            joined_[s].clear();
+            mode_.coincident[s].clear();
     const bool mayVary = model_.readSurfaces().mayVary();
     const std::vector<bool> read =
-        mayVary ? model_.readSurfaces().on(decisions_) : std::vector<bool>();
+        mayVary ? model_.readSurfaces().on(mode_.decisions) : std::vector<bool>();
     for (std::size_t s = 0; s < model_.surfaces().size(); ++s) {
-        if (isJoined(s))
+        if (mode_.isCoincident(s))
             continue;
         if (!slides(s)) {
             if (!mayVary || read[s])
@@ -90,28 +89,31 @@ void ComponentEquations::watch(double t, std::span<const double> y, std::span<do
     const bool isPossible = !sliding() || weigh();
     if (!isPossible)
         std::fill(weights_.begin(), weights_.end(), -1.0); // no longer possible: leave
-    for (std::size_t k = 0; k < sticking_.size(); ++k)
-        values[watches_.size() + k] = !isPossible                ? -1
-                                      : sticking_[k] == leaving_ ? leeway()
-                                                                 : -excess(sticking_[k]);
-    model_.function().guards(in_, guards_, scratch_, decisions_);
+    for (std::size_t k = 0; k < mode_.sticking.size(); ++k)
+        values[watches_.size() + k] = !isPossible ? -1
+                                      : mode_.sticking[k] == mode_.leaving
+                                          ? leeway()
+                                          : -excess(mode_.sticking[k]);
+    model_.function().guards(in_, guards_, scratch_, mode_.decisions);
     for (std::size_t k = 0; k < watches_.size(); ++k) {
         const auto [kind, s] = watches_[k];
         const Surface& surface = model_.surfaces()[s];
         const double g = guard(s);
-        if (decisions_[surface.members[0].decision] == expression::noBranch) {
+        if (mode_.decisions[surface.members[0].decision] == expression::noBranch) {
             values[k] = 1;
         } else if (kind != Watch::Kind::side) {
-            const auto place = std::find(sliding_.begin(), sliding_.end(), s) - sliding_.begin();
+            const auto place =
+                std::find(mode_.sliding.begin(), mode_.sliding.end(), s) - mode_.sliding.begin();
             const double w = weights_[static_cast<std::size_t>(place)];
-            values[k] = (kind == Watch::Kind::least ? w : 1 - w) + (isGrazed_[s] ? standing : 0);
+            values[k] =
+                (kind == Watch::Kind::least ? w : 1 - w) + (mode_.isGrazed[s] ? standing : 0);
         } else if (surface.whole) {
-            const auto taken = static_cast<double>(decisions_[surface.members[0].decision]);
-            values[k] = g + (isGrazed_[s] ? standing * std::max(1.0, std::abs(taken)) : 0);
-        } else if (sides_[s] == onSurface) {
+            const auto taken = static_cast<double>(mode_.decisions[surface.members[0].decision]);
+            values[k] = g + (mode_.isGrazed[s] ? standing * std::max(1.0, std::abs(taken)) : 0);
+        } else if (mode_.sides[s] == Mode::onSurface) {
             values[k] = standing - std::abs(g);
         } else {
-            values[k] = sides_[s] * g + (isGrazed_[s] ? standing : 0);
+            values[k] = mode_.sides[s] * g + (mode_.isGrazed[s] ? standing : 0);
         }
     }
 }
@@ -120,7 +122,7 @@ void ComponentEquations::watch(double t, std::span<const double> y, std::span<do
 // none: what lies on the surface holds, also where it makes no difference yet.
 void ComponentEquations::settleOn(std::size_t surface) {
     std::vector<double> above(out_.size()), below(out_.size()), on(out_.size());
-    setSide(surface, onSurface);
+    setSide(surface, Mode::onSurface);
     evaluate(on);
     if (guardRate(surface, on).still)
         return;
@@ -128,14 +130,14 @@ void ComponentEquations::settleOn(std::size_t surface) {
     evaluate(above);
     setSide(surface, -1);
     evaluate(below);
-    setSide(surface, onSurface);
+    setSide(surface, Mode::onSurface);
     const auto signOf = [this, surface](std::span<const double> field) {
         const Slope slope = guardRate(surface, field);
         return slope.rate > slope.noise ? 1 : slope.rate < -slope.noise ? -1 : 0;
     };
     const int up = signOf(above), down = signOf(below);
     if (up < 0 && down > 0)
-        sliding_.push_back(surface);
+        mode_.sliding.push_back(surface);
     else if (up > 0 && down >= 0)
         setSide(surface, +1);
     else if (down < 0 && up <= 0)
@@ -149,38 +151,33 @@ void ComponentEquations::settleOn(std::size_t surface) {
 }
 
 void ComponentEquations::decide(double t, std::span<double> y) {
-    sliding_.clear();
-    sticking_.clear();
-    leaving_.reset();
+    mode_.release();
     standing_.clear();
-    isGrazed_.assign(model_.surfaces().size(), 0);
-    wasPassed_.assign(model_.surfaces().size(), 0);
-    for (std::vector<Joined>& joined : joined_)
-        joined.clear();
+    std::ranges::fill(wasPassed_, 0);
     if (model_.surfaces().empty())
         return;
     fill(t, y);
-    model_.function().tape().decide(in_, decisions_, guards_, scratch_);
+    model_.function().tape().decide(in_, mode_.decisions, guards_, scratch_);
     std::vector<std::size_t> touching;
     for (std::size_t s = 0; s < model_.surfaces().size(); ++s) {
         const Surface::Member& member = model_.surfaces()[s].members[0];
-        const Decision taken = decisions_[member.decision];
+        const Decision taken = mode_.decisions[member.decision];
         if (model_.surfaces()[s].whole || taken == expression::noBranch)
             continue;
-        sides_[s] = static_cast<int>(taken) * member.orientation;
-        if (sides_[s] == onSurface)
+        mode_.sides[s] = static_cast<int>(taken) * member.orientation;
+        if (mode_.sides[s] == Mode::onSurface)
             touching.push_back(s);
     }
     for (const std::size_t s : touching)
         settleOn(s);
     if (!touching.empty()) {
         follow({}); // what was decided by values on surfaces that are left at once
-        const std::vector<double> touched(sides_.size());
+        const std::vector<double> touched(mode_.sides.size());
         while (leaveWhereJumped(touched))
             follow({});
     }
     if (!settleWeights(t, y))
-        sliding_.clear();
+        mode_.sliding.clear();
     project(t, y);
     refreshWatches();
 }
@@ -200,10 +197,10 @@ void ComponentEquations::field() {
 bool ComponentEquations::isRight(std::size_t surface) {
     field();
     const std::vector<double> now = out_;
-    model_.function().guards(in_, guards_, scratch_, decisions_);
+    model_.function().guards(in_, guards_, scratch_, mode_.decisions);
     const Slope slope = guardRate(surface, now);
-    const double g = sides_[surface] * guard(surface);
-    return g > slope.near || (g >= -slope.near && slope.rate * sides_[surface] > slope.noise);
+    const double g = mode_.sides[surface] * guard(surface);
+    return g > slope.near || (g >= -slope.near && slope.rate * mode_.sides[surface] > slope.noise);
 }
 
 // The integer that floor or ceil takes next, on the branches of what its argument reads. What rests
@@ -216,7 +213,7 @@ Decision ComponentEquations::wholeBranch(std::size_t surface, std::span<const do
     if (std::abs(slope.value - nearest) <= slope.near) {
         const bool leaves = ceiling ? slope.rate > slope.noise : slope.rate < -slope.noise;
         const double beside = nearest + (ceiling ? 1 : -1);
-        const Decision taken = decisions_[model_.surfaces()[surface].members[0].decision];
+        const Decision taken = mode_.decisions[model_.surfaces()[surface].members[0].decision];
         const bool rests = !slope.still && std::abs(slope.rate) <= slope.noise;
         whole = leaves || (rests && static_cast<double>(taken) == beside) ? beside : nearest;
     }
@@ -227,16 +224,17 @@ Decision ComponentEquations::wholeBranch(std::size_t surface, std::span<const do
 void ComponentEquations::pass(const Watch& watch, Passing how, Passed& passed) {
     const std::size_t s = watch.surface;
     if (how == Passing::leaves) { // whatever else falls later falls again
-        if (ahead_[s] == onSurface)
+        if (ahead_[s] == Mode::onSurface)
             return;
         setSide(s, ahead_[s]);
         passed.settled.push_back(s);
     } else if (watch.kind != Watch::Kind::side) {
-        sliding_.erase(std::remove(sliding_.begin(), sliding_.end(), s), sliding_.end());
+        mode_.sliding.erase(std::remove(mode_.sliding.begin(), mode_.sliding.end(), s),
+                            mode_.sliding.end());
         setSide(s, watch.kind == Watch::Kind::least ? -1 : +1);
         if (model_.surfaces()[s].whole)
             passed.settled.push_back(s);
-        for (const Joined& other : joined_[s])
+        for (const Mode::Coincident& other : mode_.coincident[s])
             passed.settled.push_back(other.surface);
     } else if (how == Passing::across) {
         passAcross(s, passed);
@@ -244,7 +242,7 @@ void ComponentEquations::pass(const Watch& watch, Passing how, Passed& passed) {
         if (passWhole(s, how == Passing::stays) && passed.isAlone)
             passed.settled.push_back(s);
     } else {
-        setSide(s, onSurface);
+        setSide(s, Mode::onSurface);
         standing_.push_back(s);
     }
 }
@@ -265,11 +263,12 @@ void ComponentEquations::passAcross(std::size_t surface, Passed& passed) {
     field();
     const double g = distance(surface);
     join(surface);
-    if (sides_[surface] == onSurface)
+    if (mode_.sides[surface] == Mode::onSurface)
         passed.stood.push_back(surface);
-    setSide(surface, sides_[surface] == onSurface ? (g > 0) - (g < 0) : -sides_[surface]);
+    setSide(surface,
+            mode_.sides[surface] == Mode::onSurface ? (g > 0) - (g < 0) : -mode_.sides[surface]);
     passed.surfaces.push_back(surface);
-    for (const Joined& other : joined_[surface]) {
+    for (const Mode::Coincident& other : mode_.coincident[surface]) {
         passed.joined.push_back(other.surface);
         passed.settled.push_back(other.surface);
     }
@@ -286,18 +285,18 @@ bool ComponentEquations::passWhole(std::size_t surface, bool insist) {
     const Slope slope = guardRate(surface, now);
     const bool ceiling = model_.surfaces()[surface].ceiling;
     const Decision next = wholeBranch(surface, now);
-    Decision& taken = decisions_[model_.surfaces()[surface].members[0].decision];
+    Decision& taken = mode_.decisions[model_.surfaces()[surface].members[0].decision];
     const double middle = static_cast<double>(taken) + (ceiling ? -0.5 : 0.5);
     const Decision beside = taken + (slope.value > middle ? 1 : -1);
     const bool isForced = next == taken && !slope.still;
     taken = next != taken ? next : beside;
-    isGrazed_[surface] = 0;
+    mode_.isGrazed[surface] = 0;
     if (!insist)
         return isForced;
     field();
     const std::vector<double> behind = out_;
     const double rate = guardRate(surface, behind).rate;
-    isGrazed_[surface] = rate == slope.rate || rate * slope.rate > 0 ? 1 : 0;
+    mode_.isGrazed[surface] = rate == slope.rate || rate * slope.rate > 0 ? 1 : 0;
     return isForced;
 }
 
@@ -308,14 +307,14 @@ void ComponentEquations::follow(const Passed& passed) {
         return std::find(list.begin(), list.end(), s) != list.end();
     };
     const auto isSettled = [&](std::size_t s) {
-        return in(passed.settled, s) || (sides_[s] == onSurface && in(standing_, s));
+        return in(passed.settled, s) || (mode_.sides[s] == Mode::onSurface && in(standing_, s));
     };
     for (std::size_t round = 0; round < model_.surfaces().size(); ++round) {
         bool changed = false;
         field();
         const std::vector<double> now = out_;
         for (std::size_t s = 0; s < model_.surfaces().size() && !changed; ++s)
-            if (!in(sliding_, s) && !isJoined(s) && !isSettled(s))
+            if (!in(mode_.sliding, s) && !mode_.isCoincident(s) && !isSettled(s))
                 changed = follow(s, now, in(passed.surfaces, s));
         if (!changed)
             return;
@@ -324,7 +323,7 @@ void ComponentEquations::follow(const Passed& passed) {
 
 // True: its branch is another now.
 bool ComponentEquations::follow(std::size_t surface, std::span<const double> rates, bool passed) {
-    Decision& decision = decisions_[model_.surfaces()[surface].members[0].decision];
+    Decision& decision = mode_.decisions[model_.surfaces()[surface].members[0].decision];
     const Decision before = decision;
     const Slope slope = guardRate(surface, rates);
     if (model_.surfaces()[surface].whole) {
@@ -332,24 +331,26 @@ bool ComponentEquations::follow(std::size_t surface, std::span<const double> rat
             decision = wholeBranch(surface, rates);
         return decision != before;
     }
-    model_.function().guards(in_, guards_, scratch_, decisions_);
+    model_.function().guards(in_, guards_, scratch_, mode_.decisions);
     const double g = guard(surface);
     if (before == expression::noBranch || (passed && !slope.still))
         return false;
-    if (g == 0 && (slope.still || sides_[surface] == onSurface))
+    if (g == 0 && (slope.still || mode_.sides[surface] == Mode::onSurface))
         settleOn(surface);
-    else if ((g * sides_[surface] < 0 || sides_[surface] == onSurface) && std::abs(g) > slope.near)
+    else if ((g * mode_.sides[surface] < 0 || mode_.sides[surface] == Mode::onSurface) &&
+             std::abs(g) > slope.near)
         setSide(surface, g > 0 ? 1 : -1);
     return decision != before;
 }
 
 bool ComponentEquations::leadsInside(const Watch& watch) {
     const Surface& surface = model_.surfaces()[watch.surface];
-    if (watch.kind != Watch::Kind::side || surface.whole || sides_[watch.surface] == onSurface)
+    if (watch.kind != Watch::Kind::side || surface.whole ||
+        mode_.sides[watch.surface] == Mode::onSurface)
         return false;
     const std::vector<double> now = out_;
     const Slope slope = guardRate(watch.surface, now);
-    return !slope.still && slope.rate * sides_[watch.surface] > slope.noise;
+    return !slope.still && slope.rate * mode_.sides[watch.surface] > slope.noise;
 }
 
 bool ComponentEquations::contradicts(const Violation& violation, double t,
@@ -368,7 +369,7 @@ bool ComponentEquations::grazesByRounding(const Violation& violation, double t,
     if (violation.watches.size() != 1 || violation.watches[0] >= watches_.size())
         return false;
     const Watch& watch = watches_[violation.watches[0]];
-    if (isGrazed_[watch.surface] != 0 || wasPassed_[watch.surface] != 0)
+    if (mode_.isGrazed[watch.surface] != 0 || wasPassed_[watch.surface] != 0)
         return false;
     fill(t, y);
     field();
@@ -386,18 +387,19 @@ bool ComponentEquations::grazesByRounding(const Violation& violation, double t,
 bool ComponentEquations::looksAhead(const Violation& violation, double t,
                                     std::span<const double> y) {
     fill(t, y);
-    model_.function().guards(in_, guards_, scratch_, decisions_);
-    ahead_.assign(model_.surfaces().size(), onSurface);
+    model_.function().guards(in_, guards_, scratch_, mode_.decisions);
+    ahead_.assign(model_.surfaces().size(), Mode::onSurface);
     bool any = false;
     for (const std::size_t k : violation.watches) {
         if (k >= watches_.size())
             continue;
         const auto [kind, s] = watches_[k];
-        if (kind != Watch::Kind::side || model_.surfaces()[s].whole || sides_[s] != onSurface)
+        if (kind != Watch::Kind::side || model_.surfaces()[s].whole ||
+            mode_.sides[s] != Mode::onSurface)
             continue;
         const double g = guard(s);
         ahead_[s] = (g > 0) - (g < 0);
-        any = any || ahead_[s] != onSurface;
+        any = any || ahead_[s] != Mode::onSurface;
     }
     return any;
 }
@@ -406,7 +408,7 @@ bool ComponentEquations::looksAhead(const Violation& violation, double t,
 // back too the motion only touched the surface, and nothing could slide there. Where nothing moves
 // it there, what passed was an error of polynomials, and it rests.
 ComponentEquations::Front ComponentEquations::front(std::size_t surface) {
-    const int side = sides_[surface];
+    const int side = mode_.sides[surface];
     setSide(surface, -side);
     field();
     const std::vector<double> before = out_;
@@ -421,13 +423,13 @@ ComponentEquations::Front ComponentEquations::front(std::size_t surface) {
 void ComponentEquations::slideWhereLedBack(const Passed& passed) {
     field();
     const std::vector<double> behind = out_;
-    model_.function().guards(in_, guards_, scratch_, decisions_);
+    model_.function().guards(in_, guards_, scratch_, mode_.decisions);
     std::vector<std::size_t> back;
     for (const std::size_t s : passed.surfaces) {
         wasPassed_[s] = 1;
         const Slope slope = guardRate(s, behind);
         setGrazed(s, !slope.still && std::abs(slope.rate) <= slope.noise);
-        if (isOnSide(s) && slope.rate * sides_[s] < -slope.noise &&
+        if (isOnSide(s) && slope.rate * mode_.sides[s] < -slope.noise &&
             std::abs(distance(s)) <= slope.near)
             back.push_back(s);
     }
@@ -437,10 +439,10 @@ void ComponentEquations::slideWhereLedBack(const Passed& passed) {
     for (std::size_t k = 0; k < back.size(); ++k) {
         const std::size_t s = back[k];
         if (fronts[k] != Front::leadsAway) {
-            sliding_.push_back(s);
+            mode_.sliding.push_back(s);
             setGrazed(s, fronts[k] == Front::rests);
         } else if (std::ranges::find(passed.stood, s) == passed.stood.end()) {
-            setSide(s, -sides_[s]);
+            setSide(s, -mode_.sides[s]);
         }
     }
 }
@@ -469,9 +471,9 @@ ComponentEquations::Crossing ComponentEquations::cross(const Violation& violatio
     while (leaveWhereJumped(before))
         follow(passed);
     slideWhereLedBack(passed);
-    const std::vector<std::size_t> slid = sliding_;
+    const std::vector<std::size_t> slid = mode_.sliding;
     if (!settleWeights(t, y)) { // beside the surface a side may have no value, as a root's
-        sliding_ = slid;
+        mode_.sliding = slid;
         project(t, y);
         if (!settleWeights(t, y) && !solveCorner())
             return Crossing::impossible;
@@ -488,7 +490,7 @@ ComponentEquations::Crossing ComponentEquations::cross(const Violation& violatio
 // square of the time, unless the time that it was late is made up for.
 ComponentEquations::Late ComponentEquations::lateness(const Violation& violation) {
     const Watch& watch = watches_[violation.watches[0]];
-    if (violation.watches.size() != 1 || watch.kind != Watch::Kind::side || !sliding_.empty())
+    if (violation.watches.size() != 1 || watch.kind != Watch::Kind::side || !mode_.sliding.empty())
         return {};
     field();
     Late late{.seconds = 0, .rates = out_};
@@ -502,7 +504,7 @@ ComponentEquations::Late ComponentEquations::lateness(const Violation& violation
 }
 
 void ComponentEquations::makeUp(const Late& late, double t, std::span<double> y) {
-    if (late.seconds == 0 || !sliding_.empty())
+    if (late.seconds == 0 || !mode_.sliding.empty())
         return;
     fill(t, y);
     field();
@@ -520,7 +522,7 @@ std::vector<std::size_t> ComponentEquations::symbolsOf(const Violation& violatio
     for (const std::size_t k : violation.watches)
         guards.push_back(k < watches_.size()
                              ? model_.surfaces()[watches_[k].surface].guard
-                             : model_.directions().lengths[sticking_[k - watches_.size()]]);
+                             : model_.directions().lengths[mode_.sticking[k - watches_.size()]]);
     std::vector<std::size_t> found;
     for (const Node symbol : expression::symbolsOf(graph(), guards))
         if (const auto place = model_.placeOf(symbol); place)

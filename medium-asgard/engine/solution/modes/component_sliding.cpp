@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 namespace solution {
 
@@ -37,24 +36,24 @@ Eigen::VectorXd weightsFor(const Eigen::MatrixXd& change, const Eigen::VectorXd&
 
 // Rates while sliding, into out_.
 bool ComponentEquations::weigh() {
-    if (!sticking_.empty())
+    if (!mode_.sticking.empty())
         return weighWithDirections();
-    const auto m = static_cast<Eigen::Index>(sliding_.size());
-    for (const std::size_t s : sliding_)
+    const auto m = static_cast<Eigen::Index>(mode_.sliding.size());
+    for (const std::size_t s : mode_.sliding)
         setSide(s, -1);
     evaluate(base_);
     Eigen::MatrixXd change(m, m);
     Eigen::VectorXd wanted(m);
     std::vector<std::vector<double>> fields;
     for (Eigen::Index j = 0; j < m; ++j) {
-        const std::size_t s = sliding_[static_cast<std::size_t>(j)];
+        const std::size_t s = mode_.sliding[static_cast<std::size_t>(j)];
         setSide(s, +1);
         evaluate(other_);
         setSide(s, -1);
         fields.push_back(other_);
     }
     for (Eigen::Index i = 0; i < m; ++i) {
-        const std::size_t s = sliding_[static_cast<std::size_t>(i)];
+        const std::size_t s = mode_.sliding[static_cast<std::size_t>(i)];
         wanted(i) = -guardRate(s, base_).rate;
         for (Eigen::Index j = 0; j < m; ++j)
             change(i, j) = guardRate(s, fields[static_cast<std::size_t>(j)]).rate + wanted(i);
@@ -70,7 +69,7 @@ bool ComponentEquations::weigh() {
     for (Eigen::Index j = 0; j < m; ++j)
         for (std::size_t n = 0; n < out_.size(); ++n)
             out_[n] += w(j) * (fields[static_cast<std::size_t>(j)][n] - base_[n]);
-    for (const std::size_t s : sliding_)
+    for (const std::size_t s : mode_.sliding)
         if (const auto state = model_.gradient(s).state)
             out_[*state] = 0;
     weights_.assign(w.data(), w.data() + m);
@@ -79,10 +78,10 @@ bool ComponentEquations::weigh() {
 
 // Surfaces whose weight lies outside [0, 1] are left; false when that does not settle.
 bool ComponentEquations::settleWeights(double t, std::span<const double> y) {
-    const std::size_t most = 2 * sliding_.size();
+    const std::size_t most = 2 * mode_.sliding.size();
     fill(t, y);
     for (std::size_t round = 0; round <= most; ++round) {
-        if (sliding_.empty())
+        if (mode_.sliding.empty())
             return true;
         if (!weigh())
             return false;
@@ -91,9 +90,9 @@ bool ComponentEquations::settleWeights(double t, std::span<const double> y) {
         if (outside == weights_.end())
             return true;
         const auto place = outside - weights_.begin();
-        const std::size_t s = sliding_[static_cast<std::size_t>(place)];
+        const std::size_t s = mode_.sliding[static_cast<std::size_t>(place)];
         const int side = *outside < 0 ? -1 : +1;
-        sliding_.erase(sliding_.begin() + place);
+        mode_.sliding.erase(mode_.sliding.begin() + place);
         setSide(s, side);
     }
     return false;
@@ -102,9 +101,9 @@ bool ComponentEquations::settleWeights(double t, std::span<const double> y) {
 // Onto the surfaces of sliding, along the difference of their fields; exactly where the guard is a
 // state.
 void ComponentEquations::project(double t, std::span<double> y) {
-    for (const std::size_t s : sliding_) {
+    for (const std::size_t s : mode_.sliding) {
         const ComponentModel::Gradient& g = model_.gradient(s);
-        const double level = model_.surfaces()[s].whole ? static_cast<double>(levels_[s]) : 0;
+        const double level = model_.surfaces()[s].whole ? static_cast<double>(mode_.levels[s]) : 0;
         if (g.state) {
             y[*g.state] = level;
             continue;
@@ -129,16 +128,16 @@ void ComponentEquations::project(double t, std::span<double> y) {
 double ComponentEquations::valueOf(std::size_t surface) {
     if (model_.surfaces()[surface].whole)
         return guardRate(surface, out_).value;
-    model_.function().guards(in_, guards_, scratch_, decisions_);
+    model_.function().guards(in_, guards_, scratch_, mode_.decisions);
     return guard(surface);
 }
 
 // From the surfaces of sliding, by surface.
 std::vector<double> ComponentEquations::distancesOfSliding() {
     std::vector<double> distances(model_.surfaces().size());
-    if (!sliding_.empty())
+    if (!mode_.sliding.empty())
         field();
-    for (const std::size_t s : sliding_)
+    for (const std::size_t s : mode_.sliding)
         distances[s] = distance(s);
     return distances;
 }
@@ -146,7 +145,7 @@ std::vector<double> ComponentEquations::distancesOfSliding() {
 // Where the guard itself has jumped since, as that of a belt's friction when the belt turns back,
 // the motion is not on the surface any more: the value says on which side it is. True: it left one.
 bool ComponentEquations::leaveWhereJumped(std::span<const double> before) {
-    const std::vector<std::size_t> slid = sliding_;
+    const std::vector<std::size_t> slid = mode_.sliding;
     for (const std::size_t s : slid) {
         field();
         const std::vector<double> now = out_;
@@ -154,10 +153,10 @@ bool ComponentEquations::leaveWhereJumped(std::span<const double> before) {
         const double off = distance(s);
         if (!(std::abs(off - before[s]) > near))
             continue;
-        std::erase(sliding_, s);
-        joined_[s].clear();
+        std::erase(mode_.sliding, s);
+        mode_.coincident[s].clear();
         if (model_.surfaces()[s].whole)
-            decisions_[model_.surfaces()[s].members[0].decision] = wholeBranch(s, now);
+            mode_.decisions[model_.surfaces()[s].members[0].decision] = wholeBranch(s, now);
         else
             setOwnSide(s, off > 0 ? +1 : -1);
         return true;
@@ -181,22 +180,21 @@ bool ComponentEquations::holdsOn(const std::vector<std::size_t>& surfaces) {
     const std::vector<double> rates = out_;
     return std::ranges::all_of(surfaces, [&](std::size_t s) {
         const Slope slope = guardRate(s, rates);
-        return std::ranges::find(sliding_, s) != sliding_.end() ||
-               std::abs(slope.rate) <= slope.noise;
+        return mode_.slidesOn(s) || std::abs(slope.rate) <= slope.noise;
     });
 }
 
 bool ComponentEquations::holdOn(const std::vector<std::size_t>& surfaces, double t,
                                 std::span<const double> reach, std::span<double> y) {
-    const auto before = std::tuple(sides_, levels_, decisions_, sliding_, joined_);
+    const Mode before = mode_;
     fill(t, y);
     for (const std::size_t s : surfaces) {
-        if (std::ranges::find(sliding_, s) != sliding_.end() || isJoined(s))
+        if (mode_.slidesOn(s) || mode_.isCoincident(s))
             continue;
         if (model_.surfaces()[s].whole)
-            levels_[s] = std::llround(valueOf(s));
+            mode_.levels[s] = std::llround(valueOf(s));
         join(s);
-        sliding_.push_back(s);
+        mode_.sliding.push_back(s);
     }
     std::vector<double> at(y.begin(), y.end());
     project(t, at);
@@ -204,7 +202,7 @@ bool ComponentEquations::holdOn(const std::vector<std::size_t>& surfaces, double
     for (std::size_t i = 0; i < at.size(); ++i)
         isHeld = isHeld && std::abs(at[i] - y[i]) <= reach[i];
     if (!isHeld) {
-        std::tie(sides_, levels_, decisions_, sliding_, joined_) = before;
+        mode_ = before;
         return false;
     }
     std::ranges::copy(at, y.begin());

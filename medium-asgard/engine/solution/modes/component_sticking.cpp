@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 namespace solution {
 
@@ -78,11 +77,11 @@ void ComponentEquations::measure() {
 }
 
 void ComponentEquations::evaluateOutputs(std::span<double> out) {
-    if (sticking_.empty()) {
-        if (decisions_.empty())
+    if (mode_.sticking.empty()) {
+        if (mode_.decisions.empty())
             model_.function().evaluate(in_, out, scratch_);
         else
-            model_.function().evaluate(in_, out, scratch_, decisions_);
+            model_.function().evaluate(in_, out, scratch_, mode_.decisions);
         return;
     }
     measure();
@@ -91,10 +90,10 @@ void ComponentEquations::evaluateOutputs(std::span<double> out) {
     inHeld_ = in_;
     inHeld_.insert(inHeld_.end(), parts, parts + std::ptrdiff_t(directions.parts));
     inHeld_.insert(inHeld_.end(), lengths, measures_.end());
-    for (const std::size_t d : sticking_) {
+    for (const std::size_t d : mode_.sticking) {
         const auto [first, count] = directions.ranges[d];
         const double length =
-            d == leaving_ ? std::max(vectorOf(d).norm(), nextToNothing) : nextToNothing;
+            d == mode_.leaving ? std::max(vectorOf(d).norm(), nextToNothing) : nextToNothing;
         inHeld_[in_.size() + directions.parts + d] = length;
         for (std::size_t p = first; p < first + count; ++p)
             inHeld_[in_.size() + p] = length * units_[p] / scaleOf(p);
@@ -119,11 +118,11 @@ Eigen::VectorXd ComponentEquations::vectorOf(std::size_t direction) const {
 // What is not given is solved for.
 std::vector<ComponentEquations::Column> ComponentEquations::columns() const {
     std::vector<Column> columns;
-    for (const std::size_t s : sliding_)
+    for (const std::size_t s : mode_.sliding)
         columns.push_back({false, s});
-    for (const std::size_t d : sticking_) {
+    for (const std::size_t d : mode_.sticking) {
         const auto [first, count] = model_.directions().ranges[d];
-        for (std::size_t p = first; d != given_ && d != leaving_ && p < first + count; ++p)
+        for (std::size_t p = first; d != given_ && d != mode_.leaving && p < first + count; ++p)
             columns.push_back({true, p});
     }
     return columns;
@@ -148,15 +147,15 @@ double ComponentEquations::rateOf(const Column& column, std::span<const double> 
 
 // What sets off goes where it is drawn to.
 bool ComponentEquations::weighWithDirections() {
-    if (!leaving_ || given_)
+    if (!mode_.leaving || given_)
         return solveWithDirections();
-    const auto response = responseOf(*leaving_);
+    const auto response = responseOf(*mode_.leaving);
     const auto departure = response ? response->departure() : std::nullopt;
     if (!departure)
         return false;
     growth_ = departure->growth;
     pull_ = response->rate.norm();
-    const auto first = model_.directions().ranges[*leaving_].first;
+    const auto first = model_.directions().ranges[*mode_.leaving].first;
     for (Eigen::Index i = 0; i < departure->direction.size(); ++i)
         units_[first + static_cast<std::size_t>(i)] = departure->direction(i);
     return solveWithDirections();
@@ -212,7 +211,7 @@ double ComponentEquations::excess(std::size_t direction) const {
     constexpr double rounding = 2e-12;
     const auto [first, count] = model_.directions().ranges[direction];
     double square = 0;
-    if (direction == leaving_)
+    if (direction == mode_.leaving)
         return -1;
     for (std::size_t p = first; p < first + count; ++p)
         square += units_[p] * units_[p];
@@ -286,9 +285,9 @@ double ComponentEquations::reachOf(std::size_t part) {
 // direction is that of the pull, whatever it was before, so more deviation is allowed.
 double ComponentEquations::leeway() {
     constexpr double part = 1e-2, slow = 1e-2, rounding = 1e-9;
-    const auto [first, count] = model_.directions().ranges[*leaving_];
+    const auto [first, count] = model_.directions().ranges[*mode_.leaving];
     measure();
-    const Eigen::VectorXd a = vectorOf(*leaving_);
+    const Eigen::VectorXd a = vectorOf(*mode_.leaving);
     const double length = a.norm();
     double off = 0, allowed = reachOf(first);
     for (std::size_t p = first; p < first + count; ++p) {
@@ -309,8 +308,8 @@ bool ComponentEquations::leaveRest(std::size_t direction, double t, std::span<do
     const auto departure = response ? response->departure() : std::nullopt;
     if (!departure)
         return false;
-    if (!leaving_) {
-        leaving_ = direction;
+    if (!mode_.leaving) {
+        mode_.leaving = direction;
         return true;
     }
     const auto [first, count] = model_.directions().ranges[direction];
@@ -318,13 +317,13 @@ bool ComponentEquations::leaveRest(std::size_t direction, double t, std::span<do
     for (std::size_t p = first + 1; p < first + count; ++p)
         reach = std::min(reach, reachOf(p));
     put(direction, std::max(part * reach, least) * departure->direction, *response, y);
-    std::erase(sticking_, direction);
+    std::erase(mode_.sticking, direction);
     return true;
 }
 
 // It has left, and goes as its direction says; or does not leave after all.
 bool ComponentEquations::setFree(double t, std::span<double> y) {
-    const std::size_t direction = *leaving_;
+    const std::size_t direction = *mode_.leaving;
     fill(t, y);
     const auto response = responseOf(direction);
     const auto departure = response ? response->departure() : std::nullopt;
@@ -334,7 +333,7 @@ bool ComponentEquations::setFree(double t, std::span<double> y) {
     bool isThere = true;
     for (Eigen::Index i = 0; i < vector.size(); ++i)
         isThere = isThere && std::abs(vector(i)) <= reachOf(first + static_cast<std::size_t>(i));
-    leaving_.reset();
+    mode_.leaving.reset();
     if (vector.isZero(0) || (departure && departure->growth <= 0 && isThere)) {
         if (response)
             put(direction, Eigen::VectorXd::Zero(vector.size()), *response, y);
@@ -346,21 +345,21 @@ bool ComponentEquations::setFree(double t, std::span<double> y) {
         if ((straight - vector).norm() <= aside * vector.norm())
             put(direction, straight, *response, y);
     }
-    std::erase(sticking_, direction);
+    std::erase(mode_.sticking, direction);
     return true;
 }
 
 // Where what is held is not at 0 any more, since its expression has jumped, as that of a plate's
 // speed when the plate turns back.
 void ComponentEquations::releaseWhereJumped(double t, std::span<const double> y) {
-    if (sticking_.empty())
+    if (mode_.sticking.empty())
         return;
     fill(t, y);
     measure();
-    std::erase_if(sticking_, [this](std::size_t direction) {
+    std::erase_if(mode_.sticking, [this](std::size_t direction) {
         const auto [first, count] = model_.directions().ranges[direction];
         bool hasJumped = false;
-        for (std::size_t p = first; direction != leaving_ && p < first + count; ++p)
+        for (std::size_t p = first; direction != mode_.leaving && p < first + count; ++p)
             hasJumped = hasJumped || std::abs(measures_[p]) * scaleOf(p) > reachOf(p);
         return hasJumped;
     });
@@ -370,10 +369,11 @@ bool ComponentEquations::leaveRest(const Violation& violation, double t, std::sp
     std::vector<std::size_t> leaving;
     for (const std::size_t k : violation.watches)
         if (k >= watches_.size())
-            leaving.push_back(sticking_[k - watches_.size()]);
+            leaving.push_back(mode_.sticking[k - watches_.size()]);
     bool isDone = true;
     for (const std::size_t direction : leaving)
-        isDone = (direction == leaving_ ? setFree(t, y) : leaveRest(direction, t, y)) && isDone;
+        isDone =
+            (direction == mode_.leaving ? setFree(t, y) : leaveRest(direction, t, y)) && isDone;
     refreshWatches();
     return isDone;
 }
@@ -389,7 +389,7 @@ ComponentEquations::approaches(double t, std::span<const double> y) {
     const ComponentModel::Directions& directions = model_.directions();
     const auto& ranges = directions.ranges;
     for (std::size_t d = 0; d < ranges.size(); ++d) {
-        if (d != leaving_ && std::ranges::find(sticking_, d) != sticking_.end())
+        if (d != mode_.leaving && std::ranges::find(mode_.sticking, d) != mode_.sticking.end())
             continue;
         double square = 0, along = 0, noise = 0;
         bool isNear = true;
@@ -413,7 +413,7 @@ std::vector<std::size_t> ComponentEquations::directionsAtRest(double t, std::spa
     const std::vector<double> still(out_.size());
     const ComponentModel::Directions& directions = model_.directions();
     for (std::size_t d = 0; d < directions.ranges.size(); ++d) {
-        bool isAtRest = std::ranges::find(sticking_, d) == sticking_.end();
+        bool isAtRest = std::ranges::find(mode_.sticking, d) == mode_.sticking.end();
         const auto [first, count] = directions.ranges[d];
         for (std::size_t p = first; isAtRest && p < first + count; ++p) {
             const Slope slope = slopeOf(directions.gradients[p].derivatives, still);
@@ -428,34 +428,34 @@ std::vector<std::size_t> ComponentEquations::directionsAtRest(double t, std::spa
 
 bool ComponentEquations::rest(std::span<const std::size_t> directions, double t,
                               std::span<double> y) {
-    const auto before = std::pair(sticking_, leaving_);
+    const Mode before = mode_;
     fill(t, y);
-    if (leaving_ && std::ranges::find(directions, *leaving_) != directions.end()) {
-        std::erase(sticking_, *leaving_);
-        leaving_.reset();
+    if (mode_.leaving && std::ranges::find(directions, *mode_.leaving) != directions.end()) {
+        std::erase(mode_.sticking, *mode_.leaving);
+        mode_.leaving.reset();
     }
-    const std::size_t others = sticking_.size();
-    sticking_.insert(sticking_.end(), directions.begin(), directions.end());
+    const std::size_t others = mode_.sticking.size();
+    mode_.sticking.insert(mode_.sticking.end(), directions.begin(), directions.end());
     for (const std::size_t d : directions) {
         fill(t, y);
         const auto response = responseOf(d);
         if (response && response->brakes())
             put(d, Eigen::VectorXd::Zero(response->rate.size()), *response, y);
         else
-            std::erase(sticking_, d);
+            std::erase(mode_.sticking, d);
     }
-    bool isDone = sticking_.size() > others;
+    bool isDone = mode_.sticking.size() > others;
     for (std::size_t round = 0; isDone && round < units_.size(); ++round) {
         fill(t, y);
         const auto more = [this](std::size_t a, std::size_t b) { return excess(a) < excess(b); };
         const bool isPossible = weigh();
-        const auto worst = std::ranges::max_element(sticking_, more);
-        if (worst == sticking_.end() || (isPossible && excess(*worst) <= 0))
+        const auto worst = std::ranges::max_element(mode_.sticking, more);
+        if (worst == mode_.sticking.end() || (isPossible && excess(*worst) <= 0))
             break;
-        isDone = leaveRest(isPossible ? *worst : sticking_.back(), t, y);
+        isDone = leaveRest(isPossible ? *worst : mode_.sticking.back(), t, y);
     }
     if (!isDone)
-        std::tie(sticking_, leaving_) = before;
+        mode_ = before;
     refreshWatches();
     return isDone;
 }

@@ -1,0 +1,57 @@
+// The mode of a component: the branch of each of its switches, and the surfaces and directions on
+// which its motion is held. Modes are values: a solver of switches tries one and takes another.
+//
+// A mode says nothing of values and times; with the equations it says which smooth right-hand side
+// holds.
+#pragma once
+
+#include "equations/component_model.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace solution {
+
+struct Mode {
+    static constexpr int onSurface = 0;
+    struct Coincident { // a surface that lies where another does
+        std::size_t surface;
+        int orientation; // of its sides, as seen from those of the other
+        [[nodiscard]] bool operator==(const Coincident&) const = default;
+    };
+
+    std::vector<expression::Decision> decisions; // of the model's function
+    // By surface: -1, 0, 1; of those that are slid upon -1.
+    std::vector<int> sides;
+    // Of floors and ceilings that are slid upon, or were passed: the whole number where they were.
+    std::vector<expression::Decision> levels;
+    std::vector<std::vector<Coincident>> coincident; // with those that are slid upon or passed
+    // The guard crosses 0 by rounding alone, or no rate beyond the surface moves the state away
+    // from it.
+    std::vector<char> isGrazed;
+    std::vector<std::size_t> sliding;   // surfaces
+    std::vector<std::size_t> sticking;  // directions whose vectors are held at 0
+    std::optional<std::size_t> leaving; // of these, one that sets off
+    // A stage that lies a little beyond a surface, where the branch that holds has no value, takes
+    // the branch of its values.
+    bool looksBeyond = false;
+
+    explicit Mode(const ComponentModel& model)
+        : decisions(model.function().decisions()), sides(model.surfaces().size(), onSurface),
+          levels(sides.size(), 0), coincident(sides.size()), isGrazed(sides.size(), 0) {}
+    [[nodiscard]] bool operator==(const Mode&) const = default;
+
+    [[nodiscard]] bool isHeld() const { return !sliding.empty() || !sticking.empty(); }
+    [[nodiscard]] bool slidesOn(std::size_t surface) const;
+    // It changes together with a surface that has it as coincident.
+    [[nodiscard]] bool isCoincident(std::size_t surface) const;
+    // Nothing is held, and no surface is special.
+    void release();
+};
+
+// "1: +, 2: slides with -3, 4: floor 2, direction 0: sticks": the surfaces by their numbers.
+[[nodiscard]] std::string print(const Mode& mode, const ComponentModel& model);
+
+} // namespace solution
