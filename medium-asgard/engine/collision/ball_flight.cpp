@@ -188,59 +188,6 @@ FlightMeeting meetingOf(const BallFlight& ball, const StandingPart& part, Interv
     return {Kind::unclear, 0};
 }
 
-// As above, with lengths for norms.
-FlightMeeting meetingOnLine(const LineFlight& first, const LineFlight& second, double from) {
-    constexpr FlightMeeting unclear{Kind::unclear, 0};
-    const double begin = std::max(first.from, second.from);
-    const double firstPlace = first.at(begin), secondPlace = second.at(begin);
-    const double p = firstPlace - secondPlace, v = first.velocity - second.velocity;
-    if (!isPlain(p) || !isPlain(v))
-        return unclear;
-    const double radius = first.radius + second.radius, distance = std::abs(p);
-    const double gap = distance - radius, along = p * v;
-    const double roundOff =
-        4 * epsilon * (radius + first.farthest(firstPlace) + second.farthest(secondPlace));
-    if (!(gap > roundOff)) {
-        const double speeds = std::abs(first.velocity) + std::abs(second.velocity);
-        const bool isDeep = gap < -100 * roundOff - timeOff(begin, speeds);
-        return !isDeep && along > distance * approachThreshold * speeds ? FlightMeeting{} : unclear;
-    }
-    if (along >= 0)
-        return {};
-    const double across = std::abs(p - (along / (v * v)) * v);
-    if (across > radius * (1 - graze))
-        return unclear;
-    const double speed = std::abs(v);
-    const double less = radius - across, more = radius + across;
-    const double root =
-        speed * (less == radius && more == radius ? radius : std::sqrt(less * more));
-    const double s = gap * (distance + radius) / (root - along);
-    const double r = p + s * v, apart = std::abs(r), towards = r * v;
-    const double refined =
-        towards < -1e-6 * speed * apart ? s - (apart - radius) * apart / towards : s;
-    const double time = begin + refined;
-    if (!isPlain(r) || !(time >= from - 1e-9 * s))
-        return unclear;
-    return {Kind::hit, std::max(time, from)};
-}
-
-FlightMeeting meetingOnLine(const LineFlight& ball, const LineFace& face, double until) {
-    constexpr FlightMeeting unclear{Kind::unclear, 0};
-    const double roundOff =
-        4 * epsilon * (ball.radius + face.extent) + 4 * epsilon * ball.farthest(ball.place);
-    const double gap = face.above(ball.place) - ball.radius, rate = face.side * ball.velocity;
-    if (!(gap > roundOff)) { // it leaves for ever
-        const double speed = std::abs(ball.velocity);
-        const bool leaves =
-            gap > -(100 * roundOff + timeOff(ball.from, speed)) && rate > approachThreshold * speed;
-        return leaves ? FlightMeeting{} : unclear;
-    }
-    const double time = rate >= 0 ? HUGE_VAL : ball.from - gap / rate;
-    if (!(time <= until))
-        return {};
-    return time > ball.from ? FlightMeeting{Kind::hit, time} : unclear;
-}
-
 FlightContact contactOf(const PlacedBall& first, const PlacedBall& second, double tolerance) {
     const Vector p = first.centre - second.centre;
     const double distance = p.norm(), gap = distance - (first.radius + second.radius);

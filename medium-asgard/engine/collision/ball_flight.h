@@ -104,32 +104,6 @@ struct FlightMeeting {
 [[nodiscard]] FlightMeeting meetingOf(const BallFlight& ball, const StandingPart& part,
                                       Interval during);
 
-// A straight flight along an axis: nothing moves across it.
-struct LineFlight {
-    double from = 0, place = 0, velocity = 0, radius = 0;
-    double aside = 0; // the largest coordinate across the axis
-    [[nodiscard]] double at(double t) const { return place + (t - from) * velocity; }
-    [[nodiscard]] double farthest(double at) const { return std::max(std::abs(at), aside); }
-};
-// A plane across the axis: side x = offset, side = 1 or -1.
-struct LineFace {
-    double side = 0, offset = 0;
-    double extent = 0; // of the part
-    [[nodiscard]] double above(double x) const { return side * x - offset; }
-};
-// meetingOf() from a time on of two whose centres are on one line along the axis, or of one that
-// is over the inside of a face: the same to the last bit, since what is 0 adds nothing. Unclear:
-// also what does not lie plainly so, or could overflow.
-[[nodiscard]] FlightMeeting meetingOnLine(const LineFlight& first, const LineFlight& second,
-                                          double from);
-[[nodiscard]] FlightMeeting meetingOnLine(const LineFlight& ball, const LineFace& face,
-                                          double until);
-// So large, or 0, that its square is one.
-[[nodiscard]] inline bool isPlain(double x) {
-    constexpr double least = 1e-100, most = 1e100;
-    return x == 0 || (std::abs(x) > least && std::abs(x) < most);
-}
-
 // Whether they are in contact, up to `tolerance`: point and normal (from the second to the first).
 struct FlightContact {
     enum class Kind { none, contact, unclear };

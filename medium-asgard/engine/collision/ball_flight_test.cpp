@@ -123,56 +123,5 @@ TEST(BallFlight, ContactsAreThoseOfTheShapes) {
               FlightContact::Kind::unclear); // on the edge
 }
 
-// Some of them just touch, and leave each other or not.
-TEST(BallFlight, OnALineTheyMeetAtTheSameBits) {
-    Draw draw(13);
-    int hits = 0, misses = 0, unclear = 0;
-    const auto compare = [&](const FlightMeeting& line, const FlightMeeting& space, int i) {
-        ++(line.kind == FlightMeeting::Kind::hit    ? hits
-           : line.kind == FlightMeeting::Kind::none ? misses
-                                                    : unclear);
-        if (line.kind != FlightMeeting::Kind::unclear) {
-            ASSERT_EQ(line.kind, space.kind) << i;
-            ASSERT_EQ(line.time, space.time) << i;
-        }
-    };
-    for (int i = 0; i < 20'000 && !HasFatalFailure(); ++i) {
-        const Eigen::Index axis = i % 3;
-        BallFlight a = draw.flight(Vector::Zero()), b = draw.flight(Vector::Zero());
-        const Vector speed = a.velocity;
-        const double far = a.place[axis], other = b.velocity[axis];
-        b.place = a.place;
-        a.velocity = b.velocity = Vector::Zero();
-        a.velocity[axis] = speed[axis];
-        b.velocity[axis] = i % 5 == 0 ? 0 : other;
-        b.place[axis] = i % 2 == 0 ? far + draw.number(-2, 2) : far - a.radius - b.radius;
-        if (i % 2 != 0)
-            a.from = b.from = 0;
-        const auto lineOf = [&](const BallFlight& ball) {
-            Vector aside = ball.place;
-            aside[axis] = 0;
-            return LineFlight{ball.from, ball.place[axis], ball.velocity[axis], ball.radius,
-                              aside.cwiseAbs().maxCoeff()};
-        };
-        const double now = std::max(a.from, b.from);
-        compare(meetingOnLine(lineOf(a), lineOf(b), now), meetingOf(a, b, {now, HUGE_VAL}), i);
-        const double side = i % 4 < 2 ? 1 : -1, gap = i % 2 == 0 ? draw.number(0, 1) : 0;
-        const FlyingBody box = [&] {
-            Vector where = a.place;
-            where[axis] -= side * (0.5 + a.radius + gap);
-            return flyingBox({1, 1, 1}, where);
-        }();
-        const StandingPart part = standingPart(box.form.parts[0], {box.position, box.attitude});
-        const StandingFace& face = part.facing(a.place);
-        ASSERT_EQ(face.plane.normal[axis], side);
-        const LineFace across{side, face.plane.offset, part.extent};
-        compare(meetingOnLine(lineOf(a), across, a.from + 9),
-                meetingOf(a, part, {a.from, a.from + 9}), i);
-    }
-    EXPECT_GT(hits, 5'000) << misses << " misses, " << unclear << " unclear";
-    EXPECT_GT(misses, 10'000);
-    EXPECT_LT(unclear, 14'000); // overlaps, and what touches and approaches
-}
-
 } // namespace
 } // namespace collision

@@ -261,12 +261,9 @@ std::optional<Event> CollisionSource::rally(const Histories& histories, const Pa
         }
     const bool isUnread = std::ranges::all_of(
         rally_.balls, [this](const Rally::Ball& ball) { return dependents_[ball.body].empty(); });
-    const bool isOnLine = isUnread && lineUp();
     auto& [state, hits, last, time] = course;
     while (isUnread && state == Rallied::goesOn) {
-        if (isOnLine)
-            rallyOnLine(until, course);
-        const Rally::Meeting* met = state == Rallied::goesOn ? rally_.next() : nullptr;
+        const Rally::Meeting* met = rally_.next();
         if (!met || met->time > until || (++hits % 64 == 0 && cancelled_ && cancelled_()))
             break;
         last = met;

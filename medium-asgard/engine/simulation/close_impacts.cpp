@@ -24,7 +24,7 @@ std::vector<bool> hasCloseImpacts(const Problem& problem, const Run& run,
     const std::size_t bodies = errors.size();
     std::vector<bool> isClose(bodies), islands(bodies);
     std::vector<Hit> last(bodies);
-    run.impacts.forEachPlain([&](const Impact& impact) {
+    for (const Impact& impact : run.impacts) {
         for (const auto& [body, by] :
              {std::pair(impact.first, impact.second), {impact.second, impact.first}}) {
             const BodyRecord& record = (*problem.bodies)[body];
@@ -41,7 +41,7 @@ std::vector<bool> hasCloseImpacts(const Problem& problem, const Run& run,
                 islands[run.island[body]] = true;
             before = {.time = impact.time, .by = by, .point = impact.point};
         }
-    });
+    }
     for (std::size_t b = 0; b < bodies; ++b)
         isClose[b] = islands[run.island[b]];
     return isClose;

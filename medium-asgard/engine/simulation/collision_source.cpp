@@ -164,7 +164,7 @@ std::vector<CollisionSource::LostHop> CollisionSource::lostHops(double until) co
 }
 
 bool CollisionSource::hasEventAt(double time) const {
-    return std::ranges::binary_search(events_, time) || impacts_.hasOnLineAt(time);
+    return std::ranges::binary_search(events_, time);
 }
 
 std::optional<Event> CollisionSource::announced(Event event) {

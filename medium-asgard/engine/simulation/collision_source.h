@@ -26,7 +26,6 @@
 #include "physics/impact.h"
 #include "simulation/encounter_search.h"
 #include "simulation/impacts.h"
-#include "simulation/line_rally.h"
 #include "simulation/resting_bodies.h"
 #include "solution/event_source.h"
 
@@ -184,17 +183,12 @@ private:
     [[nodiscard]] Rallied meetInRally(const Rally::Meeting& meeting);
     [[nodiscard]] bool turnInRally(const Rally::Meeting& met, const std::array<Vector, 2>& before,
                                    const std::array<Vector, 2>& then);
-    // The same on a line, in line_encounters.cpp: hit after hit as long as they are plain.
     struct Course { // of a rally
         Rallied state = Rallied::goesOn;
         std::size_t hits = 0;
         const Rally::Meeting* last = nullptr;
         double time = -solution::infinity; // of the last
     };
-    [[nodiscard]] bool lineUp();
-    void rallyOnLine(double until, Course& course);
-    [[nodiscard]] std::size_t plainHits();
-    void tellHits();
     [[nodiscard]] static Present presentOf(std::size_t body, const collision::BallFlight& flight,
                                            double time);
     [[nodiscard]] bool touchesMoreInRally(const Present& one, const Rally::Ball& ball,
@@ -230,8 +224,6 @@ private:
     // As canGiveWay(), known at once of what flies.
     [[nodiscard]] bool givesWay(std::size_t body, double time) const;
     [[nodiscard]] bool isWithoutEnd(std::size_t body, std::size_t other, double time);
-    // So many next meetings surely have an end.
-    [[nodiscard]] std::size_t plainMeetings(std::size_t body) const;
     [[nodiscard]] solution::Event endWithoutEnd(const solution::Histories& histories,
                                                 const Pair& pair, double time);
     [[nodiscard]] bool isRestless(std::size_t body, double time);
@@ -306,11 +298,8 @@ private:
     EncounterSearch search_;
     EncounterSearch::Renewal renewal_;
     Rally rally_;
-    LineRally line_;
-    std::shared_ptr<const ImpactLine> impactLine_; // by meeting on the line
-    std::vector<solution::Turn> flights_;          // on the line
-    std::vector<std::size_t> cut_;                 // by the last event
-    std::vector<Meetings> meetings_, changes_;     // of what bears
+    std::vector<std::size_t> cut_;             // by the last event
+    std::vector<Meetings> meetings_, changes_; // of what bears
     Outcome outcome_;
     struct Note {
         double time = 0;
@@ -324,7 +313,7 @@ private:
     };
     std::vector<Blocked> blocked_;
     std::vector<LostHop> lostHops_; // in order
-    std::vector<double> events_;    // times, but for hits on lines
+    std::vector<double> events_;    // times
 };
 
 } // namespace simulation

@@ -220,12 +220,6 @@ bool CollisionSource::isWithoutEnd(std::size_t body, std::size_t other, double t
     return met.atOnce > manyAtOnce;
 }
 
-std::size_t CollisionSource::plainMeetings(std::size_t body) const {
-    const Meetings& met = meetings_[body];
-    return std::min(manyMeetings - 1 - met.count % manyMeetings,
-                    manyAtOnce - std::min(met.atOnce, manyAtOnce));
-}
-
 bool CollisionSource::isRestless(std::size_t body, double time) {
     Meetings& changes = changes_[body];
     const bool isClose = time - changes.last < restlessPause * (time - start_);

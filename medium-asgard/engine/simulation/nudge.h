@@ -43,16 +43,9 @@ public:
 
 private:
     [[nodiscard]] bool turn(double time, std::span<solution::Turn> turns) override;
-    [[nodiscard]] std::size_t promisedHits(std::span<const solution::Turn> flights,
-                                           std::size_t axis) override {
-        return turns_->promisedHits(flights, axis);
-    }
-    void turn(const solution::LineHits& hits, std::span<const solution::Turn> flights,
-              std::size_t axis) override {
-        turns_->turn(hits, flights, axis);
-    }
+    // The velocity that becomes `velocity`, where the largest coordinate is `farthest`.
     [[nodiscard]] double given(double velocity, std::size_t unknown, double time,
-                               double farthest) const override;
+                               double farthest) const;
 
     [[nodiscard]] double unitsAt(double time, std::size_t unknown, double farthest) const;
 

@@ -74,9 +74,8 @@ std::vector<bool> untouchedIn(const Problem& problem, const Run& before,
                               const std::vector<bool>& again) {
     const std::size_t bodies = problem.bodies->size();
     std::vector<bool> islands(bodies, true);
-    before.impacts.forEachPair([&](std::size_t first, std::size_t second, std::size_t /*times*/) {
-        islands[before.island[first]] = islands[before.island[second]] = false;
-    });
+    for (const Impact& impact : before.impacts)
+        islands[before.island[impact.first]] = islands[before.island[impact.second]] = false;
     for (const auto& [body, stop] : before.stops)
         islands[before.island[body]] = false;
     for (std::size_t b = 0; b < bodies; ++b)

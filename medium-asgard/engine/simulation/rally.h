@@ -14,9 +14,6 @@
 // The numbers are those of the search, bit by bit: the formulas are the same, of the same flights.
 // So nobody need know when a rally begins or ends, and others that end one change no bit of it.
 // LIMIT: the meetings of a rally are looked through one by one, so its balls are few.
-//
-// Balls in straight flight on one line along an axis, between faces across it, need one coordinate
-// of all vectors: line_rally.h.
 #pragma once
 
 #include "collision/ball_cells.h"

@@ -170,10 +170,9 @@ solution::Options solverOptions(const Problem& problem, const std::vector<double
 std::vector<std::size_t> islandsOf(const Problem& problem, const Impacts& impacts,
                                    const std::vector<collision::Pair>& blocked) {
     Groups groups(problem.readers);
-    impacts.forEachPair([&](std::size_t first, std::size_t second, std::size_t /*times*/) {
-        if (!(*problem.bodies)[first].isFixed && !(*problem.bodies)[second].isFixed)
-            groups.join(first, second);
-    });
+    for (const Impact& impact : impacts)
+        if (!(*problem.bodies)[impact.first].isFixed && !(*problem.bodies)[impact.second].isFixed)
+            groups.join(impact.first, impact.second);
     for (const auto& [first, second] : blocked)
         groups.join(first, second);
     std::vector<std::size_t> island(problem.bodies->size());

@@ -101,16 +101,15 @@ Amplifying amplifying(const Problem& problem, const Run& run) {
     const std::size_t bodies = run.island.size();
     Amplifying islands{std::vector<bool>(bodies), std::vector<bool>(bodies)};
     std::vector<std::size_t> impacts(bodies);
-    run.impacts.forEachPair([&](std::size_t first, std::size_t second, std::size_t times) {
-        for (const std::size_t body : {first, second})
+    for (const Impact& impact : run.impacts)
+        for (const std::size_t body : {impact.first, impact.second})
             if (!(*problem.bodies)[body].isFixed) {
                 const std::size_t island = run.island[body];
                 islands.alone[island] = true;
-                impacts[island] += times;
+                ++impacts[island];
                 if (!run.isIntegrated[body])
                     islands.beside[island] = true;
             }
-    });
     std::vector<bool> isMixed(bodies);
     for (std::size_t b = 0; b < bodies; ++b)
         if (run.isIntegrated[b])

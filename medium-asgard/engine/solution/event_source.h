@@ -69,34 +69,12 @@ struct Turn {
     std::array<double, 3> place, velocity;         // as the source has them; then as they became
 };
 
-// Hits of one or two flights each that move along an axis only: nothing else of them changes.
-struct LineTurn { // of one flight: its coordinate and velocity as they became
-    double time = 0, place = 0, velocity = 0;
-};
-struct LineHits {
-    std::vector<double> times; // in order
-    // By their place in a list of flights; in order of time, the last one where several are at
-    // once.
-    std::vector<std::vector<LineTurn>> ofFlight;
-};
-
 class Turns {
 public:
     virtual ~Turns() = default;
     // At `time`, which is that of an event. True: it is done, and the values are what they became.
     // False: the source must announce the event, as if it had not asked.
     [[nodiscard]] virtual bool turn(double time, std::span<Turn> turns) = 0;
-
-    // The number of next hits along the axis that turn() would accept one after another, for those
-    // of these flights that have turned before. The source may tell them all afterwards, in order
-    // of time, and reads and asks nothing in between.
-    [[nodiscard]] virtual std::size_t promisedHits(std::span<const Turn> flights,
-                                                   std::size_t axis) = 0;
-    virtual void turn(const LineHits& hits, std::span<const Turn> flights, std::size_t axis) = 0;
-    // The value of a velocity after a promised hit, where the largest coordinate is `farthest`;
-    // turn() changes velocities by itself.
-    [[nodiscard]] virtual double given(double velocity, std::size_t unknown, double time,
-                                       double farthest) const = 0;
 };
 
 class EventSource {

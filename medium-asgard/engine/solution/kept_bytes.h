@@ -26,7 +26,6 @@ public:
     void add(std::size_t bytes) { sum_ += bytes; }
     void count(std::size_t all) { sum_ = all; } // anew
     [[nodiscard]] bool isFullWith(std::size_t others) const { return sum_ + others > most_; }
-    [[nodiscard]] std::size_t left() const { return most_ - std::min(most_, sum_); }
     // The bytes that each of so many groups may add before the others' are counted again.
     [[nodiscard]] std::size_t share(std::size_t groups) const {
         constexpr std::size_t parts = 4;

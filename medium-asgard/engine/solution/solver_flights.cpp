@@ -106,65 +106,6 @@ bool Solver::Implementation::turn(double time, Turn& turn) {
     return true;
 }
 
-// Those before the pace of their island is looked at, even if all were at one instant.
-std::size_t Solver::Implementation::promisedHits(std::span<const Turn> flights, std::size_t axis) {
-    turning_.clear();
-    for (const Turn& turn : flights)
-        if (const Flight* flight = flightOf(turn)) {
-            if (!flight->moves[axis] || flight->isBent)
-                return 0;
-            turning_.push_back(turn.places[0]);
-        }
-    const EventPaces::Island* island = turning_.empty() ? nullptr : paces_.plainIsland(turning_);
-    if (!island || island->atLast + 1 >= options_.maximumEventsAtOnce || isFull())
-        return 0;
-    constexpr std::size_t ofHit = 256; // bytes, of two flights and what the source keeps, at most
-    const std::size_t room = 1 + kept_.left() / ofHit;
-    return std::min(
-        {island->plainAhead(), options_.maximumEventsAtOnce - 1 - island->atLast, room});
-}
-
-void Solver::Implementation::turn(const LineHits& hits, std::span<const Turn> flights,
-                                  std::size_t axis) {
-    std::size_t turned = 0; // one of those that are
-    for (std::size_t f = 0; f < flights.size(); ++f)
-        if (!hits.ofFlight[f].empty()) {
-            turned = f;
-            kept_.add(flightOf(flights[f])->bytesOfTurn() * hits.ofFlight[f].size());
-            turn(*flightOf(flights[f]), axis, hits.ofFlight[f]);
-        }
-    EventPaces::Island& island = paces_.island(flights[turned].places[0]);
-    for (const double time : hits.times)
-        island.note(time);
-    past_.events += hits.times.size();
-    lastEvent_ = asked_ = hits.times.back();
-    poll(lastEvent_);
-}
-
-// Its rows differ in one place and velocity.
-void Solver::Implementation::turn(const Flight& flight, std::size_t axis,
-                                  std::span<const LineTurn> turns) {
-    History& history = *flight.history;
-    const auto along = std::ranges::find(flight.axes, axis, &Flight::Axis::coordinate);
-    const auto place = 1 + 2 * static_cast<std::size_t>(along - flight.axes.begin());
-    std::array<double, 6> others{};
-    std::ranges::copy(history.row(history.size() - 1), others.begin());
-    while (!turns.empty()) {
-        const History::Rows rows = history.turns(turns[0].time, turns.size());
-        const std::size_t count = rows.numbers.size() / rows.length;
-        double* row = rows.numbers.data();
-        for (const LineTurn& turn : turns.first(count)) {
-            if (flight.axes.size() > 1)
-                std::copy_n(others.begin(), rows.length - 1, row + 1);
-            row[0] = turn.time;
-            row[place] = turn.place;
-            row[place + 1] = turn.velocity;
-            row += rows.length;
-        }
-        turns = turns.subspan(count);
-    }
-}
-
 // None: it does not fly.
 std::optional<std::vector<Solver::Implementation::Flight::Axis>>
 Solver::Implementation::axesOf(const Turn& turn) const {

@@ -89,14 +89,6 @@ private:
         }
     };
     [[nodiscard]] bool turn(double time, std::span<Turn> turns) override;
-    [[nodiscard]] std::size_t promisedHits(std::span<const Turn> flights,
-                                           std::size_t axis) override;
-    void turn(const LineHits& hits, std::span<const Turn> flights, std::size_t axis) override;
-    static void turn(const Flight& flight, std::size_t axis, std::span<const LineTurn> turns);
-    [[nodiscard]] double given(double velocity, std::size_t /*unknown*/, double /*time*/,
-                               double /*farthest*/) const override {
-        return velocity;
-    }
     [[nodiscard]] Flight* flightOf(const Turn& turn);
     [[nodiscard]] bool fliesOn(std::span<const Turn> turns);
     [[nodiscard]] bool staysInPlane(double time, std::span<Turn> turns) const;

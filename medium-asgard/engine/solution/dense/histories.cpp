@@ -119,24 +119,18 @@ std::span<double> History::append(const Step& step) {
 }
 
 std::span<double> History::turn(double t) {
-    const std::span<double> row = turns(t, 1).numbers;
-    row[0] = t;
-    return row.subspan(1);
-}
-
-History::Rows History::turns(double t, std::size_t most) {
     if (size_ > 0 && origin(size_ - 1) >= t)
         (void)cut(t);
     if (size_ % stepsPerChunk == 0)
         chunks_.push_back(std::make_shared<Chunk>());
     std::vector<double, Unwritten<double>>& values = writableTail().values;
     const std::size_t row = flightRow(), first = size_ % stepsPerChunk;
-    const std::size_t count = std::min(most, stepsPerChunk - first), size = size_ + count;
-    if ((first + count) * row > values.size()) // most of them turn once or twice, or often
-        values.resize(row * (size <= 2 ? size : size <= 16 ? 16 : stepsPerChunk));
+    ++size_;
+    if ((first + 1) * row > values.size()) // most of them turn once or twice, or often
+        values.resize(row * (size_ <= 2 ? size_ : size_ <= 16 ? 16 : stepsPerChunk));
     endOfLast_ = infinity;
-    size_ = size;
-    return {std::span(values).subspan(first * row, count * row), row};
+    values[first * row] = t;
+    return std::span(values).subspan(first * row + 1, row - 1);
 }
 
 void History::dropLast() {

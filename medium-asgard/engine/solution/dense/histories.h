@@ -133,13 +133,6 @@ public:
     // Of a flight: a step begins at t and has no end; the one before it ends there. The caller
     // writes its numbers.
     [[nodiscard]] std::span<double> turn(double t);
-    // The same of several, the first at t, as many as lie side by side. The caller writes all of
-    // their rows, the time before the numbers of each, before anything else is asked.
-    struct Rows {
-        std::span<double> numbers;
-        std::size_t length; // of each
-    };
-    [[nodiscard]] Rows turns(double t, std::size_t most);
 
     // Columns of places and of their velocities, once for all steps. False: there are others.
     using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
