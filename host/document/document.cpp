@@ -131,12 +131,33 @@ bool Document::joinsLast(const EditNote& note) const {
            *note.typed - *last.typed < typingPause;
 }
 
+// A letter behind the last one is part of the same change, so that what was typed costs no more
+// than its letters.
+bool Document::extends(Change& last, const Change& change) {
+    const auto isInsertion = [](const Change& one) {
+        return one.id == noSubdocument && one.forward.size() == 1 && one.backward.size() == 1 &&
+               one.forward[0].range.size() == 0 && one.lost.empty() && one.found.empty() &&
+               one.textForward.empty() && one.textBackward.empty();
+    };
+    if (!isInsertion(last) || !isInsertion(change))
+        return false;
+    text::Edit& typed = last.forward[0];
+    const text::Edit& more = change.forward[0];
+    if (more.range.from != typed.range.from + typed.text.size())
+        return false;
+    typed.text += more.text;
+    last.backward[0].range.to += more.text.size();
+    return true;
+}
+
 void Document::push(Change change, const EditNote& note) {
     if (clean_ != noStep && clean_ > done_)
         clean_ = noStep;
     if (joinsLast(note)) {
         steps_.back().note.after = note.after;
         steps_.back().note.typed = note.typed;
+        if (extends(steps_.back().changes.back(), change))
+            return;
     } else {
         steps_.resize(done_);
         steps_.push_back({.note = note, .changes = {}});
@@ -176,6 +197,13 @@ void Document::play(Change& change, Direction direction, const QString& label) {
 }
 
 // --- undo -----------------------------------------------------------------------------------
+
+std::size_t Document::keptChanges() const {
+    std::size_t all = 0;
+    for (const Step& step : steps_)
+        all += step.changes.size();
+    return all;
+}
 
 QString Document::lastGroup() const { return canUndo() ? steps_[done_ - 1].note.group : QString(); }
 QString Document::undoLabel() const { return canUndo() ? steps_[done_ - 1].note.label : QString(); }

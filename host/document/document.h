@@ -79,6 +79,8 @@ public:
     [[nodiscard]] bool canUndo() const { return done_ > 0; }
     [[nodiscard]] bool canRedo() const { return done_ < steps_.size(); }
     [[nodiscard]] std::size_t steps() const { return done_; } // that can be undone
+    // That are kept for undo and redo: letters typed one behind the other are one.
+    [[nodiscard]] std::size_t keptChanges() const;
     [[nodiscard]] QString lastGroup() const; // EditNote::group of the step that undo() takes back
     [[nodiscard]] QString undoLabel() const;
     [[nodiscard]] QString redoLabel() const;
@@ -124,7 +126,7 @@ Q_SIGNALS:
     // After each single change of the bytes, before all else is told: tree and subdocuments have
     // followed.
     // `back` undoes its edits. `number` names the change: an undo and a redo have the number of
-    // the edit.
+    // the edit, or of the first of letters that were typed one behind the other.
     void edited(const sgml::Change& change, const text::Edits& back, std::uint64_t number);
     void textChanged(document::SubdocumentId id, const text::Edits& edits, int revision,
                      const QString& label); // unescaped edits; undo and redo too
@@ -153,6 +155,8 @@ private:
     EditResult perform(Change change, const EditNote& note);
     void play(Change& change, Direction direction, const QString& label);
     void push(Change change, const EditNote& note);
+    // Makes `change`, which follows `last`, a part of it. False: that cannot be.
+    [[nodiscard]] static bool extends(Change& last, const Change& change);
     [[nodiscard]] bool joinsLast(const EditNote& note) const;
     void announce(bool wasModified, std::optional<Selection> selection = {});
     // A subdocument before a change.

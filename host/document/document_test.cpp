@@ -1,4 +1,5 @@
 #include "document/document.h"
+#include "document/tracker.h"
 #include "sgml/random_document.h"
 #include "sgml/work.h"
 
@@ -202,6 +203,34 @@ TEST(Document, TypingIsGroupedByPauseAndPlaceAndUndoRestoresTheSelection) {
     EXPECT_EQ(document.edit({{{at, at + 5}, ""}}, "Other"), EditResult::applied);
     document.undo();
     EXPECT_TRUE(restored.empty()) << "a step without a selection";
+}
+
+TEST(Document, LettersTypedInARowAreOneChangeAndPlacesInThemComeBack) {
+    const std::string first = "DOCUMENT A\n<A>{one two}</A>";
+    Document document(first);
+    Tracker tracker(document);
+    const std::size_t at = first.find("one") + 3;
+    Selection caret{at, at};
+    std::shared_ptr<const Tracker::Place> place;
+    for (int i = 0; i < 1000; ++i) {
+        typeLetter(document, caret, static_cast<char>('a' + i % 26), i);
+        if (i == 500)
+            place = tracker.track(caret.caret, text::Gravity::before);
+    }
+    EXPECT_EQ(document.keptChanges(), 1u);
+    const std::string typed = document.bytes();
+    const std::size_t inside = place->offset;
+    for (int i = 0; i < 2; ++i) {
+        document.undo();
+        EXPECT_EQ(document.bytes(), first);
+        EXPECT_EQ(place->offset, at);
+        document.redo();
+        EXPECT_EQ(document.bytes(), typed);
+        EXPECT_EQ(place->offset, inside);
+    }
+    caret = {at, at}; // not behind them
+    typeLetter(document, caret, 'x', 1000);
+    EXPECT_EQ(document.keptChanges(), 2u);
 }
 
 TEST(Document, SubdocumentsKeepTheirNumberThroughEditsAndComeBackWithIt) {
