@@ -9,12 +9,16 @@ Unsaved::Unsaved(OpenDocument& document, const std::string& folder)
       writer_(files::FileSystem::real(), folder, [this](const std::string& sentence) {
           Q_EMIT failed(QString::fromStdString(sentence)); // queued: the receiver has its thread
       }) {
+    soon_.setSingleShot(true);
+    connect(&soon_, &QTimer::timeout, this, &Unsaved::take);
     const document::Document* watched = &document.document();
     connect(watched, &document::Document::changed, this, &Unsaved::changed);
-    connect(watched, &document::Document::modifiedChanged, this, &Unsaved::changed);
-    connect(watched, &document::Document::fileNameChanged, this, &Unsaved::changed);
+    connect(watched, &document::Document::modifiedChanged, this, &Unsaved::take);
+    connect(watched, &document::Document::fileNameChanged, this, &Unsaved::take);
     connect(&document, &OpenDocument::draftsChanged, this, &Unsaved::changed);
 }
+
+Unsaved::~Unsaved() { takeIfChanged(); }
 
 // What a medium keeps of its windows, drafts among it or none. A medium that is not installed any
 // more, or has not opened its windows yet, has still what was left behind.
@@ -35,6 +39,23 @@ Unsaved::Drafts Unsaved::drafts(bool& any) const {
 }
 
 void Unsaved::changed() {
+    if (!soon_.isActive())
+        soon_.start(soonMs);
+}
+
+void Unsaved::takeIfChanged() {
+    if (soon_.isActive())
+        take();
+}
+
+void Unsaved::finish() {
+    takeIfChanged();
+    writer_.finish();
+}
+
+void Unsaved::take() {
+    soon_.stop();
+    ++taken_;
     const document::Document& of = document_.document();
     bool any = of.isModified();
     Drafts typed = drafts(any);
@@ -58,12 +79,13 @@ void Unsaved::adopt(files::LeftBehind left) {
         live->setKeptState(state->second);
         live->start();
     }
-    changed();
+    take();
 }
 
 void Unsaved::giveUp() {
     disconnect(&document_, nullptr, this, nullptr);
     disconnect(&document_.document(), nullptr, this, nullptr);
+    soon_.stop();
     writer_.forget();
 }
 
