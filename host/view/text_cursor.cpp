@@ -40,7 +40,11 @@ void TextCursor::clear() {
 }
 
 std::optional<places::Caret> TextCursor::caret(const places::Carets& carets) const {
-    return caret_ ? carets.of(caret_->offset, page_) : std::nullopt;
+    const std::optional<places::Caret> found =
+        caret_ ? carets.of(caret_->offset, page_) : std::nullopt;
+    if (found)
+        page_ = found->page;
+    return found;
 }
 
 void TextCursor::moveTo(const places::Carets& carets, const places::Caret& caret, bool extend) {

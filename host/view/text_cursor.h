@@ -24,8 +24,9 @@ public:
     void set(document::Selection selection);
     void clear();
 
-    // The caret on pages of the document.
+    // The caret on pages of the document. It is looked for from page() on to both sides.
     [[nodiscard]] std::optional<places::Caret> caret(const places::Carets& carets) const;
+    [[nodiscard]] std::size_t page() const { return page_; } // where it was last seen
     void move(const places::Carets& carets, places::Move move, bool extend);
     void moveTo(const places::Carets& carets, const places::Caret& caret, bool extend);
     void selectAll(const places::Carets& carets);
@@ -44,7 +45,7 @@ private:
 
     document::Tracker tracker_;
     std::shared_ptr<const document::Tracker::Place> anchor_, caret_; // both or none
-    std::size_t page_ = 0;                                           // where the caret was last
+    mutable std::size_t page_ = 0;
     std::optional<double> wish_;        // where it would like to be, going up and down
     Unit unit_ = Unit::letter;          // of the pointer's selection
     document::Selection pressed_{0, 0}; // what it began with

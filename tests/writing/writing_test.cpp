@@ -347,5 +347,17 @@ TEST_F(WritingTest, ANewDocumentSaysTheLanguageOfTheDesktop) {
     EXPECT_THAT(filing::templates().front().readIn({}).bytes, HasSubstr("<CMEMO>\n"));
 }
 
+// Undo, search and references set a caret without its page. No key looks at all pages again.
+TEST_F(WritingTest, ACaretThatIsSetFarAwayIsLookedForOnce) {
+    QByteArray body;
+    for (int i = 0; i < 300; ++i)
+        body += "<PARAGRAPH>{paragraph number " + QByteArray::number(i) + "}</PARAGRAPH>\n";
+    write(body);
+    ASSERT_GT(view().pages().pages.size(), 5u);
+    goTo("number 299");
+    view().text().showCaret();
+    EXPECT_EQ(view().text().cursor().page(), view().pages().pages.size() - 1);
+}
+
 } // namespace
 } // namespace writing
