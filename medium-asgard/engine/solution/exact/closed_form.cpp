@@ -131,7 +131,7 @@ private:
     std::vector<Node> needed(Node n) {
         const auto arguments = graph_.arguments(n);
         const Op op = graph_.op(n);
-        const auto decision = equations_.decisionOf(n);
+        const auto decision = equations_.functions().decisionOf(n);
         if (decision && *decision != expression::noBranch) {
             if (op == Op::abs)
                 return {arguments[0]};
@@ -158,7 +158,7 @@ private:
             return Polynomial::constant(graph_.value(n));
         if (op == Op::symbol)
             return symbol(n);
-        const auto decision = equations_.decisionOf(n);
+        const auto decision = equations_.functions().decisionOf(n);
         if (decision && *decision != expression::noBranch)
             return decided(n, op, *decision);
         if (op == Op::select)
@@ -173,9 +173,9 @@ private:
             p.degree = 1;
             return p;
         }
-        if (const auto constant = equations_.constantOf(n))
+        if (const auto constant = equations_.functions().constantOf(n))
             return Polynomial::constant(*constant);
-        const auto input = equations_.inputOf(n);
+        const auto input = equations_.functions().inputOf(n);
         if (!input)
             return state(n);
         const Piece& piece = equations_.inputs().at(*input, t_);
@@ -188,7 +188,7 @@ private:
     }
 
     Maybe state(Node n) const {
-        const auto place = equations_.stateOf(n);
+        const auto place = equations_.functions().stateOf(n);
         if (!linear_ || !place)
             return std::nullopt;
         Polynomial p;

@@ -11,9 +11,9 @@ std::optional<PlainRate> plainRateOf(ComponentEquations& equations) {
     const expression::Node rate = equations.outputs()[0];
     if (equations.graph().op(rate) == expression::Op::constant)
         return PlainRate{equations.graph().value(rate), {}};
-    if (const auto constant = equations.constantOf(rate))
+    if (const auto constant = equations.functions().constantOf(rate))
         return PlainRate{*constant, {}};
-    if (const auto input = equations.inputOf(rate))
+    if (const auto input = equations.functions().inputOf(rate))
         return PlainRate{0, equations.inputs().unknowns()[*input]};
     return std::nullopt;
 }

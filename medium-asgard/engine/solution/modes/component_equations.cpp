@@ -5,61 +5,14 @@
 
 namespace solution {
 
-using expression::Decision;
-using expression::Node;
-
-namespace {
-
-// Of a component whose held values are defined by each other: nothing.
-const ComponentModel& noModel() {
-    static const ComponentModel none({0, 0, key::outputs});
-    return none;
-}
-
-} // namespace
-
 ComponentEquations::ComponentEquations(std::shared_ptr<const BoundModel> bound,
                                        const Histories& histories)
-    : bound_(std::move(bound)), model_(bound_->model ? *bound_->model : noModel()),
-      inputs_(histories, bound_->inputs), in_(model_.symbols().size()),
-      out_(model_.outputs().size()), base_(out_.size()), other_(out_.size()),
-      guards_(model_.function().decisions()), mode_(model_),
-      wasPassed_(model_.surfaces().size(), 0), units_(model_.directions().parts),
-      isPlain_(mode_.decisions.empty() && bound_->held.empty() && bound_->loop.empty() &&
-               model_.directions().ranges.empty()),
-      readsInputs_(!bound_->inputs.empty()) {
-    std::ranges::copy(bound_->constants,
-                      in_.begin() + static_cast<std::ptrdiff_t>(model_.variables()));
-}
-
-void ComponentEquations::fill(double t, std::span<const double> y) {
-    in_[0] = t;
-    for (std::size_t i = 0; i < y.size(); ++i)
-        in_[1 + i] = y[i];
-    if (!inputs_.unknowns().empty())
-        inputs_.values(t, std::span(in_).subspan(1 + states().size()));
-}
-
-// A state that lies on a surface of its own is moved off it, to its side, by next to nothing: what
-// is written v/abs(v) is then the sign that it means, and v abs(v) is still 0.
-void ComponentEquations::evaluate(std::span<double> out) {
-    bool isMoved = false;
-    if (!mode_.decisions.empty())
-        for (const auto& [surface, state] : model_.ownGuards())
-            if (in_[1 + state] == 0 && mode_.sides[surface] != Mode::onSurface) {
-                in_[1 + state] = mode_.sides[surface] * nextToNothing;
-                isMoved = true;
-            }
-    evaluateOutputs(out);
-    if (!isMoved)
-        return;
-    for (const auto& [surface, state] : model_.ownGuards())
-        if (std::abs(in_[1 + state]) == nextToNothing)
-            in_[1 + state] = 0;
-    for (double& rate : out)
-        if (std::abs(rate) <= vanishing)
-            rate = 0;
-}
+    : mode_(modelOf(*bound)), functions_(std::move(bound), histories, mode_),
+      field_(functions_, mode_), stick_(functions_, field_, mode_),
+      guards_(functions_, field_, stick_, mode_),
+      solver_(functions_, field_, stick_, guards_, mode_),
+      isPlain_(mode_.decisions.empty() && held().empty() && loop().empty() && !hasDirections()),
+      readsInputs_(!functions_.bound()->inputs.empty()) {}
 
 namespace {
 
@@ -74,116 +27,108 @@ bool areFinite(std::span<const double> values) {
 
 bool ComponentEquations::rates(double t, std::span<const double> y, std::span<double> out) {
     if (isPlain_) {
-        in_[0] = t;
-        double* const in = in_.data() + 1;
-        if (y.data() != in)
-            for (std::size_t i = 0; i < y.size(); ++i)
-                in[i] = y[i];
-        if (readsInputs_)
-            putInputs(t);
-        if (code_.entry) {
-            code_(in_.data(), out.data(), scratch_.data());
-        } else {
-            model_.function().evaluate(in_, out, scratch_);
-            code_ = model_.function().code(scratch_);
-        }
+        functions_.plainRates(t, y, out);
         return areFinite(out);
     }
-    fill(t, y);
-    slidingFailed_ = sliding() && !weigh();
-    if (slidingFailed_)
-        return false;
-    if (!sliding()) {
-        evaluate(out_);
-        if (mode_.looksBeyond && !areFinite(out_))
-            evaluateWhereItIs();
+    functions_.fill(t, y);
+    if (sliding()) {
+        slidingFailed_ = !field_.weigh();
+        if (slidingFailed_)
+            return false;
+    } else {
+        slidingFailed_ = false;
+        field_.find();
+        if (mode_.looksBeyond && !areFinite(field_.values()))
+            field_.findBeyond();
     }
-    for (std::size_t i = 0; i < states().size(); ++i)
-        out[i] = out_[i];
-    return areFinite(out_);
-}
-
-void ComponentEquations::evaluateWhereItIs() {
-    const std::vector<expression::Decision> held = mode_.decisions;
-    model_.function().tape().decide(in_, mode_.decisions, guards_, scratch_);
-    if (mode_.decisions != held)
-        evaluateOutputs(out_);
-    mode_.decisions = held;
+    std::copy_n(field_.values().begin(), states().size(), out.begin());
+    return areFinite(field_.values());
 }
 
 bool ComponentEquations::lookBeyond(double t, std::span<const double> y) {
     if (mode_.looksBeyond || sliding())
         return false;
-    fill(t, y);
-    model_.function().guards(in_, guards_, scratch_, mode_.decisions);
-    for (std::size_t s = 0; s < model_.surfaces().size(); ++s)
-        mode_.looksBeyond = mode_.looksBeyond || (isOnSide(s) && std::abs(guard(s)) <= standing);
+    functions_.fill(t, y);
+    functions_.evaluateGuards();
+    for (std::size_t s = 0; s < model().surfaces().size(); ++s)
+        mode_.looksBeyond =
+            mode_.looksBeyond ||
+            (mode_.isOnSide(s) && std::abs(functions_.guard(s)) <= ModelFunctions::standing);
     return mode_.looksBeyond;
 }
 
+// Held values that slide by surfaces alone do not depend on the weights.
 bool ComponentEquations::heldValues(double t, std::span<const double> y, std::span<double> out) {
-    fill(t, y);
-    if (mode_.sticking.empty() || !weigh())
-        evaluate(out_);
-    std::copy(out_.begin() + static_cast<std::ptrdiff_t>(states().size()), out_.end(), out.begin());
+    functions_.fill(t, y);
+    if (mode_.sticking.empty() || !field_.weigh())
+        field_.findOutputs();
+    const std::span<const double> values = field_.values();
+    std::ranges::copy(values.subspan(states().size()), out.begin());
     return std::all_of(out.begin(), out.end(), [](double x) { return std::isfinite(x); });
 }
 
-void ComponentEquations::peakCauses(const ComponentModel::PeakFunctions& peaks, double t,
-                                    std::span<const double> y, std::span<const double> rates,
-                                    std::span<double> out) {
-    fill(t, y);
-    inMoving_.assign(in_.begin(), in_.end());
-    inMoving_.insert(inMoving_.end(), rates.begin(), rates.end());
-    inMoving_.resize(inMoving_.size() + model_.inputs());
-    inputs_.rates(t, std::span(inMoving_).last(model_.inputs()));
-    peaks.causes.evaluate(inMoving_, out, scratch_);
-}
-
-void ComponentEquations::peakHeights(double t, std::span<const double> y, std::span<double> out) {
-    fill(t, y);
-    model_.peaks().heights.evaluate(in_, out, scratch_);
-}
-
 std::vector<std::size_t> ComponentEquations::notFinite(double t, std::span<const double> y) {
-    fill(t, y);
-    evaluate(out_);
+    functions_.fill(t, y);
+    std::vector<double> values(field_.size());
+    field_.outputs(values);
     std::vector<std::size_t> found;
-    for (std::size_t i = 0; i < out_.size(); ++i)
-        if (!std::isfinite(out_[i]))
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (!std::isfinite(values[i]))
             found.push_back(i < states().size() ? states()[i] : held()[i - states().size()]);
     std::sort(found.begin(), found.end());
     return found;
 }
 
-std::optional<Decision> ComponentEquations::decisionOf(Node switching) const {
-    const auto& switches = model_.switches();
-    const auto at = std::ranges::lower_bound(switches, switching);
-    if (at == switches.end() || *at != switching)
-        return std::nullopt;
-    return mode_.decisions[static_cast<std::size_t>(at - switches.begin())];
+bool ComponentEquations::rest(std::span<const std::size_t> directions, double t,
+                              std::span<double> y) {
+    const bool isDone = stick_.rest(directions, t, y);
+    guards_.refresh();
+    return isDone;
 }
 
-std::optional<std::size_t> ComponentEquations::stateOf(Node symbol) const {
-    const auto place = model_.placeOf(symbol);
-    if (!place || *place == 0 || *place > states().size())
-        return std::nullopt;
-    return *place - 1;
+// ---------------------------------------------------------------------------------------------
+// The Jacobian
+
+const Pattern& ComponentEquations::jacobianPattern() { return model().jacobian().pattern; }
+
+bool ComponentEquations::jacobian(double t, std::span<const double> y, std::span<double> entries) {
+    if (sliding())
+        return differences(t, y, entries);
+    functions_.fill(t, y);
+    functions_.evaluate(model().jacobian().entries, entries);
+    return std::ranges::all_of(entries, [](double x) { return std::isfinite(x); }) ||
+           differences(t, y, entries);
 }
 
-std::optional<std::size_t> ComponentEquations::inputOf(Node symbol) const {
-    const auto place = model_.placeOf(symbol);
-    const std::size_t first = 1 + states().size();
-    if (!place || *place < first || *place >= model_.variables())
-        return std::nullopt;
-    return *place - first;
-}
-
-std::optional<double> ComponentEquations::constantOf(Node symbol) const {
-    const auto place = model_.placeOf(symbol);
-    if (!place || *place < model_.variables())
-        return std::nullopt;
-    return in_[*place];
+// While sliding f is a mixture whose weights depend on y too; few unknowns slide, so differences
+// do, and where derivatives overflow (of 1/cosh(x)^2, far out) while rates do not. What stays on
+// its surface exactly moves nothing, and may have no value beside it.
+bool ComponentEquations::differences(double t, std::span<const double> y,
+                                     std::span<double> entries) {
+    std::vector<double> at(y.begin(), y.end()), low(states().size()), high(states().size());
+    const Pattern& pattern = model().jacobian().pattern;
+    for (std::size_t column = 0; column < states().size(); ++column) {
+        if (std::ranges::any_of(field_.columns(), [&](const HeldField::Column& c) {
+                return field_.gradientOf(c).state == column;
+            })) {
+            for (int k = pattern.columnStarts[column]; k < pattern.columnStarts[column + 1]; ++k)
+                entries[static_cast<std::size_t>(k)] = 0;
+            continue;
+        }
+        const double step = 6e-6 * std::max(1e-3, std::abs(y[column]));
+        at[column] = y[column] + step;
+        if (!rates(t, at, high))
+            return false;
+        at[column] = y[column] - step;
+        if (!rates(t, at, low))
+            return false;
+        at[column] = y[column];
+        for (int k = pattern.columnStarts[column]; k < pattern.columnStarts[column + 1]; ++k) {
+            const auto row = static_cast<std::size_t>(pattern.rows[static_cast<std::size_t>(k)]);
+            entries[static_cast<std::size_t>(k)] = (high[row] - low[row]) / (2 * step);
+        }
+    }
+    return true;
 }
 
 } // namespace solution

@@ -19,17 +19,51 @@ void Mode::release() {
     sticking.clear();
     leaving.reset();
     std::ranges::fill(isGrazed, 0);
+    std::ranges::fill(wasPassed, 0);
     for (std::vector<Coincident>& list : coincident)
         list.clear();
 }
 
-std::string print(const Mode& mode, const ComponentModel& model) {
+void Mode::setSide(std::size_t surface, int side) {
+    setOwnSide(surface, side);
+    for (const Coincident& other : coincident[surface])
+        setOwnSide(other.surface, side * other.orientation);
+}
+
+void Mode::setOwnSide(std::size_t surface, int side) {
+    sides[surface] = side;
+    if (model->surfaces()[surface].whole) { // the branches beside that whole number
+        decisions[model->surfaces()[surface].members[0].decision] = decisionBeside(surface, side);
+        return;
+    }
+    for (const Surface::Member& member : model->surfaces()[surface].members)
+        decisions[member.decision] = expression::Decision{side} * member.orientation;
+}
+
+void Mode::setGrazed(std::size_t surface, bool grazes) {
+    isGrazed[surface] = grazes ? 1 : 0;
+    for (const Coincident& other : coincident[surface])
+        isGrazed[other.surface] = isGrazed[surface];
+}
+
+expression::Decision Mode::decisionBeside(std::size_t surface, int side) const {
+    const expression::Decision above = model->surfaces()[surface].ceiling ? 1 : 0;
+    return levels[surface] + above - (side > 0 ? 0 : 1);
+}
+
+bool Mode::isOnSide(std::size_t surface) const {
+    return !model->surfaces()[surface].whole ||
+           decisions[model->surfaces()[surface].members[0].decision] ==
+               decisionBeside(surface, sides[surface]);
+}
+
+std::string print(const Mode& mode) {
     std::string text;
     const auto add = [&text](const std::string& entry) {
         text += (text.empty() ? "" : ", ") + entry;
     };
     for (std::size_t s = 0; s < mode.sides.size(); ++s) {
-        const Surface& surface = model.surfaces()[s];
+        const Surface& surface = mode.model->surfaces()[s];
         const expression::Decision taken = mode.decisions[surface.members[0].decision];
         std::string entry = std::to_string(s) + ": ";
         if (taken == expression::noBranch)

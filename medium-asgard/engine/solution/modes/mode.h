@@ -31,6 +31,7 @@ struct Mode {
     // The guard crosses 0 by rounding alone, or no rate beyond the surface moves the state away
     // from it.
     std::vector<char> isGrazed;
+    std::vector<char> wasPassed;        // since the start or the last event
     std::vector<std::size_t> sliding;   // surfaces
     std::vector<std::size_t> sticking;  // directions whose vectors are held at 0
     std::optional<std::size_t> leaving; // of these, one that sets off
@@ -38,9 +39,12 @@ struct Mode {
     // the branch of its values.
     bool looksBeyond = false;
 
-    explicit Mode(const ComponentModel& model)
-        : decisions(model.function().decisions()), sides(model.surfaces().size(), onSurface),
-          levels(sides.size(), 0), coincident(sides.size()), isGrazed(sides.size(), 0) {}
+    const ComponentModel* model; // whose surfaces these are
+
+    explicit Mode(const ComponentModel& of)
+        : decisions(of.function().decisions()), sides(of.surfaces().size(), onSurface),
+          levels(sides.size(), 0), coincident(sides.size()), isGrazed(sides.size(), 0),
+          wasPassed(sides.size(), 0), model(&of) {}
     [[nodiscard]] bool operator==(const Mode&) const = default;
 
     [[nodiscard]] bool isHeld() const { return !sliding.empty() || !sticking.empty(); }
@@ -49,9 +53,18 @@ struct Mode {
     [[nodiscard]] bool isCoincident(std::size_t surface) const;
     // Nothing is held, and no surface is special.
     void release();
+    // With all that are coincident.
+    void setSide(std::size_t surface, int side);
+    void setGrazed(std::size_t surface, bool grazes);
+    // That surface alone.
+    void setOwnSide(std::size_t surface, int side);
+    // Nothing has moved it from the side on which it was put.
+    [[nodiscard]] bool isOnSide(std::size_t surface) const;
+    // Of floor and ceil, on a side of the whole number that is their level.
+    [[nodiscard]] expression::Decision decisionBeside(std::size_t surface, int side) const;
 };
 
 // "1: +, 2: slides with -3, 4: floor 2, direction 0: sticks": the surfaces by their numbers.
-[[nodiscard]] std::string print(const Mode& mode, const ComponentModel& model);
+[[nodiscard]] std::string print(const Mode& mode);
 
 } // namespace solution

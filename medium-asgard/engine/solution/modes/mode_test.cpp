@@ -1,64 +1,11 @@
 // On which branches do equations go on from given values? The mode as text.
-#include "modes/component_equations.h"
 #include "modes/mode.h"
-
-#include "equations/prepared_equations.h"
-#include "expression/testing.h"
+#include "modes/testing.h"
 
 #include <gtest/gtest.h>
 
-#include <memory>
-#include <string>
-#include <utility>
-#include <vector>
-
 using namespace solution;
-
-namespace {
-
-using Rates = std::vector<std::pair<std::string, std::string>>; // names and rates
-
-PreparedEquations prepared(const Rates& rates) {
-    auto set = std::make_shared<expression::EquationSet>();
-    set->time = set->graph.symbol("t");
-    for (const auto& [name, rate] : rates) {
-        expression::Unknown unknown;
-        unknown.name = name;
-        unknown.symbol = set->graph.symbol(name);
-        unknown.phases.emplace_back();
-        unknown.phases[0].derivative = expression::testing::parsed(set->graph, rate);
-        set->unknowns.push_back(unknown);
-    }
-    Preparation how;
-    how.whole = how.everyState = true;
-    return PreparedEquations(set, how);
-}
-
-// One component, without inputs.
-class Equations {
-public:
-    explicit Equations(Rates rates)
-        : prepared_(prepared(rates)), equations_(prepared_.components.at(0).bound, histories_) {}
-
-    ComponentEquations* operator->() { return &equations_; }
-    std::string modeAt(std::vector<double> y, double t = 0) {
-        equations_.decide(t, y);
-        return print(equations_.mode(), equations_.model());
-    }
-    std::vector<double> ratesAt(std::vector<double> y, double t = 0) {
-        equations_.decide(t, y);
-        std::vector<double> out(y.size());
-        EXPECT_TRUE(equations_.rates(t, y, out));
-        return out;
-    }
-
-private:
-    PreparedEquations prepared_;
-    Histories histories_;
-    ComponentEquations equations_;
-};
-
-} // namespace
+using namespace solution::testing;
 
 // Friction of at most 2 against a pull: it holds as long as the pull is less.
 TEST(Mode, FrictionHoldsOrGivesWay) {
@@ -99,7 +46,7 @@ TEST(Mode, IsAValueThatIsCopiedComparedAndTakenBack) {
     changed.coincident[0].push_back({1, -1});
     EXPECT_NE(changed, held);
     EXPECT_TRUE(changed.isCoincident(1));
-    EXPECT_EQ(print(changed, two->model()), "0: slides with -1, 1: slides");
+    EXPECT_EQ(print(changed), "0: slides with -1, 1: slides");
     changed.release();
     EXPECT_FALSE(changed.isHeld());
     changed = held;

@@ -75,7 +75,7 @@ private:
         const std::size_t heights = equations_.model().peaks().heights.tape().outputs();
         std::vector<double> y(curves_.columns.size()), values(heights);
         curves_.at(t, y);
-        equations_.peakHeights(t, y, values);
+        equations_.functions().peakHeights(t, y, values);
         return values;
     }
 
@@ -100,7 +100,7 @@ std::vector<double> centresOf(ComponentEquations& equations,
             y[i] = evaluate(states[i], s);
             rates[i] = evaluateDerivative(states[i], s) / scale;
         }
-        equations.peakCauses(peaks, t, y, rates, values);
+        equations.functions().peakCauses(peaks, t, y, rates, values);
     };
     return centresPassed(peaks.ratios, peaks.arePolynomials, valuesAt, origin, until);
 }
@@ -170,11 +170,11 @@ bool Oversight::isInvented(const ReviewedStep& step, ComponentEquations& equatio
     curves.at(found.time, y);
     if (found.time <= curves.origin) { // a switch that put it on the wrong side is no error
         std::vector<double> values(equations.watches());
-        equations.watch(curves.origin, y, values);
+        equations.guards().watch(curves.origin, y, values);
         if (std::ranges::any_of(found.watches, [&](std::size_t k) { return values[k] < 0; }))
             return false;
     }
-    if (!equations.contradicts(found, found.time, y))
+    if (!equations.guards().contradicts(found, found.time, y))
         return false;
     ++invented_;
     return true;

@@ -203,7 +203,7 @@ void Component::begin() {
     switches_.goOn();
     equations_->inputs().window(infinity);
     std::vector<double> y = states();
-    equations_->decide(progress_.time, y);
+    equations_->solver().decide(progress_.time, y);
     if (equations_->hasDirections())
         decideRest(y);
     progress_.put(equations_->states(), y);
@@ -218,7 +218,7 @@ void Component::begin() {
 
 void Component::decideRest(std::vector<double>& y) {
     takeReach(context_, y);
-    const auto directions = equations_->directionsAtRest(progress_.time, y);
+    const auto directions = equations_->stickSlip().directionsAtRest(progress_.time, y);
     std::vector<double> rested = y;
     if (!directions.empty() && equations_->rest(directions, progress_.time, rested))
         y = rested;

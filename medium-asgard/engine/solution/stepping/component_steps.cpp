@@ -217,7 +217,7 @@ void Component::changeMethodAfterStride() {
 
 void Component::pass(const Violation& violation, bool immediate) {
     const auto giveUp = [&] {
-        const std::vector<std::size_t> flipping = equations_->unknownsOf(violation);
+        const std::vector<std::size_t> flipping = equations_->guards().unknownsOf(violation);
         end(Stop::Reason::decisions, flipping.empty() ? std::vector<std::size_t>{0} : flipping,
             "expressions that switch with " + switchingWith(violation) +
                 " switch to and fro here and no time goes on: each branch leads back into the "
@@ -228,14 +228,14 @@ void Component::pass(const Violation& violation, bool immediate) {
         if (switches_.addAtOnce() > 8 * equations_->watches() + 8)
             return giveUp();
     } else {
-        switches_.add(progress_.time, equations_->surfacesOf(violation));
+        switches_.add(progress_.time, equations_->guards().surfacesOf(violation));
         if (switches_.isEndless(progress_.time))
             return giveUp();
     }
     std::vector<double> y = states();
     equations_->inputs().window(infinity);
     if ((immediate || !comesToRest(y)) &&
-        equations_->cross(violation, progress_.time, y, passing(violation, immediate)) ==
+        equations_->solver().cross(violation, progress_.time, y, passing(violation, immediate)) ==
             ComponentEquations::Crossing::impossible)
         return giveUp();
     progress_.put(equations_->states(), y);
@@ -255,9 +255,9 @@ void Component::settle() {
 }
 
 std::string Component::switchingWith(const Violation& violation) const {
-    const std::vector<std::size_t> own = equations_->unknownsOf(violation);
+    const std::vector<std::size_t> own = equations_->guards().unknownsOf(violation);
     std::string text = own.empty() ? "" : context_.names(own);
-    for (const std::size_t unknown : equations_->inputsOf(violation))
+    for (const std::size_t unknown : equations_->guards().inputsOf(violation))
         text += (text.empty() ? "" : ", ") + around_.set->unknowns[unknown].name;
     return text.empty() ? "the time" : text;
 }
@@ -271,14 +271,14 @@ bool Component::comesToRest(std::vector<double>& y) {
     if (!shrinks && !switches_.goesToAndFro(time, since))
         return false;
     const std::vector<std::size_t> surfaces = switches_.surfacesOfLast();
-    if (surfaces.size() < 2 || (!shrinks && !equations_->standsOn(surfaces, time, y)))
+    if (surfaces.size() < 2 || (!shrinks && !equations_->solver().standsOn(surfaces, time, y)))
         return false;
     ErrorControl& control = memory_.now.control;
     control.prepare(y, time - switches_.timeOfLast());
     std::vector<double> reach(y.size());
     for (std::size_t i = 0; i < y.size(); ++i)
         reach[i] = control.scale(i);
-    if (!equations_->holdOn(surfaces, time, reach, y))
+    if (!equations_->solver().holdOn(surfaces, time, reach, y))
         return false;
     switches_.rest(time);
     return true;

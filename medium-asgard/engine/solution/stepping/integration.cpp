@@ -298,7 +298,7 @@ std::optional<Violation> Integration::violationOn(const StateCurves& curves) {
     std::vector<double> y(columns_.size());
     for (std::size_t k = 0; found && k < equations.watches(); ++k) {
         curves.at(found->time, y);
-        if (!equations.grazesByRounding(*found, found->time, y))
+        if (!equations.guards().grazesByRounding(*found, found->time, y))
             break;
         found = context_.violationOn(curves);
     }
@@ -320,7 +320,7 @@ std::optional<Proposal> Integration::acrossSwitch(double h) {
     slopes.resize(y_.size());
     if (here.empty() || !equations.rates(from, y_, slopes))
         return std::nullopt;
-    equations.watch(from, y_, here);
+    equations.guards().watch(from, y_, here);
     columns_.assign(y_.size(), Coefficients{});
     for (std::size_t i = 0; i < y_.size(); ++i) {
         columns_[i][0] = y_[i];
@@ -330,7 +330,7 @@ std::optional<Proposal> Integration::acrossSwitch(double h) {
     const double to = from + across;
     if (equations.rates(to, y_, slopes))
         return std::nullopt;
-    equations.watch(to, y_, beyond);
+    equations.guards().watch(to, y_, beyond);
     Violation violation{.time = to, .watches = {}};
     for (std::size_t k = 0; k < here.size(); ++k)
         if (here[k] >= 0 && beyond[k] < 0)
@@ -349,7 +349,7 @@ std::optional<Violation> Integration::switchesHere() const {
     std::vector<double> values(equations.watches()), slopes(y.size());
     if (values.empty() || equations.rates(context_.time(), y, slopes))
         return std::nullopt;
-    equations.watch(context_.time(), y, values);
+    equations.guards().watch(context_.time(), y, values);
     Violation violation{.time = context_.time(), .watches = {}};
     for (std::size_t k = 0; k < values.size(); ++k)
         if (values[k] < 0)

@@ -11,7 +11,7 @@ void takeReach(const StepContext& context, std::span<const double> y) {
     std::vector<double> reach(y.size());
     for (std::size_t i = 0; i < reach.size(); ++i)
         reach[i] = control.scale(i);
-    context.equations().setReach(reach, context.tolerance);
+    context.equations().stickSlip().setReach(reach, context.tolerance);
 }
 
 std::optional<StepPiece> RestApproach::arrive(double farthest) {
@@ -20,7 +20,7 @@ std::optional<StepPiece> RestApproach::arrive(double farthest) {
     const std::vector<double> y = context_.states();
     takeReach(context_, y);
     const double time = context_.time();
-    for (const auto& approach : context_.equations().approaches(time, y)) {
+    for (const auto& approach : context_.equations().stickSlip().approaches(time, y)) {
         const double duration = approach.duration;
         const bool isHere = duration <= shortest * shortestStep(time);
         if (isHere ||

@@ -10,7 +10,7 @@ std::optional<Violation> StepContext::violationOn(const StateCurves& curves) con
     std::vector<double> y(curves.columns.size());
     const auto watch = [&](double t, std::span<double> values) {
         curves.at(t, y);
-        equations().watch(t, y, values);
+        equations().guards().watch(t, y, values);
     };
     // A switch for a moment only is looked at in its middle.
     const ComponentModel::PeakFunctions& peaks = equations().model().guardPeaks();
@@ -36,7 +36,7 @@ bool StepContext::passesAtOnce(const Violation& found, const StateCurves& curves
         return false;
     std::vector<double> y(curves.columns.size());
     curves.at(found.time, y);
-    return equations().looksAhead(found, found.time, y);
+    return equations().solver().looksAhead(found, found.time, y);
 }
 
 Ending StepContext::endingWithoutRate(double t, std::span<const double> y) const {

@@ -1,0 +1,58 @@
+// Which functions end a mode when they fall below 0?
+//
+// Of each surface that is read its guard, on the side that holds; of one that is slid upon its
+// weight, at both ends; of each direction that is held at 0 how far its unit vector is from 1.
+#pragma once
+
+#include "dense/first_violation.h"
+#include "modes/stick_slip.h"
+
+#include <span>
+#include <vector>
+
+namespace solution {
+
+class Guards {
+public:
+    struct Watch {
+        enum class Kind { side, least, most } kind; // least, most: of a weight
+        std::size_t surface;
+    };
+    Guards(ModelFunctions& functions, HeldField& field, StickSlip& stick, Mode& mode)
+        : f_(functions), field_(field), stick_(stick), model_(*mode.model), mode_(mode) {}
+
+    // The mode is another.
+    void refresh();
+    [[nodiscard]] const std::vector<Watch>& watches() const { return watches_; }
+    [[nodiscard]] std::size_t size() const { return watches_.size() + mode_.sticking.size(); }
+    void watch(double t, std::span<const double> y, std::span<double> values);
+    // At its time the rates lead away from all its surfaces, to the sides that hold: only an error
+    // of polynomials crosses them, where a guard is smaller than that.
+    [[nodiscard]] bool contradicts(const Violation& violation, double t, std::span<const double> y);
+    // There the rates lead away from the one surface of the violation, to the side that holds, and
+    // its guard is no more than what rounding leaves of a difference: the motion, which started on
+    // the surface, has just left it, and goes on where it is. From then on crossings back count
+    // beyond ModelFunctions::standing only. A surface that was passed is not grazed so: swings that
+    // become ever shorter would never end.
+    [[nodiscard]] bool grazesByRounding(const Violation& violation, double t,
+                                        std::span<const double> y);
+    [[nodiscard]] std::vector<std::size_t> surfacesOf(const Violation& violation) const;
+    // Directions whose watches are violated.
+    [[nodiscard]] std::vector<std::size_t> directionsOf(const Violation& violation) const;
+    // Unknowns (places) that the guards of its watches read, and those of other components.
+    [[nodiscard]] std::vector<std::size_t> unknownsOf(const Violation& violation) const;
+    [[nodiscard]] std::vector<std::size_t> inputsOf(const Violation& violation) const;
+
+private:
+    [[nodiscard]] bool leadsInside(const Watch& watch, std::span<const double> rates);
+    [[nodiscard]] std::vector<std::size_t> symbolsOf(const Violation& violation) const;
+
+    ModelFunctions& f_;
+    HeldField& field_;
+    StickSlip& stick_;
+    const ComponentModel& model_;
+    Mode& mode_;
+    std::vector<Watch> watches_;
+};
+
+} // namespace solution

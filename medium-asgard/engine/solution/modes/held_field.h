@@ -1,0 +1,115 @@
+// The right-hand side of a component in a mode: rates of states, and held values.
+//
+// While nothing is held it is what the branches of the mode say. With f- and f+ the fields of both
+// sides of a surface that is slid upon (Filippov 1988) it is
+//
+//     f = f- + w (f+ - f-),   w such that grad g . f + dg/dt = 0;
+//
+// several such surfaces at once give a linear system for their weights. Where a state is itself the
+// guard, its rate is set to 0, so that it stays exactly.
+//
+// Directions. With a the vector whose direction it is, scaled by the roots of its weights, and u
+// what stands for a/|a| while a is held at 0: expressions of a/|a| are evaluated with u times next
+// to nothing for a and next to nothing for |a|.
+//
+// All is at the point of the functions (model_functions.h). Branches of the mode are tried; what is
+// slid upon is on its lower side afterwards, as Mode has it.
+//
+// LIMIT: with several surfaces at once f is taken as affine in the weights, which holds unless
+// switching terms multiply each other or stand in each other's guards.
+#pragma once
+
+#include "modes/model_functions.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace solution {
+
+class HeldField {
+public:
+    HeldField(ModelFunctions& functions, Mode& mode);
+
+    // On the branches of the mode, whether it slides or not.
+    void outputs(std::span<double> out);
+    // In the mode: false where it slides and has no solution. Then values() are others.
+    [[nodiscard]] bool weigh();
+    // values() in the mode; where it slides and has no solution, on its branches.
+    void find();
+    [[nodiscard]] std::vector<double> here() {
+        find();
+        return values_;
+    }
+    [[nodiscard]] const std::vector<double>& values() const { return values_; }
+    // outputs() into values().
+    void findOutputs() { outputs(values_); }
+    // The outputs are values(), by the branches that guards have where those in force have none.
+    void findBeyond();
+    [[nodiscard]] std::size_t size() const { return values_.size(); }
+
+    // Of weigh(): of each surface that is slid upon, and for parts of unit vectors that are held.
+    [[nodiscard]] std::vector<double>& weights() { return weights_; }
+    [[nodiscard]] std::vector<double>& units() { return units_; }
+    // Of the square of a unit vector, over what can be.
+    [[nodiscard]] double excess(std::size_t direction) const;
+    // Of a direction that sets off: the rate of its vector, and that without friction.
+    [[nodiscard]] double growth() const { return growth_; }
+    [[nodiscard]] double pull() const { return pull_; }
+
+    // a' = rate + change u
+    struct Response {
+        Eigen::VectorXd rate;
+        Eigen::MatrixXd change;
+        std::vector<std::vector<double>> fields; // change of all rates by each u
+        struct Departure {
+            Eigen::VectorXd direction;
+            double growth;
+        };
+        // It draws a to 0, or does nothing, whatever the direction.
+        [[nodiscard]] bool brakes() const;
+        // The d of length 1 for which rate + change d is l d.
+        [[nodiscard]] std::optional<Departure> departure() const;
+    };
+    // Of a direction that is held, while all else that is held stays so.
+    [[nodiscard]] std::optional<Response> responseOf(std::size_t direction);
+
+    struct Column { // of what is solved for while sliding
+        bool isPart;
+        std::size_t which; // surface, or part
+    };
+    [[nodiscard]] std::vector<Column> columns() const;
+    [[nodiscard]] const ComponentModel::Gradient& gradientOf(const Column& column) const;
+
+private:
+    // The distance of a move off a surface, or off a length of 0, for its direction; its square is
+    // still a number.
+    static constexpr double nextToNothing = 1e-150;
+    // Less is what next to nothing makes of a rate of 0: in proportion to it, to its square or to
+    // its cube root.
+    static constexpr double vanishing = 1e-40;
+
+    void evaluateOutputs(std::span<double> out);
+    [[nodiscard]] bool mix(std::span<const double> weights);
+    void setColumn(const Column& column, bool isSet);
+    [[nodiscard]] double rateOf(const Column& column, std::span<const double> rates);
+    [[nodiscard]] bool weighWithDirections();
+    [[nodiscard]] bool solveWithDirections();
+
+    ModelFunctions& f_;
+    const ComponentModel& model_;
+    Mode& mode_;
+    std::vector<double> values_;
+    std::vector<double> base_, other_;        // fields on one side of surfaces
+    std::vector<std::vector<double>> fields_; // on the other side of each
+    std::vector<double> weights_, units_;
+    std::optional<std::size_t> given_; // of what sticks, a direction whose units are not solved for
+    double growth_ = 0, pull_ = 0;
+    std::vector<double> inHeld_; // symbols with those of directions
+};
+
+// The shortest of several solutions.
+[[nodiscard]] Eigen::VectorXd leastSolution(const Eigen::MatrixXd& matrix,
+                                            const Eigen::VectorXd& wanted);
+
+} // namespace solution
