@@ -55,9 +55,9 @@ void AlikeSteps::enter(std::size_t lane, ExplicitRungeKutta& method, ErrorContro
         at(rows_.start + n, lane) = method.start_[n];
         at(rows_.end + n, lane) = method.end_[n];
         at(rows_.slope + n, lane) = method.slope_[n];
-        at(rows_.lost + n, lane) = method.lost_[n];
-        at(rows_.before + n, lane) = method.before_[n];
-        at(rows_.beforeSlope + n, lane) = method.beforeSlope_[n];
+        at(rows_.lost + n, lane) = method.lost_.start[n];
+        at(rows_.before + n, lane) = method.before_.state[n];
+        at(rows_.beforeSlope + n, lane) = method.before_.slope[n];
         at(rows_.low + n, lane) = control.seen_[n].low;
         at(rows_.high + n, lane) = control.seen_[n].high;
         at(rows_.weights + n, lane) = control.weights_[n];
@@ -65,7 +65,7 @@ void AlikeSteps::enter(std::size_t lane, ExplicitRungeKutta& method, ErrorContro
     }
     at(rows_.time, lane) = method.t_;
     at(rows_.step, lane) = method.h_;
-    at(rows_.beforeStep, lane) = method.beforeStep_;
+    at(rows_.beforeStep, lane) = method.before_.step;
     at(rows_.tolerance, lane) = control.tolerance_;
     at(rows_.leastExtent, lane) = control.leastExtent_;
     at(rows_.extent, lane) = control.extent_;
@@ -78,13 +78,13 @@ void AlikeSteps::enter(std::size_t lane, ExplicitRungeKutta& method, ErrorContro
 void AlikeSteps::giveBack(std::size_t lane) {
     ExplicitRungeKutta& method = *methods_[lane];
     method.t_ = at(rows_.time, lane);
-    method.beforeStep_ = at(rows_.beforeStep, lane);
+    method.before_.step = at(rows_.beforeStep, lane);
     for (std::size_t n = 0; n < size_; ++n) {
         method.start_[n] = at(rows_.start + n, lane);
         method.end_[n] = at(rows_.end + n, lane);
         method.slope_[n] = at(rows_.slope + n, lane);
-        method.before_[n] = at(rows_.before + n, lane);
-        method.beforeSlope_[n] = at(rows_.beforeSlope + n, lane);
+        method.before_.state[n] = at(rows_.before + n, lane);
+        method.before_.slope[n] = at(rows_.beforeSlope + n, lane);
         controls_[lane]->weights_[n] = at(rows_.weights + n, lane);
     }
 }
@@ -94,7 +94,7 @@ void AlikeSteps::leave(std::size_t lane) {
     ExplicitRungeKutta& method = *methods_[lane];
     ErrorControl& control = *controls_[lane];
     for (std::size_t n = 0; n < size_; ++n) {
-        method.lost_[n] = at(rows_.lost + n, lane);
+        method.lost_.start[n] = at(rows_.lost + n, lane);
         control.seen_[n] = {at(rows_.low + n, lane), at(rows_.high + n, lane)};
     }
     method.h_ = control.step_ = at(rows_.step, lane);

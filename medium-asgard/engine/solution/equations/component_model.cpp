@@ -34,7 +34,7 @@ Node angleOf(Graph& graph, Node y, Node x) {
 ComponentModel::ComponentModel(Key key) : key_(std::move(key)) {
     readKey();
     findStructure();
-    function_ = expression::Function(expression::Tape(graph_, symbols_, outputs_));
+    function_ = expression::Function(expression::Tape(graph_, symbols_.all, outputs_));
     if (dividesByLength(graph_))
         findDirections();
 }
@@ -42,14 +42,14 @@ ComponentModel::ComponentModel(Key key) : key_(std::move(key)) {
 void ComponentModel::readKey() {
     std::size_t at = 0;
     const auto next = [&] { return key_[at++]; };
-    states_ = next();
+    symbols_.states = next();
     const std::size_t held = next();
-    for (std::size_t i = 0; i < states_; ++i)
+    for (std::size_t i = 0; i < symbols_.states; ++i)
         if (next() != 0)
-            configuration_.push_back(i);
-    symbols_.push_back(graph_.symbol("t"));
-    for (std::size_t i = 0; i < states_; ++i)
-        symbols_.push_back(graph_.symbol("y" + std::to_string(i)));
+            structure_.configuration.push_back(i);
+    symbols_.all.push_back(graph_.symbol("t"));
+    for (std::size_t i = 0; i < symbols_.states; ++i)
+        symbols_.all.push_back(graph_.symbol("y" + std::to_string(i)));
     std::vector<Node> constants, entries;
     const auto moves = [&](Node a, Node b) {
         return std::ranges::any_of(
@@ -59,12 +59,12 @@ void ComponentModel::readKey() {
     while (key_[at] != key::outputs) {
         const std::uint32_t word = next();
         if (word == key::time) {
-            entries.push_back(symbols_[0]);
+            entries.push_back(symbols_.all[0]);
         } else if (word == key::state) {
-            entries.push_back(symbols_[1 + next()]);
+            entries.push_back(symbols_.all[1 + next()]);
         } else if (word == key::input) {
-            symbols_.push_back(graph_.symbol("u" + std::to_string(inputs_++)));
-            entries.push_back(symbols_.back());
+            symbols_.all.push_back(graph_.symbol("u" + std::to_string(symbols_.inputs++)));
+            entries.push_back(symbols_.all.back());
         } else if (word == key::constant) {
             constants.push_back(graph_.symbol("c" + std::to_string(constants.size())));
             entries.push_back(constants.back());
@@ -83,52 +83,55 @@ void ComponentModel::readKey() {
         }
     }
     ++at;
-    for (std::size_t i = 0; i < states_ + held; ++i)
+    for (std::size_t i = 0; i < symbols_.states + held; ++i)
         outputs_.push_back(entries[next()]);
-    symbols_.insert(symbols_.end(), constants.begin(), constants.end());
-    for (std::size_t i = 0; i < symbols_.size(); ++i)
-        places_.emplace(symbols_[i].index, i);
+    symbols_.all.insert(symbols_.all.end(), constants.begin(), constants.end());
+    for (std::size_t i = 0; i < symbols_.all.size(); ++i)
+        symbols_.places.emplace(symbols_.all[i].index, i);
 }
 
 void ComponentModel::findStructure() {
     const auto stateOf = [this](Node n) -> std::optional<std::size_t> {
         const auto place = placeOf(n);
-        return place && *place >= 1 && *place <= states_ ? std::optional(*place - 1) : std::nullopt;
+        return place && *place >= 1 && *place <= symbols_.states ? std::optional(*place - 1)
+                                                                 : std::nullopt;
     };
-    for (std::size_t x = 0; x < states_; ++x)
+    for (std::size_t x = 0; x < symbols_.states; ++x)
         if (const auto v = stateOf(outputs_[x]))
-            integrals_.emplace_back(x, *v);
+            structure_.integrals.emplace_back(x, *v);
     const std::vector<Node> read = expression::symbolsOf(graph_, outputs_);
-    readsStates_ = std::ranges::any_of(read, [&](Node n) { return stateOf(n).has_value(); });
-    canPeak_ =
-        solution::canPeak(graph_, outputs_, std::span(symbols_).subspan(variables()), attitudes());
-    if (canPeak_)
+    structure_.readsStates =
+        std::ranges::any_of(read, [&](Node n) { return stateOf(n).has_value(); });
+    structure_.canPeak = solution::canPeak(
+        graph_, outputs_, std::span(symbols_.all).subspan(variables()), attitudes());
+    if (structure_.canPeak)
         peaks_ = peaksAmong(outputs_);
-    surfaces_ = surfacesOf(graph_, outputs_);
-    readSurfaces_ = ReadSurfaces(graph_, outputs_, surfaces_);
-    if (canPeak_ && !surfaces_.empty()) {
+    switching_.surfaces = surfacesOf(graph_, outputs_);
+    switching_.read = ReadSurfaces(graph_, outputs_, switching_.surfaces);
+    if (structure_.canPeak && !switching_.surfaces.empty()) {
         std::vector<Node> guards;
-        std::ranges::transform(surfaces_, std::back_inserter(guards), &Surface::guard);
+        std::ranges::transform(switching_.surfaces, std::back_inserter(guards), &Surface::guard);
         guardPeaks_ = peaksAmong(guards);
     }
-    switches_ = switchesOf(graph_, outputs_);
-    gradients_.resize(surfaces_.size());
-    for (std::size_t s = 0; s < surfaces_.size(); ++s)
-        if (const auto state = stateOf(surfaces_[s].guard); state && !surfaces_[s].whole)
-            ownGuards_.emplace_back(s, *state);
+    switching_.switches = switchesOf(graph_, outputs_);
+    derivatives_.gradients.resize(switching_.surfaces.size());
+    for (std::size_t s = 0; s < switching_.surfaces.size(); ++s)
+        if (const auto state = stateOf(switching_.surfaces[s].guard);
+            state && !switching_.surfaces[s].whole)
+            switching_.ownGuards.emplace_back(s, *state);
 }
 
 ComponentModel::PeakFunctions ComponentModel::peaksAmong(std::span<const Node> nodes) const {
     PeakFunctions found;
     Graph graph = graph_;
-    std::vector<Node> symbols = symbols_;
-    std::vector<Moving> moving = {{symbols_[0], graph.constant(1)}};
+    std::vector<Node> symbols = symbols_.all;
+    std::vector<Moving> moving = {{symbols_.all[0], graph.constant(1)}};
     for (std::size_t i = 1; i < variables(); ++i) {
-        moving.push_back({symbols_[i], graph.symbol("rate of " + graph.name(symbols_[i]))});
+        moving.push_back({symbols_.all[i], graph.symbol("rate of " + graph.name(symbols_.all[i]))});
         symbols.push_back(moving.back().rate);
     }
     const Peaks peaks =
-        peaksOf(graph, nodes, std::span(symbols_).subspan(variables()), attitudes(), moving);
+        peaksOf(graph, nodes, std::span(symbols_.all).subspan(variables()), attitudes(), moving);
     std::vector<Node> causes, rates;
     for (const Peaks::Cause& cause : peaks.causes) {
         causes.push_back(cause.value);
@@ -137,47 +140,49 @@ ComponentModel::PeakFunctions ComponentModel::peaksAmong(std::span<const Node> n
     }
     causes.insert(causes.end(), rates.begin(), rates.end());
     found.causes = expression::Function(expression::Tape(graph, symbols, causes));
-    found.heights = expression::Function(expression::Tape(graph, symbols_, peaks.heights));
+    found.heights = expression::Function(expression::Tape(graph, symbols_.all, peaks.heights));
     found.arePolynomials = peaks.arePolynomials;
     return found;
 }
 
 std::vector<Node> ComponentModel::attitudes() const {
     std::vector<Node> attitudes;
-    for (const std::size_t state : configuration_)
-        if (std::ranges::find(integrals_, state, &std::pair<std::size_t, std::size_t>::first) ==
-            integrals_.end())
-            attitudes.push_back(symbols_[1 + state]);
+    for (const std::size_t state : structure_.configuration)
+        if (std::ranges::find(structure_.integrals, state,
+                              &std::pair<std::size_t, std::size_t>::first) ==
+            structure_.integrals.end())
+            attitudes.push_back(symbols_.all[1 + state]);
     return attitudes;
 }
 
 bool ComponentModel::canPeak(std::span<const double> values) const {
-    return canPeak_ && solution::canPeak(graph_, outputs_, std::span(symbols_).subspan(variables()),
-                                         attitudes(), values);
+    return structure_.canPeak &&
+           solution::canPeak(graph_, outputs_, std::span(symbols_.all).subspan(variables()),
+                             attitudes(), values);
 }
 
 std::optional<std::size_t> ComponentModel::placeOf(Node symbol) const {
-    const auto found = places_.find(symbol.index);
-    return found == places_.end() ? std::nullopt : std::optional(found->second);
+    const auto found = symbols_.places.find(symbol.index);
+    return found == symbols_.places.end() ? std::nullopt : std::optional(found->second);
 }
 
 // ---------------------------------------------------------------------------------------------
 // Derivatives
 
 const ComponentModel::Jacobian& ComponentModel::jacobian() const {
-    const std::scoped_lock lock(deriving_);
-    if (!jacobian_)
-        jacobian_ = derivedJacobian();
-    return *jacobian_;
+    const std::scoped_lock lock(derivatives_.making);
+    if (!derivatives_.jacobian)
+        derivatives_.jacobian = derivedJacobian();
+    return *derivatives_.jacobian;
 }
 
 std::unique_ptr<ComponentModel::Jacobian> ComponentModel::derivedJacobian() const {
     auto jacobian = std::make_unique<Jacobian>();
     Graph graph = graph_;
-    std::vector<std::vector<std::pair<int, Node>>> columns(states_);
-    const auto rows = expression::gradients(graph, std::span(outputs_).first(states_),
-                                            std::span(symbols_).subspan(1, states_));
-    for (std::size_t row = 0; row < states_; ++row)
+    std::vector<std::vector<std::pair<int, Node>>> columns(symbols_.states);
+    const auto rows = expression::gradients(graph, std::span(outputs_).first(symbols_.states),
+                                            std::span(symbols_.all).subspan(1, symbols_.states));
+    for (std::size_t row = 0; row < symbols_.states; ++row)
         for (const auto& [state, derivative] : rows[row])
             columns[state].emplace_back(static_cast<int>(row), derivative);
     Pattern& pattern = jacobian->pattern;
@@ -195,10 +200,10 @@ std::unique_ptr<ComponentModel::Jacobian> ComponentModel::derivedJacobian() cons
 }
 
 const ComponentModel::Gradient& ComponentModel::gradient(std::size_t surface) const {
-    const std::scoped_lock lock(deriving_);
-    std::unique_ptr<const Gradient>& place = gradients_[surface];
+    const std::scoped_lock lock(derivatives_.making);
+    std::unique_ptr<const Gradient>& place = derivatives_.gradients[surface];
     if (!place)
-        place = std::make_unique<Gradient>(gradientOf(surfaces_[surface].guard));
+        place = std::make_unique<Gradient>(gradientOf(switching_.surfaces[surface].guard));
     return *place;
 }
 
@@ -206,12 +211,12 @@ ComponentModel::Gradient ComponentModel::gradientOf(Node node) const {
     Gradient gradient;
     Graph graph = graph_;
     std::vector<Node> derivatives;
-    for (const Node symbol : std::span(symbols_).first(variables()))
+    for (const Node symbol : std::span(symbols_.all).first(variables()))
         derivatives.push_back(expression::differentiate(graph, node, symbol));
     derivatives.push_back(node);
     gradient.derivatives = derive(graph, derivatives);
     const auto place = placeOf(node);
-    if (place && *place >= 1 && *place <= states_)
+    if (place && *place >= 1 && *place <= symbols_.states)
         gradient.state = *place - 1;
     return gradient;
 }
@@ -221,20 +226,20 @@ ComponentModel::Gradient ComponentModel::gradientOf(Node node) const {
 ComponentModel::Derived ComponentModel::derive(Graph& graph, std::span<const Node> nodes,
                                                std::span<const Node> more) const {
     Derived derived;
-    std::vector<Node> symbols = symbols_;
+    std::vector<Node> symbols = symbols_.all;
     symbols.insert(symbols.end(), more.begin(), more.end());
     derived.function = expression::Function(expression::Tape(graph, symbols, nodes));
     for (const Node switching : switchesOf(graph, nodes)) {
         Derived::Source source;
-        const auto same = std::ranges::lower_bound(switches_, switching);
+        const auto same = std::ranges::lower_bound(switching_.switches, switching);
         const Op op = graph.op(switching);
-        if (same != switches_.end() && *same == switching) {
-            source.decision = static_cast<std::size_t>(same - switches_.begin());
+        if (same != switching_.switches.end() && *same == switching) {
+            source.decision = static_cast<std::size_t>(same - switching_.switches.begin());
         } else if (op != Op::floor && op != Op::ceil) {
             const Guard guard = guardOf(graph, switching);
             source.orientation = guard.orientation;
-            for (std::size_t s = 0; s < surfaces_.size(); ++s)
-                if (!surfaces_[s].whole && surfaces_[s].guard == guard.node)
+            for (std::size_t s = 0; s < switching_.surfaces.size(); ++s)
+                if (!switching_.surfaces[s].whole && switching_.surfaces[s].guard == guard.node)
                     source.surface = s;
         }
         derived.sources.push_back(source);
@@ -252,7 +257,7 @@ bool ComponentModel::actsOnItself(const Direction& direction) const {
         parts.push_back(part.node);
     return std::ranges::any_of(expression::symbolsOf(graph_, parts), [&](Node symbol) {
         const auto place = placeOf(symbol);
-        if (!place || *place < 1 || *place > states_)
+        if (!place || *place < 1 || *place > symbols_.states)
             return false;
         const auto nodes = expression::reachable(graph_, std::span(&outputs_[*place - 1], 1));
         return std::ranges::find(nodes, direction.length) != nodes.end();
@@ -333,18 +338,18 @@ void ComponentModel::deriveDirections(Graph& graph, const std::vector<Direction>
 std::string ComponentModel::print() const {
     std::string text;
     for (std::size_t i = 0; i < outputs_.size(); ++i)
-        text += (i < states_ ? "y" + std::to_string(i) + "' = "
-                             : "h" + std::to_string(i - states_) + " = ") +
+        text += (i < symbols_.states ? "y" + std::to_string(i) + "' = "
+                                     : "h" + std::to_string(i - symbols_.states) + " = ") +
                 expression::print(graph_, outputs_[i]) + "\n";
     return text;
 }
 
 std::string ComponentModel::printJacobian() const {
     Graph graph = graph_;
-    const auto rows = expression::gradients(graph, std::span(outputs_).first(states_),
-                                            std::span(symbols_).subspan(1, states_));
+    const auto rows = expression::gradients(graph, std::span(outputs_).first(symbols_.states),
+                                            std::span(symbols_.all).subspan(1, symbols_.states));
     std::string text;
-    for (std::size_t row = 0; row < states_; ++row)
+    for (std::size_t row = 0; row < symbols_.states; ++row)
         for (const auto& [state, derivative] : rows[row])
             text += "dy" + std::to_string(row) + "'/dy" + std::to_string(state) + " = " +
                     expression::print(graph, derivative) + "\n";

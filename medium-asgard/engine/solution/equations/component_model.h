@@ -36,20 +36,22 @@ public:
     explicit ComponentModel(Key key);
 
     [[nodiscard]] const Key& key() const { return key_; }
-    [[nodiscard]] std::size_t states() const { return states_; }
-    [[nodiscard]] std::size_t held() const { return outputs_.size() - states_; }
-    [[nodiscard]] std::size_t inputs() const { return inputs_; }
-    [[nodiscard]] std::size_t constants() const { return symbols_.size() - variables(); }
+    [[nodiscard]] std::size_t states() const { return symbols_.states; }
+    [[nodiscard]] std::size_t held() const { return outputs_.size() - symbols_.states; }
+    [[nodiscard]] std::size_t inputs() const { return symbols_.inputs; }
+    [[nodiscard]] std::size_t constants() const { return symbols_.all.size() - variables(); }
     // Time, states and inputs: the symbols that stand before the constants.
-    [[nodiscard]] std::size_t variables() const { return 1 + states_ + inputs_; }
+    [[nodiscard]] std::size_t variables() const { return 1 + symbols_.states + symbols_.inputs; }
 
     [[nodiscard]] const expression::Graph& graph() const { return graph_; }
-    [[nodiscard]] const std::vector<expression::Node>& symbols() const { return symbols_; }
+    [[nodiscard]] const std::vector<expression::Node>& symbols() const { return symbols_.all; }
     // Rates of states, then held values: what function() evaluates from symbols().
     [[nodiscard]] const std::vector<expression::Node>& outputs() const { return outputs_; }
     [[nodiscard]] const expression::Function& function() const { return function_; }
     [[nodiscard]] std::optional<std::size_t> placeOf(expression::Node symbol) const;
-    [[nodiscard]] bool readsStates() const { return readsStates_; } // other than in guards
+    [[nodiscard]] bool readsStates() const {
+        return structure_.readsStates;
+    } // other than in guards
     // peaks.h: with these constants.
     [[nodiscard]] bool canPeak(std::span<const double> values) const;
     // Where it can peak (peaks.h): values of causes, then their rates, from symbols() and the
@@ -65,17 +67,21 @@ public:
 
     // Pairs of states (x, v) with x' = v, and the states that are positions or attitudes.
     [[nodiscard]] const std::vector<std::pair<std::size_t, std::size_t>>& integrals() const {
-        return integrals_;
+        return structure_.integrals;
     }
-    [[nodiscard]] const std::vector<std::size_t>& configuration() const { return configuration_; }
+    [[nodiscard]] const std::vector<std::size_t>& configuration() const {
+        return structure_.configuration;
+    }
 
-    [[nodiscard]] const std::vector<expression::Node>& switches() const { return switches_; }
-    [[nodiscard]] const std::vector<Surface>& surfaces() const { return surfaces_; }
+    [[nodiscard]] const std::vector<expression::Node>& switches() const {
+        return switching_.switches;
+    }
+    [[nodiscard]] const std::vector<Surface>& surfaces() const { return switching_.surfaces; }
     // Which of these the outputs read, on given branches.
-    [[nodiscard]] const ReadSurfaces& readSurfaces() const { return readSurfaces_; }
+    [[nodiscard]] const ReadSurfaces& readSurfaces() const { return switching_.read; }
     // Pairs of a surface and the state that is its guard.
     [[nodiscard]] const std::vector<std::pair<std::size_t, std::size_t>>& ownGuards() const {
-        return ownGuards_;
+        return switching_.ownGuards;
     }
 
     // Derived expressions; their switches are those of the equations, or stand on their surfaces.
@@ -136,22 +142,36 @@ private:
 
     Key key_;
     expression::Graph graph_; // of the outputs and guards alone; derivatives go into copies
-    std::size_t states_ = 0, inputs_ = 0;
-    std::vector<expression::Node> symbols_, outputs_;
-    std::unordered_map<std::uint32_t, std::size_t> places_; // of symbols
+    struct Symbols {          // time, states, inputs, constants
+        std::size_t states = 0, inputs = 0;
+        std::vector<expression::Node> all;
+        std::unordered_map<std::uint32_t, std::size_t> places;
+    };
+    Symbols symbols_;
+    std::vector<expression::Node> outputs_;
     expression::Function function_;
-    bool readsStates_ = false, canPeak_ = false;
-    std::vector<std::pair<std::size_t, std::size_t>> integrals_, ownGuards_;
-    std::vector<std::size_t> configuration_;
-    std::vector<expression::Node> switches_;
-    std::vector<Surface> surfaces_;
-    ReadSurfaces readSurfaces_;
+    struct Structure {
+        bool readsStates = false, canPeak = false;
+        std::vector<std::pair<std::size_t, std::size_t>> integrals;
+        std::vector<std::size_t> configuration;
+    };
+    Structure structure_;
+    struct Switching {
+        std::vector<expression::Node> switches;
+        std::vector<Surface> surfaces;
+        ReadSurfaces read;
+        std::vector<std::pair<std::size_t, std::size_t>> ownGuards;
+    };
+    Switching switching_;
     Directions directions_;
     PeakFunctions peaks_, guardPeaks_;
 
-    mutable std::mutex deriving_;
-    mutable std::unique_ptr<const Jacobian> jacobian_;
-    mutable std::vector<std::unique_ptr<const Gradient>> gradients_;
+    struct Derivatives { // made when first asked for
+        std::mutex making;
+        std::unique_ptr<const Jacobian> jacobian;
+        std::vector<std::unique_ptr<const Gradient>> gradients;
+    };
+    mutable Derivatives derivatives_;
 };
 
 // Models by content. Any thread may ask; two that ask for the same get the same.

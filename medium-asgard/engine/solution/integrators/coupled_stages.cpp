@@ -46,7 +46,7 @@ void CoupledStages::addColumn(const Pattern& jacobian, std::size_t stage, std::s
 
 void CoupledStages::place(std::size_t stage) {
     for (std::size_t n = 0; n < at_.size(); ++n)
-        at_[n] = y_[n] + (*z_)[stage][n];
+        at_[n] = step_.y[n] + (*step_.z)[stage][n];
 }
 
 // Jacobians of all stages where they are now. The solver takes shift I - matrix.
@@ -55,13 +55,13 @@ bool CoupledStages::linearize() {
     for (std::size_t i = 0; i < count; ++i) {
         place(i);
         ++counts_.jacobians;
-        if (!system_.jacobian(t_ + nodes_[i] * h_, at_,
+        if (!system_.jacobian(step_.t + nodes_[i] * step_.h, at_,
                               std::span(jacobians_).subspan(i * entries, entries)))
             return false;
     }
     for (std::size_t k = 0; k < entries_.size(); ++k)
         matrix_[k] = (entries_[k].jacobian == none ? 0 : jacobians_[entries_[k].jacobian]) -
-                     entries_[k].weight / h_;
+                     entries_[k].weight / step_.h;
     ++counts_.factorisations;
     return solver_->factor(matrix_, 0.0);
 }
@@ -74,16 +74,16 @@ bool CoupledStages::missing(double& displacement) {
     for (std::size_t i = 0; i < count; ++i) {
         place(i);
         ++counts_.evaluations;
-        if (!system_.rates(t_ + nodes_[i] * h_, at_, rates_))
+        if (!system_.rates(step_.t + nodes_[i] * step_.h, at_, rates_))
             return false;
         for (std::size_t n = 0; n < size; ++n) {
             double slope = 0;
             for (std::size_t j = 0; j < count; ++j)
-                slope += weights_[i][j] * (*z_)[j][n];
-            rates_[n] -= slope / h_;
+                slope += weights_[i][j] * (*step_.z)[j][n];
+            rates_[n] -= slope / step_.h;
             missing_[i * size + n] = rates_[n];
         }
-        displacement = std::max(displacement, control_.displacement(rates_, h_));
+        displacement = std::max(displacement, control_.displacement(rates_, step_.h));
     }
     return std::isfinite(displacement);
 }
@@ -109,10 +109,10 @@ CoupledStages::Outcome CoupledStages::solve(double t, double h, std::span<const 
                                             Stages& z, bool isFixed) {
     constexpr std::size_t mostIterations = 12, mayGrow = 5, mostStalls = 2;
     constexpr double mostGrowth = 10, slow = 0.1, far = 0.1;
-    t_ = t;
-    h_ = h;
-    y_ = y;
-    z_ = &z;
+    step_.t = t;
+    step_.h = h;
+    step_.y = y;
+    step_.z = &z;
     counts_ = {};
     const double kappa = control_.newtonTolerance(), noise = control_.newtonNoise(!isFixed);
     double last = 0, rate = 1;

@@ -63,9 +63,12 @@ private:
     std::unique_ptr<LinearSolver> solver_;
 
     MethodCounts counts_;
-    double t_ = 0, h_ = 0;
-    std::span<const double> y_;
-    Stages* z_ = nullptr;
+    struct Step {
+        double t = 0, h = 0;
+        std::span<const double> y;
+        Stages* z = nullptr;
+    };
+    Step step_; // that is solved
     std::vector<double> at_, rates_, missing_;
 };
 

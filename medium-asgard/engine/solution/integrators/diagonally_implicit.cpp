@@ -31,7 +31,7 @@ DiagonallyImplicit::DiagonallyImplicit(const DiagonalTableau& tableau, System& s
 bool DiagonallyImplicit::begin(double t, std::span<const double> y) {
     t_ = t;
     start_.assign(y.begin(), y.end());
-    factored_ = afterRejection_ = false;
+    factors_.areMade = afterRejection_ = false;
     rate_ = 1;
     if (!rates(t, y, slope_))
         return false;
@@ -43,13 +43,13 @@ bool DiagonallyImplicit::linearizeAt(std::size_t i) {
     for (std::size_t n = 0; n < at_.size(); ++n)
         at_[n] = base_[n] + z_[n];
     ++counts_.jacobians;
-    factored_ = false;
+    factors_.areMade = false;
     if (!system_.jacobian(t_ + tableau_.c[i] * h_, at_, jacobian_))
         return false;
     ++counts_.factorisations;
-    factored_ = solver_->factor(jacobian_, 1 / (h_ * tableau_.diagonal()));
-    factoredStep_ = h_;
-    return factored_;
+    factors_.areMade = solver_->factor(jacobian_, 1 / (h_ * tableau_.diagonal()));
+    factors_.step = h_;
+    return factors_.areMade;
 }
 
 // What z misses of its equation, into correction_; `displacement`: how far that moves something.
@@ -83,11 +83,11 @@ DiagonallyImplicit::Newton DiagonallyImplicit::iterate(std::size_t i, bool full,
         if (!missing(i, displaced))
             return Newton::notFinite;
         const bool isSlow = iterations_ > 2 && rate > slow;
-        const bool isAnew = full || isSlow || (iterations_ > 1 && displacedThere_ > trusted);
+        const bool isAnew = full || isSlow || (iterations_ > 1 && factors_.displaced > trusted);
         if (isAnew && !linearizeAt(i))
             return Newton::notFinite;
         if (isAnew || (isNew && iterations_ == 1))
-            displacedThere_ = displaced;
+            factors_.displaced = displaced;
         const double size = correct();
         if (!std::isfinite(size))
             return Newton::notFinite;
@@ -98,7 +98,7 @@ DiagonallyImplicit::Newton DiagonallyImplicit::iterate(std::size_t i, bool full,
             rate_ = std::min(rate, 1.0);
         }
         last = size;
-        if (displacedThere_ <= trusted &&
+        if (factors_.displaced <= trusted &&
             (size <= negligible || (rate < 1 && rate / (1 - rate) * size < kappa)))
             return Newton::converged;
     }
@@ -114,7 +114,7 @@ DiagonallyImplicit::Newton DiagonallyImplicit::solveStage(std::size_t i) {
             base_[n] += h_ * tableau_.a[i][j] * k_[j][n];
     for (std::size_t n = 0; n < z_.size(); ++n)
         z_[n] = tableau_.stepByNewton ? start_[n] - base_[n] : g * guess[n];
-    const bool keep = factored_ && factoredStep_ == h_ && rate_ < slow;
+    const bool keep = factors_.areMade && factors_.step == h_ && rate_ < slow;
     if (!tableau_.stepByNewton && !keep && !linearizeAt(i)) {
         std::fill(z_.begin(), z_.end(), 0.0); // the prediction may lie where f has no value
         if (!linearizeAt(i))
@@ -152,7 +152,7 @@ Attempt DiagonallyImplicit::attempt(double h) {
     control_.prepare(end_, h);
     if (const Newton result = stages(); result != Newton::converged) {
         afterRejection_ = true;
-        factored_ = false;
+        factors_.areMade = false;
         rate_ = 1;
         if (result == Newton::failed)
             return {Attempt::Outcome::notConverged, 0.5 * h};

@@ -70,9 +70,12 @@ private:
     const DiagonalTableau& tableau_;
     std::unique_ptr<LinearSolver> solver_;
     std::vector<double> jacobian_;
-    bool factored_ = false;
-    double factoredStep_ = 0, displacedThere_ = 0; // where the Jacobian stands
-    double rate_ = 1;                              // contraction of Newton's last iteration
+    struct Factors { // of the matrix of Newton's iteration
+        bool areMade = false;
+        double step = 0, displaced = 0; // where the Jacobian stands
+    };
+    Factors factors_;
+    double rate_ = 1; // contraction of Newton's last iteration
     std::size_t iterations_ = 0, mostIterations_ = 0;
 
     std::vector<std::vector<double>> k_;

@@ -35,8 +35,11 @@ ExplicitRungeKutta::ExplicitRungeKutta(const Tableau& tableau, System& system,
                                        ErrorControl& control, bool fixed)
     : Method(system, control, fixed), tableau_(tableau), size_(system.size()),
       stages_(stagesFor(size_)), direct_(DirectStep::of(tableau, size_)),
-      k_(tableau.a.size() * size_), at_(size_), stiffAt_(size_), sum_(size_), lost_(size_),
-      lostNext_(size_), error_(size_), secondError_(size_), before_(size_), beforeSlope_(size_) {
+      k_(tableau.a.size() * size_), at_(size_), stiffAt_(size_), sum_(size_) {
+    for (std::vector<double>* const values :
+         {&lost_.start, &lost_.end, &controller_.error, &controller_.secondError, &before_.state,
+          &before_.slope})
+        values->resize(size_);
     start_.resize(size_);
     end_.resize(size_);
     slope_.resize(size_);
@@ -52,10 +55,10 @@ bool ExplicitRungeKutta::begin(double t, std::span<const double> y) {
     t_ = t;
     h_ = 0;
     start_.assign(y.begin(), y.end());
-    previousLogarithm_ = smallestLogarithm;
-    afterRejection_ = false;
-    stabilityUsed_ = beforeStep_ = 0;
-    std::fill(lost_.begin(), lost_.end(), 0.0);
+    controller_.previousLogarithm = smallestLogarithm;
+    controller_.isAfterRejection = false;
+    stabilityUsed_ = before_.step = 0;
+    std::fill(lost_.start.begin(), lost_.start.end(), 0.0);
     return rates(t, y, slope_);
 }
 
@@ -90,9 +93,9 @@ template <std::size_t Size> bool ExplicitRungeKutta::stage(std::size_t i, double
 
 void ExplicitRungeKutta::finishStages(std::size_t size) {
     for (std::size_t n = 0; n < size; ++n) {
-        const double increment = h_ * sum_[n] + lost_[n];
+        const double increment = h_ * sum_[n] + lost_.start[n];
         end_[n] = start_[n] + increment;
-        lostNext_[n] = increment - (end_[n] - start_[n]);
+        lost_.end[n] = increment - (end_[n] - start_[n]);
     }
 }
 
@@ -122,9 +125,9 @@ std::optional<bool> ExplicitRungeKutta::makeDirectly(DirectStep::Make make) {
     const DirectStep::Made made = make({.t = t_,
                                         .h = h_,
                                         .start = start_.data(),
-                                        .lost = lost_.data(),
+                                        .lost = lost_.start.data(),
                                         .end = end_.data(),
-                                        .lostNext = lostNext_.data(),
+                                        .lostNext = lost_.end.data(),
                                         .stiffAt = stiffAt_.data(),
                                         .slopes = k_.data()},
                                        rates);
@@ -151,7 +154,7 @@ Attempt ExplicitRungeKutta::attempt(double h) {
     h_ = h;
     std::copy(slope_.begin(), slope_.end(), k_.begin());
     if (!makeAllStages()) {
-        afterRejection_ = true;
+        controller_.isAfterRejection = true;
         return {Attempt::Outcome::notFinite, 0.25 * h};
     }
     if (fixed_)
@@ -165,36 +168,37 @@ Attempt ExplicitRungeKutta::attempt(double h) {
 
 double ExplicitRungeKutta::errorNorm() {
     if (direct_.errors) {
-        direct_.errors(h_, k_.data(), error_.data());
-        return control_.norm(error_);
+        direct_.errors(h_, k_.data(), controller_.error.data());
+        return control_.norm(controller_.error);
     }
-    weightedSum(tableau_.errorTerms, k_.data(), size_, error_.data());
+    weightedSum(tableau_.errorTerms, k_.data(), size_, controller_.error.data());
     if (!tableau_.secondErrorTerms.empty()) {
-        weightedSum(tableau_.secondErrorTerms, k_.data(), size_, secondError_.data());
+        weightedSum(tableau_.secondErrorTerms, k_.data(), size_, controller_.secondError.data());
         for (std::size_t n = 0; n < size_; ++n) {
-            const double square = error_[n] * error_[n];
-            const double both = square + 0.01 * secondError_[n] * secondError_[n];
+            const double square = controller_.error[n] * controller_.error[n];
+            const double both =
+                square + 0.01 * controller_.secondError[n] * controller_.secondError[n];
             if (both > 0)
-                error_[n] = square / std::sqrt(both);
+                controller_.error[n] = square / std::sqrt(both);
         }
     }
-    for (double& error : error_)
+    for (double& error : controller_.error)
         error *= h_;
-    return control_.norm(error_);
+    return control_.norm(controller_.error);
 }
 
 Attempt ExplicitRungeKutta::judge(double error) {
     const double p = static_cast<double>(tableau_.order);
     const double logarithm = std::log(std::max(error, 1e-10));
     if (!(error <= 1)) {
-        afterRejection_ = true;
+        controller_.isAfterRejection = true;
         const double factor = std::isfinite(error) ? 0.9 * std::exp(-logarithm / p) : 0.2;
         return {Attempt::Outcome::errorTooLarge, h_ * std::clamp(factor, 0.2, 0.9)};
     }
-    double factor = 0.9 * std::exp((0.4 * previousLogarithm_ - 0.7 * logarithm) / p);
-    factor = std::clamp(factor, 0.2, afterRejection_ ? 1.0 : 6.0);
-    previousLogarithm_ = std::max(logarithm, smallestLogarithm);
-    afterRejection_ = false;
+    double factor = 0.9 * std::exp((0.4 * controller_.previousLogarithm - 0.7 * logarithm) / p);
+    factor = std::clamp(factor, 0.2, controller_.isAfterRejection ? 1.0 : 6.0);
+    controller_.previousLogarithm = std::max(logarithm, smallestLogarithm);
+    controller_.isAfterRejection = false;
     return {Attempt::Outcome::accepted, h_ * factor};
 }
 
@@ -291,7 +295,7 @@ void ExplicitRungeKutta::dense(std::span<Coefficients> columns) {
 
 // By the start of the step before, where that is needed; false: it does not suffice.
 bool ExplicitRungeKutta::correct(std::span<Coefficients> columns) {
-    const StepBefore before{beforeStep_ / h_, before_, beforeSlope_};
+    const StepBefore before{before_.step / h_, before_.state, before_.slope};
     if (!usable(before))
         return false;
     const auto within = [this](double value, std::size_t n, double part) {
@@ -302,8 +306,8 @@ bool ExplicitRungeKutta::correct(std::span<Coefficients> columns) {
     corrections_.resize(system_.integrals().size() + unpaired_.size());
     auto made = corrections_.begin();
     for (const auto& [x, v] : system_.integrals()) {
-        const Correction& c = *made++ = quinticCorrection(columns[x], before_[x], h_ * before_[v],
-                                                          h_ * h_ * beforeSlope_[v], basis);
+        const Correction& c = *made++ = quinticCorrection(
+            columns[x], before_.state[x], h_ * before_.state[v], h_ * h_ * before_.slope[v], basis);
         if (!within(c.left, x, pessimism * allowed) ||
             !within(c.leftSlope / h_, v, pessimism * allowedSpeed))
             return false;
@@ -312,7 +316,7 @@ bool ExplicitRungeKutta::correct(std::span<Coefficients> columns) {
     }
     for (const std::size_t n : unpaired_) {
         const Correction& c = *made++ =
-            cubicCorrection(columns[n], before_[n], h_ * beforeSlope_[n], basis);
+            cubicCorrection(columns[n], before_.state[n], h_ * before_.slope[n], basis);
         if (!within(c.left, n, allowed))
             return false;
         needed = needed || !within(c.whole, n, allowed);
@@ -332,14 +336,14 @@ bool ExplicitRungeKutta::correct(std::span<Coefficients> columns) {
 bool ExplicitRungeKutta::proceed(std::span<const double> y) {
     t_ += h_;
     const double* last = slopesOf(tableau_.stages);
-    std::swap(before_, start_);
-    std::swap(beforeSlope_, slope_);
-    beforeStep_ = h_;
+    std::swap(before_.state, start_);
+    std::swap(before_.slope, slope_);
+    before_.step = h_;
     bool same = true;
     for (std::size_t n = 0; n < size_; ++n) {
         const bool kept = y[n] == end_[n];
         same = same && kept;
-        lost_[n] = kept ? lostNext_[n] : 0;
+        lost_.start[n] = kept ? lost_.end[n] : 0;
         start_[n] = y[n];
         slope_[n] = last[n];
     }

@@ -94,15 +94,24 @@ private:
     DirectStep direct_;     // the same, where rates are machine code
     std::vector<double> k_; // slopes of all stages, one after the other
     std::vector<double> at_, stiffAt_, sum_;
-    std::vector<double> lost_, lostNext_; // to rounding, by the state at the start and at the end
-    std::vector<double> error_, secondError_;
+    struct Lost { // to rounding, by the state at the start and at the end
+        std::vector<double> start, end;
+    };
+    Lost lost_;
     std::vector<std::size_t>
-        unpaired_; // neither positions nor velocities of which the other is known
-    std::vector<double> before_, beforeSlope_; // at the start of the step before
+        unpaired_;  // neither positions nor velocities of which the other is known
+    struct Before { // the start of the step before, and its length; 0: none
+        std::vector<double> state, slope;
+        double step = 0;
+    };
+    Before before_;
     std::vector<Correction> corrections_;
-    double beforeStep_ = 0;        // its length; 0: none
-    double previousLogarithm_ = 0; // of the error before
-    bool afterRejection_ = false;
+    struct Controller {
+        std::vector<double> error, secondError;
+        double previousLogarithm = 0; // of the error before
+        bool isAfterRejection = false;
+    };
+    Controller controller_;
     double stabilityUsed_ = 0;
 };
 

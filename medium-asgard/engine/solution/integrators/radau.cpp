@@ -79,24 +79,24 @@ Radau::Radau(System& system, ErrorControl& control, bool fixed)
     start_.resize(n);
     end_.resize(n);
     slope_.resize(n);
-    for (Stages* stages : {&z_, &w_, &f_, &previousZ_})
+    for (Stages* stages : {&z_, &w_, &f_, &before_.z})
         for (std::vector<double>& stage : *stages)
             stage.resize(n);
     solver_ = std::make_unique<LinearSolver>(system.jacobianPattern());
-    jacobian_.resize(system.jacobianPattern().entries());
+    linear_.jacobian.resize(system.jacobianPattern().entries());
 }
 
 bool Radau::begin(double t, std::span<const double> y) {
     t_ = t;
     start_.assign(y.begin(), y.end());
-    previousStep_ = 0;
-    factored_ = jacobianFresh_ = false;
-    first_ = true;
-    afterRejection_ = false;
-    acceptedStep_ = 0;
-    rate_ = 1;
-    togetherFrom_ = unsolvedStep_ = infinity;
-    stepsTogether_ = 0;
+    before_.step = 0;
+    linear_.isFactored = linear_.isFresh = false;
+    controller_.isFirst = true;
+    controller_.isAfterRejection = false;
+    controller_.step = 0;
+    newton_.rate = 1;
+    together_.from = together_.unsolved = infinity;
+    together_.steps = 0;
     if (!rates(t, y, slope_))
         return false;
     startSlope_ = slope_;
@@ -107,17 +107,17 @@ bool Radau::begin(double t, std::span<const double> y) {
 void Radau::predict() {
     for (std::size_t i = 0; i < 3; ++i)
         std::fill(z_[i].begin(), z_[i].end(), 0.0);
-    if (previousStep_ > 0)
+    if (before_.step > 0)
         for (std::size_t i = 0; i < 3; ++i) {
-            const double s = 1 + node[i] * h_ / previousStep_;
+            const double s = 1 + node[i] * h_ / before_.step;
             double change[3] = {};
             for (std::size_t j = 0; j < 3; ++j)
                 change[j] = evaluate(collocation[j + 1], s) - evaluate(collocation[j + 1], 1);
             for (std::size_t n = 0; n < start_.size(); ++n)
-                z_[i][n] = change[0] * previousZ_[0][n] + change[1] * previousZ_[1][n] +
-                           change[2] * previousZ_[2][n];
+                z_[i][n] = change[0] * before_.z[0][n] + change[1] * before_.z[1][n] +
+                           change[2] * before_.z[2][n];
         }
-    predictedEnd_ = z_[2];
+    before_.predictedEnd = z_[2];
     for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t n = 0; n < start_.size(); ++n)
             w_[i][n] =
@@ -131,15 +131,15 @@ void Radau::middle(std::vector<double>& y) const {
 
 bool Radau::linearize(double t, std::span<const double> y) {
     ++counts_.jacobians;
-    jacobianFresh_ = true;
-    return system_.jacobian(t, y, jacobian_);
+    linear_.isFresh = true;
+    return system_.jacobian(t, y, linear_.jacobian);
 }
 
 bool Radau::refactor() {
     ++counts_.factorisations;
-    factored_ = solver_->factor(jacobian_, g / h_, std::complex<double>(a, b) / h_);
-    factoredStep_ = h_;
-    return factored_;
+    linear_.isFactored = solver_->factor(linear_.jacobian, g / h_, std::complex<double>(a, b) / h_);
+    linear_.step = h_;
+    return linear_.isFactored;
 }
 
 bool Radau::stageRates() {
@@ -199,25 +199,25 @@ Radau::Newton Radau::iterate() {
     const auto isRounding = [this, noise](double size) {
         return size < noise || (fixed_ && size * control_.tolerance() < 1e-9);
     };
-    rate_ = std::max(rate_, 1e-16);
+    newton_.rate = std::max(newton_.rate, 1e-16);
     // At fixed steps nothing checks what an old rate promises.
-    double rate = rate_ < 1 && !jacobianFresh_ && !fixed_ ? std::pow(rate_, 0.8) : 1;
-    for (iterations_ = 1; iterations_ <= mostIterations; ++iterations_) {
+    double rate = newton_.rate < 1 && !linear_.isFresh && !fixed_ ? std::pow(newton_.rate, 0.8) : 1;
+    for (newton_.count = 1; newton_.count <= mostIterations; ++newton_.count) {
         double size = 0;
         if (!correct(size))
             return Newton::notFinite;
         if (last > 0) {
             rate = size / last;
-            if (rate >= (iterations_ <= mayGrow ? mostGrowth : 1))
+            if (rate >= (newton_.count <= mayGrow ? mostGrowth : 1))
                 return isRounding(last) ? Newton::converged : Newton::failed;
         }
         last = size;
         if (size == 0 || (rate < 1 && rate / (1 - rate) * size < kappa) ||
-            (iterations_ > 1 && rate > slow && size < noise)) {
-            rate_ = iterations_ > 1 ? rate : rate_;
+            (newton_.count > 1 && rate > slow && size < noise)) {
+            newton_.rate = newton_.count > 1 ? rate : newton_.rate;
             return Newton::converged;
         }
-        if (iterations_ > 1 && rate > slow && !linearizeMiddle())
+        if (newton_.count > 1 && rate > slow && !linearizeMiddle())
             return Newton::notFinite;
     }
     return isRounding(last) ? Newton::converged : Newton::failed;
@@ -227,37 +227,37 @@ Radau::Newton Radau::iterate() {
 // estimated with the Jacobian of the start, whose stiff directions are those in which rounding of
 // the start shows.
 Radau::Newton Radau::solveTogether() {
-    if (!coupled_)
-        coupled_ = std::make_unique<CoupledStages>(system_, control_, node, slopeWeights);
+    if (!together_.stages)
+        together_.stages = std::make_unique<CoupledStages>(system_, control_, node, slopeWeights);
     predict();
-    factored_ = false;
-    rate_ = 1; // says nothing of the other iteration
-    const Newton result = coupled_->solve(t_, h_, start_, z_, fixed_);
-    counts_ += coupled_->counts();
-    iterations_ = coupled_->counts().iterations;
+    linear_.isFactored = false;
+    newton_.rate = 1; // says nothing of the other iteration
+    const Newton result = together_.stages->solve(t_, h_, start_, z_, fixed_);
+    counts_ += together_.stages->counts();
+    newton_.count = together_.stages->counts().iterations;
     if (result != Newton::converged)
         return result;
     ++counts_.factorisations;
-    return linearize(t_, start_) && solver_->factor(jacobian_, g / h_) ? Newton::converged
-                                                                       : Newton::notFinite;
+    return linearize(t_, start_) && solver_->factor(linear_.jacobian, g / h_) ? Newton::converged
+                                                                              : Newton::notFinite;
 }
 
 Radau::Newton Radau::solveStages() {
     constexpr std::size_t patience = 32;
-    if (h_ >= togetherFrom_ && ++stepsTogether_ % patience == 0)
-        togetherFrom_ *= 2;
-    if (h_ >= togetherFrom_)
+    if (h_ >= together_.from && ++together_.steps % patience == 0)
+        together_.from *= 2;
+    if (h_ >= together_.from)
         return solveTogether();
-    const bool keep = factored_ && h_ == factoredStep_ && rate_ < 1e-3;
+    const bool keep = linear_.isFactored && h_ == linear_.step && newton_.rate < 1e-3;
     if (keep) {
-        jacobianFresh_ = false;
+        linear_.isFresh = false;
     } else if (!linearizeMiddle() && !(linearize(t_, start_) && refactor())) {
         return Newton::notFinite; // the prediction may lie where f has no value
     }
     const Newton result = iterate();
     if (result != Newton::failed)
         return result;
-    togetherFrom_ = h_;
+    together_.from = h_;
     return solveTogether();
 }
 
@@ -267,13 +267,13 @@ Radau::Newton Radau::solveStages() {
 // stiffness holds the ends of steps in place.
 double Radau::denseError() {
     constexpr double largestWithin = 0.018; // of |s (s - c1) (s - c2) (s - 1)| on [0, 1]
-    if (!(previousStep_ > 0))
+    if (!(before_.step > 0))
         return 0;
-    const double r = h_ / previousStep_;
+    const double r = h_ / before_.step;
     const double beyond = (1 + r) * (1 + r - node[0]) * (1 + r - node[1]) * r;
     const double part = largestWithin * r * r * r * r / beyond;
     for (std::size_t n = 0; n < error_.size(); ++n)
-        error_[n] = part * (z_[2][n] - predictedEnd_[n]);
+        error_[n] = part * (z_[2][n] - before_.predictedEnd[n]);
     for (const auto& [x, v] : system_.integrals())
         error_[x] = 0; // the quintic is better
     return control_.norm(error_);
@@ -294,7 +294,7 @@ void Radau::removeRounding() {
     for (std::size_t column = 0; column < rounding.size(); ++column)
         for (int k = pattern.columnStarts[column]; k < pattern.columnStarts[column + 1]; ++k)
             response[static_cast<std::size_t>(pattern.rows[static_cast<std::size_t>(k)])] +=
-                jacobian_[static_cast<std::size_t>(k)] * rounding[column];
+                linear_.jacobian[static_cast<std::size_t>(k)] * rounding[column];
     solver_->solve(response);
     for (std::size_t n = 0; n < error_.size(); ++n) {
         const double left = std::max(0.0, std::abs(error_[n]) - std::abs(response[n]));
@@ -314,7 +314,7 @@ double Radau::estimate() {
     solver_->solve(error_);
     removeRounding();
     double error = control_.norm(error_);
-    if (error >= 1 && (first_ || afterRejection_)) {
+    if (error >= 1 && (controller_.isFirst || controller_.isAfterRejection)) {
         for (std::size_t n = 0; n < error_.size(); ++n)
             at_[n] = start_[n] + error_[n];
         if (rates(t_, at_, error_)) {
@@ -332,14 +332,14 @@ Attempt Radau::attempt(double h) {
     h_ = h;
     predict();
     for (std::size_t n = 0; n < end_.size(); ++n)
-        end_[n] = start_[n] + (previousStep_ > 0 ? z_[2][n] : h * slope_[n]);
+        end_[n] = start_[n] + (before_.step > 0 ? z_[2][n] : h * slope_[n]);
     control_.prepare(end_, h);
     const Newton result = solveStages();
     if (result != Newton::converged) {
-        unsolvedStep_ = h;
-        afterRejection_ = true;
-        factored_ = false;
-        rate_ = 1;
+        together_.unsolved = h;
+        controller_.isAfterRejection = true;
+        linear_.isFactored = false;
+        newton_.rate = 1;
         const bool finite = result == Newton::failed;
         return {finite ? Attempt::Outcome::notConverged : Attempt::Outcome::notFinite,
                 finite ? 0.5 * h : 0.25 * h};
@@ -357,26 +357,26 @@ Attempt Radau::attempt(double h) {
 Attempt Radau::judge(double error) {
     constexpr double safety = 0.9, most = 12;
     constexpr double shorter = 0.8, recovery = 1.05; // than what Newton did not solve
-    const double bold = safety * (1 + 2 * most) / (static_cast<double>(iterations_) + 2 * most);
+    const double bold = safety * (1 + 2 * most) / (static_cast<double>(newton_.count) + 2 * most);
     double quotient = std::clamp(std::pow(error, 0.25) / bold, 0.125, 5.0);
     if (!(error < 1)) {
-        afterRejection_ = true;
-        return {Attempt::Outcome::errorTooLarge, first_ ? 0.1 * h_ : h_ / quotient};
+        controller_.isAfterRejection = true;
+        return {Attempt::Outcome::errorTooLarge, controller_.isFirst ? 0.1 * h_ : h_ / quotient};
     }
-    if (acceptedStep_ > 0) {
+    if (controller_.step > 0) {
         const double predicted =
-            (acceptedStep_ / h_) * std::pow(error * error / acceptedError_, 0.25) / safety;
+            (controller_.step / h_) * std::pow(error * error / controller_.error, 0.25) / safety;
         quotient = std::max(quotient, std::clamp(predicted, 0.125, 5.0));
     }
-    acceptedStep_ = h_;
-    acceptedError_ = std::max(1e-2, error);
-    double next = std::min(h_ / quotient, shorter * unsolvedStep_);
-    unsolvedStep_ *= recovery;
-    if (afterRejection_)
+    controller_.step = h_;
+    controller_.error = std::max(1e-2, error);
+    double next = std::min(h_ / quotient, shorter * together_.unsolved);
+    together_.unsolved *= recovery;
+    if (controller_.isAfterRejection)
         next = std::min(next, h_);
     if (quotient <= 1 && quotient >= 1 / 1.2)
         next = h_;
-    afterRejection_ = false;
+    controller_.isAfterRejection = false;
     return {Attempt::Outcome::accepted, next};
 }
 
@@ -402,11 +402,11 @@ void Radau::dense(std::span<Coefficients> columns) {
 bool Radau::proceed(std::span<const double> y) {
     t_ += h_;
     for (std::size_t i = 0; i < 3; ++i)
-        std::swap(previousZ_[i], z_[i]);
-    previousStep_ = h_;
+        std::swap(before_.z[i], z_[i]);
+    before_.step = h_;
     startSlope_ = endSlope_;
     start_.assign(y.begin(), y.end());
-    first_ = false;
+    controller_.isFirst = false;
     return rates(t_, y, slope_);
 }
 

@@ -63,24 +63,40 @@ private:
     [[nodiscard]] Attempt judge(double error);
 
     std::unique_ptr<LinearSolver> solver_;
-    std::vector<double> jacobian_;
-    bool factored_ = false, jacobianFresh_ = false;
-    double factoredStep_ = 0;
-    std::unique_ptr<CoupledStages> coupled_; // where one Jacobian does not solve the stages
-    double togetherFrom_ = infinity;         // steps of this length on are solved so at once
-    std::size_t stepsTogether_ = 0;
-    double unsolvedStep_ = infinity; // the last that Newton did not solve, a little forgotten
+    struct Linearized { // the Jacobian, and the factors of the matrices with it
+        std::vector<double> jacobian;
+        bool isFresh = false, isFactored = false;
+        double step = 0; // of the factors
+    };
+    Linearized linear_;
+    struct Together { // steps of which one Jacobian does not solve the stages
+        std::unique_ptr<CoupledStages> stages;
+        double from = infinity; // steps of this length on are solved so at once
+        std::size_t steps = 0;
+        double unsolved = infinity; // the last that Newton did not solve, a little forgotten
+    };
+    Together together_;
 
-    Stages z_, w_, f_, previousZ_;
-    double previousStep_ = 0; // 0: none
-    std::vector<double> predictedEnd_;
+    Stages z_, w_, f_;
+    struct Before { // the step before, and what it says of this one
+        Stages z;
+        double step = 0; // 0: none
+        std::vector<double> predictedEnd;
+    };
+    Before before_;
     std::vector<double> at_, error_, errorRates_, endSlope_, startSlope_;
     std::vector<std::complex<double>> pair_;
 
-    std::size_t iterations_ = 0;
-    double rate_ = 0; // contraction of the last Newton iteration of the last step
-    bool first_ = true, afterRejection_ = false;
-    double acceptedStep_ = 0, acceptedError_ = 1e-2; // of the predictive controller; 0: none
+    struct Iteration {
+        std::size_t count = 0;
+        double rate = 0; // contraction of the last Newton iteration of the last step
+    };
+    Iteration newton_;
+    struct Controller { // Gustafsson's, which predicts
+        bool isFirst = true, isAfterRejection = false;
+        double step = 0, error = 1e-2; // accepted last; 0: none
+    };
+    Controller controller_;
 };
 
 } // namespace solution
