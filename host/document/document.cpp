@@ -102,18 +102,18 @@ void Document::follow(const text::Edits& edits, const files::ReadFile& file, con
     if (!edits.empty()) {
         Change change;
         change.forward = edits;
-        change.number = ++changes_;
+        change.number = ++undo_.changes;
         change.backward = text::inverse(bytes(), edits);
         play(change, Direction::forward, label);
         push(std::move(change), {.label = label});
     }
-    clean_ = bytes() == file.bytes ? done_ : noStep;
+    undo_.clean = bytes() == file.bytes ? undo_.done : noStep;
     announce(wasModified);
 }
 
 EditResult Document::perform(Change change, const EditNote& note) {
     const bool wasModified = isModified();
-    change.number = ++changes_;
+    change.number = ++undo_.changes;
     change.backward = text::inverse(bytes(), change.forward);
     play(change, Direction::forward, note.label);
     push(std::move(change), note);
@@ -122,9 +122,10 @@ EditResult Document::perform(Change change, const EditNote& note) {
 }
 
 bool Document::joinsLast(const EditNote& note) const {
-    if (!isOpen_ || done_ != steps_.size() || done_ == 0 || clean_ == done_)
+    if (!undo_.isOpen || undo_.done != undo_.steps.size() || undo_.done == 0 ||
+        undo_.clean == undo_.done)
         return false;
-    const EditNote& last = steps_.back().note;
+    const EditNote& last = undo_.steps.back().note;
     if (!note.group.isEmpty())
         return note.group == last.group;
     return note.typed && last.typed && note.label == last.label && note.before == last.after &&
@@ -151,20 +152,20 @@ bool Document::extends(Change& last, const Change& change) {
 }
 
 void Document::push(Change change, const EditNote& note) {
-    if (clean_ != noStep && clean_ > done_)
-        clean_ = noStep;
+    if (undo_.clean != noStep && undo_.clean > undo_.done)
+        undo_.clean = noStep;
     if (joinsLast(note)) {
-        steps_.back().note.after = note.after;
-        steps_.back().note.typed = note.typed;
-        if (extends(steps_.back().changes.back(), change))
+        undo_.steps.back().note.after = note.after;
+        undo_.steps.back().note.typed = note.typed;
+        if (extends(undo_.steps.back().changes.back(), change))
             return;
     } else {
-        steps_.resize(done_);
-        steps_.push_back({.note = note, .changes = {}});
-        ++done_;
+        undo_.steps.resize(undo_.done);
+        undo_.steps.push_back({.note = note, .changes = {}});
+        ++undo_.done;
     }
-    steps_.back().changes.push_back(std::move(change));
-    isOpen_ = true;
+    undo_.steps.back().changes.push_back(std::move(change));
+    undo_.isOpen = true;
 }
 
 // Everything that is known of the text before is taken down, then the tree follows, then the
@@ -200,23 +201,29 @@ void Document::play(Change& change, Direction direction, const QString& label) {
 
 std::size_t Document::keptChanges() const {
     std::size_t all = 0;
-    for (const Step& step : steps_)
+    for (const Step& step : undo_.steps)
         all += step.changes.size();
     return all;
 }
 
-QString Document::lastGroup() const { return canUndo() ? steps_[done_ - 1].note.group : QString(); }
-QString Document::undoLabel() const { return canUndo() ? steps_[done_ - 1].note.label : QString(); }
-QString Document::redoLabel() const { return canRedo() ? steps_[done_].note.label : QString(); }
+QString Document::lastGroup() const {
+    return canUndo() ? undo_.steps[undo_.done - 1].note.group : QString();
+}
+QString Document::undoLabel() const {
+    return canUndo() ? undo_.steps[undo_.done - 1].note.label : QString();
+}
+QString Document::redoLabel() const {
+    return canRedo() ? undo_.steps[undo_.done].note.label : QString();
+}
 
 void Document::undo() {
     if (!canUndo())
         return;
     const bool wasModified = isModified();
-    Step& step = steps_[--done_];
+    Step& step = undo_.steps[--undo_.done];
     for (auto change = step.changes.rbegin(); change != step.changes.rend(); ++change)
         play(*change, Direction::backward, step.note.label);
-    isOpen_ = false;
+    undo_.isOpen = false;
     announce(wasModified, step.note.before);
 }
 
@@ -224,10 +231,10 @@ void Document::redo() {
     if (!canRedo())
         return;
     const bool wasModified = isModified();
-    Step& step = steps_[done_++];
+    Step& step = undo_.steps[undo_.done++];
     for (Change& change : step.changes)
         play(change, Direction::forward, step.note.label);
-    isOpen_ = false;
+    undo_.isOpen = false;
     announce(wasModified, step.note.after);
 }
 
@@ -277,7 +284,7 @@ std::unique_ptr<Document> Document::recover(const files::KnownFile& file, std::s
     auto document = std::make_unique<Document>(std::move(text));
     document->fileName_ = fileName;
     document->file_ = file;
-    document->clean_ = noStep;
+    document->undo_.clean = noStep;
     return document;
 }
 
@@ -306,7 +313,7 @@ files::SaveResult Document::saveAs(const QString& fileName, files::SaveOptions o
     if (!result)
         return result;
     const bool wasModified = isModified();
-    clean_ = done_;
+    undo_.clean = undo_.done;
     saved_ = bytes();
     fileIsLost_ = false;
     if (fileName != fileName_) {

@@ -76,9 +76,9 @@ public:
     }
 
     // --- undo: to the start gives the first bytes, redo to the end the last
-    [[nodiscard]] bool canUndo() const { return done_ > 0; }
-    [[nodiscard]] bool canRedo() const { return done_ < steps_.size(); }
-    [[nodiscard]] std::size_t steps() const { return done_; } // that can be undone
+    [[nodiscard]] bool canUndo() const { return undo_.done > 0; }
+    [[nodiscard]] bool canRedo() const { return undo_.done < undo_.steps.size(); }
+    [[nodiscard]] std::size_t steps() const { return undo_.done; } // that can be undone
     // That are kept for undo and redo: letters typed one behind the other are one.
     [[nodiscard]] std::size_t keptChanges() const;
     [[nodiscard]] QString lastGroup() const; // EditNote::group of the step that undo() takes back
@@ -89,7 +89,7 @@ public:
 
     // --- its file
     [[nodiscard]] const QString& fileName() const { return fileName_; }
-    [[nodiscard]] bool isModified() const { return done_ != clean_ || fileIsLost_; }
+    [[nodiscard]] bool isModified() const { return undo_.done != undo_.clean || fileIsLost_; }
     // A broken document, and a file that another program changed, are replaced only when allowed.
     [[nodiscard]] files::SaveResult save(files::SaveOptions options = {});
     [[nodiscard]] files::SaveResult saveAs(const QString& fileName,
@@ -150,6 +150,13 @@ private:
         EditNote note;
         std::vector<Change> changes;
     };
+    struct Undo {
+        std::vector<Step> steps;
+        std::size_t done = 0;      // steps that are in force
+        std::size_t clean = 0;     // those in force when saved; noStep: that state is gone
+        bool isOpen = false;       // the last step may take more edits: no undo came after it
+        std::uint64_t changes = 0; // numbers that were given
+    };
     enum class Direction { forward, backward };
 
     EditResult perform(Change change, const EditNote& note);
@@ -190,11 +197,7 @@ private:
     std::map<SubdocumentId, int> revisions_; // of those that are gone too
     SubdocumentId lastId_ = noSubdocument;
     int revision_ = 0;
-    std::vector<Step> steps_;
-    std::size_t done_ = 0;  // steps that are in force
-    std::size_t clean_ = 0; // steps that were in force when saved; noStep: that state is gone
-    bool isOpen_ = false;   // the last step may take more edits: no undo came after it
-    std::uint64_t changes_ = 0;
+    Undo undo_;
     QString fileName_;
     files::KnownFile file_;
     std::optional<std::string> saved_; // what is in it
