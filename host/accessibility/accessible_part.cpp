@@ -3,13 +3,13 @@
 #include "accessibility/accessible_table.h"
 #include "accessibility/accessible_text.h"
 #include "accessibility/accessible_view.h"
-#include "model/block_text.h"
+#include "reading/block_text.h"
 #include "view/document_view.h"
 #include "view/folds.h"
 
 namespace accessibility {
 
-using model::Part;
+using reading::Part;
 using view::DocumentView;
 using Kind = Part::Kind;
 using schemas::ContainerRole;
@@ -176,22 +176,22 @@ QAccessible::State AccessiblePart::state() const {
 // A section is called as its heading, a figure and a table as its caption.
 QString AccessiblePart::name() const {
     const auto wordsOf = [this](const Part& part) {
-        return model::BlockText(document(), part.block).text().trimmed();
+        return reading::BlockText(document(), part.block).text().trimmed();
     };
     switch (part_.kind) {
     case Kind::text:
         return part_.block->headingLevel > 0 ? wordsOf(part_) : QString();
     case Kind::formula:
-        return run() ? model::wordsFor(document(), *run()) : wordsOf(part_);
+        return run() ? reading::wordsFor(document(), *run()) : wordsOf(part_);
     case Kind::figure:
-        return run() ? model::wordsFor(document(), *run())
-                     : model::wordsFor(document(), *part_.block);
+        return run() ? reading::wordsFor(document(), *run())
+                     : reading::wordsFor(document(), *part_.block);
     case Kind::note:
         return DocumentView::tr("Footnote %1").arg(QString::fromStdString(part_.note->number));
     case Kind::link: {
         QString words;
         for (std::size_t i = 0; i < part_.runs; ++i)
-            words += model::wordsFor(document(), part_.block->runs[part_.run + i]);
+            words += reading::wordsFor(document(), part_.block->runs[part_.run + i]);
         return words;
     }
     case Kind::separator:
@@ -205,7 +205,7 @@ QString AccessiblePart::name() const {
     case Kind::cell: {
         QStringList words;
         for (const std::shared_ptr<const model::Block>& block : *part_.flow.blocks)
-            words += model::BlockText(document(), block).text();
+            words += reading::BlockText(document(), block).text();
         return words.join(' ');
     }
     case Kind::container:

@@ -1,7 +1,7 @@
 // A part of a document for screen readers: what it is, its name, where it stands, what is in it.
 #pragma once
 
-#include "model/reading_tree.h"
+#include "reading/reading_tree.h"
 
 #include <QAccessible>
 
@@ -12,9 +12,9 @@ class AccessibleView;
 class AccessiblePart : public QAccessibleInterface {
 public:
     // One for each part, made when it is asked for; gone with the part.
-    [[nodiscard]] static QAccessibleInterface* of(AccessibleView& root, model::Part& part);
+    [[nodiscard]] static QAccessibleInterface* of(AccessibleView& root, reading::Part& part);
 
-    [[nodiscard]] model::Part& part() const { return part_; }
+    [[nodiscard]] reading::Part& part() const { return part_; }
 
     [[nodiscard]] bool isValid() const override { return true; }
     [[nodiscard]] QObject* object() const override { return nullptr; }
@@ -31,9 +31,9 @@ public:
     [[nodiscard]] QRect rect() const override; // of the screen
 
 protected:
-    AccessiblePart(AccessibleView& root, model::Part& part) : root_(root), part_(part) {}
+    AccessiblePart(AccessibleView& root, reading::Part& part) : root_(root), part_(part) {}
     [[nodiscard]] AccessibleView& root() const { return root_; }
-    [[nodiscard]] const std::vector<std::unique_ptr<model::Part>>& parts() const;
+    [[nodiscard]] const std::vector<std::unique_ptr<reading::Part>>& parts() const;
     [[nodiscard]] const document::Document& document() const;
     // Of the viewport to the screen.
     [[nodiscard]] QRect onScreen(const QRectF& rect) const;
@@ -44,13 +44,13 @@ private:
     [[nodiscard]] const model::Run* run() const; // of a part of a line
 
     AccessibleView& root_;
-    model::Part& part_;
+    reading::Part& part_;
 };
 
 // What a press of Enter or a click does: a link is followed, a figure becomes the active one.
 class AccessibleActivePart : public AccessiblePart, public QAccessibleActionInterface {
 public:
-    AccessibleActivePart(AccessibleView& root, model::Part& part) : AccessiblePart(root, part) {}
+    AccessibleActivePart(AccessibleView& root, reading::Part& part) : AccessiblePart(root, part) {}
 
     [[nodiscard]] void* interface_cast(QAccessible::InterfaceType type) override;
     [[nodiscard]] QStringList actionNames() const override;

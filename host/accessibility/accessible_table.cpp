@@ -1,13 +1,13 @@
 #include "accessibility/accessible_table.h"
 
 #include "accessibility/accessible_view.h"
-#include "model/block_text.h"
+#include "reading/block_text.h"
 
 #include <algorithm>
 
 namespace accessibility {
 
-using model::Part;
+using reading::Part;
 
 // --- a table -----------------------------------------------------------------------------------
 

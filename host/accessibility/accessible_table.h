@@ -7,7 +7,7 @@ namespace accessibility {
 
 class AccessibleTable : public AccessiblePart, public QAccessibleTableInterface {
 public:
-    AccessibleTable(AccessibleView& root, model::Part& part) : AccessiblePart(root, part) {}
+    AccessibleTable(AccessibleView& root, reading::Part& part) : AccessiblePart(root, part) {}
 
     [[nodiscard]] void* interface_cast(QAccessible::InterfaceType type) override;
     [[nodiscard]] QAccessibleInterface* caption() const override;
@@ -36,7 +36,7 @@ public:
 
 class AccessibleCell : public AccessiblePart, public QAccessibleTableCellInterface {
 public:
-    AccessibleCell(AccessibleView& root, model::Part& part) : AccessiblePart(root, part) {}
+    AccessibleCell(AccessibleView& root, reading::Part& part) : AccessiblePart(root, part) {}
 
     [[nodiscard]] void* interface_cast(QAccessible::InterfaceType type) override;
     [[nodiscard]] bool isSelected() const override { return false; }

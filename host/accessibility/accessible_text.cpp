@@ -16,9 +16,9 @@ void* AccessibleText::interface_cast(QAccessible::InterfaceType type) {
     return AccessiblePart::interface_cast(type);
 }
 
-const model::BlockText& AccessibleText::letters() const {
+const reading::BlockText& AccessibleText::letters() const {
     if (!letters_ || letters_->block() != part().block)
-        letters_ = std::make_unique<model::BlockText>(document(), part().block);
+        letters_ = std::make_unique<reading::BlockText>(document(), part().block);
     return *letters_;
 }
 
@@ -188,7 +188,7 @@ QString AccessibleText::textAfterOffset(int offset, QAccessible::TextBoundaryTyp
 QString AccessibleText::attributes(int offset, int* start, int* end) const {
     *start = 0;
     *end = characterCount();
-    for (const model::BlockText::Part& part : letters().parts()) {
+    for (const reading::BlockText::Part& part : letters().parts()) {
         if (offset >= part.to) {
             *start = part.to;
             continue;

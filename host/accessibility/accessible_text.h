@@ -2,14 +2,14 @@
 #pragma once
 
 #include "accessibility/accessible_part.h"
-#include "model/block_text.h"
 #include "places/carets.h"
+#include "reading/block_text.h"
 
 namespace accessibility {
 
 class AccessibleText : public AccessiblePart, public QAccessibleTextInterface {
 public:
-    AccessibleText(AccessibleView& root, model::Part& part) : AccessiblePart(root, part) {}
+    AccessibleText(AccessibleView& root, reading::Part& part) : AccessiblePart(root, part) {}
 
     [[nodiscard]] void* interface_cast(QAccessible::InterfaceType type) override;
 
@@ -36,7 +36,7 @@ public:
     [[nodiscard]] QRect rect() const override;
 
 private:
-    [[nodiscard]] const model::BlockText& letters() const;
+    [[nodiscard]] const reading::BlockText& letters() const;
     [[nodiscard]] places::Carets carets() const;
     [[nodiscard]] std::optional<places::Caret> caretAt(int letter) const;
     // A line of the page around a letter.
@@ -46,7 +46,7 @@ private:
     [[nodiscard]] Line lineAt(int letter) const;
     QString give(Line line, int* start, int* end) const;
 
-    mutable std::unique_ptr<model::BlockText> letters_;
+    mutable std::unique_ptr<reading::BlockText> letters_;
 };
 
 } // namespace accessibility

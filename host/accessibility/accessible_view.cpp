@@ -1,8 +1,8 @@
 #include "accessibility/accessible_view.h"
 
 #include "accessibility/accessible_part.h"
-#include "model/block_text.h"
 #include "model/equal_ends.h"
+#include "reading/block_text.h"
 #include "view/document_view.h"
 #include "view/text_hand.h"
 
@@ -40,11 +40,11 @@ void AccessibleView::install() {
 
 DocumentView& AccessibleView::view() const { return *static_cast<DocumentView*>(widget()); }
 
-model::ReadingTree& AccessibleView::tree() const {
+reading::ReadingTree& AccessibleView::tree() const {
     if (tree_.model() == view().model())
         return tree_;
     const auto tell = [this](QAccessible::Event type) {
-        return [this, type](model::Part& part) {
+        return [this, type](reading::Part& part) {
             if (!part.companion && type != QAccessible::ObjectCreated)
                 return;
             QAccessibleEvent event(interfaceOf(&part), type);
@@ -53,21 +53,21 @@ model::ReadingTree& AccessibleView::tree() const {
     };
     tree_.follow(view().model(),
                  {tell(QAccessible::ObjectCreated), tell(QAccessible::ObjectDestroyed),
-                  [this](model::Part& part, const std::shared_ptr<const model::Block>& before) {
+                  [this](reading::Part& part, const std::shared_ptr<const model::Block>& before) {
                       if (part.companion)
                           tellChange(part, before);
                   }});
     return tree_;
 }
 
-QAccessibleInterface* AccessibleView::interfaceOf(model::Part* part) const {
+QAccessibleInterface* AccessibleView::interfaceOf(reading::Part* part) const {
     return part ? AccessiblePart::of(const_cast<AccessibleView&>(*this), *part) : nullptr;
 }
 
 // --- what changes ------------------------------------------------------------------------------
 
 // The letters that went, and those that came; of what is no text, its words.
-void AccessibleView::tellChange(model::Part& part,
+void AccessibleView::tellChange(reading::Part& part,
                                 const std::shared_ptr<const model::Block>& before) const {
     QAccessibleInterface* own = interfaceOf(&part);
     if (!own->textInterface()) {
@@ -75,8 +75,8 @@ void AccessibleView::tellChange(model::Part& part,
         return send(event);
     }
     const document::Document& of = view().document().document();
-    const std::u16string old = model::BlockText(of, before).text().toStdU16String();
-    const std::u16string now = model::BlockText(of, part.block).text().toStdU16String();
+    const std::u16string old = reading::BlockText(of, before).text().toStdU16String();
+    const std::u16string now = reading::BlockText(of, part.block).text().toStdU16String();
     const model::Ends same =
         model::equalEnds(old, now, [](char16_t a, char16_t b, bool) { return a == b; });
     const auto at = static_cast<int>(same.front);
@@ -136,7 +136,7 @@ void AccessibleView::tellCaret() {
 
 // --- the tree ----------------------------------------------------------------------------------
 
-model::Part* AccessibleView::focused() const {
+reading::Part* AccessibleView::focused() const {
     if (view().chosen())
         return tree().figureOf(view().chosen());
     const std::optional<document::Selection> selection = view().text().cursor().selection();

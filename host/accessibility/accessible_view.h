@@ -1,12 +1,12 @@
-// A document's pages for screen readers: a tree of parts (model/reading_tree.h), and events of what
-// changes in it.
+// A document's pages for screen readers: a tree of parts (reading/reading_tree.h), and events of
+// what changes in it.
 //
 // A part of text has the focus where the caret is in it, as in word processors; a figure, where it
 // is chosen. Events are told when the pages have followed an edit, of parts that somebody asked for
 // and of that with the caret.
 #pragma once
 
-#include "model/reading_tree.h"
+#include "reading/reading_tree.h"
 
 #include <QAccessible>
 #include <QAccessibleWidget>
@@ -29,10 +29,10 @@ public:
 
     [[nodiscard]] view::DocumentView& view() const;
     // That of the pages as they are now.
-    [[nodiscard]] model::ReadingTree& tree() const;
-    [[nodiscard]] QAccessibleInterface* interfaceOf(model::Part* part) const; // null for null
+    [[nodiscard]] reading::ReadingTree& tree() const;
+    [[nodiscard]] QAccessibleInterface* interfaceOf(reading::Part* part) const; // null for null
     // The part with the caret, or the figure that is chosen; null: none.
-    [[nodiscard]] model::Part* focused() const;
+    [[nodiscard]] reading::Part* focused() const;
 
     [[nodiscard]] QAccessible::State state() const override;
     [[nodiscard]] QAccessibleInterface* child(int index) const override;
@@ -45,10 +45,10 @@ private:
     // The pages have changed, the caret, what is selected or what has the keys.
     void tell();
     static void send(QAccessibleEvent& event);
-    void tellChange(model::Part& part, const std::shared_ptr<const model::Block>& before) const;
+    void tellChange(reading::Part& part, const std::shared_ptr<const model::Block>& before) const;
     void tellCaret();
 
-    mutable model::ReadingTree tree_;
+    mutable reading::ReadingTree tree_;
     struct Told { // last, of the caret and what is selected
         QAccessible::Id part = 0;
         bool hadFocus = false;

@@ -7,9 +7,8 @@
 // edit: the rest keeps its spelling, and the inverse of the edits gives the bytes back.
 #pragma once
 
-#include "authoring/grammar.h"
-#include "document/document.h"
 #include "document/value_use.h"
+#include "manuscript/manuscript.h"
 #include "text/edit.h"
 
 #include <QString>
@@ -23,9 +22,8 @@
 
 namespace authoring {
 
-// Bytes of the document, each a place where a caret may stand (place()): in the character data of
-// a content, in an element that is empty, or beside an element that is one unit.
-using document::Selection;
+using manuscript::Direction, manuscript::Unit, manuscript::Manuscript, manuscript::Selection;
+using manuscript::Element, manuscript::Grammar, manuscript::Grammars, manuscript::Kind;
 
 struct Step {
     text::Edits edits{};   // ordered; may be empty: then only the selection moves
@@ -39,34 +37,6 @@ struct Refusal {
 };
 
 using Result = std::variant<Step, Refusal>;
-
-// The document that is written, and the grammars of its classes. Both outlive it.
-struct Manuscript {
-    const document::Document& document;
-    const Grammars& grammars;
-};
-
-enum class Direction { backward, forward };
-enum class Unit { character, word }; // a character is a grapheme cluster (Unicode, annex 29)
-
-// --- places
-
-// The nearest place at or beyond the offset; nothing when there is none on that side.
-[[nodiscard]] std::optional<std::size_t> place(const Manuscript& manuscript, std::size_t offset,
-                                               Direction direction);
-// The place that an arrow key leads to in the order of the text, which is not the visual order of
-// text from right to left; nothing at the ends of a document, of a footnote and of a nested
-// document. `from` is a place.
-[[nodiscard]] std::optional<std::size_t> placeBeside(const Manuscript& manuscript, std::size_t from,
-                                                     Direction direction, Unit unit);
-// The line of text around a place: first and last place of the paragraph, heading or item.
-[[nodiscard]] Selection lineAround(const Manuscript& manuscript, std::size_t place);
-// All of the flow around a place: of the document, of a footnote, of a nested document.
-[[nodiscard]] Selection everything(const Manuscript& manuscript, std::size_t place);
-
-// A selection that does not end inside of a unit: where one end is in a footnote or in a nested
-// document and the other is not, all of the unit is selected. Commands take it so.
-[[nodiscard]] Selection widened(const Manuscript& manuscript, Selection selection);
 
 // --- writing
 
@@ -268,7 +238,7 @@ enum class TablePart { cell, row, column, table };
 // Plain text; blank lines end paragraphs.
 [[nodiscard]] Result pasteText(const Manuscript& manuscript, Selection selection,
                                std::string_view text);
-// Elements as they are spelled in documents (model::fragment()). A single line goes into the line
+// Elements as they are spelled in documents (exports::fragment()). A single line goes into the line
 // at the caret. Elements and attributes that the class does not know are left out, their text
 // stays. What has an ID that the document has gets another one if references from within the
 // fragment need it, else none.

@@ -1,7 +1,11 @@
 // Text is typed, erased, marked and broken into paragraphs; lists, sections and tables.
 #include "authoring/command_testing.h"
+#include "manuscript/places.h"
 
 namespace authoring {
+
+using manuscript::place, manuscript::placeBeside, manuscript::lineAround, manuscript::everything,
+    manuscript::widened;
 namespace {
 
 TEST(Authoring, Types) {

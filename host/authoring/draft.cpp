@@ -1,11 +1,14 @@
 // Taking a document apart. Changes: draft_changes.cpp; the way back to bytes: draft_writer.cpp.
 #include "authoring/draft.h"
+#include "manuscript/places.h"
 
-#include "authoring/leaves.h"
+#include "manuscript/leaves.h"
 
 #include <algorithm>
 
 namespace authoring {
+
+using manuscript::documentAround, manuscript::widened;
 
 using sgml::NodeId;
 using sgml::NodeKind;

@@ -1,12 +1,15 @@
 #include "authoring/commands.h"
-#include "authoring/leaves.h"
 #include "authoring/table_draft.h"
+#include "manuscript/leaves.h"
+#include "manuscript/places.h"
 
 #include "sgml/edit.h"
 
 #include <algorithm>
 
 namespace authoring {
+
+using manuscript::Leaves, manuscript::placeBeside, manuscript::lineAround;
 
 using schemas::ContainerRole;
 using schemas::Display;

@@ -1,9 +1,12 @@
 #include "authoring/fields.h"
+#include "manuscript/places.h"
 
 #include "authoring/commands.h"
-#include "authoring/leaves.h"
+#include "manuscript/leaves.h"
 
 namespace authoring {
+
+using manuscript::Leaves, manuscript::placeBeside, manuscript::lineAround;
 
 using schemas::ContainerRole;
 using sgml::NodeId;

@@ -1,13 +1,16 @@
 // Elements in a line: emphasis, links, and what stands between letters.
 #include "authoring/commands.h"
-#include "authoring/leaves.h"
 #include "authoring/wrapper.h"
+#include "manuscript/leaves.h"
+#include "manuscript/places.h"
 
 #include "sgml/edit.h"
 
 #include <algorithm>
 
 namespace authoring {
+
+using manuscript::place, manuscript::placeBeside;
 
 using schemas::ContainerRole;
 using schemas::Display;

@@ -1,13 +1,16 @@
 // Blocks that come in at the caret, captions, references.
 #include "authoring/commands.h"
 #include "authoring/ids.h"
-#include "authoring/leaves.h"
+#include "manuscript/grammar.h"
+#include "manuscript/leaves.h"
 
 #include "sgml/edit.h"
 
 #include <algorithm>
 
 namespace authoring {
+
+using manuscript::called;
 
 using schemas::ContainerRole;
 using schemas::Display;
@@ -211,7 +214,7 @@ Result moveElement(const Manuscript& manuscript, NodeId element, NodeId beside, 
         if (id == element)
             return refused(QStringLiteral("An element cannot be moved into itself."));
     const std::size_t at = tree.node(element).startTag.to;
-    const std::size_t place = authoring::place(manuscript, at, Direction::forward).value_or(at);
+    const std::size_t place = manuscript::place(manuscript, at, Direction::forward).value_or(at);
     Draft draft(manuscript, {place, place});
     if (const QString why = draft.obstacle(); !why.isEmpty())
         return refused(why);

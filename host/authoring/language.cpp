@@ -1,13 +1,16 @@
 // The language of text: the attribute LANG of its element, or of one around it.
 #include "authoring/commands.h"
-#include "authoring/leaves.h"
 #include "authoring/wrapper.h"
+#include "manuscript/leaves.h"
+#include "manuscript/places.h"
 
 #include "sgml/edit.h"
 
 #include <algorithm>
 
 namespace authoring {
+
+using manuscript::Leaves, manuscript::lineAround, manuscript::widened;
 
 using sgml::NodeId;
 using sgml::noNode;

@@ -1,7 +1,7 @@
 // Pasted text: plain, and with its structure.
 #include "authoring/commands.h"
 #include "authoring/ids.h"
-#include "authoring/leaves.h"
+#include "manuscript/leaves.h"
 
 #include "sgml/edit.h"
 

@@ -1,5 +1,6 @@
 // Sections are moved as wholes, found by their headings.
 #include "authoring/commands.h"
+#include "manuscript/places.h"
 
 namespace authoring {
 
@@ -121,7 +122,7 @@ Result changeLevel(const Manuscript& manuscript, NodeId heading, int by) {
     if (level < 1)
         return refused(QStringLiteral("This section is at the outermost level already."));
     const std::size_t at = manuscript.document.tree().node(heading).startTag.to;
-    const std::size_t place = authoring::place(manuscript, at, Direction::forward).value_or(at);
+    const std::size_t place = manuscript::place(manuscript, at, Direction::forward).value_or(at);
     return makeHeading(manuscript, {place, place}, level);
 }
 

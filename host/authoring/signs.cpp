@@ -1,11 +1,14 @@
 // Typed letters that become typographic signs.
 #include "authoring/authoring.h"
-#include "authoring/line_text.h"
+#include "manuscript/leaves.h"
+#include "manuscript/line_text.h"
 
 #include "sgml/edit.h"
 #include "typography/typed_signs.h"
 
 namespace authoring {
+
+using manuscript::Leaves, manuscript::LineText;
 
 using sgml::NodeId;
 using sgml::noNode;

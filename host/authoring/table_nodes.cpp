@@ -1,10 +1,12 @@
 #include "authoring/table_nodes.h"
 
-#include "authoring/leaves.h"
+#include "manuscript/leaves.h"
 
 #include <algorithm>
 
 namespace authoring {
+
+using manuscript::documentAround;
 
 using document::GridCell;
 using schemas::Display;

@@ -3,9 +3,9 @@
 // Places in two cells of a table select all cells of the rectangle between them.
 #pragma once
 
-#include "authoring/grammar.h"
 #include "document/selection.h"
 #include "document/table_grid.h"
+#include "manuscript/manuscript.h"
 #include "sgml/tree.h"
 
 #include <optional>
@@ -14,7 +14,7 @@
 
 namespace authoring {
 
-struct Manuscript;
+using manuscript::Grammar, manuscript::Manuscript, manuscript::Selection;
 
 struct CellRect { // rows and columns, inclusive
     std::size_t top = 0, left = 0, bottom = 0, right = 0;

@@ -1,12 +1,14 @@
 #include "authoring/commands.h"
 #include "authoring/fields.h"
-#include "authoring/leaves.h"
+#include "manuscript/leaves.h"
 
 #include "sgml/edit.h"
 
 #include <algorithm>
 
 namespace authoring {
+
+using manuscript::Leaves;
 
 using schemas::ContainerRole;
 using schemas::Display;

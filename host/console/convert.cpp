@@ -1,7 +1,7 @@
 #include "console/convert.h"
 
 #include "console/batch_document.h"
-#include "model/text_export.h"
+#include "exports/text_export.h"
 #include "paper/paper.h"
 #include "terminal/terminal.h"
 #include "text/printable.h"
@@ -70,7 +70,8 @@ QString writeText(BatchDocument& batch, const QString& presentation, const QStri
         model::buildModel(of, batch.schemas().presentation(of.className(), presentation),
                           batch.schemas(), &batch.document().values());
     // Each line is the document's own, so that what orders its letters from right to left stays.
-    const std::string shown = text::printable(model::exportText(of, model), text::Direction::kept);
+    const std::string shown =
+        text::printable(exports::exportText(of, model), text::Direction::kept);
     if (name == "-")
         return terminal::pass(shown) ? QString() : "cannot be written";
     return writeBytes(name, QByteArray::fromStdString(shown));

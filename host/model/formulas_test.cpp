@@ -1,13 +1,15 @@
 // Formulas in a model: in the line, alone, with numbers; as text and as HTML.
 #include "document/faults.h"
 #include "document/uses.h"
-#include "model/copy_export.h"
-#include "model/text_export.h"
+#include "exports/copy_export.h"
+#include "exports/text_export.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace model {
+
+using exports::exportText, exports::copiedHtml;
 namespace {
 
 using testing::HasSubstr;

@@ -124,6 +124,8 @@ using Containers = std::vector<Container>;
 struct Block;
 using Blocks = std::vector<std::shared_ptr<const Block>>;
 
+// A plain record: what is said of a block of some kind is empty in those of other kinds, as they
+// are compared, copied and followed alike.
 struct Block {
     BlockKind kind = BlockKind::text;
     sgml::NodeId element = sgml::noNode;

@@ -21,15 +21,15 @@ Block& ModelWalk::addBlock(BlockKind kind) {
         enterCell({}, state_.frames.back().node); // text in a row that is in no cell
     closeText();
     const Frame& frame = blockFrame();
-    if (frame.together < flow_.out->size())
+    if (frame.content.together < flow_.out->size())
         flow_.last->style.keepWithNext = true;
     const auto made = std::make_shared<Block>();
     Block& block = *made;
     block.kind = kind;
     block.element = frame.node;
     block.style = frame.style.block;
-    block.style.indentLeft = frame.indentLeft;
-    block.style.indentRight = frame.indentRight;
+    block.style.indentLeft = frame.indent.left;
+    block.style.indentRight = frame.indent.right;
     block.style.spaceBefore = flow_.gap.space + flow_.gap.padding;
     block.style.spaceAfter = 0;
     block.style.pageBreakBefore = flow_.gap.pageBreak;
@@ -55,13 +55,13 @@ Block& ModelWalk::addBlock(BlockKind kind) {
 // Something was made in all that is open.
 void ModelWalk::markFrames() {
     std::vector<Frame>& frames = state_.frames;
-    for (std::size_t i = frames.size(); i-- > 0 && frames[i].empty;)
-        frames[i].empty = false;
+    for (std::size_t i = frames.size(); i-- > 0 && frames[i].content.empty;)
+        frames[i].content.empty = false;
     std::size_t first = frames.size();
-    while (first > 0 && !frames[first - 1].filled)
+    while (first > 0 && !frames[first - 1].content.filled)
         --first;
     for (; first < frames.size(); ++first) {
-        frames[first].filled = true;
+        frames[first].content.filled = true;
         open(first);
     }
 }
@@ -80,13 +80,13 @@ void ModelWalk::open(std::size_t of) {
                                      .first = block,
                                      .last = block});
     }
-    if (!frame.boxed)
+    if (!frame.content.boxed)
         return;
     opened_[of].box = model_.boxes.size();
     model_.boxes.push_back({.first = block,
                             .last = block,
-                            .indentLeft = frame.indentLeft - style.padding,
-                            .indentRight = frame.indentRight - style.padding,
+                            .indentLeft = frame.indent.left - style.padding,
+                            .indentRight = frame.indent.right - style.padding,
                             .padding = style.padding,
                             .background = style.background,
                             .border = style.border});
@@ -107,11 +107,11 @@ void ModelWalk::close() {
 void ModelWalk::takeMarker(Block& block) {
     for (std::size_t i = state_.frames.size(); i-- > 0 && state_.markers > 0;) {
         Frame& frame = state_.frames[i];
-        if (!frame.marker.empty()) {
+        if (!frame.numbering.marker.empty()) {
             schemas::Presentation::Progress progress = frame.progress;
             const schemas::ElementStyle style =
                 frame.presentation->style({.name = "MARKER"}, frame.style, progress);
-            block.marker.swap(frame.marker);
+            block.marker.swap(frame.numbering.marker);
             --state_.markers;
             block.markerStyle = textStyle(style.text);
             block.style.markerWidth = frame.style.block.markerWidth;

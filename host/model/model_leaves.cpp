@@ -139,10 +139,10 @@ bool ModelWalk::addLeaf(BlockKind kind) {
 // The author aligns a figure's subdocument, and so what stands in the figure with it: its caption
 // begins or ends at the same edge.
 void ModelWalk::takePlacement(Frame& frame) const {
-    frame.placement = placementIn(frame);
-    if (const std::optional<schemas::Align> align = alignOf(frame.placement))
+    frame.asked.placement = placementIn(frame);
+    if (const std::optional<schemas::Align> align = alignOf(frame.asked.placement))
         frame.style.block.align = *align;
-    const document::Placement around = state_.frames.back().placement;
+    const document::Placement around = state_.frames.back().asked.placement;
     if (around == document::Placement::left)
         frame.style.block.indentLeft = 0;
     if (around == document::Placement::right)
@@ -164,7 +164,7 @@ bool ModelWalk::addSubdocument(NodeId node) {
     frame.style = frame.presentation->style({"DOCUMENT", isFirst(node), &tree_, node},
                                             state_.frames.back().style, frame.progress);
     if (subdocument != nullptr && !subdocument->name.empty())
-        trail_.back().names.push_back({subdocument->name, frame.reference});
+        trail_.back().names.push_back({subdocument->name, frame.numbering.reference});
     if (!frame.style.show)
         return false;
     if (subdocument != nullptr && !subdocument->name.empty())

@@ -1,7 +1,7 @@
 #include "document/document.h"
 #include "document/faults.h"
+#include "exports/text_export.h"
 #include "model/model.h"
-#include "model/text_export.h"
 #include "sgml/faults_testing.h"
 #include "sgml/random_document.h"
 
@@ -13,6 +13,8 @@
 #include <sstream>
 
 namespace model {
+
+using exports::exportText;
 
 namespace {
 

@@ -1,4 +1,5 @@
-// The walk over the tree, and what its elements become. Blocks and runs: model_blocks.cpp.
+// The walk over the tree, and what its elements become. Numbers: model_numbers.cpp; blocks and
+// runs: model_blocks.cpp.
 #include "model/model_walk.h"
 
 #include <algorithm>
@@ -44,12 +45,13 @@ void ModelWalk::resume(const Checkpoint& from, Model model) {
 
 bool ModelWalk::stillHolds(const Checkpoint& checkpoint) const {
     const auto holds = [this](const Frame& frame) {
-        if (frame.nested)
+        if (frame.asked.nested)
             return presentationOf(frame.node) == frame.presentation;
-        if (frame.placement != placementIn(frame) || frame.isUncounted != waitsForHeading(frame))
+        if (frame.asked.placement != placementIn(frame) ||
+            frame.asked.isUncounted != waitsForHeading(frame))
             return false;
         return frame.style.display != schemas::Display::unknown || !tree_.isElement(frame.node) ||
-               frame.holdsElements == (tree_.childElement(frame.node) != noNode);
+               frame.asked.holdsElements == (tree_.childElement(frame.node) != noNode);
     };
     const std::vector<Frame>& frames = checkpoint.state.frames;
     return std::all_of(frames.begin() + 1, frames.end(), holds);
@@ -58,7 +60,7 @@ bool ModelWalk::stillHolds(const Checkpoint& checkpoint) const {
 bool ModelWalk::mayRest() const {
     const std::vector<Frame>& frames = state_.frames;
     return !flow_.open && flow_.out == &model_.blocks && tables_ == 0 && notes_ == 0 &&
-           titles_ == 0 && frames.size() <= deepestRest && frames.back().together == none;
+           titles_ == 0 && frames.size() <= deepestRest && frames.back().content.together == none;
 }
 
 ModelWalk::Checkpoint ModelWalk::checkpoint() const {
@@ -132,13 +134,12 @@ ModelWalk::Frame ModelWalk::frameInside(NodeId node) const {
     frame.node = node;
     frame.presentation = outer.presentation;
     frame.progress = outer.progress;
-    frame.indentLeft = outer.indentLeft;
-    frame.indentRight = outer.indentRight;
-    frame.together = outer.together;
+    frame.indent = outer.indent;
+    frame.content.together = outer.content.together;
     frame.levels = outer.levels;
     frame.target = outer.target;
-    frame.path = outer.path;
-    frame.reference = outer.reference;
+    frame.numbering.path = outer.numbering.path;
+    frame.numbering.reference = outer.numbering.reference;
     frame.blockFrame = outer.role == Role::inlined ? outer.blockFrame : state_.frames.size() - 1;
     return frame;
 }
@@ -165,7 +166,7 @@ bool ModelWalk::enterNested(NodeId node) {
     if (presentation == nullptr)
         return addSubdocument(node);
     Frame frame = frameInside(node);
-    frame.nested = true;
+    frame.asked.nested = true;
     frame.presentation = presentation;
     frame.progress = frame.presentation->start();
     frame.style = frame.presentation->rootStyle();
@@ -197,7 +198,7 @@ bool ModelWalk::begin(Frame frame) {
         endNumbering(frame);
         return false;
     }
-    state_.markers += frame.marker.empty() ? 0 : 1;
+    state_.markers += frame.numbering.marker.empty() ? 0 : 1;
     if (frame.style.title)
         ++titles_;
     push(std::move(frame));
@@ -229,74 +230,6 @@ void ModelWalk::leave() {
         state_.titled = --titles_ == 0 && !model_.title.empty();
     endNumbering(frame);
     pop();
-}
-
-// --- numbers and names ----------------------------------------------------------------------
-
-// A line with nothing in it but empty words. LIMIT: what has many parts counts as more than that.
-bool ModelWalk::isWithoutText(NodeId line, const Frame& frame) const {
-    constexpr std::size_t most = 40;
-    std::vector<std::string_view> names; // of elements in it
-    std::size_t parts = 0;
-    for (NodeId id = tree_.node(line).firstChild; id != noNode;) {
-        const sgml::Node& node = tree_.node(id);
-        const bool isContent = node.kind == NodeKind::content;
-        if (++parts > most ||
-            (isContent ? !tree_.unescaped(id).text().empty() : !tree_.isElement(id)))
-            return false;
-        if (!isContent)
-            names.push_back(tree_.name(id));
-        NodeId next = node.firstChild != noNode ? node.firstChild : node.next;
-        for (NodeId up = id; next == noNode && tree_.node(up).parent != line;) {
-            up = tree_.node(up).parent;
-            next = tree_.node(up).next;
-        }
-        id = next;
-    }
-    return std::ranges::all_of(names, [&](std::string_view name) {
-        return frame.presentation->styleNamed(name).display == schemas::Display::inlined;
-    });
-}
-
-// A section counts from the first letter of its heading on. Until then, sections in it count as
-// those of the section around it do.
-bool ModelWalk::waitsForHeading(const Frame& section) const {
-    if (section.style.role != schemas::ContainerRole::section || section.style.counter.empty())
-        return false;
-    const NodeId first = tree_.childElement(section.node);
-    return first != noNode && isWithoutText(first, section) &&
-           section.presentation->styleNamed(tree_.name(first)).role ==
-               schemas::ContainerRole::heading;
-}
-
-void ModelWalk::beginNumbering(Frame& frame) {
-    const schemas::ElementStyle& style = frame.style;
-    frame.isUncounted = waitsForHeading(frame);
-    if (frame.isUncounted) {
-        frame.reference.clear();
-    } else if (!style.counter.empty()) {
-        frame.path = state_.counters.step(style.counter);
-        const std::string& pattern = style.reference.empty() ? style.number : style.reference;
-        frame.reference = withoutPunctuation(numbered(pattern, frame.path));
-    }
-    for (const std::string& counter : style.restart)
-        state_.counters.restart(counter);
-    const bool isNumbered = !style.number.empty() && !state_.frames.back().isUncounted;
-    frame.marker = isNumbered ? numbered(style.number, frame.path) : style.marker;
-    const std::string id =
-        tree_.isElement(frame.node) ? attribute(frame.node, "ID") : std::string{};
-    if (id.empty())
-        return;
-    trail_.back().names.push_back({id, frame.reference});
-    if (style.show)
-        state_.anchors.push_back(id);
-}
-
-void ModelWalk::endNumbering(const Frame& frame) {
-    for (const std::string& counter : frame.style.restart)
-        state_.counters.leaveRestart(counter);
-    if (!frame.style.counter.empty() && !frame.isUncounted)
-        state_.counters.leaveStep(frame.style.counter);
 }
 
 // --- what elements become -------------------------------------------------------------------
@@ -347,14 +280,14 @@ bool ModelWalk::beginDisplay(Frame& frame) {
 }
 
 bool ModelWalk::beginBlock(Frame& frame) {
-    if (!frame.marker.empty() && state_.markers > 1) {
+    if (!frame.numbering.marker.empty() && state_.markers > 1) {
         // An item in an item: the outer one's marker stands on a line of its own.
         std::string marker;
-        marker.swap(frame.marker);
+        marker.swap(frame.numbering.marker);
         openText();
-        marker.swap(frame.marker);
-        frame.empty = true;
-        frame.filled = false;
+        marker.swap(frame.numbering.marker);
+        frame.content.empty = true;
+        frame.content.filled = false;
     }
     const schemas::BlockStyle& style = frame.style.block;
     frame.role = Role::block;
@@ -363,27 +296,27 @@ bool ModelWalk::beginBlock(Frame& frame) {
     closeText();
     flow_.gap.space = std::max(flow_.gap.space, style.spaceBefore);
     flow_.gap.pageBreak = flow_.gap.pageBreak || style.pageBreakBefore;
-    frame.indentLeft += style.indentLeft;
-    frame.indentRight += style.indentRight;
+    frame.indent.left += style.indentLeft;
+    frame.indent.right += style.indentRight;
     if (style.keepTogether && flow_.out != nullptr)
-        frame.together = std::min(frame.together, flow_.out->size());
+        frame.content.together = std::min(frame.content.together, flow_.out->size());
     if ((style.background || style.border.width > 0) && flow_.out == &model_.blocks) {
         flow_.gap.padding += style.padding;
-        frame.indentLeft += style.padding;
-        frame.indentRight += style.padding;
-        frame.boxed = true;
+        frame.indent.left += style.padding;
+        frame.indent.right += style.padding;
+        frame.content.boxed = true;
     }
     return true;
 }
 
 void ModelWalk::dropMarker(Frame& frame) {
-    state_.markers -= frame.marker.empty() ? 0 : 1;
-    frame.marker.clear();
+    state_.markers -= frame.numbering.marker.empty() ? 0 : 1;
+    frame.numbering.marker.clear();
 }
 
 void ModelWalk::endBlock(Frame& frame) {
-    if (frame.empty && frame.role == Role::block && tree_.isElement(frame.node) &&
-        (!frame.marker.empty() || tree_.childElement(frame.node) == noNode))
+    if (frame.content.empty && frame.role == Role::block && tree_.isElement(frame.node) &&
+        (!frame.numbering.marker.empty() || tree_.childElement(frame.node) == noNode))
         openText();
     closeText();
     dropMarker(frame);
@@ -431,8 +364,8 @@ bool ModelWalk::beginTable(Frame& frame) {
         return true;
     ++tables_;
     frame.role = Role::table;
-    frame.columnWidths = columnWidths(frame.node);
-    frame.boxed = false;
+    frame.table.widths = columnWidths(frame.node);
+    frame.content.boxed = false;
     return true;
 }
 
@@ -453,10 +386,10 @@ bool ModelWalk::beginRow(Frame& frame) {
     Frame& table = state_.frames[state_.frames.size() - 2];
     if (table.role != Role::table)
         return beginBlock(frame);
-    if (table.table == none || table.table + 1 != flow_.out->size()) {
+    if (table.table.block == none || table.table.block + 1 != flow_.out->size()) {
         closeText();
-        addBlock(BlockKind::table).columnWidths = table.columnWidths;
-        table.table = flow_.out->size() - 1;
+        addBlock(BlockKind::table).columnWidths = table.table.widths;
+        table.table.block = flow_.out->size() - 1;
     }
     frame.role = Role::row;
     frame.outer = flow_;
@@ -466,8 +399,8 @@ bool ModelWalk::beginRow(Frame& frame) {
     rows.emplace_back();
     flow_ = {};
     flow_.rows = &rows;
-    frame.indentLeft = frame.indentRight = 0;
-    frame.together = none;
+    frame.indent.left = frame.indent.right = 0;
+    frame.content.together = none;
     return true;
 }
 
@@ -481,7 +414,7 @@ bool ModelWalk::beginCell(Frame& frame) {
     enterCell(frame.style.block, frame.node);
     flow_.rows->back().back().span = {document::spannedBy(tree_.attribute(frame.node, "COLUMNS")),
                                       document::spannedBy(tree_.attribute(frame.node, "ROWS"))};
-    frame.indentLeft = frame.indentRight = 0;
+    frame.indent.left = frame.indent.right = 0;
     return true;
 }
 
@@ -502,28 +435,28 @@ bool ModelWalk::beginFootnote(Frame& frame) {
     frame.role = Role::footnote;
     frame.outer = flow_;
     dropMarker(frame);
-    frame.marker = number;
+    frame.numbering.marker = number;
     ++state_.markers;
     ++notes_;
     flow_ = {};
     flow_.out = &footnote->blocks;
     flow_.containers = &footnote->containers;
-    frame.together = none;
-    frame.indentLeft = frame.style.block.indentLeft;
-    frame.indentRight = frame.style.block.indentRight;
+    frame.content.together = none;
+    frame.indent.left = frame.style.block.indentLeft;
+    frame.indent.right = frame.style.block.indentRight;
     return true;
 }
 
 // LIMIT: of a long start tag the first 120 bytes are shown.
 bool ModelWalk::beginUnknown(Frame& frame) {
-    frame.holdsElements = tree_.childElement(frame.node) != noNode;
+    frame.asked.holdsElements = tree_.childElement(frame.node) != noNode;
     std::string tag(tree_.text(tree_.node(frame.node).startTag).substr(0, 120));
     std::replace(tag.begin(), tag.end(), '\n', ' ');
     frame.style.text.family = "mono";
-    if (frame.holdsElements)
+    if (frame.asked.holdsElements)
         beginBlock(frame);
     addText(tag);
-    if (frame.holdsElements)
+    if (frame.asked.holdsElements)
         closeText();
     return true;
 }

@@ -51,28 +51,49 @@ public:
     };
     enum class Role { inlined, block, table, row, cell, footnote };
     struct Frame {
+        // What was asked of nodes behind the place of the walk, which an edit there may change.
+        struct Asked {
+            bool nested = false;             // a nested document of text
+            bool holdsElements = false;      // of an unknown one
+            bool isUncounted = false;        // a section whose heading waits for text
+            document::Placement placement{}; // of a figure: its subdocument's
+            bool operator==(const Asked&) const = default;
+        };
+        struct Numbering {
+            std::string marker;    // not yet shown
+            std::vector<int> path; // of the innermost counter
+            std::string reference; // what refers to its element
+            bool operator==(const Numbering&) const = default;
+        };
+        struct Indent { // from the text area's edges
+            double left = 0, right = 0;
+            bool operator==(const Indent&) const = default;
+        };
+        struct Content {
+            bool empty = true;           // neither a block nor a run was made in it
+            bool filled = false;         // it has a block in its flow
+            bool boxed = false;          // its blocks have a frame or a background
+            std::size_t together = none; // the first block of what is kept together here
+            bool operator==(const Content&) const = default;
+        };
+        struct Table {
+            std::size_t block = none; // in the flow
+            std::vector<double> widths{};
+            bool operator==(const Table&) const = default;
+        };
         sgml::NodeId node = sgml::noNode;
         Role role = Role::block;
         schemas::ElementStyle style;
         const schemas::Presentation* presentation = nullptr;
         schemas::Presentation::Progress progress;
-        double indentLeft = 0, indentRight = 0;  // from the text area's edges
+        Asked asked;
+        Numbering numbering;
+        Indent indent;
+        Content content;
+        Table table;                             // role table
         std::string target;                      // of the link that this is in
-        std::string marker;                      // not yet shown
-        std::vector<int> path;                   // of the innermost counter
-        std::string reference;                   // what refers to its element
         std::size_t blockFrame = 0;              // index of the innermost one that is no inline
-        bool empty = true;                       // neither a block nor a run was made in it
-        bool boxed = false;                      // its blocks have a frame or a background
-        bool filled = false;                     // it has a block in its flow
-        bool nested = false;                     // a nested document of text
-        bool holdsElements = false;              // asked of an unknown one
-        bool isUncounted = false;                // a section whose heading waits for text
-        document::Placement placement{};         // of a figure: its subdocument's
         std::array<int, 8> levels{};             // of each ContainerRole, here
-        std::size_t together = none;             // the first block of what is kept together here
-        std::size_t table = none;                // role table: its block in the flow
-        std::vector<double> columnWidths{};      // role table
         std::set<std::string, std::less<>> seen; // names of the children so far
         Flow outer;                              // roles row, cell, footnote: to go back to
         bool operator==(const Frame&) const = default;

@@ -1,11 +1,13 @@
 // Parts of documents between two places, and how they are copied.
-#include "model/copy_export.h"
+#include "exports/copy_export.h"
 #include "model/selected.h"
 #include "schemas/schemas.h"
 
 #include <gtest/gtest.h>
 
 namespace model {
+
+using exports::copiedText, exports::copiedHtml;
 namespace {
 
 class SelectedTest : public ::testing::Test {

@@ -1,6 +1,6 @@
 // Values of subdocuments in a model: how their numbers are written, and which blocks follow them.
+#include "exports/text_export.h"
 #include "model/model_builder.h"
-#include "model/text_export.h"
 #include "model/value_text.h"
 
 #include <gmock/gmock.h>
@@ -8,6 +8,8 @@
 #include <map>
 
 namespace model {
+
+using exports::exportText;
 namespace {
 
 using document::Digits;

@@ -1,8 +1,8 @@
 #include "panes/text_count_dialog.h"
 
 #include "model/selected.h"
-#include "model/text_count.h"
 #include "plain/plain.h"
+#include "reading/text_count.h"
 #include "view/text_hand.h"
 
 #include <QDialogButtonBox>
@@ -59,7 +59,7 @@ TextCountDialog::TextCountDialog(view::DocumentView& view, QWidget* parent) : QD
     grid->setHorizontalSpacing(24);
     Table table(*grid);
     table.addNames({tr("Words"), tr("Characters"), tr("Characters without blanks"), tr("Pages")});
-    const auto numbers = [](const model::TextCount& count, std::size_t pages) {
+    const auto numbers = [](const reading::TextCount& count, std::size_t pages) {
         return std::vector<std::size_t>{count.words, count.characters, count.notBlank, pages};
     };
     view.settle();
@@ -67,11 +67,12 @@ TextCountDialog::TextCountDialog(view::DocumentView& view, QWidget* parent) : QD
         const text::Range selected = view.text().cursor().interval();
         if (!selected.empty()) {
             const sgml::Tree& tree = view.document().document().tree();
-            const model::TextCount count = model::countText(model::excerpt(tree, *model, selected));
+            const reading::TextCount count =
+                reading::countText(model::excerpt(tree, *model, selected));
             table.addColumn(tr("Selection"), "selected", numbers(count, pagesOf(view, selected)));
         }
         table.addColumn(tr("Document"), "all",
-                        numbers(model::countText(*model), view.pages().pages.size()));
+                        numbers(reading::countText(*model), view.pages().pages.size()));
     }
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

@@ -44,7 +44,8 @@ enum class Display {
     contents, // a list of headings or captions with their pages
 };
 
-// Everything that a presentation says about one element, resolved.
+// Everything that a presentation says about one element, resolved: a plain record with a member for
+// each property (docs/schemas.md).
 struct ElementStyle {
     Display display = Display::unknown;
     bool show = true;

@@ -1,6 +1,6 @@
 // Values of subdocuments in a document, by the medium that does as it is told.
+#include "exports/text_export.h"
 #include "media/scripted_medium.h"
-#include "model/text_export.h"
 #include "places/find.h"
 #include "session/presented.h"
 
@@ -84,7 +84,7 @@ TEST_F(ValuesTest, TheMediumTellsTheNumberThatStandsInTheText) {
     EXPECT_TRUE(shows("now 7.50 m"));
     EXPECT_EQ(fault(), "");
     const auto model = presented_->model();
-    EXPECT_THAT(model::exportText(document_->document(), *model), HasSubstr("h = 9.5"));
+    EXPECT_THAT(exports::exportText(document_->document(), *model), HasSubstr("h = 9.5"));
     EXPECT_TRUE(comesToShow("now 3.50 m")); // at the time of its poster
 }
 

@@ -1,5 +1,6 @@
 #include "view/chosen_figure.h"
 
+#include "manuscript/places.h"
 #include "view/copying.h"
 #include "view/document_view.h"
 #include "view/text_hand.h"
@@ -88,7 +89,7 @@ void ChosenFigure::goBeside(Direction side) {
         return;
     const authoring::Manuscript in = view_.writing().manuscript();
     const std::size_t end = side == Direction::forward ? all->to : all->from;
-    const std::size_t place = authoring::place(in, end, side).value_or(end);
+    const std::size_t place = manuscript::place(in, end, side).value_or(end);
     view_.choose(document::noSubdocument);
     view_.text().cursor().set({place, place});
     view_.text().showCaret();

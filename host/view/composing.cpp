@@ -15,9 +15,9 @@ void Composing::clear() {
     step_.clear();
 }
 
-std::optional<authoring::LineText> Composing::line() const {
+std::optional<manuscript::LineText> Composing::line() const {
     const std::optional<Selection> at = writing_.selection();
-    return at ? std::optional<authoring::LineText>(std::in_place, writing_.manuscript(), at->caret)
+    return at ? std::optional<manuscript::LineText>(std::in_place, writing_.manuscript(), at->caret)
               : std::nullopt;
 }
 
@@ -60,7 +60,7 @@ bool Composing::isLastStep() const {
 
 // Letters are counted from the caret, to both sides.
 void Composing::replace(qsizetype from, qsizetype length) {
-    const std::optional<authoring::LineText> around = line();
+    const std::optional<manuscript::LineText> around = line();
     if (!around)
         return;
     const qsizetype first = around->place() + from;

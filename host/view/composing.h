@@ -2,7 +2,7 @@
 // place of, and the text around them that it asks for.
 #pragma once
 
-#include "authoring/line_text.h"
+#include "manuscript/line_text.h"
 
 #include <QInputMethodEvent>
 #include <QPainter>
@@ -34,7 +34,7 @@ private:
     void begin();
     [[nodiscard]] bool isLastStep() const;
     void replace(qsizetype from, qsizetype length);
-    [[nodiscard]] std::optional<authoring::LineText> line() const;
+    [[nodiscard]] std::optional<manuscript::LineText> line() const;
 
     Writing& writing_;
     TextHand& hand_;

@@ -1,7 +1,7 @@
 #include "view/copying.h"
 
-#include "model/copy_export.h"
-#include "model/fragment.h"
+#include "exports/copy_export.h"
+#include "exports/fragment.h"
 #include "model/selected.h"
 
 #include <algorithm>
@@ -53,8 +53,8 @@ std::string fragmentOf(const sgml::Tree& tree, const std::vector<sgml::NodeId>& 
 std::unique_ptr<QMimeData> asMimeData(const document::Document& document, const model::Model& part,
                                       const std::string& fragment) {
     auto result = std::make_unique<QMimeData>();
-    result->setText(QString::fromStdString(model::copiedText(document, part)));
-    result->setHtml(QString::fromStdString(model::copiedHtml(document, part)));
+    result->setText(QString::fromStdString(exports::copiedText(document, part)));
+    result->setHtml(QString::fromStdString(exports::copiedHtml(document, part)));
     if (!fragment.empty())
         result->setData(fragmentFormat, QByteArray::fromStdString(fragment));
     return result;
@@ -65,7 +65,7 @@ std::unique_ptr<QMimeData> asMimeData(const document::Document& document, const 
 std::unique_ptr<QMimeData> copied(const document::Document& document, const model::Model& model,
                                   text::Range interval) {
     return asMimeData(document, model::excerpt(document.tree(), model, interval),
-                      model::fragment(document.tree(), interval));
+                      exports::fragment(document.tree(), interval));
 }
 
 std::unique_ptr<QMimeData> copied(const document::Document& document, const model::Model& model,

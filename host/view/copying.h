@@ -9,7 +9,7 @@
 
 namespace view {
 
-// model::fragment()
+// exports::fragment()
 inline constexpr auto fragmentFormat = "application/x-ensemble-fragment";
 
 // The content of an interval of the document's bytes.

@@ -25,7 +25,7 @@ protected:
 
 class Reducer {
 public:
-    explicit Reducer(const authoring::Grammar& grammar)
+    explicit Reducer(const manuscript::Grammar& grammar)
         : grammar_(grammar), paragraph_(named(ContainerRole::paragraph)),
           heading_(named(ContainerRole::heading)), section_(named(ContainerRole::section)),
           list_(named(ContainerRole::list)), item_(named(ContainerRole::item)),
@@ -221,7 +221,7 @@ private:
             .toStdString();
     }
 
-    const authoring::Grammar& grammar_;
+    const manuscript::Grammar& grammar_;
     const std::string paragraph_, heading_, section_, list_, item_, cell_, row_, table_, verbatim_;
     std::string out_;
     std::vector<const QTextList*> lists_; // that are open
@@ -234,7 +234,7 @@ private:
 
 } // namespace
 
-std::string fragmentOf(const QString& html, const authoring::Grammar& grammar) {
+std::string fragmentOf(const QString& html, const manuscript::Grammar& grammar) {
     if (html.size() > longestHtml || grammar.named(ContainerRole::paragraph).empty())
         return {};
     Html document;

@@ -1,6 +1,7 @@
 #include "view/text_hand.h"
 
 #include "authoring/table_nodes.h"
+#include "manuscript/places.h"
 #include "view/copying.h"
 #include "view/document_view.h"
 #include "view/folds.h"
@@ -203,7 +204,7 @@ void TextHand::selectAll() {
     // Also what is folded at the end; the caret is where it is seen.
     if (const std::optional<document::Selection> seen = cursor_.selection()) {
         const document::Selection all =
-            authoring::everything(view_.writing().manuscript(), seen->anchor);
+            manuscript::everything(view_.writing().manuscript(), seen->anchor);
         if (view_.folds().pages().hiding(all.caret) != sgml::noNode)
             cursor_.set({all.caret, seen->anchor});
     }

@@ -1,6 +1,7 @@
 #include "view/writing.h"
 
 #include "authoring/table_nodes.h"
+#include "manuscript/places.h"
 #include "view/document_view.h"
 #include "view/folds.h"
 #include "view/hints.h"
@@ -82,7 +83,7 @@ void Writing::begin() {
     if (!hand_.cursor().selection())
         hand_.moveIntoView();
     // Where all is figures no text is seen.
-    if (const auto place = authoring::place(manuscript(), 0, authoring::Direction::forward);
+    if (const auto place = manuscript::place(manuscript(), 0, authoring::Direction::forward);
         place && !hand_.cursor().selection())
         hand_.cursor().set({*place, *place});
     blink();
@@ -281,9 +282,9 @@ void Writing::settleCaret() {
     const std::optional<authoring::Selection> at = selection();
     if (!at || !at->isEmpty())
         return;
-    const auto next = authoring::place(manuscript(), at->caret, Direction::forward);
+    const auto next = manuscript::place(manuscript(), at->caret, Direction::forward);
     if (next && next != at->caret &&
-        authoring::place(manuscript(), at->caret, Direction::backward) != at->caret)
+        manuscript::place(manuscript(), at->caret, Direction::backward) != at->caret)
         hand_.cursor().set({*next, *next});
 }
 

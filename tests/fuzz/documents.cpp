@@ -3,8 +3,8 @@
 
 #include "document/document.h"
 #include "document/faults.h"
+#include "exports/text_export.h"
 #include "model/model.h"
-#include "model/text_export.h"
 #include "schemas/schemas.h"
 
 #include <cstdint>
@@ -44,6 +44,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         FUZZ_REQUIRE(fault.range.to <= size && !fault.message.empty());
     const model::Model model =
         model::buildModel(document, schemas.presentation(document.className()), schemas);
-    (void)model::exportText(document, model);
+    (void)exports::exportText(document, model);
     return 0;
 }

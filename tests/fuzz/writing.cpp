@@ -3,7 +3,7 @@
 #include "input.h"
 #include "require.h"
 
-#include "authoring/random_author.h"
+#include "authors/random_author.h"
 
 #include <cstdio>
 #include <random>
@@ -15,7 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::string first(input.rest());
     fuzz::Input steps(reinterpret_cast<const std::uint8_t*>(script.data()), script.size());
     std::mt19937_64 further(1);
-    authoring::RandomAuthor author(
+    authors::RandomAuthor author(
         [&] { return steps.atEnd() ? further() : std::uint64_t{steps.below(1 << 16)}; });
     const std::string wrong = author.write(1 + script.size() / 8, first);
     if (!wrong.empty())

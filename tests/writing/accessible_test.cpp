@@ -1,7 +1,7 @@
 // What screen readers get of a document: its parts, their text, and what changes, by the interfaces
 // that the accessibility bus has.
 #include "accessibility/accessible_view.h"
-#include "model/block_text.h"
+#include "reading/block_text.h"
 #include "writing/writing_testing.h"
 
 #include <QAccessible>
@@ -160,10 +160,10 @@ TEST_F(AccessibleTest, AKeyIsToldAsItsLetterAndReadsItsParagraphAlone) {
     (void)parts(QAccessible::Paragraph);
     press(Qt::Key_Right);
     heard.clear();
-    const std::size_t letters = model::BlockText::letters;
+    const std::size_t letters = reading::BlockText::letters;
     type("x");
     EXPECT_THAT(heard, ElementsAre("+x at 15", "caret 16"));
-    EXPECT_LE(model::BlockText::letters - letters, 200u);
+    EXPECT_LE(reading::BlockText::letters - letters, 200u);
     heard.clear();
     press(Qt::Key_Backspace);
     EXPECT_THAT(heard, ElementsAre("-x at 15", "caret 15"));

@@ -1,5 +1,5 @@
 // Pictures of files in a writing view: pasted, dropped, named, resized; and where they are kept.
-#include "model/block_text.h"
+#include "reading/block_text.h"
 #include "view/resizing.h"
 #include "writing/writing_testing.h"
 
@@ -91,7 +91,7 @@ TEST_F(PicturesTest, TheCaretPassesAnImageInTheLine) {
     const QMimeData* copy = QApplication::clipboard()->mimeData();
     EXPECT_THAT(copy->text().toStdString(), HasSubstr("ab[A ball]cd"));
     EXPECT_THAT(copy->html().toStdString(), HasSubstr("ab[A ball]cd"));
-    EXPECT_EQ(model::BlockText(document(), view().model()->blocks.back()).text().toStdString(),
+    EXPECT_EQ(reading::BlockText(document(), view().model()->blocks.back()).text().toStdString(),
               "abA ballcd");
     clickOnImage();
     ASSERT_TRUE(view::sizedUnit(view()));
