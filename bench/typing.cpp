@@ -25,6 +25,8 @@
 #include <ctime>
 #include <memory>
 
+#include <malloc.h>
+
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -85,6 +87,9 @@ double memory() {
         stop("the memory is not told");
     return file.readAll().split(' ').at(1).toDouble() * 4096 / (1 << 20);
 }
+
+// Of it the part that objects have, in MiB: the heap keeps what was given back to it.
+double memoryInUse() { return static_cast<double>(mallinfo2().uordblks) / (1 << 20); }
 
 double loop() {
     const auto begin = Clock::now();
@@ -181,7 +186,7 @@ public:
     // As a writer does: a new paragraph now and then.
     void typeOn(int keys) {
         constexpr int toAParagraph = 400;
-        const double before = memory();
+        const double before = memory(), usedBefore = memoryInUse();
         for (int i = 0; i < keys; ++i) {
             if (i % toAParagraph == toAParagraph - 1)
                 press(Qt::Key_Return, {});
@@ -189,7 +194,8 @@ public:
                 type(i);
             QCoreApplication::processEvents();
         }
-        std::printf("%d further keys: from %.1f to %.1f MiB\n", keys, before, memory());
+        std::printf("%d further keys: from %.1f to %.1f MiB resident, from %.1f to %.1f in use\n",
+                    keys, before, memory(), usedBefore, memoryInUse());
     }
 
     ~Desk() {
