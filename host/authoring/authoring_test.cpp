@@ -1,5 +1,6 @@
 // Text is typed, erased, marked and broken into paragraphs; lists, sections and tables.
 #include "authoring/command_testing.h"
+#include "manuscript/leaves.h"
 #include "manuscript/places.h"
 
 namespace authoring {
@@ -369,6 +370,18 @@ TEST(Authoring, KnowsThePlacesOfACaret) {
     EXPECT_EQ(walked, (std::vector<std::size_t>{d + 1, d, c, a + 4, a + 3, a + 1, a}));
     EXPECT_EQ(lineAround(manuscript, c + 1), (Selection{c, d + 1}));
     EXPECT_EQ(everything(manuscript, c), (Selection{a, d + 1}));
+}
+
+TEST(Authoring, APlaceInALongDocumentIsFoundWithoutALookAtEachParagraphBefore) {
+    std::string text = "DOCUMENT CMEMO\n<CMEMO>\n<BODY>\n";
+    for (int i = 0; i < 1000; ++i)
+        text += "<PARAGRAPH>{a}</PARAGRAPH>\n";
+    const document::Document document(text + "<PARAGRAPH>{here}</PARAGRAPH>\n</BODY>\n</CMEMO>\n");
+    const Manuscript manuscript{document, testGrammars()};
+    const std::size_t place = document.bytes().find("here") + 2;
+    const manuscript::Leaves leaves(manuscript, place);
+    EXPECT_TRUE(leaves.isContent(leaves.at(place)));
+    EXPECT_LE(leaves.judged(), 20u);
 }
 
 } // namespace

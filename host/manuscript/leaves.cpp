@@ -57,6 +57,7 @@ bool Leaves::isVerbatim(NodeId leaf) const {
 }
 
 bool Leaves::isLeaf(NodeId node) const {
+    ++judged_;
     if (isContent(node) || isUnit(node))
         return true;
     if (!tree_.isElement(node))
@@ -152,7 +153,13 @@ NodeId Leaves::nearest(std::size_t offset, Direction direction) const {
     NodeId id = top_;
     while (id != noNode) {
         const text::Range range = tree_.node(id).range;
-        if (isLeaf(id)) {
+        // What ends before the offset has, going forward, nothing to offer: no leaf is looked for.
+        if (direction == Direction::forward && range.to < offset) {
+            id = tree_.followingSkippingChildren(id, top_);
+            continue;
+        }
+        const bool isOne = isLeaf(id);
+        if (isOne) {
             if (direction == Direction::forward && lastPlace(id) >= offset)
                 return id;
             if (firstPlace(id) <= offset)
@@ -160,10 +167,7 @@ NodeId Leaves::nearest(std::size_t offset, Direction direction) const {
         }
         if (direction == Direction::backward && range.from > offset)
             break;
-        // What ends before the offset has, going forward, nothing to offer.
-        const bool isBefore = direction == Direction::forward && range.to < offset;
-        id = isLeaf(id) || isBefore ? tree_.followingSkippingChildren(id, top_)
-                                    : tree_.following(id, top_);
+        id = isOne ? tree_.followingSkippingChildren(id, top_) : tree_.following(id, top_);
     }
     return direction == Direction::forward ? noNode : found;
 }

@@ -31,6 +31,8 @@ public:
     [[nodiscard]] sgml::NodeId outermost(Direction direction) const; // last going forward
     // The nearest leaf with a place at or beyond the offset.
     [[nodiscard]] sgml::NodeId nearest(std::size_t offset, Direction direction) const;
+    // How many nodes were looked at, whether they are leaves.
+    [[nodiscard]] std::size_t judged() const { return judged_; }
 
     // The places of a leaf: all between two characters of a content; both ends of a unit.
     [[nodiscard]] std::size_t firstPlace(sgml::NodeId leaf) const;
@@ -50,6 +52,7 @@ private:
     const sgml::Tree& tree_;
     const Grammar* grammar_ = nullptr;
     sgml::NodeId top_ = sgml::noNode;
+    mutable std::size_t judged_ = 0;
 };
 
 } // namespace manuscript
