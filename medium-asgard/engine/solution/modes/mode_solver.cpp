@@ -1,5 +1,5 @@
 // Which side of each surface holds; see mode_solver.h. Coincident switches, switch intersections
-// and motion that is held are in mode_intersections.cpp.
+// and motion that is held are in mode_solver_intersections.cpp.
 #include "modes/mode_solver.h"
 
 #include <algorithm>

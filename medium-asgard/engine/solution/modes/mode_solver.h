@@ -90,7 +90,7 @@ private:
     enum class Front { leadsHere, rests, leadsAway };
     [[nodiscard]] Front front(std::size_t surface);
     [[nodiscard]] bool passWhole(std::size_t surface, bool insist);
-    // Coincident switches (mode_intersections.cpp).
+    // Coincident switches (mode_solver_intersections.cpp).
     [[nodiscard]] bool takeLevel(std::size_t surface);
     void join(std::size_t surface);
     using Distances = std::array<double, 4>;
