@@ -21,7 +21,7 @@ public:
     [[nodiscard]] qsizetype place() const { return place_; } // among the letters
     // Nothing: it is no place of this line, or too far away.
     [[nodiscard]] std::optional<qsizetype> letterAt(std::size_t place) const;
-    // What selects the letters from one to another, as far as there are.
+    // The selection of the letters from one to another, as far as there are.
     [[nodiscard]] Selection between(qsizetype from, qsizetype to) const;
 
 private:

@@ -88,7 +88,7 @@ void Renditions::take(const ipc::RenditionCursor& cursor) const {
     }
 }
 
-// Whoever hears it may scroll the rendition out of use.
+// A listener may scroll the rendition out of use.
 void Renditions::take(const ipc::RenditionUnhandled& input) const {
     if (Rendition* rendition = of(input.rendition))
         Q_EMIT rendition->unhandledInput(input);

@@ -47,7 +47,7 @@ public:
     void take(const ipc::RenditionUnhandled& input) const;
 
     // --- the size, in 1/96 inch
-    // What there is at most. False: it is as it was.
+    // The most room that there is. False: it is as it was.
     [[nodiscard]] bool setAvailable(QSizeF available);
     [[nodiscard]] ipc::PresentationSize askForSize() const;
     // False: it is as it was.

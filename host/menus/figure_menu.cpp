@@ -206,7 +206,7 @@ QString FigureMenu::whyNoText() const {
 
 // --- what is done ------------------------------------------------------------------------------
 
-// Where its entry leads to: one process is enough.
+// The entry's window: one process is enough.
 void openEditor(view::DocumentView& view, document::SubdocumentId id) {
     const document::Subdocument* of = view.document().document().subdocument(id);
     media::LiveSubdocument* live = view.document().live(id);

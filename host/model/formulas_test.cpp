@@ -55,6 +55,14 @@ TEST_F(FormulasInModelTest, StandInTheLineOrAlone) {
     EXPECT_EQ(first[4]->marker, "(2)");
 }
 
+// The heading waits for its letters, and borrows no number; the equation has one of its own.
+TEST_F(FormulasInModelTest, ANumberedDisplayUnderAnEmptyHeadingShowsItsNumber) {
+    const Model model = modelOf("<SECTION><HEADING>{}</HEADING>"
+                                "<FORMULA KIND=\"numbered\">{x}</FORMULA></SECTION>");
+    EXPECT_EQ(model.blocks.back()->kind, BlockKind::formula);
+    EXPECT_EQ(model.blocks.back()->marker, "(1)");
+}
+
 TEST_F(FormulasInModelTest, AreTextForWhoCopiesAndWhoExports) {
     const Model model = modelOf(paragraphWithDisplay);
     const std::string text = exportText(*document_, model);

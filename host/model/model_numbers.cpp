@@ -57,7 +57,9 @@ void ModelWalk::beginNumbering(Frame& frame) {
     }
     for (const std::string& counter : style.restart)
         state_.counters.restart(counter);
-    const bool isNumbered = !style.number.empty() && !state_.frames.back().asked.isUncounted;
+    // A heading has its section's number; an equation beside it has its own.
+    const bool borrows = style.counter.empty() && state_.frames.back().asked.isUncounted;
+    const bool isNumbered = !style.number.empty() && !borrows;
     frame.numbering.marker =
         isNumbered ? numbered(style.number, frame.numbering.path) : style.marker;
     const std::string id =

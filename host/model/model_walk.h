@@ -51,7 +51,7 @@ public:
     };
     enum class Role { inlined, block, table, row, cell, footnote };
     struct Frame {
-        // What was asked of nodes behind the place of the walk, which an edit there may change.
+        // Answers about nodes behind the place of the walk, which an edit there may change.
         struct Asked {
             bool nested = false;             // a nested document of text
             bool holdsElements = false;      // of an unknown one

@@ -159,6 +159,15 @@ ValueUse useOf(const formulas::ValueCall& call) {
     return document::valueUse(call.of, call.expression, call.options);
 }
 
+// The room of a formula's number until now: while it rested, that of the number itself.
+std::string roomBefore(const Formula& was, std::size_t value) {
+    if (value >= was.values.size())
+        return "";
+    const formulas::SuppliedValue& before = was.values[value];
+    const bool isNumber = before.source.find_first_of("0123456789") != std::string::npos;
+    return !before.room.empty() ? before.room : isNumber ? shapeOf(before.source) : "";
+}
+
 std::optional<Run> formulaNow(const Run& run, const ValueSource* source) {
     const Formula& was = *run.formula;
     std::vector<formulas::SuppliedValue> values;
@@ -169,10 +178,8 @@ std::optional<Run> formulaNow(const Run& run, const ValueSource* source) {
         formulas::SuppliedValue supplied{.isFaulty = !now.fault.empty()};
         if (now.number && now.fault.empty()) {
             supplied.source = asFormula(*now.number, use.digits, was.looks.language);
-            const bool isFirst = values.size() >= was.values.size();
             if (now.moves)
-                supplied.room = roomFor(isFirst ? std::string() : was.values[values.size()].room,
-                                        supplied.source);
+                supplied.room = roomFor(roomBefore(was, values.size()), supplied.source);
         } else if (now.fault.empty() && source != nullptr) {
             supplied.source = "\\ldots ";
         }

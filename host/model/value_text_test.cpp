@@ -166,6 +166,9 @@ TEST_F(ValuesInModelTest, WhileItPlaysANumberInAFormulaKeepsItsRoom) {
     values_.now["ball.E"].moves = false;
     EXPECT_EQ(following(), 1u);
     EXPECT_EQ(room(), "");
+    values_.now["ball.E"] = {.number = 1.2, .moves = true}; // begins with the room it had at rest
+    EXPECT_EQ(following(), 1u);
+    EXPECT_EQ(room(), "-00.0");
 }
 
 TEST_F(ValuesInModelTest, ValuesInTablesFootnotesAndHeadingsFollow) {

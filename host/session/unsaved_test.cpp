@@ -1,4 +1,4 @@
-// What of an open document goes to the journal, and how often.
+// The text of an open document goes to the journal a few times a second.
 #include "media/scripted_medium.h"
 #include "session/open_document.h"
 #include "session/unsaved.h"

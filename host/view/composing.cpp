@@ -39,7 +39,7 @@ void Composing::take(const QInputMethodEvent& event) {
         writing_.type(event.commitString(), isLastStep() ? step_ : QString());
     else if (letters_.isEmpty() && !replaces && isLastStep())
         writing_.takeBack();
-    if (letters_.isEmpty())
+    if (types || letters_.isEmpty()) // letters that were typed stay, whatever is composed next
         step_.clear();
 }
 

@@ -1,5 +1,5 @@
-// What an input method composes at the caret: letters that are not typed yet, what they take the
-// place of, and the text around them that it asks for.
+// The letters that an input method composes at the caret: not typed yet, in place of others, with
+// the text around them that it asks for.
 #pragma once
 
 #include "manuscript/line_text.h"
@@ -17,7 +17,7 @@ public:
     // Both outlive it.
     Composing(Writing& writing, TextHand& hand) : writing_(writing), hand_(hand) {}
 
-    // What is selected goes when composing begins, and comes back where nothing is typed in its
+    // The selected text goes when composing begins, and comes back if nothing is typed in its
     // place. Letters beside the caret that are to be replaced are those of its line. All that one
     // composition changes is one step of undo.
     void take(const QInputMethodEvent& event);

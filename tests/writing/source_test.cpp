@@ -78,7 +78,7 @@ TEST_F(SourceTest, TheSourceShowsThePlaceInThePages) {
     view().goTo(at);
     ASSERT_TRUE(waitFor([&] { return caretInSource() == at; }));
     EXPECT_TRUE(edit().viewport()->rect().contains(edit().cursorRect().center()));
-    // Where only the view is scrolled, the line that one reads is the one.
+    // If only the view is scrolled, the line that one reads is the one.
     view().verticalScrollBar()->setValue(0);
     ASSERT_TRUE(waitFor([&] { return bandAt() < placeOf("line 10."); }));
     EXPECT_EQ(caretInSource(), at);
@@ -139,7 +139,7 @@ TEST_F(SourceTest, FindLooksInTheSourceWhereTheKeyboardIsThere) {
     EXPECT_EQ(line->says(), "Not found");
     EXPECT_THAT(at(), ::testing::HasSubstr("line 29."));
     EXPECT_EQ(document().steps(), 0U);
-    // What is found can be typed over at once.
+    // The found text can be typed over at once.
     line->field().setText("<TEXT>{line 7");
     QTest::keyClick(&line->field(), Qt::Key_Escape);
     EXPECT_TRUE(edit().hasFocus());

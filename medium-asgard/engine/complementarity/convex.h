@@ -3,8 +3,8 @@
 // The forces are where the convex function f.A f/2 + b.f has its minimum within the intervals. The
 // active set method of Lawson and Hanson (Solving Least Squares Problems, 1974, chapter 23) finds
 // it, with two ends to each interval as in Stark and Parker (Bounded-variable least squares, 1995).
-// Where laws are redundant (four feet of a table) A is singular and f is not unique, but A f is;
-// then the shortest f is taken, which shares a load evenly.
+// Redundant laws (four feet of a table) make A singular and f not unique, but A f is; then the
+// shortest f is taken, which shares a load evenly.
 #pragma once
 
 #include "complementarity/laws.h"

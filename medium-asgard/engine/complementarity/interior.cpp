@@ -49,7 +49,7 @@ private:
         return isInterval(law) ? law.low < law.high
                                : law.radius > 0 || (law.normal >= 0 && law.coefficient > 0);
     }
-    // What the square of a disc's radius is more than that of its force.
+    // The square of a disc's radius less that of its force.
     [[nodiscard]] double roomOf(const Law& disc, const Vector& forces) const {
         const double radius = radiusOf(disc, forces);
         return radius * radius - forces.segment(disc.first, disc.rows).squaredNorm();
@@ -262,7 +262,7 @@ private:
         return true;
     }
 
-    // Where the multiplier is larger than the room, both in the units of the row, is the bound.
+    // A law is at its bound if its multiplier is larger than its room, both in the row's units.
     [[nodiscard]] States states() const {
         States states(laws_.size(), State::inside);
         for (std::size_t k = 0; k < laws_.size(); ++k) {

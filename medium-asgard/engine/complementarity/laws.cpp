@@ -83,9 +83,11 @@ double violation(const Matrix& a, const Vector& b, const Laws& laws, const Answe
         const double last = rounding.segment(law.first, law.rows).norm();
         if (answer.states[k] == State::inside)
             worst = std::max(worst, (rate.norm() - last) / rates);
-        else if (length > 0) // at the edge, the rate is against the force
-            worst = std::max({worst, (radius - length) / largest,
-                              ((rate + rate.norm() / length * force).norm() - 2 * last) / rates});
+        else
+            worst = std::max(worst, (radius - length) / std::max(radius, largest));
+        if (answer.states[k] == State::edge && length > 0) // the rate is against the force
+            worst = std::max(
+                {worst, ((rate + rate.norm() / length * force).norm() - 2 * last) / rates});
     }
     return worst;
 }

@@ -45,7 +45,7 @@ void addDisc(Laws& laws, Index rows, double radius);
 void addFriction(Laws& laws, Index rows, Index normal, double coefficient);
 [[nodiscard]] Index rowsOf(const Laws& laws);
 
-// Where the force of a law is among those that the law allows.
+// The place of a law's force among those that the law allows.
 enum class State { inside, low, high, edge };
 using States = std::vector<State>; // one for each law
 

@@ -5,6 +5,8 @@
 #include "complementarity/newton.h"
 #include "complementarity/sweeps.h"
 
+#include <Eigen/Cholesky>
+
 #include <algorithm>
 
 namespace complementarity {
@@ -25,10 +27,13 @@ std::vector<State> possibleStates(const Law& law) {
     return states;
 }
 
+// Intervals on a symmetric A without a negative direction.
 bool isConvex(const Matrix& a, const Laws& laws) {
-    return std::ranges::all_of(laws,
-                               [](const Law& law) { return law.kind == Law::Kind::interval; }) &&
-           (a - a.transpose()).cwiseAbs().maxCoeff() <= 1e-12 * a.cwiseAbs().maxCoeff();
+    const double largest = a.cwiseAbs().maxCoeff();
+    if (std::ranges::any_of(laws, [](const Law& law) { return law.kind != Law::Kind::interval; }) ||
+        (a - a.transpose()).cwiseAbs().maxCoeff() > 1e-12 * largest)
+        return false;
+    return Eigen::LDLT<Matrix>(a).vectorD().minCoeff() >= -1e-12 * largest;
 }
 
 class Search {
@@ -99,6 +104,12 @@ private:
     Work& work_;
 };
 
+bool areFew(const Laws& laws) {
+    const auto choices =
+        std::ranges::count_if(laws, [](const Law& law) { return possibleStates(law).size() > 1; });
+    return static_cast<std::size_t>(choices) <= fewLaws;
+}
+
 bool isOther(const Answer& answer, const std::vector<Answer>& found) {
     return std::ranges::none_of(found, [&](const Answer& other) {
         const double size = std::max(answer.forces.norm(), other.forces.norm());
@@ -110,6 +121,8 @@ bool isOther(const Answer& answer, const std::vector<Answer>& found) {
 
 std::vector<Answer> everySolution(const Matrix& a, const Vector& b, const Laws& laws) {
     std::vector<Answer> found;
+    if (!areFew(laws))
+        return found;
     std::vector<std::vector<State>> possible;
     std::size_t ways = 1;
     for (const Law& law : laws) {

@@ -27,7 +27,7 @@ struct Work {      // counts of the last solve, for tests and reports
                                           const Answer& guess = {}, Work* work = nullptr);
 
 // All solutions of few laws, each with other states: two of one problem with different rates are an
-// indeterminate motion (Painleve's rod). `laws` has at most six that are not equalities.
+// indeterminate motion (Painleve's rod). None of more than six laws that are not equalities.
 [[nodiscard]] std::vector<Answer> everySolution(const Matrix& a, const Vector& b, const Laws& laws);
 
 } // namespace complementarity

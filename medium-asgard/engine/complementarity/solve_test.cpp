@@ -131,6 +131,24 @@ TEST(Solve, PainlevesRodHasNoneOrTwoSolutions) {
     }
 }
 
+// Symmetric, and not convex: the active set method would go round for ever.
+TEST(Solve, ASymmetricMatrixWithANegativeDirectionHasItsAnswer) {
+    Laws laws;
+    addUnilateral(laws);
+    addUnilateral(laws);
+    const Matrix a = (Matrix(2, 2) << -0.1, 5, 5, 1).finished();
+    const auto answer = solve(a, (Vector(2) << -4, -1).finished(), laws);
+    ASSERT_TRUE(answer);
+    EXPECT_LE(violation(a, (Vector(2) << -4, -1).finished(), laws, *answer), 1e-14);
+}
+
+TEST(Solve, AnEdgeWithoutForceIsNoAnswer) {
+    Laws laws;
+    addDisc(laws, 2, 5);
+    const Vector zero = Vector::Zero(2), rate = Vector::Unit(2, 0);
+    EXPECT_GT(violation(Matrix::Zero(2, 2), rate, laws, {zero, rate, {State::edge}}), 0.5);
+}
+
 // Rows of bodies in a random heap, as J M^-1 J' of 6 freedoms each.
 struct Heap {
     Matrix a;

@@ -104,7 +104,7 @@ bool Component::stepPlainly() {
 }
 
 // ---------------------------------------------------------------------------------------------
-// What models propose
+// Proposals of models
 
 void Component::take(const Proposal& proposal) {
     if (const auto* piece = std::get_if<StepPiece>(&proposal)) {

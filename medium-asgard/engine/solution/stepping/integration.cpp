@@ -40,8 +40,8 @@ std::unique_ptr<Method> Integration::chosenMethod() const {
                       options.fixedStep.has_value());
 }
 
-// Where rates are next to 0 by chance, as those of a rectified drive, they say nothing of how long
-// a step may be: the steps before do.
+// Rates that are next to 0 by chance, as those of a rectified drive, say nothing of how long a
+// step may be: the steps before do.
 double Integration::longestFirst() const {
     constexpr std::size_t asked = 8;
     constexpr double times = 16;
@@ -306,7 +306,7 @@ std::optional<Violation> Integration::violationOn(const StateCurves& curves) {
 }
 
 // ---------------------------------------------------------------------------------------------
-// Where the right-hand side has no value
+// A right-hand side without a value
 
 // A branch that has no value beyond its end, as that of a root whose argument max() bounds, lets no
 // step look across. Within some of the shortest steps of its end the motion goes on along its rates

@@ -36,7 +36,7 @@ public:
     [[nodiscard]] bool mayGoSideBySide() const;
     [[nodiscard]] bool isInStride() const { return strides_ && method_; }
     [[nodiscard]] ExplicitRungeKutta& stride() const;
-    // Where the next attempt is to end; none: there is more to it, for propose().
+    // The end of the next attempt; none: there is more to it, for propose().
     [[nodiscard]] std::optional<double> strideEnd() const;
     // False: no shorter one can be made. Then it is out of stride for propose().
     [[nodiscard]] bool refuseStride(const Attempt& attempt, double h);
