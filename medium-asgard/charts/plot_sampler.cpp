@@ -53,14 +53,10 @@ void PlotSampler::run() {
 }
 
 void PlotSampler::serve(const Wish& wish) {
-    const bool isKnown =
-        readable_ && readFrom_.scene == wish.scene && readFrom_.parameters == wish.parameters;
+    const bool isKnown = readable_ && readFrom_ == wish.scene;
     if (!isKnown && !wish.scene->plots.empty()) {
-        simulation::Options options;
-        options.parameters = wish.parameters;
-        readable_.emplace(*wish.scene, options);
-        readFrom_ = wish;
-        readFrom_.motion.reset();
+        readable_.emplace(*wish.scene);
+        readFrom_ = wish.scene;
         ++built_;
     }
     const std::size_t count = std::min(most_, wish.scene->plots.size());

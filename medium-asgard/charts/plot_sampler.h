@@ -9,7 +9,6 @@
 
 #include <atomic>
 #include <condition_variable>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -21,8 +20,7 @@ public:
     struct Wish {
         std::shared_ptr<const scene::Scene> scene;
         simulation::MotionPointer motion; // null: its plots have no values
-        std::map<std::string, double> parameters = {};
-        unsigned number = 0; // the wisher's own
+        unsigned number = 0;              // the wisher's own
     };
     // Called on the thread, with the plots of a wish that is not overtaken.
     using Done = std::function<void(const Wish&, std::vector<Plot>)>;
@@ -50,7 +48,7 @@ private:
     std::shared_ptr<const scene::Scene> workedOn_; // under mutex_
     std::atomic<bool> overtaken_{false};
     std::optional<simulation::ReadableScene> readable_; // the thread's, of `readFrom_`
-    Wish readFrom_;
+    std::shared_ptr<const scene::Scene> readFrom_;
     std::atomic<std::size_t> built_{0};
     std::thread thread_;
 };

@@ -57,8 +57,8 @@ TEST(PlotSampler, WorksBesideWhoeverWishes) {
     const auto scene = sceneWithPlots(25);
     const auto motion = simulation::simulate(*scene).motion;
     PlotSampler sampler(gate.done(), 20);
-    sampler.sample({scene, motion, {}, 1});
-    sampler.sample({scene, motion, {}, 2}); // both return, whatever the thread does
+    sampler.sample({scene, motion, 1});
+    sampler.sample({scene, motion, 2}); // both return, whatever the thread does
     gate.opened.set_value();
     gate.awaitWish(2);
     const std::vector<Plot>& plots = gate.came.back().second;
@@ -71,9 +71,9 @@ TEST(PlotSampler, AnotherSceneIsNotWaitedFor) {
     Gate gate;
     const auto first = sceneWithPlots(1), second = sceneWithPlots(2);
     PlotSampler sampler(gate.done());
-    sampler.sample({first, simulation::simulate(*first).motion, {}, 1});
-    sampler.sample({second, nullptr, {}, 2});
-    sampler.sample({second, simulation::simulate(*second).motion, {}, 3});
+    sampler.sample({first, simulation::simulate(*first).motion, 1});
+    sampler.sample({second, nullptr, 2});
+    sampler.sample({second, simulation::simulate(*second).motion, 3});
     gate.opened.set_value();
     gate.awaitWish(3);
     EXPECT_EQ(gate.came.back().second.size(), 2u);

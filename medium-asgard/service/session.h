@@ -4,8 +4,8 @@
 // Serves any event loop (serve.h is the plain one; a window system's will do): give each call of
 // the host to receive(), then call attend(); call attend() too when descriptor() is readable and
 // when deadline() has come. No deadline and nothing readable: there is nothing to do, and nothing
-// is done. All of it belongs to one thread, the one that owns the renderer's context; reading and
-// computing happen on the worker's.
+// is done. All of it belongs to one thread, the one that owns the renderer's context. Two others
+// work beside it: the worker's reads and computes, and that of the sheets samples plots.
 //
 // Pictures are owed when a visible rendition would look different and the host has acknowledged
 // what it was sent. They are at most 60 a second and at most half of this thread's time.

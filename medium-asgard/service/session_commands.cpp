@@ -147,8 +147,7 @@ auto Session::values(const std::vector<std::string>& expressions, std::optional<
 }
 
 ValueReader Session::valuesOf(const std::vector<std::string>& expressions) {
-    return values_.reader(subdocument_.scene(), subdocument_.parameters(), subdocument_.motion(),
-                          expressions);
+    return values_.reader(subdocument_.scene(), subdocument_.motion(), expressions);
 }
 
 } // namespace service

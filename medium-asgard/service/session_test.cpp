@@ -46,7 +46,8 @@ private:
     std::vector<std::string> notes_;
 };
 
-// Texts: "faulty" makes no scene, "p" has a parameter p, all but "empty" have one body.
+// Texts: "faulty" makes no scene, "p" has a parameter p, all but "empty" have one body. "pushed" is
+// the pushed ball, and moves as it should.
 // A motion of 10 s is computed up to what allow() said, and ends there when `ends`.
 class World {
 public:
@@ -56,8 +57,8 @@ public:
             return read(text, parameters);
         };
         tools.cancelReading = [] {};
-        tools.simulate = [this](const auto&, const auto&, const auto& observer) {
-            return simulate(observer);
+        tools.simulate = [this](const auto& scene, const auto&, const auto& observer) {
+            return simulate(*scene, observer);
         };
         return tools;
     }
@@ -74,6 +75,12 @@ public:
 private:
     script::ReadResult read(const std::string& text, const ParameterValues& parameters) {
         script::ReadResult result;
+        if (text == "pushed") {
+            result.usable = true;
+            result.scene = pushedBallScene(parameters.empty() ? 1 : parameters.at("p"));
+            result.scene.simulator.finish = 10;
+            return result;
+        }
         const bool known = text == "p" || parameters.empty();
         result.usable = text != "faulty" && known;
         if (!result.usable)
@@ -88,22 +95,31 @@ private:
         return result;
     }
 
-    simulation::Result simulate(const simulation::Observer& observer) {
+    simulation::Result simulate(const scene::Scene& scene, const simulation::Observer& observer) {
         ++runs;
+        const auto motionTo = [&](double reached) -> simulation::MotionPointer {
+            if (scene.forces.empty())
+                return std::make_shared<StillMotion>(10, reached);
+            simulation::Options options;
+            options.finish = reached;
+            return simulation::simulate(scene, options).motion;
+        };
         double reached = 0;
         std::unique_lock lock(mutex_);
         while (reached < 10) {
             if (observer.cancelled()) {
                 ++cancelledRuns;
-                return {std::make_shared<StillMotion>(10, reached), {}, {}, true, {}};
+                return {motionTo(reached), {}, {}, true, {}};
             }
             if (allowed_ > reached) {
                 reached = std::min(allowed_, 10.0);
-                observer.progress(std::make_shared<StillMotion>(10, reached));
+                observer.progress(motionTo(reached));
             } else {
                 changed_.wait_for(lock, milliseconds(1));
             }
         }
+        if (!scene.forces.empty())
+            return {motionTo(10), {}, {}, false, {}};
         return {std::make_shared<StillMotion>(10, 10, stops), {}, {}, false, {}};
     }
 
@@ -337,6 +353,32 @@ TEST_F(SessionTest, ValuesOfASubscriptionAreToldAtOnceAndWhenTheyChange) {
     ASSERT_THAT(valueReports, testing::SizeIs(2));
     ask(ipc::TimeSeek{5}); // nothing of them is another one
     EXPECT_THAT(valueReports, testing::SizeIs(2));
+}
+
+// While a slider is dragged: x = p t^2 / 2 holds in each report.
+TEST_F(SessionTest, AParameterIsToldWithTheMotionThatItMade) {
+    load("pushed");
+    computedTo(10);
+    until([&] { return told->state == ipc::MotionState::current; });
+    ask(ipc::TimeSeek{2});
+    ask(ipc::ValueSubscribe{7, {"p", "b.x"}});
+    for (const double p : {3.0, 4.0}) {
+        world.allow(0);
+        host.notify(ipc::ParameterSet{"p", p});
+        exchange();
+        ask(ipc::ValueUnsubscribe{7}); // what is asked now is of the motion before
+        ask(ipc::ValueSubscribe{7, {"p", "b.x"}});
+        EXPECT_LT(valueReports.back().values[0], p);
+        computedTo(10);
+        until([&] { return told->state == ipc::MotionState::current; });
+        until([&] {
+            now += milliseconds(100);
+            return valueReports.back().values[0] == p;
+        });
+    }
+    for (const ipc::ValueChanged& report : valueReports)
+        EXPECT_NEAR(report.values[1], 2 * report.values[0], 1e-6);
+    EXPECT_EQ(session->valueSource().built(), 3u); // once for each scene
 }
 
 TEST_F(SessionTest, AChartIsShownAndTakenWhenItsPlotsHaveBeenSampled) {

@@ -110,7 +110,7 @@ charts::PlotArea Sheets::areaOf(std::size_t plot, std::size_t count, double widt
 void Sheets::collect() {
     if (of_.scene() && asked_ != of_.generation()) {
         asked_ = of_.generation();
-        sampler_.sample({of_.scene(), of_.motion(), of_.parameters(), of_.generation()});
+        sampler_.sample({of_.scene(), of_.motion(), of_.generation()});
     }
     const std::lock_guard lock(mutex_);
     if (came_)

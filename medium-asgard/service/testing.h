@@ -1,4 +1,4 @@
-// Both ends of a pipe in one test.
+// Both ends of a pipe in one test, and a scene whose motion is known.
 #pragma once
 
 #include "service/session.h"
@@ -10,6 +10,28 @@
 #include <vector>
 
 namespace service {
+
+// A ball of mass 1 is pushed from rest by p: x = p t^2 / 2.
+inline scene::Scene pushedBallScene(double p) {
+    scene::Scene scene;
+    scene.simulator.finish = 4;
+    scene.parameters.push_back({"p", p, 0, 10, "", "", {}});
+    scene::ShapeSet set;
+    set.name = "round";
+    set.parts.resize(1);
+    set.parts[0].shape = scene::SphereShape{0.5};
+    scene.shapeSets = {set};
+    scene::Body ball;
+    ball.name = "b";
+    ball.shape = "round";
+    ball.mass = 1;
+    scene.bodies = {ball};
+    scene::Force push;
+    push.body = "b";
+    push.kind = scene::ComponentForce{{"p", "0", "0"}, scene::Frame::world};
+    scene.forces = {push};
+    return scene;
+}
 
 // The messages of either end reach the other; notifications are taken, requests are kept.
 inline void exchangeOnce(ipc::HostChannel& host, ipc::MediumChannel& medium, Session& session,

@@ -36,16 +36,12 @@ ipc::Values ValueReader::none(const std::string& why) const {
     return read;
 }
 
-ValueReader ValueSource::reader(const ScenePointer& scene, const ParameterValues& parameters,
-                                const simulation::MotionPointer& motion,
+ValueReader ValueSource::reader(const ScenePointer& scene, const simulation::MotionPointer& motion,
                                 const std::vector<std::string>& expressions) {
     read_ += expressions.size();
-    if (!scene_ || of_ != scene || with_ != parameters || read_ > mostRead) {
-        simulation::Options options;
-        options.parameters = parameters;
-        scene_.emplace(*scene, options);
+    if (!scene_ || of_ != scene || read_ > mostRead) {
+        scene_.emplace(*scene);
         of_ = scene;
-        with_ = parameters;
         read_ = expressions.size();
         ++built_;
     }

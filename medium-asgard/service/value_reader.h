@@ -25,10 +25,11 @@ private:
 };
 
 // Makes the readers of a scene's motions. It builds the equations of a scene once, for all
-// expressions, times and motions that are asked for.
+// expressions, times and motions that are asked for. The values of its parameters are the scene's:
+// those that were set later belong to the next scene.
 class ValueSource {
 public:
-    [[nodiscard]] ValueReader reader(const ScenePointer& scene, const ParameterValues& parameters,
+    [[nodiscard]] ValueReader reader(const ScenePointer& scene,
                                      const simulation::MotionPointer& motion,
                                      const std::vector<std::string>& expressions);
     // How often it has built equations.
@@ -36,7 +37,6 @@ public:
 
 private:
     ScenePointer of_;
-    ParameterValues with_;
     std::optional<simulation::ReadableScene> scene_;
     std::size_t read_ = 0; // expressions of that scene
     std::size_t built_ = 0;

@@ -1,5 +1,5 @@
 // Values of a motion: which numbers, which sentences, and how often equations are built for them.
-#include "service/value_reader.h"
+#include "service/testing.h"
 
 #include <gmock/gmock.h>
 
@@ -12,26 +12,8 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-// A ball of mass 1 is pushed from rest by p: x = p t^2 / 2.
 ScenePointer pushedBall(double p = 2) {
-    scene::Scene scene;
-    scene.simulator.finish = 4;
-    scene.parameters.push_back({"p", p, 0, 10, "", "", {}});
-    scene::ShapeSet set;
-    set.name = "round";
-    set.parts.resize(1);
-    set.parts[0].shape = scene::SphereShape{0.5};
-    scene.shapeSets = {set};
-    scene::Body ball;
-    ball.name = "b";
-    ball.shape = "round";
-    ball.mass = 1;
-    scene.bodies = {ball};
-    scene::Force push;
-    push.body = "b";
-    push.kind = scene::ComponentForce{{"p", "0", "0"}, scene::Frame::world};
-    scene.forces = {push};
-    return std::make_shared<const scene::Scene>(scene);
+    return std::make_shared<const scene::Scene>(pushedBallScene(p));
 }
 
 struct Pushed {
@@ -40,7 +22,7 @@ struct Pushed {
     ValueSource source;
 
     ValueReader reader(const std::vector<std::string>& expressions) {
-        return source.reader(scene, {}, motion, expressions);
+        return source.reader(scene, motion, expressions);
     }
 };
 
