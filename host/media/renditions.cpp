@@ -40,7 +40,6 @@ void Renditions::detach(const MediumProcess& process) {
 }
 
 // --- presentations
-// -----------------------------------------------------------------------------
 
 void Renditions::setPresentations(std::vector<ipc::Presentation> presentations) {
     presentations_ = std::move(presentations);
@@ -64,7 +63,6 @@ void Renditions::showAnew() {
 }
 
 // --- what the medium says of one
-// ---------------------------------------------------------------
 
 Renditions::Taken Renditions::take(const ipc::RenditionFrame& frame) {
     const bool isFirst = !anyPicture();
@@ -95,7 +93,6 @@ void Renditions::take(const ipc::RenditionUnhandled& input) const {
 }
 
 // --- the size
-// ----------------------------------------------------------------------------------
 
 bool Renditions::setAvailable(QSizeF available) {
     return std::exchange(available_, available) != available;
