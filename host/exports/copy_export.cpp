@@ -7,7 +7,7 @@
 namespace exports {
 
 using model::Block, model::Blocks, model::Run, model::RunKind, model::BlockKind, model::Footnote,
-    model::Containers, model::Row, model::Picture, model::plainText;
+    model::Cell, model::Containers, model::Row, model::Picture, model::plainText;
 
 namespace {
 

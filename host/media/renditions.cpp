@@ -1,5 +1,6 @@
 #include "media/renditions.h"
 
+#include "media/live_subdocument.h"
 #include "media/medium_process.h"
 
 #include <algorithm>

@@ -288,7 +288,7 @@ bool Component::comesToRest(std::vector<double>& y) {
 // surface that the motion touches. Near such a place it stays on it only once: a motion that comes
 // back to its surface at ever shorter intervals has no motion beyond their end.
 ComponentEquations::Passing Component::passing(const Violation& violation, bool immediate) {
-    using enum ComponentEquations::Passing;
+    using enum ModeSolver::Passing;
     const double time = progress_.time;
     const std::size_t patience = context_.patience(), atOnce = switches_.atOnce();
     if (immediate && violation.time > time)

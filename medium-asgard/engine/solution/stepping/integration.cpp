@@ -165,7 +165,7 @@ Proposal Integration::propose() {
     const double time = context_.time(), limit = context_.limit();
     if (context_.equations().hasDirections())
         if (auto piece = rest_.arrive(proposed > 0 ? proposed : longestFirst()))
-            return std::move(*piece);
+            return *piece;
     if (!method_)
         if (auto ending = beginMethod())
             return std::move(*ending);
