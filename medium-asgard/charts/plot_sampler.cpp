@@ -21,7 +21,7 @@ PlotSampler::~PlotSampler() {
 void PlotSampler::sample(Wish wish) {
     {
         const std::lock_guard lock(mutex_);
-        if (workedOn_ != wish.scene)
+        if (workedOn_ && workedOn_ != wish.scene && !lastWasOvertaken_)
             overtaken_ = true;
         wish_ = std::move(wish);
     }
@@ -40,8 +40,9 @@ void PlotSampler::run() {
         workedOn_ = wish.scene;
         overtaken_ = false;
         lock.unlock();
+        bool delivered = true;
         try {
-            serve(wish);
+            delivered = serve(wish);
         } catch (const std::bad_alloc&) {
             readable_.reset();
             Plot none;
@@ -49,10 +50,12 @@ void PlotSampler::run() {
             done_(wish, std::vector<Plot>(std::min(most_, wish.scene->plots.size()), none));
         }
         lock.lock();
+        workedOn_.reset();
+        lastWasOvertaken_ = !delivered;
     }
 }
 
-void PlotSampler::serve(const Wish& wish) {
+bool PlotSampler::serve(const Wish& wish) {
     const bool isKnown = readable_ && readFrom_ == wish.scene;
     if (!isKnown && !wish.scene->plots.empty()) {
         readable_.emplace(*wish.scene);
@@ -65,10 +68,11 @@ void PlotSampler::serve(const Wish& wish) {
         auto one = sampled(*readable_, *wish.scene, wish.scene->plots[i], wish.motion,
                            [this] { return overtaken_.load(); });
         if (!one)
-            return;
+            return false;
         plots.push_back(std::move(*one));
     }
     done_(wish, std::move(plots));
+    return true;
 }
 
 } // namespace charts

@@ -1,8 +1,10 @@
 // Samples the plots of a scene on a thread of its own: an expression of a large scene takes its
 // time.
 //
-// The newest wish wins. While a motion grows each piece is sampled; another scene is not waited
-// for. The equations of a scene are built once for all its plots and motions.
+// The newest wish wins. While a motion grows each piece is sampled. Another scene is not waited
+// for, unless the sampling before was overtaken, too: so scenes that follow one another fast, as
+// under a slider that is dragged, are shown now and then. The equations of a scene are built once
+// for all its plots and motions.
 #pragma once
 
 #include "charts/plots.h"
@@ -22,7 +24,7 @@ public:
         simulation::MotionPointer motion; // null: its plots have no values
         unsigned number = 0;              // the wisher's own
     };
-    // Called on the thread, with the plots of a wish that is not overtaken.
+    // Called on the thread, with the plots of each wish whose sampling came to its end.
     using Done = std::function<void(const Wish&, std::vector<Plot>)>;
 
     // Of more plots than `most` the first ones.
@@ -37,7 +39,7 @@ public:
 
 private:
     void run();
-    void serve(const Wish& wish);
+    bool serve(const Wish& wish); // false: it was overtaken
 
     Done done_;
     std::size_t most_;
@@ -46,6 +48,7 @@ private:
     std::optional<Wish> wish_;                     // under mutex_
     bool stop_ = false;                            // under mutex_
     std::shared_ptr<const scene::Scene> workedOn_; // under mutex_
+    bool lastWasOvertaken_ = false;                // under mutex_
     std::atomic<bool> overtaken_{false};
     std::optional<simulation::ReadableScene> readable_; // the thread's, of `readFrom_`
     std::shared_ptr<const scene::Scene> readFrom_;

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <future>
+#include <semaphore>
 
 namespace charts {
 namespace {
@@ -67,16 +68,80 @@ TEST(PlotSampler, WorksBesideWhoeverWishes) {
     EXPECT_EQ(sampler.built(), 1u); // for all plots, of both wishes
 }
 
-TEST(PlotSampler, AnotherSceneIsNotWaitedFor) {
-    Gate gate;
-    const auto first = sceneWithPlots(1), second = sceneWithPlots(2);
-    PlotSampler sampler(gate.done());
-    sampler.sample({first, simulation::simulate(*first).motion, 1});
-    sampler.sample({second, nullptr, 2});
-    sampler.sample({second, simulation::simulate(*second).motion, 3});
-    gate.opened.set_value();
-    gate.awaitWish(3);
-    EXPECT_EQ(gate.came.back().second.size(), 2u);
+// Its sampling begins, and goes on when the test lets it. It has no state to read.
+class HeldMotion final : public simulation::Motion {
+public:
+    double start() const override {
+        begun_.release();
+        held_.acquire();
+        return 0;
+    }
+    double finish() const override { return 1; }
+    double computed() const override { return 1; }
+    bool draft() const override { return false; }
+    std::size_t bodies() const override { return 1; }
+    simulation::BodyState at(std::size_t, double) const override { return {}; }
+    std::optional<simulation::Stop> stop(std::size_t) const override { return std::nullopt; }
+    simulation::Vector centroid(std::size_t) const override { return simulation::Vector::Zero(); }
+    double mass(std::size_t) const override { return 1; }
+    const std::vector<simulation::Impact>& impacts() const override { return impacts_; }
+    std::vector<double> jumps(std::size_t) const override { return {}; }
+    std::optional<double> errorEstimate() const override { return std::nullopt; }
+    std::optional<double> predictableUntil() const override { return std::nullopt; }
+    const std::vector<std::string>& notes() const override { return notes_; }
+
+    void awaitBegin() const { begun_.acquire(); }
+    void goOn() const { held_.release(); }
+
+private:
+    mutable std::binary_semaphore begun_{0}, held_{0};
+    std::vector<simulation::Impact> impacts_;
+    std::vector<std::string> notes_;
+};
+
+// Scenes follow one another faster than they are sampled, as under a slider that is dragged: each
+// is wished for while the one before is being sampled.
+class OvertakenSampler : public ::testing::Test {
+protected:
+    static constexpr unsigned count = 5;
+
+    OvertakenSampler() {
+        gate_.opened.set_value();
+        for (unsigned i = 0; i < count; ++i) {
+            scenes_.push_back(sceneWithPlots(1));
+            motions_.push_back(std::make_shared<HeldMotion>());
+        }
+    }
+    void wish(unsigned number) { sampler_.sample({scenes_[number], motions_[number], number}); }
+    // Each but the last is overtaken by the next one; the last comes to its end.
+    std::vector<unsigned> shownOf(unsigned wishes) {
+        wish(0);
+        for (unsigned i = 0; i < wishes; ++i) {
+            motions_[i]->awaitBegin();
+            if (i + 1 < wishes)
+                wish(i + 1);
+            motions_[i]->goOn();
+        }
+        gate_.awaitWish(wishes - 1);
+        std::vector<unsigned> shown;
+        for (const auto& [number, plots] : gate_.came)
+            shown.push_back(number);
+        return shown;
+    }
+
+private:
+    Gate gate_;
+    std::vector<std::shared_ptr<const scene::Scene>> scenes_;
+    std::vector<std::shared_ptr<HeldMotion>> motions_;
+    PlotSampler sampler_{gate_.done()};
+};
+
+TEST_F(OvertakenSampler, AnotherSceneIsNotWaitedFor) {
+    EXPECT_THAT(shownOf(2), ::testing::ElementsAre(1u));
+}
+
+TEST_F(OvertakenSampler, EverySecondSceneIsShownHoweverFastTheyCome) {
+    EXPECT_THAT(shownOf(5), ::testing::ElementsAre(1u, 3u, 4u));
 }
 
 } // namespace
