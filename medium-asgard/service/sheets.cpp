@@ -35,7 +35,7 @@ Sheets::Sheets(const Subdocument& of)
                    [this](const charts::PlotSampler::Wish& wish, std::vector<charts::Plot> plots) {
                        {
                            const std::lock_guard lock(mutex_);
-                           came_ = {std::move(plots), wish.number};
+                           came_ = {std::move(plots), wish.scene->plots.size(), wish.number};
                        }
                        of_.wake();
                    },
@@ -129,10 +129,9 @@ bool Sheets::drawable(Presentation presentation) {
 }
 
 void Sheets::drawCharts(charts::Canvas& canvas, double width, double height, double time) const {
-    if (!of_.scene())
+    if (!shown_.generation)
         return;
-    const scene::Scene& scene = *of_.scene();
-    if (scene.plots.empty()) {
+    if (shown_.total == 0) {
         canvas.ink({}, 0.7);
         canvas.text(width / 2, height / 2, "This scene has no plots.", 12,
                     charts::Canvas::Anchor::middle);
@@ -141,10 +140,10 @@ void Sheets::drawCharts(charts::Canvas& canvas, double width, double height, dou
     const std::vector<charts::Plot>& plots = shown_.plots;
     for (std::size_t i = 0; i < plots.size(); ++i)
         charts::draw(canvas, plots[i], areaOf(i, plots.size(), width, height), time);
-    if (scene.plots.size() > plots.size()) {
+    if (shown_.total > plots.size()) {
         canvas.ink({}, 0.7);
         canvas.text(width - 4, height - 4,
-                    std::to_string(scene.plots.size() - plots.size()) + " more plots", 11,
+                    std::to_string(shown_.total - plots.size()) + " more plots", 11,
                     charts::Canvas::Anchor::end);
     }
 }

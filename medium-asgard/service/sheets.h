@@ -61,7 +61,8 @@ private:
     [[nodiscard]] std::set<std::size_t> faultyLines() const;
 
     struct Sampled {
-        std::vector<charts::Plot> plots;
+        std::vector<charts::Plot> plots;    // the first of them
+        std::size_t total = 0;              // plots of their scene
         std::optional<unsigned> generation; // of the subdocument
     };
     const Subdocument& of_;
