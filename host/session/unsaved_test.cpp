@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <QCoreApplication>
+#include <QElapsedTimer>
 #include <QTemporaryDir>
 
 namespace session {
@@ -49,6 +51,17 @@ TEST_F(UnsavedTest, TheTextIsNotTakenAtEachKey) {
     unsaved.finish(); // also of what was to be taken soon
     open_.reset();
     EXPECT_EQ(left(), std::vector<std::string>{last});
+}
+
+TEST_F(UnsavedTest, TheTextIsTakenWhileOneTypesOn) {
+    Unsaved& unsaved = open_->keepUnsavedIn(folder());
+    QElapsedTimer typing;
+    typing.start();
+    while (!typing.hasExpired(5 * Unsaved::soonMs)) { // no two keys are soonMs apart
+        type(1);
+        QCoreApplication::processEvents(QEventLoop::AllEvents, 5);
+    }
+    EXPECT_GE(unsaved.taken(), 3);
 }
 
 TEST_F(UnsavedTest, TheLastKeysAreKeptWhenItGoes) {
