@@ -123,7 +123,8 @@ struct LinkAround {
 // --- insertion
 
 // A block of that name at the caret, between the halves of its paragraph, or beside what is around
-// it where it may stand. The caret goes into it; beside a unit it stays in the text.
+// it where it may stand. The caret goes into it; beside a unit it stays in the text, and
+// behind a page break it goes on, at the end of a paragraph in a new one.
 [[nodiscard]] Result insertBlock(const Manuscript& manuscript, Selection selection,
                                  std::string_view name, std::string_view attributes = {});
 // A formula of that source in the line; with `kind`, one of Grammar::variants() as it is spelled in

@@ -54,6 +54,35 @@ Piece* putBlock(Draft& draft, Piece& mark, std::unique_ptr<Piece> piece) {
     return nullptr;
 }
 
+namespace {
+
+// A table and a footnote are on pages as they fall. "": a page may end there.
+QString whyNoPageEnds(Draft& draft, std::string_view name) {
+    for (const Piece* at = draft.first().parent; at != nullptr; at = at->parent) {
+        const Display display = draft.of(*at).display;
+        if (display != Display::table && display != Display::footnote)
+            continue;
+        QString what = called(draft.grammar(), name);
+        what[0] = what[0].toUpper();
+        return QStringLiteral("%1 may not stand in %2.")
+            .arg(what, called(draft.grammar(), at->name));
+    }
+    return {};
+}
+
+// The caret goes on behind the block, in a new paragraph.
+void goOnBehind(Draft& draft, Piece& block) {
+    const std::string paragraph(draft.grammar().named(ContainerRole::paragraph));
+    if (paragraph.empty() || !allows(draft, *block.parent, block.index() + 1, paragraph))
+        return;
+    Piece& made = Draft::put(*block.parent, block.index() + 1, Draft::made(paragraph));
+    draft.putOnLine(made, block);
+    Draft::moveTo(draft.first(), made, 0);
+    draft.collapse();
+}
+
+} // namespace
+
 Result insertBlock(const Manuscript& manuscript, Selection selection, std::string_view name,
                    std::string_view attributes) {
     const std::size_t end = std::max(selection.anchor, selection.caret);
@@ -64,6 +93,10 @@ Result insertBlock(const Manuscript& manuscript, Selection selection, std::strin
         return refused(QStringLiteral("This class of documents has no such element."));
     if (name == "DOCUMENT" || draft.grammar().of(name).kind == Kind::inlined)
         return refused(mayNotStand(draft.grammar(), name));
+    const bool endsPage = draft.grammar().of(name).display == Display::pageBreak;
+    const bool isAtEnd = draft.isLineBlank(draft.first(), Direction::forward);
+    if (const QString why = endsPage ? whyNoPageEnds(draft, name) : QString(); !why.isEmpty())
+        return refused(why);
     Piece* made =
         putBlock(draft, draft.first(), Draft::made(std::string(name), std::string(attributes)));
     if (made == nullptr)
@@ -73,6 +106,8 @@ Result insertBlock(const Manuscript& manuscript, Selection selection, std::strin
         if (!makeLine(draft, draft.first()))
             return refused(mayNotStand(draft.grammar(), name));
         draft.collapse();
+    } else if (endsPage && isAtEnd) {
+        goOnBehind(draft, *made);
     }
     return draft.result(QStringLiteral("Insert"));
 }

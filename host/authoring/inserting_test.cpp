@@ -18,6 +18,15 @@ TEST(Inserting, InsertsBlocks) {
     };
     EXPECT_EQ(memo("<P>{a|b}</P>", put("PAGEBREAK")),
               "<P>{a}</P>\n<PAGEBREAK></PAGEBREAK>\n<P>{|b}</P>");
+    EXPECT_EQ(memo("<P>{a|}</P>", put("PAGEBREAK")),
+              "<P>{a}</P>\n<PAGEBREAK></PAGEBREAK>\n<P>{|}</P>");
+    EXPECT_EQ(memo("<P>{|}</P>", put("PAGEBREAK")), "<PAGEBREAK></PAGEBREAK>\n<P>{|}</P>");
+    EXPECT_EQ(memo("<P>{a}</P>\n<P>{|b}</P>", put("PAGEBREAK")),
+              "<P>{a}</P>\n<PAGEBREAK></PAGEBREAK>\n<P>{|b}</P>");
+    EXPECT_EQ(memo("<TABLE><R><C>{a|b}</C></R></TABLE>", put("PAGEBREAK")),
+              "refused: A page break may not stand in a table.");
+    EXPECT_EQ(memo("<P><T>{a}</T><F>{b|}</F></P>", put("PAGEBREAK")),
+              "refused: A page break may not stand in a footnote.");
     EXPECT_EQ(memo("<P>{a|}</P>", put("RULE")), "<P>{a|}</P>\n<RULE></RULE>");
     EXPECT_EQ(memo("<P>{|}</P>", put("VERBATIM")), "<V>{|}</V>");
     EXPECT_EQ(memo("<P>{a|}</P>", put("VERBATIM")), "<P>{a}</P>\n<V>{|}</V>");

@@ -27,10 +27,11 @@ bool isPrintable(const QKeyEvent& event) {
     return !isCommand && !text.isEmpty() && (text[0].isPrint() || text[0].isHighSurrogate());
 }
 
+bool isReturn(int key) { return key == Qt::Key_Return || key == Qt::Key_Enter; }
+
 // One of the keys of text; those of the clipboard are commands.
 bool isEditing(int key) {
-    return key == Qt::Key_Backspace || key == Qt::Key_Delete || key == Qt::Key_Return ||
-           key == Qt::Key_Enter;
+    return key == Qt::Key_Backspace || key == Qt::Key_Delete || isReturn(key);
 }
 
 bool isMoving(int key) { return (key >= Qt::Key_Home && key <= Qt::Key_PageDown); }
@@ -272,7 +273,10 @@ bool Writing::isForClipboard(const QKeyEvent& event) {
 bool Writing::isForText(const QKeyEvent& event) {
     if (isForClipboard(event))
         return false;
-    const bool isCommand = event.modifiers() & (Qt::AltModifier | Qt::MetaModifier); // Alt+Left
+    // Alt+Left; Ctrl+Return. With Ctrl the other keys are for words.
+    const auto commands = Qt::AltModifier | Qt::MetaModifier |
+                          (isReturn(event.key()) ? Qt::ControlModifier : Qt::NoModifier);
+    const bool isCommand = event.modifiers() & commands;
     return isPrintable(event) || (!isCommand && (isEditing(event.key()) || isMoving(event.key())));
 }
 
@@ -333,6 +337,8 @@ bool Writing::useKey(const QKeyEvent& event) {
         return true;
     case Qt::Key_Return:
     case Qt::Key_Enter:
+        if (!isForText(event))
+            return false;
         if (!activateSelected())
             breakLine(event.modifiers() & Qt::ShiftModifier);
         return true;

@@ -52,6 +52,28 @@ protected:
     }
 };
 
+// --- pages
+
+TEST_F(NewcomerTest, TheKeyOfAPageBreakDoesAsItsMenuAndTheCaretIsOnTheNewPage) {
+    const auto broken = [&](const std::function<void()>& breakPage) {
+        window_ = open("DOCUMENT REPORT\n<REPORT>\n<TITLE>{R}</TITLE>\n<BODY>\n"
+                       "<PARAGRAPH>{One}</PARAGRAPH>\n"
+                       "<SECTION>\n<HEADING>{Two}</HEADING>\n</SECTION>\n</BODY>\n</REPORT>\n");
+        EXPECT_TRUE(waitFor([&] { return view().isLaidOut(); }));
+        writeIn(*window_);
+        goTo("}</PARAGRAPH>");
+        breakPage();
+        type("n");
+        return body();
+    };
+    const std::string byKey = broken([&] { press(Qt::Key_Return, Qt::ControlModifier); });
+    EXPECT_EQ(byKey, broken([&] { action("pageBreak")->trigger(); }));
+    EXPECT_THAT(byKey, HasSubstr("{One}</PARAGRAPH>\n<PAGEBREAK></PAGEBREAK>\n"
+                                 "<PARAGRAPH>{n}</PARAGRAPH>\n<SECTION>"));
+    view().settle();
+    EXPECT_EQ(view().text().cursor().page(), 1u);
+}
+
 // --- keys while a figure is chosen
 
 TEST_F(NewcomerTest, WhoTypesWhileAFigureIsChosenLearnsWhyNoLetterComes) {
