@@ -1,10 +1,18 @@
 #include "media/live_media.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace media {
 
 namespace {
+
+// How soon figures that wait for memory are looked at again.
+constexpr int lookAgainMs = 500;
+
+bool mayBeEnded(const LiveSubdocument& one) {
+    return one.hasProcess() && !one.hasWindows() && one.windows().open == 0;
+}
 
 // Who goes first of those that are equally near.
 int rank(const LiveSubdocument& one) {
@@ -23,6 +31,9 @@ LiveMedia::LiveMedia(Registry registry, QString executableFolder, PipeThread& pi
     choice_.setSingleShot(true);
     choice_.setInterval(0);
     connect(&choice_, &QTimer::timeout, this, &LiveMedia::choose);
+    room_.setSingleShot(true);
+    room_.setInterval(lookAgainMs);
+    connect(&room_, &QTimer::timeout, this, &LiveMedia::choose);
 }
 
 void LiveMedia::setMostLive(int count) {
@@ -75,31 +86,43 @@ std::vector<LiveSubdocument*> LiveMedia::byDistance() const {
     return result;
 }
 
+int LiveMedia::live() const {
+    int count = 0;
+    for (auto of = distances_.begin(); of != distances_.end(); ++of)
+        count += of.key()->hasProcess() ? 1 : 0;
+    return count;
+}
+
+// There is too little memory for one that is needed: `another`, if any, gives back what it holds,
+// unless one that was ended before is still about to.
+void LiveMedia::awaitRoom(LiveSubdocument* another) {
+    if (another && pipes_.alive() <= live())
+        another->makeStill();
+    room_.start();
+}
+
 void LiveMedia::choose() {
     std::vector<LiveSubdocument*> wanted = byDistance();
     if (wanted.size() > static_cast<std::size_t>(mostLive_))
         wanted.resize(static_cast<std::size_t>(mostLive_));
-    const auto isWanted = [&](LiveSubdocument* s) {
-        return std::find(wanted.begin(), wanted.end(), s) != wanted.end();
-    };
     std::vector<LiveSubdocument*> idle;
-    int live = 0;
     for (auto of = distances_.begin(); of != distances_.end(); ++of)
-        if (of.key()->hasProcess()) {
-            ++live;
-            if (!isWanted(of.key()) && !of.key()->hasWindows() && of.key()->windows().open == 0)
-                idle.push_back(of.key());
-        }
-    for (LiveSubdocument* subdocument : wanted) {
-        if (subdocument->condition() != Condition::still)
+        if (mayBeEnded(*of.key()) && std::ranges::find(wanted, of.key()) == wanted.end())
+            idle.push_back(of.key());
+    for (auto next = wanted.begin(); next != wanted.end(); ++next) {
+        if ((*next)->condition() != Condition::still)
             continue;
-        if (live >= mostLive_ && !idle.empty()) {
+        if (!pipes_.hasRoom()) {
+            const auto farthest = std::find_if(wanted.rbegin(), std::make_reverse_iterator(next),
+                                               [](auto* one) { return mayBeEnded(*one); });
+            const bool isFarther = farthest != std::make_reverse_iterator(next);
+            return awaitRoom(!idle.empty() ? idle.back() : isFarther ? *farthest : nullptr);
+        }
+        if (live() >= mostLive_ && !idle.empty()) {
             idle.back()->makeStill();
             idle.pop_back();
-            --live;
         }
-        subdocument->start();
-        ++live;
+        (*next)->start();
     }
 }
 

@@ -1,7 +1,8 @@
 // Which subdocuments may have a process now?
 // The nearest to what is seen, at most mostLive() of them over all documents and windows; the
-// others are stills, which keep their last picture. One that lives is ended only when a nearer one
-// needs its place. Views say how near each subdocument is; nobody else starts or stills one.
+// others are stills, which keep their last picture. None starts either while the memory of all may
+// not suffice for it (PipeThread::hasRoom). One that lives is ended only when a nearer one needs
+// its place. Views say how near each subdocument is; nobody else starts or stills one.
 #pragma once
 
 #include "media/live_subdocument.h"
@@ -33,6 +34,8 @@ private:
     void scheduleChoice();
     void choose();
     [[nodiscard]] std::vector<LiveSubdocument*> byDistance() const;
+    [[nodiscard]] int live() const;
+    void awaitRoom(LiveSubdocument* another);
 
     Registry registry_;
     QString executableFolder_;
@@ -41,6 +44,7 @@ private:
     int mostLive_ = 16; // more than a page has figures, mostly
     QHash<LiveSubdocument*, QHash<const void*, double>> distances_;
     QTimer choice_;
+    QTimer room_; // until memory is looked at again
 };
 
 } // namespace media

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <atomic>
+
 #include <QFile>
 #include <QStringList>
 #include <csignal>
@@ -514,6 +516,41 @@ TEST_F(MediumProcessTest, OnlyTheNearestLive) {
     EXPECT_TRUE(waitFor([&] {
         return living() == std::string(49, '0') + "111" + std::string(48, '0');
     })) << living();
+}
+
+TEST_F(MediumProcessTest, NoMoreLiveThanTheMemoryHas) {
+    constexpr std::size_t mib = 1 << 20;
+    const auto measured = std::make_shared<std::atomic<int>>(0);
+    pipes_.setMostMemory(350 * mib);
+    pipes_.setMeasure([measured](pid_t) {
+        ++*measured;
+        return 100 * mib;
+    });
+    Registry registry;
+    registry.add(scriptedManifest());
+    LiveMedia live(registry, {}, pipes_, patient());
+    std::vector<std::unique_ptr<LiveSubdocument>> all;
+    for (int i = 0; i < 8; ++i)
+        all.push_back(live.create("SCRIPTED"));
+    const auto living = [&] {
+        std::string which;
+        for (const auto& one : all)
+            which += one->condition() == Condition::live ? '1' : one->hasProcess() ? '?' : '0';
+        return which;
+    };
+    live.setDistance(*all[0], this, 0);
+    ASSERT_TRUE(waitFor([&] { return living()[0] == '1' && *measured >= 2; }));
+    for (int i = 0; i < 8; ++i)
+        live.setDistance(*all[i], this, i);
+    EXPECT_TRUE(waitFor([&] { return living() == "11100000"; })) << living();
+    const int before = *measured;
+    EXPECT_TRUE(waitFor([&] { return *measured >= before + 10; }));
+    EXPECT_EQ(living(), "11100000");
+    for (int i = 0; i < 8; ++i) // scrolled: the nearest live, and none was ended for its memory
+        live.setDistance(*all[i], this, 8 - i);
+    EXPECT_TRUE(waitFor([&] { return living() == "00000111"; })) << living();
+    for (const auto& one : all)
+        EXPECT_NE(one->condition(), Condition::failed);
 }
 
 // A reader who sees ten sees each of them play.

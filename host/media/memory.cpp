@@ -71,6 +71,13 @@ std::optional<std::size_t> tooLarge(const std::vector<std::size_t>& held, std::s
     return static_cast<std::size_t>(std::ranges::max_element(held) - held.begin());
 }
 
+bool hasRoom(const std::vector<std::size_t>& held, std::size_t unmeasured, std::size_t most) {
+    if (held.empty())
+        return true;
+    const std::size_t sum = std::accumulate(held.begin(), held.end(), std::size_t{0});
+    return sum + (unmeasured + 1) * *std::ranges::max_element(held) <= most;
+}
+
 std::size_t usualMemory() {
     const auto machine = static_cast<std::size_t>(std::max(0L, sysconf(_SC_PHYS_PAGES))) *
                          static_cast<std::size_t>(sysconf(_SC_PAGESIZE));

@@ -17,6 +17,11 @@ namespace media {
 [[nodiscard]] std::optional<std::size_t> tooLarge(const std::vector<std::size_t>& held,
                                                   std::size_t most);
 
+// Another one fits beside media that hold so much, and `unmeasured` ones of which that is not known
+// yet: each of these and the new one may come to hold as much as the largest.
+[[nodiscard]] bool hasRoom(const std::vector<std::size_t>& held, std::size_t unmeasured,
+                           std::size_t most);
+
 // The memory that all media may hold together by default: 1.5 GiB, or half of the machine's memory.
 [[nodiscard]] std::size_t usualMemory();
 

@@ -23,6 +23,14 @@ TEST(Memory, TheLargestGoesWhileAllHoldTooMuch) {
     EXPECT_EQ(tooLarge({0, 0, 11}, 10), 2u);
 }
 
+TEST(Memory, AnotherOneMayHoldAsMuchAsTheLargest) {
+    EXPECT_TRUE(hasRoom({}, 3, 0)); // nothing is known yet
+    EXPECT_TRUE(hasRoom({3, 1}, 0, 7));
+    EXPECT_FALSE(hasRoom({3, 1}, 0, 6));
+    EXPECT_TRUE(hasRoom({3, 1}, 1, 10));
+    EXPECT_FALSE(hasRoom({3, 1}, 1, 9));
+}
+
 TEST(Memory, IsWhatAProcessHoldsForItself) {
     const std::size_t before = memoryOf(getpid());
     EXPECT_GT(before, mib / 4);

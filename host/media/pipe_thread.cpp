@@ -64,6 +64,8 @@ struct PipeThread::Shared {
     Link last = 0;
     int alive = 0;
     std::size_t mostMemory = usualMemory();
+    std::function<std::size_t(pid_t)> measure = memoryOf;
+    std::map<Link, std::size_t> held; // as measured last
     bool stop = false;
     int wake = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
 
@@ -318,14 +320,21 @@ private:
             return;
         std::vector<Pipe*> measured;
         std::vector<std::size_t> held;
+        std::map<Link, std::size_t> known;
         std::size_t sum = 0;
+        const auto measure = [&] {
+            const std::lock_guard lock(shared_->mutex);
+            return shared_->measure;
+        }();
         for (auto& [link, pipe] : pipes_) {
             measured.push_back(&pipe);
-            held.push_back(memoryOf(pipe.ends.process));
+            held.push_back(measure(pipe.ends.process));
+            known[link] = held.back();
             sum += held.back();
         }
         const std::size_t most = [&] {
             const std::lock_guard lock(shared_->mutex);
+            shared_->held = std::move(known);
             return shared_->mostMemory;
         }();
         while (const auto largest = tooLarge(held, most)) {
@@ -360,6 +369,7 @@ private:
         {
             const std::lock_guard lock(shared_->mutex);
             --shared_->alive;
+            shared_->held.erase(at->first);
         }
         if (!pipe.log.empty())
             pipe.mailbox->pushAlways({Letter::Kind::log, ipc::Ignored{}, pipe.log, 0, false});
@@ -440,6 +450,21 @@ void PipeThread::setMostMemory(std::size_t bytes) {
 std::size_t PipeThread::mostMemory() const {
     const std::lock_guard lock(shared_->mutex);
     return shared_->mostMemory;
+}
+
+bool PipeThread::hasRoom() const {
+    const std::lock_guard lock(shared_->mutex);
+    std::vector<std::size_t> held;
+    for (const auto& [link, bytes] : shared_->held)
+        held.push_back(bytes);
+    const auto unmeasured = std::ranges::count_if(
+        shared_->unsent, [&](const auto& open) { return !shared_->held.contains(open.first); });
+    return media::hasRoom(held, static_cast<std::size_t>(unmeasured), shared_->mostMemory);
+}
+
+void PipeThread::setMeasure(std::function<std::size_t(pid_t)> measure) {
+    const std::lock_guard lock(shared_->mutex);
+    shared_->measure = std::move(measure);
 }
 
 int PipeThread::alive() const {

@@ -9,7 +9,9 @@
 #include "media/mailbox.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <sys/types.h>
 #include <thread>
 #include <vector>
 
@@ -42,6 +44,10 @@ public:
     // the one that holds the most is ended.
     void setMostMemory(std::size_t bytes);
     [[nodiscard]] std::size_t mostMemory() const;
+    // Another medium fits, as far as is known of those that are there: memory.h.
+    [[nodiscard]] bool hasRoom() const;
+    // How the memory of a process is measured; memoryOf() at first. Called in this thread.
+    void setMeasure(std::function<std::size_t(pid_t)> measure);
 
 private:
     struct Shared;
