@@ -32,8 +32,9 @@ void makeCaret(Draft& draft, const Selection& selection);
 Piece* putInLine(Draft& draft, Piece& mark, std::unique_ptr<Piece> piece);
 
 // Puts a block in between the two halves of the line at the mark, or beside it, or beside what is
-// around it. It takes the place of an empty paragraph. Null: it may stand nowhere there.
-Piece* putBlock(Draft& draft, Piece& mark, std::unique_ptr<Piece> piece);
+// around it. It takes the place of an empty paragraph. Null: it may stand nowhere there, and the
+// caller still has it.
+Piece* putBlock(Draft& draft, Piece& mark, std::unique_ptr<Piece>&& piece);
 
 // "A figure may not stand here."
 [[nodiscard]] QString mayNotStand(const Grammar& grammar, std::string_view name);

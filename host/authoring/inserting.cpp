@@ -23,7 +23,7 @@ QString mayNotStand(const Grammar& grammar, std::string_view name) {
     return QStringLiteral("%1 may not stand here.").arg(what);
 }
 
-Piece* putBlock(Draft& draft, Piece& mark, std::unique_ptr<Piece> piece) {
+Piece* putBlock(Draft& draft, Piece& mark, std::unique_ptr<Piece>&& piece) {
     Piece& line = draft.blockOf(mark);
     const bool atStart = draft.isLineBlank(mark, Direction::backward);
     const bool atEnd = draft.isLineBlank(mark, Direction::forward);

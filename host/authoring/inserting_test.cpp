@@ -204,6 +204,38 @@ TEST(Inserting, PastesText) {
               "<FIGURE><IMAGE></IMAGE><CAPTION>{a1 2|b}</CAPTION></FIGURE>");
 }
 
+// A copy that begins within an element has not its beginning: a section without its heading.
+TEST(Inserting, PastesWhatWasCopiedAcrossTheEdgeOfAnElement) {
+    const auto copied = [](const std::string& fragment) {
+        return [fragment](const Manuscript& manuscript, Selection selection) {
+            return paste(manuscript, selection, renamed(fragment, false));
+        };
+    };
+    const std::string sections = "<BODY><S><L><I>{2}</I><I>{3}</I></L></S>"
+                                 "<S><H>{B}</H><P>{half}</P></S></BODY>";
+    EXPECT_EQ(memo("<P>{|}</P>", copied(sections)),
+              "<L><I>{2}</I><I>{3}</I></L>\n<S><H>{B}</H><P>{half|}</P></S>");
+    EXPECT_EQ(memo("<P>{x|y}</P>", copied(sections)),
+              "<P>{x}</P>\n<L><I>{2}</I><I>{3}</I></L>\n<S><H>{B}</H><P>{half}</P></S>\n"
+              "<P>{|y}</P>");
+    // Two paragraphs of one section, and of one in it.
+    EXPECT_EQ(memo("<P>{|}</P>", copied("<S><P>{a}</P><P>{b}</P></S>")), "<P>{a}</P>\n<P>{b|}</P>");
+    EXPECT_EQ(memo("<P>{|}</P>", copied("<S><S><P>{a}</P></S>"
+                                        "<S><H>{C}</H><P>{b}</P></S></S>")),
+              "<P>{a}</P>\n<S><H>{C}</H><P>{b|}</P></S>");
+    // A whole section stays one.
+    EXPECT_EQ(memo("<P>{|}</P>", copied("<S><H>{A}</H><P>{a}</P></S>")),
+              "<S><H>{A}</H><P>{a|}</P></S>");
+    // From a caption into the text below; the figure was not copied.
+    EXPECT_EQ(memo("<P>{|}</P>", copied("<BODY><FIGURE><CAPTION>{c}</CAPTION></FIGURE>"
+                                        "<P>{b}</P></BODY>")),
+              "<P>{c}</P>\n<P>{b|}</P>");
+    // Where no section may stand, its heading becomes a paragraph.
+    EXPECT_EQ(memo("<TABLE><R><C><P>{|}</P></C></R></TABLE>", copied(sections)),
+              "<TABLE><R><C><L><I>{2}</I><I>{3}</I></L>\n<P>{B}</P>\n<P>{half}</P><T>{|}</T></C>"
+              "</R></TABLE>");
+}
+
 TEST(Inserting, PastesStructure) {
     const auto elements = [](const std::string& pasted) {
         return [pasted](const Manuscript& manuscript, Selection selection) {

@@ -177,26 +177,53 @@ private:
     }
 
     QString pasteBlocks(Pieces pieces) {
-        const std::string paragraph(draft_.grammar().named(ContainerRole::paragraph));
-        Piece* before = nullptr;
-        for (std::unique_ptr<Piece>& piece : pieces) {
-            if (isOfLine(*piece)) {
-                std::unique_ptr<Piece> line = Draft::made(paragraph);
-                Draft::put(*line, 0, std::move(piece));
-                piece = std::move(line);
-            }
-            const std::string name = piece->name;
-            if (before == nullptr)
-                before = putBlock(draft_, draft_.first(), std::move(piece));
-            else if (allows(draft_, *before->parent, before->index() + 1, name))
-                before = &behind(*before, std::move(piece));
-            else
-                return mayNotStand(draft_.grammar(), name);
-            if (before == nullptr)
-                return mayNotStand(draft_.grammar(), name);
-        }
-        Draft::moveTo(draft_.first(), *before->parent, before->index() + 1);
+        for (std::unique_ptr<Piece>& piece : pieces)
+            if (QString why = pasteBlock(std::move(piece)); !why.isEmpty())
+                return why;
+        Draft::moveTo(draft_.first(), *last_->parent, last_->index() + 1);
         return {};
+    }
+    // The copy may begin within an element, whose beginning is not in it then: a section without
+    // its heading. Such an element leaves its content in its place, and so does one that may not
+    // stand here; a line that may not stand here becomes a paragraph.
+    QString pasteBlock(std::unique_ptr<Piece> piece) {
+        if (isOfLine(*piece)) {
+            std::unique_ptr<Piece> line = paragraph();
+            Draft::put(*line, 0, std::move(piece));
+            piece = std::move(line);
+        }
+        const bool isLine = draft_.holdsText(*piece);
+        const bool isWhole = !piece->raw.empty() || isLine || draft_.faultOf(*piece).isEmpty();
+        if (isWhole && putNext(piece))
+            return {};
+        const std::string name = piece->name;
+        if (isLine && draft_.of(*piece).role != ContainerRole::paragraph) {
+            std::unique_ptr<Piece> line = paragraph();
+            line->children = std::move(piece->children);
+            for (std::unique_ptr<Piece>& child : line->children)
+                child->parent = line.get();
+            if (putNext(line))
+                return {};
+        }
+        if (isLine || piece->children.empty())
+            return mayNotStand(draft_.grammar(), name);
+        for (std::unique_ptr<Piece>& child : piece->children)
+            if (QString why = pasteBlock(std::move(child)); !why.isEmpty())
+                return why;
+        return {};
+    }
+    // False: it may not stand here, and is as it was.
+    bool putNext(std::unique_ptr<Piece>& piece) {
+        if (last_ == nullptr)
+            last_ = putBlock(draft_, draft_.first(), std::move(piece));
+        else if (allows(draft_, *last_->parent, last_->index() + 1, piece->name))
+            last_ = &behind(*last_, std::move(piece));
+        else
+            return false;
+        return last_ != nullptr;
+    }
+    std::unique_ptr<Piece> paragraph() const {
+        return Draft::made(std::string(draft_.grammar().named(ContainerRole::paragraph)));
     }
     Piece& behind(Piece& before, std::unique_ptr<Piece> piece) {
         Piece& made = Draft::put(*before.parent, before.index() + 1, std::move(piece));
@@ -206,6 +233,7 @@ private:
 
     Draft& draft_;
     const sgml::Tree& from_;
+    Piece* last_ = nullptr; // the block that came in last
 };
 
 } // namespace

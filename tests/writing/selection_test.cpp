@@ -136,6 +136,22 @@ TEST_F(SelectionTest, AllIsSelectedWhereTheLastPageHasAFootnote) {
                 ::testing::HasSubstr(", and last"));
 }
 
+TEST_F(SelectionTest, ACopyAcrossSectionsIsPastedWithItsStructure) {
+    show("<SECTION><HEADING>{A}</HEADING>\n<LIST><ITEM>{one}</ITEM><ITEM>{two}</ITEM>"
+         "<ITEM>{three}</ITEM></LIST>\n</SECTION>\n"
+         "<SECTION><HEADING>{B}</HEADING>\n<PARAGRAPH>{half of it}</PARAGRAPH></SECTION>\n");
+    view().text().cursor().set({placeBefore("two"), placeBefore(" of it")});
+    action("copy")->trigger();
+    show("<PARAGRAPH>{}</PARAGRAPH>\n");
+    writeIn(*window_);
+    view().text().cursor().set({placeBefore("}</PARAGRAPH>"), placeBefore("}</PARAGRAPH>")});
+    action("paste")->trigger();
+    EXPECT_THAT(document().bytes(),
+                ::testing::HasSubstr(
+                    "<BODY>\n<LIST><ITEM>{two}</ITEM><ITEM>{three}</ITEM></LIST>\n"
+                    "<SECTION><HEADING>{B}</HEADING><PARAGRAPH>{half}</PARAGRAPH></SECTION>"));
+}
+
 TEST_F(SelectionTest, AFigureGetsItsPressesAndIsCopied) {
     show(paragraph("One two") + scripted("colour 20A040") + paragraph("three"));
     ASSERT_TRUE(waitFor([&] { return hasPicture(*window_, 0); }));
