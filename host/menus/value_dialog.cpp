@@ -143,12 +143,7 @@ void ValueDialog::makeForm(const document::ValueUse& now) {
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    const auto offer = [this, buttons] {
-        buttons->button(QDialogButtonBox::Ok)
-            ->setEnabled(!use().expression.empty() && figure_->currentIndex() >= 0);
-    };
-    connect(expression_, &QLineEdit::textChanged, this, offer);
-    connect(figure_, &QComboBox::currentIndexChanged, this, offer);
+    ok_ = buttons->button(QDialogButtonBox::Ok);
     auto* form = new QFormLayout(this);
     form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     form->addRow(tr("&Figure:"), figure_);
@@ -160,7 +155,6 @@ void ValueDialog::makeForm(const document::ValueUse& now) {
         label->setBuddy(digits_); // a row that is a layout gives it none
     form->addRow(tr("Number:"), number_);
     form->addRow(buttons);
-    offer();
 }
 
 media::LiveSubdocument* ValueDialog::live() const {
@@ -216,13 +210,17 @@ void ValueDialog::askForOffers() {
     });
 }
 
+bool ValueDialog::isOffered(const QString& expression) const {
+    return std::ranges::any_of(offers_, [&](const ipc::ValueOffer& offer) {
+        return expression == QString::fromStdString(offer.expression);
+    });
+}
+
 // All where the expression is one of them.
 void ValueDialog::filter() {
     const QString words = expression_->text().simplified();
     list_->clear();
-    const bool isOne = std::ranges::any_of(offers_, [&](const ipc::ValueOffer& offer) {
-        return words == QString::fromStdString(offer.expression);
-    });
+    const bool isOne = isOffered(words);
     for (std::size_t i = 0; i < offers_.size(); ++i) {
         const QString expression = QString::fromStdString(offers_[i].expression);
         const QString label = QString::fromStdString(offers_[i].label);
@@ -244,7 +242,37 @@ void ValueDialog::takeOffer() {
         expression_->setText(item->data(Qt::UserRole).toString());
 }
 
-// The arrows choose while one types.
+// Words that are no expression stand for the first value of the list that has them.
+void ValueDialog::accept() {
+    if (!isComplete())
+        return;
+    if (answer_ == Answer::awaited || answer_ == Answer::awaitedByOk) {
+        answer_ = Answer::awaitedByOk;
+        look_.stop();
+        return askForNumber();
+    }
+    if (answer_ == Answer::fault) {
+        const QListWidgetItem* first = list_->item(0);
+        if (!first)
+            return;
+        expression_->setText(first->data(Qt::UserRole).toString());
+    }
+    QDialog::accept();
+}
+
+bool ValueDialog::isComplete() const {
+    return !expression_->text().trimmed().isEmpty() && figure_->currentIndex() >= 0;
+}
+
+void ValueDialog::setAnswer(Answer answer) {
+    const bool isAwaited = answer_ == Answer::awaitedByOk && answer != Answer::awaited;
+    answer_ = answer;
+    ok_->setEnabled(isComplete() && answer_ != Answer::fault);
+    if (isAwaited)
+        accept();
+}
+
+// The arrows choose while one types, and Enter takes.
 bool ValueDialog::eventFilter(QObject* watched, QEvent* event) {
     if (watched == expression_ && event->type() == QEvent::KeyPress) {
         const int key = static_cast<QKeyEvent*>(event)->key();
@@ -254,25 +282,34 @@ bool ValueDialog::eventFilter(QObject* watched, QEvent* event) {
             takeOffer();
             return true;
         }
+        if (key == Qt::Key_Return || key == Qt::Key_Enter) {
+            accept();
+            return true;
+        }
     }
     return QDialog::eventFilter(watched, event);
 }
 
 void ValueDialog::look() {
     ++asking_; // answers on their way are of another question
+    setAnswer(Answer::awaited);
     look_.start(pauseMs);
 }
 
 void ValueDialog::askForNumber() {
     const document::ValueUse use = this->use();
-    if (use.expression.empty() || !asked_)
-        return number_->clear();
+    if (use.expression.empty() || !asked_) {
+        number_->clear();
+        return setAnswer(Answer::value);
+    }
     const media::Condition condition = asked_->condition();
     const bool comes = condition == media::Condition::starting ||
                        condition == media::Condition::still ||
                        (condition == media::Condition::live && !asked_->hasLoaded());
-    if (comes)
-        return number_->setText(tr("%1 is starting.").arg(asked_->name()));
+    if (comes) {
+        number_->setText(tr("%1 is starting.").arg(asked_->name()));
+        return setAnswer(Answer::value); // for all that is known
+    }
     const QPointer<ValueDialog> guard(this);
     asked_->readValues({use.expression}, use.time, [guard, asking = asking_](auto outcome) {
         if (guard && guard->asking_ == asking)
@@ -282,13 +319,20 @@ void ValueDialog::askForNumber() {
 
 void ValueDialog::show(const media::Outcome<ipc::Values>& outcome) {
     const auto* read = std::get_if<ipc::Values>(&outcome);
-    if (read && std::isfinite(read->values[0]))
-        return number_->setText(
+    if (read && std::isfinite(read->values[0])) {
+        number_->setText(
             QString::fromStdString(model::written(read->values[0], use().digits, language_)));
-    const std::string why = !read                  ? std::get<ipc::Error>(outcome).message
-                            : read->faults.empty() ? std::string()
-                                                   : read->faults[0];
-    number_->setText(why.empty() ? tr("It has no value now.") : QString::fromStdString(why));
+        return setAnswer(Answer::value);
+    }
+    const std::string fault = read && !read->faults.empty() ? read->faults[0] : std::string();
+    const std::string why = read ? fault : std::get<ipc::Error>(outcome).message;
+    // A value that the figure offers may have none at this time.
+    const bool isFault = !fault.empty() && !isOffered(expression_->text().simplified());
+    QString says = why.empty() ? tr("It has no value now.") : QString::fromStdString(why);
+    if (const QListWidgetItem* first = list_->item(0); first && isFault)
+        says += '\n' + tr("Enter takes %1.").arg(first->data(Qt::UserRole).toString());
+    number_->setText(says);
+    setAnswer(isFault ? Answer::fault : Answer::value);
 }
 
 } // namespace menus

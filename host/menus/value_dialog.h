@@ -14,6 +14,7 @@
 class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
+class QPushButton;
 class QRadioButton;
 class QSpinBox;
 
@@ -46,10 +47,19 @@ public:
     [[nodiscard]] sgml::NodeId figure() const;
     [[nodiscard]] document::ValueUse use() const; // without its figure
 
+    // When the figure has answered: not where the expression has a fault and the list has nothing
+    // that fits.
+    void accept() override;
+
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    // Of the figure, about the expression as it stands; a figure that does not answer is no fault.
+    enum class Answer { awaited, awaitedByOk, value, fault };
+    void setAnswer(Answer answer);
+    [[nodiscard]] bool isComplete() const;
+    [[nodiscard]] bool isOffered(const QString& expression) const;
     void makeForm(const document::ValueUse& now);
     void chooseFigure();
     void askForOffers();
@@ -75,6 +85,8 @@ private:
     double shownTime_ = 0;              // by the field for it
     QSpinBox* digits_;
     QComboBox* unit_;
+    QPushButton* ok_ = nullptr;
+    Answer answer_ = Answer::awaited;
     QTimer look_;
     int asking_ = 0; // which question is the last
 };

@@ -4,6 +4,7 @@
 #include "writing/writing_testing.h"
 
 #include <QComboBox>
+#include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QListWidget>
 #include <QPlainTextEdit>
@@ -68,13 +69,51 @@ TEST_F(ValuesInWindowTest, AValueIsChosenFromWhatTheFigureOffersAndShowsAtOnce) 
     EXPECT_EQ(document().bytes(), before);
 }
 
-TEST_F(ValuesInWindowTest, AnExpressionThatIsNotKnownIsSaidInTheDialogAndInTheFaults) {
+TEST_F(ValuesInWindowTest, AnExpressionThatIsNotKnownIsSaidInTheDialogAndNotTaken) {
     writeWithFigure();
+    const std::string before = document().bytes();
     answering("value", [](QDialog& dialog) {
-        dialog.findChild<QLineEdit*>("expression")->setText("depth");
+        auto* field = dialog.findChild<QLineEdit*>("expression");
+        auto* ok = dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+        EXPECT_FALSE(ok->isEnabled());
+        QTest::keyClicks(field, "depth");
         EXPECT_TRUE(comesToSay(dialog, "there is no value \"depth\""));
-        dialog.accept();
+        EXPECT_FALSE(ok->isEnabled());
+        QTest::keyClick(field, Qt::Key_Return);
+        EXPECT_TRUE(dialog.isVisible());
+        field->setText("width");
+        EXPECT_TRUE(comesToSay(dialog, "5.00"));
+        EXPECT_TRUE(ok->isEnabled());
+        field->setText("depth");
+        QTest::keyClick(field, Qt::Key_Return); // before the figure has answered
+        EXPECT_TRUE(comesToSay(dialog, "there is no value \"depth\""));
+        EXPECT_TRUE(dialog.isVisible());
+        dialog.reject();
     });
+    EXPECT_EQ(document().bytes(), before);
+}
+
+TEST_F(ValuesInWindowTest, EnterTakesTheFirstValueThatHasTheTypedWords) {
+    for (const bool waits : {true, false}) {
+        writeWithFigure();
+        answering("value", [&](QDialog& dialog) {
+            auto* list = dialog.findChild<QListWidget*>("offers");
+            ASSERT_TRUE(waitFor([&] { return list->count() == 2; }));
+            auto* field = dialog.findChild<QLineEdit*>("expression");
+            QTest::keyClicks(field, "wid");
+            if (waits) {
+                EXPECT_TRUE(comesToSay(dialog, "there is no value \"wid\"\nEnter takes width."));
+            }
+            QTest::keyClick(field, Qt::Key_Return);
+        });
+        EXPECT_THAT(body(), HasSubstr("EXPRESSION=\"width\""));
+    }
+}
+
+TEST_F(ValuesInWindowTest, AnExpressionThatIsNotKnownIsAmongTheFaults) {
+    write("<PARAGRAPH><TEXT>{It is }</TEXT><VALUE OF=\"s\" EXPRESSION=\"depth\"></VALUE>"
+          "</PARAGRAPH>" +
+          scripted("duration 8\nvalue height 1 2", "ID=\"s\""));
     EXPECT_TRUE(comesToShow("It is [depth]"));
     EXPECT_TRUE(waitFor([&] { return !window_->document().valueFaults().empty(); }));
 }
