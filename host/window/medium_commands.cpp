@@ -174,10 +174,26 @@ void MediumCommands::refreshMenu(const QString& documentClass, Medium& medium) {
         build(documentClass, medium, (*told)->menus());
     for (const auto& [id, action] : medium.actions)
         showState(*action, id, all);
-    const bool hasKeys = documentClass == toolOwner();
-    for (const ipc::MenuEntry& entry : medium.entries)
-        medium.actions.at(entry.id)->setShortcut(
-            hasKeys ? QKeySequence(QString::fromStdString(entry.shortcut)) : QKeySequence());
+    giveKeys(medium, documentClass == toolOwner());
+}
+
+// The window's own commands keep their keys: an entry that asks for one of them, or for the key of
+// an entry before it, has none.
+void MediumCommands::giveKeys(const Medium& medium, bool hasKeys) const {
+    std::set<const QAction*> ofMedia;
+    for (const auto& [documentClass, one] : media_)
+        for (const auto& [id, action] : one.actions)
+            ofMedia.insert(action);
+    std::set<QKeySequence> taken;
+    for (const QAction* action : bar_.window()->findChildren<QAction*>())
+        if (!ofMedia.contains(action))
+            for (const QKeySequence& keys : action->shortcuts())
+                taken.insert(keys);
+    for (const ipc::MenuEntry& entry : medium.entries) {
+        const QKeySequence keys(QString::fromStdString(entry.shortcut));
+        const bool isFree = hasKeys && !keys.isEmpty() && taken.insert(keys).second;
+        medium.actions.at(entry.id)->setShortcut(isFree ? keys : QKeySequence());
+    }
 }
 
 // A command is there as soon as one of those that it acts on takes it: a faulty figure does not

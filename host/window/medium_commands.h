@@ -53,6 +53,7 @@ private:
     void refreshMenu(const QString& documentClass, Medium& medium);
     void build(const QString& documentClass, Medium& medium,
                const std::vector<ipc::MenuEntry>& entries);
+    void giveKeys(const Medium& medium, bool hasKeys) const;
     void clearTools(); // before their actions go
     void refreshTools();
     void refreshTime();

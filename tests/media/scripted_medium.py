@@ -317,9 +317,9 @@ class Medium:
     def menus(self):
         menus = [
             {"id": "play", "label": "Play", "enabled": self.duration > 0, "scope": "subdocument", "group": "", "icon": "media-playback-start"},
-            {"id": "handles", "label": "Show Handles", "checkable": True, "checked": self.handles, "enabled": True, "scope": "rendition"},
+            {"id": "handles", "label": "Show Handles", "checkable": True, "checked": self.handles, "enabled": True, "scope": "rendition", "shortcut": "Ctrl+Alt+H"},
             {"id": "crash", "label": "Crash", "enabled": True, "scope": "subdocument"},
-            {"id": "editor", "label": "Open Editor", "enabled": True, "scope": "subdocument", "mode": "edit"},
+            {"id": "editor", "label": "Open Editor", "enabled": True, "scope": "subdocument", "mode": "edit", "shortcut": "Ctrl+G"},
         ]
         if self.label:
             menus.append({"id": "more", "label": self.label, "icon": "view-refresh"})

@@ -36,6 +36,22 @@ TEST_F(ShortcutsTest, NoTwoCommandsShareAKey) {
     EXPECT_EQ(shared(), QStringList());
 }
 
+// The scripted medium asks for Ctrl+G, which goes to a page in every window.
+TEST_F(ShortcutsTest, AMediumGetsTheKeysThatTheWindowDoesNotUse) {
+    write(paragraph("One") + scripted("colour 20A040"));
+    const auto ofEntry = [&](const QString& label) -> const QAction* {
+        for (const QAction* action : window_->findChildren<QAction*>())
+            if (action->text() == label)
+                return action;
+        return nullptr;
+    };
+    ASSERT_TRUE(waitFor([&] { return ofEntry("Open Editor") != nullptr; }));
+    EXPECT_EQ(ofEntry("Open Editor")->shortcut(), QKeySequence());
+    EXPECT_EQ(ofEntry("Show Handles")->shortcut(), QKeySequence("Ctrl+Alt+H"));
+    EXPECT_EQ(action("goToPage")->shortcut(), QKeySequence("Ctrl+G"));
+    EXPECT_EQ(shared(), QStringList());
+}
+
 TEST_F(ShortcutsTest, TheOldKeysOfTheClipboardWork) {
     write(paragraph("One two"));
     goTo("two");
