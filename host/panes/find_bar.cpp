@@ -23,6 +23,7 @@ FindBar::FindBar(view::DocumentView& view, QWidget* parent)
     column->setSpacing(4);
     addFindRow(*column);
     addReplaceRow(*column);
+    putInTabOrder();
     connect(field_, &QLineEdit::textChanged, this, &FindBar::look);
     connect(matchCase_, &QCheckBox::toggled, this, &FindBar::look);
     connect(wholeWords_, &QCheckBox::toggled, this, &FindBar::look);
@@ -96,6 +97,18 @@ void FindBar::addReplaceRow(QBoxLayout& column) {
     putButton(*row, "replace", tr("Replace"), [this] { replace(); });
     putButton(*row, "replaceAll", tr("Replace All"), [this] { replaceAll(); });
     row->addStretch(1);
+}
+
+// Both fields before the buttons.
+void FindBar::putInTabOrder() {
+    QWidget* before = field_;
+    for (QWidget* next : {static_cast<QWidget*>(with_), findChild<QWidget*>("findPrevious"),
+                          findChild<QWidget*>("findNext"), static_cast<QWidget*>(matchCase_),
+                          static_cast<QWidget*>(wholeWords_), findChild<QWidget*>("replace"),
+                          findChild<QWidget*>("replaceAll")}) {
+        setTabOrder(before, next);
+        before = next;
+    }
 }
 
 QString FindBar::says() const { return count_->text(); }

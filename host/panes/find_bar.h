@@ -44,6 +44,7 @@ private:
                    const std::function<void()>& done);
     void putArrow(QBoxLayout& row, const QString& name, Qt::ArrowType arrow, const QString& says,
                   const std::function<void()>& done);
+    void putInTabOrder();
     void look();
     void tell();
     void selectShown();

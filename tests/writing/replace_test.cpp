@@ -58,6 +58,31 @@ TEST_F(ReplaceTest, OneAfterTheOtherAndAllTheRestInOneStep) {
     EXPECT_EQ(body(), (paragraph("blue and blue") + paragraph("red {red} redder")).toStdString());
 }
 
+TEST_F(ReplaceTest, TabGoesFromFieldToFieldAndThenToTheButtons) {
+    write(paragraph("red"));
+    action("replaceWords")->trigger();
+    QStringList order;
+    for (int i = 0; i < 8; ++i) {
+        order << window_->focusWidget()->objectName();
+        QTest::keyClick(window_->focusWidget(), Qt::Key_Tab);
+    }
+    EXPECT_EQ(order.join(' '), "find replaceWith findPrevious findNext matchCase wholeWords "
+                               "replace replaceAll");
+    // In the order of Shift+Tab too, and without the second line.
+    action("write")->trigger();
+    action("find")->trigger();
+    QTest::keyClick(window_->focusWidget(), Qt::Key_Tab);
+    EXPECT_EQ(window_->focusWidget()->objectName(), "findPrevious");
+}
+
+TEST_F(ReplaceTest, TheBarHasTheKeyboardInAFaultyDocumentToo) {
+    write(paragraph("red") + "<NOSUCH>{x}</NOSUCH>\n");
+    QTest::keyClick(&view(), Qt::Key_H, Qt::ControlModifier);
+    QTest::keyClicks(window_->focusWidget(), "red");
+    EXPECT_EQ(field("find").text(), "red");
+    EXPECT_EQ(window_->focusWidget(), &field("find"));
+}
+
 TEST_F(ReplaceTest, AReplacementThatHoldsTheWordIsNotReplacedAgain) {
     write(paragraph("one one"));
     replaceBy("one", "one more");
