@@ -1,5 +1,8 @@
 #include "plain/plain.h"
 
+#include <QAbstractButton>
+#include <algorithm>
+
 namespace plain {
 
 QLabel* label(const QString& text, QWidget* parent) {
@@ -36,6 +39,25 @@ Message::Message(Icon icon, const QString& title, const QString& text, StandardB
     : QMessageBox(icon, plain::title(title), {}, buttons, parent) {
     setTextFormat(Qt::PlainText);
     setText(text);
+    giveKeys();
+}
+
+// Some desktops give the buttons of a question keys and others do not: each has one everywhere.
+void Message::giveKeys() {
+    QString taken;
+    for (const QAbstractButton* one : buttons())
+        taken += one->text().section('&', 1).left(1);
+    for (QAbstractButton* one : buttons()) {
+        const QString words = one->text();
+        const auto isFree = [&](QChar c) {
+            return c.isLetter() && !taken.contains(c, Qt::CaseInsensitive);
+        };
+        const auto key = std::ranges::find_if(words, isFree);
+        if (words.contains('&') || key == words.end())
+            continue;
+        taken += *key;
+        one->setText(QString(words).insert(key - words.begin(), '&'));
+    }
 }
 
 void Message::setSecondText(const QString& text) {

@@ -41,6 +41,9 @@ public:
     [[nodiscard]] static StandardButton ask(Icon icon, QWidget* parent, const QString& title,
                                             const QString& text, StandardButtons buttons,
                                             StandardButton byDefault = NoButton);
+
+private:
+    void giveKeys();
 };
 
 } // namespace plain

@@ -152,7 +152,7 @@ void Saving::updateDrafts(std::function<void()> then) {
     document_.takeDrafts();
 }
 
-bool Saving::mayClose() {
+bool Saving::mayClose(const QString& title) {
     const Drafts drafts = askAboutDrafts(tr("Close"), tr("&Update"), tr("Close &Without It"));
     if (drafts == Drafts::update)
         updateDrafts([this] { Q_EMIT mayCloseNow(); });
@@ -161,7 +161,7 @@ bool Saving::mayClose() {
     if (document_.document().isModified()) {
         const auto answer = plain::Message::ask(
             QMessageBox::Question, &window_, tr("Close"),
-            tr("The document has changes that are not saved."),
+            tr("%1 has changes that are not saved.").arg(title),
             QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
         if (answer == QMessageBox::Cancel || (answer == QMessageBox::Save && !saveNow()))
             return false;

@@ -21,8 +21,9 @@ public:
     void bringBackup();
     // A copy among the templates; asks for its name. `proposed`: this one.
     void saveAsTemplate(const QString& proposed);
-    // False: the window stays. To be called where the window is the document's last one.
-    bool mayClose();
+    // False: the window stays. To be called where the window is the document's last one. `title`
+    // names the document.
+    bool mayClose(const QString& title);
 
 Q_SIGNALS:
     void said(const QString& sentence); // for the status line

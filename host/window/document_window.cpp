@@ -314,7 +314,8 @@ void DocumentWindow::changeEvent(QEvent* event) {
 
 void DocumentWindow::closeEvent(QCloseEvent* event) {
     const bool isLast = application_.windowsOf(*document_).size() <= 1;
-    event->setAccepted(presentation_->mayClose() && (!isLast || saving_->mayClose()));
+    event->setAccepted(presentation_->mayClose() &&
+                       (!isLast || saving_->mayClose(documentTitle())));
 }
 
 void DocumentWindow::dragEnterEvent(QDragEnterEvent* event) {

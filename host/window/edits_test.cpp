@@ -37,6 +37,26 @@ TEST_F(WindowTest, WhatIsTypedInAMediumsWindowIsNotLostUnasked) {
     answered(QMessageBox::Discard, [&] { EXPECT_TRUE(window->close()); });
 }
 
+TEST_F(WindowTest, TheQuestionOfAClosedWindowNamesItsDocumentAndItsButtonsHaveKeys) {
+    DocumentWindow* window = open(memo(paragraph("one")));
+    ASSERT_TRUE(waitFor([&] { return window->view().isLaidOut(); }));
+    document::Document& document = window->document().document();
+    const std::size_t at = document.bytes().find("one");
+    document.edit({{{at, at}, "x"}}, "Type");
+    QStringList keys;
+    QTimer::singleShot(0, qApp, [&] {
+        auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        ASSERT_TRUE(box);
+        EXPECT_EQ(box->text(), "Test (1.ens) has changes that are not saved.");
+        for (const auto button : {QMessageBox::Save, QMessageBox::Discard, QMessageBox::Cancel})
+            keys << QKeySequence::mnemonic(box->button(button)->text()).toString();
+        box->button(QMessageBox::Cancel)->click();
+    });
+    EXPECT_FALSE(window->close());
+    EXPECT_FALSE(keys.contains(QString())) << keys.join(' ').toStdString();
+    EXPECT_EQ(QSet<QString>(keys.begin(), keys.end()).size(), 3);
+}
+
 TEST_F(WindowTest, WhatIsTypedInAMediumsWindowIsTakenIn) {
     DocumentWindow* window = open(memo(scripted("colour 102030\ndraft  #typed")));
     const std::string typed = "#typed";
