@@ -56,6 +56,9 @@ using Result = std::variant<Step, Refusal>;
 // a form, the caret goes on to the next line where that is empty, or where no paragraph may stand
 // between them: a step without edits.
 [[nodiscard]] Result breakParagraph(const Manuscript& manuscript, Selection selection);
+// A paragraph behind the last block of the flow around the caret, where Enter makes none: a table,
+// preformatted text, a figure, a rule. Refused where the flow ends with another line of text.
+[[nodiscard]] Result goBehindEnd(const Manuscript& manuscript, Selection selection);
 // Tab in what is one line only, and in the empty line behind it: to the next such field, or the
 // next empty line; a step without edits. LIMIT: 100 lines on.
 [[nodiscard]] Result goToField(const Manuscript& manuscript, Selection selection,

@@ -384,5 +384,19 @@ TEST(Authoring, APlaceInALongDocumentIsFoundWithoutALookAtEachParagraphBefore) {
     EXPECT_LE(leaves.judged(), 20u);
 }
 
+TEST(Authoring, BehindWhatEndsADocumentAParagraphIsMade) {
+    EXPECT_EQ(memo("<TABLE><R><C>{a|}</C><C>{b}</C></R></TABLE>", goBehindEnd),
+              "<TABLE><R><C>{a}</C><C>{b}</C></R></TABLE>\n<P>{|}</P>");
+    EXPECT_EQ(report("<BODY><S>\n<H>{h|}</H>\n<V>{a}</V>\n</S></BODY>", goBehindEnd),
+              "<BODY><S>\n<H>{h}</H>\n<V>{a}</V>\n<P>{|}</P>\n</S></BODY>");
+    EXPECT_EQ(memo("<P>{a|}</P>\n<FIGURE><IMAGE></IMAGE></FIGURE>", goBehindEnd),
+              "<P>{a}</P>\n<FIGURE><IMAGE></IMAGE></FIGURE>\n<P>{|}</P>");
+    EXPECT_EQ(memo("<P>{a|}</P>\n<FORMULA KIND=\"display\">{x}</FORMULA>", goBehindEnd),
+              "<P>{a}</P>\n<FORMULA KIND=\"display\">{x}</FORMULA>\n<P>{|}</P>");
+    const std::string refused = "refused: The document ends with a line for text already.";
+    EXPECT_EQ(memo("<TABLE><R><C>{a|}</C></R></TABLE>\n<P></P>", goBehindEnd), refused);
+    EXPECT_EQ(memo("<L><I>{a|}</I></L>", goBehindEnd), refused); // Enter leads out of it
+}
+
 } // namespace
 } // namespace authoring

@@ -16,6 +16,9 @@ void makeCaret(Draft& draft, const Selection& selection);
 // False: none may stand there.
 [[nodiscard]] bool makeLine(Draft& draft, Piece& mark);
 
+// A paragraph behind a block; null when none may stand there.
+Piece* paragraphBehind(Draft& draft, Piece& block);
+
 // Enter at the first mark; "" when it is done, else the reason why not.
 [[nodiscard]] QString breakLine(Draft& draft);
 // Line ends as one LF each in preformatted text, as blanks elsewhere.

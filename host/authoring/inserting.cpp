@@ -70,17 +70,6 @@ QString whyNoPageEnds(Draft& draft, std::string_view name) {
     return {};
 }
 
-// The caret goes on behind the block, in a new paragraph.
-void goOnBehind(Draft& draft, Piece& block) {
-    const std::string paragraph(draft.grammar().named(ContainerRole::paragraph));
-    if (paragraph.empty() || !allows(draft, *block.parent, block.index() + 1, paragraph))
-        return;
-    Piece& made = Draft::put(*block.parent, block.index() + 1, Draft::made(paragraph));
-    draft.putOnLine(made, block);
-    Draft::moveTo(draft.first(), made, 0);
-    draft.collapse();
-}
-
 } // namespace
 
 Result insertBlock(const Manuscript& manuscript, Selection selection, std::string_view name,
@@ -106,8 +95,9 @@ Result insertBlock(const Manuscript& manuscript, Selection selection, std::strin
         if (!makeLine(draft, draft.first()))
             return refused(mayNotStand(draft.grammar(), name));
         draft.collapse();
-    } else if (endsPage && isAtEnd) {
-        goOnBehind(draft, *made);
+    } else if (Piece* line = endsPage && isAtEnd ? paragraphBehind(draft, *made) : nullptr) {
+        Draft::moveTo(draft.first(), *line, 0);
+        draft.collapse();
     }
     return draft.result(QStringLiteral("Insert"));
 }

@@ -171,6 +171,15 @@ Result type(const Manuscript& manuscript, Selection selection, std::string_view 
     return draft.result(label, true);
 }
 
+Piece* paragraphBehind(Draft& draft, Piece& block) {
+    const std::string paragraph(draft.grammar().named(ContainerRole::paragraph));
+    if (paragraph.empty() || !allows(draft, *block.parent, block.index() + 1, paragraph))
+        return nullptr;
+    Piece& made = Draft::put(*block.parent, block.index() + 1, Draft::made(paragraph));
+    draft.putOnLine(made, block);
+    return &made;
+}
+
 // --- Enter ----------------------------------------------------------------------------------
 
 namespace {
@@ -220,17 +229,8 @@ private:
         return std::string(grammar_.named(ContainerRole::paragraph));
     }
 
-    // A paragraph behind `beside`; null when none may stand there.
-    Piece* paragraphBehind(Piece& beside) {
-        if (paragraph().empty() || !allows(draft_, *beside.parent, beside.index() + 1, paragraph()))
-            return nullptr;
-        Piece& made = Draft::put(*beside.parent, beside.index() + 1, Draft::made(paragraph()));
-        draft_.putOnLine(made, beside);
-        return &made;
-    }
-
     QString breakHeading(Piece& heading) {
-        Piece* made = paragraphBehind(heading);
+        Piece* made = paragraphBehind(draft_, heading);
         if (made == nullptr)
             return QStringLiteral("A paragraph may not follow this heading.");
         Piece& right = draft_.split(draft_.first(), *heading.parent);
@@ -287,7 +287,7 @@ private:
         if (!isAtEnd())
             return QStringLiteral("This field takes one line only.");
         for (Piece* beside = &block; beside->parent != nullptr; beside = beside->parent)
-            if (Piece* made = paragraphBehind(*beside)) {
+            if (Piece* made = paragraphBehind(draft_, *beside)) {
                 Draft::moveTo(draft_.first(), *made, 0);
                 return {};
             }
@@ -347,6 +347,39 @@ Result breakParagraph(const Manuscript& manuscript, Selection selection) {
     }
     draft.collapse();
     return draft.result(label);
+}
+
+// --- behind the end -------------------------------------------------------------------------
+
+namespace {
+
+// Text in these does not go on behind them; Enter leads out of lists.
+bool isClosed(const Element& element) {
+    return element.display == Display::table || element.display == Display::verbatim ||
+           element.role == ContainerRole::table || element.role == ContainerRole::figure;
+}
+
+} // namespace
+
+Result goBehindEnd(const Manuscript& manuscript, Selection selection) {
+    const std::size_t end = manuscript::everything(manuscript, selection.caret).caret;
+    Draft draft(manuscript, {end, end});
+    if (const QString why = draft.obstacle(); !why.isEmpty())
+        return refused(why);
+    Piece* last = nullptr;
+    for (Piece* at = draft.first().parent; at->parent != nullptr; at = at->parent)
+        last = isClosed(draft.of(*at)) ? at : last;
+    if (last == nullptr && draft.holdsText(draft.blockOf(draft.first())))
+        return refused(QStringLiteral("The document ends with a line for text already."));
+    Piece* made = nullptr;
+    for (; last != nullptr && last->parent != nullptr && made == nullptr; last = last->parent)
+        made = paragraphBehind(draft, *last);
+    if (made != nullptr)
+        Draft::moveTo(draft.first(), *made, 0);
+    else if (!makeLine(draft, draft.first()))
+        return refused(QStringLiteral("A paragraph may not follow here."));
+    draft.collapse();
+    return draft.result(QStringLiteral("New Paragraph"));
 }
 
 // --- into and out of an element -------------------------------------------------------------

@@ -224,6 +224,24 @@ std::optional<Caret> Carets::at(std::size_t page, QPointF point) const {
     return std::nullopt;
 }
 
+bool Carets::isBelowAll(std::size_t page, QPointF point) const {
+    if (page + 1 != pages_.pages.size())
+        return false;
+    const auto bottom = [](const auto& piece) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(piece)>, TextPiece>)
+            return bottomOf(piece);
+        else
+            return piece.rect.bottom();
+    };
+    const layout::Page& last = *pages_.pages[page];
+    return std::ranges::all_of(
+               last.pieces,
+               [&](const Piece& piece) { return std::visit(bottom, piece) < point.y(); }) &&
+           std::ranges::all_of(last.tables, [&](const layout::PlacedRows& rows) {
+               return rows.bottom < point.y();
+           });
+}
+
 std::optional<Caret> Carets::firstOn(std::size_t page) const {
     const std::vector<Line> lines = linesOn(page);
     if (lines.empty())

@@ -40,6 +40,8 @@ public:
 
     // Nearest to a point of a page, in twips; nothing: there is no text on any page.
     [[nodiscard]] std::optional<Caret> at(std::size_t page, QPointF point) const;
+    // Is the point on the last page, below all that stands there?
+    [[nodiscard]] bool isBelowAll(std::size_t page, QPointF point) const;
     // At a place in the document's bytes, looked for from that page on to both sides.
     [[nodiscard]] std::optional<Caret> of(std::size_t place, std::size_t page) const;
     [[nodiscard]] std::size_t placeOf(const Caret& caret) const;

@@ -85,10 +85,13 @@ void DocumentView::mousePressEvent(QMouseEvent* event) {
         return;
     if (figures_->press(*event))
         return;
-    if (event->button() == Qt::LeftButton && !drag_->press(*event))
+    if (event->button() == Qt::LeftButton && !drag_->press(*event)) {
         text_->press(*event);
-    else if (event->button() == Qt::MiddleButton)
+        if (!event->modifiers())
+            writing_->pressBelow(event->position());
+    } else if (event->button() == Qt::MiddleButton) {
         pasteSelection(*event);
+    }
 }
 
 void DocumentView::mouseDoubleClickEvent(QMouseEvent* event) {

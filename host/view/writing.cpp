@@ -308,6 +308,42 @@ void Writing::breakLine(bool isWithinParagraph) {
                           "behind it fills this one."));
 }
 
+// What is folded there stays so.
+void Writing::goBehindEnd() {
+    const std::optional<authoring::Selection> at = selection();
+    if (!at || !view_.isLaidOut())
+        return;
+    const std::size_t end = manuscript::everything(manuscript(), at->caret).caret;
+    if (view_.folds().pages().hiding(end) == sgml::noNode &&
+        whyNot(authoring::goBehindEnd).isEmpty())
+        perform(authoring::goBehindEnd);
+}
+
+void Writing::pressBelow(QPointF point) {
+    if (!on_ || view_.pages().pages.empty())
+        return;
+    const auto [page, on] = view_.pagePointAt(point);
+    if (places::Carets(view_.pages(), view_.document().document().tree()).isBelowAll(page, on))
+        goBehindEnd();
+}
+
+// An arrow that leads nowhere leads behind the document's end.
+bool Writing::moveCaret(const QKeyEvent& event) {
+    const std::optional<authoring::Selection> before = selection();
+    if (!hand_.useKey(event.key(), event.modifiers(), true))
+        return false;
+    const std::optional<authoring::Selection> after = selection();
+    constexpr auto others = Qt::ShiftModifier | Qt::ControlModifier;
+    if (!before || !after || !before->isEmpty() || after->caret != before->caret ||
+        (event.modifiers() & others))
+        return true;
+    const bool isAside = event.key() == Qt::Key_Right || event.key() == Qt::Key_Left;
+    if (event.key() == Qt::Key_Down ||
+        (isAside && after->caret == manuscript::everything(manuscript(), after->caret).caret))
+        goBehindEnd();
+    return true;
+}
+
 bool Writing::useKey(const QKeyEvent& event) {
     using authoring::Direction, authoring::Unit;
     settleCaret();
@@ -345,7 +381,7 @@ bool Writing::useKey(const QKeyEvent& event) {
     default:
         break;
     }
-    if (hand_.useKey(event.key(), event.modifiers(), true))
+    if (moveCaret(event))
         return true;
     if (!isPrintable(event))
         return false;

@@ -37,6 +37,9 @@ public:
     bool paste(const QMimeData& data);
     // At a place of the viewport; moved text goes from where it was, in the same step of undo.
     void drop(const QMimeData& data, QPointF at, std::optional<text::Range> moved);
+    // Where the document ends with a table or the like, a paragraph is made behind it, if the place
+    // of the viewport is below it.
+    void pressBelow(QPointF point);
     void goBy(bool forward); // Tab, and Shift+Tab
     // A command at what is selected. refused() says why one is not allowed.
     using Command =
@@ -89,6 +92,8 @@ private:
     [[nodiscard]] bool apply(const Command& command, const QString& group);
     void makeSign();
     void settleCaret();
+    void goBehindEnd();
+    bool moveCaret(const QKeyEvent& event);
     void breakLine(bool isWithinParagraph);
     void goBack(const document::Selection& selection);
     void blink(); // from now on, shown first

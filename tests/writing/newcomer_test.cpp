@@ -74,6 +74,43 @@ TEST_F(NewcomerTest, TheKeyOfAPageBreakDoesAsItsMenuAndTheCaretIsOnTheNewPage) {
     EXPECT_EQ(view().text().cursor().page(), 1u);
 }
 
+// --- behind a table that ends the document
+
+TEST_F(NewcomerTest, ArrowsAndAClickLeadBehindWhatEndsTheDocument) {
+    const QByteArray table = "<TABLE><ROW><CELL>{a}</CELL><CELL>{b}</CELL></ROW>\n"
+                             "<ROW><CELL>{c}</CELL><CELL>{d}</CELL></ROW></TABLE>\n";
+    const auto isLeft = [&](const QByteArray& block, const char* from,
+                            const std::function<void()>& leave) {
+        write(paragraph("One") + block);
+        goTo(from);
+        const std::string before = body();
+        leave();
+        type("n");
+        EXPECT_EQ(body(), before + "<PARAGRAPH>{n}</PARAGRAPH>\n") << from;
+    };
+    isLeft(table, "c}", [&] { press(Qt::Key_Down); });
+    isLeft(table, "}</CELL></ROW></TABLE>", [&] { press(Qt::Key_Right); });
+    isLeft(table, "a}", [&] {
+        const QRect all = view().viewport()->rect();
+        QTest::mouseClick(view().viewport(), Qt::LeftButton, {},
+                          QPoint(all.center().x(), all.bottom() - 200));
+    });
+    isLeft("<VERBATIM>{code}</VERBATIM>\n", "code", [&] { press(Qt::Key_Down); });
+}
+
+TEST_F(NewcomerTest, ArrowsAtTheEndsOfTextChangeNothing) {
+    write("<TABLE><ROW><CELL>{a}</CELL><CELL>{b}</CELL></ROW></TABLE>\n" + paragraph("One"));
+    const std::string before = body();
+    goTo("a}");
+    press(Qt::Key_Left);
+    press(Qt::Key_Up);
+    goTo("One");
+    press(Qt::Key_Down);
+    press(Qt::Key_End);
+    press(Qt::Key_Right);
+    EXPECT_EQ(body(), before);
+}
+
 // --- keys while a figure is chosen
 
 TEST_F(NewcomerTest, WhoTypesWhileAFigureIsChosenLearnsWhyNoLetterComes) {
