@@ -102,6 +102,19 @@ Result insertBlock(const Manuscript& manuscript, Selection selection, std::strin
     return draft.result(QStringLiteral("Insert"));
 }
 
+namespace {
+
+// The line that was empty goes on below what stands alone in it, and not above.
+void goOnBelow(Piece& alone) {
+    Piece& line = *alone.parent;
+    for (std::size_t i = alone.index(); i-- > 0;)
+        if (line.children[i]->isEmptyText())
+            Draft::take(*line.children[i]);
+    Draft::put(line, alone.index() + 1, Draft::madeText({}));
+}
+
+} // namespace
+
 Result insertFormula(const Manuscript& manuscript, Selection selection, std::string_view source,
                      std::string_view kind) {
     Draft draft(manuscript, selection);
@@ -111,6 +124,8 @@ Result insertFormula(const Manuscript& manuscript, Selection selection, std::str
     const std::string name(draft.grammar().named(Display::formula));
     if (name.empty())
         return refused(QStringLiteral("This class of documents has no formulas."));
+    const bool wasEmpty = !kind.empty() && draft.isLineBlank(draft.first(), Direction::backward) &&
+                          draft.isLineBlank(draft.first(), Direction::forward);
     std::unique_ptr<Piece> formula = Draft::made(name, std::string(kind));
     Draft::put(*formula, 0, Draft::madeText(source));
     Piece* made = kind.empty() ? putInLine(draft, draft.first(), std::move(formula))
@@ -119,6 +134,8 @@ Result insertFormula(const Manuscript& manuscript, Selection selection, std::str
         return refused(mayNotStand(draft.grammar(), name));
     Draft::moveTo(draft.first(), *made->parent, made->index() + 1);
     draft.collapse();
+    if (wasEmpty && draft.holdsText(*made->parent))
+        goOnBelow(*made);
     return draft.result(QStringLiteral("Formula"));
 }
 

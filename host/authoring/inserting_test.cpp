@@ -129,6 +129,8 @@ TEST(Inserting, Formulas) {
               "<P><T>{a}</T><FORMULA>{x^\\{2\\}}</FORMULA><T>{|b}</T></P>");
     EXPECT_EQ(memo("<P>{a|}</P>", formula(" KIND=\"display\"")),
               "<P><T>{a}</T>\n<FORMULA KIND=\"display\">{x^\\{2\\}}</FORMULA>|</P>");
+    EXPECT_EQ(memo("<P>{|}</P>", formula(" KIND=\"display\"")),
+              "<P>\n<FORMULA KIND=\"display\">{x^\\{2\\}}</FORMULA><T>{|}</T></P>");
     const auto changed = [](const Manuscript& manuscript, Selection selection) {
         const sgml::Tree& tree = manuscript.document.tree();
         sgml::NodeId element = tree.innermostAt(selection.caret);

@@ -111,6 +111,24 @@ TEST_F(NewcomerTest, ArrowsAtTheEndsOfTextChangeNothing) {
     EXPECT_EQ(body(), before);
 }
 
+// --- below a formula
+
+TEST_F(NewcomerTest, BelowAFormulaThatStandsAloneTheCaretIsWhereTextGoes) {
+    write(paragraph("One") + "<PARAGRAPH>{}</PARAGRAPH>\n");
+    goTo("}</PARAGRAPH>\n</BODY>");
+    const double above = view().text().caretRect()->top();
+    view().writing().perform([](const authoring::Manuscript& in, authoring::Selection at) {
+        return authoring::insertFormula(in, at, "x", " KIND=\"display\"");
+    });
+    EXPECT_THAT(body(), Not(HasSubstr("{}</TEXT>\n<FORMULA")));
+    view().settle();
+    const double below = view().text().caretRect()->top();
+    EXPECT_GT(below, above);
+    type("n");
+    view().settle();
+    EXPECT_NEAR(view().text().caretRect()->top(), below, 1);
+}
+
 // --- keys while a figure is chosen
 
 TEST_F(NewcomerTest, WhoTypesWhileAFigureIsChosenLearnsWhyNoLetterComes) {
