@@ -232,7 +232,7 @@ TEST(Inserting, PastesWhatWasCopiedAcrossTheEdgeOfAnElement) {
     EXPECT_EQ(memo("<P>{|}</P>", copied("<BODY><FIGURE><CAPTION>{c}</CAPTION></FIGURE>"
                                         "<P>{b}</P></BODY>")),
               "<P>{c}</P>\n<P>{b|}</P>");
-    // Where no section may stand, its heading becomes a paragraph.
+    // A section that may not stand there leaves its heading as a paragraph.
     EXPECT_EQ(memo("<TABLE><R><C><P>{|}</P></C></R></TABLE>", copied(sections)),
               "<TABLE><R><C><L><I>{2}</I><I>{3}</I></L>\n<P>{B}</P>\n<P>{half}</P><T>{|}</T></C>"
               "</R></TABLE>");

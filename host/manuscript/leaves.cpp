@@ -153,7 +153,7 @@ NodeId Leaves::nearest(std::size_t offset, Direction direction) const {
     NodeId id = top_;
     while (id != noNode) {
         const text::Range range = tree_.node(id).range;
-        // What ends before the offset has, going forward, nothing to offer: no leaf is looked for.
+        // Going forward, a node that ends before the offset has no leaf to offer.
         if (direction == Direction::forward && range.to < offset) {
             id = tree_.followingSkippingChildren(id, top_);
             continue;

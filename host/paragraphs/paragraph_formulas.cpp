@@ -1,4 +1,4 @@
-// What is no letter in lines: how high it makes them, and how formulas are painted.
+// Runs of lines that are no letters: how high they make a line, and how formulas are painted.
 #include "paragraphs/paragraph.h"
 
 #include "formulas/paint.h"

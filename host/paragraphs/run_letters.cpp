@@ -83,7 +83,7 @@ QSizeF RunLetters::sizeNow(const model::Run& run) const {
                   materials_->pictureHeight);
 }
 
-// What is read again has the size that its lines were made for.
+// A run that is read again has the size that its lines were made for.
 QSizeF RunLetters::sizeOfObject(std::size_t run, int position) const {
     if (run >= runsRead_) {
         const QSizeF size = sizeNow(block_->runs[run]);
