@@ -1,6 +1,7 @@
 #include "navigation/kept_place.h"
 
 #include "view/folds.h"
+#include "view/text_hand.h"
 
 #include <QEvent>
 #include <QFileInfo>
@@ -12,7 +13,7 @@ namespace navigation {
 namespace {
 
 constexpr auto list = "places", fileKey = "file", placeKey = "place", belowKey = "below",
-               pageKey = "page", zoomKey = "zoom", foldsKey = "folds";
+               pageKey = "page", zoomKey = "zoom", foldsKey = "folds", caretKey = "caret";
 
 // By which a file is known, however it is named. A document without a file has none: "".
 QString nameOf(const view::DocumentView& view) {
@@ -54,6 +55,8 @@ void KeptPlace::recall() {
             kept.place = {one.value(placeKey).toULongLong(), one.value(belowKey).toDouble()};
             kept.page = one.value(pageKey).toULongLong();
             kept.zoom = one.value(zoomKey).toDouble();
+            if (one.contains(caretKey))
+                kept.caret = one.value(caretKey).toULongLong();
             wanted_ = kept;
             std::vector<std::size_t> folds;
             for (const QVariant& fold : one.value(foldsKey).toList())
@@ -70,8 +73,8 @@ void KeptPlace::recall() {
 void KeptPlace::restore() {
     if (!wanted_)
         return;
-    if (view_.verticalScrollBar()->value() > 0) {
-        wanted_.reset(); // the reader went on meanwhile
+    if (view_.verticalScrollBar()->value() > 0) { // the reader went on meanwhile
+        writeAgain(*std::exchange(wanted_, std::nullopt));
         return;
     }
     if (!view_.isLaidOut() && view_.pages().pages.size() <= wanted_->page + 1)
@@ -79,6 +82,17 @@ void KeptPlace::restore() {
     const std::size_t size = view_.document().document().bytes().size();
     const Kept kept = *std::exchange(wanted_, std::nullopt);
     view_.show({std::min(kept.place.place, size), kept.place.below});
+    writeAgain(kept);
+}
+
+// Where the caret is already, it stays.
+void KeptPlace::writeAgain(const Kept& kept) {
+    if (!kept.caret)
+        return;
+    const std::size_t caret = std::min(*kept.caret, view_.document().document().bytes().size());
+    if (!view_.text().cursor().selection())
+        view_.text().cursor().set({caret, caret});
+    view_.setWriting(true);
 }
 
 void KeptPlace::keep() const {
@@ -89,12 +103,12 @@ void KeptPlace::keep() const {
     QVariantList folds;
     for (const std::size_t fold : view_.folds().pages().places())
         folds << static_cast<qulonglong>(fold);
-    QVariantList kept{Entry{{fileKey, file},
-                            {placeKey, static_cast<qulonglong>(place->place)},
-                            {belowKey, place->below},
-                            {pageKey, static_cast<qulonglong>(view_.currentPage())},
-                            {zoomKey, view_.zoom()},
-                            {foldsKey, folds}}};
+    Entry own{{fileKey, file},          {placeKey, static_cast<qulonglong>(place->place)},
+              {belowKey, place->below}, {pageKey, static_cast<qulonglong>(view_.currentPage())},
+              {zoomKey, view_.zoom()},  {foldsKey, folds}};
+    if (const auto at = view_.text().cursor().selection(); at && view_.isWriting())
+        own[caretKey] = static_cast<qulonglong>(at->caret);
+    QVariantList kept{own};
     for (const Entry& one : entries())
         if (one.value(fileKey).toString() != file && kept.size() < most)
             kept << one;

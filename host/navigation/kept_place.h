@@ -1,5 +1,5 @@
-// Where one read a document, how large, and what was folded: it opens so again. Kept in the
-// program's settings by the document's file.
+// Where one read a document, how large, what was folded, and whether and where one wrote: it opens
+// so again. Kept in the program's settings by the document's file.
 #pragma once
 
 #include "view/document_view.h"
@@ -26,9 +26,11 @@ private:
         view::ReadingPlace place;
         std::size_t page = 0;
         double zoom = 1;
+        std::optional<std::size_t> caret; // of a view in which one wrote
     };
     void recall();
     void restore();
+    void writeAgain(const Kept& kept);
     void keep() const;
 
     view::DocumentView& view_;

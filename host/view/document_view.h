@@ -124,6 +124,8 @@ Q_SIGNALS:
     void contextMenuWanted(document::SubdocumentId id, const QPoint& global);
     void textMenuWanted(const QPoint& global);
     void writingChanged(bool on);
+    // By a letter, or by a double click in its text, while it is for reading.
+    void triedToWrite();
     void selectionChanged(); // or what may be done with it
     void focusChanged();
     void linkActivated(const QString& target);

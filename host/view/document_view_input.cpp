@@ -108,6 +108,8 @@ void DocumentView::mouseDoubleClickEvent(QMouseEvent* event) {
         Q_EMIT valueActivated(run->element);
     else
         text_->pressTwice(*event);
+    if (!isWriting() && text_->isOverText(event->position()))
+        Q_EMIT triedToWrite();
 }
 
 void DocumentView::mouseMoveEvent(QMouseEvent* event) {
@@ -213,6 +215,18 @@ void DocumentView::keyReleaseEvent(QKeyEvent* event) {
         of->input(inputOf(*event));
 }
 
+namespace {
+
+// Whether the key changes a text that is written.
+bool isWritten(int key, Qt::KeyboardModifiers modifiers) {
+    constexpr int firstOfOthers = Qt::Key_Escape; // behind all letters
+    const bool isLetter = key > 0 && key < firstOfOthers;
+    return !(modifiers & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) &&
+           (isLetter || key == Qt::Key_Backspace || key == Qt::Key_Delete);
+}
+
+} // namespace
+
 // A key that is the host's: because nothing is chosen, or because the medium did not use it.
 void DocumentView::useKey(int key, Qt::KeyboardModifiers modifiers) {
     if (chosen() && chosenFigure().useKey(key, modifiers))
@@ -252,6 +266,8 @@ void DocumentView::useKey(int key, Qt::KeyboardModifiers modifiers) {
         break;
     default:
         Q_EMIT unhandledKey(key, modifiers);
+        if (!isWriting() && !chosen() && isWritten(key, modifiers))
+            Q_EMIT triedToWrite();
     }
 }
 

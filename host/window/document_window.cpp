@@ -13,6 +13,7 @@
 #include "panes/file_bar.h"
 #include "panes/find_bar.h"
 #include "panes/outline_pane.h"
+#include "panes/reading_bar.h"
 #include "panes/spelling_commands.h"
 #include "plain/plain.h"
 #include "source/presentation_pane.h"
@@ -93,6 +94,7 @@ DocumentWindow::DocumentWindow(Application& application,
     insert->addMenu(image);
     edit->offerAtPointer(*image, [image] { return image->isOnImage(); });
     edit->offerAtPointer(*table, [table] { return table->isInTable(); });
+    column->addWidget(new panes::ReadingBar(*view_, edit->write(), this));
     buildTools(edit->write());
     auto* figure = new menus::FigureMenu(*view_, this);
     auto* spelling = new panes::SpellingCommands(*view_, this);
