@@ -6,7 +6,7 @@
 // same wrong way, and then agree to all digits. So near hits are worth another run.
 #pragma once
 
-#include "simulation/solved.h"
+#include "simulation/run.h"
 
 #include <vector>
 

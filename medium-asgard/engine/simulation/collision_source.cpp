@@ -157,12 +157,6 @@ std::vector<std::string> CollisionSource::notes(double until) const {
     return sentences;
 }
 
-std::vector<CollisionSource::LostHop> CollisionSource::lostHops(double until) const {
-    std::vector<LostHop> hops = lostHops_;
-    std::erase_if(hops, [until](const LostHop& hop) { return hop.time > until; });
-    return hops;
-}
-
 bool CollisionSource::hasEventAt(double time) const {
     return std::ranges::binary_search(events_, time);
 }

@@ -26,6 +26,7 @@
 #include "physics/impact.h"
 #include "simulation/encounter_search.h"
 #include "simulation/impacts.h"
+#include "simulation/lost_hops.h"
 #include "simulation/resting_bodies.h"
 #include "solution/event_source.h"
 
@@ -68,13 +69,9 @@ public:
     }
     // An event happened at this very time.
     [[nodiscard]] bool hasEventAt(double time) const;
-    // The hops that a body makes no more, since it rests instead, and that are farther from rest
-    // than those before: how high, up to a time. No run that is compared has them.
-    struct LostHop {
-        double time = 0, height = 0;
-        std::size_t body = 0;
-    };
-    [[nodiscard]] std::vector<LostHop> lostHops(double until) const;
+    [[nodiscard]] std::vector<LostHop> lostHops(double until) const {
+        return lostHops_.upTo(until);
+    }
     [[nodiscard]] std::size_t pairTests() const { return search_.pairTests(); }
     // Pairs of bodies, the lesser first, that came near each other; in order.
     [[nodiscard]] std::vector<collision::Pair> candidates() { return search_.pairs(); }
@@ -312,8 +309,8 @@ private:
         double time = 0;
     };
     std::vector<Blocked> blocked_;
-    std::vector<LostHop> lostHops_; // in order
-    std::vector<double> events_;    // times
+    LostHops lostHops_;
+    std::vector<double> events_; // times
 };
 
 } // namespace simulation

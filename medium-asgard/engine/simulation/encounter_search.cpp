@@ -183,21 +183,6 @@ void EncounterSearch::searchOn(const Pair& pair, double time) {
         search(pair, time);
 }
 
-FlightMeeting EncounterSearch::meetingWithStanding(const collision::BallFlight& ball,
-                                                   std::span<const collision::StandingPart> parts,
-                                                   Interval during) {
-    FlightMeeting first;
-    for (const collision::StandingPart& part : parts) {
-        const FlightMeeting met = collision::meetingOf(ball, part, during);
-        if (met.kind == FlightMeeting::Kind::unclear)
-            return met;
-        if (met.kind == FlightMeeting::Kind::hit &&
-            (first.kind == FlightMeeting::Kind::none || met.time < first.time))
-            first = met;
-    }
-    return first;
-}
-
 // False: formulas do not tell.
 bool EncounterSearch::keep(const Pair& pair, const FlightMeeting& met) {
     if (met.kind == FlightMeeting::Kind::hit)

@@ -51,7 +51,7 @@
 
 namespace simulation {
 
-class EncounterSearch {
+class EncounterSearch final : public Neighbours {
 public:
     using Pair = collision::Pair; // the lesser index first
 
@@ -108,19 +108,8 @@ public:
         return rally.turned(met, time, parted, cells_, slack_);
     }
     [[nodiscard]] double slack() const { return slack_; }
-    static constexpr double firstSpan = 16; // s, of the first window after a cut at most
-    [[nodiscard]] static bool passApart(const collision::Approach& approach,
-                                        const collision::BallFlight& a,
-                                        const collision::BallFlight& b) {
-        return approach.passesBeyond(2 * (a.radius + b.radius)); // that is no encounter
-    }
-    [[nodiscard]] static collision::FlightMeeting
-    meetingWithStanding(const collision::BallFlight& ball,
-                        std::span<const collision::StandingPart> parts, collision::Interval during);
 
-    // Bodies that this one may meet during its window, in order, but for those that ended; none for
-    // fixed bodies, whom the others list.
-    [[nodiscard]] std::vector<std::size_t> partners(std::size_t body) const;
+    [[nodiscard]] std::vector<std::size_t> partners(std::size_t body) const override;
     // The same, in no order.
     template <typename Visit> void forEachPartner(std::size_t body, Visit&& visit) {
         for (const std::size_t other : partners_[body])
@@ -141,8 +130,7 @@ public:
     [[nodiscard]] bool hasAnyEnded(const Pair& pair) const {
         return ended_[pair.first] || ended_[pair.second];
     }
-    // The motion from the front on that was looked at.
-    [[nodiscard]] double windowEnd(std::size_t body) const { return windows_[body].until; }
+    [[nodiscard]] double windowEnd(std::size_t body) const override { return windows_[body].until; }
 
     // The flight of a free ball in its present window; none: not a ball, or no flight.
     [[nodiscard]] const collision::BallFlight* flight(std::size_t body) const {

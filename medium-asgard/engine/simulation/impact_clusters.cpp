@@ -381,15 +381,9 @@ CollisionSource::Hop CollisionSource::hopOf(const Histories& histories, const Cl
 }
 
 void CollisionSource::loseHop(const Pair& pair, double time, double height) {
-    if (!(height > 0))
-        return;
-    for (const std::size_t body : {pair.first, pair.second}) {
-        const auto isHigher = [&](const LostHop& hop) {
-            return hop.body == body && hop.height >= height;
-        };
-        if (resting_.canGiveWay(body, time) && std::ranges::none_of(lostHops_, isHigher))
-            lostHops_.push_back({.time = time, .height = height, .body = body});
-    }
+    for (const std::size_t body : {pair.first, pair.second})
+        if (resting_.canGiveWay(body, time))
+            lostHops_.add({.time = time, .height = height, .body = body});
 }
 
 // side_by_side.h. Where something hits that comes faster, all is an impact as any other.

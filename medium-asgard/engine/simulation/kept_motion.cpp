@@ -1,10 +1,10 @@
 #include "simulation/kept_motion.h"
 
 #include "collision/broad_phase.h"
+#include "simulation/groups.h"
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 
 namespace simulation {
 namespace {
@@ -18,42 +18,27 @@ geometry::Box grown(geometry::Box box, double room) {
     return box;
 }
 
-std::size_t rootOf(std::vector<std::size_t>& parent, std::size_t i) {
-    while (parent[i] != i)
-        i = parent[i] = parent[parent[i]];
-    return i;
-}
-
-void join(std::vector<std::size_t>& parent, std::size_t a, std::size_t b) {
-    a = rootOf(parent, a);
-    b = rootOf(parent, b);
-    parent[std::max(a, b)] = std::min(a, b);
-}
-
 // By body of the part: the least one of its unit. Fixed bodies stand alone.
 std::vector<std::size_t> rootsOf(const SolvedPart& part, const Solved& solved,
                                  const std::vector<std::size_t>& bodies,
                                  const std::vector<std::size_t>& group) {
     const auto& records = *part.motion.bodies;
-    std::vector<std::size_t> parent(records.size());
-    std::iota(parent.begin(), parent.end(), std::size_t{0});
+    Groups groups(records.size());
     std::map<std::size_t, std::size_t> first; // place by group
     std::optional<std::size_t> noted;
     for (std::size_t p = 0; p < records.size(); ++p) {
         if (records[p].isFixed)
             continue;
         if (bodies[p] != scene::noElement)
-            join(parent, p, first.try_emplace(group[bodies[p]], p).first->second);
+            groups.join(p, first.try_emplace(group[bodies[p]], p).first->second);
         // LIMIT: a note does not say whose it is, so that bodies of one stay together.
         if (!solved.run.notes.empty())
-            join(parent, p, noted ? *noted : *(noted = p));
+            groups.join(p, noted ? *noted : *(noted = p));
     }
     for (const auto& [a, b] : solved.near)
         if (!records[a].isFixed && !records[b].isFixed)
-            join(parent, a, b);
-    for (std::size_t p = 0; p < parent.size(); ++p)
-        parent[p] = rootOf(parent, p);
-    return parent;
+            groups.join(a, b);
+    return groups.roots();
 }
 
 void addMembers(std::vector<Unit>& units, const std::vector<std::size_t>& unitOf,

@@ -5,7 +5,8 @@
 #include "scene/difference.h"
 #include "simulation/budget.h"
 #include "simulation/computed_motion.h"
-#include "simulation/solved.h"
+#include "simulation/kept_runs.h"
+#include "simulation/solve.h"
 
 #include <memory>
 #include <vector>
@@ -16,7 +17,7 @@ namespace simulation {
 // runs over it.
 struct Reserve {
     explicit Reserve(std::shared_ptr<Problem> posed)
-        : problem(std::move(posed)), runs(KeptRuns::Keep::yes, 2 * mostBytes()) {}
+        : problem(std::move(posed)), runs(2 * mostBytes()) {}
     // Too large to be kept: solving again costs less than what this would hold for ever.
     [[nodiscard]] bool isTooLarge() const { return runs.areForgotten(); }
     std::shared_ptr<Problem> problem;

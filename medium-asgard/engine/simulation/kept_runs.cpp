@@ -11,19 +11,6 @@ void KeptRuns::begin(std::size_t bodies) {
     marked_.assign(bodies, false);
 }
 
-std::unique_ptr<OpenRun> KeptRuns::made(const Problem& problem, Kind kind,
-                                        const std::vector<double>& tolerances,
-                                        const std::optional<Base>& base) const {
-    std::vector<bool> taken;
-    if (base)
-        taken = untouchedIn(problem, base->before, base->again);
-    if (std::ranges::find(taken, true) == taken.end())
-        taken.clear();
-    return std::make_unique<OpenRun>(
-        problem, tolerances, kind == Kind::nudged ? Rounding::nudged : Rounding::asItIs,
-        keep_ == Keep::no ? OpenRun::Use::once : OpenRun::Use::again, std::move(taken));
-}
-
 bool KeptRuns::saysNothing(const Problem& problem) const {
     for (std::size_t b = 0; b < marked_.size(); ++b)
         if (!marked_[b] && !(*problem.bodies)[b].isFixed)
@@ -33,7 +20,6 @@ bool KeptRuns::saysNothing(const Problem& problem) const {
 
 // A search that is repeated says nothing without them.
 void KeptRuns::forget() {
-    keep_ = Keep::no;
     areForgotten_ = true;
     for (auto& runs : runs_)
         for (auto& run : runs)
@@ -42,35 +28,49 @@ void KeptRuns::forget() {
         marked_.assign(marked_.size(), true);
 }
 
-std::optional<Run> KeptRuns::next(const Problem& problem, Kind kind,
-                                  const std::vector<double>& tolerances, const Observer& observer,
-                                  const std::optional<Base>& base) {
-    const Run* const before = base ? &base->before : nullptr;
-    auto& runs = runs_[static_cast<std::size_t>(kind)];
-    const std::size_t index = asked_[static_cast<std::size_t>(kind)]++;
+void KeptRuns::markOthers(const OpenRun& open, const Wanted& wanted) {
+    for (std::size_t b = 0; b < wanted.tolerances.size(); ++b)
+        if (open.tolerances()[b] != wanted.tolerances[b] ||
+            (wanted.base && open.takes(b) && wanted.base->again[b]))
+            marked_[b] = true;
+}
+
+std::optional<Run> KeptRuns::next(const Problem& problem, const Wanted& wanted,
+                                  const Observer& observer) {
+    if (areForgotten_ && !isRepeated_)
+        return FreshRuns().next(problem, wanted, observer);
+    std::optional<Run> run = kept(problem, wanted, observer);
+    for (std::size_t b = 0; b < wanted.concerned.size() && !run; ++b)
+        if (wanted.concerned[b])
+            marked_[b] = true;
+    return run;
+}
+
+std::optional<Run> KeptRuns::kept(const Problem& problem, const Wanted& wanted,
+                                  const Observer& observer) {
+    const Run* const before = wanted.base ? &wanted.base->before : nullptr;
+    auto& runs = runs_[static_cast<std::size_t>(wanted.kind)];
+    const std::size_t index = asked_[static_cast<std::size_t>(wanted.kind)]++;
     if (isRepeated_ && (areForgotten_ || index >= runs.size()))
         return std::nullopt;
     if (index >= runs.size()) {
         runs.resize(index + 1);
-        runs[index] = made(problem, kind, tolerances, base);
+        runs[index] = openRun(problem, wanted, OpenRun::Use::again);
     }
     std::unique_ptr<OpenRun>& open = runs[index];
-    for (std::size_t b = 0; b < tolerances.size(); ++b)
-        if (open->tolerances()[b] != tolerances[b] || (base && open->takes(b) && base->again[b]))
-            mark(b);
+    markOthers(*open, wanted);
     if (saysNothing(problem))
         return std::nullopt;
     const std::vector<double> own = open->tolerances();
+    const Wanted alone{.kind = wanted.kind, .tolerances = own};
     if (!open->canGoOn(before))
-        open = made(problem, kind, own, {});
+        open = openRun(problem, alone, OpenRun::Use::again);
     std::optional<Run> run = open->upToFinish(observer, before);
     if (run->isDisturbed) {
-        open = made(problem, kind, own, {});
+        open = openRun(problem, alone, OpenRun::Use::again);
         run = open->upToFinish(observer, nullptr);
     }
-    if (keep_ == Keep::no)
-        open.reset();
-    else if (bytes() > most_)
+    if (bytes() > most_)
         forget();
     return run;
 }

@@ -1,6 +1,8 @@
 // A run that goes on is the run that was longer from the start, and the runs of a search are made
 // once, however often the search is repeated.
 #include "simulation/kept_runs.h"
+
+#include "simulation/budget.h"
 #include "simulation/testing.h"
 
 namespace simulation::testing {
@@ -81,9 +83,10 @@ protected:
     std::vector<std::size_t> search(KeptRuns& runs, double rougher = 1e-4) {
         runs.begin(problem->bodies->size());
         std::vector<std::size_t> steps;
-        for (const auto& [kind, tolerance] : {std::pair(KeptRuns::Kind::compared, 1e-6),
-                                              std::pair(KeptRuns::Kind::rougher, rougher)}) {
-            const auto run = runs.next(*problem, kind, tolerancesOf(*problem, tolerance), {});
+        for (const auto& [kind, tolerance] : {std::pair(RunSource::Kind::compared, 1e-6),
+                                              std::pair(RunSource::Kind::rougher, rougher)}) {
+            const auto tolerances = tolerancesOf(*problem, tolerance);
+            const auto run = runs.next(*problem, {.kind = kind, .tolerances = tolerances}, {});
             steps.push_back(run ? run->statistics.steps - run->before.steps : 0);
         }
         return steps;
@@ -92,7 +95,7 @@ protected:
 };
 
 TEST_F(KeptRunsTest, AreMadeOnceAndTakenFurther) {
-    KeptRuns runs(KeptRuns::Keep::yes);
+    KeptRuns runs(mostBytes());
     const auto first = search(runs);
     EXPECT_GT(first[0], first[1]);
     EXPECT_GT(first[1], 0u);
@@ -105,19 +108,49 @@ TEST_F(KeptRunsTest, AreMadeOnceAndTakenFurther) {
 }
 
 TEST_F(KeptRunsTest, AnotherToleranceMarksAndNoRunIsMadeAnew) {
-    KeptRuns runs(KeptRuns::Keep::yes);
+    KeptRuns runs(mostBytes());
     (void)search(runs);
     EXPECT_THAT(search(runs, 1e-5), ElementsAre(0, 0));
     EXPECT_EQ(std::ranges::count(runs.marked(), false), 0);
-    EXPECT_FALSE(runs.next(*problem, KeptRuns::Kind::nudged, tolerancesOf(*problem), {}));
+    const auto tolerances = tolerancesOf(*problem);
+    EXPECT_FALSE(
+        runs.next(*problem, {.kind = RunSource::Kind::nudged, .tolerances = tolerances}, {}));
     EXPECT_THAT(search(runs), ElementsAre(0, 0)); // as before: nothing is marked any more
     EXPECT_EQ(std::ranges::count(runs.marked(), true), 0);
 }
 
-TEST_F(KeptRunsTest, AreForgottenWhereNothingIsKept) {
-    KeptRuns runs(KeptRuns::Keep::no);
-    (void)search(runs);
+TEST_F(KeptRunsTest, AreForgottenWhereTheyAreTooLarge) {
+    KeptRuns runs(1);
+    EXPECT_THAT(search(runs), ElementsAre(::testing::Gt(0u), ::testing::Gt(0u)));
     EXPECT_EQ(runs.bytes(), 0u);
+    EXPECT_TRUE(runs.areForgotten());
+    EXPECT_THAT(search(runs), ElementsAre(0, 0)); // again: nothing is told
+}
+
+// A search that is repeated says nothing of those whom a run concerns that was not made before.
+TEST_F(KeptRunsTest, MarkWhomAMissingRunConcerns) {
+    KeptRuns runs(mostBytes());
+    (void)search(runs);
+    runs.begin(problem->bodies->size());
+    const auto tolerances = tolerancesOf(*problem);
+    EXPECT_FALSE(runs.next(*problem,
+                           {.kind = RunSource::Kind::nudged,
+                            .tolerances = tolerances,
+                            .concerned = {false, true, false}},
+                           {}));
+    EXPECT_THAT(runs.marked(), ElementsAre(false, true, false));
+}
+
+TEST(FreshRuns, AreMadeEachTime) {
+    const auto problem = posed(bounceAndSwing(1));
+    const auto tolerances = tolerancesOf(*problem);
+    FreshRuns runs;
+    for (int again = 0; again < 2; ++again) {
+        const auto run = runs.next(*problem, {.tolerances = tolerances}, {});
+        ASSERT_TRUE(run);
+        EXPECT_EQ(run->before.steps, 0u);
+        EXPECT_EQ(run->statistics.steps, Scratch(1).run.statistics.steps);
+    }
 }
 
 } // namespace

@@ -89,6 +89,10 @@ public:
     }
 };
 
+// A motion whose estimate is over this is not predictable from predictableUntil() on; below, it is
+// known, but not to the accuracy.
+inline constexpr double unpredictable = 0.03;
+
 using MotionPointer = std::shared_ptr<const Motion>;
 
 } // namespace simulation

@@ -35,7 +35,7 @@ private:
     [[nodiscard]] bool takePart(const PlacedPart& placed);
     void leavePart(const PlacedPart& placed);
     void addUnits(const PartPointer& part, const Solved& solved,
-                  const std::vector<std::size_t>& bodies);
+                  const std::vector<std::size_t>& bodies, const std::vector<bool>& marked);
     void markMeetings();
     void markMeetings(std::size_t body, const PlacedPart& part, std::size_t place,
                       const std::vector<std::size_t>& beside);
@@ -114,7 +114,7 @@ bool Continuation::takePart(const PlacedPart& placed) {
     auto part = std::make_shared<SolvedPart>(*reserve.problem, solved);
     if (!reserve.isTooLarge())
         part->reserve = placed.part->reserve;
-    addUnits(part, solved, placed.bodies);
+    addUnits(part, solved, placed.bodies, reserve.runs.marked());
     motion.parts.push_back({part, placed.bodies});
     for (std::size_t p = 0; p < placed.bodies.size(); ++p)
         if (const std::size_t body = placed.bodies[p];
@@ -125,11 +125,12 @@ bool Continuation::takePart(const PlacedPart& placed) {
 
 // Who came near one that moves otherwise now is not known. Those alone are of no interest.
 void Continuation::addUnits(const PartPointer& part, const Solved& solved,
-                            const std::vector<std::size_t>& bodies) {
+                            const std::vector<std::size_t>& bodies,
+                            const std::vector<bool>& marked) {
     for (UnitPointer& unit : unitsOf(part, solved, bodies, known_.version->connections.group)) {
         bool isClear = true;
         for (std::size_t i = 0; i < unit->bodies.size(); ++i)
-            isClear = isClear && unit->bodies[i] != noElement && !solved.marked[unit->places[i]];
+            isClear = isClear && unit->bodies[i] != noElement && !marked[unit->places[i]];
         if (isClear)
             made_.motion.units.push_back(std::move(unit));
         else

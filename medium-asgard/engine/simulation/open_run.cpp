@@ -1,9 +1,9 @@
 #include "simulation/open_run.h"
 
+#include "simulation/collision_source.h"
 #include "simulation/cpu_seconds.h"
 #include "simulation/nudge.h"
 #include "simulation/stops.h"
-#include "simulation/tightening.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +43,7 @@ std::vector<RestLimits> restLimits(const Problem& problem, const std::vector<dou
                                    Rounding rounding) {
     constexpr double hop = 1e-3, touching = 1e-2, depth = 4e-9;
     constexpr double finest = 1e-4, fineDepth = 1e-3, nudgedPart = 0.1; // beside the first run's
-    const double accuracy = problem.accuracy(), first = Tightening::firstTolerance(accuracy);
+    const double accuracy = problem.accuracy(), first = firstTolerance(accuracy);
     const double gap = std::clamp(touching * accuracy, RestLimits::leastGap, RestLimits::mostGap);
     std::vector<RestLimits> limits;
     for (const double tolerance : tolerances) {

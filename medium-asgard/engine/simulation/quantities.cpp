@@ -1,8 +1,8 @@
+#include "simulation/quantities.h"
+
 #include "expression/tape.h"
 #include "physics/scene_quantities.h"
 #include "simulation/computed_motion.h"
-#include "simulation/run.h"
-#include "simulation/simulation.h"
 
 #include <algorithm>
 #include <iterator>

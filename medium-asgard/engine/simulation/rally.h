@@ -19,23 +19,15 @@
 #include "collision/ball_cells.h"
 #include "collision/ball_flight.h"
 #include "collision/broad_phase.h"
-#include "collision/time_of_impact.h"
+#include "simulation/flight_meetings.h"
 #include "solution/event_source.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
 
 namespace simulation {
-
-// Of hits in flight, in a rally and outside.
-namespace flight_hits {
-inline constexpr double epsilon = std::numeric_limits<double>::epsilon();
-inline constexpr double timeResolution = 8 * epsilon;
-inline constexpr double deep = 400 * epsilon; // of the radius
-} // namespace flight_hits
 
 class Rally {
 public:

@@ -7,7 +7,7 @@
 // Told from the motion up to the finish alone, so that it is the same however the run came about.
 #pragma once
 
-#include "simulation/solved.h"
+#include "simulation/run.h"
 
 #include <vector>
 

@@ -1,8 +1,8 @@
 #include "simulation/resting_bodies.h"
 
+#include "collision/time_of_impact.h"
 #include "equations/directions.h"
 #include "simulation/bearing_rates.h"
-#include "simulation/encounter_search.h"
 
 #include <algorithm>
 #include <cmath>
@@ -471,12 +471,12 @@ void RestingBodies::look(const Histories& histories, std::size_t body, double un
 
 std::optional<RestingBodies::Change> RestingBodies::firstChange(const Histories& histories,
                                                                 double until, double known,
-                                                                const EncounterSearch& search) {
+                                                                const Neighbours& neighbours) {
     std::optional<Change> first;
     for (auto& [body, watch] : resting_) {
         if (!watch.change && watch.seenUntil < until)
-            look(histories, body, std::max(until, std::min(known, search.windowEnd(body))),
-                 search.partners(body), watch);
+            look(histories, body, std::max(until, std::min(known, neighbours.windowEnd(body))),
+                 neighbours.partners(body), watch);
         if (watch.change && *watch.change <= until && (!first || *watch.change < first->time))
             first = Change{.time = *watch.change, .body = body};
     }

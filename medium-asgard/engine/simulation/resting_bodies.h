@@ -25,7 +25,16 @@
 
 namespace simulation {
 
-class EncounterSearch;
+// Who may come near a body, and for how long that is known.
+class Neighbours {
+public:
+    virtual ~Neighbours() = default;
+    // Bodies that this one may meet during its window, in order, but for those that ended; none for
+    // fixed bodies, whom the others list.
+    [[nodiscard]] virtual std::vector<std::size_t> partners(std::size_t body) const = 0;
+    // The motion from the front on that was looked at.
+    [[nodiscard]] virtual double windowEnd(std::size_t body) const = 0;
+};
 
 class RestingBodies {
 public:
@@ -91,7 +100,7 @@ public:
     };
     [[nodiscard]] std::optional<Change> firstChange(const solution::Histories& histories,
                                                     double until, double known,
-                                                    const EncounterSearch& search);
+                                                    const Neighbours& neighbours);
     // An event cut the motion of these bodies: looks beyond it no longer hold.
     void lookAgain(std::span<const std::size_t> bodies, double time);
 

@@ -1,46 +1,17 @@
 // One solution of a scene at given tolerances.
 #pragma once
 
-#include "simulation/collision_source.h"
+#include "collision/broad_phase.h"
 #include "simulation/computed_motion.h"
-#include "simulation/simulation.h"
-#include "solution/solver.h"
+#include "simulation/lost_hops.h"
+#include "simulation/problem.h"
 
 #include <memory>
-#include <set>
+#include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace simulation {
-
-// A scene with everything that does not depend on tolerances worked out.
-struct Problem {
-    scene::Scene scene; // with the options' parameters, accuracy and finish
-    physics::EquationsOfMotion equations;
-    std::vector<geometry::Shape> shapes; // by body
-    std::shared_ptr<const std::vector<BodyRecord>> bodies;
-    Options options;
-    // Of `equations`, which stay with the problem: what all runs share.
-    std::shared_ptr<const solution::PreparedEquations> prepared;
-    // By body: the least of those that read each other, directly or through others.
-    std::vector<std::size_t> readers;
-    // Unknowns that are read of the motion or by collisions; none: all.
-    std::optional<std::vector<std::size_t>> asked;
-
-    [[nodiscard]] double start() const { return scene.simulator.start; }
-    [[nodiscard]] double finish() const { return scene.simulator.finish; }
-    [[nodiscard]] double accuracy() const { return scene.simulator.accuracy; }
-    [[nodiscard]] bool collides() const;
-};
-
-// The unknowns that these expressions read, as Quantities does; faulty ones read none.
-[[nodiscard]] std::vector<std::size_t> unknownsRead(const scene::Scene& scene,
-                                                    const std::vector<std::string>& expressions);
-
-// Or the sentences that say why nothing can be computed; none at all: it was cancelled.
-[[nodiscard]] std::variant<std::shared_ptr<Problem>, std::vector<std::string>>
-problemOf(const scene::Scene& scene, const Options& options, const Observer& observer = {});
 
 struct BodyError {
     double estimate = 0; // over the size of what it moves with
@@ -55,7 +26,7 @@ struct Run {
     std::map<std::size_t, Stop> stops; // by body
     Impacts impacts;
     std::vector<std::string> notes;
-    std::vector<CollisionSource::LostHop> lostHops;
+    std::vector<LostHop> lostHops;
     // By body that rests or slides at the end: on what; when to be explained.
     std::map<std::size_t, std::vector<std::size_t>> supports;
     solution::Statistics statistics;
@@ -86,12 +57,5 @@ struct Run {
 // ended.
 [[nodiscard]] std::vector<std::size_t> islandsOf(const Problem& problem, const Impacts& impacts,
                                                  const std::vector<collision::Pair>& blocked = {});
-
-// By unknown: its body.
-[[nodiscard]] std::vector<std::size_t> ownersOf(const Problem& problem);
-
-// tolerances: of one step, relative, by body.
-[[nodiscard]] solution::Options solverOptions(const Problem& problem,
-                                              const std::vector<double>& tolerances);
 
 } // namespace simulation

@@ -9,8 +9,6 @@ namespace simulation {
 namespace {
 
 // Constants of the search, measured on all reference scenes (docs/numerics/measurements.md).
-constexpr double firstPart = 0.5;          // of the accuracy, in the first run
-constexpr double loosest = 1e-3;           // and at most this
 constexpr double tightening = 1.0 / 8;     // between the first two runs
 constexpr double enough = 0.625;           // of the accuracy: the estimate that is accepted
 constexpr double aim = 0.15;               // and what is aimed at when it is not
@@ -50,10 +48,6 @@ double coarseness(const IslandError& difference) {
 Tightening::Tightening(double accuracy, std::size_t bodies)
     : accuracy_(accuracy), loose_(bodies, firstTolerance(accuracy)),
       tight_(bodies, tightening * firstTolerance(accuracy)), bodies_(bodies) {}
-
-double Tightening::firstTolerance(double accuracy) {
-    return std::min(firstPart * accuracy, loosest);
-}
 
 Tightening::Outlook Tightening::outlook(std::size_t b, const IslandError& difference,
                                         double rounding) const {
@@ -253,6 +247,13 @@ void Tightening::proveByLooser(std::size_t b, const IslandError& difference, Bod
     const double estimate = roundingCaution * std::min(difference.largest, 1.0);
     if (estimate > error.estimate)
         settle(b, difference, estimate, roundingCaution, error);
+}
+
+std::vector<bool> Tightening::unsettled() const {
+    std::vector<bool> open;
+    for (const Body& body : bodies_)
+        open.push_back(!body.isSettled);
+    return open;
 }
 
 bool Tightening::goesOn() const { return !std::ranges::all_of(bodies_, &Body::isSettled); }

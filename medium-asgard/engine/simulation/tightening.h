@@ -18,7 +18,6 @@
 #pragma once
 
 #include "simulation/accuracy.h"
-#include "simulation/solved.h"
 
 #include <vector>
 
@@ -28,7 +27,6 @@ class Tightening {
 public:
     static constexpr std::size_t fewSteps = 24; // whose errors follow no tolerance
     Tightening(double accuracy, std::size_t bodies);
-    [[nodiscard]] static double firstTolerance(double accuracy); // of the first run
 
     // The relative error that one step may have, by body.
     [[nodiscard]] const std::vector<double>& loose() const { return loose_; }
@@ -63,7 +61,7 @@ public:
     // Takes the differences between the runs at tight() and proof(), and writes these errors. Where
     // they are larger than the accuracy the search goes on, or the horizon is written.
     void prove(const std::vector<IslandError>& differences, std::vector<BodyError>& errors);
-    [[nodiscard]] bool isSettled(std::size_t body) const { return bodies_[body].isSettled; }
+    [[nodiscard]] std::vector<bool> unsettled() const; // by body
 
 private:
     enum class Proof { none, tighter, looser };

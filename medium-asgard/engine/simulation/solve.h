@@ -2,7 +2,8 @@
 // of it (resimulation.h).
 #pragma once
 
-#include "simulation/kept_runs.h"
+#include "simulation/result.h"
+#include "simulation/run_source.h"
 
 #include <utility>
 #include <vector>
@@ -20,10 +21,9 @@ struct Solved {
     // The most that a run kept; one had to end for it.
     std::size_t keptBytes = 0;
     bool isFull = false;
-    // By body: the runs that were repeated do not tell how it moves (kept_runs.h).
-    std::vector<bool> marked;
 };
 
-[[nodiscard]] Solved solve(const Problem& problem, const Observer& observer, KeptRuns& runs);
+// Solves the problem by the runs of this source, and estimates the errors by comparing them.
+[[nodiscard]] Solved solve(const Problem& problem, const Observer& observer, RunSource& runs);
 
 } // namespace simulation
