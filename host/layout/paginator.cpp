@@ -33,7 +33,8 @@ std::shared_ptr<Basis> basisOf(const ModelPointer& model, const Objects& objects
 Pages comparable(const Pages& old, const Basis& now) {
     if (!old.basis || old.basis->stock != now.stock ||
         old.size != QSizeF(fromPoints(now.model->page.width), fromPoints(now.model->page.height)) ||
-        textAreaOf(old.basis->model->page) != textAreaOf(now.model->page))
+        textAreaOf(old.basis->model->page) != textAreaOf(now.model->page) ||
+        old.basis->model->page.balance != now.model->page.balance)
         return {};
     return old;
 }
@@ -47,7 +48,7 @@ Paginator::Paginator(const ModelPointer& model, const Objects& objects, const Pa
       in_{*basis_->stock, pages_.work, area_.width,
           std::max(area_.height() - fromPoints(captionPoints), fromPoints(leastPicturePoints)),
           area_.height()},
-      groups_(in_, model->blocks), notes_(in_) {
+      groups_(in_, model->blocks), notes_(in_), plan_(in_, *model, notes_) {
     basis_->stock->materials()->pictureHeight = in_.pictureHeight;
     pages_.size = {fromPoints(model->page.width), fromPoints(model->page.height)};
     pages_.paper = colorOf(model->page.background);
@@ -75,7 +76,7 @@ bool Paginator::step() {
         break;
     case Stage::begin:
         stage_ = Stage::consider;
-        if (hand_.strips.front().breakBefore && !atTop()) {
+        if ((hand_.strips.front().breakBefore || plan_.beginsNext(hand_.start)) && !atTop()) {
             newPage(PageStart::Next::afterBreak);
             stage_ = Stage::afterBreak;
         }
@@ -246,6 +247,8 @@ Paginator::Stage Paginator::considerGroup() {
 
 // The rest of the group, or as much as the page takes.
 Paginator::Stage Paginator::placeHand() {
+    if (strip_ == 0 && isFresh())
+        plan_.begin(hand_.start);
     for (; strip_ < hand_.strips.size(); ++strip_) {
         const Strip& strip = hand_.strips[strip_];
         if (!strip.cells && !fits(strip) && !isFresh()) {
@@ -379,7 +382,7 @@ void Paginator::newPage(PageStart::Next next) {
     start.first = start.group.at.block;
     if (!floats_.empty())
         start.first = floats_.front().start.at.block;
-    start.reached = groups_.reached();
+    start.reached = std::max(groups_.reached(), plan_.reached());
     for (const Group& waiting : floats_)
         start.floats.push_back(waiting.start);
     if (auto waiting = notes_.waiting())
@@ -396,6 +399,7 @@ void Paginator::newPage(PageStart::Next next) {
 void Paginator::beginPage(const PageStart& start) {
     basis_->starts.push_back(start);
     filling_ = {std::make_shared<Page>(), {}, area_.top, 0, area_.top};
+    plan_.forget();
     ++pages_.work.pages;
 }
 

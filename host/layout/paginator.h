@@ -2,6 +2,7 @@
 #pragma once
 
 #include "layout/old_pages.h"
+#include "layout/page_plan.h"
 
 #include <deque>
 
@@ -64,6 +65,7 @@ private:
     Surroundings in_;
     Groups groups_;
     Notes notes_;
+    PagePlan plan_;
     std::deque<Group> floats_;
     Group hand_;            // that was read last
     std::size_t strip_ = 0; // of it, the next one

@@ -24,10 +24,7 @@ void PageCommands::addTo(QMenu& menu) {
 
 void PageCommands::present() {
     auto* show = new SlideShow(view_, window_);
-    connect(show, &SlideShow::left, this, [this](std::size_t page) {
-        if (page != view_.currentPage())
-            view_.goToPage(page);
-    });
+    connect(show, &SlideShow::left, this, [this](std::size_t place) { view_.goTo(place); });
     show->setScreen(window_->screen());
     show->showFullScreen();
     show->activateWindow();

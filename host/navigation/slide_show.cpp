@@ -1,5 +1,6 @@
 #include "navigation/slide_show.h"
 
+#include "places/carets.h"
 #include "plain/plain.h"
 #include "view/text_hand.h"
 
@@ -10,14 +11,46 @@
 
 namespace navigation {
 
+namespace {
+
+// "": the class's default one.
+QString presentationForAudience(const view::DocumentView& of) {
+    const std::string& className = of.document().document().className();
+    const schemas::Schemas& schemas = of.document().schemas();
+    const auto isWide = [&](const QString& name) {
+        const schemas::PageStyle& page = schemas.presentation(className, name).page();
+        return page.width > page.height;
+    };
+    if (isWide(of.presentation()))
+        return of.presentation();
+    const QStringList all = schemas.presentations(className);
+    const auto wide = std::ranges::find_if(all, isWide);
+    return wide == all.end() ? of.presentation() : *wide;
+}
+
+// Below the top of the view, where the end of what was read before may still be seen. Nothing: one
+// is at the beginning.
+std::optional<std::size_t> placeRead(const view::DocumentView& of) {
+    if (of.pages().pages.empty() || of.verticalScrollBar()->value() == 0)
+        return std::nullopt;
+    const places::Carets carets(of.pages(), of.document().document().tree());
+    const QSizeF size = of.viewport()->size();
+    const auto [page, point] = of.pagePointAt({size.width() / 2, size.height() / 3});
+    const std::optional<places::Caret> caret = carets.at(page, point);
+    return caret ? std::optional(carets.placeOf(*caret)) : std::nullopt;
+}
+
+} // namespace
+
 SlideShow::SlideShow(const view::DocumentView& of, QWidget* parent)
-    : view::DocumentView(of.document(), parent), page_(of.currentPage()) {
+    : view::DocumentView(of.document(), parent) {
     setObjectName("slideShow");
     setWindowFlag(Qt::Window);
     setAttribute(Qt::WA_DeleteOnClose);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    setPresentation(of.presentation());
+    setPresentation(presentationForAudience(of));
+    beginsAt_ = placeRead(of);
     setSpread(view::Spread::single);
     setWindowTitle(plain::title(of.title()));
     constexpr int hidePointerMs = 2500;
@@ -35,9 +68,21 @@ SlideShow::SlideShow(const view::DocumentView& of, QWidget* parent)
     pointer_.start();
 }
 
+// Of a long document the pages come one after the other.
+void SlideShow::begin() {
+    const places::Carets carets(pages(), document().document().tree());
+    const std::optional<places::Caret> caret = carets.of(*beginsAt_, 0);
+    if (caret)
+        page_ = firstPage_ = caret->page;
+    if (isLaidOut() || (caret && caret->page + 1 < pages().pages.size()))
+        beginsAt_.reset();
+}
+
 void SlideShow::fit() {
     if (pages().pages.empty())
         return;
+    if (beginsAt_)
+        begin();
     page_ = std::min(page_, pages().pages.size() - 1);
     setZoom(pageZoom());
     verticalScrollBar()->setValue(static_cast<int>(page_) * viewport()->height());
@@ -45,6 +90,7 @@ void SlideShow::fit() {
 }
 
 void SlideShow::goBy(int pages) {
+    beginsAt_.reset();
     const auto last = static_cast<int>(this->pages().pages.size()) - 1;
     page_ =
         static_cast<std::size_t>(std::clamp(static_cast<int>(page_) + pages, 0, std::max(0, last)));
@@ -136,7 +182,9 @@ void SlideShow::showEvent(QShowEvent* event) {
 }
 
 void SlideShow::closeEvent(QCloseEvent* event) {
-    Q_EMIT left(page_);
+    const std::optional<view::ReadingPlace> place = readingPlace();
+    if (place && page_ != firstPage_)
+        Q_EMIT left(place->place);
     DocumentView::closeEvent(event);
 }
 

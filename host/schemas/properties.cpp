@@ -399,6 +399,7 @@ const std::map<std::string_view, PageSetter>& pageSetters() {
         {"footer-right", [](P& p, const Words& w) { return setText(p.footerRight, w); }},
         {"header-on-first-page",
          [](P& p, const Words& w) { return setFlag(p.headerOnFirstPage, w); }},
+        {"balance", [](P& p, const Words& w) { return setFlag(p.balance, w); }},
         {"font", [](P& p, const Words& w) { return setFont(p.headerStyle, w, TextStyle{}.size); }},
         {"color", [](P& p, const Words& w) { return setColor(p.headerStyle.color, w); }},
         {"background", [](P& p, const Words& w) { return setColor(p.background, w); }},

@@ -114,7 +114,8 @@ struct PageStyle {
     bool headerOnFirstPage = true;
     TextStyle headerStyle; // of footers too
     Color background{255, 255, 255};
-    double zoom = 1; // times the size on screen that a view of this presentation begins with
+    bool balance = false; // the pages up to one that the document begins are filled alike
+    double zoom = 1;      // times the size on screen that a view of this presentation begins with
     bool operator==(const PageStyle&) const = default;
 };
 

@@ -62,6 +62,13 @@ protected:
         return list().currentItem() ? list().currentItem()->text(0).toStdString() : "";
     }
 
+    navigation::SlideShow* present() const {
+        action("present")->trigger();
+        auto* slides = window_->findChild<navigation::SlideShow*>();
+        EXPECT_TRUE(slides && waitFor([&] { return slides->isVisible() && slides->isLaidOut(); }));
+        return slides;
+    }
+
     DocumentWindow* window_ = nullptr;
 };
 
@@ -230,12 +237,9 @@ TEST_F(AroundTest, APageIsSeenWhole) {
 
 TEST_F(AroundTest, APresentationShowsPageByPage) {
     show(memo(lines(100) + scripted("red")));
-    const std::size_t count = view().pages().pages.size();
-    ASSERT_GT(count, 2u);
-    action("present")->trigger();
-    QPointer<navigation::SlideShow> slides = window_->findChild<navigation::SlideShow*>();
-    ASSERT_TRUE(slides);
-    ASSERT_TRUE(waitFor([&] { return slides->isVisible(); }));
+    const QPointer<navigation::SlideShow> slides = present();
+    const std::size_t count = slides->pages().pages.size();
+    ASSERT_GT(count, 3u);
     const auto whole = [&] {
         return slides->inViewport(slides->page(), {{}, slides->pages().size});
     };
@@ -264,7 +268,43 @@ TEST_F(AroundTest, APresentationShowsPageByPage) {
     EXPECT_FALSE(slides->chosen());
     QTest::keyClick(slides, Qt::Key_Escape);
     EXPECT_TRUE(waitFor([&] { return slides.isNull(); }));
-    EXPECT_EQ(view().currentPage(), count - 1);
+    // The last slide.
+    EXPECT_THAT(view().visibleSubdocuments(), ::testing::Contains(figure));
+}
+
+// The pages of a memo are sheets; what is shown in a room are slides.
+TEST_F(AroundTest, APresentationShowsSlidesAndTheViewKeepsItsPages) {
+    show(memo(section("One", lines(30)) + section("Two", lines(30)) + section("Three", lines(30))));
+    view().goTo(document().bytes().find("Text of Two"));
+    const int scrolled = bar().value();
+    const double zoom = view().zoom();
+    QPointer<navigation::SlideShow> slides = present();
+    EXPECT_GT(slides->pages().size.width(), slides->pages().size.height());
+    EXPECT_EQ(slides->presentation(), "slides");
+    const auto pageOf = [&](const std::string& words) {
+        const places::Carets carets(slides->pages(), document().tree());
+        return carets.of(document().bytes().find(words), 0)->page;
+    };
+    EXPECT_GE(slides->page(), pageOf("Text of Two")); // what one read
+    EXPECT_LT(slides->page(), pageOf("Text of Three"));
+    const auto leave = [&] {
+        QTest::keyClick(slides, Qt::Key_Escape);
+        EXPECT_TRUE(waitFor([&] { return slides.isNull(); }));
+    };
+    leave();
+    EXPECT_EQ(view().presentation(), "");
+    EXPECT_EQ(view().zoom(), zoom);
+    EXPECT_EQ(bar().value(), scrolled);
+
+    slides = present();
+    QTest::keyClick(slides, Qt::Key_Home);
+    EXPECT_EQ(slides->page(), 0u);
+    leave();
+    EXPECT_LT(bar().value(), scrolled); // where the audience was
+    view().setPresentation("slides");
+    slides = present();
+    EXPECT_EQ(slides->presentation(), "slides");
+    leave();
 }
 
 // --- how much text ---------------------------------------------------------------------------
