@@ -7,8 +7,8 @@
 #include "measurement.h"
 #include "shared_scenes.h"
 
+#include "resimulation/resimulation.h"
 #include "script/reader.h"
-#include "simulation/resimulation.h"
 
 #include <chrono>
 #include <cstdio>

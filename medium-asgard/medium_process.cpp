@@ -3,8 +3,8 @@
 #include "charts/canvas.h"
 #include "confinement/confinement.h"
 #include "edit_mode.h"
+#include "resimulation/resimulation.h"
 #include "screen/display.h"
-#include "simulation/resimulation.h"
 #include "terminal/terminal.h"
 
 #include <array>

@@ -1,6 +1,6 @@
 #include "batch/command.h"
 #include "batch/input.h"
-#include "simulation/doubts.h"
+#include "reports/doubts.h"
 #include "simulation/simulation.h"
 #include "terminal/terminal.h"
 

@@ -1,7 +1,7 @@
 // An explanation as people read it and as programs do.
 #pragma once
 
-#include "simulation/explanation.h"
+#include "reports/explanation.h"
 
 #include <optional>
 #include <string>

@@ -2,8 +2,8 @@
 
 #include "batch/command.h"
 #include "files/read.h"
+#include "reports/report.h"
 #include "script/locate.h"
-#include "simulation/report.h"
 #include "terminal/terminal.h"
 
 #include <algorithm>

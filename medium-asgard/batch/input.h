@@ -1,8 +1,8 @@
 // The input of batch commands: scenes, parameter settings, lists of times and of quantities.
 #pragma once
 
+#include "motion/motion.h"
 #include "script/reader.h"
-#include "simulation/motion.h"
 
 #include <map>
 #include <optional>

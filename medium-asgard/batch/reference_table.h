@@ -1,8 +1,8 @@
 // A table of true places, as `simulate` writes it, to compare motions with.
 #pragma once
 
+#include "accuracy/accuracy.h"
 #include "batch/input.h"
-#include "simulation/accuracy.h"
 
 namespace batch {
 

@@ -5,8 +5,8 @@
 #include "batch/statistics.h"
 #include "batch/table.h"
 #include "batch/waiting.h"
-#include "simulation/budget.h"
-#include "simulation/known_span.h"
+#include "motion/known_span.h"
+#include "run/budget.h"
 #include "terminal/terminal.h"
 
 #include <algorithm>

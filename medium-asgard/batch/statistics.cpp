@@ -1,6 +1,6 @@
 #include "batch/statistics.h"
 
-#include "simulation/known_span.h"
+#include "motion/known_span.h"
 
 #include <nlohmann/json.hpp>
 

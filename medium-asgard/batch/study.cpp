@@ -6,7 +6,7 @@
 
 #include "charts/canvas.h"
 #include "charts/study_chart.h"
-#include "simulation/study.h"
+#include "study/study.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "charts/work_precision.h"
-#include "simulation/study.h"
+#include "study/study.h"
 
 #include <string>
 

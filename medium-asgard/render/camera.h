@@ -7,8 +7,8 @@
 #pragma once
 
 #include "geometry/pose.h"
+#include "motion/motion.h"
 #include "scene/scene.h"
-#include "simulation/motion.h"
 
 #include <cstdint>
 #include <optional>

@@ -3,8 +3,8 @@
 // Bodies are taken as their spheres and corners, at a limited number of times over the motion.
 #pragma once
 
+#include "motion/motion.h"
 #include "scene/scene.h"
-#include "simulation/motion.h"
 
 #include <Eigen/Geometry>
 

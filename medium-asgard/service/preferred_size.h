@@ -2,8 +2,8 @@
 #pragma once
 
 #include "ipc/messages.h"
+#include "motion/motion.h"
 #include "scene/scene.h"
-#include "simulation/motion.h"
 
 namespace service {
 

@@ -1,7 +1,7 @@
 #include "service/subdocument.h"
 
+#include "reports/report.h"
 #include "script/locate.h"
-#include "simulation/report.h"
 #include "text/places.h"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 
 #include "plain/plain.h"
 #include "plain/qt_messages.h"
+#include "resimulation/resimulation.h"
 #include "script/reader.h"
-#include "simulation/resimulation.h"
 #include "views/autosave.h"
 #include "views/control_panel.h"
 #include "views/icons.h"

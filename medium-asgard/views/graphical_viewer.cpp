@@ -1,8 +1,8 @@
 #include "views/graphical_viewer.h"
 
 #include "gestures/new_point.h"
+#include "motion/known_span.h"
 #include "plain/plain.h"
-#include "simulation/known_span.h"
 #include "views/create_menu.h"
 #include "views/keep_view.h"
 #include "views/manual.h"

@@ -1,8 +1,8 @@
 #include "views/scene_document.h"
 
 #include "editing/changes.h"
+#include "reports/report.h"
 #include "script/locate.h"
-#include "simulation/report.h"
 #include "text/difference.h"
 #include "views/stale_motion.h"
 #include "views/worker.h"

@@ -4,8 +4,8 @@
 // hand; later they are where they were before.
 #pragma once
 
+#include "motion/motion.h"
 #include "scene/scene.h"
-#include "simulation/motion.h"
 
 #include <memory>
 

@@ -1,9 +1,9 @@
 #include "views/status_panel.h"
-#include "simulation/known_span.h"
+#include "motion/known_span.h"
 
+#include "motion/known_span.h"
 #include "plain/plain.h"
 #include "render/handles.h"
-#include "simulation/known_span.h"
 #include "views/parameters_panel.h"
 
 #include <QFormLayout>

@@ -5,7 +5,7 @@
 // the same.
 #pragma once
 
-#include "simulation/study.h"
+#include "study/study.h"
 
 #include <QLabel>
 #include <QMainWindow>

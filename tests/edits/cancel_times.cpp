@@ -3,9 +3,9 @@
 // watched while it is computed; the second from cancelling at sixteen of its questions.
 //
 //     cancel_times SCENE.al...
+#include "resimulation/resimulation.h"
+#include "run/cpu_seconds.h"
 #include "script/reader.h"
-#include "simulation/cpu_seconds.h"
-#include "simulation/resimulation.h"
 
 #include <algorithm>
 #include <cstdio>

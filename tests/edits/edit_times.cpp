@@ -1,9 +1,9 @@
 // How long does an edit take? CPU time of the least of many, and the counts behind it.
 //
 //     edit_times                 one of 1000 independent components, and Figure 4.6's scene
+#include "resimulation/resimulation.h"
+#include "run/cpu_seconds.h"
 #include "script/reader.h"
-#include "simulation/cpu_seconds.h"
-#include "simulation/resimulation.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -4,7 +4,7 @@
 #include "random_edit.h"
 #include "scenes.h"
 
-#include "simulation/resimulation.h"
+#include "resimulation/resimulation.h"
 
 #include <algorithm>
 #include <bit>

@@ -35,8 +35,8 @@ def main():
         for file in sorted(files):
             if not file.endswith((".h", ".cpp")):
                 continue
-            # Tests may look further: what they use is declared beside them as TEST_USES.
-            if file.endswith("_test.cpp"):
+            # Tests, and headers for them, may look further: what they use is declared as TEST_USES.
+            if re.search(r"_(test|testing)\.|^testing\.h$", file):
                 continue
             path = os.path.join(here, file)
             with open(path, encoding="utf-8") as f:

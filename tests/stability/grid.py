@@ -25,7 +25,7 @@ PATIENCE = 20  # as long by the clock as by the processor
 
 
 def errorOf(scene, truth, rows):
-    """Largest scaled error and its time; the measure is the accuracy's own (simulation/accuracy.h), by the scene's size."""
+    """Largest scaled error and its time; the measure is the accuracy's own (simulation/accuracy/accuracy.h), by the scene's size."""
     low, high = [math.inf] * 3, [-math.inf] * 3
     for places in truth:
         for (p, _), radius in zip(places, scene.radii):

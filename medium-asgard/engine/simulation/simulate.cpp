@@ -1,7 +1,7 @@
 #include "simulation/simulation.h"
 
-#include "simulation/cpu_seconds.h"
-#include "simulation/solve.h"
+#include "accuracy/solve.h"
+#include "run/cpu_seconds.h"
 
 #include <utility>
 #include <variant>

@@ -6,10 +6,10 @@
 // or the machine's load.
 #pragma once
 
+#include "accuracy/result.h"
+#include "run/options.h"
+#include "run/quantities.h"
 #include "scene/scene.h"
-#include "simulation/options.h"
-#include "simulation/quantities.h"
-#include "simulation/result.h"
 
 namespace simulation {
 

@@ -1,0 +1,52 @@
+#include "contacts/side_by_side.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace simulation {
+
+namespace {
+
+constexpr double parted = 8; // depths
+constexpr std::size_t manyHops = 3000;
+
+} // namespace
+
+double SideBySide::depth(const Pair& pair) const {
+    const auto found = pairs_.find(pair);
+    return found == pairs_.end() ? 0 : found->second.depth;
+}
+
+bool SideBySide::sink(const Pair& pair, double least, const Now& now) {
+    State& state = pairs_[pair];
+    state.depth += least;
+    state.way = least;
+    state.push = now.push;
+    state.since = now.time;
+    return ++state.sinks < manyHops;
+}
+
+// A push that has ended meanwhile counts where they have not parted in between: that takes longer.
+double SideBySide::speedOfPush(const Pair& pair, const Now& now) const {
+    constexpr double longest = 3; // what a constant push takes, by half
+    const auto found = pairs_.find(pair);
+    if (found == pairs_.end())
+        return 0;
+    const State& state = found->second;
+    const bool isStraight = (now.time - state.since) * -now.rate <= longest * state.way;
+    const double push = std::max({now.push, isStraight ? state.push : 0, 0.0});
+    return std::sqrt(2 * push * state.way);
+}
+
+bool SideBySide::hop(const Pair& pair) {
+    const auto found = pairs_.find(pair);
+    return found == pairs_.end() || ++found->second.hops < manyHops;
+}
+
+void SideBySide::look(const Pair& pair, double gap) {
+    const auto found = pairs_.find(pair);
+    if (found != pairs_.end() && gap > parted * found->second.depth)
+        pairs_.erase(found);
+}
+
+} // namespace simulation

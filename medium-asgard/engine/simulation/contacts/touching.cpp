@@ -1,0 +1,459 @@
+#include "contacts/touching.h"
+
+#include "collision/nearest_feature.h"
+#include "collision/patch.h"
+#include "collision/separation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace simulation {
+namespace {
+
+using collision::Posed;
+using geometry::Matrix;
+using geometry::Part;
+using physics::GapConstraint;
+using Kind = physics::GapConstraint::Kind;
+
+constexpr double drifting = 4; // as far as touching: what rests already
+
+Vector centripetal(const BodyState& state, const Vector& point) {
+    const Vector& w = state.angularVelocity;
+    return w.cross(w.cross(point - state.position));
+}
+
+Vector accelerationAt(const Placed& placed, const Vector& point) {
+    return placed.acceleration.linear +
+           placed.acceleration.angular.cross(point - placed.state.position) +
+           centripetal(placed.state, point);
+}
+
+Vector intoFrame(const Placed& placed, const Vector& point) {
+    return placed.state.attitude.conjugate() * Vector(point - placed.state.position);
+}
+
+Vector turnedInto(const Placed& placed, const Vector& direction) {
+    return placed.state.attitude.conjugate() * direction;
+}
+
+Posed posed(const Placed& placed, std::size_t part, const Vector& origin) {
+    const Matrix rotation = placed.state.attitude.toRotationMatrix();
+    return {.part = &placed.shape->parts[part],
+            .rotation = rotation,
+            .offset = placed.state.position - origin - rotation * placed.record->centroid};
+}
+
+double sizeOf(const Part& part) {
+    return geometry::radiusAbout(part, part.core.vertices[0]) + part.radius;
+}
+
+// The outward normal of the face that lies closest along a direction.
+Vector faceNormal(const Posed& owner, const Vector& direction) {
+    Vector best = direction;
+    double most = -1;
+    for (const geometry::Face& face : owner.part->core.faces) {
+        const Vector normal = owner.rotation * face.normal;
+        if (const double along = normal.dot(direction); along > most) {
+            most = along;
+            best = normal;
+        }
+    }
+    return best;
+}
+
+// How far inside a convex outline (around the normal) a point lies; negative: outside.
+double depthInside(const std::vector<Vector>& outline, const Vector& normal, const Vector& point) {
+    double least = HUGE_VAL;
+    Vector middle = Vector::Zero();
+    for (const Vector& p : outline)
+        middle += p / static_cast<double>(outline.size());
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const Vector& a = outline[i];
+        const Vector edge = outline[(i + 1) % outline.size()] - a;
+        Vector inward = normal.cross(edge).normalized();
+        if (inward.dot(middle - a) < 0)
+            inward = -inward;
+        least = std::min(least, inward.dot(point - a));
+    }
+    return least;
+}
+
+// The pair of parts and the features in which they touch.
+class Pairing {
+public:
+    Pairing(const Placed& body, std::size_t bodyPart, const Placed& support,
+            std::size_t supportPart, double tolerance, std::span<const PartsInTouch> resting)
+        : body_(body), support_(support), origin_(body.state.position),
+          first_(posed(body, bodyPart, origin_)), second_(posed(support, supportPart, origin_)) {
+        touch.support = support.index;
+        touch.bodyPart = bodyPart;
+        touch.supportPart = supportPart;
+        touch.isRound = first_.part->isSphere() || second_.part->isSphere();
+        touch.size = std::min(sizeOf(*first_.part), sizeOf(*second_.part));
+        const PartsInTouch parts{support.index, bodyPart, supportPart};
+        const bool isResting = std::ranges::find(resting, parts) != resting.end();
+        beside_ = tolerance * touch.size;
+        tolerance_ = beside_ * (isResting ? drifting : 1);
+    }
+
+    bool find() {
+        collision::WarmStart cold;
+        const collision::Separation separation = collision::separate(first_, second_, cold);
+        touch.gap = separation.gap;
+        touch.normal = separation.normal;
+        if (std::abs(touch.gap) > 10 * tolerance_ || touch.gap > tolerance_)
+            return false;
+        if (!touch.isRound)
+            preferFaces();
+        addCorners();
+        // A patch with an area, and what is round, has one normal.
+        if (touch.corners.size() < 3 && !touch.isRound)
+            addOthers();
+        return true;
+    }
+
+    Touch touch;
+
+private:
+    void addOthers() {
+        std::vector<Vector> known{touch.normal};
+        for (const collision::Separation& axis : collision::axesOfTouch(first_, second_, beside_)) {
+            const Vector& normal = axis.normal;
+            const bool isNew = std::ranges::none_of(
+                known, [&](const Vector& k) { return isOneNormal(k, normal); });
+            if (!isNew)
+                continue;
+            known.push_back(normal);
+            Pairing other = *this;
+            other.touch.others.clear();
+            other.touch.corners.clear();
+            other.touch.normal = normal;
+            other.touch.gap = axis.gap;
+            other.addCorners();
+            touch.others.push_back(std::move(other.touch));
+        }
+    }
+
+    void addCorners() {
+        if (first_.part->isSphere())
+            return addRound();
+        if (second_.part->isSphere())
+            return addOnRound();
+        ofBody_ = collision::furthestFeature(first_, -touch.normal, tolerance_);
+        ofSupport_ = collision::furthestFeature(second_, touch.normal, tolerance_);
+        addPatch();
+    }
+
+    // Of a polyhedron, that in whose cell the sphere's centre lies; the normal away from it.
+    [[nodiscard]] collision::NearestFeature under(const Posed& centre, const Posed& polyhedron) {
+        constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
+        const Vector place = centre.world(0);
+        const double coordinates = origin_.cwiseAbs().maxCoeff() +
+                                   polyhedron.offset.cwiseAbs().maxCoeff() +
+                                   sizeOf(*polyhedron.part);
+        collision::NearestFeature feature =
+            collision::nearestFeature(polyhedron, place, rounding * coordinates);
+        touch.gap = feature.distance - centre.part->radius;
+        touch.isRoundOnEdge = feature.corners.size() < 3;
+        return feature;
+    }
+
+    // The gap is along one normal; where a face has all but that gap, its own normal is the
+    // contact's. The support's comes first: it is the larger one, mostly.
+    void preferFaces() {
+        const auto gapAlong = [this](const Vector& n) {
+            return n.dot(first_.world(first_.support(-n)) - second_.world(second_.support(n))) -
+                   first_.part->radius - second_.part->radius;
+        };
+        for (const Vector& normal :
+             {faceNormal(second_, touch.normal), Vector(-faceNormal(first_, -touch.normal))})
+            if (const double gap = gapAlong(normal); gap >= touch.gap - beside_) {
+                touch.normal = normal;
+                touch.gap = gap;
+                return;
+            }
+    }
+
+    // Places here are relative to the origin, near both.
+    void add(Kind kind, const Vector& point, const Vector& bodyPoint, const Vector& supportPoint,
+             double radius) {
+        Corner corner;
+        corner.point = origin_ + point;
+        GapConstraint& c = corner.constraint;
+        c.kind = kind;
+        c.support = support_.index;
+        c.bodyPoint = intoFrame(body_, origin_ + bodyPoint);
+        c.supportPoint = intoFrame(support_, origin_ + supportPoint);
+        c.radius = radius;
+        c.normal = turnedInto(kind == Kind::onBodyPlane ? body_ : support_, touch.normal);
+        if (kind == Kind::roundOnLine || kind == Kind::edgeOnEdge)
+            c.supportEdge =
+                turnedInto(support_, Vector(ofSupport_[1] - ofSupport_[0]).normalized());
+        if (kind == Kind::edgeOnEdge)
+            setCrossing(c);
+        c.supportTurns = support_.turns;
+        c.supportRotation = support_.state.attitude.toRotationMatrix();
+        measure(corner, origin_ + bodyPoint, origin_ + supportPoint);
+        touch.corners.push_back(corner);
+    }
+
+    void setCrossing(GapConstraint& c) {
+        c.bodyEdge = turnedInto(body_, Vector(ofBody_[1] - ofBody_[0]).normalized());
+        const Vector across =
+            (body_.state.attitude * c.bodyEdge).cross(support_.state.attitude * c.supportEdge);
+        c.flipped = across.dot(touch.normal) < 0;
+    }
+
+    [[nodiscard]] Vector normalRate(const GapConstraint& c) const {
+        const Vector &w = body_.state.angularVelocity, &u = support_.state.angularVelocity;
+        if (c.kind == Kind::onSupportPlane)
+            return u.cross(touch.normal);
+        if (c.kind == Kind::onBodyPlane)
+            return w.cross(touch.normal);
+        if (c.kind != Kind::edgeOnEdge)
+            return Vector::Zero();
+        const Vector a = body_.state.attitude * c.bodyEdge;
+        const Vector b = support_.state.attitude * c.supportEdge;
+        const double length = (c.flipped ? -1 : 1) * a.cross(b).norm();
+        const Vector rate = (w.cross(a).cross(b) + a.cross(u.cross(b))) / length;
+        return rate - touch.normal * touch.normal.dot(rate);
+    }
+
+    void measure(Corner& corner, const Vector& bodyPoint, const Vector& supportPoint) const {
+        const GapConstraint& c = corner.constraint;
+        const Vector& n = touch.normal;
+        const bool onPlane = c.kind == Kind::onSupportPlane || c.kind == Kind::onBodyPlane;
+        // On a plane, the material point of its owner that lies under the other's point.
+        const Vector p =
+            c.kind == Kind::onBodyPlane ? Vector(supportPoint + c.radius * n) : bodyPoint;
+        const Vector q =
+            c.kind == Kind::onSupportPlane ? Vector(bodyPoint - c.radius * n) : supportPoint;
+        const Vector speed = body_.state.velocityAt(p) - support_.state.velocityAt(q);
+        const Vector turning = normalRate(c);
+        corner.rate = n.dot(speed);
+        corner.gap = onPlane ? n.dot(bodyPoint - supportPoint) - c.radius : touch.gap;
+        corner.extra = n.dot(centripetal(body_.state, p) - accelerationAt(support_, q)) +
+                       2 * turning.dot(speed);
+        if (onPlane) {
+            corner.extra -= c.radius * turning.squaredNorm();
+        } else if (c.kind != Kind::edgeOnEdge) {
+            Vector across = speed - n * n.dot(speed);
+            if (c.kind == Kind::roundOnLine) {
+                const Vector edge = support_.state.attitude * c.supportEdge;
+                across -= edge * edge.dot(across);
+            }
+            corner.extra += across.squaredNorm() / c.radius;
+        }
+    }
+
+    // A corner of a patch lies halfway between the surfaces: the point of a feature that is over or
+    // under it.
+    [[nodiscard]] Vector onto(const Posed& owner, const std::vector<Vector>& feature,
+                              const Vector& corner) const {
+        const Vector& n = touch.normal;
+        if (feature.size() == 1)
+            return feature[0];
+        if (feature.size() == 2) {
+            const Vector along = feature[1] - feature[0];
+            const Vector flat = along - n * n.dot(along);
+            return feature[0] + along * (flat.dot(corner - feature[0]) / flat.squaredNorm());
+        }
+        const bool isBodys = &owner == &first_;
+        const Vector face = faceNormal(owner, isBodys ? Vector(-n) : n);
+        return corner + n * (face.dot(feature[0] - corner) / face.dot(n));
+    }
+
+    // A sphere of the body.
+    void addRound() {
+        const Vector centre = first_.world(0);
+        const double radius = first_.part->radius;
+        if (second_.part->isSphere())
+            return add(Kind::roundOnPoint, centre - radius * touch.normal, centre, second_.world(0),
+                       radius + second_.part->radius);
+        collision::NearestFeature feature = under(first_, second_);
+        touch.normal = feature.normal;
+        ofSupport_ = std::move(feature.corners);
+        const Vector place = centre - radius * touch.normal;
+        if (ofSupport_.size() > 2) {
+            add(Kind::onSupportPlane, place, centre, ofSupport_[0], radius);
+        } else if (ofSupport_.size() == 2) {
+            touch.isModelled = !support_.turns;
+            add(Kind::roundOnLine, place, centre, ofSupport_[0], radius);
+        } else {
+            add(Kind::roundOnPoint, place, centre, ofSupport_[0], radius);
+        }
+    }
+
+    // A polyhedron on a sphere of the support.
+    void addOnRound() {
+        const Vector centre = second_.world(0);
+        const double radius = second_.part->radius;
+        collision::NearestFeature feature = under(second_, first_);
+        touch.normal = -feature.normal;
+        ofBody_ = std::move(feature.corners);
+        const Vector place = centre + radius * touch.normal;
+        if (ofBody_.size() > 2) {
+            add(Kind::onBodyPlane, place, ofBody_[0], centre, radius);
+        } else {
+            touch.isModelled = ofBody_.size() == 1;
+            add(Kind::roundOnPoint, place, ofBody_[0], centre, radius);
+        }
+    }
+
+    void addPatch() {
+        const bool onFace = ofSupport_.size() > 2, byFace = ofBody_.size() > 2;
+        const auto corners =
+            collision::patchOf(first_, second_, touch.normal, tolerance_, beside_).corners;
+        touch.isFlat = onFace && byFace && corners.size() > 2;
+        for (const auto& [from, to] :
+             {std::pair(&ofBody_, &touch.bodyFace), {&ofSupport_, &touch.supportFace}})
+            for (const Vector& vertex : *from)
+                to->push_back(origin_ + vertex);
+        if (onFace || byFace) {
+            for (const Vector& corner : corners)
+                if (onFace)
+                    add(Kind::onSupportPlane, corner, onto(first_, ofBody_, corner), ofSupport_[0],
+                        0);
+                else
+                    add(Kind::onBodyPlane, corner, ofBody_[0], onto(second_, ofSupport_, corner),
+                        0);
+        } else if (ofBody_.size() == 2 && ofSupport_.size() == 2 && corners.size() == 1) {
+            add(Kind::edgeOnEdge, corners[0], corners[0], corners[0], 0);
+        } else {
+            touch.isModelled = false;
+            add(Kind::onSupportPlane, corners[0], corners[0], corners[0], 0);
+        }
+    }
+
+    const Placed& body_;
+    const Placed& support_;
+    Vector origin_;
+    Posed first_, second_;
+    double tolerance_ = 0, beside_ = 0;
+    std::vector<Vector> ofBody_, ofSupport_;
+};
+
+GapConstraint onPlane(Kind kind, const Vector& bodyPoint, const Vector& supportPoint,
+                      const Touch& touch, const Placed& body, const Placed& support) {
+    GapConstraint c;
+    c.kind = kind;
+    c.support = support.index;
+    c.bodyPoint = intoFrame(body, bodyPoint);
+    c.supportPoint = intoFrame(support, supportPoint);
+    c.normal = turnedInto(kind == Kind::onBodyPlane ? body : support, touch.normal);
+    c.supportTurns = support.turns;
+    c.supportRotation = support.state.attitude.toRotationMatrix();
+    return c;
+}
+
+// With a face flat on a plane that does not turn, the centre's distance from it stays, and so do
+// the directions that lie in it. They are those of the face itself, which may yet be tilted by what
+// counts as touching.
+std::vector<GapConstraint> flat(const Touch& touch, const Placed& body, const Placed& support) {
+    GapConstraint distance = onPlane(Kind::onSupportPlane, body.state.position,
+                                     touch.supportFace[0], touch, body, support);
+    const Vector normal =
+        -faceNormal(posed(body, touch.bodyPart, body.state.position), -touch.normal);
+    distance.radius = normal.dot(body.state.position - touch.bodyFace[0]);
+    std::vector<GapConstraint> constraints{distance};
+    const Vector across = turnedInto(body, normal).unitOrthogonal();
+    const Vector along = turnedInto(body, normal).cross(across);
+    for (const auto& [axis, inPlane] : {std::pair(across, along), {along, Vector(-across)}}) {
+        GapConstraint tilt = distance;
+        tilt.kind = Kind::tilt;
+        tilt.bodyEdge = axis;
+        tilt.inPlane = inPlane;
+        constraints.push_back(tilt);
+    }
+    return constraints;
+}
+
+// The edge of an outline (or the outline, if it is one) that a point lies on and not at its end.
+std::optional<Vector> edgeThrough(const std::vector<Vector>& outline, const Vector& point,
+                                  double tolerance) {
+    const std::size_t edges = outline.size() == 2 ? 1 : outline.size();
+    for (std::size_t i = 0; i < edges && outline.size() > 1; ++i) {
+        const Vector &a = outline[i], &b = outline[(i + 1) % outline.size()];
+        const Vector edge = (b - a).normalized();
+        const double along = edge.dot(point - a);
+        if (edge.cross(point - a).norm() <= tolerance && along > tolerance &&
+            along < (b - a).norm() - tolerance)
+            return edge;
+    }
+    return std::nullopt;
+}
+
+// A single corner where an edge of the body crosses one of the support: the place at which it bears
+// goes along both, and is no point of either.
+std::optional<GapConstraint> crossingAt(const Touch& touch, const Corner& corner,
+                                        const Placed& body, const Placed& support) {
+    constexpr double parallel = 1e-3, near = 1e-5;
+    const auto ofBody = edgeThrough(touch.bodyFace, corner.point, near * touch.size);
+    const auto ofSupport = edgeThrough(touch.supportFace, corner.point, near * touch.size);
+    if (!ofBody || !ofSupport)
+        return std::nullopt;
+    const double across = ofBody->cross(*ofSupport).dot(touch.normal);
+    if (std::abs(across) < parallel)
+        return std::nullopt;
+    GapConstraint c = onPlane(Kind::edgeOnEdge, corner.point, corner.point, touch, body, support);
+    c.bodyEdge = turnedInto(body, *ofBody);
+    c.supportEdge = turnedInto(support, *ofSupport);
+    c.flipped = across < 0;
+    return c;
+}
+
+} // namespace
+
+std::vector<GapConstraint> constraintsOf(const Touch& touch,
+                                         const std::vector<std::size_t>& bearing,
+                                         const Placed& body, const Placed& support) {
+    std::vector<GapConstraint> constraints;
+    if (touch.isFlat && bearing.size() > 2 && !support.turns)
+        return flat(touch, body, support);
+    Vector middle = Vector::Zero();
+    for (const std::size_t i : bearing)
+        middle += touch.corners[i].point / static_cast<double>(bearing.size());
+    const bool isSupportsEdge = touch.isFlat && bearing.size() < 3 &&
+                                depthInside(touch.supportFace, touch.normal, middle) <
+                                    depthInside(touch.bodyFace, touch.normal, middle);
+    if (bearing.size() == 1 && !touch.bodyFace.empty())
+        if (const auto crossing = crossingAt(touch, touch.corners[bearing[0]], body, support))
+            return {*crossing};
+    for (const std::size_t i : bearing)
+        if (isSupportsEdge)
+            constraints.push_back(onPlane(Kind::onBodyPlane, touch.bodyFace[0],
+                                          touch.corners[i].point, touch, body, support));
+        else
+            constraints.push_back(touch.corners[i].constraint);
+    return constraints;
+}
+
+double Touch::rate() const {
+    double least = HUGE_VAL;
+    for (const Corner& corner : corners)
+        least = std::min(least, corner.rate);
+    return least;
+}
+
+bool Touch::passes(double speed) const {
+    return !others.empty() && (rate() >= -speed || std::ranges::any_of(others, [&](const Touch& t) {
+                                   return t.rate() >= -speed;
+                               }));
+}
+
+std::vector<Touch> touchesOf(const Placed& body, const Placed& support, double tolerance,
+                             std::span<const PartsInTouch> resting) {
+    std::vector<Touch> touches;
+    for (std::size_t i = 0; i < body.shape->parts.size(); ++i)
+        for (std::size_t j = 0; j < support.shape->parts.size(); ++j) {
+            Pairing pairing(body, i, support, j, tolerance, resting);
+            if (pairing.find())
+                touches.push_back(std::move(pairing.touch));
+        }
+    return touches;
+}
+
+} // namespace simulation

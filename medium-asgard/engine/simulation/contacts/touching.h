@@ -1,0 +1,91 @@
+// Where does a body touch a support, and how does each gap there change?
+//
+// For a body at rest the question is another than for a hit: the shapes touch for long, within a
+// tolerance that is the integration's and not rounding's, and it counts which features bear.
+// For each corner of the patch in which two parts touch: the constraint that keeps its gap
+// (physics/resting.h), the gap's rate, and the part of its acceleration that does not come from the
+// body's own accelerations,
+//     plane with point:   n.(w x (w x r) - a_s) + 2 n'.(v_b - v_s) - R |n'|^2
+//     round on a point    n.(w x (w x r) - a_s) + |u|^2 / R       u: the speed across the normal
+// with n' from the turning of the plane's owner, r from the body's centre of mass to the point.
+//
+// A sphere touches the feature in whose cell its centre lies (collision/nearest_feature.h).
+// Where edges or vertices touch, the parts may touch along several axes at once, and stay apart as
+// long as they do along one of them (collision/contact.h). Then each is told.
+//
+// LIMIT: vertices and parallel edges on each other, an edge of the body on a sphere, and spheres on
+// edges of a support that turns have no constraint.
+#pragma once
+
+#include "motion/body_motion.h"
+#include "physics/resting.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace simulation {
+
+// A body somewhere, as contacts see it.
+struct Placed {
+    std::size_t index = 0; // in the scene
+    const BodyRecord* record = nullptr;
+    const geometry::Shape* shape = nullptr;
+    BodyState state;
+    Acceleration acceleration; // of a support
+    bool turns = true;         // a support that may change its attitude
+};
+
+// Two normals that count as one.
+[[nodiscard]] inline bool isOneNormal(const Vector& a, const Vector& b) {
+    return (a - b).norm() <= 1e-4;
+}
+
+struct Corner {
+    Vector point = Vector::Zero(); // world
+    double gap = 0;
+    double rate = 0;  // of the gap; negative: they approach
+    double extra = 0; // of the gap's acceleration
+    physics::GapConstraint constraint;
+};
+
+struct Touch { // of one pair of parts
+    std::size_t support = 0, bodyPart = 0, supportPart = 0;
+    Vector normal = Vector::UnitX(); // from the support to the body
+    double gap = 0;
+    double size = 0; // of the two parts
+    bool isFlat = false;
+    bool isModelled = true;
+    bool isRound = false;       // one of the two is a sphere
+    bool isRoundOnEdge = false; // a sphere on an edge or a vertex
+    std::vector<Corner> corners;
+    std::vector<Vector> bodyFace, supportFace; // outlines, world; of polyhedra
+    // The same parts along the other axes along which they touch: with these none of their own.
+    std::vector<Touch> others;
+
+    // The least rate of its corners; negative: they approach.
+    [[nodiscard]] double rate() const;
+    // Along this axis or another nothing approaches faster than `speed`.
+    [[nodiscard]] bool passes(double speed) const;
+};
+
+struct PartsInTouch {
+    std::size_t support = 0, bodyPart = 0, supportPart = 0;
+    auto operator<=>(const PartsInTouch&) const = default;
+};
+
+// The touch of all pairs of parts whose gap is below `tolerance` of their size, however deep they
+// overlap up to ten times that. Of those that rest on each other already, corners count up to four
+// times as far: a drift by the integration's error is put back (rest.h), and opens nothing.
+[[nodiscard]] std::vector<Touch> touchesOf(const Placed& body, const Placed& support,
+                                           double tolerance,
+                                           std::span<const PartsInTouch> resting = {});
+
+// The constraints that keep these corners' gaps: of a face that bears whole, one distance and two
+// turns; of the two corners of an edge, the points of whichever edge it is, on the other's plane;
+// of one corner where edges cross, these edges.
+[[nodiscard]] std::vector<physics::GapConstraint>
+constraintsOf(const Touch& touch, const std::vector<std::size_t>& bearing, const Placed& body,
+              const Placed& support);
+
+} // namespace simulation

@@ -1,0 +1,66 @@
+// A Motion over solved histories: of one solution of the scene, or of parts that were solved apart.
+#pragma once
+
+#include "motion/body_motion.h"
+#include "motion/impacts.h"
+#include "motion/motion.h"
+
+#include <map>
+#include <memory>
+
+namespace simulation {
+
+class ComputedMotion final : public Motion {
+public:
+    struct Part { // bodies solved together; not all of them need be shown
+        std::shared_ptr<const std::vector<BodyRecord>> bodies;
+        std::shared_ptr<const solution::Histories> histories;
+    };
+    struct Place { // of a body of the scene
+        std::size_t part = 0, body = 0;
+    };
+    struct Contents {
+        double start = 0, finish = 0;
+        bool draft = false;
+        std::vector<Part> parts;
+        std::vector<Place> places;         // by body
+        std::map<std::size_t, Stop> stops; // by body
+        Impacts impacts;
+        std::vector<std::string> notes;
+        std::optional<double> errorEstimate, predictableUntil;
+    };
+    explicit ComputedMotion(Contents contents);
+
+    [[nodiscard]] const Contents& contents() const { return c_; }
+    // Of a motion that was solved as one.
+    [[nodiscard]] const solution::Histories& histories() const;
+    // Where a body's unknowns are: from record.firstUnknown on in those histories.
+    struct Solution {
+        const BodyRecord& record;
+        const solution::Histories& histories;
+    };
+    [[nodiscard]] Solution of(std::size_t body) const;
+
+    [[nodiscard]] double start() const override { return c_.start; }
+    [[nodiscard]] double finish() const override { return c_.finish; }
+    [[nodiscard]] double computed() const override { return computed_; }
+    [[nodiscard]] bool draft() const override { return c_.draft; }
+    [[nodiscard]] std::size_t bodies() const override { return c_.places.size(); }
+    [[nodiscard]] BodyState at(std::size_t body, double time) const override;
+    [[nodiscard]] std::optional<Stop> stop(std::size_t body) const override;
+    [[nodiscard]] Vector centroid(std::size_t body) const override;
+    [[nodiscard]] double mass(std::size_t body) const override;
+    [[nodiscard]] const std::vector<Impact>& impacts() const override { return c_.impacts.all(); }
+    [[nodiscard]] std::vector<double> jumps(std::size_t body) const override;
+    [[nodiscard]] std::optional<double> errorEstimate() const override { return c_.errorEstimate; }
+    [[nodiscard]] std::optional<double> predictableUntil() const override {
+        return c_.predictableUntil;
+    }
+    [[nodiscard]] const std::vector<std::string>& notes() const override { return c_.notes; }
+
+private:
+    Contents c_;
+    double computed_ = 0;
+};
+
+} // namespace simulation

@@ -1,0 +1,242 @@
+#include "run/open_run.h"
+
+#include "events/collision_source.h"
+#include "run/cpu_seconds.h"
+#include "run/nudge.h"
+#include "run/stops.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace simulation {
+namespace {
+
+std::shared_ptr<const solution::TakenMotion> motionOf(const Problem& problem, const Run& before,
+                                                      const std::vector<bool>& taken) {
+    auto motion = std::make_shared<solution::TakenMotion>();
+    motion->histories = before.histories;
+    motion->components = before.statistics.componentList;
+    for (const std::size_t owner : ownersOf(problem))
+        motion->unknowns.push_back(taken[owner]);
+    return motion;
+}
+
+// What the motion that was taken has cost: its part of all evaluations then.
+double secondsOf(const Run& before, const solution::TakenMotion& taken) {
+    double all = 1, part = 0;
+    for (const auto& component : before.statistics.componentList) {
+        const auto evaluations = static_cast<double>(component.evaluations);
+        all += evaluations;
+        part += taken.unknowns[component.unknowns[0]] ? evaluations : 0;
+    }
+    return before.secondsMoving * part / all;
+}
+
+// What decides when hops end follows the tolerance of each body, as its steps do, so that runs
+// which are compared differ in it too: at the tolerance that the first of them has, a hop that is
+// lower than a thousandth of the accuracy is the last. It follows the tolerance's square: where
+// runs left out nearly the same hops, both could be hit elsewhere during one of them, and go the
+// same wrong way. The nudged run follows lower ones yet, to show what they do. The depth of balls
+// side by side follows the tolerance itself; far down, where rounding is near, its fourth root.
+std::vector<RestLimits> restLimits(const Problem& problem, const std::vector<double>& tolerances,
+                                   Rounding rounding) {
+    constexpr double hop = 1e-3, touching = 1e-2, depth = 4e-9;
+    constexpr double finest = 1e-4, fineDepth = 1e-3, nudgedPart = 0.1; // beside the first run's
+    const double accuracy = problem.accuracy(), first = firstTolerance(accuracy);
+    const double gap = std::clamp(touching * accuracy, RestLimits::leastGap, RestLimits::mostGap);
+    std::vector<RestLimits> limits;
+    for (const double tolerance : tolerances) {
+        const double nudged = rounding == Rounding::nudged ? nudgedPart : 1;
+        const double part = tolerance / first;
+        const double fine = std::clamp(part * part, finest, 1.0) * nudged;
+        const double deep =
+            part < fineDepth ? fineDepth * std::pow(part / fineDepth, 0.25) : std::min(part, 1.0);
+        limits.push_back({.gap = std::max(gap * fine, RestLimits::leastGap),
+                          .hopHeight = hop * accuracy * fine,
+                          .depth = depth * deep * nudged});
+    }
+    return limits;
+}
+
+// What a step from the finish on, or one for a reader, ran into: all is known up to there. What an
+// event does at the finish counts.
+bool endsLater(const solution::Stop& stop, double start, double finish) {
+    using enum solution::Stop::Reason;
+    const bool isEvent = stop.reason == source || stop.reason == tooManyEvents;
+    return stop.time > finish || (stop.time == finish && finish > start && !isEvent);
+}
+
+} // namespace
+
+// Islands in which nothing was hit, nothing stopped and nothing is to be solved again.
+std::vector<bool> untouchedIn(const Problem& problem, const Run& before,
+                              const std::vector<bool>& again) {
+    const std::size_t bodies = problem.bodies->size();
+    std::vector<bool> islands(bodies, true);
+    for (const Impact& impact : before.impacts)
+        islands[before.island[impact.first]] = islands[before.island[impact.second]] = false;
+    for (const auto& [body, stop] : before.stops)
+        islands[before.island[body]] = false;
+    for (std::size_t b = 0; b < bodies; ++b)
+        if (again[b])
+            islands[before.island[b]] = false;
+    std::vector<bool> taken(bodies);
+    for (std::size_t b = 0; b < bodies; ++b)
+        taken[b] = islands[before.island[b]] && !(*problem.bodies)[b].isFixed;
+    return taken;
+}
+
+struct OpenRun::Machinery {
+    std::optional<CollisionSource> collisions;
+    std::optional<NudgedSource> nudged;
+    std::optional<solution::Solver> solver;
+};
+
+OpenRun::OpenRun(const Problem& problem, std::vector<double> tolerances, Rounding rounding, Use use,
+                 std::vector<bool> taken)
+    : problem_(problem), tolerances_(std::move(tolerances)), rounding_(rounding), use_(use),
+      taken_(std::move(taken)), published_(problem.start()) {}
+
+OpenRun::~OpenRun() = default;
+
+void OpenRun::makeMachinery(const std::shared_ptr<const solution::TakenMotion>& taken) {
+    machinery_ = std::make_unique<Machinery>();
+    solution::Options options = solverOptions(problem_, tolerances_);
+    options.taken = taken;
+    if (use_ == Use::again || observer_.cancelled)
+        options.cancelled = [this] { return observer_.cancelled && observer_.cancelled(); };
+    if (use_ == Use::again || observer_.progress)
+        options.progress = [this](double known) { publish(known); };
+    if (observer_.working)
+        options.working = [this](double time) {
+            if (observer_.working)
+                observer_.working(time);
+        };
+    if (problem_.collides())
+        machinery_->collisions.emplace(
+            problem_.scene, problem_.equations, problem_.shapes, problem_.start(),
+            problem_.finish(), restLimits(problem_, tolerances_, rounding_), options.cancelled);
+    solution::EventSource* source = machinery_->collisions ? &*machinery_->collisions : nullptr;
+    if (rounding_ == Rounding::nudged) {
+        options.initial = nudgedStart(problem_.equations.set);
+        if (source)
+            source = &machinery_->nudged.emplace(*source, *problem_.bodies, problem_.start());
+    }
+    machinery_->solver.emplace(problem_.prepared, std::move(options), source);
+}
+
+bool OpenRun::canGoOn(const Run* before) const {
+    const double finish = problem_.finish();
+    // What gave up on the old finish may well reach the new one; and where memory ends motion, all
+    // of it ends.
+    const auto gaveUp = [](const solution::Stop& stop) {
+        return stop.reason == solution::Stop::Reason::tooLong ||
+               stop.reason == solution::Stop::Reason::tooMuchKept;
+    };
+    if (machinery_ && (std::ranges::any_of(machinery_->solver->histories().stops(), gaveUp) ||
+                       finish > machinery_->solver->hopelessBeyond()))
+        return false;
+    if (!taken_.empty() && machinery_ && finish > advanced_) {
+        const auto untouched = untouchedIn(problem_, *before, std::vector<bool>(taken_.size()));
+        for (std::size_t b = 0; b < taken_.size(); ++b)
+            if (taken_[b] && !untouched[b])
+                return false;
+    }
+    if (!machinery_ || !machinery_->collisions)
+        return true;
+    const CollisionSource& source = *machinery_->collisions;
+    const bool isBack = finish < furthest_ && source.hasEventAt(finish);
+    const bool isOnward = finish > advanced_ && source.hasEventAt(advanced_);
+    return !isBack && !isOnward;
+}
+
+void OpenRun::publish(double known) {
+    if (!observer_.progress)
+        return;
+    // A little soon, so that something moves at once; then a tenth more each time, as what is
+    // collected grows.
+    const double span = problem_.finish() - problem_.start();
+    const double more = std::clamp((known - problem_.start()) / 10, span / 2000, span / 50);
+    if (known < published_ + more)
+        return;
+    published_ = known;
+    Run run;
+    run.histories = machinery_->solver->snapshot();
+    run.stops = stopsOf(problem_, *run.histories, known);
+    if (machinery_->collisions) {
+        run.impacts = machinery_->collisions->impacts(problem_.finish());
+        run.notes = machinery_->collisions->notes(problem_.finish());
+    }
+    observer_.progress(run.motion(problem_, true));
+}
+
+Run OpenRun::collect(double until) {
+    Run run;
+    run.histories = machinery_->solver->snapshot();
+    if (furthest_ > until || std::ranges::any_of(run.histories->stops(), [&](const auto& stop) {
+            return endsLater(stop, problem_.start(), until);
+        }))
+        run.histories = run.histories->upTo(until);
+    run.stops = stopsOf(problem_, *run.histories, until);
+    run.statistics = machinery_->solver->statistics();
+    run.before = std::exchange(counted_, run.statistics);
+    std::vector<collision::Pair> blocked;
+    if (machinery_->collisions) {
+        CollisionSource& collisions = *machinery_->collisions;
+        blocked = collisions.blocked(until);
+        run.impacts = collisions.impacts(until);
+        run.notes = collisions.notes(until);
+        run.lostHops = collisions.lostHops(until);
+        const std::size_t tests = collisions.pairTests();
+        run.pairTests = tests - std::exchange(countedPairTests_, tests);
+        run.candidates = collisions.candidates();
+        if (problem_.options.explain)
+            run.supports = collisions.supports();
+    }
+    if (problem_.options.explain)
+        run.equations =
+            std::make_shared<const expression::EquationSet>(machinery_->solver->equations());
+    run.island = islandsOf(problem_, run.impacts, blocked);
+    run.isIntegrated.assign(problem_.bodies->size(), false);
+    const std::vector<std::size_t> owners = ownersOf(problem_);
+    for (const solution::Statistics::Integrated& integrated : run.statistics.integrated)
+        if (integrated.from < until)
+            run.isIntegrated[owners[integrated.unknown]] = true;
+    return run;
+}
+
+Run OpenRun::upToFinish(const Observer& observer, const Run* before) {
+    const double begin = cpuSeconds(), finish = problem_.finish();
+    observer_ = observer;
+    std::shared_ptr<const solution::TakenMotion> taken;
+    if (!taken_.empty() && !(finish <= advanced_))
+        taken = motionOf(problem_, *before, taken_);
+    if (machinery_ && machinery_->collisions)
+        machinery_->collisions->lengthen(finish);
+    if (!machinery_)
+        makeMachinery(taken);
+    else if (taken)
+        machinery_->solver->takeLonger(taken);
+    const double ready = cpuSeconds();
+    solution::Advance advance{.reached = finish, .cancelled = false, .disturbed = false};
+    if (!(finish <= advanced_)) {
+        furthest_ = std::max(furthest_, finish);
+        advance = machinery_->solver->advanceTo(finish);
+        if (!advance.cancelled)
+            advanced_ = finish;
+    }
+    Run run = collect(finish);
+    run.reached = run.histories->known();
+    run.cancelled = advance.cancelled;
+    run.secondsSettingUp = ready - begin;
+    run.secondsMoving = cpuSeconds() - ready + (taken ? secondsOf(*before, *taken) : 0);
+    run.isDisturbed = advance.disturbed;
+    run.isTaken = taken_;
+    observer_ = {};
+    return run;
+}
+
+std::size_t OpenRun::bytes() const { return machinery_ ? machinery_->solver->bytes() : 0; }
+
+} // namespace simulation

@@ -1,0 +1,281 @@
+#include "run/stops.h"
+
+#include "physics/blame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace simulation {
+namespace {
+
+constexpr double largest = solution::largestValue;
+
+std::string sentenceAt(double time, const std::string& reason) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.6g", time);
+    return std::string("Stopped at t = ") + text + ": " + reason + ".";
+}
+
+// Values of unknowns a little after a stop, or before it.
+physics::Instant instantOf(const Problem& problem, const solution::Histories& histories,
+                           double stop, double time) {
+    const auto value = [&problem, &histories, stop, time](std::size_t i) {
+        const double found =
+            time <= stop ? histories.value(i, time)
+                         : 2 * histories.value(i, stop) -
+                               histories.value(i, std::max(problem.start(), 2 * stop - time));
+        // Of what is not solved any value will do.
+        return std::isnan(found) ? problem.equations.set.unknowns[i].initial : found;
+    };
+    return {.value = value, .time = time};
+}
+
+// What is not finite at the end, or just after it; else what grew much over the last tenth.
+std::vector<physics::Blame> blamesFor(const Problem& problem, const physics::Suspects& suspects,
+                                      const solution::Histories& histories,
+                                      const std::vector<std::size_t>& bodies, double stop) {
+    for (const double part : {0.0, 1e-12, 1e-9, 1e-6}) {
+        const double time = stop + part * std::max(1.0, std::abs(stop));
+        auto found = suspects.notFinite(instantOf(problem, histories, stop, time), bodies);
+        if (!found.empty())
+            return found;
+    }
+    const double earlier = stop - (stop - problem.start()) / 10;
+    if (const auto grown = suspects.growing(instantOf(problem, histories, stop, earlier),
+                                            instantOf(problem, histories, stop, stop), bodies))
+        return {*grown};
+    return {};
+}
+
+Stop::Culprit culpritOf(const Problem& problem, const physics::Blame& blame) {
+    const auto& contributions = problem.equations.contributions;
+    const physics::Contribution& c = contributions[blame.contribution];
+    Stop::Culprit culprit{.body = problem.scene.bodies[c.body].name,
+                          .isLink = c.kind == physics::Contribution::Kind::link,
+                          .nth = 0,
+                          .option = physics::optionOf(blame)};
+    const auto names = [&](const scene::Link& link) {
+        const auto* other = std::get_if<scene::BodyEnd>(&link.second);
+        return link.first.body == culprit.body || (other && other->body == culprit.body);
+    };
+    for (std::size_t e = 0; e < c.element; ++e)
+        if (culprit.isLink ? names(problem.scene.links[e])
+                           : problem.scene.forces[e].body == culprit.body)
+            ++culprit.nth;
+    return culprit;
+}
+
+// What an author can do about it.
+std::string adviceFor(solution::Stop::Reason reason, bool isBlamed) {
+    using Reason = solution::Stop::Reason;
+    switch (reason) {
+    case Reason::notFinite:
+    case Reason::overflow:
+    case Reason::stepUnderflow:
+    case Reason::notConverged:
+        return isBlamed ? "; keep that expression finite there (with ?: or max, say), or let the "
+                          "motion finish before (-finish)"
+                        : "";
+    case Reason::tooManySteps:
+        return "; ask for less accuracy (-accuracy), or let the motion finish before (-finish)";
+    case Reason::tooLong:
+        return "; let its forces and trajectories change more slowly, let it collide less often, "
+               "or let the motion finish before (-finish)";
+    case Reason::decisions:
+        return "; replace the jump of the expression by a short, steep slope";
+    default:
+        return "";
+    }
+}
+
+struct Why {
+    std::string reason; // no time in it
+    std::optional<Stop::Culprit> culprit = {};
+};
+
+Why whyOf(const Problem& problem, const physics::Suspects& suspects,
+          const solution::Histories& histories, const std::vector<std::size_t>& owners,
+          const solution::Stop& stop) {
+    using Reason = solution::Stop::Reason;
+    std::string reason = stop.sentence;
+    std::vector<physics::Blame> blames;
+    if (stop.reason == Reason::notFinite || stop.reason == Reason::overflow ||
+        stop.reason == Reason::stepUnderflow || stop.reason == Reason::notConverged) {
+        std::vector<std::size_t> bodies;
+        for (const std::size_t unknown : stop.unknowns)
+            bodies.push_back(owners[unknown]);
+        blames = blamesFor(problem, suspects, histories, bodies, stop.time);
+    }
+    std::string named;
+    for (const physics::Blame& blame : blames)
+        named +=
+            (named.empty() ? "" : "; ") + physics::inWords(problem.scene, problem.equations, blame);
+    if (stop.reason == Reason::notFinite && !named.empty())
+        reason = named;
+    else if (!named.empty())
+        reason += ", since " + named;
+    Why why{.reason = reason + adviceFor(stop.reason, !named.empty())};
+    if (!blames.empty())
+        why.culprit = culpritOf(problem, blames[0]);
+    return why;
+}
+
+// What ended first, of which the others read that it had ended.
+const solution::Stop& rootOf(const solution::Histories& histories, const solution::Stop& stop) {
+    const solution::Stop* root = &stop;
+    for (std::size_t i = 0; i < histories.stops().size(); ++i) { // no longer than there are links
+        if (root->reason != solution::Stop::Reason::inputEnded || root->culprits.empty())
+            break;
+        const solution::Stop* before = histories.stop(root->culprits[0]);
+        if (!before)
+            break;
+        root = before;
+    }
+    return *root;
+}
+
+Stop stopOf(const Problem& problem, const physics::Suspects& suspects,
+            const solution::Histories& histories, const std::vector<std::size_t>& owners,
+            const solution::Stop& stop) {
+    const solution::Stop& root = rootOf(histories, stop);
+    Why why = whyOf(problem, suspects, histories, owners, root);
+    if (owners[root.unknowns[0]] != owners[stop.unknowns[0]])
+        why.reason = stop.sentence + ": " + why.reason;
+    return {.time = stop.time,
+            .sentence = sentenceAt(stop.time, why.reason),
+            .culprit = std::move(why.culprit)};
+}
+
+// Of which the steps take most.
+std::size_t largestBody(const Problem& problem, const solution::Histories& histories) {
+    std::size_t found = 0, most = 0;
+    for (std::size_t b = 0; b < problem.bodies->size(); ++b) {
+        const BodyRecord& body = (*problem.bodies)[b];
+        std::size_t bytes = 0;
+        for (std::size_t i = 0; i < physics::bodyUnknowns && !body.isFixed; ++i)
+            bytes += histories.bytesOf(body.firstUnknown + i);
+        if (bytes > most) {
+            found = b;
+            most = bytes;
+        }
+    }
+    return found;
+}
+
+Stop fullStop(const Problem& problem, const solution::Histories& histories,
+              const solution::Stop& stop) {
+    const std::string& name = problem.scene.bodies[largestBody(problem, histories)].name;
+    return {.time = stop.time,
+            .sentence = sentenceAt(
+                stop.time,
+                stop.sentence + ", most of it for body \"" + name +
+                    "\"; let its forces and trajectories change more slowly, ask for less accuracy "
+                    "(-accuracy), or let the motion finish before (-finish); asgard "
+                    "simulate --memory allows more"),
+            .culprit = {}};
+}
+
+// Of what is solved, by body.
+std::map<std::size_t, Stop> solversStops(const Problem& problem,
+                                         const solution::Histories& histories) {
+    std::map<std::size_t, Stop> stops;
+    if (histories.stops().empty())
+        return stops;
+    const std::vector<std::size_t> owners = ownersOf(problem);
+    const physics::Suspects suspects(problem.equations);
+    std::optional<Stop> full;
+    for (const solution::Stop& stop : histories.stops()) {
+        const bool isFull = stop.reason == solution::Stop::Reason::tooMuchKept;
+        if (isFull && !full)
+            full = fullStop(problem, histories, stop);
+        std::optional<Stop> told; // once for all bodies that stop together
+        if (isFull)
+            told = full;
+        for (const std::size_t unknown : stop.unknowns) {
+            const std::size_t body = owners[unknown];
+            const auto place = stops.find(body);
+            if (place != stops.end() && !(stop.time < place->second.time))
+                continue;
+            if (!told)
+                told = stopOf(problem, suspects, histories, owners, stop);
+            stops[body] = *told;
+        }
+    }
+    return stops;
+}
+
+// When a polynomial goes over the largest value that a motion has; none: not up to there.
+std::optional<double> overflowOf(const solution::Piece& piece, double until) {
+    const double from = piece.origin;
+    const auto isOver = [&](double t) { return !(std::abs(piece.value(t)) <= largest); };
+    const auto mayBeOver = [&](double t) {
+        const auto [low, high] = piece.bounds(from, t);
+        return !(low >= -largest && high <= largest);
+    };
+    if (!(until > from) || !mayBeOver(until))
+        return std::nullopt;
+    // It is not over as long as its bounds are not; from there on, times in a geometric row.
+    constexpr int halvings = 400, looks = 200;
+    double within = 0, over = until - from;
+    for (int i = 0; i < halvings && over > within * (1 + 1e-15); ++i) {
+        const double middle = within > 0 ? std::sqrt(within) * std::sqrt(over) : 1e-8 * over;
+        if (middle <= within || middle >= over)
+            break;
+        (mayBeOver(from + middle) ? over : within) = middle;
+    }
+    const double ratio = std::pow((until - from) / over, 1.0 / looks);
+    double before = within;
+    for (double after = over; before < until - from; after *= ratio) {
+        after = std::min(after, until - from);
+        if (isOver(from + after)) {
+            for (int i = 0; i < halvings; ++i) {
+                const double middle = (before + after) / 2;
+                if (middle <= before || middle >= after)
+                    break;
+                (isOver(from + middle) ? after : before) = middle;
+            }
+            return from + before;
+        }
+        before = after;
+        if (!(ratio > 1))
+            break;
+    }
+    return std::nullopt;
+}
+
+// Motion in closed form goes on for ever, and is looked at here. LIMIT: only what it does last: to
+// come back from beyond, where nothing is, takes a scene that starts there.
+void addOverflows(const Problem& problem, const solution::Histories& histories, double until,
+                  std::map<std::size_t, Stop>& stops) {
+    for (std::size_t b = 0; b < problem.bodies->size(); ++b) {
+        const BodyRecord& body = (*problem.bodies)[b];
+        std::optional<double> earliest;
+        for (std::size_t i = 0; !body.isFixed && i < physics::qw; ++i) {
+            const std::size_t unknown = body.firstUnknown + i;
+            if (histories.stop(unknown) || histories.reached(unknown) < until)
+                continue;
+            const auto over = overflowOf(histories.piece(unknown, until), until);
+            if (!over || (earliest && *earliest <= *over))
+                continue;
+            earliest = over;
+            const auto known = stops.find(b);
+            if (known == stops.end() || known->second.time > *over)
+                stops[b] = {.time = *over,
+                            .sentence =
+                                sentenceAt(*over, problem.equations.set.unknowns[unknown].name +
+                                                      " grows over 1e100")};
+        }
+    }
+}
+
+} // namespace
+
+std::map<std::size_t, Stop> stopsOf(const Problem& problem, const solution::Histories& histories,
+                                    double until) {
+    std::map<std::size_t, Stop> stops = solversStops(problem, histories);
+    addOverflows(problem, histories, until, stops);
+    return stops;
+}
+
+} // namespace simulation

@@ -1,0 +1,16 @@
+// Why did a motion end, in an author's words?
+//
+// The solver says which unknowns ended and by what sign; here the force or link to blame is found,
+// and what an author can do about it is said. Motion in closed form that goes over 1e100 ends here:
+// the solver has no end for it.
+#pragma once
+
+#include "run/run.h"
+
+namespace simulation {
+
+// By body, of what is known up to a time.
+[[nodiscard]] std::map<std::size_t, Stop>
+stopsOf(const Problem& problem, const solution::Histories& histories, double until);
+
+} // namespace simulation
