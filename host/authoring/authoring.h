@@ -142,6 +142,9 @@ struct LinkAround {
 // A reference to an element, which gets an ID when it has none.
 [[nodiscard]] Result insertReference(const Manuscript& manuscript, Selection selection,
                                      sgml::NodeId target);
+// The reference leads there from now on.
+[[nodiscard]] Result changeReference(const Manuscript& manuscript, Selection selection,
+                                     sgml::NodeId reference, sgml::NodeId target);
 // The elements that a reference may name, in order: those that are numbered, or have an ID.
 [[nodiscard]] std::vector<sgml::NodeId> targets(const Manuscript& manuscript);
 // The names of elements that may come in behind a place, or behind what is around it.

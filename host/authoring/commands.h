@@ -42,6 +42,11 @@ Piece* putBlock(Draft& draft, Piece& mark, std::unique_ptr<Piece>&& piece);
 // "A figure may not stand here."
 [[nodiscard]] QString mayNotStand(const Grammar& grammar, std::string_view name);
 
+// The same step, with which an element gets that ID if it has none. Refused with `isErased` where
+// the step takes the element away.
+[[nodiscard]] Result withId(const Manuscript& manuscript, sgml::NodeId element,
+                            const std::string& id, Result result, const QString& isErased);
+
 [[nodiscard]] inline Refusal refused(const QString& why) { return Refusal{why}; }
 
 } // namespace authoring

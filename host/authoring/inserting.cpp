@@ -205,6 +205,44 @@ bool isNumbered(const sgml::Tree& tree, const Grammar& grammar, NodeId element) 
 
 } // namespace
 
+Result withId(const Manuscript& manuscript, NodeId element, const std::string& id, Result result,
+              const QString& isErased) {
+    auto* step = std::get_if<Step>(&result);
+    const sgml::Tree& tree = manuscript.document.tree();
+    if (step == nullptr || !tree.attribute(element, "ID").value_or("").empty())
+        return result;
+    for (text::Edit& edit : sgml::attributeEdit(tree, element, "ID", id)) {
+        const bool goes = std::ranges::any_of(step->edits, [&](const text::Edit& other) {
+            return other.range.from <= edit.range.from && edit.range.to <= other.range.to &&
+                   other.range.size() > 0;
+        });
+        if (goes)
+            return refused(isErased);
+        const std::size_t at = text::moved(edit.range.from, step->edits, text::Gravity::before);
+        for (std::size_t* place : {&step->after.anchor, &step->after.caret})
+            if (*place > at)
+                *place += edit.text.size() - edit.range.size();
+        step->edits.push_back(std::move(edit));
+    }
+    text::putInOrder(step->edits);
+    return result;
+}
+
+Result changeReference(const Manuscript& manuscript, Selection selection, NodeId reference,
+                       NodeId target) {
+    const QString isGone = QStringLiteral("The target of the reference is not in this document.");
+    const sgml::Tree& tree = manuscript.document.tree();
+    if (!tree.holds(target) || !tree.isElement(target))
+        return refused(isGone);
+    std::string id(tree.attribute(target, "ID").value_or(""));
+    if (id.empty())
+        id = freeId(idsOf(tree), tree.name(target));
+    return withId(
+        manuscript, target, id,
+        setAttributes(manuscript, selection, reference, {{"TO", id}}, QStringLiteral("Reference")),
+        isGone);
+}
+
 Result insertReference(const Manuscript& manuscript, Selection selection, NodeId target) {
     const sgml::Tree& tree = manuscript.document.tree();
     const std::size_t end = std::max(selection.anchor, selection.caret);

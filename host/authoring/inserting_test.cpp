@@ -154,6 +154,22 @@ TEST(Inserting, ReferencesNameTheirTargets) {
               "<P><T>{a}</T><REF TO=\"x\"></REF>|</P><FIGURE ID=\"x\"><IMAGE></IMAGE></FIGURE>");
 }
 
+TEST(Inserting, AReferenceIsLedElsewhere) {
+    const auto change = [](const Manuscript& manuscript, Selection selection) {
+        const sgml::Tree& tree = manuscript.document.tree();
+        sgml::NodeId reference = tree.root();
+        while (tree.name(reference) != "REF")
+            reference = tree.following(reference);
+        return changeReference(manuscript, selection, reference, targets(manuscript).back());
+    };
+    const std::string other = "<FIGURE ID=\"x\"><IMAGE></IMAGE></FIGURE>";
+    EXPECT_EQ(
+        memo("<P><REF TO=\"x\"></REF></P>" + other + "<FIGURE><IMAGE></IMAGE></FIGURE><P>{b|}</P>",
+             change),
+        "<P><REF TO=\"figure-1\"></REF></P>" + other +
+            "<FIGURE ID=\"figure-1\"><IMAGE></IMAGE></FIGURE><P>{b|}</P>");
+}
+
 TEST(Inserting, ValuesNameTheirFigureWhichGetsAnId) {
     const auto insert = [](const document::ValueUse& use) {
         return [use](const Manuscript& manuscript, Selection selection) {

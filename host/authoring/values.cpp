@@ -4,8 +4,6 @@
 
 #include "sgml/edit.h"
 
-#include <algorithm>
-
 namespace authoring {
 
 using schemas::Display;
@@ -28,9 +26,11 @@ Attributes attributesOf(const std::string& id, const document::ValueUse& use) {
             {"TIME", use.time ? document::spelledTime(*use.time) : ""}};
 }
 
-Result notThere() {
-    return refused(QStringLiteral("The figure whose value was to be shown is not there any more."));
+QString isGone() {
+    return QStringLiteral("The figure whose value was to be shown is not there any more.");
 }
+
+Result notThere() { return refused(isGone()); }
 
 } // namespace
 
@@ -44,30 +44,10 @@ std::string idOf(const Manuscript& manuscript, NodeId figure) {
 }
 
 Result withIdOf(const Manuscript& manuscript, NodeId figure, Result result) {
-    auto* step = std::get_if<Step>(&result);
-    if (step == nullptr)
-        return result;
-    const sgml::Tree& tree = manuscript.document.tree();
     const NodeId bearer = bearerOf(manuscript, figure);
     if (bearer == noNode)
-        return notThere();
-    if (!tree.attribute(bearer, "ID").value_or("").empty())
-        return result;
-    for (text::Edit& edit : sgml::attributeEdit(tree, bearer, "ID", idOf(manuscript, figure))) {
-        const bool isErased = std::ranges::any_of(step->edits, [&](const text::Edit& other) {
-            return other.range.from <= edit.range.from && edit.range.to <= other.range.to &&
-                   other.range.size() > 0;
-        });
-        if (isErased)
-            return notThere();
-        const std::size_t at = text::moved(edit.range.from, step->edits, text::Gravity::before);
-        for (std::size_t* place : {&step->after.anchor, &step->after.caret})
-            if (*place > at)
-                *place += edit.text.size() - edit.range.size();
-        step->edits.push_back(std::move(edit));
-    }
-    text::putInOrder(step->edits);
-    return result;
+        return std::holds_alternative<Step>(result) ? notThere() : result;
+    return withId(manuscript, bearer, idOf(manuscript, figure), std::move(result), isGone());
 }
 
 Result insertValue(const Manuscript& manuscript, Selection selection, NodeId figure,

@@ -92,7 +92,7 @@ InsertMenu::InsertMenu(view::DocumentView& view, QWidget* parent)
                        "with a number.")};
             return authoring::insertReference(in, at, all.front());
         },
-        [this] { askForReference(); });
+        [this] { askForReference(this->view().writing().selectedAlone(Display::reference)); });
     add("footnote", tr("&Footnote"), QKeySequence("Ctrl+Alt+F"), authoring::insertFootnote);
     addSeparator();
     addAsking(
@@ -114,10 +114,27 @@ InsertMenu::InsertMenu(view::DocumentView& view, QWidget* parent)
     add("contents", tr("&Table of Contents"), {}, contents(ContainerRole::heading));
     add("listOfFigures", tr("List of Fi&gures"), {}, contents(ContainerRole::figure));
     add("listOfTables", tr("List of Ta&bles"), {}, contents(ContainerRole::table));
-    connect(&this->view(), &view::DocumentView::formulaActivated, this,
-            [this](sgml::NodeId element) { askForFormula(element); });
-    connect(&this->view(), &view::DocumentView::valueActivated, this,
-            [this](sgml::NodeId element) { askForValue(element); });
+    connect(&this->view(), &view::DocumentView::elementActivated, this, &InsertMenu::ask);
+}
+
+void InsertMenu::ask(sgml::NodeId element, schemas::Display as) {
+    if (as == Display::formula)
+        askForFormula(element);
+    else if (as == Display::value)
+        askForValue(element);
+    else
+        askForReference(element);
+}
+
+// A reference that is there, also one whose target is gone, may lead elsewhere.
+void InsertMenu::addTo(QMenu& menu, const QPoint& at) {
+    const QPointF point = view().viewport()->mapFromGlobal(at);
+    const model::Run* run = view().isWriting() ? view().runAt(point) : nullptr;
+    if (!run || !run->refers)
+        return;
+    menus::addTo(menu, "changeReference", tr("&Refer to Something Else..."), {},
+                 [this, element = run->element] { askForReference(element); });
+    menu.addSeparator();
 }
 
 // Of the figure that is chosen, or of the figure or table around the caret. One that is there gets
@@ -163,17 +180,19 @@ void InsertMenu::askForLink() {
     });
 }
 
-void InsertMenu::askForReference() {
+void InsertMenu::askForReference(sgml::NodeId element) {
     view().settle();
     if (!view().model())
         return;
     ReferenceDialog dialog(
         described(authoring::targets(view().writing().manuscript()), *view().model()),
-        parentWidget());
+        element == sgml::noNode, parentWidget());
     if (dialog.exec() != QDialog::Accepted || dialog.chosen() == sgml::noNode)
         return;
     perform([&](const Manuscript& in, Selection at) {
-        return authoring::insertReference(in, at, dialog.chosen());
+        return element == sgml::noNode
+                   ? authoring::insertReference(in, at, dialog.chosen())
+                   : authoring::changeReference(in, at, element, dialog.chosen());
     });
 }
 

@@ -12,13 +12,17 @@ class InsertMenu : public CommandMenu {
 public:
     explicit InsertMenu(view::DocumentView& view, QWidget* parent = nullptr);
 
+    // Entries for what is at a place of the screen.
+    void addTo(QMenu& menu, const QPoint& at);
+
 private:
+    void ask(sgml::NodeId element, schemas::Display as);
     void addCaption();
     [[nodiscard]] std::optional<std::size_t> chosenFigureEnd() const; // within its element
     void askForLink();
-    void askForReference();
-    void askForFormula(sgml::NodeId element); // noNode: a new one
-    void askForValue(sgml::NodeId element);   // the same
+    void askForReference(sgml::NodeId element); // noNode: a new one
+    void askForFormula(sgml::NodeId element);   // noNode: a new one
+    void askForValue(sgml::NodeId element);     // the same
     struct ChosenValue {
         sgml::NodeId figure = sgml::noNode;
         document::ValueUse use;

@@ -58,7 +58,7 @@ std::vector<Target> described(const std::vector<sgml::NodeId>& elements,
     return result;
 }
 
-ReferenceDialog::ReferenceDialog(std::vector<Target> targets, QWidget* parent)
+ReferenceDialog::ReferenceDialog(std::vector<Target> targets, bool isNew, QWidget* parent)
     : QDialog(parent), targets_(std::move(targets)), field_(new QLineEdit(this)),
       list_(new QListWidget(this)) {
     setObjectName("referenceDialog");
@@ -72,7 +72,7 @@ ReferenceDialog::ReferenceDialog(std::vector<Target> targets, QWidget* parent)
     list_->setMinimumSize(440, 300);
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // long captions end in "..."
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
-    buttons->button(QDialogButtonBox::Ok)->setText(tr("&Insert"));
+    buttons->button(QDialogButtonBox::Ok)->setText(isNew ? tr("&Insert") : tr("&Change"));
     auto* column = new QVBoxLayout(this);
     QLabel* label = plain::label(tr("Refer to:"), this);
     label->setBuddy(field_);

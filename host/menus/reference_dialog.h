@@ -22,7 +22,8 @@ class ReferenceDialog : public QDialog {
     Q_OBJECT
 
 public:
-    ReferenceDialog(std::vector<Target> targets, QWidget* parent);
+    // `isNew`: else one that is there gets another target.
+    ReferenceDialog(std::vector<Target> targets, bool isNew, QWidget* parent);
 
     [[nodiscard]] sgml::NodeId chosen() const; // noNode: none
 

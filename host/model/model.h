@@ -73,6 +73,12 @@ struct Picture {
     bool operator==(const Picture&) const = default;
 };
 
+// How a reference looks: usually, and where nothing has the ID that it names.
+struct ReferenceLooks {
+    std::uint32_t usual = 0, broken = 0; // in Model::textStyles
+    bool operator==(const ReferenceLooks&) const = default;
+};
+
 // A piece of a line. Its letters are the bytes of `content` from `offset` on, unless content is
 // noNode: then they are generated (a number, a reference, a mark) and cannot be edited.
 // A line end in flowing text becomes one blank; what is left out there begins a new run.
@@ -85,6 +91,7 @@ struct Run {
     std::size_t offset = 0; // unescaped, of the text's first byte
     std::string target{};   // LINK: its address; REF: "#" and the ID
     bool refers = false;    // the text is the number or the name of what has that ID
+    ReferenceLooks looks{}; // of what refers
     document::SubdocumentId subdocument = document::noSubdocument;
     std::shared_ptr<const Footnote> footnote{}; // never null in a mark
     std::shared_ptr<const Formula> formula{};   // never null in a formula

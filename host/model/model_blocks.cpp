@@ -147,8 +147,10 @@ void ModelWalk::addRun(Run run) {
     if (titles_ > 0 && !state_.titled && run.kind == RunKind::text)
         model_.title += run.text;
     run.refers = run.kind == RunKind::text && run.text.empty() && run.target.starts_with('#');
-    if (run.refers)
+    if (run.refers) {
+        run.looks = {run.style, valueLooks(state_.frames.back()).faulty};
         markReferring();
+    }
     markValued(run);
     flow_.last->runs.push_back(std::move(run));
     markFrames();

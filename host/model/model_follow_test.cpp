@@ -253,6 +253,31 @@ TEST(ModelFollow, AHeadingThatGetsItsFirstLetterBeginsToCount) {
 }
 
 // The numbers of all sections behind it change, and what refers to these wherever it stands.
+TEST(ModelFollow, AReferenceFollowsTheWordsOfItsHeadingAndTellsThatTheyAreGone) {
+    Followed followed("DOCUMENT CMEMO\n<CMEMO><SUBJECT>{S}</SUBJECT><BODY><PARAGRAPH>"
+                      "<REF TO=\"s\"></REF></PARAGRAPH><SECTION ID=\"s\"><HEADING>{One}</HEADING>"
+                      "<PARAGRAPH>{a}</PARAGRAPH></SECTION></BODY></CMEMO>",
+                      "", 1);
+    const auto reference = [&] { return followed.builder.model()->blocks[2]->runs.front(); };
+    EXPECT_EQ(followed.difference(), "");
+    ASSERT_EQ(reference().text, "One");
+    const std::uint32_t usual = reference().style;
+    const auto edit = [&](const std::string& words, const std::string& with) {
+        const std::size_t at = followed.document.bytes().find(words);
+        (void)followed.document.edit({{{at, at + words.size()}, with}}, "Edit");
+        return followed.difference();
+    };
+    EXPECT_EQ(edit("One", "Two"), "");
+    EXPECT_EQ(reference().text, "Two");
+    EXPECT_EQ(edit("ID=\"s\"", ""), "");
+    EXPECT_EQ(reference().text, "(missing)");
+    EXPECT_NE(reference().style, usual);
+    followed.document.undo();
+    EXPECT_EQ(followed.difference(), "");
+    EXPECT_EQ(reference().text, "Two");
+    EXPECT_EQ(reference().style, usual);
+}
+
 TEST(ModelFollow, AHeadingNumbersWhatFollowsAndNothingElse) {
     const ModelBuilder::Work work =
         workOf(200, "<SECTION ID", "<SECTION><HEADING>{New}</HEADING></SECTION>");

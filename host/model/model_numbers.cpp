@@ -1,6 +1,8 @@
 // Which elements count, their numbers, and the names by which one refers to them.
 #include "model/model_walk.h"
 
+#include "text/characters.h"
+
 #include <algorithm>
 
 namespace model {
@@ -45,15 +47,72 @@ bool ModelWalk::waitsForHeading(const Frame& section) const {
                schemas::ContainerRole::heading;
 }
 
+namespace {
+
+// In one line, of a length that a sentence takes.
+std::string asReference(const std::string& words) {
+    constexpr std::size_t longest = 80; // bytes
+    std::string line;
+    for (const char c : words) {
+        const bool isBlank = c == ' ' || c == '\n' || c == '\t' || c == '\r';
+        if (!isBlank)
+            line += c;
+        else if (!line.empty() && line.back() != ' ')
+            line += ' ';
+    }
+    if (line.ends_with(' '))
+        line.pop_back();
+    if (line.size() <= longest)
+        return line;
+    return line.substr(0, text::characterStart(line, longest)) + "\u2026";
+}
+
+// "Figure 1" is not broken between its words.
+std::string unbroken(std::string number) {
+    for (std::size_t at = number.find(' '); at != number.npos; at = number.find(' ', at))
+        number.replace(at, 1, "\u00A0");
+    return number;
+}
+
+} // namespace
+
+// Where the heading shows no number, one refers to a section by its words.
+std::string ModelWalk::referringHeading(const Frame& section) const {
+    const bool isCounted =
+        section.style.role == schemas::ContainerRole::section && !section.style.counter.empty();
+    const NodeId first = isCounted ? tree_.childElement(section.node) : noNode;
+    if (first == noNode)
+        return {};
+    schemas::Presentation::Progress progress = section.progress;
+    const schemas::ElementStyle style =
+        section.presentation->style({.name = tree_.name(first)}, section.style, progress);
+    if (style.role != schemas::ContainerRole::heading || !style.number.empty())
+        return {};
+    std::string words;
+    for (NodeId id = tree_.node(first).firstChild; id != noNode;) {
+        const bool isShown =
+            !tree_.isElement(id) ||
+            section.presentation->styleNamed(tree_.name(id)).display == schemas::Display::inlined;
+        if (tree_.node(id).kind == NodeKind::content)
+            words += tree_.unescaped(id).text();
+        id = isShown ? tree_.following(id, first) : tree_.followingSkippingChildren(id, first);
+    }
+    return asReference(words);
+}
+
 void ModelWalk::beginNumbering(Frame& frame) {
     const schemas::ElementStyle& style = frame.style;
     frame.asked.isUncounted = waitsForHeading(frame);
+    frame.asked.heading = referringHeading(frame);
     if (frame.asked.isUncounted) {
         frame.numbering.reference.clear();
     } else if (!style.counter.empty()) {
         frame.numbering.path = state_.counters.step(style.counter);
         const std::string& pattern = style.reference.empty() ? style.number : style.reference;
-        frame.numbering.reference = withoutPunctuation(numbered(pattern, frame.numbering.path));
+        frame.numbering.reference =
+            frame.asked.heading.empty()
+                ? unbroken(withoutPunctuation(numbered(pattern, frame.numbering.path)))
+                : frame.asked.heading;
     }
     for (const std::string& counter : style.restart)
         state_.counters.restart(counter);

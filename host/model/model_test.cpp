@@ -119,7 +119,7 @@ TEST(Model, BlocksOfEveryKind) {
          "text left 11pt after 24 [a][note:1][b]\nfootnote 1\n  text left 9pt in 14 (1) [n]\n"},
         {"<PARAGRAPH><LINK TO=\"http://x\">{l}</LINK><CODE>{c}</CODE><REF "
          "TO=\"none\"></REF></PARAGRAPH>",
-         "text left 11pt after 24 [l>http://x][m|c][none>#none]\n"},
+         "text left 11pt after 24 [l>http://x][m|c][(missing)>#none]\n"},
         {"<PARAGRAPH><SLIDER OF=\"a\" NAME=\"g\" VALUE=\"3\"></SLIDER><VALUE "
          "EXPRESSION=\"b.x\"></VALUE></PARAGRAPH><CHART "
          "VALUES=\"b.x\"></CHART>",
@@ -268,6 +268,27 @@ TEST(Model, AMemoHasSections) {
         EXPECT_EQ(levels[1], levels[0] + 1);
     }
     EXPECT_EQ(sgml::formatted(document::documentFaults(document, schemas, {}), "m"), "");
+}
+
+// The headings of a memo have no numbers, and those of a report have.
+TEST(Model, ReferencesToSectionsSayWhatTheirHeadingsShow) {
+    const schemas::Schemas schemas = schemas::Schemas::builtIn();
+    const auto referring = [&](const std::string& name, const std::string& heading) {
+        const bool isMemo = name == "CMEMO";
+        const document::Document document(
+            "DOCUMENT " + name + "\n<" + name + (isMemo ? "><SUBJECT>{S}</SUBJECT><BODY>" : ">") +
+            "<SECTION ID=\"s\"><HEADING>" + heading +
+            "</HEADING><PARAGRAPH><REF TO=\"s\"></REF></PARAGRAPH></SECTION>" +
+            (isMemo ? "</BODY></" : "</") + name + ">");
+        const Model model = buildModel(document, schemas.presentation(name), schemas);
+        return model.blocks.back()->runs.front().text;
+    };
+    EXPECT_EQ(referring("REPORT", "{Masses}"), "Section\u00A01");
+    EXPECT_EQ(referring("CMEMO", "<TEXT>{The\nlong }</TEXT><EMPH>{rod}</EMPH><FOOTNOTE>{n}"
+                                 "</FOOTNOTE><TEXT>{ }</TEXT>"),
+              "The long rod");
+    EXPECT_EQ(referring("CMEMO", "{" + std::string(79, 'x') + "\u00E4\u00E4}"),
+              std::string(79, 'x') + "\u2026");
 }
 
 TEST(Model, RandomDocumentsAreShown) {

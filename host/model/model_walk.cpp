@@ -48,7 +48,8 @@ bool ModelWalk::stillHolds(const Checkpoint& checkpoint) const {
         if (frame.asked.nested)
             return presentationOf(frame.node) == frame.presentation;
         if (frame.asked.placement != placementIn(frame) ||
-            frame.asked.isUncounted != waitsForHeading(frame))
+            frame.asked.isUncounted != waitsForHeading(frame) ||
+            frame.asked.heading != referringHeading(frame))
             return false;
         return frame.style.display != schemas::Display::unknown || !tree_.isElement(frame.node) ||
                frame.asked.holdsElements == (tree_.childElement(frame.node) != noNode);

@@ -56,6 +56,7 @@ public:
             bool nested = false;             // a nested document of text
             bool holdsElements = false;      // of an unknown one
             bool isUncounted = false;        // a section whose heading waits for text
+            std::string heading{};           // of a section by which one refers to it
             document::Placement placement{}; // of a figure: its subdocument's
             bool operator==(const Asked&) const = default;
         };
@@ -174,6 +175,7 @@ private:
 
     // numbers and names
     [[nodiscard]] bool waitsForHeading(const Frame& section) const;
+    [[nodiscard]] std::string referringHeading(const Frame& section) const;
     [[nodiscard]] bool isWithoutText(sgml::NodeId line, const Frame& frame) const;
     void beginNumbering(Frame& frame);
     void endNumbering(const Frame& frame);

@@ -12,24 +12,23 @@ References::References(const ModelWalk::Trail& trail) {
 
 bool References::differFrom(const References& other) const { return names_ != other.names_; }
 
-std::string References::textOf(const std::string& id) const {
+Run References::resolved(const Run& run) const {
+    const std::string id = run.target.substr(1);
     const auto known = names_.find(id);
-    std::string text = known == names_.end() || known->second.empty() ? id : known->second;
-    // "Figure 1" is not broken between its words.
-    for (std::size_t at = text.find(' '); at != std::string::npos; at = text.find(' ', at))
-        text.replace(at, 1, "\u00A0");
-    return text;
+    const bool isBroken = known == names_.end();
+    Run now = run;
+    now.text = isBroken ? "(missing)" : known->second.empty() ? id : known->second;
+    now.style = isBroken ? run.looks.broken : run.looks.usual;
+    return now;
 }
 
 std::shared_ptr<const Block> References::resolved(const std::shared_ptr<const Block>& block) const {
     return model::resolved(block, [this](const Run& run) -> std::optional<Run> {
         if (!run.refers)
             return std::nullopt;
-        std::string text = textOf(run.target.substr(1));
-        if (text == run.text)
+        Run now = resolved(run);
+        if (now.text == run.text && now.style == run.style)
             return std::nullopt;
-        Run now = run;
-        now.text = std::move(text);
         return now;
     });
 }

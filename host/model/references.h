@@ -1,4 +1,5 @@
-// The texts of references: a run that refers shows the number or the name of what has its ID.
+// The texts of references: a run that refers shows the number or the name of what has its ID, or
+// that nothing has it.
 #pragma once
 
 #include "model/model_walk.h"
@@ -22,7 +23,7 @@ public:
     [[nodiscard]] bool differFrom(const References& other) const;
 
 private:
-    [[nodiscard]] std::string textOf(const std::string& id) const;
+    [[nodiscard]] Run resolved(const Run& run) const;
 
     std::unordered_map<std::string, std::string> names_;
 };

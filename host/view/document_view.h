@@ -64,6 +64,7 @@ public:
     // a page. And back.
     [[nodiscard]] std::pair<std::size_t, QPointF> pagePointAt(QPointF point) const;
     [[nodiscard]] QRectF inViewport(std::size_t page, const QRectF& twips) const;
+    [[nodiscard]] const model::Run* runAt(QPointF point) const; // of the viewport; null: none
     // The first page that is seen, and the one behind the last.
     [[nodiscard]] std::pair<std::size_t, std::size_t> seenPages() const;
     // Shows the document as it is now, where edits came that are not laid out yet.
@@ -129,9 +130,9 @@ Q_SIGNALS:
     void selectionChanged(); // or what may be done with it
     void focusChanged();
     void linkActivated(const QString& target);
-    // By a double click, or by Return where it is selected alone, while it is written.
-    void formulaActivated(sgml::NodeId element);
-    void valueActivated(sgml::NodeId element);
+    // A formula, a value or a reference: by a double click, or by Return where it is selected
+    // alone, while it is written.
+    void elementActivated(sgml::NodeId element, schemas::Display as);
     void unhandledKey(int key, Qt::KeyboardModifiers modifiers);
     // Before the view goes far away from where one reads, and after it has.
     void jumping(bool isSearch);
@@ -173,7 +174,6 @@ private:
     void scrollBy(double pixels);
     [[nodiscard]] QSizeF pageSize() const;
     [[nodiscard]] QPointF pageTopLeft(std::size_t page) const;
-    [[nodiscard]] const model::Run* runAt(QPointF point) const; // null: none is there
     [[nodiscard]] const model::Run* linkAt(QPointF point) const;
 
     void present();

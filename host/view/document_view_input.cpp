@@ -103,9 +103,11 @@ void DocumentView::mouseDoubleClickEvent(QMouseEvent* event) {
     press_.wasDragged = true; // no click on a link
     const model::Run* run = isWriting() ? runAt(event->position()) : nullptr;
     if (run && run->kind == model::RunKind::formula)
-        Q_EMIT formulaActivated(run->element);
+        Q_EMIT elementActivated(run->element, schemas::Display::formula);
     else if (run && run->kind == model::RunKind::value)
-        Q_EMIT valueActivated(run->element);
+        Q_EMIT elementActivated(run->element, schemas::Display::value);
+    else if (run && run->refers)
+        Q_EMIT elementActivated(run->element, schemas::Display::reference);
     else
         text_->pressTwice(*event);
     if (!isWriting() && text_->isOverText(event->position()))

@@ -405,15 +405,13 @@ sgml::NodeId Writing::selectedAlone(schemas::Display display) const {
 
 // What has a dialog of its own opens it.
 bool Writing::activateSelected() {
-    if (const sgml::NodeId formula = selectedAlone(schemas::Display::formula);
-        formula != sgml::noNode)
-        Q_EMIT view_.formulaActivated(formula);
-    else if (const sgml::NodeId value = selectedAlone(schemas::Display::value);
-             value != sgml::noNode)
-        Q_EMIT view_.valueActivated(value);
-    else
-        return false;
-    return true;
+    using schemas::Display;
+    for (const Display as : {Display::formula, Display::value, Display::reference})
+        if (const sgml::NodeId element = selectedAlone(as); element != sgml::noNode) {
+            Q_EMIT view_.elementActivated(element, as);
+            return true;
+        }
+    return false;
 }
 
 // In a table to the cell beside, in a form to the field; in a list the item into the one before or

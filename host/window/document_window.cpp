@@ -99,6 +99,7 @@ DocumentWindow::DocumentWindow(Application& application,
     auto* figure = new menus::FigureMenu(*view_, this);
     auto* spelling = new panes::SpellingCommands(*view_, this);
     connect(edit, &EditMenu::aboutToShowAt, spelling, &panes::SpellingCommands::addTo);
+    connect(edit, &EditMenu::aboutToShowAt, insert, &menus::InsertMenu::addTo);
     connect(spelling, &panes::SpellingCommands::said, this, &DocumentWindow::say);
     auto* look = new ViewMenu(application, *this,
                               {&spelling->toggle(), outline_->toggleViewAction(),

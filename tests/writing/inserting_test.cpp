@@ -1,5 +1,6 @@
 // What comes in at the caret: links, references, formulas, pasted and dropped text.
 #include "menus/formula_dialog.h"
+#include "menus/insert_menu.h"
 #include "menus/reference_dialog.h"
 #include "places/carets.h"
 #include "view/pasted_html.h"
@@ -68,6 +69,38 @@ TEST_F(WritingTest, AReferenceIsChosenByTheWordsOfWhatItLeadsTo) {
     EXPECT_THAT(body(), HasSubstr("<REF TO=\"table-1\"></REF>"));
     EXPECT_THAT(body(), HasSubstr("<TABLE ID=\"table-1\"><ROW><CELL>{b}"));
     EXPECT_TRUE(waitFor([&] { return shown().find("See Table\u00A02") != std::string::npos; }));
+}
+
+TEST_F(WritingTest, AReferenceWhoseTargetIsDeletedSaysSoAndGetsAnotherOne) {
+    const std::string table = "<TABLE ID=\"t\"><ROW><CELL>{a}</CELL></ROW><CAPTION>{First}"
+                              "</CAPTION></TABLE>\n";
+    write("<PARAGRAPH><TEXT>{See }</TEXT><REF TO=\"t\"></REF></PARAGRAPH>\n" +
+          QByteArray::fromStdString(table) +
+          "<TABLE><ROW><CELL>{b}</CELL></ROW><CAPTION>{Second}</CAPTION></TABLE>\n");
+    const std::size_t at = document().bytes().find("<TABLE ID");
+    (void)document().edit({{{at, at + table.size()}, ""}}, "Delete");
+    EXPECT_TRUE(waitFor([&] { return shown().find("See (missing)") != std::string::npos; }));
+    const auto& faults = window_->findChild<panes::FaultsPane*>()->faults();
+    EXPECT_TRUE(waitFor([&] {
+        return std::ranges::any_of(faults, [](const session::ListedFault& one) {
+            return one.message.contains("nothing has the ID t");
+        });
+    }));
+    document().undo();
+    EXPECT_TRUE(waitFor([&] { return shown().find("See Table\u00A01") != std::string::npos; }));
+    document().redo();
+    ASSERT_TRUE(waitFor([&] { return shown().find("See (missing)") != std::string::npos; }));
+    const std::size_t place = document().bytes().find("<REF");
+    view().text().cursor().set({place, place});
+    const QRectF caret = view().text().caretRect().value();
+    QMenu menu;
+    window_->findChild<menus::InsertMenu*>()->addTo(
+        menu, view().viewport()->mapToGlobal((caret.center() + QPointF(5, 0)).toPoint()));
+    ASSERT_EQ(menu.actions().size(), 2);
+    EXPECT_TRUE(answers([](QDialog& dialog) { dialog.accept(); },
+                        [&] { menu.actions().front()->trigger(); }));
+    EXPECT_TRUE(waitFor([&] { return shown().find("See Table\u00A01") != std::string::npos; }));
+    EXPECT_THAT(body(), HasSubstr("<TABLE ID=\"table-1\"><ROW><CELL>{b}"));
 }
 
 TEST_F(WritingTest, AFormulaIsWrittenWithItsPictureAndItsFaults) {

@@ -146,7 +146,8 @@ TEST_F(ValuesInWindowTest, ItIsOneUnitWhichReturnAndTwoClicksChangeAndDeleteTake
             dialog.accept();
         },
         [this] {
-            Q_EMIT view().valueActivated(document().tree().innermostAt(startOfValue() + 1));
+            Q_EMIT view().elementActivated(document().tree().innermostAt(startOfValue() + 1),
+                                           schemas::Display::value);
         }));
     EXPECT_THAT(body(), HasSubstr("EXPRESSION=\"width\" TIME=\"3 s\"></VALUE>"));
     view().text().cursor().set({endOfValue(), endOfValue()});
