@@ -1,4 +1,5 @@
 // What a source means: as plain text, as words, and which faults it has where.
+#include "formulas/plain_words.h"
 #include "formulas/typeset.h"
 
 #include <gtest/gtest.h>
@@ -52,6 +53,28 @@ TEST(Reading, PlainTextAndWords) {
         EXPECT_EQ(plain(formula), row.plain) << row.source;
         EXPECT_EQ(spoken(formula), row.spoken) << row.source;
     }
+}
+
+TEST(Reading, PlainWordsAreProposedAsTexWritesThem) {
+    const std::pair<const char*, const char*> table[] = {
+        {"2 pi sqrt(L/g", "2 \\pi \\sqrt{L/g}"},
+        {"T = 2pi sqrt((L+pi)/g) + 1", "T = 2\\pi \\sqrt{(L+\\pi)/g} + 1"},
+        {"sin(alpha) <= 1", "\\sin(\\alpha) \\le  1"},
+        {"e^(-x) + x^10 + x^-1 + v_max + v_end + x^* + a_ij + x_pi",
+         "e^{-x} + x^{10} + x^{-1} + v_\\max + v_{\\mathrm{end}} + x^* + a_{ij} + x_\\pi"},
+        {"a*b ... infinity", "a\\cdot b \\dots  \\infty"},
+        // What TeX writes is left as it is.
+        {R"(\frac{1}{2} m v^2 \sin\alpha \text{for pi} \mathrm{sin} x^{10} ab x_i2 \begin{cases} 1 \end{cases})",
+         nullptr},
+        {R"(\value[2 decimals]{pi}{sin} \left( x \right) n! = 1)", nullptr},
+    };
+    for (const auto& [source, tex] : table)
+        EXPECT_EQ(withTex(source, plainWords(source)), tex ? tex : source);
+    const std::vector<PlainWord> found = plainWords("2 pi sqrt(L/g");
+    ASSERT_EQ(found.size(), 2u);
+    EXPECT_EQ(found[0].message, "TeX writes \\pi for pi.");
+    EXPECT_EQ(found[1].message, "TeX writes \\sqrt{L/g} for sqrt(L/g.");
+    EXPECT_EQ(found[1].range.from, 5u);
 }
 
 TEST(Reading, ValuesAreSuppliedAsPartsOfTheFormula) {

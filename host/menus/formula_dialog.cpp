@@ -1,6 +1,7 @@
 #include "menus/formula_dialog.h"
 
 #include "formulas/paint.h"
+#include "formulas/plain_words.h"
 #include "plain/plain.h"
 
 #include <QDialogButtonBox>
@@ -113,7 +114,8 @@ void FormulaPreview::paintEvent(QPaintEvent*) {
 
 FormulaDialog::FormulaDialog(const QString& source, Place place, QWidget* parent)
     : QDialog(parent), field_(new QPlainTextEdit(source, this)), preview_(new FormulaPreview(this)),
-      fault_(plain::label({}, this)), alone_(new QRadioButton(tr("&On its own"), this)),
+      fault_(plain::label({}, this)), tex_(new QPushButton(tr("Write It in Te&X"), this)),
+      alone_(new QRadioButton(tr("&On its own"), this)),
       numbered_(new QRadioButton(tr("On its own, with a &number"), this)),
       places_(new QHBoxLayout) {
     setObjectName("formulaDialog");
@@ -128,6 +130,15 @@ FormulaDialog::FormulaDialog(const QString& source, Place place, QWidget* parent
     fault_->setObjectName("fault");
     fault_->setWordWrap(true);
     fault_->setMinimumHeight(fault_->fontMetrics().lineSpacing() * 2);
+    tex_->setObjectName("tex");
+    tex_->setAutoDefault(false);
+    QSizePolicy kept = tex_->sizePolicy();
+    kept.setRetainSizeWhenHidden(true);
+    tex_->setSizePolicy(kept);
+    connect(tex_, &QPushButton::clicked, this, &FormulaDialog::writeTex);
+    auto* said = new QHBoxLayout;
+    said->addWidget(fault_, 1);
+    said->addWidget(tex_);
     auto* inLine = new QRadioButton(tr("In the &line"), this);
     inLine->setObjectName("inLine");
     alone_->setObjectName("alone");
@@ -143,7 +154,7 @@ FormulaDialog::FormulaDialog(const QString& source, Place place, QWidget* parent
     auto* column = new QVBoxLayout(this);
     column->addWidget(preview_, 1);
     column->addWidget(field_);
-    column->addWidget(fault_);
+    column->addLayout(said);
     column->addWidget(makeSigns());
     column->addLayout(places_);
     column->addWidget(buttons);
@@ -215,30 +226,52 @@ FormulaDialog::Place FormulaDialog::place() const {
                                   : Place::inLine;
 }
 
+void FormulaDialog::mark(text::Range bytes, const QColor& color) {
+    const std::string all = field_->toPlainText().toStdString();
+    const auto letters = [&all](std::size_t to) {
+        return static_cast<int>(QString::fromUtf8(all.data(), static_cast<qsizetype>(to)).size());
+    };
+    QTextEdit::ExtraSelection mark;
+    mark.cursor = QTextCursor(field_->document());
+    mark.cursor.setPosition(letters(bytes.from));
+    mark.cursor.setPosition(letters(bytes.to), QTextCursor::KeepAnchor);
+    mark.format.setUnderlineStyle(QTextCharFormat::WaveUnderline);
+    mark.format.setUnderlineColor(color);
+    field_->setExtraSelections(field_->extraSelections() << mark);
+}
+
+// A fault comes before what was meant, perhaps, by words that TeX reads letter by letter.
 void FormulaDialog::look() {
-    const QString text = field_->toPlainText();
-    const std::string bytes = text.toStdString();
+    const std::string bytes = field_->toPlainText().toStdString();
     formulas::Formula formula = formulas::read(bytes);
-    QList<QTextEdit::ExtraSelection> marks;
+    const std::vector<formulas::PlainWord> words = formulas::plainWords(bytes);
+    field_->setExtraSelections({});
     fault_->clear();
+    tex_->setVisible(!words.empty());
     if (!formula.faults.empty() && !bytes.empty()) {
         const formulas::Fault& first = formula.faults.front();
         fault_->setText(QString::fromStdString(first.message));
-        const auto letters = [&bytes](std::size_t to) {
-            return static_cast<int>(
-                QString::fromUtf8(bytes.data(), static_cast<qsizetype>(to)).size());
-        };
-        QTextEdit::ExtraSelection mark;
-        mark.cursor = QTextCursor(field_->document());
-        mark.cursor.setPosition(letters(first.offset));
-        mark.cursor.setPosition(letters(first.end), QTextCursor::KeepAnchor);
-        mark.format.setUnderlineStyle(QTextCharFormat::WaveUnderline);
-        mark.format.setUnderlineColor(QColor(0xc0, 0x1c, 0x28));
-        marks.push_back(mark);
+        mark({first.offset, first.end}, QColor(0xc0, 0x1c, 0x28));
+    } else if (!words.empty()) {
+        const QString tex = QString::fromStdString(formulas::withTex(bytes, words));
+        constexpr qsizetype longest = 100; // of what two lines show
+        fault_->setText(
+            QString::fromStdString(words.front().message) +
+            (words.size() > 1 && tex.size() < longest ? tr(" All of it: %1").arg(tex) : QString()));
+        tex_->setToolTip(plain::tip(tex));
     }
-    field_->setExtraSelections(marks);
+    for (const formulas::PlainWord& word : words)
+        mark(word.range, QColor(0x26, 0x6e, 0xd6));
     preview_->show(std::move(formula),
                    place() == Place::inLine ? formulas::Style::text : formulas::Style::display);
+}
+
+void FormulaDialog::writeTex() {
+    const std::string bytes = field_->toPlainText().toStdString();
+    QTextCursor all(field_->document()); // one step of the field's undo
+    all.select(QTextCursor::Document);
+    all.insertText(QString::fromStdString(formulas::withTex(bytes, formulas::plainWords(bytes))));
+    field_->setFocus();
 }
 
 bool FormulaDialog::eventFilter(QObject* watched, QEvent* event) {

@@ -1,7 +1,9 @@
-// A formula that is written: its source, how it looks, and what is wrong with it, as one types.
+// A formula that is written: its source, how it looks, what is wrong with it, and what TeX writes
+// for plain words in it, as one types.
 #pragma once
 
 #include "formulas/formula.h"
+#include "text/edit.h"
 
 #include <QDialog>
 #include <functional>
@@ -9,6 +11,7 @@
 class QHBoxLayout;
 class QLabel;
 class QPlainTextEdit;
+class QPushButton;
 class QRadioButton;
 
 namespace menus {
@@ -49,10 +52,13 @@ private:
     QWidget* makeSigns();
     void put(const QString& before, const QString& after);
     void look();
+    void mark(text::Range bytes, const QColor& color);
+    void writeTex();
 
     QPlainTextEdit* field_;
     FormulaPreview* preview_;
     QLabel* fault_;
+    QPushButton* tex_; // writes what TeX writes for plain words
     QRadioButton* alone_;
     QRadioButton* numbered_;
     QHBoxLayout* places_;

@@ -109,8 +109,10 @@ DocumentWindow* Application::open(const QString& fileName, QWidget* parent) {
         return nullptr;
     }
     remember(path);
-    return addWindow(
+    DocumentWindow* made = addWindow(
         std::make_shared<session::OpenDocument>(std::move(loaded.document), schemas_, media_));
+    closeUntouched(*made);
+    return made;
 }
 
 // It has no file of its own yet.
@@ -150,16 +152,13 @@ void Application::offerRecovered() {
     };
     for (const std::string& fault : all.faults)
         filing::tell(over(), QString::fromStdString(fault));
-    bool recovered = false;
     for (files::LeftBehind& left : all.texts) {
         const filing::Answer answer = filing::askAbout(over(), left.kept);
         if (answer == filing::Answer::discard)
             left.place->remove();
         if (answer == filing::Answer::open)
-            recovered = recover(std::move(left)) || recovered;
+            closeUntouched(*recover(std::move(left)));
     }
-    if (recovered)
-        closeUntouched();
 }
 
 DocumentWindow* Application::recover(files::LeftBehind left) {
@@ -182,13 +181,16 @@ DocumentWindow* Application::recover(files::LeftBehind left) {
 }
 
 // The empty memo that a program begins with which is given no document.
-void Application::closeUntouched() {
+void Application::closeUntouched(DocumentWindow& instead) {
     for (const QPointer<DocumentWindow>& one : windows_) {
-        if (!one)
+        if (!one || one == &instead)
             continue;
         const document::Document& of = one->document().document();
-        if (of.fileName().isEmpty() && !of.isModified() && of.revision() == 0)
-            one->close();
+        if (!of.fileName().isEmpty() || of.isModified() || of.revision() != 0)
+            continue;
+        instead.setGeometry(one->geometry());
+        instead.setWindowState(one->windowState());
+        one->close();
     }
 }
 

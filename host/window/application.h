@@ -23,8 +23,8 @@ public:
                          std::string journal = files::journalFolder("ensemble"));
     ~Application() override;
 
-    // Opens a file in a window, or raises the one that has it. Null, after a message, when it
-    // cannot be read.
+    // Opens a file in a window, or raises the one that has it. It takes the place of an empty memo
+    // in which nobody has written. Null, after a message, when it cannot be read.
     DocumentWindow* open(const QString& fileName, QWidget* parent = nullptr);
     // A document that begins as the template, to be written. Null, after a message, when it cannot
     // be read.
@@ -47,7 +47,7 @@ public:
     [[nodiscard]] const media::PipeThread& pipes() const { return pipes_; }
 
 private:
-    void closeUntouched();
+    void closeUntouched(DocumentWindow& instead);
 
     std::string journal_;
     schemas::Schemas schemas_;

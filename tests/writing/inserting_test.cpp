@@ -133,6 +133,27 @@ TEST_F(WritingTest, AFormulaIsWrittenWithItsPictureAndItsFaults) {
     EXPECT_THAT(body(), Not(HasSubstr("frac")));
 }
 
+TEST_F(WritingTest, AFormulaInPlainWordsIsWrittenInTexAtAClick) {
+    write(paragraph("The period "));
+    goTo("}</TEXT></PARAGRAPH>\n</BODY>");
+    answering("formula", [](QDialog& dialog) {
+        auto* source = dialog.findChild<QPlainTextEdit*>("source");
+        auto* tex = dialog.findChild<QPushButton*>("tex");
+        source->setPlainText("\\frac{1}{2}");
+        EXPECT_FALSE(tex->isVisible());
+        source->setPlainText("2 pi sqrt(L/g");
+        EXPECT_TRUE(tex->isVisible());
+        EXPECT_EQ(dialog.findChild<QLabel*>("fault")->text(),
+                  "TeX writes \\pi for pi. All of it: 2 \\pi \\sqrt{L/g}");
+        EXPECT_EQ(source->extraSelections().size(), 2);
+        tex->click();
+        EXPECT_EQ(source->toPlainText(), "2 \\pi \\sqrt{L/g}");
+        EXPECT_FALSE(tex->isVisible());
+        dialog.accept();
+    });
+    EXPECT_THAT(body(), HasSubstr("<FORMULA>{2 \\\\pi \\\\sqrt\\{L/g\\}}</FORMULA>"));
+}
+
 TEST_F(WritingTest, EmphasisBetweenWordsIsForWhatIsTypedNext) {
     write(paragraph("One "));
     goTo("}</TEXT></PARAGRAPH>\n</BODY>");

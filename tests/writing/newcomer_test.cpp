@@ -74,6 +74,25 @@ TEST_F(NewcomerTest, TheKeyOfAPageBreakDoesAsItsMenuAndTheCaretIsOnTheNewPage) {
     EXPECT_EQ(view().text().cursor().page(), 1u);
 }
 
+// --- windows
+
+TEST_F(NewcomerTest, AFileTakesThePlaceOfAMemoInWhichNobodyHasWritten) {
+    writeFrom("Memo");
+    window_->move(120, 90);
+    const QPoint place = window_->pos();
+    QPointer<DocumentWindow> untouched = window_;
+    window_ = open(memo(paragraph("One")));
+    EXPECT_EQ(window_->pos(), place);
+    EXPECT_TRUE(waitFor([&] { return untouched.isNull(); }));
+    writeFrom("Memo");
+    type("x");
+    const QPointer<DocumentWindow> written = window_;
+    window_ = open(memo(paragraph("Two")));
+    QTest::qWait(50);
+    EXPECT_TRUE(written);
+    (void)written->document().document().undo();
+}
+
 // --- behind a table that ends the document
 
 TEST_F(NewcomerTest, ArrowsAndAClickLeadBehindWhatEndsTheDocument) {
