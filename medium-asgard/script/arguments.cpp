@@ -82,10 +82,15 @@ void Faults::add(scene::Severity severity, Range range, std::string message,
 }
 
 Arguments::Arguments(Faults& faults, Call& call, std::string subject, std::size_t first,
-                     std::initializer_list<std::string_view> options)
+                     std::span<const std::string_view> options)
     : faults_(faults), call_(call), subject_(std::move(subject)) {
-    read(first, {options.begin(), options.size()});
+    read(first, options);
 }
+
+Arguments::Arguments(Faults& faults, Call& call, std::string subject, std::size_t first,
+                     std::initializer_list<std::string_view> options)
+    : Arguments(faults, call, std::move(subject), first,
+                std::span(options.begin(), options.size())) {}
 
 void Arguments::read(std::size_t first, std::span<const std::string_view> options) {
     const auto isKnown = [&](const Value& word) {
@@ -169,7 +174,6 @@ namespace {
 constexpr std::string_view flagWish = "0 or 1";
 }
 
-// The value of an option that is there; reports one that has none.
 const Value* Arguments::wanted(std::string_view option, std::string_view wants) {
     const auto found = std::find_if(given_.begin(), given_.end(),
                                     [&](const Given& g) { return g.option == option; });

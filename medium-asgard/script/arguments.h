@@ -58,12 +58,16 @@ public:
     // or given twice, and words that are no options are reported.
     Arguments(Faults& faults, Call& call, std::string subject, std::size_t first,
               std::initializer_list<std::string_view> options);
+    Arguments(Faults& faults, Call& call, std::string subject, std::size_t first,
+              std::span<const std::string_view> options);
 
     [[nodiscard]] const Value* find(std::string_view option) const;
     [[nodiscard]] bool has(std::string_view option) const { return find(option) != nullptr; }
     // An option that is there, but without a value.
     [[nodiscard]] bool attempted(std::string_view option) const;
 
+    // The value of an option that is there; reports one that has none.
+    const Value* wanted(std::string_view option, std::string_view wants);
     std::optional<double> number(std::string_view option, Sign sign = Sign::any);
     std::optional<int> integer(std::string_view option);
     std::optional<bool> flag(std::string_view option);
@@ -108,7 +112,6 @@ private:
     [[nodiscard]] const Given* given(std::string_view option) const;
     void read(std::size_t first, std::span<const std::string_view> options);
     void strayWord(const Value& word, std::span<const std::string_view> options);
-    const Value* wanted(std::string_view option, std::string_view wants);
 
     Faults& faults_;
     Call& call_;

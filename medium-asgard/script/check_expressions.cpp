@@ -10,15 +10,11 @@ namespace script {
 void SceneMaker::checkExpressions() {
     const scene::Names names(made_.scene);
     for (const PendingExpression& pending : expressions_) {
-        const scene::Reading reading = pending.reads == Reads::positions ? scene::Reading::positions
-                                       : pending.reads == Reads::quantities
-                                           ? scene::Reading::quantities
-                                           : scene::Reading::state;
         const expression::Names meaning = [&](expression::Graph& graph, std::string_view name,
                                               std::span<const expression::Node> arguments,
                                               bool isCall) {
-            const scene::Named found =
-                names.find(name, isCall ? std::optional(arguments.size()) : std::nullopt, reading);
+            const scene::Named found = names.find(
+                name, isCall ? std::optional(arguments.size()) : std::nullopt, pending.reading);
             expression::Meaning answer;
             if (const auto* fault = std::get_if<scene::NameFault>(&found)) {
                 answer.message = fault->message;

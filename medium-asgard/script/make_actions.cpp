@@ -33,7 +33,7 @@ std::optional<std::array<scene::Expression, 3>> SceneMaker::components(Arguments
         any = any || arguments.attempted(options[i]);
         if (const Value* value = arguments.find(options[i]))
             result[i] = expression(arguments, options[i], *value,
-                                   allRequired ? Reads::positions : Reads::anything);
+                                   allRequired ? scene::Reading::positions : scene::Reading::state);
         else if (arguments.attempted(options[i]))
             arguments.wrong(options[i], arguments.optionRange(options[i]), "an expression",
                             "and nothing follows it");
@@ -234,7 +234,8 @@ void SceneMaker::plot(Call& call) {
     if (const Value* values = arguments.find("-values")) {
         for (const Value& value :
              arguments.listIn("-values", *values, wants).value_or(std::vector<Value>{}))
-            plot.values.push_back(expression(arguments, "-values", value, Reads::quantities));
+            plot.values.push_back(
+                expression(arguments, "-values", value, scene::Reading::quantities));
         if (plot.values.empty())
             arguments.wrong("-values", values->range, wants, "and gets none");
     } else if (arguments.attempted("-values")) {

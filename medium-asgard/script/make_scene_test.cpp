@@ -1,6 +1,7 @@
 // What each command's options mean, and that no recording, however wrong, breaks the making.
 #include "script/make_scene.h"
 
+#include "scene/joint_types.h"
 #include "script/reader.h"
 
 #include <random>
@@ -104,6 +105,68 @@ TEST(Link, JoinsABodyToABodyAPointOrATrajectory) {
 
 // The slope at a point is that of the chord between its neighbours; a cubic's inner control points
 // lie a third of the interval along the slopes of its ends.
+TEST(Joint, HasItsDefaults) {
+    const Scene scene = read("body a s\nbody b s\njoint h -type hinge -body1 a\n"
+                             "joint f -type fixed -body1 b -body2 a -offset1 {1 2 3}\n"
+                             "joint c -type cylindrical -body1 a -body2 b -axis {1 0 0}");
+    const scene::Joint& hinge = scene.joints.at(0);
+    EXPECT_EQ(hinge.name, "h");
+    EXPECT_EQ(hinge.type, scene::JointType::hinge);
+    EXPECT_EQ(hinge.body1, "a");
+    EXPECT_EQ(hinge.axis, Vector(0, 0, 1));
+    EXPECT_FALSE(hinge.body2 || hinge.offset1 || hinge.offset2 || hinge.axis2 || hinge.release);
+    ASSERT_EQ(hinge.coordinates.size(), 1u);
+    EXPECT_FALSE(hinge.coordinates[0].isGiven || hinge.coordinates[0].lower ||
+                 hinge.coordinates[0].motor || hinge.coordinates[0].maxMotor);
+    EXPECT_EQ(scene.joints[1].body2, "a");
+    EXPECT_EQ(*scene.joints[1].offset1, Vector(1, 2, 3));
+    EXPECT_TRUE(scene.joints[1].coordinates.empty());
+    EXPECT_EQ(scene.joints[2].coordinates.size(), 2u);
+}
+
+TEST(Joint, ReadsTheOptionsOfEachCoordinate) {
+    const Scene scene =
+        read("body a s\nbody b s\ntrajectory T -points {{0 0 0 0} {1 1 0 0}}\n"
+             "joint c -type cylindrical -body1 a -body2 b -axis {1 0 0} -limits1 {-1 {}} "
+             "-limit_restitution1 0.5 -motor1 {-2*c.dq1 + b.x} -position2 T -max_motor2 9\n"
+             "joint d -type distance -body1 a -offset2 {0 3 0} -stiffness 4 -rest 2 -damping 1\n"
+             "joint h -type hinge -body1 b -speed {c.q2 + sin(t)} -friction 0.5 "
+             "-release {hypot(h.fx, h.fy) > 3}\n"
+             "joint w -type screw -body1 a -axis {0 1 0} -pitch -0.1 -axis2 {0 1 0}\n"
+             "joint r -type distance -body1 b -body2 a\n"
+             "plot p -values {h.motor c.dq2 w.tz}");
+    const auto& c = scene.joints.at(0).coordinates;
+    EXPECT_EQ(c[0].lower, -1);
+    EXPECT_FALSE(c[0].upper);
+    EXPECT_EQ(c[0].limitRestitution, 0.5);
+    EXPECT_EQ(c[0].motor, "-2*c.dq1 + b.x");
+    EXPECT_EQ(c[1].position, "T.x");
+    EXPECT_EQ(c[1].maxMotor, 9);
+    const scene::JointCoordinate& spring = scene.joints[1].coordinates.at(0);
+    EXPECT_EQ(spring.stiffness, 4);
+    EXPECT_EQ(spring.rest, 2);
+    EXPECT_EQ(spring.damping, 1);
+    EXPECT_FALSE(scene::isRigidDistance(scene.joints[1]));
+    EXPECT_EQ(scene.joints[2].coordinates[0].speed, "c.q2 + sin(t)");
+    EXPECT_EQ(scene.joints[2].coordinates[0].friction, 0.5);
+    EXPECT_EQ(scene.joints[2].release, "hypot(h.fx, h.fy) > 3");
+    EXPECT_EQ(scene.joints[3].pitch, -0.1);
+    EXPECT_EQ(*scene.joints[3].axis2, Vector(0, 1, 0));
+    EXPECT_TRUE(scene::isRigidDistance(scene.joints[4]));
+}
+
+TEST(Gear, HoldsASumOfCoordinates) {
+    const Scene scene = read("body a s\nbody b s\njoint j -type hinge -body1 a\n"
+                             "joint k -type slider -body1 b -axis {1 0 0}\n"
+                             "joint c -type cylindrical -body1 a -body2 b -axis {0 1 0}\n"
+                             "gear g -joint1 j -joint2 k -ratio 2.5\n"
+                             "gear d -joints {j k c.q2} -ratios {1 2 -3} -release {t > 1}");
+    using Term = scene::Gear::Term;
+    EXPECT_EQ(scene.gears.at(0).terms, (std::vector<Term>{{"j", 0, 1}, {"k", 0, -2.5}}));
+    EXPECT_EQ(scene.gears.at(1).terms, (std::vector<Term>{{"j", 0, 1}, {"k", 0, 2}, {"c", 1, -3}}));
+    EXPECT_EQ(scene.gears[1].release, "t > 1");
+}
+
 TEST(Trajectory, PassesThroughItsPointsWithTheSlopesOfTheChords) {
     const Scene scene = read("trajectory T -points {{0 0 0 0} {1 3 0 0} {3 6 0 3}}");
     const auto& curves = scene.trajectories.at(0).curves;

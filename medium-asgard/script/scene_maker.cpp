@@ -12,11 +12,12 @@ namespace script {
 
 namespace {
 
-constexpr std::string_view kindNames[] = {"shape set",    "body", "trajectory", "parameter",
-                                          "light source", "view", "plot"};
-constexpr std::string_view kindLists[] = {
-    "shape sets here",    "bodies here", "trajectories here", "parameters here",
-    "light sources here", "views here",  "plots here"};
+constexpr std::string_view kindNames[] = {"shape set",    "body",  "trajectory",
+                                          "parameter",    "joint", "gear",
+                                          "light source", "view",  "plot"};
+constexpr std::string_view kindLists[] = {"shape sets here",    "bodies here", "trajectories here",
+                                          "parameters here",    "joints here", "gears here",
+                                          "light sources here", "views here",  "plots here"};
 
 template <typename Kind> std::string_view nameOf(Kind kind) {
     return kindNames[static_cast<std::size_t>(kind)];
@@ -51,6 +52,8 @@ void SceneMaker::make(Call& call) {
         {"instance", &SceneMaker::body},
         {"force", &SceneMaker::force},
         {"link", &SceneMaker::link},
+        {"joint", &SceneMaker::joint},
+        {"gear", &SceneMaker::gear},
         {"trajectory", &SceneMaker::trajectory},
         {"constrain", &SceneMaker::constrain},
         {"lightsource", &SceneMaker::lightSource},
@@ -67,7 +70,8 @@ void SceneMaker::make(Call& call) {
 namespace {
 
 bool isSymbol(std::string_view kind) {
-    return kind == "body" || kind == "trajectory" || kind == "parameter";
+    return kind == "body" || kind == "trajectory" || kind == "parameter" || kind == "joint" ||
+           kind == "gear";
 }
 
 std::string keyOf(std::string_view kind, const std::string& name) {
@@ -102,10 +106,11 @@ void SceneMaker::registerName(const std::string& name, const Value& word, Kind k
             "there is a " + std::string(nameOf(before)) + " " + quoted(name) + " already";
         if (found->second.known())
             message += ", at line " + std::to_string(places_.at(found->second.from).line);
-        faults_.error(word.range, std::move(message),
-                      symbol && before != kind
-                          ? "bodies, trajectories and parameters share one set of names"
-                          : "");
+        faults_.error(
+            word.range, std::move(message),
+            symbol && before != kind
+                ? "bodies, trajectories, parameters, joints and gears share one set of names"
+                : "");
         return;
     }
     defined_[key] = word.range;
@@ -185,6 +190,7 @@ std::optional<std::string> SceneMaker::reference(Arguments& arguments, std::stri
 
 void SceneMaker::finish(bool finished) {
     checkHolds();
+    checkJoints();
     if (finished)
         checkExpressions();
     if (finished && made_.diagnostics.empty())
@@ -236,13 +242,13 @@ void SceneMaker::checkOverrides(bool finished) {
 }
 
 std::string SceneMaker::expression(Arguments& arguments, std::string_view option,
-                                   const Value& value, Reads reads) {
+                                   const Value& value, scene::Reading reading) {
     const std::string subject = std::string(option) + " of " + arguments.subject();
     if (value.text.find_first_not_of(" \t\r\n") == std::string::npos) {
         arguments.wrong(option, value.range, "an expression", "not an empty one");
         return "0";
     }
-    expressions_.push_back({value, subject, reads});
+    expressions_.push_back({value, subject, reading});
     return value.text;
 }
 

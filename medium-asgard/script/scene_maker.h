@@ -1,6 +1,7 @@
 // make_scene.h, command by command.
 #pragma once
 
+#include "scene/names.h"
 #include "script/arguments.h"
 #include "script/make_scene.h"
 #include "text/places.h"
@@ -29,6 +30,8 @@ private:
     void body(Call& call);
     void force(Call& call);
     void link(Call& call);
+    void joint(Call& call);
+    void gear(Call& call);
     void trajectory(Call& call);
     void constrain(Call& call);
     void lightSource(Call& call);
@@ -37,7 +40,7 @@ private:
     void plot(Call& call);
 
     // --- names ---
-    enum class Kind { shapeSet, body, trajectory, parameter, lightSource, view, plot };
+    enum class Kind { shapeSet, body, trajectory, parameter, joint, gear, lightSource, view, plot };
     // The name at words[1], checked and registered; "" and a report when there is none.
     std::string newName(Call& call, Kind kind);
     std::string optionalName(Call& call, Kind kind, std::size_t& first);
@@ -72,15 +75,35 @@ private:
     std::optional<scene::VectorValue> vectorValue(Arguments& arguments, std::string_view option);
     std::optional<scene::ScalarValue> scalarValue(Arguments& arguments, std::string_view option);
 
+    // --- parts of joints and gears ---
+    void jointEnds(Arguments& arguments, scene::Joint& joint);
+    void jointAxes(Arguments& arguments, scene::Joint& joint);
+    void refuseOptions(Arguments& arguments, const scene::Joint& joint);
+    scene::JointCoordinate jointCoordinate(Arguments& arguments, const scene::Joint& joint,
+                                           std::size_t index);
+    void jointLimits(Arguments& arguments, const std::string& suffix, bool startsAtZero,
+                     scene::JointCoordinate& coordinate);
+    void jointDrive(Arguments& arguments, const std::string& suffix,
+                    scene::JointCoordinate& coordinate);
+    std::optional<scene::Expression> expressionOf(Arguments& arguments, std::string_view option,
+                                                  scene::Reading reading);
+    std::optional<scene::Expression> drivenPosition(Arguments& arguments,
+                                                    const std::string& option);
+    std::vector<scene::Gear::Term> gearPair(Arguments& arguments);
+    std::vector<scene::Gear::Term> gearList(Arguments& arguments);
+    std::optional<scene::Gear::Term> gearTerm(Arguments& arguments, std::string_view option,
+                                              const Value& value, double ratio);
+    void checkJoints();
+    void checkJointCycles();
+
     // --- what is checked when all names are known ---
-    enum class Reads { anything, positions, quantities }; // as scene::Reading
     struct PendingExpression {
         Value value;
         std::string subject; // "-x of the force on body "b1""
-        Reads reads;
+        scene::Reading reading;
     };
     std::string expression(Arguments& arguments, std::string_view option, const Value& value,
-                           Reads reads = Reads::anything);
+                           scene::Reading reading = scene::Reading::state);
     void checkExpressions();
     void checkHolds();
     void warnOfUnusedParameters();
@@ -91,7 +114,7 @@ private:
     MadeScene& made_;
     text::Places places_;
     Faults faults_;
-    std::map<std::string, Kind> symbols_; // bodies, trajectories, parameters share their names
+    std::map<std::string, Kind> symbols_; // of all kinds that share their names
     std::map<Kind, std::vector<std::string>> others_;
     std::map<std::string, Range> defined_; // where, by kind and name
     std::vector<PendingExpression> expressions_;

@@ -2,6 +2,7 @@
 
 #include "expression/tokens.h"
 
+#include <algorithm>
 #include <array>
 #include <numeric>
 #include <string_view>
@@ -25,10 +26,11 @@ public:
     Collector(const Scene& scene, std::vector<Mention>& mentions, bool& isBroken)
         : mentions_(mentions), isBroken_(isBroken), bodies_(indexOf(scene.bodies)),
           trajectories_(indexOf(scene.trajectories)), parameters_(indexOf(scene.parameters)),
-          shapes_(indexOf(scene.shapeSets)) {}
+          shapes_(indexOf(scene.shapeSets)), joints_(indexOf(scene.joints)) {}
 
     std::size_t body(const std::string& name) { return found(bodies_, name); }
     std::size_t shape(const std::string& name) { return found(shapes_, name); }
+    std::size_t joint(const std::string& name) { return found(joints_, name); }
 
     void mention(std::size_t reader, Mention::Kind kind, std::size_t index) {
         if (reader != noElement && index != noElement)
@@ -39,10 +41,15 @@ public:
     }
     void expressions(std::size_t reader, const std::array<Expression, 3>& texts) {
         for (const Expression& text : texts)
-            for (expression::Tokens tokens(text); tokens.now().kind != expression::TokenKind::end;
-                 tokens.advance())
-                if (tokens.now().kind == expression::TokenKind::name)
-                    word(reader, tokens.now().text);
+            expression(reader, text);
+    }
+    void expression(std::size_t reader, const std::optional<Expression>& text) {
+        if (!text)
+            return;
+        for (expression::Tokens tokens(*text); tokens.now().kind != expression::TokenKind::end;
+             tokens.advance())
+            if (tokens.now().kind == expression::TokenKind::name)
+                word(reader, tokens.now().text);
     }
 
 private:
@@ -56,14 +63,15 @@ private:
         const std::string_view owner = name.substr(0, name.rfind('.'));
         for (const auto& [index, kind] : {std::pair{&bodies_, Mention::Kind::body},
                                           std::pair{&trajectories_, Mention::Kind::trajectory},
-                                          std::pair{&parameters_, Mention::Kind::parameter}})
+                                          std::pair{&parameters_, Mention::Kind::parameter},
+                                          std::pair{&joints_, Mention::Kind::joint}})
             if (const auto place = index->find(owner); place != index->end())
                 return mention(reader, kind, place->second);
     }
 
     std::vector<Mention>& mentions_;
     bool& isBroken_;
-    Index bodies_, trajectories_, parameters_, shapes_;
+    Index bodies_, trajectories_, parameters_, shapes_, joints_;
 };
 
 std::size_t rootOf(std::vector<std::size_t>& parent, std::size_t i) {
@@ -85,6 +93,82 @@ ByBody::ByBody(std::size_t bodies, std::span<const std::size_t> owners) : starts
         if (owners[i] != noElement)
             elements_[next[owners[i]]++] = i;
 }
+
+ByBody::ByBody(std::size_t bodies,
+               std::span<const std::pair<std::size_t, std::size_t>> ownersAndElements) {
+    std::vector<std::size_t> owners;
+    for (const auto& [owner, element] : ownersAndElements)
+        owners.push_back(owner);
+    *this = ByBody(bodies, owners);
+    for (std::size_t& place : elements_)
+        place = ownersAndElements[place].second;
+}
+
+namespace {
+
+using Ends = std::pair<std::size_t, std::size_t>; // bodies; noElement: the world
+using Owned = std::vector<std::pair<std::size_t, std::size_t>>;
+
+// Adds what each of these bodies moves by: the others of them.
+void mentionEachOther(Collector& collect, std::span<const std::size_t> bodies) {
+    for (const std::size_t a : bodies)
+        for (const std::size_t b : bodies)
+            if (a != b)
+                collect.mention(a, Mention::Kind::body, b);
+}
+
+// The ends of all joints; what their bodies read by them is added.
+std::vector<Ends> jointEnds(const Scene& scene, Collector& collect) {
+    std::vector<Ends> ends;
+    for (const Joint& joint : scene.joints) {
+        const Ends on{collect.body(joint.body1),
+                      joint.body2 ? collect.body(*joint.body2) : noElement};
+        mentionEachOther(collect, std::array{on.first, on.second});
+        for (const std::size_t reader : {on.first, on.second}) {
+            for (const JointCoordinate& coordinate : joint.coordinates)
+                for (const auto* text :
+                     {&coordinate.motor, &coordinate.speed, &coordinate.position})
+                    collect.expression(reader, *text);
+            collect.expression(reader, joint.release);
+        }
+        ends.push_back(on);
+    }
+    return ends;
+}
+
+Owned gearOwners(const Scene& scene, Collector& collect, std::span<const Ends> joints) {
+    Owned owners;
+    for (std::size_t g = 0; g < scene.gears.size(); ++g) {
+        std::vector<std::size_t> bodies;
+        for (const Gear::Term& term : scene.gears[g].terms)
+            if (const std::size_t joint = collect.joint(term.joint); joint != noElement)
+                for (const std::size_t body : {joints[joint].first, joints[joint].second})
+                    if (body != noElement && std::ranges::find(bodies, body) == bodies.end())
+                        bodies.push_back(body);
+        mentionEachOther(collect, bodies);
+        for (const std::size_t body : bodies) {
+            collect.expression(body, scene.gears[g].release);
+            owners.emplace_back(body, g);
+        }
+    }
+    return owners;
+}
+
+// Who reads a joint reads its bodies, too.
+void mentionBodiesOfJoints(Collector& collect, std::vector<Mention>& mentions,
+                           std::span<const Ends> joints) {
+    const std::size_t count = mentions.size();
+    for (std::size_t m = 0; m < count; ++m) {
+        const Mention mention = mentions[m]; // the list grows
+        if (mention.kind == Mention::Kind::joint)
+            for (const std::size_t body :
+                 {joints[mention.index].first, joints[mention.index].second})
+                if (body != mention.reader)
+                    collect.mention(mention.reader, Mention::Kind::body, body);
+    }
+}
+
+} // namespace
 
 Connections::Connections(const Scene& scene) {
     Collector collect(scene, mentionList, isBroken);
@@ -115,9 +199,17 @@ Connections::Connections(const Scene& scene) {
         constrained.push_back(collect.body(constraint.body));
         collect.trajectory(constrained.back(), constraint.trajectory);
     }
+    const std::size_t count = scene.bodies.size();
+    const std::vector<Ends> ends = jointEnds(scene, collect);
+    Owned onBodies;
+    for (std::size_t j = 0; j < ends.size(); ++j)
+        for (const std::size_t body : {ends[j].first, ends[j].second})
+            onBodies.emplace_back(body, j);
+    joints = ByBody(count, onBodies);
+    gears = ByBody(count, gearOwners(scene, collect, ends));
+    mentionBodiesOfJoints(collect, mentionList, ends);
     for (const Mention& mention : mentionList)
         readers.push_back(mention.reader);
-    const std::size_t count = scene.bodies.size();
     forces = ByBody(count, onBody);
     firstEnds = ByBody(count, first);
     secondEnds = ByBody(count, second);
@@ -135,6 +227,36 @@ Connections::Connections(const Scene& scene) {
     }
     for (std::size_t b = 0; b < count; ++b)
         group[b] = rootOf(group, b);
+}
+
+std::vector<std::vector<std::size_t>> joinedBodies(const Scene& scene) {
+    const Index bodies = indexOf(scene.bodies);
+    std::vector<std::vector<std::size_t>> joined(scene.bodies.size());
+    const auto join = [&](std::size_t a, std::size_t b) {
+        joined[a].push_back(b);
+        joined[b].push_back(a);
+    };
+    for (const Link& link : scene.links)
+        if (const auto* second = std::get_if<BodyEnd>(&link.second))
+            join(bodies.at(link.first.body), bodies.at(second->body));
+    std::vector<std::size_t> rigid(scene.bodies.size()); // what fixed joints make one piece
+    std::iota(rigid.begin(), rigid.end(), std::size_t{0});
+    for (const Joint& joint : scene.joints) {
+        if (!joint.body2)
+            continue;
+        const std::size_t a = bodies.at(joint.body1), b = bodies.at(*joint.body2);
+        join(a, b);
+        if (joint.type == JointType::fixed)
+            rigid[rootOf(rigid, a)] = rootOf(rigid, b);
+    }
+    std::unordered_map<std::size_t, std::vector<std::size_t>> pieces;
+    for (std::size_t b = 0; b < rigid.size(); ++b)
+        pieces[rootOf(rigid, b)].push_back(b);
+    for (const auto& [root, members] : pieces)
+        for (std::size_t i = 0; members.size() > 2 && i < members.size(); ++i)
+            for (std::size_t k = 0; k < i; ++k)
+                join(members[i], members[k]);
+    return joined;
 }
 
 } // namespace scene

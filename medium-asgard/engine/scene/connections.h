@@ -9,18 +9,19 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace scene {
 
 inline constexpr std::size_t noElement = std::numeric_limits<std::size_t>::max();
 
-// Something that a force, link or constraint of a body names.
+// Something that a force, link, joint or constraint of a body names.
 struct Mention {
-    enum class Kind : std::uint8_t { body, trajectory, parameter };
+    enum class Kind : std::uint8_t { body, trajectory, parameter, joint };
     std::size_t reader = 0; // the body
     Kind kind = Kind::body;
-    std::size_t index = 0; // into the scene's bodies, trajectories or parameters
+    std::size_t index = 0; // into the scene's bodies, trajectories, parameters or joints
 };
 
 // Indices into lists of a scene, by body.
@@ -29,6 +30,9 @@ public:
     ByBody() = default;
     // owners: the body of each element; noElement: none.
     ByBody(std::size_t bodies, std::span<const std::size_t> owners);
+    // Elements that are on several bodies: (body, element), the elements in order.
+    ByBody(std::size_t bodies,
+           std::span<const std::pair<std::size_t, std::size_t>> ownersAndElements);
     [[nodiscard]] std::span<const std::size_t> of(std::size_t body) const {
         return std::span(elements_).subspan(starts_[body], starts_[body + 1] - starts_[body]);
     }
@@ -43,6 +47,7 @@ struct Connections {
     std::vector<std::size_t> shapes; // by body: index into Scene::shapeSets
     ByBody forces, constraints;      // on a body, in the scene's order
     ByBody firstEnds, secondEnds;    // links whose first or second end is on a body
+    ByBody joints, gears;            // that are on a body; a gear is on the bodies of its joints
     ByBody mentions;                 // indices into mentionList, by reader
     std::vector<Mention> mentionList;
     // Moving bodies whose equations read each other, directly or through others: the least of them.
@@ -51,5 +56,9 @@ struct Connections {
     // Some element is on a body, or says a shape or a trajectory, that there is not.
     bool isBroken = false;
 };
+
+// The bodies that never collide with each other, by body, since a link or a joint joins them
+// directly, or fixed joints alone join them. Both ways; in no order.
+[[nodiscard]] std::vector<std::vector<std::size_t>> joinedBodies(const Scene& scene);
 
 } // namespace scene

@@ -18,13 +18,13 @@ bool same(const Vector& a, const Vector& b) {
 bool same(const Quaternion& a, const Quaternion& b) {
     return std::memcmp(a.coeffs().data(), b.coeffs().data(), 4 * sizeof(double)) == 0;
 }
+bool same(const std::string& a, const std::string& b) { return a == b; }
 template <typename Value, std::size_t n>
 bool same(const std::array<Value, n>& a, const std::array<Value, n>& b);
 template <typename Value> bool same(const std::vector<Value>& a, const std::vector<Value>& b);
 template <typename Value> bool same(const std::optional<Value>& a, const std::optional<Value>& b) {
     return a.has_value() == b.has_value() && (!a || same(*a, *b));
 }
-bool same(const std::string& a, const std::string& b) { return a == b; }
 bool same(const SphereShape& a, const SphereShape& b) { return same(a.radius, b.radius); }
 bool same(const BoxShape& a, const BoxShape& b) { return same(a.edges, b.edges); }
 bool same(const HullShape& a, const HullShape& b) { return same(a.points, b.points); }
@@ -60,6 +60,25 @@ bool same(const Force& a, const Force& b) {
 bool same(const Link& a, const Link& b) {
     return same(a.first, b.first) && same(a.second, b.second) && same(a.tightness, b.tightness) &&
            same(a.damping, b.damping);
+}
+bool same(const JointCoordinate& a, const JointCoordinate& b) {
+    return same(a.lower, b.lower) && same(a.upper, b.upper) &&
+           same(a.limitRestitution, b.limitRestitution) && same(a.motor, b.motor) &&
+           same(a.speed, b.speed) && same(a.position, b.position) && same(a.maxMotor, b.maxMotor) &&
+           same(a.stiffness, b.stiffness) && same(a.rest, b.rest) && same(a.damping, b.damping) &&
+           same(a.friction, b.friction) && a.isGiven == b.isGiven;
+}
+bool same(const Joint& a, const Joint& b) {
+    return a.type == b.type && a.body1 == b.body1 && same(a.offset1, b.offset1) &&
+           same(a.body2, b.body2) && same(a.offset2, b.offset2) && same(a.axis, b.axis) &&
+           same(a.axis2, b.axis2) && same(a.pitch, b.pitch) && same(a.coordinates, b.coordinates) &&
+           same(a.release, b.release);
+}
+bool same(const Gear::Term& a, const Gear::Term& b) {
+    return a.joint == b.joint && a.coordinate == b.coordinate && same(a.ratio, b.ratio);
+}
+bool same(const Gear& a, const Gear& b) {
+    return same(a.terms, b.terms) && same(a.release, b.release);
 }
 bool same(const BezierCurve& a, const BezierCurve& b) {
     return same(a.from, b.from) && same(a.to, b.to) && same(a.control, b.control);
@@ -119,7 +138,8 @@ public:
         : old_(*before.scene), now_(*after.scene), a_(before.connections), b_(after.connections),
           shapes_(matched(now_.shapeSets, old_.shapeSets)),
           trajectories_(matched(now_.trajectories, old_.trajectories)),
-          parameters_(matched(now_.parameters, old_.parameters)) {
+          parameters_(matched(now_.parameters, old_.parameters)),
+          joints_(matched(now_.joints, old_.joints)) {
         result_.before = matched(now_.bodies, old_.bodies);
         for (std::size_t i = 0; i < shapes_.size(); ++i)
             if (shapes_[i] != noElement &&
@@ -133,6 +153,9 @@ public:
             if (parameters_[i] != noElement &&
                 !same(now_.parameters[i].value, old_.parameters[parameters_[i]].value))
                 parameters_[i] = noElement;
+        for (std::size_t i = 0; i < joints_.size(); ++i)
+            if (joints_[i] != noElement && !same(now_.joints[i], old_.joints[joints_[i]]))
+                joints_[i] = noElement;
     }
 
     Difference find() {
@@ -163,6 +186,8 @@ private:
             areSame(now_.forces, b_.forces.of(b), old_.forces, a_.forces.of(was), moved) &&
             areSame(now_.links, b_.firstEnds.of(b), old_.links, a_.firstEnds.of(was), moved) &&
             areSame(now_.links, b_.secondEnds.of(b), old_.links, a_.secondEnds.of(was), moved) &&
+            areSame(now_.joints, b_.joints.of(b), old_.joints, a_.joints.of(was), moved) &&
+            areSame(now_.gears, b_.gears.of(b), old_.gears, a_.gears.of(was), moved) &&
             areSame(now_.constraints, b_.constraints.of(b), old_.constraints,
                     a_.constraints.of(was), moved) &&
             mentionsSame(b, was);
@@ -197,20 +222,30 @@ private:
             return false;
         for (std::size_t i = 0; i < now.size(); ++i) {
             const Mention &m = b_.mentionList[now[i]], &n = a_.mentionList[old[i]];
-            const std::vector<std::size_t>& match = m.kind == Mention::Kind::body ? result_.before
-                                                    : m.kind == Mention::Kind::trajectory
-                                                        ? trajectories_
-                                                        : parameters_;
-            if (m.kind != n.kind || match[m.index] != n.index)
+            if (m.kind != n.kind || matchesOf(m.kind)[m.index] != n.index)
                 return false;
         }
         return true;
     }
 
+    const std::vector<std::size_t>& matchesOf(Mention::Kind kind) const {
+        switch (kind) {
+        case Mention::Kind::trajectory:
+            return trajectories_;
+        case Mention::Kind::parameter:
+            return parameters_;
+        case Mention::Kind::joint:
+            return joints_;
+        case Mention::Kind::body:
+            break;
+        }
+        return result_.before;
+    }
+
     const Scene &old_, &now_;
     const Connections &a_, &b_;
     // By element: the one before with the same content; noElement: none, or it differs.
-    std::vector<std::size_t> shapes_, trajectories_, parameters_;
+    std::vector<std::size_t> shapes_, trajectories_, parameters_, joints_;
     Difference result_;
 };
 

@@ -1,6 +1,7 @@
 #include "scene/names.h"
 
 #include "expression/nearest_name.h"
+#include "scene/joint_types.h"
 
 #include <algorithm>
 #include <array>
@@ -41,6 +42,15 @@ bool isVelocity(BodyQuantity q) {
     return (q >= BodyQuantity::dx && q <= BodyQuantity::wz) || q >= BodyQuantity::pdx;
 }
 
+std::string listOf(const std::vector<std::string>& names) {
+    std::string list;
+    for (const std::string& name : names)
+        list += ' ' + name;
+    return list;
+}
+
+constexpr const char* onlyPositions = "positions may be read here, and no velocities";
+
 Named findSceneQuantity(std::string_view name, Reading reading) {
     const auto index = indexOf(sceneQuantityNames(), name);
     if (!index)
@@ -62,6 +72,21 @@ const std::vector<std::string>& bodyQuantityNames() {
     return names;
 }
 
+std::vector<std::string> jointQuantityNames(JointType type) {
+    const JointTraits& traits = traitsOf(type);
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < traits.coordinates.size(); ++i) {
+        const std::string suffix = coordinateSuffix(type, i);
+        names.push_back("q" + suffix);
+        names.push_back("dq" + suffix);
+        if (traits.hasDrives)
+            names.push_back("motor" + suffix);
+    }
+    for (const char* force : {"fx", "fy", "fz", "tx", "ty", "tz"})
+        names.emplace_back(force);
+    return names;
+}
+
 Names::Names(const Scene& scene) {
     for (std::size_t i = 0; i < scene.bodies.size(); ++i)
         owners_.try_emplace(scene.bodies[i].name, Owner{Kind::body, i});
@@ -69,6 +94,12 @@ Names::Names(const Scene& scene) {
         owners_.try_emplace(scene.trajectories[i].name, Owner{Kind::trajectory, i});
     for (std::size_t i = 0; i < scene.parameters.size(); ++i)
         owners_.try_emplace(scene.parameters[i].name, Owner{Kind::parameter, i});
+    for (std::size_t i = 0; i < scene.joints.size(); ++i) {
+        owners_.try_emplace(scene.joints[i].name, Owner{Kind::joint, i});
+        joints_.push_back(scene.joints[i].type);
+    }
+    for (std::size_t i = 0; i < scene.gears.size(); ++i)
+        owners_.try_emplace(scene.gears[i].name, Owner{Kind::gear, i});
 }
 
 Named Names::find(std::string_view name, std::optional<std::size_t> arguments,
@@ -91,8 +122,13 @@ Named Names::find(std::string_view name, std::optional<std::size_t> arguments,
         return unknownOwner(owner, quantity);
     if (found->second.kind == Kind::parameter)
         return NameFault{quoted(owner) + " is a parameter: its name alone is its value", ""};
+    if (found->second.kind == Kind::gear)
+        return NameFault{quoted(owner) + " is a gear, which has no quantities",
+                         "its joints have q and dq"};
     if (arguments)
         return NameFault{std::string(name) + " takes no arguments", ""};
+    if (found->second.kind == Kind::joint)
+        return findOfJoint(name, found->second.index, quantity, reading);
     return findOfTrajectory(found->second.index, quantity);
 }
 
@@ -103,10 +139,16 @@ Named Names::findAlone(std::string_view name) const {
     if (found != owners_.end() && found->second.kind == Kind::parameter)
         return ParameterName{found->second.index};
     if (found != owners_.end()) {
-        const bool isBody = found->second.kind == Kind::body;
-        return NameFault{quoted(name) + (isBody ? " is a body" : " is a trajectory") +
+        static constexpr const char* kinds[] = {"body", "trajectory", "parameter", "joint", "gear"};
+        const Owner& owner = found->second;
+        std::string example = "x";
+        if (owner.kind == Kind::joint)
+            example = jointQuantityNames(joints_[owner.index]).front();
+        return NameFault{quoted(name) + " is a " + kinds[static_cast<std::size_t>(owner.kind)] +
                              ", and an expression reads numbers",
-                         "write " + std::string(name) + ".x, or another of its quantities"};
+                         owner.kind == Kind::gear ? "its joints have q and dq"
+                                                  : "write " + std::string(name) + "." + example +
+                                                        ", or another of its quantities"};
     }
     std::vector<std::string> known = expression::functionNames();
     for (const auto& [owner, what] : owners_)
@@ -135,7 +177,7 @@ Named Names::findOfBody(std::string_view name, std::size_t body, std::string_vie
         return NameFault{full + " takes three arguments, not " + std::to_string(*arguments), ""};
     const auto found = static_cast<BodyQuantity>(*index);
     if (reading == Reading::positions && isVelocity(found))
-        return NameFault{"a link's point may read positions, not velocities", ""};
+        return NameFault{onlyPositions, ""};
     return BodyName{body, found};
 }
 
@@ -147,13 +189,36 @@ Named Names::findOfTrajectory(std::size_t trajectory, std::string_view quantity)
     return TrajectoryName{trajectory, static_cast<int>(*index % 3), *index >= 3};
 }
 
+Named Names::findOfJoint(std::string_view name, std::size_t joint, std::string_view quantity,
+                         Reading reading) const {
+    const JointTraits& traits = traitsOf(joints_[joint]);
+    const std::vector<std::string> known = jointQuantityNames(joints_[joint]);
+    const auto index = indexOf(known, quantity);
+    if (!index)
+        return NameFault{"a " + std::string(traits.name) + " joint has no quantity " +
+                             quoted(quantity),
+                         "there are" + listOf(known)};
+    const std::size_t each = traits.hasDrives ? 3 : 2, ofForce = each * traits.coordinates.size();
+    const bool isForce = *index >= ofForce;
+    const auto found = static_cast<JointQuantity>(
+        isForce ? static_cast<std::size_t>(JointQuantity::fx) + *index - ofForce : *index % each);
+    if (found >= JointQuantity::motor && reading != Reading::quantities &&
+        reading != Reading::release)
+        return NameFault{std::string(name) + " is a force, which plots, --quantities and -release "
+                                             "may read, and no other expression",
+                         ""};
+    if (found == JointQuantity::dq && reading == Reading::positions)
+        return NameFault{onlyPositions, ""};
+    return JointName{joint, found, isForce ? 0 : *index / each};
+}
+
 NameFault Names::unknownOwner(std::string_view owner, std::string_view quantity) const {
     std::vector<std::string> known;
     for (const auto& [name, what] : owners_)
-        if (what.kind != Kind::parameter)
+        if (what.kind != Kind::parameter && what.kind != Kind::gear)
             known.push_back(name);
     const std::string near = nearestName(owner, known);
-    return {"no body or trajectory is named " + quoted(owner),
+    return {"no body, trajectory or joint is named " + quoted(owner),
             near.empty() ? "" : didYouMean(near + "." + std::string(quantity))};
 }
 
@@ -176,6 +241,17 @@ public:
                 places.push_back(
                     {&point->coordinates[i], &link.source, axes[i], 0, Reading::positions});
     }
+    void add(const Joint& joint) {
+        for (std::size_t i = 0; i < joint.coordinates.size(); ++i) {
+            const std::string suffix = coordinateSuffix(joint.type, i);
+            const JointCoordinate& coordinate = joint.coordinates[i];
+            add(joint.source, coordinate.motor, "-motor" + suffix, Reading::state);
+            add(joint.source, coordinate.speed, "-speed" + suffix, Reading::state);
+            add(joint.source, coordinate.position, "-position" + suffix, Reading::positions);
+        }
+        add(joint.source, joint.release, "-release", Reading::release);
+    }
+    void add(const Gear& gear) { add(gear.source, gear.release, "-release", Reading::release); }
     void add(const View& view) {
         add(view, view.position, "-pos");
         add(view, view.rotation, "-rot");
@@ -195,6 +271,11 @@ public:
     std::vector<ExpressionPlace> places;
 
 private:
+    void add(const Source& source, const std::optional<Expression>& text, std::string option,
+             Reading reading) {
+        if (text)
+            places.push_back({&*text, &source, std::move(option), 0, reading});
+    }
     void add(const View& view, const std::optional<VectorValue>& value, const char* option) {
         if (!value)
             return;
@@ -210,6 +291,8 @@ std::vector<ExpressionPlace> expressionsOf(const Scene& scene) {
     NameCollector collector;
     std::ranges::for_each(scene.forces, [&](const Force& f) { collector.add(f); });
     std::ranges::for_each(scene.links, [&](const Link& l) { collector.add(l); });
+    std::ranges::for_each(scene.joints, [&](const Joint& j) { collector.add(j); });
+    std::ranges::for_each(scene.gears, [&](const Gear& g) { collector.add(g); });
     std::ranges::for_each(scene.views, [&](const View& v) { collector.add(v); });
     std::ranges::for_each(scene.plots, [&](const Plot& p) { collector.add(p); });
     return std::move(collector.places);

@@ -48,6 +48,13 @@ enum class BodyQuantity {
 // In the order of BodyQuantity.
 [[nodiscard]] const std::vector<std::string>& bodyQuantityNames();
 
+// fx to tz: what the joint does to body 1, in world axes, at its point; motor: along a coordinate.
+enum class JointQuantity { q, dq, motor, fx, fy, fz, tx, ty, tz };
+
+// The names that a joint of that type has after its dot: "q", "dq", "motor", or "q1", ..., "fx",
+// ...
+[[nodiscard]] std::vector<std::string> jointQuantityNames(JointType type);
+
 enum class SceneQuantity { energy, px, py, pz, lx, ly, lz, collisions };
 
 struct TimeName {};
@@ -63,18 +70,25 @@ struct TrajectoryName {
     int component = 0;   // 0..2
     bool isRate = false; // T.dx
 };
+struct JointName {
+    std::size_t joint = 0; // index into Scene::joints
+    JointQuantity quantity = JointQuantity::q;
+    std::size_t coordinate = 0; // of q, dq and motor, from 0
+};
 struct SceneName {
     SceneQuantity quantity = SceneQuantity::energy; // events.collisions among them
 };
 struct NameFault {
     std::string message, suggestion;
 };
-using Named = std::variant<TimeName, ParameterName, BodyName, TrajectoryName, SceneName, NameFault>;
+using Named = std::variant<TimeName, ParameterName, BodyName, TrajectoryName, JointName, SceneName,
+                           NameFault>;
 
 // The quantities that an expression may read.
 enum class Reading {
-    state,      // everything of bodies, trajectories, parameters, time
-    positions,  // a link's point: positions and attitudes, no velocities
+    state,      // everything of bodies, joints, trajectories, parameters, time; no forces
+    positions,  // a link's point, a joint's -position: places and attitudes, no velocities
+    release,    // -release: also the forces of joints
     quantities, // to chart or print: also scene.energy, events.collisions, ...
 };
 
@@ -87,7 +101,7 @@ public:
                              Reading reading) const;
 
 private:
-    enum class Kind { body, trajectory, parameter };
+    enum class Kind { body, trajectory, parameter, joint, gear };
     struct Owner {
         Kind kind;
         std::size_t index;
@@ -97,9 +111,12 @@ private:
                                    std::string_view quantity, std::optional<std::size_t> arguments,
                                    Reading reading) const;
     [[nodiscard]] Named findOfTrajectory(std::size_t trajectory, std::string_view quantity) const;
+    [[nodiscard]] Named findOfJoint(std::string_view name, std::size_t joint,
+                                    std::string_view quantity, Reading reading) const;
     [[nodiscard]] NameFault unknownOwner(std::string_view owner, std::string_view quantity) const;
 
-    std::map<std::string, Owner, std::less<>> owners_; // bodies, trajectories, parameters
+    std::map<std::string, Owner, std::less<>> owners_; // all that share the one set of names
+    std::vector<JointType> joints_;
 };
 
 // --- every expression of a scene ------------------------------------------------------------

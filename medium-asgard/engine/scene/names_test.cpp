@@ -14,6 +14,14 @@ Scene sceneWithNames() {
     scene.trajectories[0].name = "path";
     scene.parameters.resize(1);
     scene.parameters[0].name = "height";
+    scene.joints.resize(3);
+    scene.joints[0].name = "pin";
+    scene.joints[0].type = JointType::hinge;
+    scene.joints[1].name = "tube";
+    scene.joints[1].type = JointType::cylindrical;
+    scene.joints[2].name = "weld";
+    scene.gears.resize(1);
+    scene.gears[0].name = "teeth";
     return scene;
 }
 
@@ -48,7 +56,8 @@ TEST(Names, OfTimeParametersBodiesAndTrajectoriesAreRight) {
 TEST(Names, FaultsNameTheWordAndWhatWasMeant) {
     const std::pair<const char*, const char*> rows[] = {
         {"2*heigth", "[heigth] nothing is named \"heigth\" | did you mean \"height\"?"},
-        {"rod.x", "[rod.x] no body or trajectory is named \"rod\" | did you mean \"rod1.x\"?"},
+        {"rod.x",
+         "[rod.x] no body, trajectory or joint is named \"rod\" | did you mean \"rod1.x\"?"},
         {"1 + rod1.massa", "[rod1.massa] a body has no quantity \"massa\" | did you mean "
                            "\"rod1.mass\"?"},
         {"rod1", "[rod1] \"rod1\" is a body, and an expression reads numbers | write rod1.x, or "
@@ -69,12 +78,47 @@ TEST(Names, FaultsNameTheWordAndWhatWasMeant) {
         EXPECT_EQ(diagnosis(text), expected) << text;
 }
 
+TEST(Names, OfJointsDependOnTheirType) {
+    EXPECT_EQ(diagnosis("pin.q + pin.dq + tube.q1 + tube.dq2"), "right");
+    EXPECT_EQ(diagnosis("pin.q + tube.q2", Reading::positions), "right");
+    EXPECT_EQ(diagnosis("pin.motor + tube.motor2 + weld.fx + tube.tz", Reading::quantities),
+              "right");
+    EXPECT_EQ(diagnosis("pin.dq", Reading::positions),
+              "[pin.dq] positions may be read here, and no velocities");
+    EXPECT_EQ(diagnosis("tube.q"), "[tube.q] a cylindrical joint has no quantity \"q\" | there are "
+                                   "q1 dq1 motor1 q2 dq2 motor2 fx fy fz tx ty tz");
+    EXPECT_EQ(diagnosis("weld.q"), "[weld.q] a fixed joint has no quantity \"q\" | there are fx fy "
+                                   "fz tx ty tz");
+    EXPECT_EQ(diagnosis("pin"), "[pin] \"pin\" is a joint, and an expression reads numbers | "
+                                "write pin.q, or another of its quantities");
+    for (const std::string name : {"pin.motor", "pin.fx", "weld.tz"})
+        EXPECT_EQ(diagnosis(name), "[" + name + "] " + name +
+                                       " is a force, which plots, --quantities and -release may "
+                                       "read, and no other expression");
+    EXPECT_EQ(diagnosis("teeth.q"), "[teeth.q] \"teeth\" is a gear, which has no quantities | its "
+                                    "joints have q and dq");
+}
+
+TEST(Names, SayWhichCoordinateIsMeant) {
+    const Names names(sceneWithNames());
+    const auto found = [&](const char* name) {
+        return std::get<JointName>(names.find(name, std::nullopt, Reading::quantities));
+    };
+    EXPECT_EQ(found("tube.dq2").joint, 1u);
+    EXPECT_EQ(found("tube.dq2").quantity, JointQuantity::dq);
+    EXPECT_EQ(found("tube.dq2").coordinate, 1u);
+    EXPECT_EQ(found("tube.motor1").quantity, JointQuantity::motor);
+    EXPECT_EQ(found("tube.motor1").coordinate, 0u);
+    EXPECT_EQ(found("tube.ty").quantity, JointQuantity::ty);
+    EXPECT_EQ(found("weld.fz").quantity, JointQuantity::fz);
+}
+
 TEST(Names, WhatMayBeReadDependsOnTheElement) {
     EXPECT_EQ(diagnosis("rod1.px(1, 0, 0) + path.x", Reading::positions), "right");
     EXPECT_EQ(diagnosis("rod1.dx", Reading::positions),
-              "[rod1.dx] a link's point may read positions, not velocities");
+              "[rod1.dx] positions may be read here, and no velocities");
     EXPECT_EQ(diagnosis("rod1.pdx(0,0,0)", Reading::positions),
-              "[rod1.pdx] a link's point may read positions, not velocities");
+              "[rod1.pdx] positions may be read here, and no velocities");
     EXPECT_EQ(diagnosis("scene.energy + events.collisions", Reading::quantities), "right");
     EXPECT_EQ(
         diagnosis("scene.enrgy", Reading::quantities),
@@ -87,6 +131,9 @@ TEST(Names, EveryExpressionOfASceneIsChecked) {
     scene.forces[0].kind = ComponentForce{{"1+", "0", "bad1"}};
     scene.links.resize(1);
     scene.links[0].second = PointEnd{{"0", "bad2", "0"}};
+    scene.joints[1].coordinates.resize(2);
+    scene.joints[1].coordinates[1].speed = "bad6";
+    scene.joints[1].release = "pin.fx + bad7";
     scene.views.resize(1);
     scene.views[0].position = std::array<Expression, 3>{"t", "bad3", "0"};
     scene.views[0].scale = Expression("bad4");
@@ -95,7 +142,7 @@ TEST(Names, EveryExpressionOfASceneIsChecked) {
     std::string found;
     for (const ExpressionFault& fault : checkExpressions(scene))
         found += fault.place.option + '[' + std::to_string(fault.place.index) + "] ";
-    EXPECT_EQ(found, "-x[0] -z[0] -y[0] -pos[1] -scale[0] -values[1] ");
+    EXPECT_EQ(found, "-x[0] -z[0] -y[0] -speed2[0] -release[0] -pos[1] -scale[0] -values[1] ");
 }
 
 } // namespace

@@ -30,7 +30,7 @@ private:
 Scene partOf(const Version& version, const std::vector<std::size_t>& bodies) {
     const Scene& scene = *version.scene;
     const Connections& connections = version.connections;
-    Chosen shapes, forces, links, constraints, trajectories, parameters;
+    Chosen shapes, forces, links, joints, gears, constraints, trajectories, parameters;
     Scene part;
     part.simulator = scene.simulator;
     for (const std::size_t b : bodies) {
@@ -41,6 +41,8 @@ Scene partOf(const Version& version, const std::vector<std::size_t>& bodies) {
         forces.add(connections.forces.of(b));
         links.add(connections.firstEnds.of(b));
         links.add(connections.secondEnds.of(b));
+        joints.add(connections.joints.of(b));
+        gears.add(connections.gears.of(b));
         constraints.add(connections.constraints.of(b));
         for (const std::size_t m : connections.mentions.of(b))
             if (const Mention& mention = connections.mentionList[m];
@@ -48,10 +50,14 @@ Scene partOf(const Version& version, const std::vector<std::size_t>& bodies) {
                 trajectories.add(mention.index);
             else if (mention.kind == Mention::Kind::parameter)
                 parameters.add(mention.index);
+            else if (mention.kind == Mention::Kind::joint)
+                joints.add(mention.index);
     }
     part.shapeSets = shapes.of(scene.shapeSets);
     part.forces = forces.of(scene.forces);
     part.links = links.of(scene.links);
+    part.joints = joints.of(scene.joints);
+    part.gears = gears.of(scene.gears);
     part.constraints = constraints.of(scene.constraints);
     part.trajectories = trajectories.of(scene.trajectories);
     part.parameters = parameters.of(scene.parameters);

@@ -7,10 +7,10 @@
 
 namespace scene {
 
-// The chosen bodies in the scene's order, with the shapes, forces, links, constraints, trajectories
-// and parameters that they need and the scene's simulator. Whole groups of moving bodies
-// (connections.h) and the fixed ones that they read must be chosen. Forces on fixed bodies are left
-// out: they move nothing.
+// The chosen bodies in the scene's order, with the shapes, forces, links, joints, gears,
+// constraints, trajectories and parameters that they need and the scene's simulator. Whole groups
+// of moving bodies (connections.h) and the fixed ones that they read must be chosen. Forces on
+// fixed bodies are left out: they move nothing.
 [[nodiscard]] Scene partOf(const Version& version, const std::vector<std::size_t>& bodies);
 
 } // namespace scene

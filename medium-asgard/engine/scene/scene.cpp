@@ -27,4 +27,8 @@ const Trajectory* findTrajectory(const Scene& scene, const std::string& name) {
     return find(scene.trajectories, name);
 }
 
+const Joint* findJoint(const Scene& scene, const std::string& name) {
+    return find(scene.joints, name);
+}
+
 } // namespace scene

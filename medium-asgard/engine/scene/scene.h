@@ -157,6 +157,67 @@ struct Link {
     Source source;
 };
 
+// --- joints ---------------------------------------------------------------------------------
+
+// In the order of the table in docs/scene-language.md; joint_types.h has what they leave free.
+enum class JointType {
+    fixed,
+    hinge,
+    slider,
+    cylindrical,
+    universal,
+    ball,
+    planar,
+    distance,
+    screw,
+};
+
+// One coordinate of a joint. An angle or a length, of body 1 against body 2 (or the world).
+struct JointCoordinate {
+    std::optional<double> lower, upper; // -limits
+    double limitRestitution = 0;
+    // At most one of them. motor: force or couple along the coordinate, on body 1; speed and
+    // position: dq or q as a function of the time and of others' states, whatever force that takes.
+    std::optional<Expression> motor, speed, position;
+    std::optional<double> maxMotor;              // none: no bound on the force of speed or position
+    double stiffness = 0, rest = 0, damping = 0; // force -stiffness (q - rest) - damping dq
+    double friction = 0;                         // the most that the dry force or couple can be
+    // Some option of it was written.
+    bool isGiven = false;
+};
+
+// An exact condition between two bodies, or a body and the world.
+struct Joint {
+    std::string name;
+    JointType type = JointType::fixed;
+    std::string body1;
+    std::optional<Vector> offset1;    // frame of body 1, from its reference point; none: its centre
+    std::optional<std::string> body2; // none: the world
+    // Frame of body 2 (the world). None: where offset1 is at the start; of a distance, the centre
+    // of mass of body 2, and without body 2 it is always given.
+    std::optional<Vector> offset2;
+    Vector axis = Vector::Zero(); // frame of body 1, as written; zero for a type without an axis
+    std::optional<Vector> axis2;  // frame of body 2 (the world)
+    double pitch = 0;             // screw: sliding in one turn; negative: left-handed
+    std::vector<JointCoordinate> coordinates; // as many as the type has, q1 first
+    std::optional<Expression> release;        // not 0: the joint is gone from then on
+    Source source;
+};
+
+// The sum of ratio * q of its terms stays what it is at the start.
+struct Gear {
+    struct Term {
+        std::string joint;
+        std::size_t coordinate = 0; // of the joint, from 0
+        double ratio = 1;
+        bool operator==(const Term&) const = default;
+    };
+    std::string name;
+    std::vector<Term> terms; // -joint1 J -joint2 K -ratio R: {J 1} {K -R}
+    std::optional<Expression> release;
+    Source source;
+};
+
 // --- trajectories ---------------------------------------------------------------------------
 
 // One Bezier curve over [from, to), its parameter linear in time. One control point: a constant.
@@ -252,6 +313,8 @@ struct Scene {
     std::vector<Body> bodies; // in the order of the text, which is the order of output columns
     std::vector<Force> forces;
     std::vector<Link> links;
+    std::vector<Joint> joints;
+    std::vector<Gear> gears;
     std::vector<Trajectory> trajectories;
     std::vector<Constraint> constraints;
     std::vector<LightSource> lights;
@@ -264,5 +327,6 @@ struct Scene {
 [[nodiscard]] const ShapeSet* findShapeSet(const Scene& scene, const std::string& name);
 [[nodiscard]] const Body* findBody(const Scene& scene, const std::string& name);
 [[nodiscard]] const Trajectory* findTrajectory(const Scene& scene, const std::string& name);
+[[nodiscard]] const Joint* findJoint(const Scene& scene, const std::string& name);
 
 } // namespace scene

@@ -1,9 +1,9 @@
 #include "meetings/encounter_search.h"
 
+#include "scene/connections.h"
+
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <string>
 #include <utility>
 
 namespace simulation {
@@ -36,15 +36,14 @@ EncounterSearch::EncounterSearch(const scene::Scene& scene,
                                  const std::vector<BodyRecord>& records,
                                  const std::vector<MovingBody>& bodies,
                                  const RestingBodies& resting, double start, double slack)
-    : records_(records), bodies_(bodies), resting_(resting), slack_(slack), tree_(records.size()),
-      cells_(records.size()), windows_(records.size()), version_(records.size(), 0),
-      ends_(records.size()), partners_(records.size()), unclear_(records.size()),
-      ended_(records.size(), false), recentPairs_(recentPairs, 0) {
-    std::map<std::string, std::size_t> indices;
+    : records_(records), bodies_(bodies), resting_(resting), slack_(slack),
+      joined_(scene::joinedBodies(scene)), tree_(records.size()), cells_(records.size()),
+      windows_(records.size()), version_(records.size(), 0), ends_(records.size()),
+      partners_(records.size()), unclear_(records.size()), ended_(records.size(), false),
+      recentPairs_(recentPairs, 0) {
     for (std::size_t b = 0; b < records.size(); ++b) {
         const bool isFixed = records[b].isFixed;
         const auto& held = equations.bodies[b].held;
-        indices.emplace(scene.bodies[b].name, b);
         groups_.push_back(scene.bodies[b].collisionGroup);
         isFreeBall_.push_back(!isFixed && bodies[b].isBall() && held.size() == 1 &&
                               !std::ranges::count(held[0].position, true));
@@ -63,21 +62,14 @@ EncounterSearch::EncounterSearch(const scene::Scene& scene,
             ends_.set(b, start);
         }
     }
-    linked_.resize(records.size());
-    for (const scene::Link& link : scene.links)
-        if (const auto* second = std::get_if<scene::BodyEnd>(&link.second)) {
-            const std::size_t a = indices.at(link.first.body), b = indices.at(second->body);
-            linked_[a].push_back(b);
-            linked_[b].push_back(a);
-        }
     for (std::size_t b = 0; b < records.size(); ++b)
-        isChoosy_.push_back(groups_[b].has_value() || !linked_[b].empty());
+        isChoosy_.push_back(groups_[b].has_value() || !joined_[b].empty());
 }
 
 bool EncounterSearch::mayChoosyMeet(std::size_t a, std::size_t b) const {
     if (groups_[a] && groups_[b] && *groups_[a] == *groups_[b])
         return false;
-    return std::ranges::find(linked_[a], b) == linked_[a].end();
+    return std::ranges::find(joined_[a], b) == joined_[a].end();
 }
 
 // --- the queue ------------------------------------------------------------------------------

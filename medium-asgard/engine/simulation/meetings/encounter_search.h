@@ -216,8 +216,8 @@ private:
     double slack_;
 
     std::vector<std::optional<std::size_t>> groups_;
-    std::vector<std::vector<std::size_t>> linked_;
-    std::vector<char> isChoosy_; // has a group or links
+    std::vector<std::vector<std::size_t>> joined_; // that it never meets, by body
+    std::vector<char> isChoosy_;                   // has a group or joined bodies
     std::vector<bool> isFreeBall_;
     std::vector<std::vector<collision::StandingPart>> standing_;
 
