@@ -1,9 +1,10 @@
 // A set of first-order differential equations: physics makes one, solution consumes it.
 //
-// Each unknown is known by its symbol in the graph. Over its phases an unknown is either
-// differential (its derivative is an expression of unknowns and time) or given (its value is an
-// expression of time and of other unknowns; a trajectory holds it). Phases follow each other
-// without gaps from the start of time; at the start of a phase the value may jump.
+// Each unknown is known by its symbol in the graph. Over its phases an unknown is differential (its
+// derivative is an expression of unknowns and time), given (its value is an expression of time and
+// of other unknowns; a trajectory holds it), or a multiplier (its value is the one that keeps a
+// condition; a joint's force). Phases follow each other without gaps from the start of time; at the
+// start of a phase the value may jump.
 #pragma once
 
 #include "expression/graph.h"
@@ -16,13 +17,25 @@
 
 namespace expression {
 
+// The condition that a multiplier keeps, in its three forms along the equations in force:
+//
+//     gap(q, t) = 0      rate(q, v, t) = 0      and, as the phase's derivative, their second rate,
+//
+// which is linear in the multipliers. The multipliers are those for which all second rates are 0.
+// States are moved back onto gap and rate by what the multipliers act on, in proportion to it.
+struct Condition {
+    std::optional<Node> gap;  // none: the condition is one of velocities
+    std::optional<Node> rate; // none: the multiplier is in the gap's rate, which is the derivative
+};
+
 struct Phase {
     double from = -std::numeric_limits<double>::infinity(); // the phase begins at this time
-    Node derivative;                                        // d unknown / dt
+    Node derivative;                                        // d unknown / dt; of a multiplier above
     std::optional<Node> given; // the value itself, when it is held; derivative is then d given / dt
     // A new value at `from` of a differential phase (release, reset), computed with the values of
     // all unknowns just before. Without one the unknown goes on from its own last value.
     std::optional<Node> jump;
+    std::optional<Condition> condition; // of a multiplier
 };
 
 struct Unknown {

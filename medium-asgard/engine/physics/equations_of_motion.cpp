@@ -2,6 +2,7 @@
 
 #include "physics/body_phases.h"
 #include "physics/forces.h"
+#include "physics/joints.h"
 
 #include <algorithm>
 #include <limits>
@@ -209,7 +210,13 @@ EquationsOfMotion::EquationsOfMotion(const scene::Scene& scene,
     if (!faults.empty())
         return;
     scope.emplace(g, scene, std::move(masses), std::move(symbols));
+    JointReader joints(g, scene, *scope, bodies, faults);
+    if (!faults.empty()) {
+        scope.reset();
+        return;
+    }
     ForceReader(g, scene, *scope, faults).read(contributions, links);
+    joints.contribute(contributions);
 
     std::vector<std::vector<const Contribution*>> acting(bodies.size());
     for (const Contribution& c : contributions)
@@ -225,9 +232,11 @@ EquationsOfMotion::EquationsOfMotion(const scene::Scene& scene,
             continue;
         addUnknowns(set, scene.bodies[b], bodies[b],
                     phasesOf(g, *scope, bodies[b], segments, read, scene.simulator.start));
+        owners.resize(set.unknowns.size(), b);
         for (const HoldSegment& segment : segments)
             times.insert(segment.from);
     }
+    joints.addUnknowns(set, owners, notes);
     times.erase(-std::numeric_limits<double>::infinity());
     breakpoints.assign(times.begin(), times.end());
     if (!faults.empty())

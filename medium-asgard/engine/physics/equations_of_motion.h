@@ -62,11 +62,11 @@ struct BodyMotion {
     [[nodiscard]] std::array<double, bodyUnknowns> unknownsOf(const BodyValues& values) const;
 };
 
-// The terms that one force or one end of a link adds to a body.
+// The terms that one force, one end of a link, or a joint adds to a body.
 struct Contribution {
-    enum class Kind { force, link };
+    enum class Kind { force, link, joint, gear };
     Kind kind = Kind::force;
-    std::size_t element = 0; // index into Scene::forces or Scene::links
+    std::size_t element = 0; // index into Scene::forces, links, joints or gears
     std::size_t body = 0;
     NodeVector force;  // world axes
     NodeVector torque; // along the axes of the body's spin
@@ -94,6 +94,10 @@ struct EquationsOfMotion {
     std::vector<LinkNodes> links;
     // Times, in order, at which a trajectory takes hold, lets go or passes to its next piece.
     std::vector<double> breakpoints;
+    // By unknown the body that it tells of. Behind those of bodies stand angles and multipliers of
+    // joints (joints.h), each told of one of its bodies.
+    std::vector<std::size_t> owners;
+    std::vector<std::string> notes; // what is not as it was written, as sentences
     // Why the scene has no equations: sentences. Empty: it has.
     std::vector<std::string> faults;
     std::optional<Scope>

@@ -25,6 +25,13 @@ struct SceneNodes {
     Node collisions;            // the symbol "events.collisions", which has no equation
 };
 
+// The nodes of a joint's names (scene/names.h). Forces are what it does to its first body, in world
+// axes, about its point.
+struct JointNodes {
+    std::vector<Node> q, dq, motor; // by coordinate
+    NodeVector force, couple;
+};
+
 // Keeps nodes of one graph; it may be used with that graph and with its copies.
 class Scope {
 public:
@@ -45,6 +52,7 @@ public:
     // choice by time becomes the one piece.
     [[nodiscard]] std::unordered_map<std::uint32_t, Node>
     piecesFrom(const Graph& g, std::span<const std::size_t> trajectories, double time) const;
+    void setJoints(std::vector<JointNodes> joints) { joints_ = std::move(joints); }
     void setSceneNodes(const SceneNodes& nodes) { sceneNodes_ = nodes; }
 
     // From the centre of mass to a point given from the reference point (none: the centre).
@@ -70,6 +78,7 @@ private:
     std::vector<BodySymbols> bodies_;
     std::vector<ScopeTrajectory> trajectories_;
     std::unordered_map<std::uint32_t, std::vector<std::size_t>> choices_; // whose value or rate
+    std::vector<JointNodes> joints_;
     SceneNodes sceneNodes_;
 };
 

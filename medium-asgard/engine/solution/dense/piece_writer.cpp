@@ -187,7 +187,8 @@ bool PieceWriter::tellVelocities(double scale) const {
 }
 
 void PieceWriter::appendRow(const StateCurves& states, std::span<const Coefficients> held) {
-    kept_.resize(unknowns_);
+    static constexpr Coefficients nothing{};
+    kept_.assign(unknowns_, &nothing);
     for (std::size_t i = 0; i < states.columns.size(); ++i)
         kept_[states_[i]] = &states.columns[i];
     for (std::size_t i = 0; i < held.size(); ++i)

@@ -67,7 +67,8 @@ public:
         if (!bound_.loop.empty())
             return std::move(bound_);
         key_ = {static_cast<std::uint32_t>(bound_.states.size()),
-                static_cast<std::uint32_t>(bound_.held.size())};
+                static_cast<std::uint32_t>(bound_.held.size()),
+                static_cast<std::uint32_t>(bound_.multipliers.size())};
         for (const std::size_t place : bound_.states)
             key_.push_back(set_.unknowns[unknowns_[place]].lengthPerUnit > 0);
         std::vector<std::uint32_t> outputs;
@@ -79,9 +80,11 @@ public:
         std::vector<std::uint32_t> rates;
         for (const std::size_t place : bound_.states)
             rates.push_back(entryOf(operandOf(phaseOf(place).derivative)));
+        const std::vector<std::uint32_t> conditions = readConditions();
         key_.push_back(key::outputs);
         key_.insert(key_.end(), rates.begin(), rates.end());
         key_.insert(key_.end(), outputs.begin(), outputs.end());
+        key_.insert(key_.end(), conditions.begin(), conditions.end());
         bound_.model = models.of(key_);
         bound_.canPeak = bound_.model->canPeak(bound_.constants);
         return std::move(bound_);
@@ -96,6 +99,18 @@ private:
         [[nodiscard]] bool is(double value) const { return isNumber && number == value; }
     };
     static Operand number(double value) { return {true, value, 0}; }
+
+    // Of each multiplier its gap, the gap's rate, and the rate's.
+    std::vector<std::uint32_t> readConditions() {
+        std::vector<std::uint32_t> entries;
+        for (const std::size_t place : bound_.multipliers) {
+            const expression::Phase& phase = phaseOf(place);
+            for (const auto& node : {phase.condition->gap, phase.condition->rate})
+                entries.push_back(entryOf(node ? operandOf(*node) : number(0)));
+            entries.push_back(entryOf(operandOf(phase.derivative)));
+        }
+        return entries;
+    }
 
     [[nodiscard]] const expression::Phase& phaseOf(std::size_t place) const {
         return set_.unknowns[unknowns_[place]].phases[phases_[place]];
@@ -114,6 +129,9 @@ private:
         for (std::size_t i = 0; i < unknowns_.size(); ++i)
             if (phaseOf(i).given) {
                 waiting.push_back(i);
+            } else if (phaseOf(i).condition) {
+                stateOf_[i] = static_cast<std::uint32_t>(bound_.multipliers.size());
+                bound_.multipliers.push_back(i);
             } else {
                 stateOf_[i] = static_cast<std::uint32_t>(bound_.states.size());
                 bound_.states.push_back(i);
@@ -217,7 +235,7 @@ private:
         if (zero_.contains(*unknown))
             return number(0);
         if (const auto place = placeOf(*unknown)) // held ones are done
-            return leaf(key::state, stateOf_[*place]);
+            return leaf(phaseOf(*place).condition ? key::multiplier : key::state, stateOf_[*place]);
         bound_.inputs.push_back(*unknown);
         return leaf(key::input);
     }
@@ -262,7 +280,7 @@ private:
     BoundModel bound_;
     ComponentModel::Key key_;
     std::uint32_t entries_ = 0;
-    std::vector<std::uint32_t> stateOf_; // by place
+    std::vector<std::uint32_t> stateOf_; // by place: which state or multiplier it is
     std::vector<Node> stack_;
     Table<Operand> done_;          // by node
     Table<std::uint32_t> numbers_; // by bits

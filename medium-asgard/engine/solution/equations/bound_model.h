@@ -17,6 +17,7 @@ struct BoundModel {
     // Places in the component's unknowns of the differential ones and of the held ones, in order
     // of evaluation; and of held ones that are defined by each other.
     std::vector<std::size_t> states, held, loop;
+    std::vector<std::size_t> multipliers; // places of those, too
     std::vector<std::size_t> inputs; // unknowns of other components, in the model's order
     std::vector<double> constants;
     bool canPeak = false; // peaks.h

@@ -7,6 +7,7 @@
 #include <array>
 #include <bit>
 #include <cassert>
+#include <map>
 #include <numbers>
 
 namespace solution {
@@ -37,6 +38,8 @@ ComponentModel::ComponentModel(Key key) : key_(std::move(key)) {
     function_ = expression::Function(expression::Tape(graph_, symbols_.all, outputs_));
     if (dividesByLength(graph_))
         findDirections();
+    if (symbols_.multipliers > 0)
+        deriveConditions();
 }
 
 void ComponentModel::readKey() {
@@ -44,13 +47,16 @@ void ComponentModel::readKey() {
     const auto next = [&] { return key_[at++]; };
     symbols_.states = next();
     const std::size_t held = next();
+    symbols_.multipliers = next();
     for (std::size_t i = 0; i < symbols_.states; ++i)
         if (next() != 0)
             structure_.configuration.push_back(i);
     symbols_.all.push_back(graph_.symbol("t"));
     for (std::size_t i = 0; i < symbols_.states; ++i)
         symbols_.all.push_back(graph_.symbol("y" + std::to_string(i)));
-    std::vector<Node> constants, entries;
+    std::vector<Node> constants, entries, multipliers;
+    for (std::size_t i = 0; i < symbols_.multipliers; ++i)
+        multipliers.push_back(graph_.symbol("m" + std::to_string(i)));
     const auto moves = [&](Node a, Node b) {
         return std::ranges::any_of(
             expression::symbolsOf(graph_, std::array{a, b}),
@@ -62,6 +68,8 @@ void ComponentModel::readKey() {
             entries.push_back(symbols_.all[0]);
         } else if (word == key::state) {
             entries.push_back(symbols_.all[1 + next()]);
+        } else if (word == key::multiplier) {
+            entries.push_back(multipliers[next()]);
         } else if (word == key::input) {
             symbols_.all.push_back(graph_.symbol("u" + std::to_string(symbols_.inputs++)));
             entries.push_back(symbols_.all.back());
@@ -85,7 +93,10 @@ void ComponentModel::readKey() {
     ++at;
     for (std::size_t i = 0; i < symbols_.states + held; ++i)
         outputs_.push_back(entries[next()]);
+    for (std::size_t i = 0; i < 3 * multipliers.size(); ++i)
+        conditionNodes_.push_back(entries[next()]);
     symbols_.all.insert(symbols_.all.end(), constants.begin(), constants.end());
+    symbols_.all.insert(symbols_.all.end(), multipliers.begin(), multipliers.end());
     for (std::size_t i = 0; i < symbols_.all.size(); ++i)
         symbols_.places.emplace(symbols_.all[i].index, i);
 }
@@ -102,8 +113,7 @@ void ComponentModel::findStructure() {
     const std::vector<Node> read = expression::symbolsOf(graph_, outputs_);
     structure_.readsStates =
         std::ranges::any_of(read, [&](Node n) { return stateOf(n).has_value(); });
-    structure_.canPeak = solution::canPeak(
-        graph_, outputs_, std::span(symbols_.all).subspan(variables()), attitudes());
+    structure_.canPeak = solution::canPeak(graph_, outputs_, constantSymbols(), attitudes());
     if (structure_.canPeak)
         peaks_ = peaksAmong(outputs_);
     switching_.surfaces = surfacesOf(graph_, outputs_);
@@ -130,8 +140,7 @@ ComponentModel::PeakFunctions ComponentModel::peaksAmong(std::span<const Node> n
         moving.push_back({symbols_.all[i], graph.symbol("rate of " + graph.name(symbols_.all[i]))});
         symbols.push_back(moving.back().rate);
     }
-    const Peaks peaks =
-        peaksOf(graph, nodes, std::span(symbols_.all).subspan(variables()), attitudes(), moving);
+    const Peaks peaks = peaksOf(graph, nodes, constantSymbols(), attitudes(), moving);
     std::vector<Node> causes, rates;
     for (const Peaks::Cause& cause : peaks.causes) {
         causes.push_back(cause.value);
@@ -157,8 +166,7 @@ std::vector<Node> ComponentModel::attitudes() const {
 
 bool ComponentModel::canPeak(std::span<const double> values) const {
     return structure_.canPeak &&
-           solution::canPeak(graph_, outputs_, std::span(symbols_.all).subspan(variables()),
-                             attitudes(), values);
+           solution::canPeak(graph_, outputs_, constantSymbols(), attitudes(), values);
 }
 
 std::optional<std::size_t> ComponentModel::placeOf(Node symbol) const {
@@ -179,12 +187,24 @@ const ComponentModel::Jacobian& ComponentModel::jacobian() const {
 std::unique_ptr<ComponentModel::Jacobian> ComponentModel::derivedJacobian() const {
     auto jacobian = std::make_unique<Jacobian>();
     Graph graph = graph_;
-    std::vector<std::vector<std::pair<int, Node>>> columns(symbols_.states);
-    const auto rows = expression::gradients(graph, std::span(outputs_).first(symbols_.states),
-                                            std::span(symbols_.all).subspan(1, symbols_.states));
+    std::vector<std::map<int, Node>> columns(symbols_.states);
+    const std::span<const Node> states = std::span(symbols_.all).subspan(1, symbols_.states);
+    const auto rows =
+        expression::gradients(graph, std::span(outputs_).first(symbols_.states), states);
     for (std::size_t row = 0; row < symbols_.states; ++row)
         for (const auto& [state, derivative] : rows[row])
-            columns[state].emplace_back(static_cast<int>(row), derivative);
+            columns[state].emplace(static_cast<int>(row), derivative);
+    std::vector<Node> seconds, ofConditions;
+    for (std::size_t r = 0; r < symbols_.multipliers; ++r)
+        seconds.push_back(conditionNodes_[3 * r + 2]);
+    const auto ofSeconds = expression::gradients(graph, seconds, states);
+    for (std::size_t r = 0; r < seconds.size(); ++r)
+        for (const auto& [state, derivative] : ofSeconds[r]) {
+            jacobian->ofConditions.push_back({static_cast<std::uint32_t>(r), state});
+            ofConditions.push_back(derivative);
+            for (const Entry& push : conditions_.pushes)
+                columns[state].emplace(static_cast<int>(push.row), graph.constant(0));
+        }
     Pattern& pattern = jacobian->pattern;
     std::vector<Node> entries;
     pattern.columnStarts.push_back(0);
@@ -195,6 +215,7 @@ std::unique_ptr<ComponentModel::Jacobian> ComponentModel::derivedJacobian() cons
         }
         pattern.columnStarts.push_back(static_cast<int>(pattern.rows.size()));
     }
+    entries.insert(entries.end(), ofConditions.begin(), ofConditions.end());
     jacobian->entries = derive(graph, entries);
     return jacobian;
 }
@@ -248,6 +269,63 @@ ComponentModel::Derived ComponentModel::derive(Graph& graph, std::span<const Nod
 }
 
 // ---------------------------------------------------------------------------------------------
+// Conditions
+
+void ComponentModel::deriveConditions() {
+    Graph graph = graph_;
+    const std::size_t count = symbols_.multipliers;
+    const std::span<const Node> multipliers = std::span(symbols_.all).last(count);
+    const std::span<const Node> states = std::span(symbols_.all).subspan(1, symbols_.states);
+    std::vector<Node> gaps, rates, seconds, system, moves;
+    std::unordered_map<std::uint32_t, Node> without;
+    for (std::size_t r = 0; r < count; ++r) {
+        gaps.push_back(conditionNodes_[3 * r]);
+        rates.push_back(conditionNodes_[3 * r + 1]);
+        seconds.push_back(conditionNodes_[3 * r + 2]);
+        without.emplace(multipliers[r].index, graph.constant(0));
+    }
+    const auto add = [](std::vector<Entry>& entries, std::size_t row, std::size_t column) {
+        entries.push_back({static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(column)});
+    };
+    const auto matrix = expression::gradients(graph, seconds, multipliers);
+    for (std::size_t r = 0; r < count; ++r)
+        for (const auto& [column, derivative] : matrix[r]) {
+            add(conditions_.matrix, r, column);
+            system.push_back(derivative);
+        }
+    for (const Node second : seconds)
+        system.push_back(expression::substitute(graph, second, without));
+
+    const std::span<const Node> slopes = std::span(outputs_).first(symbols_.states);
+    const auto pushes = expression::gradients(graph, slopes, multipliers);
+    const auto ofStates = expression::gradients(graph, slopes, states);
+    for (std::size_t i = 0; i < symbols_.states; ++i)
+        for (const auto& [column, derivative] : pushes[i]) {
+            add(conditions_.pushes, i, column);
+            moves.push_back(derivative);
+        }
+    for (const std::size_t i : structure_.configuration) {
+        std::vector<std::optional<Node>> shift(count);
+        for (const auto& [column, push] : pushes[i]) // a condition of first order
+            shift[column] = push;
+        for (const auto& [k, derivative] : ofStates[i])
+            for (const auto& [column, push] : pushes[k]) {
+                const Node part = graph.multiply(derivative, push);
+                shift[column] = shift[column] ? graph.add(*shift[column], part) : part;
+            }
+        for (std::size_t column = 0; column < count; ++column)
+            if (shift[column]) {
+                add(conditions_.shifts, i, column);
+                moves.push_back(*shift[column]);
+            }
+    }
+    conditions_.second = derive(graph, system);
+    gaps.insert(gaps.end(), rates.begin(), rates.end());
+    conditions_.gaps = derive(graph, gaps);
+    conditions_.moves = derive(graph, moves);
+}
+
+// ---------------------------------------------------------------------------------------------
 // Directions
 
 // Some state that its parts read has a rate that reads it: it can hold itself at 0.
@@ -269,7 +347,8 @@ void ComponentModel::findDirections() {
     Graph graph = graph_;
     const auto isNumber = [&](Node n) {
         const auto place = placeOf(n);
-        return graph.op(n) == Op::constant || (place && *place >= variables());
+        return graph.op(n) == Op::constant ||
+               (place && *place >= variables() && *place < variables() + constants());
     };
     std::vector<Direction> found;
     std::vector<std::pair<Node, std::size_t>> lengths; // and of which direction

@@ -4,7 +4,8 @@
 // A thousand alike pendulums are one model with a thousand sets of constants. A model is made from
 // its key and nothing else: the code of its expressions over places,
 //
-//     time, states y0 y1 ..., inputs u0 u1 ... (unknowns of other components), constants c0 c1 ...
+//     time, states y0 y1 ..., inputs u0 u1 ... (unknowns of other components), constants c0 c1 ...,
+//     multipliers m0 m1 ... (conditions.h)
 //
 // so that models are found again by content, in other components, in another run, after an edit.
 // Constants that shape expressions (0, 1, -1 and exponents) are part of the key; equal constants of
@@ -39,7 +40,10 @@ public:
     [[nodiscard]] std::size_t states() const { return symbols_.states; }
     [[nodiscard]] std::size_t held() const { return outputs_.size() - symbols_.states; }
     [[nodiscard]] std::size_t inputs() const { return symbols_.inputs; }
-    [[nodiscard]] std::size_t constants() const { return symbols_.all.size() - variables(); }
+    [[nodiscard]] std::size_t constants() const {
+        return symbols_.all.size() - variables() - symbols_.multipliers;
+    }
+    [[nodiscard]] std::size_t multipliers() const { return symbols_.multipliers; }
     // Time, states and inputs: the symbols that stand before the constants.
     [[nodiscard]] std::size_t variables() const { return 1 + symbols_.states + symbols_.inputs; }
 
@@ -93,9 +97,14 @@ public:
         };
         std::vector<Source> sources;
     };
+    struct Entry {
+        std::uint32_t row, column;
+    };
     struct Jacobian {
         Pattern pattern;
+        // Of the pattern, with multipliers as they are; then d g''/d y of conditions and states.
         Derived entries;
+        std::vector<Entry> ofConditions;
     };
     [[nodiscard]] const Jacobian& jacobian() const;
     struct Gradient {
@@ -121,6 +130,19 @@ public:
     };
     [[nodiscard]] const Directions& directions() const { return directions_; }
 
+    // The conditions that multipliers keep: gaps g, their rates g', and their second rates, which
+    // are linear in the multipliers m:  g'' = A m + b.
+    struct Conditions {
+        std::vector<Entry> matrix; // entries of A that are not 0
+        Derived second;            // these, then b
+        Derived gaps;              // g, then g'
+        std::vector<Entry> pushes; // states and multipliers: dy'/dm that are not 0
+        // Of places and attitudes, how they move when the states that multipliers push do so.
+        std::vector<Entry> shifts;
+        Derived moves; // entries of pushes, then of shifts
+    };
+    [[nodiscard]] const Conditions& conditions() const { return conditions_; }
+
     // The equations as text, one per line: y0' = ..., then held values h0 = ...
     [[nodiscard]] std::string print() const;
     // The entries of the Jacobian that are not 0, one per line: dy0'/dy1 = ...
@@ -135,6 +157,10 @@ private:
     [[nodiscard]] Gradient gradientOf(expression::Node node) const;
     [[nodiscard]] Derived derive(expression::Graph& graph, std::span<const expression::Node> nodes,
                                  std::span<const expression::Node> more = {}) const;
+    void deriveConditions();
+    [[nodiscard]] std::span<const expression::Node> constantSymbols() const {
+        return std::span(symbols_.all).subspan(variables(), constants());
+    }
     void findDirections();
     void deriveDirections(expression::Graph& graph, const std::vector<Direction>& found,
                           const std::vector<std::pair<expression::Node, std::size_t>>& lengths);
@@ -142,8 +168,8 @@ private:
 
     Key key_;
     expression::Graph graph_; // of the outputs and guards alone; derivatives go into copies
-    struct Symbols {          // time, states, inputs, constants
-        std::size_t states = 0, inputs = 0;
+    struct Symbols {          // time, states, inputs, constants, multipliers
+        std::size_t states = 0, inputs = 0, multipliers = 0;
         std::vector<expression::Node> all;
         std::unordered_map<std::uint32_t, std::size_t> places;
     };
@@ -163,6 +189,9 @@ private:
         std::vector<std::pair<std::size_t, std::size_t>> ownGuards;
     };
     Switching switching_;
+    // Of each multiplier g, g' and g''.
+    std::vector<expression::Node> conditionNodes_;
+    Conditions conditions_;
     Directions directions_;
     PeakFunctions peaks_, guardPeaks_;
 
@@ -191,12 +220,13 @@ private:
     std::size_t made_ = 0;
 };
 
-// Words of a key: counts of states and of held values, 1 or 0 for each state (configuration or
-// not), then entries, then the entries that are outputs. An entry is an operation with the entries
-// that are its arguments, a literal (Op::constant and the two halves of its bits), or a leaf.
+// Words of a key: counts of states, of held values and of multipliers, 1 or 0 for each state
+// (configuration or not), then entries, then the entries that are outputs, and three for the
+// condition of each multiplier. An entry is an operation with the entries that are its arguments, a
+// literal (Op::constant and the two halves of its bits), or a leaf.
 namespace key {
 inline constexpr std::uint32_t time = 0x100, state = 0x101, input = 0x102, constant = 0x103,
-                               outputs = 0x104;
+                               outputs = 0x104, multiplier = 0x105;
 } // namespace key
 
 } // namespace solution

@@ -29,6 +29,10 @@ std::vector<Node> nodesAfter(const expression::Unknown& unknown, double from) {
             nodes.push_back(phase.derivative);
         if (phase.jump)
             nodes.push_back(*phase.jump);
+        if (phase.condition)
+            for (const auto& node : {phase.condition->gap, phase.condition->rate})
+                if (node)
+                    nodes.push_back(*node);
     }
     return nodes;
 }
@@ -102,6 +106,29 @@ UnknownIndex::UnknownIndex(const expression::EquationSet& set) {
     for (std::size_t q = 0; q < set.quaternions.size(); ++q)
         for (const std::size_t i : set.quaternions[q])
             quaternions_[i] = static_cast<std::uint32_t>(q);
+    for (std::size_t m = 0; m < set.unknowns.size(); ++m)
+        for (const expression::Phase& phase : set.unknowns[m].phases)
+            if (phase.condition)
+                findMoved(set, *phase.condition, m);
+}
+
+void UnknownIndex::findMoved(const expression::EquationSet& set,
+                             const expression::Condition& condition, std::size_t multiplier) {
+    std::vector<Node> nodes;
+    for (const auto& node : {condition.gap, condition.rate})
+        if (node)
+            nodes.push_back(*node);
+    for (const Node symbol : expression::symbolsOf(set.graph, nodes))
+        if (const auto unknown = of(symbol)) {
+            std::vector<std::size_t>& multipliers = multipliers_[*unknown];
+            if (multipliers.empty() || multipliers.back() != multiplier)
+                multipliers.push_back(multiplier);
+        }
+}
+
+std::span<const std::size_t> UnknownIndex::multipliersOf(std::size_t unknown) const {
+    const auto found = multipliers_.find(unknown);
+    return found == multipliers_.end() ? std::span<const std::size_t>() : found->second;
 }
 
 Reads readsOf(const expression::EquationSet& equations, double from, const ZeroStates& zero) {
@@ -116,6 +143,9 @@ std::vector<std::size_t> readsOf(const expression::EquationSet& equations,
     for (const Node symbol : zero.symbolsLeft(equations.graph, nodes))
         if (const auto read = index.of(symbol))
             reads.push_back(*read);
+    for (const std::size_t multiplier : index.multipliersOf(unknown))
+        if (!zero.contains(multiplier))
+            reads.push_back(multiplier);
     if (const auto four = index.quaternionOf(unknown))
         std::ranges::copy_if(equations.quaternions[*four], std::back_inserter(reads),
                              [&](std::size_t i) { return !zero.contains(i); });

@@ -12,11 +12,13 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 namespace solution {
 
-// Which unknown a symbol stands for, and which quaternion an unknown belongs to.
+// Which unknown a symbol stands for, which quaternion an unknown belongs to, and which conditions
+// read it.
 class UnknownIndex {
 public:
     explicit UnknownIndex(const expression::EquationSet& set);
@@ -29,18 +31,24 @@ public:
         return quaternions_[unknown] == none ? std::nullopt
                                              : std::optional<std::size_t>(quaternions_[unknown]);
     }
+    // Those whose conditions read it, so that they may move it: in order.
+    [[nodiscard]] std::span<const std::size_t> multipliersOf(std::size_t unknown) const;
 
 private:
+    void findMoved(const expression::EquationSet& set, const expression::Condition& condition,
+                   std::size_t multiplier);
     static constexpr std::uint32_t none = static_cast<std::uint32_t>(-1);
     std::vector<std::uint32_t> bySymbol_;    // by node
     std::vector<std::uint32_t> quaternions_; // by unknown
+    std::unordered_map<std::size_t, std::vector<std::size_t>> multipliers_;
 };
 
 // reads[i]: the unknowns that equation i reads, in order, each once; i itself may be among them.
 using Reads = std::vector<std::vector<std::size_t>>;
 
 // From all phases after `from` and the one in force then. The four of a quaternion read each other,
-// since they are renormalised together. An unknown that stays 0 reads nothing, and nothing reads
+// since they are renormalised together; what a condition reads also reads the condition's
+// multiplier, which may move it. An unknown that stays 0 reads nothing, and nothing reads
 // it. Unknowns that a switch can hold where it is (sliding, component_equations.h) also read all
 // others whose rates have the same switch: what it gives then is one number, which is theirs too.
 [[nodiscard]] Reads readsOf(const expression::EquationSet& equations, const UnknownIndex& index,

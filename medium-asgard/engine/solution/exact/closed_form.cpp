@@ -268,6 +268,8 @@ private:
 
 std::optional<ClosedForm> closedForm(ComponentEquations& equations, double t,
                                      std::span<const double> y) {
+    if (!equations.multipliers().empty())
+        return std::nullopt;
     Evaluation evaluation(equations, t);
     ClosedForm result{evaluation.scale(), evaluation.until(), {}};
     const auto outputs = equations.outputs();
@@ -289,7 +291,7 @@ std::optional<ClosedForm> closedForm(ComponentEquations& equations, double t,
 }
 
 std::optional<LinearForm> linearForm(ComponentEquations& equations, double t) {
-    if (equations.watches() > 0 || !equations.held().empty())
+    if (equations.watches() > 0 || !equations.held().empty() || !equations.multipliers().empty())
         return std::nullopt;
     Evaluation evaluation(equations, t, true);
     LinearForm result{evaluation.until(), {}};

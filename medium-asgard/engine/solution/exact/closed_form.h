@@ -15,7 +15,8 @@ struct ClosedForm {
 };
 
 // From t on, with the states' values there; until the end of the inputs' pieces at t. None: some
-// right-hand side is no polynomial, reads a state, or has too high a degree.
+// right-hand side is no polynomial, reads a state, or has too high a degree; or there are
+// multipliers.
 [[nodiscard]] std::optional<ClosedForm> closedForm(ComponentEquations& equations, double t,
                                                    std::span<const double> y);
 
@@ -24,7 +25,7 @@ struct LinearForm {
     double until = infinity;
     std::vector<double> matrix; // A by rows, each followed by its entry of b
 };
-// None: a rate is something else; or that there are held values or switches.
+// None: a rate is something else; or that there are held values, multipliers or switches.
 [[nodiscard]] std::optional<LinearForm> linearForm(ComponentEquations& equations, double t);
 
 } // namespace solution

@@ -6,7 +6,8 @@
 namespace solution {
 
 std::optional<PlainRate> plainRateOf(ComponentEquations& equations) {
-    if (equations.states().size() != 1 || equations.watches() > 0)
+    if (equations.states().size() != 1 || equations.watches() > 0 ||
+        !equations.multipliers().empty())
         return std::nullopt;
     const expression::Node rate = equations.outputs()[0];
     if (equations.graph().op(rate) == expression::Op::constant)

@@ -11,7 +11,8 @@ ComponentEquations::ComponentEquations(std::shared_ptr<const BoundModel> bound,
       field_(functions_, mode_), stick_(functions_, field_, mode_),
       guards_(functions_, field_, stick_, mode_),
       solver_(functions_, field_, stick_, guards_, mode_),
-      isPlain_(mode_.decisions.empty() && held().empty() && loop().empty() && !hasDirections()),
+      isPlain_(mode_.decisions.empty() && held().empty() && loop().empty() && !hasDirections() &&
+               multipliers().empty()),
       readsInputs_(!functions_.bound()->inputs.empty()) {}
 
 namespace {
@@ -38,6 +39,8 @@ bool ComponentEquations::rates(double t, std::span<const double> y, std::span<do
     } else {
         slidingFailed_ = false;
         field_.find();
+        if (field_.isContradictory())
+            return false;
         if (mode_.looksBeyond && !areFinite(field_.values()))
             field_.findBeyond();
     }
@@ -95,9 +98,45 @@ bool ComponentEquations::jacobian(double t, std::span<const double> y, std::span
     if (sliding())
         return differences(t, y, entries);
     functions_.fill(t, y);
-    functions_.evaluate(model().jacobian().entries, entries);
+    const ComponentModel::Jacobian& jacobian = model().jacobian();
+    if (multipliers().empty()) {
+        functions_.evaluate(jacobian.entries, entries);
+    } else {
+        if (!field_.multipliers().solve())
+            return false;
+        std::vector<double> all(entries.size() + jacobian.ofConditions.size());
+        functions_.evaluate(jacobian.entries, all);
+        std::copy_n(all.begin(), entries.size(), entries.begin());
+        addMultipliers(std::span(all).subspan(entries.size()), entries);
+    }
     return std::ranges::all_of(entries, [](double x) { return std::isfinite(x); }) ||
            differences(t, y, entries);
+}
+
+// With A m + b = 0:  df/dy + df/dm dm/dy,  and  A dm/dy = -d(A m + b)/dy.
+void ComponentEquations::addMultipliers(std::span<const double> ofConditions,
+                                        std::span<double> entries) {
+    const ComponentModel::Conditions& conditions = model().conditions();
+    const ComponentModel::Jacobian& jacobian = model().jacobian();
+    std::vector<double> moves(conditions.pushes.size() + conditions.shifts.size());
+    functions_.evaluate(conditions.moves, moves);
+    const auto m = static_cast<Eigen::Index>(multipliers().size());
+    const auto n = static_cast<Eigen::Index>(states().size());
+    Eigen::MatrixXd pushes = Eigen::MatrixXd::Zero(n, m), change = Eigen::MatrixXd::Zero(m, n);
+    for (std::size_t k = 0; k < conditions.pushes.size(); ++k)
+        pushes(conditions.pushes[k].row, conditions.pushes[k].column) = moves[k];
+    for (std::size_t k = 0; k < ofConditions.size(); ++k)
+        change(jacobian.ofConditions[k].row, jacobian.ofConditions[k].column) = ofConditions[k];
+    const Pattern& pattern = jacobian.pattern;
+    for (Eigen::Index column = 0; column < n; ++column) {
+        if (change.col(column).isZero(0))
+            continue;
+        field_.multipliers().solve(change.col(column));
+        const auto first = static_cast<std::size_t>(column);
+        for (int k = pattern.columnStarts[first]; k < pattern.columnStarts[first + 1]; ++k)
+            entries[static_cast<std::size_t>(k)] +=
+                pushes.row(pattern.rows[static_cast<std::size_t>(k)]).dot(change.col(column));
+    }
 }
 
 // While sliding f is a mixture whose weights depend on y too; few unknowns slide, so differences

@@ -33,6 +33,11 @@ public:
     // evaluation.
     [[nodiscard]] const std::vector<std::size_t>& states() const { return bound()->states; }
     [[nodiscard]] const std::vector<std::size_t>& held() const { return bound()->held; }
+    [[nodiscard]] const std::vector<std::size_t>& multipliers() const {
+        return bound()->multipliers;
+    }
+    // Moves the states onto the conditions that multipliers keep.
+    void project(double t, std::span<double> y) { field_.multipliers().project(t, y); }
     // Held unknowns whose values depend on each other in a circle; then no other function may be
     // called.
     [[nodiscard]] const std::vector<std::size_t>& loop() const { return bound()->loop; }
@@ -46,7 +51,7 @@ public:
     // Nothing switches and nothing is held.
     [[nodiscard]] bool isPlain() const { return isPlain_; }
     [[nodiscard]] std::span<const double> constants() const {
-        return std::span(functions_.in()).subspan(model().variables());
+        return std::span(functions_.in()).subspan(model().variables(), model().constants());
     }
 
     // System, for the integrators.
@@ -76,6 +81,8 @@ public:
     [[nodiscard]] bool heldValues(double t, std::span<const double> y, std::span<double> out);
     // Sliding had no solution when rates() was asked last: then that is why it failed.
     [[nodiscard]] bool slidingFailed() const { return slidingFailed_; }
+    // No forces keep the conditions of multipliers there.
+    [[nodiscard]] bool isContradictory() const { return field_.isContradictory(); }
     // A stage of a step that starts on a surface, as from rest where drag is v sqrt(abs(v)), may
     // lie a little beyond it, where the branch that holds has no value. From now on rates() takes
     // the other one there, until lookNoMoreBeyond(). False: it does already, or no surface is here.
@@ -109,6 +116,7 @@ public:
     [[nodiscard]] bool rest(std::span<const std::size_t> directions, double t, std::span<double> y);
 
 private:
+    void addMultipliers(std::span<const double> ofConditions, std::span<double> entries);
     [[nodiscard]] bool differences(double t, std::span<const double> y, std::span<double> entries);
 
     Mode mode_;

@@ -9,7 +9,8 @@
 namespace solution {
 
 HeldField::HeldField(ModelFunctions& functions, Mode& mode)
-    : f_(functions), model_(*mode.model), mode_(mode), values_(model_.outputs().size()),
+    : f_(functions), model_(*mode.model), mode_(mode), multipliers_(functions),
+      values_(model_.outputs().size()),
       base_(values_.size()), other_(values_.size()), units_(model_.directions().parts) {}
 
 // A state that lies on a surface of its own is moved off it, to its side, by next to nothing: what

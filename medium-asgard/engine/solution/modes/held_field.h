@@ -19,7 +19,7 @@
 // switching terms multiply each other or stand in each other's guards.
 #pragma once
 
-#include "modes/model_functions.h"
+#include "modes/multipliers.h"
 
 #include <optional>
 #include <span>
@@ -47,6 +47,9 @@ public:
     // The outputs are values(), by the branches that guards have where those in force have none.
     void findBeyond();
     [[nodiscard]] std::size_t size() const { return values_.size(); }
+    // Of the last outputs(): no multipliers keep the conditions.
+    [[nodiscard]] bool isContradictory() const { return isContradictory_; }
+    [[nodiscard]] Multipliers& multipliers() { return multipliers_; }
 
     // Of weigh(): of each surface that is slid upon, and for parts of unit vectors that are held.
     [[nodiscard]] std::vector<double>& weights() { return weights_; }
@@ -99,6 +102,8 @@ private:
     ModelFunctions& f_;
     const ComponentModel& model_;
     Mode& mode_;
+    Multipliers multipliers_;
+    bool isContradictory_ = false;
     std::vector<double> values_;
     std::vector<double> base_, other_;        // fields on one side of surfaces
     std::vector<std::vector<double>> fields_; // on the other side of each

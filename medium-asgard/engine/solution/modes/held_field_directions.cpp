@@ -57,6 +57,7 @@ std::optional<HeldField::Response::Departure> HeldField::Response::departure() c
 }
 
 void HeldField::evaluateOutputs(std::span<double> out) {
+    isContradictory_ = !multipliers_.solve();
     if (mode_.sticking.empty()) {
         if (mode_.decisions.empty())
             model_.function().evaluate(f_.in(), out, f_.scratch());

@@ -10,7 +10,7 @@ using expression::Decision;
 using expression::Node;
 
 const ComponentModel& modelOf(const BoundModel& bound) {
-    static const ComponentModel none({0, 0, key::outputs});
+    static const ComponentModel none({0, 0, 0, key::outputs});
     return bound.model ? *bound.model : none;
 }
 
@@ -179,7 +179,8 @@ std::optional<std::size_t> ModelFunctions::inputOf(Node symbol) const {
 
 std::optional<double> ModelFunctions::constantOf(Node symbol) const {
     const auto place = model_.placeOf(symbol);
-    if (!place || *place < model_.variables())
+    if (!place || *place < model_.variables() ||
+        *place >= model_.variables() + model_.constants())
         return std::nullopt;
     return in_[*place];
 }

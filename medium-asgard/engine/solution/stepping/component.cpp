@@ -206,6 +206,7 @@ void Component::begin() {
     equations_->solver().decide(progress_.time, y);
     if (equations_->hasDirections())
         decideRest(y);
+    equations_->project(progress_.time, y);
     progress_.put(equations_->states(), y);
     takeHeldValues();
     if (stop_)

@@ -159,18 +159,20 @@ void Component::write(const StepPiece& piece) {
     progress_.time = piece.curves.until;
 }
 
-// The states are y here, and y what they become when quaternions are normalized. False: the motion
-// ends.
+// The states are y here, and y what they become when quaternions are normalized and conditions are
+// kept. False: the motion ends.
 bool Component::land(std::span<const double>& y) {
     progress_.put(equations_->states(), y);
     progress_.normalize();
+    if (!progress_.quaternions.empty() || !equations_->multipliers().empty()) {
+        progress_.take(equations_->states(), progress_.ended);
+        equations_->project(progress_.time, progress_.ended);
+        progress_.put(equations_->states(), progress_.ended);
+        y = progress_.ended;
+    }
     takeHeldValues();
     if (stop_ || overflows(y))
         return false;
-    if (!progress_.quaternions.empty()) {
-        progress_.take(equations_->states(), progress_.ended);
-        y = progress_.ended;
-    }
     memory_.now.control.observe(y);
     equations_->lookNoMoreBeyond();
     switches_.goOn();

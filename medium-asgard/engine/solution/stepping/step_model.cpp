@@ -46,6 +46,9 @@ Ending StepContext::endingWithoutRate(double t, std::span<const double> y) const
         return {Stop::Reason::decisions, equations().states(),
                 "the motion can follow neither branch of the expressions that switch with " +
                     names(equations().states()) + ", nor a mean of the branches"};
+    if (equations().isContradictory())
+        return {Stop::Reason::contradiction, equations().multipliers(),
+                "no forces keep the conditions of " + names(equations().multipliers())};
     auto culprits = equations().notFinite(t, y);
     if (culprits.empty())
         culprits = equations().states();

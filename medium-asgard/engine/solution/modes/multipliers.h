@@ -1,0 +1,59 @@
+// The multipliers of conditions (component_model.h, Conditions) at one point: forces of joints.
+//
+//     A m = -b     so that all second rates  g'' = A m + b  are 0.
+//
+// A = J M^-1 J' for joints between bodies. Rows are scaled by the roots of A's diagonal. Where
+// conditions are redundant, as the joints of a plane mechanism in space, the shortest m is taken; a
+// condition that nothing can keep, as a joint between two bodies that are held, has no solution.
+//
+// Places and velocities drift off their conditions by the errors of steps. project() moves them
+// back by what the multipliers push, the least way in the metric of the kinetic energy (Hairer and
+// Wanner, Solving Ordinary Differential Equations II, VII.2): places by Newton's method until
+// rounding is left, then velocities.
+#pragma once
+
+#include "modes/model_functions.h"
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+#include <Eigen/QR>
+
+#include <span>
+#include <vector>
+
+namespace solution {
+
+class Multipliers {
+public:
+    explicit Multipliers(ModelFunctions& functions)
+        : f_(functions), model_(modelOf(*functions.bound())) {}
+
+    [[nodiscard]] std::size_t size() const { return model_.multipliers(); }
+    // Puts them into the point of the functions, on the branches of the mode. False: none keep the
+    // conditions; then they are what errs least.
+    bool solve();
+    // At the point that was solved for last, of conditions with these second rates.
+    void solve(Eigen::Ref<Eigen::VectorXd> rates) const;
+    [[nodiscard]] std::span<const double> values() const { return std::span(f_.in()).last(size()); }
+    // Moves the states onto the conditions.
+    void project(double t, std::span<double> y);
+
+private:
+    [[nodiscard]] bool factorise();
+    [[nodiscard]] bool isSolved(const Eigen::VectorXd& m, const Eigen::VectorXd& wanted) const;
+    void evaluateGaps();
+    void move(std::span<const ComponentModel::Entry> entries, std::size_t first,
+              const Eigen::VectorXd& by, std::span<double> y) const;
+    [[nodiscard]] double moveOntoGaps(double t, std::span<double> y);
+
+    ModelFunctions& f_;
+    const ComponentModel& model_;
+    std::vector<double> second_, gaps_, moves_;
+    Eigen::MatrixXd matrix_;
+    Eigen::VectorXd scale_, rest_;
+    Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> least_;
+    bool isRegular_ = true;
+};
+
+} // namespace solution

@@ -1,0 +1,149 @@
+// Motion that multipliers keep on conditions: against the same motion in coordinates without any.
+#include "solution/solver_testing.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace solution;
+using namespace solution::testing;
+
+namespace {
+
+struct Kept {
+    std::string name, gap, rate, second;
+};
+
+// Multipliers behind the unknowns of `lines`; each reads the others.
+expression::EquationSet keeping(const std::vector<Line>& lines, const std::vector<Kept>& kept) {
+    expression::EquationSet set = equationsOf(lines);
+    for (const Kept& one : kept) {
+        expression::Unknown unknown;
+        unknown.name = one.name;
+        unknown.symbol = set.graph.symbol(one.name);
+        unknown.phases.emplace_back();
+        unknown.phases[0].derivative = expression::testing::parsed(set.graph, one.second);
+        unknown.phases[0].condition =
+            expression::Condition{std::nullopt, expression::testing::parsed(set.graph, one.rate)};
+        if (!one.gap.empty())
+            unknown.phases[0].condition->gap = expression::testing::parsed(set.graph, one.gap);
+        set.unknowns.push_back(unknown);
+    }
+    return set;
+}
+
+// Two masses of 1 kg on massless rods of 1 m, from the horizontal.
+const std::vector<Line> twoMasses = {
+    {"x1", "dx1", 1, 1},   {"y1", "dy1", 0, 1},         {"x2", "dx2", 2, 1},
+    {"y2", "dy2", 0, 1},   {"dx1", "m1*x1-m2*(x2-x1)"}, {"dy1", "-9.81+m1*y1-m2*(y2-y1)"},
+    {"dx2", "m2*(x2-x1)"}, {"dy2", "-9.81+m2*(y2-y1)"},
+};
+const std::vector<Kept> twoRods = {
+    {"m1", "(x1^2+y1^2-1)/2", "x1*dx1+y1*dy1",
+     "dx1^2+dy1^2+x1*(m1*x1-m2*(x2-x1))+y1*(-9.81+m1*y1-m2*(y2-y1))"},
+    {"m2", "((x2-x1)^2+(y2-y1)^2-1)/2", "(x2-x1)*(dx2-dx1)+(y2-y1)*(dy2-dy1)",
+     "(dx2-dx1)^2+(dy2-dy1)^2+(x2-x1)*(m2*(x2-x1)-(m1*x1-m2*(x2-x1)))"
+     "+(y2-y1)*(-9.81+m2*(y2-y1)-(-9.81+m1*y1-m2*(y2-y1)))"},
+};
+// The same in angles from the horizontal.
+const std::vector<Line> twoAngles = {
+    {"a", "da", 0, 1},
+    {"b", "db", 0, 1},
+    {"da", "(-2*9.81*cos(a)-sin(a-b)*db^2+cos(a-b)*(9.81*cos(b)-sin(a-b)*da^2))"
+           "/(2-cos(a-b)^2)"},
+    {"db", "(2*sin(a-b)*da^2-2*9.81*cos(b)+cos(a-b)*(2*9.81*cos(a)+sin(a-b)*db^2))"
+           "/(2-cos(a-b)^2)"},
+};
+
+double largestGap(const Histories& histories, double t) {
+    const auto at = [&](std::size_t i) { return histories.value(i, t); };
+    return std::max(std::abs(std::hypot(at(0), at(1)) - 1),
+                    std::abs(std::hypot(at(2) - at(0), at(3) - at(1)) - 1));
+}
+
+} // namespace
+
+// The error follows the tolerance as it does in angles, at as many steps.
+TEST(Multipliers, ADoublePendulumCostsWhatItCostsInAngles) {
+    const Solver exact = solved(equationsOf(twoAngles), 10, tolerance(1e-13));
+    const double a = exact.histories().value(0, 10), b = exact.histories().value(1, 10);
+    for (const double asked : {1e-4, 1e-6, 1e-8, 1e-10}) {
+        const Solver rods = solved(keeping(twoMasses, twoRods), 10, tolerance(asked));
+        const Solver angles = solved(equationsOf(twoAngles), 10, tolerance(asked));
+        ASSERT_TRUE(rods.histories().stops().empty());
+        const auto& h = rods.histories();
+        const double error = std::hypot(h.value(2, 10) - std::cos(a) - std::cos(b),
+                                        h.value(3, 10) - std::sin(a) - std::sin(b));
+        EXPECT_LT(error, 200 * asked) << asked;
+        EXPECT_LT(rods.statistics().steps, 1.5 * static_cast<double>(angles.statistics().steps))
+            << asked;
+        EXPECT_LT(largestGap(h, 10), asked); // of the polynomial of its last step
+    }
+}
+
+TEST(Multipliers, DriftNeverGrows) {
+    const Solver rods = solved(keeping(twoMasses, twoRods), 1000, tolerance(1e-4));
+    for (double t = 0; t < 1000; t += 0.37)
+        ASSERT_LT(largestGap(rods.histories(), t), 1e-3) << t;
+}
+
+// A second rod where the first is: the same motion.
+TEST(Multipliers, RedundantConditionsChangeNothing) {
+    std::vector<Line> lines = {
+        {"x", "dx", 1, 1}, {"y", "dy", 0, 1}, {"dx", "(m1+m2)*x"}, {"dy", "-9.81+(m1+m2)*y"}};
+    const std::string second = "dx^2+dy^2+(m1+m2)*x^2+y*(-9.81+(m1+m2)*y)";
+    const Kept one = {"m1", "(x^2+y^2-1)/2", "x*dx+y*dy", second};
+    Kept other = one;
+    other.name = "m2";
+    const Solver twice = solved(keeping(lines, {one, other}), 3, tolerance(1e-9));
+    ASSERT_TRUE(twice.histories().stops().empty());
+    const Solver angle =
+        solved(equationsOf({{"a", "da", 0, 1}, {"da", "-9.81*cos(a)", 0}}), 3, tolerance(1e-12));
+    EXPECT_NEAR(twice.histories().value(1, 3), std::sin(angle.histories().value(0, 3)), 1e-7);
+}
+
+// A condition that says that 1 = 0 stops what it reads.
+TEST(Multipliers, AContradictionStopsTheMotion) {
+    const std::vector<Line> lines = {{"x", "dx", 1, 1}, {"dx", "m1+m2-9.81*x", 0}};
+    const Solver solver = solved(
+        keeping(lines, {{"m1", "", "dx", "m1+m2-9.81*x"}, {"m2", "", "dx-t", "m1+m2-9.81*x-1"}}), 3,
+        tolerance(1e-6));
+    ASSERT_EQ(solver.histories().stops().size(), 1u);
+    EXPECT_EQ(solver.histories().stops()[0].reason, Stop::Reason::contradiction);
+    EXPECT_NE(solver.histories().stops()[0].sentence.find("no forces keep"), std::string::npos);
+}
+
+// What nothing moves off its condition is not solved for.
+TEST(Multipliers, AConditionThatStaysKeptCostsNothing) {
+    std::vector<Line> lines = twoMasses;
+    lines.push_back({"z1", "dz1", 0, 1});
+    lines.push_back({"dz1", "m3", 0});
+    std::vector<Kept> kept = twoRods;
+    kept.push_back({"m3", "z1", "dz1", "m3"});
+    const Solver solver = solved(keeping(lines, kept), 1, tolerance(1e-6));
+    EXPECT_EQ(solver.statistics().componentList.size(), 1u);
+    EXPECT_EQ(solver.statistics().componentList[0].unknowns.size(), 10u);
+}
+
+// With a stiff spring, so that the Jacobian is used.
+TEST(Multipliers, AnImplicitMethodFollowsConditions) {
+    std::vector<Line> lines = twoMasses;
+    lines[6].derivative += "-1e6*(hypot(x2,y2)-1.5)*x2/hypot(x2,y2)-2000*dx2";
+    lines[7].derivative += "-1e6*(hypot(x2,y2)-1.5)*y2/hypot(x2,y2)-2000*dy2";
+    std::vector<Kept> kept = twoRods;
+    for (const char* const c : {"x", "y"}) {
+        const std::string x = std::string(c) + "2", first = std::string(c) + "1";
+        kept[1].second += "+(" + x + "-" + first + ")*(-1e6*(hypot(x2,y2)-1.5)*" + x +
+                          "/hypot(x2,y2)-2000*d" + x + ")";
+    }
+    const auto at = [&](const std::string& method, double asked) {
+        Options options = tolerance(asked);
+        options.method = method;
+        const Solver solver = solved(keeping(lines, kept), 1, options);
+        EXPECT_TRUE(solver.histories().stops().empty());
+        EXPECT_LT(largestGap(solver.histories(), 1), asked);
+        return solver.histories().value(0, 1);
+    };
+    const double exact = at("dop853", 1e-11);
+    EXPECT_NEAR(at("radau5", 1e-8), exact, 1e-6);
+}
