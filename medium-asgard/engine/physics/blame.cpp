@@ -124,8 +124,9 @@ std::string inWords(const scene::Scene& scene, const EquationsOfMotion& equation
         std::snprintf(digits, sizeof digits, "%.2g", blame.value);
         value = digits;
     }
-    return std::string("the ") + (c.kind == Contribution::Kind::force ? "force" : "link") +
-           " on body \"" + scene.bodies[c.body].name + "\" " +
+    static constexpr std::array<const char*, 4> kinds = {"force", "link", "joint", "gear"};
+    return std::string("the ") + kinds[static_cast<std::size_t>(c.kind)] + " on body \"" +
+           scene.bodies[c.body].name + "\" " +
            (isFinite ? "grows without bound" : "is not finite") + ": its " + axes[blame.axis] +
            (texts ? ", \"" + shortened((*texts)[blame.axis]) + "\"," : "") + " is " + value;
 }

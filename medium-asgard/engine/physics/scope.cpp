@@ -89,6 +89,8 @@ expression::Meaning Scope::meaning(Graph& g, std::string_view name, std::span<co
         return {bodyQuantity(g, *body, arguments), "", ""};
     if (const auto* quantity = std::get_if<scene::SceneName>(&named))
         return {sceneQuantity(quantity->quantity), "", ""};
+    if (const auto* joint = std::get_if<scene::JointName>(&named))
+        return {jointQuantity(*joint), "", ""};
     if (const auto* read = std::get_if<scene::TrajectoryName>(&named)) {
         const ScopeTrajectory& trajectory = trajectories_[read->trajectory];
         const auto component = static_cast<std::size_t>(read->component);
@@ -133,6 +135,28 @@ Node Scope::bodyPoint(Graph& g, const scene::BodyName& name,
     const auto i = static_cast<std::size_t>(name.quantity) - static_cast<std::size_t>(first);
     return isVelocity ? g.add(body.velocity[i], body.velocityOfArm(g, arm)[i])
                       : g.add(body.position[i], body.toWorld(g, arm)[i]);
+}
+
+Node Scope::jointQuantity(const scene::JointName& name) const {
+    using enum scene::JointQuantity;
+    const JointNodes& nodes = joints_[name.joint];
+    switch (name.quantity) {
+    case q:
+        return nodes.q[name.coordinate];
+    case dq:
+        return nodes.dq[name.coordinate];
+    case motor:
+        return nodes.motor[name.coordinate];
+    case fx:
+    case fy:
+    case fz:
+        return nodes.force[static_cast<std::size_t>(name.quantity) - static_cast<std::size_t>(fx)];
+    case tx:
+    case ty:
+    case tz:
+        break;
+    }
+    return nodes.couple[static_cast<std::size_t>(name.quantity) - static_cast<std::size_t>(tx)];
 }
 
 Node Scope::sceneQuantity(scene::SceneQuantity quantity) const {

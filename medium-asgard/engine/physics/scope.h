@@ -69,6 +69,7 @@ private:
                                     std::span<const Node> arguments) const;
     [[nodiscard]] Node bodyPoint(Graph& g, const scene::BodyName& name,
                                  std::span<const Node> arguments) const;
+    [[nodiscard]] Node jointQuantity(const scene::JointName& name) const;
     [[nodiscard]] Node sceneQuantity(scene::SceneQuantity quantity) const;
 
     scene::Names names_;

@@ -77,12 +77,8 @@ void addErrors(std::vector<Unit>& units, const std::vector<std::size_t>& unitOf,
 
 void addComponents(std::vector<Unit>& units, const std::vector<std::size_t>& unitOf,
                    const SolvedPart& part, const Solved& solved) {
-    std::vector<std::size_t> owners;
-    for (std::size_t p = 0; p < part.motion.bodies->size(); ++p)
-        if (!(*part.motion.bodies)[p].isFixed)
-            owners.insert(owners.end(), physics::bodyUnknowns, p);
     for (const solution::ComponentStatistics& c : solved.run.statistics.componentList) {
-        Unit& unit = units[unitOf[owners[c.unknowns[0]]]];
+        Unit& unit = units[unitOf[part.owners[c.unknowns[0]]]];
         ++unit.components;
         unit.largestComponent = std::max(unit.largestComponent, c.unknowns.size());
     }
@@ -91,8 +87,8 @@ void addComponents(std::vector<Unit>& units, const std::vector<std::size_t>& uni
 } // namespace
 
 SolvedPart::SolvedPart(const Problem& problem, const Solved& solved)
-    : motion{problem.bodies, solved.run.histories}, keptBytes(solved.keptBytes),
-      isFull(solved.isFull) {
+    : motion{problem.bodies, solved.run.histories}, owners(problem.equations.owners),
+      keptBytes(solved.keptBytes), isFull(solved.isFull) {
     const auto& records = *motion.bodies;
     bodies.reserve(records.size());
     for (std::size_t p = 0; p < records.size(); ++p) {

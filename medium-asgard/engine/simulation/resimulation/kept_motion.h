@@ -29,6 +29,7 @@ struct SolvedPart {
     SolvedPart(const Problem& problem, const Solved& solved);
 
     ComputedMotion::Part motion;
+    std::vector<std::size_t> owners;  // by unknown: its body
     std::vector<MovingBody> bodies;   // of the motion; for one thread
     std::vector<double> until;        // by body: from then on it stands, or the motion is over
     std::vector<geometry::Box> reach; // by body: holds its shape at all times

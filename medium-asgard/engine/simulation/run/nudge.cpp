@@ -40,7 +40,8 @@ std::vector<double> nudgedStart(const expression::EquationSet& equations) {
     std::vector<double> values;
     for (const expression::Unknown& unknown : equations.unknowns)
         values.push_back(unknown.initial);
-    for (std::size_t i = 0; i < values.size(); i += physics::bodyUnknowns) {
+    const std::size_t ofBodies = equations.quaternions.size() * physics::bodyUnknowns;
+    for (std::size_t i = 0; i < ofBodies; i += physics::bodyUnknowns) {
         const bool moves = values[i + physics::dx] != 0 || values[i + physics::dy] != 0 ||
                            values[i + physics::dz] != 0;
         for (std::size_t k = i; k < i + physics::bodyUnknowns; ++k)

@@ -125,14 +125,7 @@ double firstTolerance(double accuracy) {
     return std::min(part * accuracy, loosest);
 }
 
-std::vector<std::size_t> ownersOf(const Problem& problem) {
-    std::vector<std::size_t> owners(problem.equations.set.unknowns.size());
-    for (std::size_t b = 0; b < problem.bodies->size(); ++b)
-        if (const BodyRecord& body = (*problem.bodies)[b]; !body.isFixed)
-            std::fill_n(owners.begin() + static_cast<std::ptrdiff_t>(body.firstUnknown),
-                        bodyUnknowns, b);
-    return owners;
-}
+std::vector<std::size_t> ownersOf(const Problem& problem) { return problem.equations.owners; }
 
 solution::Options solverOptions(const Problem& problem, const std::vector<double>& tolerances) {
     solution::Options options;
@@ -145,11 +138,10 @@ solution::Options solverOptions(const Problem& problem, const std::vector<double
     options.threads = static_cast<std::size_t>(std::max(problem.options.threads, 0));
     options.asked = problem.asked;
     options.mostBytes = mostBytes();
-    for (std::size_t b = 0; b < tolerances.size(); ++b)
-        if (!(*problem.bodies)[b].isFixed) {
-            options.tolerances.insert(options.tolerances.end(), bodyUnknowns, tolerances[b]);
-            options.extents.insert(options.extents.end(), bodyUnknowns,
-                                   2 * (*problem.bodies)[b].radius);
+    if (!tolerances.empty())
+        for (const std::size_t b : problem.equations.owners) {
+            options.tolerances.push_back(tolerances[b]);
+            options.extents.push_back(2 * (*problem.bodies)[b].radius);
         }
     return options;
 }

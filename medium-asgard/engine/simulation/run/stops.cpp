@@ -116,8 +116,12 @@ Why whyOf(const Problem& problem, const physics::Suspects& suspects,
     else if (!named.empty())
         reason += ", since " + named;
     Why why{.reason = reason + adviceFor(stop.reason, !named.empty())};
-    if (!blames.empty())
-        why.culprit = culpritOf(problem, blames[0]);
+    using enum physics::Contribution::Kind;
+    if (!blames.empty()) {
+        const auto kind = problem.equations.contributions[blames[0].contribution].kind;
+        if (kind == force || kind == link)
+            why.culprit = culpritOf(problem, blames[0]);
+    }
     return why;
 }
 

@@ -62,7 +62,9 @@ std::string StepContext::names(const std::vector<std::size_t>& places) const {
     for (std::size_t k = 0; k < places.size(); ++k) {
         if (k == 4 && places.size() > 5)
             return text + " and " + std::to_string(places.size() - k) + " others";
-        text += (k == 0 ? "" : ", ") + set->unknowns[unknowns[places[k]]].name;
+        const std::string& name = set->unknowns[unknowns[places[k]]].name;
+        if (k == 0 || name != set->unknowns[unknowns[places[k - 1]]].name) // multipliers of one
+            text += (k == 0 ? "" : ", ") + name;
     }
     return text;
 }
