@@ -430,6 +430,10 @@ void JointReader::contribute(std::vector<Contribution>& contributions) {
         Contribution from;
         from.kind = Contribution::Kind::joint;
         from.element = j;
+        if (joint.release)
+            faults_.push_back("line " + std::to_string(joint.source.line) +
+                              ": -release of joint \"" + joint.name +
+                              "\" is not computed yet; leave it out");
         if (joint.type == JointType::screw)
             tie(j, 0);
         const std::vector<Jet> conditions = conditionsOf(j, {});
@@ -490,11 +494,21 @@ void JointReader::drive(std::size_t joint, std::size_t coordinate,
     Contribution from;
     from.kind = Contribution::Kind::joint;
     from.element = joint;
+    const auto refuse = [&](bool isSaid, const char* option) {
+        if (isSaid)
+            faults_.push_back("line " + std::to_string(said.source.line) + ": " + option + of +
+                              " is not computed yet; leave it out");
+    };
+    refuse(c.lower || c.upper, "-limits");
+    refuse(c.maxMotor.has_value(), "-max_motor");
     Node force = g_.constant(0);
     if (c.stiffness != 0)
         force = g_.multiply(g_.constant(-c.stiffness), g_.subtract(jet.value, g_.constant(c.rest)));
     if (c.damping != 0)
         force = g_.subtract(force, g_.multiply(g_.constant(c.damping), jet.rate));
+    if (c.friction > 0) // a switch that holds while less than that keeps it
+        force =
+            g_.subtract(force, g_.multiply(g_.constant(c.friction), g_.apply(Op::sign, jet.rate)));
     Node& motor = nodes_[joint].motor[coordinate];
     if (c.motor)
         if (const auto node = parsed(*c.motor, said.source, "-motor" + of, scene::Reading::state)) {

@@ -56,7 +56,24 @@ std::vector<BodyRecord> recordsOf(const physics::EquationsOfMotion& equations) {
                            .mass = body.isFixed ? solution::infinity : body.mass.mass,
                            .radius = body.mass.radius,
                            .centroid = body.mass.centroid});
+    for (std::size_t u = physics::bodyUnknowns * equations.set.quaternions.size();
+         u < equations.owners.size(); ++u)
+        records[equations.owners[u]].more.push_back(u);
     return records;
+}
+
+BodyState stateOf(const BodyRecord& body, std::span<const double> values) {
+    using namespace physics;
+    const auto vectorAt = [&](std::size_t i) {
+        return Vector(values[i], values[i + 1], values[i + 2]);
+    };
+    BodyState state;
+    state.position = vectorAt(x);
+    state.velocity = vectorAt(dx);
+    state.attitude = Quaternion(values[qw], values[qx], values[qy], values[qz]).normalized();
+    const Vector spin = vectorAt(w1);
+    state.angularVelocity = body.isSpinInWorldAxes ? spin : state.attitude * spin;
+    return state;
 }
 
 BodyState stateOf(const BodyRecord& body, const Histories& histories, double time, Side side) {

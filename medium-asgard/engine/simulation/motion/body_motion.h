@@ -20,6 +20,8 @@ struct BodyRecord {
     double mass = 0;   // infinity when fixed
     double radius = 0; // of the shape about the centre of mass
     Vector centroid = Vector::Zero();
+    // Unknowns that tell of it beyond its thirteen: angles and multipliers of joints.
+    std::vector<std::size_t> more = {};
 };
 
 [[nodiscard]] std::vector<BodyRecord> recordsOf(const physics::EquationsOfMotion& equations);
@@ -28,6 +30,8 @@ enum class Side { after, before }; // which value counts at an event's own time
 
 [[nodiscard]] BodyState stateOf(const BodyRecord& body, const solution::Histories& histories,
                                 double time, Side side = Side::after);
+// Of the values of its thirteen unknowns.
+[[nodiscard]] BodyState stateOf(const BodyRecord& body, std::span<const double> values);
 // The least time up to which an unknown of the body is known; infinity when fixed.
 [[nodiscard]] double knownUntil(const BodyRecord& body, const solution::Histories& histories);
 

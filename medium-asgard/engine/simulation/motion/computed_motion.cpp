@@ -1,6 +1,7 @@
 #include "motion/computed_motion.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 
 namespace simulation {
@@ -28,7 +29,20 @@ BodyState ComputedMotion::at(std::size_t body, double time) const {
     const auto stopped = c_.stops.find(body);
     const double end = stopped == c_.stops.end() ? computed_ : stopped->second.time;
     const auto [record, histories] = of(body);
-    return stateOf(record, histories, std::clamp(time, c_.start, end));
+    const double at = std::clamp(time, c_.start, end);
+    const Part& part = c_.parts[c_.places[body].part];
+    std::array<double, physics::bodyUnknowns> values{};
+    if (part.joints && !record.isFixed && part.joints->values(record.firstUnknown, at, values))
+        return stateOf(record, values);
+    return stateOf(record, histories, at);
+}
+
+double ComputedMotion::valueOf(std::size_t body, std::size_t unknown, double time) const {
+    const Part& part = c_.parts[c_.places[body].part];
+    double value = 0;
+    if (part.joints && part.joints->values(unknown, time, std::span(&value, 1)))
+        return value;
+    return part.histories->value(unknown, time);
 }
 
 std::optional<Stop> ComputedMotion::stop(std::size_t body) const {

@@ -4,6 +4,7 @@
 #include "motion/body_motion.h"
 #include "motion/impacts.h"
 #include "motion/motion.h"
+#include "solution/condition_reader.h"
 
 #include <map>
 #include <memory>
@@ -15,6 +16,8 @@ public:
     struct Part { // bodies solved together; not all of them need be shown
         std::shared_ptr<const std::vector<BodyRecord>> bodies;
         std::shared_ptr<const solution::Histories> histories;
+        // Of bodies on joints; none: there are none.
+        std::shared_ptr<const solution::ConditionReader> joints = {};
     };
     struct Place { // of a body of the scene
         std::size_t part = 0, body = 0;
@@ -40,6 +43,8 @@ public:
         const solution::Histories& histories;
     };
     [[nodiscard]] Solution of(std::size_t body) const;
+    // Of an unknown of that part of the motion which the body belongs to.
+    [[nodiscard]] double valueOf(std::size_t body, std::size_t unknown, double time) const;
 
     [[nodiscard]] double start() const override { return c_.start; }
     [[nodiscard]] double finish() const override { return c_.finish; }

@@ -106,6 +106,7 @@ posed(const scene::Scene& original, const Options& options,
                                                      .bodies = std::move(bodies),
                                                      .options = options,
                                                      .prepared = nullptr,
+                                                     .joints = nullptr,
                                                      .readers = {},
                                                      .asked = {}});
     problem->asked = askedOf(*problem);
@@ -114,6 +115,9 @@ posed(const scene::Scene& original, const Options& options,
                                                              &problem->equations.set);
     problem->prepared = std::make_shared<const solution::PreparedEquations>(
         set, solution::preparationFor(solverOptions(*problem, {})), meanwhile);
+    const auto groups = std::make_shared<const solution::ConditionGroups>(*problem->prepared);
+    if (!groups->empty())
+        problem->joints = groups;
     problem->readers = readersOf(*problem);
     return problem;
 }
@@ -126,6 +130,15 @@ double firstTolerance(double accuracy) {
 }
 
 std::vector<std::size_t> ownersOf(const Problem& problem) { return problem.equations.owners; }
+
+ComputedMotion::Part partOf(const Problem& problem,
+                            std::shared_ptr<const solution::Histories> histories) {
+    ComputedMotion::Part part{problem.bodies, std::move(histories)};
+    if (problem.joints && part.histories)
+        part.joints =
+            std::make_shared<const solution::ConditionReader>(problem.joints, part.histories);
+    return part;
+}
 
 solution::Options solverOptions(const Problem& problem, const std::vector<double>& tolerances) {
     solution::Options options;

@@ -14,7 +14,7 @@ namespace simulation {
 struct Quantities::Implementation {
     std::shared_ptr<const ComputedMotion> motion;
     struct Read {
-        std::size_t body, unknown; // one of its thirteen
+        std::size_t body, unknown; // one of its thirteen, or behind them one of its record's more
     };
     std::vector<std::string> faults; // of each expression
     std::vector<std::size_t> sound;  // which expressions the tape has
@@ -132,6 +132,15 @@ Quantities ReadableScene::quantities(const MotionPointer& motion,
             inputs.push_back(symbol);
             read->reads.push_back({b, i});
         }
+    std::vector<std::size_t> more(equations.bodies.size(), physics::bodyUnknowns);
+    for (std::size_t u = physics::bodyUnknowns * equations.set.quaternions.size();
+         u < equations.owners.size(); ++u) {
+        const std::size_t place = more[equations.owners[u]]++;
+        if (std::ranges::binary_search(symbols, equations.set.unknowns[u].symbol)) {
+            inputs.push_back(equations.set.unknowns[u].symbol);
+            read->reads.push_back({equations.owners[u], place});
+        }
+    }
     read->tape = expression::Tape(equations.set.graph, inputs, outputs);
     return Quantities(std::move(read));
 }
@@ -169,10 +178,12 @@ std::vector<double> Quantities::Implementation::inputsAt(double time) const {
     std::vector<double> inputs{time, static_cast<double>(collisions)};
     for (const Read& read : reads) {
         const auto [record, histories] = motion->of(read.body);
-        const std::size_t unknown = record.firstUnknown + read.unknown;
+        const std::size_t unknown = read.unknown < physics::bodyUnknowns
+                                        ? record.firstUnknown + read.unknown
+                                        : record.more[read.unknown - physics::bodyUnknowns];
         // Past the end of its motion an unknown has no value.
         const solution::Stop* stop = histories.stop(unknown);
-        const double value = histories.value(unknown, time);
+        const double value = motion->valueOf(read.body, unknown, time);
         const bool isOver = (stop && time > stop->time) || std::abs(value) > solution::largestValue;
         inputs.push_back(isOver ? std::numeric_limits<double>::quiet_NaN() : value);
     }

@@ -54,7 +54,8 @@ MotionPointer Run::motion(const Problem& problem, bool draft,
     std::vector<ComputedMotion::Place> places(problem.bodies->size());
     for (std::size_t b = 0; b < places.size(); ++b)
         places[b] = {.part = 0, .body = b};
-    std::vector<std::string> told = notes;
+    std::vector<std::string> told = problem.equations.notes;
+    told.insert(told.end(), notes.begin(), notes.end());
     if (error && error->estimate > problem.accuracy())
         told.push_back(shortfallOf(problem.accuracy(), *error));
     std::optional<double> estimate, until;
@@ -66,7 +67,7 @@ MotionPointer Run::motion(const Problem& problem, bool draft,
         ComputedMotion::Contents{.start = problem.start(),
                                  .finish = problem.finish(),
                                  .draft = draft,
-                                 .parts = {{problem.bodies, histories}},
+                                 .parts = {partOf(problem, histories)},
                                  .places = std::move(places),
                                  .stops = stops,
                                  .impacts = impacts,

@@ -83,7 +83,15 @@ template <class Visit> void eachNodeOf(const expression::Unknown& unknown, const
             visit(phase.given->index);
         if (phase.jump)
             visit(phase.jump->index);
+        if (phase.condition && phase.condition->rate)
+            visit(phase.condition->rate->index);
     }
+}
+
+// A condition's rate that is not 0 moves states, as a rate does.
+bool isMovedBy(const expression::Phase& phase, std::uint32_t node) {
+    return phase.derivative.index == node ||
+           (phase.condition && phase.condition->rate && phase.condition->rate->index == node);
 }
 
 // The phases in force at `from` and after it.
@@ -103,16 +111,16 @@ bool isFree(const expression::Unknown& unknown, double from) {
 
 bool hasRate(const expression::Unknown& unknown, double from, std::uint32_t node) {
     const auto phases = phasesFrom(unknown, from);
-    return std::any_of(phases.begin(), phases.end(), [&](const expression::Phase& phase) {
-        return phase.derivative.index == node;
-    });
+    return std::any_of(phases.begin(), phases.end(),
+                       [&](const expression::Phase& phase) { return isMovedBy(phase, node); });
 }
 
 bool hasRateBesides(const expression::Unknown& unknown, double from,
                     const std::vector<bool>& zero) {
     const auto phases = phasesFrom(unknown, from);
     return std::any_of(phases.begin(), phases.end(), [&](const expression::Phase& phase) {
-        return !zero[phase.derivative.index];
+        return !zero[phase.derivative.index] ||
+               (phase.condition && phase.condition->rate && !zero[phase.condition->rate->index]);
     });
 }
 

@@ -4,6 +4,8 @@
 //     the greatest set of unknowns that are 0, have no phase ahead that holds or resets them, and
 //     whose rates are 0 when all of the set are
 //
+// Of a multiplier the rates are those of its condition.
+//
 // A rate counts as 0 by its expression alone (a product with a 0, a sum of zeros, ...). So the
 // answer is exact, and the set changes at events only: a jump or new equations wake some of it.
 // None that is awake falls asleep again, so that an event elsewhere changes nobody's numbers. An

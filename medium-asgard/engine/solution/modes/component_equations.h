@@ -36,6 +36,10 @@ public:
     [[nodiscard]] const std::vector<std::size_t>& multipliers() const {
         return bound()->multipliers;
     }
+    // Of the last rates().
+    [[nodiscard]] std::span<const double> multiplierValues() {
+        return field_.multipliers().values();
+    }
     // Moves the states onto the conditions that multipliers keep.
     void project(double t, std::span<double> y) { field_.multipliers().project(t, y); }
     // Held unknowns whose values depend on each other in a circle; then no other function may be
