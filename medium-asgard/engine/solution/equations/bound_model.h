@@ -18,7 +18,7 @@ struct BoundModel {
     // of evaluation; and of held ones that are defined by each other.
     std::vector<std::size_t> states, held, loop;
     std::vector<std::size_t> multipliers; // places of those, too
-    std::vector<std::size_t> inputs; // unknowns of other components, in the model's order
+    std::vector<std::size_t> inputs;      // unknowns of other components, in the model's order
     std::vector<double> constants;
     bool canPeak = false; // peaks.h
 };

@@ -10,8 +10,8 @@ namespace solution {
 
 HeldField::HeldField(ModelFunctions& functions, Mode& mode)
     : f_(functions), model_(*mode.model), mode_(mode), multipliers_(functions),
-      values_(model_.outputs().size()),
-      base_(values_.size()), other_(values_.size()), units_(model_.directions().parts) {}
+      values_(model_.outputs().size()), base_(values_.size()), other_(values_.size()),
+      units_(model_.directions().parts) {}
 
 // A state that lies on a surface of its own is moved off it, to its side, by next to nothing: what
 // is written v/abs(v) is then the sign that it means, and v abs(v) is still 0.

@@ -179,8 +179,7 @@ std::optional<std::size_t> ModelFunctions::inputOf(Node symbol) const {
 
 std::optional<double> ModelFunctions::constantOf(Node symbol) const {
     const auto place = model_.placeOf(symbol);
-    if (!place || *place < model_.variables() ||
-        *place >= model_.variables() + model_.constants())
+    if (!place || *place < model_.variables() || *place >= model_.variables() + model_.constants())
         return std::nullopt;
     return in_[*place];
 }
