@@ -216,7 +216,7 @@ EquationsOfMotion::EquationsOfMotion(const scene::Scene& scene,
         return;
     }
     ForceReader(g, scene, *scope, faults).read(contributions, links);
-    joints.contribute(contributions);
+    jointRows = joints.contribute(contributions);
 
     std::vector<std::vector<const Contribution*>> acting(bodies.size());
     for (const Contribution& c : contributions)

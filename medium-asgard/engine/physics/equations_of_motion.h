@@ -81,6 +81,12 @@ struct LinkNodes {
     double damping = 0;   // given or critical
 };
 
+// The part of a condition's rate that a body's velocity has: J of that body, in world axes.
+struct JointPush {
+    std::size_t body = 0;
+    NodeVector linear, angular;
+};
+
 struct EquationsOfMotion {
     // Of many bodies it takes a while: `meanwhile` is called now and then, and may throw to end it.
     // `shapes`: of this scene, where they are wanted for more than masses; may be null.
@@ -97,6 +103,8 @@ struct EquationsOfMotion {
     // By unknown the body that it tells of. Behind those of bodies stand angles and multipliers of
     // joints (joints.h), each told of one of its bodies.
     std::vector<std::size_t> owners;
+    // Conditions that joints, gears and drives put on velocities: of each the bodies that move.
+    std::vector<std::vector<JointPush>> jointRows;
     std::vector<std::string> notes; // what is not as it was written, as sentences
     // Why the scene has no equations: sentences. Empty: it has.
     std::vector<std::string> faults;

@@ -2,6 +2,8 @@
 
 #include "complementarity/convex.h"
 
+#include <Eigen/QR>
+
 #include <algorithm>
 #include <cmath>
 
@@ -48,13 +50,79 @@ std::vector<double> pushesOf(const Eigen::MatrixXd& a, const Eigen::VectorXd& b)
     return {answer->forces.data(), answer->forces.data() + b.size()};
 }
 
+// What joints do when an impulse acts: with its effect c on their conditions, -(J W J')^+ c.
+class JointResponse {
+public:
+    JointResponse(const std::vector<ImpactBody>& bodies, std::span<const ImpactRow> rows)
+        : rows_(rows) {
+        const auto n = static_cast<Eigen::Index>(rows.size());
+        if (n == 0)
+            return;
+        Eigen::MatrixXd a = Eigen::MatrixXd::Zero(n, n);
+        for (Eigen::Index i = 0; i < n; ++i)
+            for (Eigen::Index j = 0; j < n; ++j)
+                for (const ImpactRow::Part& q : rows[static_cast<std::size_t>(j)].parts)
+                    a(i, j) +=
+                        effectOn(static_cast<std::size_t>(i), q.body, velocityBy(bodies[q.body], q),
+                                 bodies[q.body].inverseInertia * q.angular);
+        constexpr double isNone = 1e-11; // of a condition that the others say already
+        Eigen::VectorXd scale = a.diagonal().cwiseSqrt().cwiseInverse();
+        scale = (a.diagonal().array() > 0).select(scale, 0);
+        Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> least;
+        least.setThreshold(isNone);
+        least.compute(scale.asDiagonal() * a * scale.asDiagonal());
+        answer_ = scale.asDiagonal() * least.pseudoInverse() * scale.asDiagonal();
+    }
+    [[nodiscard]] bool empty() const { return rows_.empty(); }
+    [[nodiscard]] Eigen::VectorXd effectOf(const Response& first, const Response& second) const {
+        Eigen::VectorXd effect = Eigen::VectorXd::Zero(answer_.rows());
+        for (const Response* r : {&first, &second})
+            for (std::size_t i = 0; i < rows_.size(); ++i)
+                effect[static_cast<Eigen::Index>(i)] +=
+                    effectOn(i, r->body, r->velocity, r->angularVelocity);
+        return effect;
+    }
+    [[nodiscard]] double between(const Eigen::VectorXd& one, const Eigen::VectorXd& other) const {
+        return -one.dot(answer_ * other);
+    }
+    void apply(const Eigen::VectorXd& effect, std::vector<ImpactBody>& bodies) const {
+        const Eigen::VectorXd impulses = -(answer_ * effect);
+        for (std::size_t i = 0; i < rows_.size(); ++i)
+            for (const ImpactRow::Part& p : rows_[i].parts) {
+                ImpactBody& body = bodies[p.body];
+                const double impulse = impulses[static_cast<Eigen::Index>(i)];
+                body.velocity += impulse * velocityBy(body, p);
+                body.angularVelocity += impulse * (body.inverseInertia * p.angular);
+            }
+    }
+
+private:
+    static Vector velocityBy(const ImpactBody& body, const ImpactRow::Part& part) {
+        return body.inverseMass * part.linear.cwiseProduct(body.moves);
+    }
+    [[nodiscard]] double effectOn(std::size_t row, std::size_t body, const Vector& velocity,
+                                  const Vector& angularVelocity) const {
+        double sum = 0;
+        for (const ImpactRow::Part& p : rows_[row].parts)
+            if (p.body == body)
+                sum += p.linear.dot(velocity) + p.angular.dot(angularVelocity);
+        return sum;
+    }
+
+    std::span<const ImpactRow> rows_;
+    Eigen::MatrixXd answer_;
+};
+
 class Round {
 public:
-    Round(std::vector<ImpactBody>& bodies, std::span<const ImpactContact> contacts)
-        : bodies_(bodies), contacts_(contacts) {
+    Round(std::vector<ImpactBody>& bodies, std::span<const ImpactContact> contacts,
+          std::span<const ImpactRow> joints)
+        : bodies_(bodies), contacts_(contacts), joints_(bodies, joints) {
         for (const ImpactContact& c : contacts) {
             first_.push_back(responseOf(bodies, c.first, c.point, c.normal));
             second_.push_back(responseOf(bodies, c.second, c.point, -c.normal));
+            if (!joints_.empty())
+                effects_.push_back(joints_.effectOf(first_.back(), second_.back()));
         }
     }
 
@@ -75,7 +143,11 @@ public:
                 if (a->body == b->body)
                     sum += a->direction.dot(b->velocity) +
                            a->lever.cross(a->direction).dot(b->angularVelocity);
-        return sum;
+        if (joints_.empty())
+            return sum;
+        constexpr double rounding = 1e-12; // of what joints hold altogether
+        const double left = sum + joints_.between(effects_[i], effects_[j]);
+        return i == j && left <= rounding * sum ? 0 : left;
     }
 
     // Impulses on the chosen contacts such that each parts at its restitution or more.
@@ -98,6 +170,8 @@ public:
             bodies_[r->body].velocity += impulse * r->velocity;
             bodies_[r->body].angularVelocity += impulse * r->angularVelocity;
         }
+        if (!joints_.empty())
+            joints_.apply(impulse * effects_[i], bodies_);
     }
 
 private:
@@ -112,7 +186,9 @@ private:
 
     std::vector<ImpactBody>& bodies_;
     std::span<const ImpactContact> contacts_;
+    JointResponse joints_;
     std::vector<Response> first_, second_;
+    std::vector<Eigen::VectorXd> effects_; // of a unit impulse on the joints' conditions
 };
 
 // What approaches so much slower than the fastest is at relative rest, but for rounding and, of
@@ -151,11 +227,11 @@ bool solveTogether(Round& round, const std::vector<std::size_t>& chosen, bool pl
 
 } // namespace
 
-ImpactResult resolveImpact(std::vector<ImpactBody> bodies,
-                           std::span<const ImpactContact> contacts) {
+ImpactResult resolveImpact(std::vector<ImpactBody> bodies, std::span<const ImpactContact> contacts,
+                           std::span<const ImpactRow> joints) {
     ImpactResult result;
     result.bodies = std::move(bodies);
-    Round round(result.bodies, contacts);
+    Round round(result.bodies, contacts, joints);
     std::vector<std::size_t> yielding;
     for (std::size_t i = 0; i < contacts.size(); ++i)
         if (round.canYield(i))

@@ -13,6 +13,9 @@
 // rest; for balls side by side (simulation/side_by_side.h), a hundred times. Bodies that a force
 // presses together move as one: their contacts are solved together from the start.
 //
+// Joints keep their conditions J v through a blow: an impulse of a contact is one of all that hangs
+// together, A = J_n W (1 - J' (J W J')^-1 J W) J_n' with W the inverse masses.
+//
 // Bodies of infinite mass or infinite inertia (attitude held) have inverse 0; a body that is held
 // along some axes of the world moves along the others only, and turns. Two bodies that cannot give
 // way pass through each other; that is reported.
@@ -50,6 +53,15 @@ struct ImpactContact {
     bool isPressed = false; // they move as one
 };
 
+// A condition of a joint: the sum of linear . v + angular . w of its parts stays what it is.
+struct ImpactRow {
+    struct Part {
+        std::size_t body = 0;
+        Vector linear = Vector::Zero(), angular = Vector::Zero(); // world axes
+    };
+    std::vector<Part> parts;
+};
+
 struct ImpulseGiven {
     std::size_t contact = 0;
     double impulse = 0; // > 0
@@ -72,7 +84,8 @@ struct ImpactResult {
 }
 
 [[nodiscard]] ImpactResult resolveImpact(std::vector<ImpactBody> bodies,
-                                         std::span<const ImpactContact> contacts);
+                                         std::span<const ImpactContact> contacts,
+                                         std::span<const ImpactRow> joints = {});
 
 // Rest and sliding: one body on contacts with bodies of infinite mass.
 //

@@ -420,7 +420,23 @@ void JointReader::push(Node rate, Node force, const Contribution& from,
     }
 }
 
-void JointReader::contribute(std::vector<Contribution>& contributions) {
+void JointReader::keepRow(Node rate, std::span<const std::size_t> bodies) {
+    std::vector<JointPush>& row = rows_.emplace_back();
+    for (const std::size_t body : bodies) {
+        const BodySymbols& s = bodies_[body].symbols;
+        JointPush push{.body = body, .linear = {}, .angular = {}};
+        for (std::size_t i = 0; i < 3; ++i) {
+            push.linear[i] = differentiate(g_, rate, s.velocity[i]);
+            push.angular[i] = differentiate(g_, rate, s.spin[i]);
+        }
+        if (!s.isSpinInWorldAxes)
+            push.angular = s.toWorld(g_, push.angular);
+        row.push_back(push);
+    }
+}
+
+std::vector<std::vector<JointPush>>
+JointReader::contribute(std::vector<Contribution>& contributions) {
     for (std::size_t j = 0; j < frames_.size(); ++j) {
         const std::vector<std::size_t> moving = movingOf(frames_[j]);
         if (moving.empty())
@@ -441,6 +457,7 @@ void JointReader::contribute(std::vector<Contribution>& contributions) {
             addKept(joint.source, joint.name, moving, [this, j, r](const Along& along) {
                 return Condition{conditionsOf(j, along)[r], Condition::Order::second};
             });
+            keepRow(conditions[r].rate, moving);
             push(conditions[r].rate, kept_.back().multiplier, from, moving, contributions);
         }
         for (std::size_t k = 0; k < joint.coordinates.size(); ++k)
@@ -450,6 +467,7 @@ void JointReader::contribute(std::vector<Contribution>& contributions) {
     for (std::size_t i = 0; i < scene_.gears.size(); ++i)
         keepGear(i, contributions);
     scope_.setJoints(nodes_);
+    return std::move(rows_);
 }
 
 // All that the joint does to its first body, about its point; of a fixed one, against the second.
@@ -536,6 +554,7 @@ void JointReader::drive(std::size_t joint, std::size_t coordinate,
                              isPosition ? Condition::Order::second : Condition::Order::velocity};
         });
         kept_.back().trajectories = read;
+        keepRow(jet.rate, moving);
         motor = kept_.back().multiplier;
         force = g_.add(force, motor);
     }
@@ -578,6 +597,7 @@ void JointReader::keepGear(std::size_t gear, std::vector<Contribution>& contribu
     Contribution from;
     from.kind = Contribution::Kind::gear;
     from.element = gear;
+    keepRow(jetOf({}).rate, moving);
     push(jetOf({}).rate, kept_.back().multiplier, from, moving, contributions);
 }
 

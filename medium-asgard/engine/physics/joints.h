@@ -32,8 +32,10 @@ public:
     JointReader(Graph& g, const scene::Scene& scene, Scope& scope,
                 std::span<const BodyMotion> bodies, std::vector<std::string>& faults);
 
-    // What joints add to bodies: multipliers, motors, springs.
-    void contribute(std::vector<Contribution>& contributions);
+    // What joints add to bodies: multipliers, motors, springs. Answers with the conditions that
+    // they put on velocities.
+    [[nodiscard]] std::vector<std::vector<JointPush>>
+    contribute(std::vector<Contribution>& contributions);
     // The unknowns of joints, behind those of the bodies. Joints that the bodies miss go to faults;
     // velocities at the start that joints do not allow, to notes.
     void addUnknowns(expression::EquationSet& set, std::vector<std::size_t>& owners,
@@ -102,6 +104,8 @@ private:
     void tie(std::size_t joint, std::size_t coordinate);
     void addKept(const scene::Source& source, const std::string& element,
                  std::vector<std::size_t> bodies, std::function<Condition(const Along&)> make);
+    // J of a condition whose multiplier was added last.
+    void keepRow(Node rate, std::span<const std::size_t> bodies);
     // J' force, with J of this rate.
     void push(Node rate, Node force, const Contribution& from, std::span<const std::size_t> bodies,
               std::vector<Contribution>& contributions);
@@ -124,6 +128,7 @@ private:
     BodySymbols world_;
     std::vector<Frame> frames_;     // by joint
     std::vector<JointNodes> nodes_; // by joint
+    std::vector<std::vector<JointPush>> rows_;
     std::vector<Kept> kept_;
     std::vector<Angle> angles_;
     std::unordered_map<std::uint32_t, std::size_t> unknownOf_; // by symbol

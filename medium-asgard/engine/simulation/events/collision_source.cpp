@@ -37,7 +37,7 @@ CollisionSource::CollisionSource(const scene::Scene& scene,
                                  std::function<bool()> cancelled)
     : scene_(scene), equations_(equations), records_(recordsOf(equations)),
       bodies_(movingBodies(records_, shapes)), start_(start), finish_(finish),
-      limits_(std::move(limits)), cancelled_(std::move(cancelled)),
+      limits_(std::move(limits)), cancelled_(std::move(cancelled)), joints_(equations),
       resting_(equations, records_, bodies_, start, finish, limits_, elasticOf(scene)),
       search_(scene, equations, records_, bodies_, resting_, start, 4 * RestLimits::mostGap),
       meetings_(records_.size()), changes_(records_.size()) {

@@ -28,6 +28,7 @@
 #include "motion/lost_hops.h"
 #include "physics/equations_of_motion.h"
 #include "physics/impact.h"
+#include "physics/joint_rows.h"
 #include "solution/event_source.h"
 
 #include <map>
@@ -86,6 +87,7 @@ private:
         std::vector<std::array<double, 2>> radii;
         std::vector<physics::ImpactContact> corners; // of the patches
         std::vector<std::size_t> contactOf;          // by corner
+        std::vector<physics::ImpactRow> joints;      // between these bodies
     };
     struct Outcome { // of the event that next() answered last
         struct Resting {
@@ -291,6 +293,7 @@ private:
         dependents_;                  // other bodies that read a body, also through others
     std::vector<std::size_t> bodyOf_; // by unknown
 
+    physics::JointRows joints_;
     RestingBodies resting_;
     EncounterSearch search_;
     EncounterSearch::Renewal renewal_;

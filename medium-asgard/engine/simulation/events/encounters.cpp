@@ -311,14 +311,22 @@ void CollisionSource::jump(std::size_t body, const BodyState& from, const BodySt
 void CollisionSource::settle(const Histories& histories, std::size_t body, double time,
                              const RestingBodies::States& states, Event& event) {
     const Rest rest = resting_.restAt(histories, body, time, search_.partners(body), states);
-    if (rest.state == Rest::State::unmodelled) {
-        for (const std::size_t unknown : unknownsOf({body, rest.partner}, time))
+    const auto refuse = [&](std::size_t partner, const std::string& sentence) {
+        for (const std::size_t unknown : unknownsOf({body, partner}, time))
             event.touched.push_back(unknown);
-        outcome_.ends.push_back({unknownsOf({body, rest.partner}, time), rest.sentence});
+        outcome_.ends.push_back({unknownsOf({body, partner}, time), sentence});
         resting_.forget(body);
-        resting_.forget(rest.partner);
-        return;
-    }
+        resting_.forget(partner);
+    };
+    if (rest.state == Rest::State::unmodelled)
+        return refuse(rest.partner, rest.sentence);
+    if (!rest.footings.empty() && joints_.isJoined(body))
+        return refuse(rest.footings[0].support,
+                      "body " + quoted(scene_.bodies[body].name) +
+                          ", which a joint holds, comes to "
+                          "rest on body " +
+                          quoted(scene_.bodies[rest.footings[0].support].name) +
+                          ", which is not computed yet");
     const bool isNothingNew = rest.footings.empty() && !resting_.isResting(body);
     if (isNothingNew || rest.state == Rest::State::approaching)
         return;

@@ -78,8 +78,9 @@ void standStill(std::vector<ImpactContact>& contacts, const std::vector<ImpactBo
 
 // The impulses are told by contact, each where those of its corners have the same effect.
 physics::ImpactResult resolveByCorners(std::vector<ImpactContact>& contacts, const Corners& corners,
-                                       const std::vector<ImpactBody>& before) {
-    physics::ImpactResult result = physics::resolveImpact(before, corners.contacts);
+                                       const std::vector<ImpactBody>& before,
+                                       std::span<const physics::ImpactRow> joints) {
+    physics::ImpactResult result = physics::resolveImpact(before, corners.contacts, joints);
     std::vector<double> sums(contacts.size(), 0);
     std::vector<Vector> moments(contacts.size(), Vector::Zero());
     for (const physics::ImpulseGiven& given : result.impulses) {
@@ -98,8 +99,8 @@ physics::ImpactResult resolveByCorners(std::vector<ImpactContact>& contacts, con
 // After the impulses at the centres; what else is touched takes part here, too. Corners are then
 // contacts of their own.
 void addByCorners(std::vector<ImpactContact>& contacts, const Corners& corners,
-                  physics::ImpactResult& result) {
-    physics::ImpactResult then = physics::resolveImpact(result.bodies, corners.contacts);
+                  std::span<const physics::ImpactRow> joints, physics::ImpactResult& result) {
+    physics::ImpactResult then = physics::resolveImpact(result.bodies, corners.contacts, joints);
     result.bodies = std::move(then.bodies);
     result.jammed = result.jammed || then.jammed;
     for (const physics::ImpulseGiven& given : then.impulses)
@@ -263,7 +264,8 @@ CollisionSource::Cluster CollisionSource::clusterAt(const Histories& histories, 
                     .contacts = {},
                     .radii = {},
                     .corners = {},
-                    .contactOf = {}};
+                    .contactOf = {},
+                    .joints = {}};
     std::set<Pair> seen;
     for (std::size_t i = 0; i < cluster.bodies.size(); ++i) {
         const std::size_t body = cluster.bodies[i];
@@ -275,7 +277,15 @@ CollisionSource::Cluster CollisionSource::clusterAt(const Histories& histories, 
                 addContacts(histories, cluster, ordered.first, ordered.second, time,
                             ordered == pair);
             }
+        for (const std::size_t joined : joints_.neighbours(body))
+            if (std::ranges::find(cluster.bodies, joined) == cluster.bodies.end())
+                cluster.bodies.push_back(joined);
     }
+    cluster.joints = joints_.rowsAt(cluster.bodies, time, [&](std::size_t body) {
+        const BodyState state = resting_.bearingState(histories, body, time);
+        return physics::BodyValues{state.position, state.velocity, state.attitude,
+                                   state.angularVelocity};
+    });
     return cluster;
 }
 
@@ -447,7 +457,7 @@ void CollisionSource::aimAtFastest(Cluster& cluster, const std::vector<ImpactBod
 physics::ImpactResult CollisionSource::resolve(Cluster& cluster,
                                                const std::vector<ImpactBody>& before) const {
     standStill(cluster.contacts, before);
-    physics::ImpactResult result = physics::resolveImpact(before, cluster.contacts);
+    physics::ImpactResult result = physics::resolveImpact(before, cluster.contacts, cluster.joints);
     bool isSunk = false, isPlastic = false;
     for (std::size_t i = 0; i < cluster.corners.size(); ++i)
         if (sinksIn(cluster.corners[i], result.bodies)) {
@@ -457,11 +467,11 @@ physics::ImpactResult CollisionSource::resolve(Cluster& cluster,
     if (isPlastic)
         return resolveByCorners(
             cluster.contacts, cornersOf(cluster.contacts, cluster.corners, cluster.contactOf, true),
-            before);
+            before, cluster.joints);
     if (isSunk)
         addByCorners(cluster.contacts,
                      cornersOf(cluster.contacts, cluster.corners, cluster.contactOf, false),
-                     result);
+                     cluster.joints, result);
     return result;
 }
 
