@@ -23,9 +23,18 @@ namespace expression {
 //
 // which is linear in the multipliers. The multipliers are those for which all second rates are 0.
 // States are moved back onto gap and rate by what the multipliers act on, in proportion to it.
+//
+// A multiplier may have bounds; at a bound its condition does not hold. With a gap it is a stop:
+// gap >= 0, multiplier >= 0, one of both 0; a gap that closes is a blow with that restitution. Of
+// velocities alone it is a brake or a motor: the force is `low` while the rate is positive, and
+// `high` while it is negative.
 struct Condition {
     std::optional<Node> gap;  // none: the condition is one of velocities
     std::optional<Node> rate; // none: the multiplier is in the gap's rate, which is the derivative
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
+    double restitution = 0; // of a stop
+    double resolution = 0;  // of a stop: gaps and hops lower than that are none
 };
 
 struct Phase {

@@ -28,6 +28,8 @@ Vector cleaned(Vector v) {
     return v;
 }
 
+constexpr double stopResolution = 1e-9; // of the scene's size: lower hops and gaps are none
+
 // Of length 1: the world's axis that is the farthest from n, without its part along n.
 Vector acrossOf(const Vector& n) {
     Eigen::Index least = 0;
@@ -512,21 +514,18 @@ void JointReader::drive(std::size_t joint, std::size_t coordinate,
     Contribution from;
     from.kind = Contribution::Kind::joint;
     from.element = joint;
-    const auto refuse = [&](bool isSaid, const char* option) {
-        if (isSaid)
-            faults_.push_back("line " + std::to_string(said.source.line) + ": " + option + of +
-                              " is not computed yet; leave it out");
-    };
-    refuse(c.lower || c.upper, "-limits");
-    refuse(c.maxMotor.has_value(), "-max_motor");
+    if (c.position && c.maxMotor)
+        faults_.push_back("line " + std::to_string(said.source.line) + ": -max_motor" + of +
+                          " is computed with -speed only; leave it out");
+    if (c.lower || c.upper)
+        limit(joint, coordinate, contributions);
+    if (c.friction > 0)
+        brake(joint, coordinate, contributions);
     Node force = g_.constant(0);
     if (c.stiffness != 0)
         force = g_.multiply(g_.constant(-c.stiffness), g_.subtract(jet.value, g_.constant(c.rest)));
     if (c.damping != 0)
         force = g_.subtract(force, g_.multiply(g_.constant(c.damping), jet.rate));
-    if (c.friction > 0) // a switch that holds while less than that keeps it
-        force =
-            g_.subtract(force, g_.multiply(g_.constant(c.friction), g_.apply(Op::sign, jet.rate)));
     Node& motor = nodes_[joint].motor[coordinate];
     if (c.motor)
         if (const auto node = parsed(*c.motor, said.source, "-motor" + of, scene::Reading::state)) {
@@ -554,12 +553,63 @@ void JointReader::drive(std::size_t joint, std::size_t coordinate,
                              isPosition ? Condition::Order::second : Condition::Order::velocity};
         });
         kept_.back().trajectories = read;
-        keepRow(jet.rate, moving);
+        if (c.maxMotor)
+            kept_.back().bounds = {-*c.maxMotor, *c.maxMotor, 0};
+        else
+            keepRow(jet.rate, moving);
         motor = kept_.back().multiplier;
         force = g_.add(force, motor);
     }
     if (!g_.isConstant(force, 0))
         push(jet.rate, force, from, moving, contributions);
+}
+
+// A stop at each end: the coordinate's distance from it as a length, and a force that only pushes
+// away.
+void JointReader::limit(std::size_t joint, std::size_t coordinate,
+                        std::vector<Contribution>& contributions) {
+    const scene::Joint& said = scene_.joints[joint];
+    const scene::JointCoordinate& c = said.coordinates[coordinate];
+    const auto kinds = scene::traitsOf(said.type).coordinates;
+    const bool isAngle = kinds[coordinate] == scene::CoordinateKind::angle;
+    const double size = isAngle ? frames_[joint].size : 1;
+    const std::vector<std::size_t> moving = movingOf(frames_[joint]);
+    Contribution from;
+    from.kind = Contribution::Kind::joint;
+    from.element = joint;
+    tie(joint, coordinate);
+    for (const auto& [end, sign] : {std::pair(c.lower, 1.0), std::pair(c.upper, -1.0)}) {
+        if (!end)
+            continue;
+        const double factor = sign * size, at = *end;
+        const auto distance = [=, this](const Along& along) {
+            return physics::scaled(
+                g_, factor,
+                difference(g_, coordinateOf(joint, coordinate, along), constantJet(g_, at)));
+        };
+        addKept(said.source, said.name, moving, [distance](const Along& along) {
+            return Condition{distance(along), Condition::Order::second};
+        });
+        kept_.back().bounds = {0, std::numeric_limits<double>::infinity(), c.limitRestitution};
+        push(distance({}).rate, kept_.back().multiplier, from, moving, contributions);
+    }
+}
+
+// Dry friction holds the coordinate while less than its most does.
+void JointReader::brake(std::size_t joint, std::size_t coordinate,
+                        std::vector<Contribution>& contributions) {
+    const scene::Joint& said = scene_.joints[joint];
+    const double most = said.coordinates[coordinate].friction;
+    const std::vector<std::size_t> moving = movingOf(frames_[joint]);
+    Contribution from;
+    from.kind = Contribution::Kind::joint;
+    from.element = joint;
+    addKept(said.source, said.name, moving, [=, this](const Along& along) {
+        return Condition{coordinateOf(joint, coordinate, along), Condition::Order::velocity};
+    });
+    kept_.back().bounds = {-most, most, 0};
+    push(coordinateOf(joint, coordinate, {}).rate, kept_.back().multiplier, from, moving,
+         contributions);
 }
 
 void JointReader::keepGear(std::size_t gear, std::vector<Contribution>& contributions) {
@@ -667,6 +717,10 @@ void JointReader::addUnknown(expression::EquationSet& set, const Kept& kept) {
             phase.condition->rate = rate;
         if (condition.order != Condition::Order::velocity)
             phase.condition->gap = value;
+        phase.condition->low = kept.bounds.low;
+        phase.condition->high = kept.bounds.high;
+        phase.condition->restitution = kept.bounds.restitution;
+        phase.condition->resolution = stopResolution * extents().first;
         const auto isSame = [&](const expression::Phase& last) {
             return last.derivative == phase.derivative &&
                    last.condition->gap == phase.condition->gap &&
@@ -716,6 +770,12 @@ void JointReader::checkStart(const expression::EquationSet& set, std::size_t fir
     const auto [size, speed] = extents();
     std::map<std::pair<int, std::string>, std::pair<double, double>> worst;
     for (std::size_t k = 0; k < kept_.size(); ++k) {
+        const bool isStop = kept_[k].bounds.low == 0;
+        if (isStop && found[2 * k] < -resolved * size)
+            faults_.push_back("line " + std::to_string(kept_[k].line) + ": joint \"" +
+                              kept_[k].element + "\" starts outside its limits");
+        if (isStop || kept_[k].bounds.high < std::numeric_limits<double>::infinity())
+            continue;
         auto& [gap, rate] = worst[{kept_[k].line, kept_[k].element}];
         gap = std::hypot(gap, found[2 * k]);
         rate = std::hypot(rate, found[2 * k + 1]);

@@ -15,6 +15,8 @@
 // Angles that are not wrapped are unknowns of their own, q' = n2.(w1 - w2). Where a condition reads
 // one, the angle itself is kept: s cos q - c sin q = 0, with c = e1.e2 and s = e1.f2.
 //
+// Stops, brakes and motors of limited force are multipliers with bounds.
+//
 // Contract: docs/scene-language.md, "Joints".
 #pragma once
 
@@ -22,6 +24,7 @@
 #include "physics/jets.h"
 
 #include <functional>
+#include <limits>
 #include <unordered_map>
 
 namespace physics {
@@ -62,6 +65,11 @@ private:
         Jet jet;
         enum class Order { first, second, velocity } order = Order::second;
     };
+    struct Bounds { // of a multiplier; of a stop, restitution
+        double low = -std::numeric_limits<double>::infinity();
+        double high = std::numeric_limits<double>::infinity();
+        double restitution = 0;
+    };
     // A condition with its multiplier; it is made again for each phase.
     struct Kept {
         Node multiplier;
@@ -70,7 +78,8 @@ private:
         std::size_t owner = 0; // a moving body
         std::vector<std::size_t> bodies;
         std::function<Condition(const Along&)> make;
-        std::vector<std::size_t> trajectories; // that it reads
+        Bounds bounds = {};
+        std::vector<std::size_t> trajectories = {}; // that it reads
     };
     struct Angle {
         Node symbol, rate;
@@ -100,6 +109,8 @@ private:
     void nameJoint(std::size_t joint);
     void addForce(std::size_t joint, std::span<const Contribution> contributions);
     void drive(std::size_t joint, std::size_t coordinate, std::vector<Contribution>& contributions);
+    void limit(std::size_t joint, std::size_t coordinate, std::vector<Contribution>& contributions);
+    void brake(std::size_t joint, std::size_t coordinate, std::vector<Contribution>& contributions);
     void keepGear(std::size_t gear, std::vector<Contribution>& contributions);
     void tie(std::size_t joint, std::size_t coordinate);
     void addKept(const scene::Source& source, const std::string& element,

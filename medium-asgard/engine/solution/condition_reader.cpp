@@ -78,7 +78,14 @@ void ConditionReader::find(std::size_t group, double time) const {
     std::vector<double> y, rates(equations.states().size());
     for (const std::size_t i : equations.states())
         y.push_back(place.values[i]);
-    equations.solver().decide(time, y);
+    if (!equations.model().surfaces().empty()) {
+        std::vector<double> decided = y;
+        equations.solver().decide(time, decided);
+    }
+    std::vector<double> kept;
+    for (const std::size_t i : equations.multipliers())
+        kept.push_back(place.values[i]);
+    equations.takeKept(kept);
     equations.project(time, y);
     (void)equations.rates(time, y, rates);
     for (std::size_t k = 0; k < y.size(); ++k)

@@ -147,3 +147,76 @@ TEST(Multipliers, AnImplicitMethodFollowsConditions) {
     const double exact = at("dop853", 1e-11);
     EXPECT_NEAR(at("radau5", 1e-8), exact, 1e-6);
 }
+
+namespace {
+
+// A multiplier with bounds, behind `lines`.
+expression::EquationSet bounded(const std::vector<Line>& lines, const Kept& kept, double low,
+                                double high, double restitution = 0) {
+    expression::EquationSet set = keeping(lines, {kept});
+    expression::Condition& condition = *set.unknowns.back().phases[0].condition;
+    condition.low = low;
+    condition.high = high;
+    condition.restitution = restitution;
+    condition.resolution = 1e-9;
+    return set;
+}
+
+const std::vector<Line> falling = {{"x", "dx", 1, 1}, {"dx", "m-9.81", 0}};
+const Kept floorBelow = {"m", "x", "dx", "m-9.81"};
+const std::vector<Line> sliding = {{"x", "dx", 0, 1}, {"dx", "m+4*sin(t)", 0}};
+const Kept brakeOf = {"m", "", "dx", "m+4*sin(t)"};
+
+} // namespace
+
+// Let fall from 1, e = 0.5: hits at t0, 2 t0, 2.5 t0, ..., and rests from 3 t0 on.
+TEST(Bounds, AStopIsHitAtItsTimesAndHolds) {
+    const double t0 = std::sqrt(2 / 9.81);
+    const Solver solver =
+        solved(bounded(falling, floorBelow, 0, infinity, 0.5), 3, tolerance(1e-6));
+    const Histories& h = solver.histories();
+    ASSERT_TRUE(h.stops().empty());
+    const double speed = 9.81 * t0;
+    for (int k = 1; k <= 8; ++k) {
+        const double hit = t0 + 2 * t0 * (1 - std::pow(0.5, k - 1));
+        EXPECT_NEAR(h.value(0, hit), 0, 1e-13) << k;
+        EXPECT_NEAR(h.value(1, hit + 1e-6), speed * std::pow(0.5, k), 1e-4) << k;
+    }
+    EXPECT_NEAR(h.value(0, 2), 0, 1e-15);
+    EXPECT_EQ(h.value(2, 2), 0); // inside: it holds
+    EXPECT_EQ(h.value(2, 0.2), 1);
+    for (double t = 0; t < 3; t += 0.001)
+        ASSERT_GE(h.value(0, t), -1e-9) << t;
+}
+
+// A force 4 sin t against dry friction of 2: it sticks until sin t = 1/2, and slides until its
+// momentum is spent.
+TEST(Bounds, ABrakeHoldsSlipsAndReverses) {
+    const Solver solver = solved(bounded(sliding, brakeOf, -2, 2), 10, tolerance(1e-9));
+    const Histories& h = solver.histories();
+    ASSERT_TRUE(h.stops().empty());
+    const double from = std::asin(0.5);
+    EXPECT_EQ(h.value(0, from), 0);
+    EXPECT_EQ(h.value(1, from - 1e-9), 0);
+    const auto speed = [&](double t) {
+        return 4 * (std::cos(from) - std::cos(t)) - 2 * (t - from);
+    };
+    double a = 3, b = 4; // where it comes to rest; the force is over 2 there, and it turns back
+    for (int i = 0; i < 60; ++i)
+        (speed(0.5 * (a + b)) > 0 ? a : b) = 0.5 * (a + b);
+    EXPECT_NEAR(h.value(1, 1.5), speed(1.5), 1e-8);
+    EXPECT_GT(h.value(1, a - 1e-4), 0);
+    EXPECT_LT(h.value(1, a + 1e-4), 0);
+    EXPECT_EQ(h.value(2, a - 1e-4), 1); // the force is -2 while it goes forward
+    EXPECT_EQ(h.value(2, a + 1e-4), 2);
+    EXPECT_NEAR(h.value(1, a + 0.5), 4 * (std::cos(a) - std::cos(a + 0.5)) + 2 * 0.5, 1e-8);
+}
+
+// A motor of at most 3 against a load of 5: it slips, and its condition is left.
+TEST(Bounds, AMotorThatIsTooWeakSlips) {
+    const std::vector<Line> lines = {{"x", "dx", 0, 1}, {"dx", "m-5", 1}};
+    const Solver solver =
+        solved(bounded(lines, {"m", "", "dx-1", "m-5"}, -3, 3), 2, tolerance(1e-9));
+    EXPECT_NEAR(solver.histories().value(1, 2), 1 - 2 * 2, 1e-12);
+    EXPECT_EQ(solver.histories().value(2, 1), 2); // at its upper bound
+}

@@ -89,6 +89,13 @@ void PieceWriter::takeLayout(std::span<const std::size_t> states, std::span<cons
     }
 }
 
+void PieceWriter::hold(std::span<const std::size_t> unknowns, std::span<const double> values) {
+    constant_.assign(unknowns.begin(), unknowns.end());
+    constants_.assign(values.size(), Coefficients{});
+    for (std::size_t i = 0; i < values.size(); ++i)
+        constants_[i][0] = values[i];
+}
+
 void PieceWriter::append(const StateCurves& states, HeldValues& values, double allowed) {
     history_->dropAnchor();
     appendPart(states, values, allowed, 0);
@@ -187,8 +194,9 @@ bool PieceWriter::tellVelocities(double scale) const {
 }
 
 void PieceWriter::appendRow(const StateCurves& states, std::span<const Coefficients> held) {
-    static constexpr Coefficients nothing{};
-    kept_.assign(unknowns_, &nothing);
+    kept_.resize(unknowns_);
+    for (std::size_t i = 0; i < constant_.size(); ++i)
+        kept_[constant_[i]] = &constants_[i];
     for (std::size_t i = 0; i < states.columns.size(); ++i)
         kept_[states_[i]] = &states.columns[i];
     for (std::size_t i = 0; i < held.size(); ++i)

@@ -3,7 +3,7 @@
 // A step gives polynomials of the states. Unknowns that follow from states, the held ones, get
 // polynomials of degree 8 through values at nine points; a step on which one of these does not fit
 // is kept in halves. A velocity that is the derivative of its place to the last bit is not kept.
-// Multipliers are kept as 0: who reads one solves for it.
+// Of multipliers the mode is kept, as a number: who reads one solves for it.
 #pragma once
 
 #include "dense/histories.h"
@@ -48,6 +48,8 @@ public:
     // Places of states and of held unknowns among the unknowns; pairs (x, v) of states with x' = v.
     void takeLayout(std::span<const std::size_t> states, std::span<const std::size_t> held,
                     std::span<const std::pair<std::size_t, std::size_t>> integrals);
+    // Unknowns that are constant from the next piece on.
+    void hold(std::span<const std::size_t> unknowns, std::span<const double> values);
     // The next piece begins at an event: values or derivatives may jump there.
     void beginAnew() { isFresh_ = true; }
 
@@ -81,6 +83,8 @@ private:
     // Columns: places of pairs; those in no pair; all.
     std::vector<std::size_t> places_, others_, all_;
     std::vector<const Coefficients*> kept_; // of the row that is written, by column
+    std::vector<Coefficients> constants_;
+    std::vector<std::size_t> constant_; // their places
     bool isFresh_ = true;
 };
 

@@ -2,6 +2,7 @@
 // is the component's own, which is where its inputs come from and its constants.
 #pragma once
 
+#include "dense/polynomial.h"
 #include "equations/component_model.h"
 #include "equations/partition.h"
 #include "expression/equations.h"
@@ -18,7 +19,13 @@ struct BoundModel {
     // of evaluation; and of held ones that are defined by each other.
     std::vector<std::size_t> states, held, loop;
     std::vector<std::size_t> multipliers; // places of those, too
-    std::vector<std::size_t> inputs;      // unknowns of other components, in the model's order
+    struct Law {                          // of each multiplier (expression/equations.h, Condition)
+        double low = -infinity, high = infinity, restitution = 0, resolution = 0;
+        bool isStop = false;
+        [[nodiscard]] bool isBounded() const { return low > -infinity || high < infinity; }
+    };
+    std::vector<Law> laws;
+    std::vector<std::size_t> inputs; // unknowns of other components, in the model's order
     std::vector<double> constants;
     bool canPeak = false; // peaks.h
 };

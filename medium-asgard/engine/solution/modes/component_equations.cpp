@@ -9,8 +9,9 @@ ComponentEquations::ComponentEquations(std::shared_ptr<const BoundModel> bound,
                                        const Histories& histories)
     : mode_(modelOf(*bound)), functions_(std::move(bound), histories, mode_),
       field_(functions_, mode_), stick_(functions_, field_, mode_),
-      guards_(functions_, field_, stick_, mode_),
-      solver_(functions_, field_, stick_, guards_, mode_),
+      active_(functions_, field_.multipliers(), mode_),
+      guards_(functions_, field_, stick_, active_, mode_),
+      solver_(functions_, field_, stick_, active_, guards_, mode_),
       isPlain_(mode_.decisions.empty() && held().empty() && loop().empty() && !hasDirections() &&
                multipliers().empty()),
       readsInputs_(!functions_.bound()->inputs.empty()) {}
@@ -80,6 +81,12 @@ std::vector<std::size_t> ComponentEquations::notFinite(double t, std::span<const
             found.push_back(i < states().size() ? states()[i] : held()[i - states().size()]);
     std::sort(found.begin(), found.end());
     return found;
+}
+
+void ComponentEquations::takeKept(std::span<const double> states) {
+    for (std::size_t k = 0; k < states.size(); ++k)
+        mode_.kept[k] = static_cast<complementarity::State>(static_cast<int>(states[k]));
+    guards_.refresh();
 }
 
 bool ComponentEquations::rest(std::span<const std::size_t> directions, double t,

@@ -106,6 +106,8 @@ public:
 
     // Branches.
     [[nodiscard]] const Mode& mode() const { return mode_; }
+    // Whether conditions of multipliers hold, as numbers of complementarity::State; others stay.
+    void takeKept(std::span<const double> states);
     // On surfaces, or held at 0 where directions have none.
     [[nodiscard]] bool sliding() const { return mode_.isHeld(); }
     [[nodiscard]] std::size_t watches() const { return guards_.size(); }
@@ -127,6 +129,7 @@ private:
     ModelFunctions functions_;
     HeldField field_;
     StickSlip stick_;
+    ActiveSet active_;
     Guards guards_;
     ModeSolver solver_;
     bool slidingFailed_ = false;

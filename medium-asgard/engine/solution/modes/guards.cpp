@@ -9,6 +9,7 @@ using expression::Node;
 
 void Guards::refresh() {
     watches_.clear();
+    active_.refresh();
     const auto slides = [this](std::size_t s) { return mode_.slidesOn(s); };
     for (std::size_t s = 0; s < model_.surfaces().size(); ++s)
         if (!slides(s))
@@ -40,6 +41,11 @@ void Guards::watch(double t, std::span<const double> y, std::span<double> values
                                       : mode_.sticking[k] == mode_.leaving
                                           ? stick_.leeway()
                                           : -field_.excess(mode_.sticking[k]);
+    if (!active_.empty()) {
+        if (!mode_.isHeld())
+            field_.findOutputs();
+        active_.watch(values.subspan(watches_.size() + mode_.sticking.size()));
+    }
     f_.evaluateGuards();
     for (std::size_t k = 0; k < watches_.size(); ++k) {
         const auto [kind, s] = watches_[k];
@@ -105,8 +111,17 @@ bool Guards::grazesByRounding(const Violation& violation, double t, std::span<co
 std::vector<std::size_t> Guards::directionsOf(const Violation& violation) const {
     std::vector<std::size_t> found;
     for (const std::size_t k : violation.watches)
-        if (k >= watches_.size())
+        if (k >= watches_.size() && k < watches_.size() + mode_.sticking.size())
             found.push_back(mode_.sticking[k - watches_.size()]);
+    return found;
+}
+
+std::vector<std::size_t> Guards::activeOf(const Violation& violation) const {
+    const std::size_t first = watches_.size() + mode_.sticking.size();
+    std::vector<std::size_t> found;
+    for (const std::size_t k : violation.watches)
+        if (k >= first)
+            found.push_back(k - first);
     return found;
 }
 
@@ -115,9 +130,10 @@ std::vector<std::size_t> Guards::symbolsOf(const Violation& violation) const {
     std::vector<Node> guards;
     guards.reserve(violation.watches.size());
     for (const std::size_t k : violation.watches)
-        guards.push_back(k < watches_.size()
-                             ? model_.surfaces()[watches_[k].surface].guard
-                             : model_.directions().lengths[mode_.sticking[k - watches_.size()]]);
+        if (k < watches_.size())
+            guards.push_back(model_.surfaces()[watches_[k].surface].guard);
+    for (const std::size_t direction : directionsOf(violation))
+        guards.push_back(model_.directions().lengths[direction]);
     std::vector<std::size_t> found;
     for (const Node symbol : expression::symbolsOf(model_.graph(), guards))
         if (const auto place = model_.placeOf(symbol); place)

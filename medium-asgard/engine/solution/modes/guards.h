@@ -1,10 +1,12 @@
 // Which functions end a mode when they fall below 0?
 //
 // Of each surface that is read its guard, on the side that holds; of one that is slid upon its
-// weight, at both ends; of each direction that is held at 0 how far its unit vector is from 1.
+// weight, at both ends; of each direction that is held at 0 how far its unit vector is from 1; of
+// multipliers with bounds what active_set.h says.
 #pragma once
 
 #include "dense/first_violation.h"
+#include "modes/active_set.h"
 #include "modes/stick_slip.h"
 
 #include <span>
@@ -18,13 +20,17 @@ public:
         enum class Kind { side, least, most } kind; // least, most: of a weight
         std::size_t surface;
     };
-    Guards(ModelFunctions& functions, HeldField& field, StickSlip& stick, Mode& mode)
-        : f_(functions), field_(field), stick_(stick), model_(*mode.model), mode_(mode) {}
+    Guards(ModelFunctions& functions, HeldField& field, StickSlip& stick, ActiveSet& active,
+           Mode& mode)
+        : f_(functions), field_(field), stick_(stick), active_(active), model_(*mode.model),
+          mode_(mode) {}
 
     // The mode is another.
     void refresh();
     [[nodiscard]] const std::vector<Watch>& watches() const { return watches_; }
-    [[nodiscard]] std::size_t size() const { return watches_.size() + mode_.sticking.size(); }
+    [[nodiscard]] std::size_t size() const {
+        return watches_.size() + mode_.sticking.size() + active_.size();
+    }
     void watch(double t, std::span<const double> y, std::span<double> values);
     // At its time the rates lead away from all its surfaces, to the sides that hold: only an error
     // of polynomials crosses them, where a guard is smaller than that.
@@ -37,6 +43,8 @@ public:
     [[nodiscard]] bool grazesByRounding(const Violation& violation, double t,
                                         std::span<const double> y);
     [[nodiscard]] std::vector<std::size_t> surfacesOf(const Violation& violation) const;
+    // Watches of the active set that are violated, as it counts them.
+    [[nodiscard]] std::vector<std::size_t> activeOf(const Violation& violation) const;
     // Directions whose watches are violated.
     [[nodiscard]] std::vector<std::size_t> directionsOf(const Violation& violation) const;
     // Unknowns (places) that the guards of its watches read, and those of other components.
@@ -50,6 +58,7 @@ private:
     ModelFunctions& f_;
     HeldField& field_;
     StickSlip& stick_;
+    ActiveSet& active_;
     const ComponentModel& model_;
     Mode& mode_;
     std::vector<Watch> watches_;

@@ -9,7 +9,7 @@
 namespace solution {
 
 HeldField::HeldField(ModelFunctions& functions, Mode& mode)
-    : f_(functions), model_(*mode.model), mode_(mode), multipliers_(functions),
+    : f_(functions), model_(*mode.model), mode_(mode), multipliers_(functions, mode),
       values_(model_.outputs().size()), base_(values_.size()), other_(values_.size()),
       units_(model_.directions().parts) {}
 

@@ -5,6 +5,7 @@
 // holds.
 #pragma once
 
+#include "complementarity/laws.h"
 #include "equations/component_model.h"
 
 #include <cstddef>
@@ -35,6 +36,10 @@ struct Mode {
     std::vector<std::size_t> sliding;   // surfaces
     std::vector<std::size_t> sticking;  // directions whose vectors are held at 0
     std::optional<std::size_t> leaving; // of these, one that sets off
+    // Of each multiplier: inside its bounds, so that its condition holds, or at one of them.
+    std::vector<complementarity::State> kept;
+    // Stops that touch without a force and without a rate: rounding may close them.
+    std::vector<char> touches;
     // A stage that lies a little beyond a surface, where the branch that holds has no value, takes
     // the branch of its values.
     bool looksBeyond = false;
@@ -44,7 +49,8 @@ struct Mode {
     explicit Mode(const ComponentModel& of)
         : decisions(of.function().decisions()), sides(of.surfaces().size(), onSurface),
           levels(sides.size(), 0), coincident(sides.size()), isGrazed(sides.size(), 0),
-          wasPassed(sides.size(), 0), model(&of) {}
+          wasPassed(sides.size(), 0), kept(of.multipliers(), complementarity::State::inside),
+          touches(of.multipliers(), 0), model(&of) {}
     [[nodiscard]] bool operator==(const Mode&) const = default;
 
     [[nodiscard]] bool isHeld() const { return !sliding.empty() || !sticking.empty(); }

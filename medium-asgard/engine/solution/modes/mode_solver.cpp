@@ -46,8 +46,11 @@ void ModeSolver::settleOn(std::size_t surface) {
 void ModeSolver::decide(double t, std::span<double> y) {
     mode_.release();
     standing_.clear();
-    if (model_.surfaces().empty())
+    if (model_.surfaces().empty()) {
+        active_.decide(t, y);
+        guards_.refresh();
         return;
+    }
     f_.fill(t, y);
     f_.decide(mode_.decisions);
     std::vector<std::size_t> touching;
@@ -71,6 +74,7 @@ void ModeSolver::decide(double t, std::span<double> y) {
     if (!settleWeights(t, y))
         mode_.sliding.clear();
     project(t, y);
+    active_.decide(t, y);
     guards_.refresh();
 }
 
@@ -284,6 +288,11 @@ void ModeSolver::slideWhereLedBack(const Passed& passed) {
 
 ModeSolver::Crossing ModeSolver::cross(const Violation& violation, double t, std::span<double> y,
                                        Passing how) {
+    if (const auto fallen = guards_.activeOf(violation); !fallen.empty()) {
+        const bool isDone = active_.cross(fallen, t, y);
+        guards_.refresh();
+        return isDone ? Crossing::done : Crossing::impossible;
+    }
     if (std::ranges::any_of(violation.watches,
                             [this](std::size_t k) { return k >= guards_.watches().size(); })) {
         const bool isDone = stick_.leave(guards_.directionsOf(violation), t, y);

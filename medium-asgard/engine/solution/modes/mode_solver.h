@@ -34,10 +34,10 @@ namespace solution {
 
 class ModeSolver {
 public:
-    ModeSolver(ModelFunctions& functions, HeldField& field, StickSlip& stick, Guards& guards,
-               Mode& mode)
-        : f_(functions), field_(field), stick_(stick), guards_(guards), model_(*mode.model),
-          mode_(mode) {}
+    ModeSolver(ModelFunctions& functions, HeldField& field, StickSlip& stick, ActiveSet& active,
+               Guards& guards, Mode& mode)
+        : f_(functions), field_(field), stick_(stick), active_(active), guards_(guards),
+          model_(*mode.model), mode_(mode) {}
 
     // From the values alone, with what the fields say on a surface itself.
     void decide(double t, std::span<double> y);
@@ -113,6 +113,7 @@ private:
     ModelFunctions& f_;
     HeldField& field_;
     StickSlip& stick_;
+    ActiveSet& active_;
     Guards& guards_;
     const ComponentModel& model_;
     Mode& mode_;

@@ -2,30 +2,46 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace solution {
+
+using complementarity::State;
 
 namespace {
 
 constexpr double isNone = 1e-11; // of 1, of what is left of a scaled condition that others make
 
+Eigen::Index indexOf(std::size_t i) { return static_cast<Eigen::Index>(i); }
+
 } // namespace
 
-bool Multipliers::factorise() {
+// All conditions at the point.
+bool Multipliers::evaluate() {
     const ComponentModel::Conditions& conditions = model_.conditions();
-    const auto n = static_cast<Eigen::Index>(size());
     const std::size_t entries = conditions.matrix.size();
     second_.resize(entries + size());
     f_.evaluate(conditions.second, second_);
-    matrix_.setZero(n, n);
+    full_.setZero(indexOf(size()), indexOf(size()));
     for (std::size_t k = 0; k < entries; ++k)
-        matrix_(conditions.matrix[k].row, conditions.matrix[k].column) = second_[k];
-    rest_ = Eigen::Map<const Eigen::VectorXd>(second_.data() + entries, n);
+        full_(conditions.matrix[k].row, conditions.matrix[k].column) = second_[k];
+    rest_ = Eigen::Map<const Eigen::VectorXd>(second_.data() + entries, indexOf(size()));
+    return full_.allFinite() && rest_.allFinite();
+}
+
+bool Multipliers::factorise() {
+    if (!evaluate())
+        return false;
+    active_.clear();
+    for (std::size_t row = 0; row < size(); ++row)
+        if (mode_.kept[row] == State::inside)
+            active_.push_back(row);
+    if (active_.empty())
+        return true;
+    matrix_ = active_.size() == size() ? full_ : Eigen::MatrixXd(full_(active_, active_));
     scale_ = matrix_.diagonal().cwiseAbs().cwiseSqrt().cwiseMax(1e-300).cwiseInverse();
     scale_ = (matrix_.diagonal().array() == 0).select(1, scale_);
     matrix_ = scale_.asDiagonal() * matrix_ * scale_.asDiagonal();
-    if (!matrix_.allFinite() || !rest_.allFinite())
-        return false;
     lu_.compute(matrix_);
     isRegular_ = lu_.matrixLU().diagonal().cwiseAbs().minCoeff() > isNone;
     if (!isRegular_) {
@@ -35,18 +51,30 @@ bool Multipliers::factorise() {
     return true;
 }
 
+double Multipliers::bound(std::size_t row) const {
+    const BoundModel::Law& law = f_.bound()->laws[row];
+    return mode_.kept[row] == State::high ? law.high : law.low;
+}
+
 void Multipliers::solve(Eigen::Ref<Eigen::VectorXd> rates) const {
-    rates = -scale_.cwiseProduct(rates);
-    rates = isRegular_ ? Eigen::VectorXd(lu_.solve(rates)) : Eigen::VectorXd(least_.solve(rates));
-    rates = scale_.cwiseProduct(rates);
+    if (active_.empty()) {
+        rates.setZero();
+        return;
+    }
+    Eigen::VectorXd m = -scale_.cwiseProduct(Eigen::VectorXd(rates(active_)));
+    m = isRegular_ ? Eigen::VectorXd(lu_.solve(m)) : Eigen::VectorXd(least_.solve(m));
+    rates.setZero();
+    rates(active_) = scale_.cwiseProduct(m);
 }
 
 bool Multipliers::isSolved(const Eigen::VectorXd& m, const Eigen::VectorXd& wanted) const {
     constexpr double rounding = 1e-7;
-    const Eigen::VectorXd scaled = m.cwiseQuotient(scale_);
-    const Eigen::VectorXd error = matrix_ * scaled + scale_.cwiseProduct(wanted);
-    const double size = scale_.cwiseProduct(wanted).cwiseAbs().maxCoeff();
-    return error.cwiseAbs().maxCoeff() <= rounding * std::max(size, 1e-100);
+    if (isRegular_ || active_.empty())
+        return true;
+    const Eigen::VectorXd scaled = Eigen::VectorXd(m(active_)).cwiseQuotient(scale_);
+    const Eigen::VectorXd right = scale_.cwiseProduct(Eigen::VectorXd(wanted(active_)));
+    const double error = (matrix_ * scaled + right).cwiseAbs().maxCoeff();
+    return error <= rounding * std::max(right.cwiseAbs().maxCoeff(), 1e-100);
 }
 
 bool Multipliers::solve() {
@@ -54,15 +82,55 @@ bool Multipliers::solve() {
         return true;
     if (!factorise())
         return false;
-    Eigen::VectorXd m = rest_;
+    Eigen::VectorXd wanted = rest_;
+    if (active_.size() < size())
+        for (std::size_t row = 0; row < size(); ++row)
+            if (mode_.kept[row] != State::inside && bound(row) != 0)
+                wanted += bound(row) * full_.col(indexOf(row));
+    Eigen::VectorXd m = wanted;
     solve(m);
+    const bool isKept = m.allFinite() && isSolved(m, wanted);
+    for (std::size_t row = 0; row < size(); ++row)
+        if (mode_.kept[row] != State::inside)
+            m[indexOf(row)] = bound(row);
     std::ranges::copy(m, f_.in().end() - std::ptrdiff_t(size()));
-    return m.allFinite() && (isRegular_ || isSolved(m, rest_));
+    return isKept;
+}
+
+double Multipliers::secondRate(std::size_t row) const {
+    const Eigen::Map<const Eigen::VectorXd> m(values().data(), indexOf(size()));
+    return full_.row(indexOf(row)).dot(m) + rest_[indexOf(row)];
+}
+
+Multipliers::System Multipliers::systemOf(std::span<const std::size_t> rows) {
+    (void)evaluate();
+    const std::vector<std::size_t> chosen(rows.begin(), rows.end());
+    Eigen::VectorXd rest = rest_;
+    for (std::size_t row = 0; row < size(); ++row)
+        if (std::ranges::find(rows, row) == rows.end() && mode_.kept[row] != State::inside &&
+            bound(row) != 0)
+            rest += bound(row) * full_.col(indexOf(row));
+    return {full_(chosen, chosen), rest(chosen)};
+}
+
+void Multipliers::push(std::span<const std::size_t> rows, const Eigen::VectorXd& impulses,
+                       std::span<double> y) {
+    Eigen::VectorXd by = Eigen::VectorXd::Zero(indexOf(size()));
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        by[indexOf(rows[i])] = impulses[indexOf(i)];
+    evaluateMoves();
+    move(model_.conditions().pushes, 0, by, y);
 }
 
 void Multipliers::evaluateGaps() {
     gaps_.resize(2 * size());
     f_.evaluate(model_.conditions().gaps, gaps_);
+}
+
+void Multipliers::evaluateMoves() {
+    const ComponentModel::Conditions& conditions = model_.conditions();
+    moves_.resize(conditions.pushes.size() + conditions.shifts.size());
+    f_.evaluate(conditions.moves, moves_);
 }
 
 // Adds entries times `by` to the states.
@@ -72,21 +140,21 @@ void Multipliers::move(std::span<const ComponentModel::Entry> entries, std::size
         y[entries[k].row] += moves_[first + k] * by(entries[k].column);
 }
 
-// Answers with the largest scaled gap that there was.
+// Answers with the largest gap that there was.
 double Multipliers::moveOntoGaps(double t, std::span<double> y) {
     const ComponentModel::Conditions& conditions = model_.conditions();
     f_.fill(t, y);
     evaluateGaps();
     if (!factorise())
         return 0;
-    const auto n = static_cast<Eigen::Index>(size());
-    Eigen::VectorXd by = Eigen::Map<const Eigen::VectorXd>(gaps_.data(), n);
-    const double largest = by.cwiseAbs().maxCoeff();
+    double largest = 0;
+    for (const std::size_t row : active_)
+        largest = std::max(largest, std::abs(gaps_[row]));
     if (largest == 0)
         return 0;
+    Eigen::VectorXd by = Eigen::Map<const Eigen::VectorXd>(gaps_.data(), indexOf(size()));
     solve(by);
-    moves_.resize(conditions.pushes.size() + conditions.shifts.size());
-    f_.evaluate(conditions.moves, moves_);
+    evaluateMoves();
     if (by.allFinite())
         move(conditions.shifts, conditions.pushes.size(), by, y);
     return largest;
@@ -94,7 +162,6 @@ double Multipliers::moveOntoGaps(double t, std::span<double> y) {
 
 void Multipliers::project(double t, std::span<double> y) {
     constexpr int most = 8;
-    const ComponentModel::Conditions& conditions = model_.conditions();
     if (size() == 0)
         return;
     double last = std::numeric_limits<double>::infinity();
@@ -108,13 +175,11 @@ void Multipliers::project(double t, std::span<double> y) {
     evaluateGaps();
     if (!factorise())
         return;
-    Eigen::VectorXd by =
-        Eigen::Map<const Eigen::VectorXd>(gaps_.data() + size(), static_cast<Eigen::Index>(size()));
+    Eigen::VectorXd by = Eigen::Map<const Eigen::VectorXd>(gaps_.data() + size(), indexOf(size()));
     solve(by);
-    moves_.resize(conditions.pushes.size() + conditions.shifts.size());
-    f_.evaluate(conditions.moves, moves_);
+    evaluateMoves();
     if (by.allFinite())
-        move(conditions.pushes, 0, by, y);
+        move(model_.conditions().pushes, 0, by, y);
 }
 
 } // namespace solution

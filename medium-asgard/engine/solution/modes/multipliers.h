@@ -12,6 +12,7 @@
 // rounding is left, then velocities.
 #pragma once
 
+#include "modes/mode.h"
 #include "modes/model_functions.h"
 
 #include <Eigen/Core>
@@ -25,32 +26,55 @@ namespace solution {
 
 class Multipliers {
 public:
-    explicit Multipliers(ModelFunctions& functions)
-        : f_(functions), model_(modelOf(*functions.bound())) {}
+    // `mode` outlives them, and says which conditions hold.
+    Multipliers(ModelFunctions& functions, const Mode& mode)
+        : f_(functions), model_(modelOf(*functions.bound())), mode_(mode) {}
 
     [[nodiscard]] std::size_t size() const { return model_.multipliers(); }
     // Puts them into the point of the functions, on the branches of the mode. False: none keep the
-    // conditions; then they are what errs least.
+    // conditions that hold; then they are what errs least.
     bool solve();
-    // At the point that was solved for last, of conditions with these second rates.
+    // At the point that was solved for last, of conditions with these second rates; 0 of others
+    // than those that hold.
     void solve(Eigen::Ref<Eigen::VectorXd> rates) const;
     [[nodiscard]] std::span<const double> values() const { return std::span(f_.in()).last(size()); }
-    // Moves the states onto the conditions.
+    // Moves the states onto the conditions that hold.
     void project(double t, std::span<double> y);
 
-private:
-    [[nodiscard]] bool factorise();
-    [[nodiscard]] bool isSolved(const Eigen::VectorXd& m, const Eigen::VectorXd& wanted) const;
+    // Gaps and their rates at the point of the functions, once evaluated.
     void evaluateGaps();
+    [[nodiscard]] double gap(std::size_t row) const { return gaps_[row]; }
+    [[nodiscard]] double rate(std::size_t row) const { return gaps_[size() + row]; }
+    // After solve(): of a condition, whether it holds or not.
+    [[nodiscard]] double secondRate(std::size_t row) const;
+    // Second rates of these conditions as matrix times their multipliers and a rest, in which the
+    // others stand at their bounds.
+    struct System {
+        Eigen::MatrixXd matrix;
+        Eigen::VectorXd rest;
+    };
+    [[nodiscard]] System systemOf(std::span<const std::size_t> rows);
+    // Moves the velocities as these impulses do.
+    void push(std::span<const std::size_t> rows, const Eigen::VectorXd& impulses,
+              std::span<double> y);
+
+private:
+    [[nodiscard]] bool evaluate();
+    [[nodiscard]] bool factorise();
+    [[nodiscard]] double bound(std::size_t row) const;
+    [[nodiscard]] bool isSolved(const Eigen::VectorXd& m, const Eigen::VectorXd& wanted) const;
     void move(std::span<const ComponentModel::Entry> entries, std::size_t first,
               const Eigen::VectorXd& by, std::span<double> y) const;
+    void evaluateMoves();
     [[nodiscard]] double moveOntoGaps(double t, std::span<double> y);
 
     ModelFunctions& f_;
     const ComponentModel& model_;
+    const Mode& mode_;
     std::vector<double> second_, gaps_, moves_;
-    Eigen::MatrixXd matrix_;
-    Eigen::VectorXd scale_, rest_;
+    Eigen::MatrixXd full_, matrix_; // of all conditions; of those that hold, scaled
+    Eigen::VectorXd rest_, scale_;
+    std::vector<std::size_t> active_;
     Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> least_;
     bool isRegular_ = true;

@@ -179,7 +179,20 @@ void Component::makeControl() {
     memory_.now.control = ErrorControl(std::move(scales), context_.tolerance);
 }
 
+// Of multipliers the histories keep the mode.
+void Component::takeModes() {
+    const std::vector<std::size_t>& multipliers = equations_->multipliers();
+    std::vector<double> modes;
+    for (const complementarity::State state : equations_->mode().kept)
+        modes.push_back(static_cast<double>(state));
+    for (std::size_t k = 0; k < multipliers.size(); ++k)
+        progress_.values[multipliers[k]] = modes[k];
+    writer_.hold(multipliers, modes);
+}
+
 void Component::takeHeldValues() {
+    if (!equations_->multipliers().empty())
+        takeModes();
     const auto& held = equations_->held();
     if (held.empty())
         return;

@@ -103,6 +103,7 @@ private:
     void takeLayout();
     void decideRest(std::vector<double>& y);
     void takeHeldValues();
+    void takeModes();
     [[nodiscard]] std::vector<double> states() const { return progress_.at(equations_->states()); }
 
     // Steps.
