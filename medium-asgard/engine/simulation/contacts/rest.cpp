@@ -12,10 +12,6 @@ namespace {
 
 using physics::GapConstraint;
 
-constexpr double stillBearing = 1e-7; // of the accelerations that enter: a gap stays closed
-constexpr double landed = 1e-10;      // of the parts' size: a gap that approaches is closed
-constexpr double samePlace = 1e-4;    // of the parts' size
-
 // The same edge, whichever way it runs.
 bool isAlong(const Vector& a, const Vector& b) { return isOneNormal(a, b) || isOneNormal(a, -b); }
 
@@ -47,7 +43,7 @@ bool isLike(const Footing& a, const Footing& b) {
             return false;
         const bool isFixedPlace = !a.isFlat && p.kind != GapConstraint::Kind::roundOnLine &&
                                   p.kind != GapConstraint::Kind::edgeOnEdge;
-        if (isFixedPlace && distanceTo(a.constraints, placeOf(q)) > samePlace * a.size)
+        if (isFixedPlace && distanceTo(a.constraints, placeOf(q)) > resolution::samePlace * a.size)
             return false;
     }
     return true;
@@ -60,15 +56,15 @@ template <class Pair> PartsInTouch partsOf(const Pair& pair) {
 
 class Answer {
 public:
-    Answer(const RestQuestion& question, const RestLimits& limits,
+    Answer(const RestQuestion& question, const ContactResolution& resolution,
            const std::vector<std::string>& names)
-        : q_(question), limits_(limits), names_(names) {
+        : q_(question), resolution_(resolution), names_(names) {
         accelerations_ = q_.free.linear.norm() + q_.free.angular.norm() * q_.body.record->radius;
     }
 
     Rest find() {
         for (std::size_t s = 0; s < q_.supports.size(); ++s)
-            for (Touch& touch : touchesOf(q_.body, q_.supports[s], limits_.gap, q_.footings))
+            for (Touch& touch : touchesOf(q_.body, q_.supports[s], resolution_.gap, q_.footings))
                 (touch.passes(slowest()) ? passing_ : touches_)
                     .push_back({std::move(touch), s, {}});
         do
@@ -137,19 +133,21 @@ private:
             const double acceleration =
                 touch.normal.dot(given_.linear + given_.angular.cross(arm)) + corner.extra;
             return corner.rate > slowest() ||
-                   (corner.rate >= -slowest() && acceleration >= -stillBearing * accelerations_);
+                   (corner.rate >= -slowest() &&
+                    acceleration >= -resolution::stillBearing * accelerations_);
         });
     }
 
-    [[nodiscard]] double slow() const { return slowFor(limits_.hopHeight); }
+    [[nodiscard]] double slow() const { return slowFor(resolution_.hopHeight); }
     [[nodiscard]] double slowFor(double hopHeight) const {
         return std::sqrt(2 * accelerations_ * hopHeight * q_.body.record->radius);
     }
 
     // Slower than this nothing parts or approaches.
     [[nodiscard]] double slowest() const {
-        return slow() + 1e-9 * (q_.body.state.velocity.norm() +
-                                q_.body.state.angularVelocity.norm() * q_.body.record->radius);
+        return slow() +
+               resolution::atRest * (q_.body.state.velocity.norm() +
+                                     q_.body.state.angularVelocity.norm() * q_.body.record->radius);
     }
 
     [[nodiscard]] bool isFooting(const Touch& touch) const {
@@ -162,14 +160,14 @@ private:
     [[nodiscard]] bool isYetToCome(const Touch& touch, double rate) const {
         const double speed = q_.body.state.velocity.norm() +
                              q_.body.state.angularVelocity.norm() * q_.body.record->radius;
-        return !isFooting(touch) && rate < -limits_.gap * speed - 1e-6 * slow();
+        return !isFooting(touch) && rate < -resolution_.gap * speed - 1e-6 * slow();
     }
 
     // Faster than this a corner parts. A hop of a ball off what it rests on that is lower than what
     // it may sink in there unnoticed is none: in a groove, off the one wall that it slides on when
     // it meets the other, such hops would follow each other without end, each put back.
     [[nodiscard]] double slowestParting(const Touch& touch) const {
-        return touch.isRound && isFooting(touch) ? std::max(slowest(), slowFor(2 * limits_.gap))
+        return touch.isRound && isFooting(touch) ? std::max(slowest(), slowFor(2 * resolution_.gap))
                                                  : slowest();
     }
 
@@ -182,9 +180,10 @@ private:
                 const double rate = touch.corners[i].rate, gap = touch.corners[i].gap;
                 if (touch.isRoundOnEdge && isYetToCome(touch, rate))
                     continue;
-                if (rate < -most && gap > landed * touch.size)
+                if (rate < -most && gap > resolution::landed * touch.size)
                     continue;
-                const bool sinks = gap < -limits_.gap * touch.size && rate < 0 && isFooting(touch);
+                const bool sinks =
+                    gap < -resolution_.gap * touch.size && rate < 0 && isFooting(touch);
                 if (rate < -most || sinks) {
                     if (!isFooting(touch))
                         continue;
@@ -216,14 +215,14 @@ private:
             loads[corners_[i].touch].add(forces.normalForces[i], touched.touch.normal,
                                          contacts[i].point -
                                              q_.supportMobility[touched.support].centre);
-            if (forces.gapAccelerations[i] <= stillBearing * accelerations_)
+            if (forces.gapAccelerations[i] <= resolution::stillBearing * accelerations_)
                 touched.bearing.push_back(corners_[i].corner);
         }
-        const double floor = RestLimits::leastPush * q_.body.record->radius;
-        const double weak = std::max(RestLimits::weakPush * accelerations_, floor);
+        const double floor = resolution::leastPush * q_.body.record->radius;
+        const double weak = std::max(resolution::weakPush * accelerations_, floor);
         for (std::size_t t = 0; t < touches_.size(); ++t) {
             const bool isFree = givesWay(touches_[t].support);
-            const double least = isFree ? weak : 1e-12 * accelerations_;
+            const double least = isFree ? weak : resolution::isNoLoad * accelerations_;
             if (loads[t].push * q_.mobility.inverseMass > least && !touches_[t].bearing.empty())
                 addFooting(touches_[t], loads[t]);
         }
@@ -239,11 +238,11 @@ private:
     // A support that is held in part, as a bar at its centre, bears what does not move it: the
     // model of rest has the forces of one body only.
     [[nodiscard]] bool isMovedBy(std::size_t support, const Load& load) const {
-        constexpr double unmoved = 1e-9; // of the accelerations that enter
         const physics::ImpactBody& mobility = q_.supportMobility[support];
         const double linear = mobility.inverseMass * load.force.cwiseProduct(mobility.moves).norm();
         const double angular = (mobility.inverseInertia * load.torque).norm();
-        return linear + angular * q_.supports[support].record->radius > unmoved * accelerations_;
+        return linear + angular * q_.supports[support].record->radius >
+               resolution::unmoved * accelerations_;
     }
 
     void addFooting(const Candidate& candidate, const Load& load) {
@@ -294,7 +293,8 @@ private:
             for (const std::size_t i : isBearing ? candidate.bearing : overlapping(touch)) {
                 corners.push_back(&touch.corners[i]);
                 normals.push_back(touch.normal);
-                if (isBearing && std::abs(touch.corners[i].gap) > 0.5 * limits_.gap * touch.size)
+                if (isBearing && std::abs(touch.corners[i].gap) >
+                                     resolution::putBackAt * resolution_.gap * touch.size)
                     rest_.state = Rest::State::drifted;
             }
         }
@@ -341,7 +341,7 @@ private:
     }
 
     const RestQuestion& q_;
-    const RestLimits& limits_;
+    const ContactResolution& resolution_;
     const std::vector<std::string>& names_;
     double accelerations_ = 0; // that enter
     std::vector<Candidate> touches_;
@@ -358,9 +358,9 @@ bool Rest::bearsLike(const Rest& other) const {
            std::equal(footings.begin(), footings.end(), other.footings.begin(), isLike);
 }
 
-Rest restOf(const RestQuestion& question, const RestLimits& limits,
+Rest restOf(const RestQuestion& question, const ContactResolution& resolution,
             const std::vector<std::string>& names) {
-    return Answer(question, limits, names).find();
+    return Answer(question, resolution, names).find();
 }
 
 } // namespace simulation

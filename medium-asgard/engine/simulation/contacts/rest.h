@@ -10,6 +10,7 @@
 // against the other one's edge.
 #pragma once
 
+#include "contacts/contact_resolution.h"
 #include "contacts/touching.h"
 
 #include <string>
@@ -44,17 +45,6 @@ struct Rest {
     [[nodiscard]] bool bearsLike(const Rest& other) const;
 };
 
-struct RestLimits {
-    // Between bodies that both give way a push is rounding's, and so none, if it gives less than
-    // that part of the accelerations that enter, or than so many radii per second squared, where
-    // the forces themselves are next to 0.
-    static constexpr double weakPush = 1e-6, leastPush = 1e-12;
-    static constexpr double leastGap = 1e-8, mostGap = 1e-6;
-    double gap = 1e-7;       // of the parts' size: touching
-    double hopHeight = 1e-9; // of the body's radius: parting slower than for that is not parting
-    double depth = 4e-9;     // of the smaller radius: at which balls side by side hit
-};
-
 struct RestQuestion {
     Placed body;
     physics::ImpactBody mobility;
@@ -66,7 +56,7 @@ struct RestQuestion {
     std::vector<PartsInTouch> footings;
 };
 
-[[nodiscard]] Rest restOf(const RestQuestion& question, const RestLimits& limits,
+[[nodiscard]] Rest restOf(const RestQuestion& question, const ContactResolution& resolution,
                           const std::vector<std::string>& names);
 
 } // namespace simulation

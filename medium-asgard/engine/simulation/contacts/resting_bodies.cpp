@@ -104,52 +104,52 @@ void addTurnsBeyond(const Bearing& bearing, const Path& path, collision::Interva
 
 } // namespace
 
-RestingBodies::RestingBodies(const physics::EquationsOfMotion& equations,
-                             const std::vector<BodyRecord>& records,
-                             const std::vector<MovingBody>& bodies, double start, double finish,
-                             std::vector<RestLimits> limits, std::vector<bool> elastic)
-    : equations_(equations), records_(records), bodies_(bodies), start_(start), finish_(finish),
-      limits_(std::move(limits)), elastic_(std::move(elastic)) {
-    for (const physics::BodyMotion& body : equations.bodies)
+RestingBodies::RestingBodies(const Colliders& world, double finish)
+    : world_(world), finish_(finish) {
+    for (const physics::BodyMotion& body : world.equations.bodies)
         names_.push_back(body.name);
 }
 
 // --- what is there --------------------------------------------------------------------------
 
 physics::Held RestingBodies::heldOf(std::size_t body, double time) const {
-    return physics::unyieldingAt(equations_, body, std::min(time, std::nextafter(finish_, start_)));
+    return physics::unyieldingAt(world_.equations, body,
+                                 std::min(time, std::nextafter(finish_, world_.start)));
 }
 
 bool RestingBodies::canGiveWay(std::size_t body, double time) const {
-    if (records_[body].isFixed)
+    if (world_.records[body].isFixed)
         return false;
     const physics::Held held = heldOf(body, time);
     return std::ranges::count(held.position, true) < 3 ||
-           (!held.attitude && !bodies_[body].isBall());
+           (!held.attitude && !world_.moving[body].isBall());
 }
 
 bool RestingBodies::isFree(std::size_t body, double time) const {
-    return !records_[body].isFixed && std::ranges::count(heldOf(body, time).position, true) == 0;
+    return !world_.records[body].isFixed &&
+           std::ranges::count(heldOf(body, time).position, true) == 0;
 }
 
 bool RestingBodies::hopForEver(std::size_t a, std::size_t b, double time) const {
-    return elastic_[a] && elastic_[b] && bodies_[a].isBall() && bodies_[b].isBall() &&
-           isFree(a, time) && isFree(b, time);
+    return world_.restitutionOf({a, b}) == 1 && world_.moving[a].isBall() &&
+           world_.moving[b].isBall() && isFree(a, time) && isFree(b, time);
 }
 
 double RestingBodies::nextPhase(std::size_t body, double time) const {
     double next = infinity;
-    for (std::size_t i = 0; !records_[body].isFixed && i < physics::bodyUnknowns; ++i)
-        for (const auto& phase : equations_.set.unknowns[records_[body].firstUnknown + i].phases)
+    for (std::size_t i = 0; !world_.records[body].isFixed && i < physics::bodyUnknowns; ++i)
+        for (const auto& phase :
+             world_.equations.set.unknowns[world_.records[body].firstUnknown + i].phases)
             if (phase.from > time)
                 next = std::min(next, phase.from);
     return next;
 }
 
 double RestingBodies::lastPhase(std::size_t body, double time) const {
-    double last = start_;
-    for (std::size_t i = 0; !records_[body].isFixed && i < physics::bodyUnknowns; ++i)
-        for (const auto& phase : equations_.set.unknowns[records_[body].firstUnknown + i].phases)
+    double last = world_.start;
+    for (std::size_t i = 0; !world_.records[body].isFixed && i < physics::bodyUnknowns; ++i)
+        for (const auto& phase :
+             world_.equations.set.unknowns[world_.records[body].firstUnknown + i].phases)
             if (phase.from <= time)
                 last = std::max(last, phase.from);
     return last;
@@ -162,7 +162,7 @@ physics::ImpactBody RestingBodies::impactBody(std::size_t body, double time,
                                .angularVelocity = state.angularVelocity};
     if (!canGiveWay(body, time))
         return impact;
-    const physics::BodyMotion& motion = equations_.bodies[body];
+    const physics::BodyMotion& motion = world_.equations.bodies[body];
     const physics::Held held = heldOf(body, time);
     impact.inverseMass = 1 / motion.mass.mass;
     for (std::size_t i = 0; i < 3; ++i)
@@ -176,18 +176,18 @@ physics::ImpactBody RestingBodies::impactBody(std::size_t body, double time,
 
 BodyState RestingBodies::bearingState(const Histories& histories, std::size_t body,
                                       double time) const {
-    BodyState state = stateOf(records_[body], histories, time);
+    BodyState state = stateOf(world_.records[body], histories, time);
     const auto found = resting_.find(body);
     if (found == resting_.end() || !canGiveWay(body, time) || !state.angularVelocity.allFinite())
         return state;
-    const physics::BodyMotion& motion = equations_.bodies[body];
+    const physics::BodyMotion& motion = world_.equations.bodies[body];
     const physics::Held held = heldOf(body, time);
     for (int i = 0; i < corrections; ++i) {
         std::vector<BearingRow> rows;
         for (const Footing& footing : found->second.rest.footings) {
-            const BodyState support = stateOf(records_[footing.support], histories, time);
+            const BodyState support = stateOf(world_.records[footing.support], histories, time);
             for (const physics::GapConstraint& constraint : footing.constraints)
-                rows.push_back(bearingRow(constraint, records_[body], state, support));
+                rows.push_back(bearingRow(constraint, world_.records[body], state, support));
         }
         state = bearingExactly(state, motion, held, rows);
     }
@@ -196,25 +196,26 @@ BodyState RestingBodies::bearingState(const Histories& histories, std::size_t bo
 
 Acceleration RestingBodies::freeAcceleration(const Histories& histories, std::size_t body,
                                              double time, const BodyState& state) const {
-    const physics::BodyMotion& motion = equations_.bodies[body];
+    const physics::BodyMotion& motion = world_.equations.bodies[body];
     if (!free_.contains(body)) {
         std::vector<expression::Node> outputs(motion.acceleration.begin(),
                                               motion.acceleration.end());
         outputs.insert(outputs.end(), motion.spinRate.begin(), motion.spinRate.end());
-        const auto symbols = expression::symbolsOf(equations_.set.graph, outputs);
+        const auto symbols = expression::symbolsOf(world_.equations.set.graph, outputs);
         Free made;
         std::vector<expression::Node> inputs;
-        for (std::size_t i = 0; i < equations_.set.unknowns.size(); ++i)
-            if (std::ranges::find(symbols, equations_.set.unknowns[i].symbol) != symbols.end()) {
+        for (std::size_t i = 0; i < world_.equations.set.unknowns.size(); ++i)
+            if (std::ranges::find(symbols, world_.equations.set.unknowns[i].symbol) !=
+                symbols.end()) {
                 made.reads.push_back(i);
-                inputs.push_back(equations_.set.unknowns[i].symbol);
+                inputs.push_back(world_.equations.set.unknowns[i].symbol);
             }
         made.isConstant = symbols.empty();
-        inputs.push_back(equations_.set.time);
-        if (solution::lengthsDividedBy(equations_.set.graph, outputs).empty()) {
-            made.tape = expression::Tape(equations_.set.graph, inputs, outputs);
+        inputs.push_back(world_.equations.set.time);
+        if (solution::lengthsDividedBy(world_.equations.set.graph, outputs).empty()) {
+            made.tape = expression::Tape(world_.equations.set.graph, inputs, outputs);
         } else { // friction in a plane
-            expression::Graph graph = equations_.set.graph;
+            expression::Graph graph = world_.equations.set.graph;
             made.tape =
                 expression::Tape(graph, inputs, solution::withoutForcesAtRest(graph, outputs));
         }
@@ -235,17 +236,17 @@ Acceleration RestingBodies::freeAcceleration(const Histories& histories, std::si
     free.tape.evaluate(inputs, rates, scratch);
     const Vector spinRate(rates[3], rates[4], rates[5]);
     return {Vector(rates[0], rates[1], rates[2]),
-            records_[body].isSpinInWorldAxes ? spinRate : Vector(state.attitude * spinRate)};
+            world_.records[body].isSpinInWorldAxes ? spinRate : Vector(state.attitude * spinRate)};
 }
 
 bool RestingBodies::turns(std::size_t body, double time, const BodyState& state,
                           const Acceleration& acceleration) const {
-    if (records_[body].isFixed)
+    if (world_.records[body].isFixed)
         return false;
     // LIMIT: a rotation trajectory that starts without speed and without acceleration counts as
     // turning all the same; a free attitude without torque does not.
-    return equations_.bodies[body].heldAt(time).attitude || !state.angularVelocity.isZero(0) ||
-           !acceleration.angular.isZero(0);
+    return world_.equations.bodies[body].heldAt(time).attitude ||
+           !state.angularVelocity.isZero(0) || !acceleration.angular.isZero(0);
 }
 
 Placed RestingBodies::placed(const Histories& histories, std::size_t body, double time,
@@ -253,11 +254,11 @@ Placed RestingBodies::placed(const Histories& histories, std::size_t body, doubl
     const auto given = changed.find(body);
     Placed placed;
     placed.index = body;
-    placed.record = &records_[body];
-    placed.shape = &bodies_[body].shape();
+    placed.record = &world_.records[body];
+    placed.shape = &world_.moving[body].shape();
     placed.state =
-        given != changed.end() ? given->second : stateOf(records_[body], histories, time);
-    placed.acceleration = accelerationOf(records_[body], histories, time);
+        given != changed.end() ? given->second : stateOf(world_.records[body], histories, time);
+    placed.acceleration = accelerationOf(world_.records[body], histories, time);
     placed.turns = turns(body, time, placed.state, placed.acceleration);
     return placed;
 }
@@ -289,7 +290,7 @@ Rest RestingBodies::restAt(const Histories& histories, std::size_t body, double 
         question.supports.push_back(placed(histories, other, time, changed));
         question.supportMobility.push_back(impactBody(other, time, question.supports.back().state));
     }
-    return restOf(question, limits_[body], names_);
+    return restOf(question, world_.resolution[body], names_);
 }
 
 // --- what rests -----------------------------------------------------------------------------
@@ -337,7 +338,7 @@ void RestingBodies::set(std::size_t body, double time, const Rest& rest) {
     Watch watch{.rest = rest, .from = time, .seenUntil = time, .ends = infinity, .change = {}};
     std::set<std::size_t> concerned{body};
     for (const Footing& footing : rest.footings)
-        if (!records_[footing.support].isFixed)
+        if (!world_.records[footing.support].isFixed)
             concerned.insert(footing.support);
     for (const std::size_t b : concerned)
         watch.ends = std::min(watch.ends, nextPhase(b, time));
@@ -370,14 +371,14 @@ bool RestingBodies::agrees(const Histories& histories, std::size_t body, double 
 std::vector<double> RestingBodies::timesOf(const Histories& histories, std::size_t body,
                                            double from, double until) const {
     std::vector<double> times;
-    const std::size_t first = records_[body].firstUnknown;
+    const std::size_t first = world_.records[body].firstUnknown;
     const bool isConstant =
         free_.contains(body) && free_.at(body).isConstant && !isCarried(resting_.at(body));
     const double factor = isConstant ? sparse : 1;
-    double looked = from + factor * strideAfter(from - start_);
+    double looked = from + factor * strideAfter(from - world_.start);
     while (looked < until) {
         times.push_back(looked);
-        looked += factor * strideAfter(looked - start_);
+        looked += factor * strideAfter(looked - world_.start);
     }
     for (const std::size_t unknown : {physics::dx, physics::dy, physics::dz, physics::w1}) {
         double t = from;
@@ -419,7 +420,7 @@ template <typename Holds> double firstFrom(double no, double yes, const Holds& h
 
 bool RestingBodies::isCarried(const Watch& watch) const {
     return std::ranges::any_of(watch.rest.footings, [this](const Footing& footing) {
-        return !records_[footing.support].isFixed;
+        return !world_.records[footing.support].isFixed;
     });
 }
 
@@ -428,15 +429,16 @@ void RestingBodies::look(const Histories& histories, std::size_t body, double un
     const double end = std::min(until, watch.ends);
     double good = watch.seenUntil;
     Acceleration last =
-        freeAcceleration(histories, body, good, stateOf(records_[body], histories, good));
-    const double radius = records_[body].radius;
+        freeAcceleration(histories, body, good, stateOf(world_.records[body], histories, good));
+    const double radius = world_.records[body].radius;
     std::vector<double> beyond;
     for (const Footing& f : watch.rest.footings)
-        if (bodies_[body].isBall() && isStandingFace(bodies_[f.support], records_[f.support], f))
-            addTurnsBeyond({.part = bodies_[f.support].shape().parts[f.supportPart],
-                            .record = records_[f.support],
+        if (world_.moving[body].isBall() &&
+            isStandingFace(world_.moving[f.support], world_.records[f.support], f))
+            addTurnsBeyond({.part = world_.moving[f.support].shape().parts[f.supportPart],
+                            .record = world_.records[f.support],
                             .footing = f},
-                           {.histories = histories, .first = records_[body].firstUnknown},
+                           {.histories = histories, .first = world_.records[body].firstUnknown},
                            {good, end}, beyond);
     std::vector<double> times = timesOf(histories, body, watch.seenUntil, end);
     times.insert(times.end(), beyond.begin(), beyond.end());
@@ -446,7 +448,7 @@ void RestingBodies::look(const Histories& histories, std::size_t body, double un
     for (const double t : times) {
         if (t <= watch.seenUntil)
             continue; // an event there is past
-        const BodyState state = stateOf(records_[body], histories, t);
+        const BodyState state = stateOf(world_.records[body], histories, t);
         const Acceleration now = freeAcceleration(histories, body, t, state);
         const double change =
             (now.linear - last.linear).norm() + (now.angular - last.angular).norm() * radius;
@@ -488,11 +490,11 @@ std::optional<RestingBodies::Change> RestingBodies::firstChange(const Histories&
 void RestingBodies::write(const Histories& histories, std::size_t body, double time,
                           const BodyState& state, const Rest& rest,
                           expression::EquationSet& equations, solution::Changes& changes) const {
-    const physics::BodyMotion& motion = equations_.bodies[body];
+    const physics::BodyMotion& motion = world_.equations.bodies[body];
     std::vector<double> values;
     for (std::size_t i = 0; i < equations.unknowns.size(); ++i)
         values.push_back(histories.value(i, time));
-    const bool isMoved = rest.correction.norm() > 1e-13 * records_[body].radius;
+    const bool isMoved = rest.correction.norm() > 1e-13 * world_.records[body].radius;
     const bool isTurned = !rest.footings.empty() && rest.turn.norm() > 1e-13;
     BodyState corrected = state;
     if (isMoved)
@@ -502,7 +504,7 @@ void RestingBodies::write(const Histories& histories, std::size_t body, double t
     auto own = unknownsOf(motion, corrected);
     std::ranges::copy(own, values.begin() + static_cast<std::ptrdiff_t>(motion.firstUnknown));
 
-    physics::GapExpressions gaps(equations, equations_, body, time);
+    physics::GapExpressions gaps(equations, world_.equations, body, time);
     std::vector<physics::GapConstraint> constraints;
     for (const Footing& footing : rest.footings)
         constraints.insert(constraints.end(), footing.constraints.begin(),
@@ -535,7 +537,7 @@ void RestingBodies::write(const Histories& histories, std::size_t body, double t
             expression::Phase phase;
             phase.from = time;
             phase.derivative = derivative[i];
-            std::vector<expression::Phase> later = equations_.set.unknowns[unknown].phases;
+            std::vector<expression::Phase> later = world_.equations.set.unknowns[unknown].phases;
             std::erase_if(later, [time](const expression::Phase& p) { return p.from <= time; });
             changes.equations.push_back({unknown, phase, later});
             changes.jumps.push_back({unknown, own[first + i]});

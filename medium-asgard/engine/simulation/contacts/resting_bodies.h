@@ -15,6 +15,7 @@
 #pragma once
 
 #include "collision/contact.h"
+#include "contacts/colliders.h"
 #include "contacts/rest.h"
 #include "expression/tape.h"
 #include "solution/event_source.h"
@@ -38,11 +39,8 @@ public:
 
 class RestingBodies {
 public:
-    // All must outlive this.
-    RestingBodies(const physics::EquationsOfMotion& equations,
-                  const std::vector<BodyRecord>& records, const std::vector<MovingBody>& bodies,
-                  double start, double finish, std::vector<RestLimits> limits,
-                  std::vector<bool> elastic);
+    // The colliders must outlive this.
+    RestingBodies(const Colliders& world, double finish);
     // The motion is wanted for longer than before.
     void lengthen(double finish) { finish_ = finish; }
 
@@ -56,7 +54,8 @@ public:
     [[nodiscard]] bool hasFooting(std::size_t a, std::size_t b) const;
     // A resting body lies on its footing to the limits' gap, and no better: of all that it meets.
     [[nodiscard]] collision::Slack slack(std::size_t a, std::size_t b) const {
-        return std::max(isResting(a) ? limits_[a].gap : 0, isResting(b) ? limits_[b].gap : 0);
+        return std::max(isResting(a) ? world_.resolution[a].gap : 0,
+                        isResting(b) ? world_.resolution[b].gap : 0);
     }
 
     using States = std::map<std::size_t, BodyState>; // of bodies that an impact just changed
@@ -78,7 +77,7 @@ public:
     [[nodiscard]] physics::Held heldOf(std::size_t body, double time) const;
     // Nothing holds its attitude.
     [[nodiscard]] bool turnsFreely(std::size_t body, double time) const {
-        return !equations_.bodies[body].heldAt(time).attitude;
+        return !world_.equations.bodies[body].heldAt(time).attitude;
     }
     // Nothing holds its place: it gives way along all axes.
     [[nodiscard]] bool isFree(std::size_t body, double time) const;
@@ -135,12 +134,8 @@ private:
         bool isConstant = false;
     };
 
-    const physics::EquationsOfMotion& equations_;
-    const std::vector<BodyRecord>& records_;
-    const std::vector<MovingBody>& bodies_;
-    double start_, finish_;
-    std::vector<RestLimits> limits_; // by body
-    std::vector<bool> elastic_;      // by body
+    const Colliders& world_;
+    double finish_;
     std::vector<std::string> names_;
     std::map<std::size_t, Watch> resting_;
     mutable std::map<std::size_t, Free> free_;

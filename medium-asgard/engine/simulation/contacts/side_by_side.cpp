@@ -8,7 +8,11 @@ namespace simulation {
 namespace {
 
 constexpr double parted = 8; // depths
-constexpr std::size_t manyHops = 3000;
+constexpr solution::AccumulationLaw ofHops{.most = 3000};
+
+bool goesOn(solution::AccumulationMonitor::Verdict verdict) {
+    return verdict == solution::AccumulationMonitor::Verdict::goesOn;
+}
 
 } // namespace
 
@@ -23,7 +27,7 @@ bool SideBySide::sink(const Pair& pair, double least, const Now& now) {
     state.way = least;
     state.push = now.push;
     state.since = now.time;
-    return ++state.sinks < manyHops;
+    return goesOn(state.sinks.add(now.time, ofHops));
 }
 
 // A push that has ended meanwhile counts where they have not parted in between: that takes longer.
@@ -38,9 +42,9 @@ double SideBySide::speedOfPush(const Pair& pair, const Now& now) const {
     return std::sqrt(2 * push * state.way);
 }
 
-bool SideBySide::hop(const Pair& pair) {
+bool SideBySide::hop(const Pair& pair, double time) {
     const auto found = pairs_.find(pair);
-    return found == pairs_.end() || ++found->second.hops < manyHops;
+    return found == pairs_.end() || goesOn(found->second.hops.add(time, ofHops));
 }
 
 void SideBySide::look(const Pair& pair, double gap) {

@@ -19,6 +19,7 @@
 #pragma once
 
 #include "collision/broad_phase.h"
+#include "solution/accumulation_monitor.h"
 
 #include <cstddef>
 #include <map>
@@ -38,7 +39,7 @@ public:
     // From now on they do, or they reached their depth without speed. False: too often.
     [[nodiscard]] bool sink(const Pair& pair, double least, const Now& now);
     // They hit again while they do. False: too often.
-    [[nodiscard]] bool hop(const Pair& pair);
+    [[nodiscard]] bool hop(const Pair& pair, double time);
     // The speed that their push can have given them on the last part of that depth.
     [[nodiscard]] double speedOfPush(const Pair& pair, const Now& now) const;
     // Their gap now; far apart they do so no longer.
@@ -48,7 +49,7 @@ private:
     struct State {
         double depth = 0;
         double way = 0, push = 0, since = 0; // when they last reached their depth without speed
-        std::size_t hops = 0, sinks = 0;
+        solution::AccumulationMonitor hops, sinks;
     };
     std::map<Pair, State> pairs_;
 };

@@ -18,8 +18,6 @@ using geometry::Part;
 using physics::GapConstraint;
 using Kind = physics::GapConstraint::Kind;
 
-constexpr double drifting = 4; // as far as touching: what rests already
-
 Vector centripetal(const BodyState& state, const Vector& point) {
     const Vector& w = state.angularVelocity;
     return w.cross(w.cross(point - state.position));
@@ -96,7 +94,7 @@ public:
         const PartsInTouch parts{support.index, bodyPart, supportPart};
         const bool isResting = std::ranges::find(resting, parts) != resting.end();
         beside_ = tolerance * touch.size;
-        tolerance_ = beside_ * (isResting ? drifting : 1);
+        tolerance_ = beside_ * (isResting ? resolution::drifting : 1);
     }
 
     bool find() {
@@ -149,13 +147,12 @@ private:
 
     // Of a polyhedron, that in whose cell the sphere's centre lies; the normal away from it.
     [[nodiscard]] collision::NearestFeature under(const Posed& centre, const Posed& polyhedron) {
-        constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
         const Vector place = centre.world(0);
         const double coordinates = origin_.cwiseAbs().maxCoeff() +
                                    polyhedron.offset.cwiseAbs().maxCoeff() +
                                    sizeOf(*polyhedron.part);
         collision::NearestFeature feature =
-            collision::nearestFeature(polyhedron, place, rounding * coordinates);
+            collision::nearestFeature(polyhedron, place, resolution::ofPlaces * coordinates);
         touch.gap = feature.distance - centre.part->radius;
         touch.isRoundOnEdge = feature.corners.size() < 3;
         return feature;

@@ -17,6 +17,7 @@
 // edges of a support that turns have no constraint.
 #pragma once
 
+#include "contacts/contact_resolution.h"
 #include "motion/body_motion.h"
 #include "physics/resting.h"
 
@@ -38,7 +39,7 @@ struct Placed {
 
 // Two normals that count as one.
 [[nodiscard]] inline bool isOneNormal(const Vector& a, const Vector& b) {
-    return (a - b).norm() <= 1e-4;
+    return (a - b).norm() <= resolution::sameNormal;
 }
 
 struct Corner {

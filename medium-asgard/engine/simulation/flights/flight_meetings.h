@@ -5,17 +5,9 @@
 #include "collision/ball_flight.h"
 #include "collision/time_of_impact.h"
 
-#include <limits>
 #include <span>
 
 namespace simulation {
-
-// Of hits in flight, in a rally and outside.
-namespace flight_hits {
-inline constexpr double epsilon = std::numeric_limits<double>::epsilon();
-inline constexpr double timeResolution = 8 * epsilon;
-inline constexpr double deep = 400 * epsilon; // of the radius
-} // namespace flight_hits
 
 // A flight is looked at for so long after a cut at most, in s.
 inline constexpr double firstSpan = 16;

@@ -30,20 +30,16 @@
 // A few that meet nobody but each other and what stands still leave for a rally: rally.h.
 #pragma once
 
-#include "collision/ball_cells.h"
-#include "collision/box_tree.h"
-#include "collision/broad_phase.h"
 #include "collision/time_of_impact.h"
 #include "contacts/resting_bodies.h"
 #include "contacts/side_by_side.h"
 #include "flights/rally.h"
 #include "meetings/earliest.h"
-#include "physics/equations_of_motion.h"
-#include "scene/scene.h"
+#include "meetings/hit_queue.h"
+#include "meetings/neighbourhood.h"
+#include "meetings/tested_pairs.h"
 #include "solution/event_source.h"
 
-#include <array>
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <utility>
@@ -53,26 +49,17 @@ namespace simulation {
 
 class EncounterSearch final : public Neighbours {
 public:
-    using Pair = collision::Pair; // the lesser index first
-
-    struct Found {
-        double time = 0;
-        Pair pair;
-        bool pressing = false, isLost = false; // collision::Hit
-    };
     struct Next {
         double time = 0;
         bool isHit = false; // else a window ends
     };
 
-    // All must outlive this. Boxes hold what comes as near as `slack` of the body's radius.
-    EncounterSearch(const scene::Scene& scene, const physics::EquationsOfMotion& equations,
-                    const std::vector<BodyRecord>& records, const std::vector<MovingBody>& bodies,
-                    const RestingBodies& resting, double start, double slack);
+    // Both must outlive this.
+    EncounterSearch(const Colliders& world, const RestingBodies& resting);
 
     // The next thing to be done; it is done by takeHit() or renew().
     [[nodiscard]] Next next();
-    [[nodiscard]] Found takeHit();
+    [[nodiscard]] Found takeHit() { return hits_.take(); }
     // The body whose window ended, and whether it has partners now that it had not.
     struct Renewal {
         std::size_t body = 0;
@@ -97,38 +84,46 @@ public:
     [[nodiscard]] const SideBySide& sideBySide() const { return sideBySide_; }
     [[nodiscard]] double depth(const Pair& pair) const { return sideBySide_.depth(pair); }
     // They let each other pass until then.
-    void letPass(const Pair& pair, double until) { passing_.push_back({pair, until}); }
+    void letPass(const Pair& pair, double until) { near_.mayMeet.letPass(pair, until); }
 
-    // The balls of a hit that turned them, and those they may meet, leave for a rally (rally.h), in
-    // which they meet by these; false: there is none to be had. They come back as they are then.
-    [[nodiscard]] bool gather(const Pair& pair, Rally& rally);
-    void dissolve(const Rally& rally);
-    [[nodiscard]] bool turned(Rally& rally, const Rally::Meeting& met, double time,
-                              bool parted) const {
-        return rally.turned(met, time, parted, cells_, slack_);
+    // A rally takes balls out of the search and brings them back (rally_gathering.h).
+    struct Window {
+        double from = 0, until = 0;
+        int number = 0; // since the last cut
+        geometry::Box box;
+        bool isFlight = false, isFollowed = false;
+        collision::BallFlight flight;
+        double pieceEnd = 0; // of the flight
+        int growth = 0;      // of its cell
+        collision::BallCells::Exit exit, crossed;
+    };
+    [[nodiscard]] const Window& window(std::size_t body) const { return windows_[body]; }
+    [[nodiscard]] Neighbourhood& near() { return near_; }
+    [[nodiscard]] bool isFixed(std::size_t body) const { return world_.isFixed(body); }
+    [[nodiscard]] bool canRally(std::size_t body) const;
+    [[nodiscard]] bool mayAnyRally() const {
+        return !near_.mayMeet.isAnyPassing() && !resting_.isAnyResting();
     }
-    [[nodiscard]] double slack() const { return slack_; }
+    [[nodiscard]] const HitQueue& hits() const { return hits_; }
+    void leave(std::size_t ball);
+    void comeBack(const Rally& rally);
 
-    [[nodiscard]] std::vector<std::size_t> partners(std::size_t body) const override;
+    [[nodiscard]] std::vector<std::size_t> partners(std::size_t body) const override {
+        return near_.all(body);
+    }
     // The same, in no order.
     template <typename Visit> void forEachPartner(std::size_t body, Visit&& visit) {
-        for (const std::size_t other : partners_[body])
-            if (!ended_[other])
-                visit(other);
-        if (cells_.contains(body))
-            for (const std::size_t other : cells_.near(body))
-                if (mayMeet(body, other))
-                    visit(other);
+        near_.forEach(body, std::forward<Visit>(visit));
     }
-    [[nodiscard]] bool hasEnded(std::size_t body) const { return ended_[body]; }
+    [[nodiscard]] bool hasEnded(std::size_t body) const { return near_.hasEnded(body); }
     // When what is searched of it ended: of a free ball its way, however far its attitude is known.
     [[nodiscard]] std::optional<double> endOf(const solution::Histories& histories,
                                               std::size_t body) const {
-        return simulation::endOf(records_[body], histories,
+        return simulation::endOf(world_.records[body], histories,
                                  isFreeBall_[body] ? physics::qw : physics::bodyUnknowns);
     }
     [[nodiscard]] bool hasAnyEnded(const Pair& pair) const {
-        return ended_[pair.first] || ended_[pair.second];
+        return hasEnded(pair.first) || hasEnded(pair.second);
     }
     [[nodiscard]] double windowEnd(std::size_t body) const override { return windows_[body].until; }
 
@@ -143,54 +138,29 @@ public:
         return standing_[body];
     }
 
-    [[nodiscard]] std::size_t pairTests() const { return pairTests_; }
-    [[nodiscard]] std::vector<Pair> pairs(); // that were searched, in order
+    [[nodiscard]] std::size_t pairTests() const { return tested_.tests(); }
+    [[nodiscard]] std::vector<Pair> pairs() { return tested_.all(); } // that were searched
     // Pairs that overlapped without having met, since this was asked last.
     [[nodiscard]] std::vector<Pair> takeOverlaps() { return std::exchange(overlaps_, {}); }
 
 private:
-    struct Window {
-        double from = 0, until = 0;
-        int number = 0; // since the last cut
-        geometry::Box box;
-        bool isFlight = false, isFollowed = false;
-        collision::BallFlight flight;
-        double pieceEnd = 0; // of the flight
-        int growth = 0;      // of its cell
-        collision::BallCells::Exit exit, crossed;
-    };
-    struct Hit { // in the queue; ordered by time
-        double time = 0;
-        std::uint32_t first = 0, second = 0, versionFirst = 0, versionSecond = 0;
-        bool pressing = false, isLost = false;
-    };
-    struct Later {
-        bool operator()(const Hit& a, const Hit& b) const;
-    };
     using Crossing = collision::BallCells::Crossing;
     // Balls near one in its cell; beyond: beyond the face that it came through.
     enum class Around { all, beyond };
 
-    [[nodiscard]] bool mayMeet(std::size_t a, std::size_t b) const {
-        if (a == b || (records_[a].isFixed && records_[b].isFixed))
-            return false;
-        return !isChoosy_[a] || !isChoosy_[b] || mayChoosyMeet(a, b);
-    }
-    [[nodiscard]] bool mayChoosyMeet(std::size_t a, std::size_t b) const;
-    [[nodiscard]] bool isOutdated(const Hit& hit) const;
-    void push(const Hit& hit);
-    void drop();
-    void leave(std::size_t body);
+    void addFixed(std::size_t body);
+    void endBody(std::size_t body);
+    void comeBack(const Rally::Ball& ball);
     [[nodiscard]] bool isOver(const solution::Histories& histories, std::size_t body,
                               double time) const;
     [[nodiscard]] bool openFlight(const solution::Histories& histories, std::size_t body,
                                   Window& window) const;
     void openWindow(const solution::Histories& histories, std::size_t body, double time,
                     Renewal& renewal);
+    void openPieceWindow(std::size_t body, double time);
     void openFlightWindow(std::size_t body, double time);
     [[nodiscard]] Crossing enterCell(std::size_t body, double time, bool isNew);
     void boxFlight(std::size_t body);
-    [[nodiscard]] geometry::Box leafOfBlock(std::size_t body) const;
     void enterTree(std::size_t body, Renewal& renewal);
     void findPartners(std::size_t body, const geometry::Box& leaf, Renewal& renewal);
     static constexpr std::size_t nobody = ~std::size_t{0};
@@ -199,51 +169,22 @@ private:
     void searchGenerally(const Pair& pair, collision::Interval during);
     [[nodiscard]] double gapOfBalls(const Pair& pair, double time) const;
     void search(const Pair& pair, double from);
-    [[nodiscard]] bool isRallying(std::size_t body) const;
-    [[nodiscard]] bool join(std::size_t body, Rally& rally) const;
-    [[nodiscard]] bool gatherBalls(std::size_t body, Rally& rally);
-    [[nodiscard]] bool gatherStanding(std::size_t ball, Rally& rally) const;
-    [[nodiscard]] bool gatherBodies(const Pair& pair, Rally& rally);
     [[nodiscard]] bool keep(const Pair& pair, const collision::FlightMeeting& met);
-    void keep(const Pair& pair, double time, bool pressing, bool isLost);
-    [[nodiscard]] bool isPassing(const Pair& pair, double time) const;
-    void remember(const Pair& pair);
-    std::size_t sortPairs();
 
-    const std::vector<BodyRecord>& records_;
-    const std::vector<MovingBody>& bodies_;
+    const Colliders& world_;
     const RestingBodies& resting_;
-    double slack_;
-
-    std::vector<std::optional<std::size_t>> groups_;
-    std::vector<std::vector<std::size_t>> joined_; // that it never meets, by body
-    std::vector<char> isChoosy_;                   // has a group or joined bodies
     std::vector<bool> isFreeBall_;
     std::vector<std::vector<collision::StandingPart>> standing_;
 
-    collision::BoxTree tree_;
-    collision::BallCells cells_;
+    Neighbourhood near_;
     std::vector<Window> windows_;
-    std::vector<std::uint32_t> version_;             // of the motion: one more with each cut
-    Earliest ends_;                                  // of windows
-    std::vector<std::vector<std::size_t>> partners_; // but for balls in cells near one in a cell
-    std::vector<std::vector<std::size_t>> unclear_;  // balls in flight that formulas do not answer
-    std::vector<bool> ended_;
-    std::vector<Hit> queue_;
-    std::size_t queueLimit_ = 0; // longer, and outdated hits are taken out
-    struct Passing {
-        Pair pair;
-        double until = 0;
-    };
-    std::vector<Passing> passing_; // pairs that cannot give way
+    Earliest ends_;                                 // of windows
+    std::vector<std::vector<std::size_t>> unclear_; // balls in flight that formulas do not answer
+    HitQueue hits_;
     SideBySide sideBySide_;
     Around around_ = Around::all; // of the ball that entered a cell last
     std::vector<Pair> overlaps_;
-    std::size_t pairTests_ = 0;
-    std::vector<std::uint64_t> pairs_;        // as numbers; some several times
-    std::size_t pairsKept_ = 0;               // that are known to be different
-    std::vector<std::uint64_t> recentPairs_;  // of pairs_, by a few of their bits
-    std::vector<std::size_t> found_, before_; // kept between calls
+    TestedPairs tested_;
 };
 
 } // namespace simulation

@@ -14,19 +14,11 @@ using solution::infinity;
 
 constexpr double firstWay = 3;     // of the body's radius, in the first window after a cut
 constexpr int mostDoublings = 400; // of both: nothing is farther away; cells go on to grow
-constexpr double roomAround = 0.5; // of the radius, about boxes of short windows
-constexpr double mostRoom = 4;     // a box in the tree is at most so much larger than needed
-constexpr double rounding = 1e-12; // of coordinates, in boxes
 constexpr int smallWindows = 16;   // that nothing cut; from then on a ball takes larger cells
 
 double doublings(int number) {
     return number < 63 ? static_cast<double>(std::uint64_t{1} << std::max(number, 0))
                        : std::ldexp(1, std::min(number, mostDoublings));
-}
-
-void grow(geometry::Box& box, double by) {
-    box.min() -= geometry::Vector::Constant(by);
-    box.max() += geometry::Vector::Constant(by);
 }
 
 // The time in which c1 s + c2 s^2 + ... goes `way` at most, s = time / scale.
@@ -57,7 +49,7 @@ geometry::Box boxOf(const collision::BallFlight& flight, double from, double to,
     double reach = 0;
     for (const double coordinate : {a[0], a[1], a[2], b[0], b[1], b[2]})
         reach = std::max(reach, std::abs(coordinate));
-    reach = flight.radius + more + 2 * rounding * reach;
+    reach = flight.radius + more + 2 * boxRounding * reach;
     geometry::Box box;
     for (Eigen::Index i = 0; i < 3; ++i) {
         // A parabola leaves the box of its ends by at most |h| (to - from)^2 / 4.
@@ -83,7 +75,7 @@ bool EncounterSearch::openFlight(const Histories& histories, std::size_t body,
                                  Window& window) const {
     if (!isFreeBall_[body] || resting_.isResting(body))
         return false;
-    const std::size_t first = records_[body].firstUnknown;
+    const std::size_t first = world_.records[body].firstUnknown;
     double origin = -infinity, end = infinity;
     std::array<solution::Piece, 6> pieces; // x y z dx dy dz
     for (std::size_t i = 0; i < 6; ++i) {
@@ -96,7 +88,7 @@ bool EncounterSearch::openFlight(const Histories& histories, std::size_t body,
     }
     collision::BallFlight& flight = window.flight;
     flight.from = origin;
-    flight.radius = bodies_[body].shape().parts[0].radius;
+    flight.radius = world_.moving[body].shape().parts[0].radius;
     window.isFollowed = end == infinity;
     for (std::size_t i = 0; i < 3; ++i) {
         const auto axis = static_cast<Eigen::Index>(i);
@@ -114,25 +106,25 @@ bool EncounterSearch::openFlight(const Histories& histories, std::size_t body,
 void EncounterSearch::openFlightWindow(std::size_t body, double time) {
     Window& window = windows_[body];
     window.until = std::min(window.pieceEnd, time + firstSpan * doublings(window.number));
-    if (cells_.contains(body)) {
-        window.exit = cells_.exitOf(body, window.flight, time);
+    if (near_.cells.contains(body)) {
+        window.exit = near_.cells.exitOf(body, window.flight, time);
         window.until = std::min(window.until, window.exit.time);
     } else {
-        const double way = firstWay * records_[body].radius * doublings(window.number);
+        const double way = firstWay * world_.records[body].radius * doublings(window.number);
         const std::array<geometry::Vector, 3> path{
             geometry::Vector::Zero(), window.flight.velocityAt(time), window.flight.half};
         const std::size_t terms = window.flight.half.isZero(0) ? 2 : 3;
         window.until =
             std::min(window.until, time + timeForWay(std::span(path).first(terms), 1, way));
     }
-    if (!cells_.contains(body) || !partners_[body].empty())
+    if (!near_.cells.contains(body) || !near_.partners(body).empty())
         boxFlight(body);
 }
 
 // Only partners need the box of a flight.
 void EncounterSearch::boxFlight(std::size_t body) {
     Window& window = windows_[body];
-    window.box = boxOf(window.flight, window.from, window.until, slack_ * records_[body].radius);
+    window.box = boxOf(window.flight, window.from, window.until, near_.slackOf(body));
 }
 
 void EncounterSearch::openWindow(const Histories& histories, std::size_t body, double time,
@@ -140,7 +132,7 @@ void EncounterSearch::openWindow(const Histories& histories, std::size_t body, d
     Window& window = windows_[body];
     ++window.number;
     window.from = time;
-    bodies_[body].forget();
+    world_.moving[body].forget();
     const bool isNew = !window.isFlight || time >= window.pieceEnd;
     if (isNew)
         window.isFlight = openFlight(histories, body, window);
@@ -148,64 +140,57 @@ void EncounterSearch::openWindow(const Histories& histories, std::size_t body, d
     const Crossing crossing = window.isFlight ? enterCell(body, time, isNew) : Crossing::nowhere;
     if (crossing != Crossing::nowhere) {
         if (crossing == Crossing::toOtherBlock)
-            findPartners(body, leafOfBlock(body), renewal);
+            findPartners(body, near_.leafOfBlock(body), renewal);
         openFlightWindow(body, time);
         ends_.set(body, windows_[body].until);
         return;
     }
-    if (cells_.contains(body))
-        cells_.remove(body);
+    if (near_.cells.contains(body))
+        near_.cells.remove(body);
     if (window.isFlight) {
         openFlightWindow(body, time);
     } else {
-        const double way = firstWay * records_[body].radius * doublings(window.number);
-        const collision::MotionPiece& piece = bodies_[body].pieceAt(time);
-        const double latest = time + firstSpan * doublings(window.number);
-        const double end = piece.until > time ? std::min(piece.until, latest) : latest;
-        const double longest = timeForWay(
-            shifted(piece.position, (time - piece.from) / piece.scale), piece.scale, way);
-        window.until = std::min(time + longest, end);
-        window.box = collision::boundsDuring(bodies_[body], time, window.until);
-        grow(window.box, slack_ * records_[body].radius);
+        openPieceWindow(body, time);
     }
     ends_.set(body, windows_[body].until);
     enterTree(body, renewal);
 }
 
+// Of what is no flight: along one piece of its motion.
+void EncounterSearch::openPieceWindow(std::size_t body, double time) {
+    Window& window = windows_[body];
+    const double way = firstWay * world_.records[body].radius * doublings(window.number);
+    const collision::MotionPiece& piece = world_.moving[body].pieceAt(time);
+    const double latest = time + firstSpan * doublings(window.number);
+    const double end = piece.until > time ? std::min(piece.until, latest) : latest;
+    const double longest =
+        timeForWay(shifted(piece.position, (time - piece.from) / piece.scale), piece.scale, way);
+    window.until = std::min(time + longest, end);
+    window.box = collision::boundsDuring(world_.moving[body], time, window.until);
+    grow(window.box, near_.slackOf(body));
+}
+
 EncounterSearch::Crossing EncounterSearch::enterCell(std::size_t body, double time, bool isNew) {
     Window& window = windows_[body];
     const int growth = std::max(0, (window.number - smallWindows + 2) / 2);
-    if (!isNew && cells_.contains(body) && growth == window.growth && time == window.exit.time) {
+    if (!isNew && near_.cells.contains(body) && growth == window.growth &&
+        time == window.exit.time) {
         around_ = Around::beyond;
         window.crossed = window.exit;
-        return cells_.cross(body, window.exit);
+        return near_.cells.cross(body, window.exit);
     }
-    if (!cells_.put(body, window.flight.centreAt(time), window.flight.radius, growth))
+    if (!near_.cells.put(body, window.flight.centreAt(time), window.flight.radius, growth))
         return Crossing::nowhere;
     window.growth = growth;
-    if (tree_.contains(body))
-        tree_.remove(body);
+    if (near_.tree.contains(body))
+        near_.tree.remove(body);
     return Crossing::toOtherBlock;
 }
 
-geometry::Box EncounterSearch::leafOfBlock(std::size_t body) const {
-    geometry::Box leaf = cells_.block(body);
-    grow(leaf, (1 + slack_) * records_[body].radius +
-                   rounding * (leaf.min().cwiseAbs() + leaf.max().cwiseAbs()).maxCoeff());
-    return leaf;
-}
-
-void EncounterSearch::leave(std::size_t body) {
-    ended_[body] = true;
-    ++version_[body];
+void EncounterSearch::endBody(std::size_t body) {
+    near_.leave(body);
+    hits_.cut(body);
     ends_.set(body, infinity);
-    if (tree_.contains(body))
-        tree_.remove(body);
-    if (cells_.contains(body))
-        cells_.remove(body);
-    for (const std::size_t other : partners_[body])
-        std::erase(partners_[other], body);
-    partners_[body].clear();
     windows_[body].isFlight = windows_[body].isFollowed = false;
     for (const std::size_t other : unclear_[body])
         std::erase(unclear_[other], body);
@@ -217,7 +202,7 @@ void EncounterSearch::renew(const Histories& histories, Renewal& renewal) {
     const double time = ends_.time();
     renewal = {.body = body, .ended = false, .joined = {}};
     if (isOver(histories, body, time)) {
-        leave(body);
+        endBody(body);
         renewal.ended = true;
         return;
     }
@@ -229,20 +214,20 @@ void EncounterSearch::stand(std::size_t body, double time, Renewal& renewal) {
     Window& window = windows_[body];
     window.from = time;
     window.until = window.pieceEnd = infinity;
-    window.box = collision::boundsDuring(bodies_[body], time, time);
-    grow(window.box, slack_ * records_[body].radius);
-    tree_.put(body, window.box);
+    window.box = collision::boundsDuring(world_.moving[body], time, time);
+    grow(window.box, near_.slackOf(body));
+    near_.tree.put(body, window.box);
     findPartners(body, window.box, renewal);
     renewal.joined.clear(); // nobody rests on it
-    for (const std::size_t other : partners_[body])
+    for (const std::size_t other : near_.partners(body))
         search(std::minmax(body, other), time);
 }
 
 void EncounterSearch::searchAround(std::size_t body, double time, std::size_t but) {
-    for (const std::size_t other : partners_[body])
+    for (const std::size_t other : near_.partners(body))
         if (other != but)
             search(std::minmax(body, other), time);
-    if (!cells_.contains(body))
+    if (!near_.cells.contains(body))
         return;
     const auto look = [&](std::size_t other) {
         if (other != but)
@@ -252,25 +237,12 @@ void EncounterSearch::searchAround(std::size_t body, double time, std::size_t bu
         // Who searched it just now has put itself there.
         if (!unclear_[body].empty())
             std::erase_if(unclear_[body], [&](std::size_t other) { return other != but; });
-        std::ranges::for_each(cells_.near(body), look);
+        std::ranges::for_each(near_.cells.near(body), look);
         return;
     }
     const std::vector<std::size_t> unclear = std::exchange(unclear_[body], {});
-    cells_.forEachBeyond(body, windows_[body].crossed, look);
+    near_.cells.forEachBeyond(body, windows_[body].crossed, look);
     std::ranges::for_each(unclear, look);
-}
-
-std::vector<std::size_t> EncounterSearch::partners(std::size_t body) const {
-    std::vector<std::size_t> partners;
-    std::ranges::copy_if(partners_[body], std::back_inserter(partners),
-                         [this](std::size_t other) { return !ended_[other]; });
-    if (cells_.contains(body))
-        cells_.forEachNear(body, [&](std::size_t other) {
-            if (mayMeet(body, other))
-                partners.push_back(other);
-        });
-    std::ranges::sort(partners);
-    return partners;
 }
 
 void EncounterSearch::turn(std::size_t body, const solution::Turn& turn, double time) {
@@ -289,73 +261,85 @@ void EncounterSearch::goOn(const Pair& turned, double time, Renewal& renewal) {
     renewal.joined.clear();
     const std::array<std::size_t, 2> two{turned.first, turned.second};
     for (const std::size_t body : two) {
-        if (records_[body].isFixed)
+        if (world_.records[body].isFixed)
             continue;
         Window& window = windows_[body];
-        ++version_[body];
-        bodies_[body].forget();
+        hits_.cut(body);
+        world_.moving[body].forget();
         window.number = 0;
         window.from = time;
-        const bool isInCell = cells_.contains(body);
+        const bool isInCell = near_.cells.contains(body);
         const bool stays = isInCell && window.growth == 0;
         const bool entered =
             stays || (isInCell && enterCell(body, time, true) != Crossing::nowhere);
         if (entered && !stays)
-            findPartners(body, leafOfBlock(body), renewal);
+            findPartners(body, near_.leafOfBlock(body), renewal);
         openFlightWindow(body, time);
         ends_.set(body, windows_[body].until);
         if (!entered)
             enterTree(body, renewal);
     }
     around_ = Around::all;
-    const bool areTwo = !records_[turned.first].isFixed && !records_[turned.second].isFixed;
+    const bool areTwo =
+        !world_.records[turned.first].isFixed && !world_.records[turned.second].isFixed;
     for (const std::size_t body : two)
-        if (!records_[body].isFixed)
+        if (!world_.records[body].isFixed)
             searchAround(body, time, areTwo && body == turned.second ? turned.first : nobody);
 }
 
-// The box in the tree may be larger than the window's, so that short windows seldom change it.
 void EncounterSearch::enterTree(std::size_t body, Renewal& renewal) {
-    const geometry::Box& box = windows_[body].box;
-    const double room = roomAround * records_[body].radius;
-    const bool isShort = box.diagonal().norm() < 4 * records_[body].radius;
-    if (tree_.contains(body) && tree_.box(body).contains(box) &&
-        tree_.box(body).diagonal().norm() < box.diagonal().norm() + mostRoom * room)
-        return;
-    geometry::Box leaf = box;
-    if (isShort && !windows_[body].isFlight)
-        grow(leaf, room);
-    tree_.put(body, leaf);
-    findPartners(body, leaf, renewal);
+    if (near_.enterTree(body, windows_[body].box, windows_[body].isFlight))
+        findPartners(body, near_.tree.box(body), renewal);
 }
 
-// A ball in a cell has partners in the tree only; whoever is in the tree has them everywhere.
 void EncounterSearch::findPartners(std::size_t body, const geometry::Box& leaf, Renewal& renewal) {
-    before_ = partners_[body];
-    for (const std::size_t other : before_)
-        if (!records_[other].isFixed)
-            std::erase(partners_[other], body);
-    found_.clear();
-    tree_.overlapping(leaf, found_);
-    if (!cells_.contains(body))
-        cells_.forEachIn(leaf, [&](std::size_t ball) {
-            if (!leafOfBlock(ball).intersects(leaf))
-                return;
-            found_.push_back(ball);
-            if (partners_[ball].empty() && windows_[ball].isFlight)
-                boxFlight(ball);
-        });
-    std::erase_if(found_, [&](std::size_t other) {
-        const bool bothStand = ended_[body] && (ended_[other] || records_[other].isFixed);
-        return bothStand || !mayMeet(body, other);
+    const auto& joined = near_.findPartners(body, leaf, [this](std::size_t ball) {
+        if (windows_[ball].isFlight)
+            boxFlight(ball);
     });
-    std::ranges::sort(found_);
-    partners_[body] = found_;
-    for (const std::size_t other : found_) {
-        if (!records_[other].isFixed)
-            partners_[other].insert(std::ranges::lower_bound(partners_[other], body), body);
-        if (resting_.isAnyResting() && !std::ranges::binary_search(before_, other))
-            renewal.joined.push_back(other);
+    if (resting_.isAnyResting())
+        renewal.joined.insert(renewal.joined.end(), joined.begin(), joined.end());
+}
+
+// --- rallies --------------------------------------------------------------------------------
+
+bool EncounterSearch::canRally(std::size_t body) const {
+    const Window& window = windows_[body];
+    return window.isFlight && window.isFollowed && window.growth == 0 &&
+           near_.cells.contains(body) && unclear_[body].empty() && !hasEnded(body);
+}
+
+void EncounterSearch::leave(std::size_t ball) {
+    hits_.cut(ball);
+    ends_.set(ball, infinity);
+}
+
+void EncounterSearch::comeBack(const Rally::Ball& ball) {
+    Window& window = windows_[ball.body];
+    if (ball.hasTurned) {
+        world_.moving[ball.body].forget();
+        window.flight = ball.flight;
+        window.from = ball.flight.from;
+        window.number = 0;
+        window.exit = near_.cells.exitOf(ball.body, ball.flight, window.from);
+        window.until = std::min(window.from + firstSpan, window.exit.time);
+        if (!near_.partners(ball.body).empty())
+            boxFlight(ball.body);
+    }
+    ends_.set(ball.body, window.until);
+}
+
+void EncounterSearch::comeBack(const Rally& rally) {
+    tested_.addTests(rally.tests);
+    for (const Rally::Ball& ball : rally.balls)
+        comeBack(ball);
+    for (const Rally::Meeting& meeting : rally.meetings) {
+        if (meeting.isNear)
+            tested_.remember(meeting.pair);
+        const double until =
+            meeting.isStanding ? windows_[rally.balls[meeting.ball].body].until : infinity;
+        if (meeting.time < infinity && meeting.time <= until)
+            hits_.push({.time = meeting.time, .pair = meeting.pair});
     }
 }
 

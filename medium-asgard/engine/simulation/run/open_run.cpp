@@ -33,30 +33,17 @@ double secondsOf(const Run& before, const solution::TakenMotion& taken) {
     return before.secondsMoving * part / all;
 }
 
-// What decides when hops end follows the tolerance of each body, as its steps do, so that runs
-// which are compared differ in it too: at the tolerance that the first of them has, a hop that is
-// lower than a thousandth of the accuracy is the last. It follows the tolerance's square: where
-// runs left out nearly the same hops, both could be hit elsewhere during one of them, and go the
-// same wrong way. The nudged run follows lower ones yet, to show what they do. The depth of balls
-// side by side follows the tolerance itself; far down, where rounding is near, its fourth root.
-std::vector<RestLimits> restLimits(const Problem& problem, const std::vector<double>& tolerances,
-                                   Rounding rounding) {
-    constexpr double hop = 1e-3, touching = 1e-2, depth = 4e-9;
-    constexpr double finest = 1e-4, fineDepth = 1e-3, nudgedPart = 0.1; // beside the first run's
-    const double accuracy = problem.accuracy(), first = firstTolerance(accuracy);
-    const double gap = std::clamp(touching * accuracy, RestLimits::leastGap, RestLimits::mostGap);
-    std::vector<RestLimits> limits;
-    for (const double tolerance : tolerances) {
-        const double nudged = rounding == Rounding::nudged ? nudgedPart : 1;
-        const double part = tolerance / first;
-        const double fine = std::clamp(part * part, finest, 1.0) * nudged;
-        const double deep =
-            part < fineDepth ? fineDepth * std::pow(part / fineDepth, 0.25) : std::min(part, 1.0);
-        limits.push_back({.gap = std::max(gap * fine, RestLimits::leastGap),
-                          .hopHeight = hop * accuracy * fine,
-                          .depth = depth * deep * nudged});
-    }
-    return limits;
+// By body. What decides when hops end follows the tolerance of each body, as its steps do, so that
+// runs which are compared differ in it too.
+std::vector<ContactResolution>
+resolutionOf(const Problem& problem, const std::vector<double>& tolerances, Rounding rounding) {
+    std::vector<ContactResolution> resolution;
+    for (const double tolerance : tolerances)
+        resolution.push_back(resolutionFor({.accuracy = problem.accuracy(),
+                                            .firstTolerance = firstTolerance(problem.accuracy()),
+                                            .tolerance = tolerance,
+                                            .isNudged = rounding == Rounding::nudged}));
+    return resolution;
 }
 
 // What a step from the finish on, or one for a reader, ran into: all is known up to there. What an
@@ -115,8 +102,9 @@ void OpenRun::makeMachinery(const std::shared_ptr<const solution::TakenMotion>& 
         };
     if (problem_.collides())
         machinery_->collisions.emplace(
-            problem_.scene, problem_.equations, problem_.shapes, problem_.start(),
-            problem_.finish(), restLimits(problem_, tolerances_, rounding_), options.cancelled);
+            CollisionSource::Collision{problem_.scene, problem_.equations, problem_.shapes},
+            problem_.start(), problem_.finish(), resolutionOf(problem_, tolerances_, rounding_),
+            options.cancelled);
     solution::EventSource* source = machinery_->collisions ? &*machinery_->collisions : nullptr;
     if (rounding_ == Rounding::nudged) {
         options.initial = nudgedStart(problem_.equations.set);
@@ -145,7 +133,7 @@ bool OpenRun::canGoOn(const Run* before) const {
     }
     if (!machinery_ || !machinery_->collisions)
         return true;
-    const CollisionSource& source = *machinery_->collisions;
+    const CollisionRecord& source = machinery_->collisions->record();
     const bool isBack = finish < furthest_ && source.hasEventAt(finish);
     const bool isOnward = finish > advanced_ && source.hasEventAt(advanced_);
     return !isBack && !isOnward;
@@ -165,8 +153,8 @@ void OpenRun::publish(double known) {
     run.histories = machinery_->solver->snapshot();
     run.stops = stopsOf(problem_, *run.histories, known);
     if (machinery_->collisions) {
-        run.impacts = machinery_->collisions->impacts(problem_.finish());
-        run.notes = machinery_->collisions->notes(problem_.finish());
+        run.impacts = machinery_->collisions->record().impacts(problem_.finish());
+        run.notes = machinery_->collisions->record().notes(problem_.finish());
     }
     observer_.progress(run.motion(problem_, true));
 }
@@ -184,10 +172,11 @@ Run OpenRun::collect(double until) {
     std::vector<collision::Pair> blocked;
     if (machinery_->collisions) {
         CollisionSource& collisions = *machinery_->collisions;
-        blocked = collisions.blocked(until);
-        run.impacts = collisions.impacts(until);
-        run.notes = collisions.notes(until);
-        run.lostHops = collisions.lostHops(until);
+        const CollisionRecord& record = collisions.record();
+        blocked = record.blocked(until);
+        run.impacts = record.impacts(until);
+        run.notes = record.notes(until);
+        run.lostHops = record.lostHops(until);
         const std::size_t tests = collisions.pairTests();
         run.pairTests = tests - std::exchange(countedPairTests_, tests);
         run.candidates = collisions.candidates();

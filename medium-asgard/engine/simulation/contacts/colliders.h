@@ -1,0 +1,51 @@
+// The bodies of a scene, as contacts, meetings and impacts see them.
+#pragma once
+
+#include "contacts/contact_resolution.h"
+#include "motion/body_motion.h"
+#include "physics/equations_of_motion.h"
+#include "physics/joint_rows.h"
+#include "scene/scene.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace simulation {
+
+using Pair = std::pair<std::size_t, std::size_t>; // of bodies, as collision::Pair: the lesser first
+
+struct Colliders {
+    // The scene and the equations must outlive it; its shapes are valid.
+    Colliders(const scene::Scene& scene, const physics::EquationsOfMotion& equations,
+              const std::vector<geometry::Shape>& shapes, double start,
+              std::vector<ContactResolution> resolution);
+    Colliders(const Colliders&) = delete;
+    Colliders& operator=(const Colliders&) = delete;
+
+    // The histories that the moving bodies are read from.
+    void read(const solution::Histories& histories);
+
+    [[nodiscard]] bool isFixed(std::size_t body) const { return records[body].isFixed; }
+    [[nodiscard]] bool isBall(std::size_t body) const { return moving[body].isBall(); }
+    [[nodiscard]] const std::string& name(std::size_t body) const {
+        return scene.bodies[body].name;
+    }
+    [[nodiscard]] double restitutionOf(const Pair& pair) const {
+        return std::min(scene.bodies[pair.first].restitution,
+                        scene.bodies[pair.second].restitution);
+    }
+
+    const scene::Scene& scene;
+    const physics::EquationsOfMotion& equations;
+    double start;
+    std::vector<BodyRecord> records;
+    std::vector<MovingBody> moving;
+    std::vector<ContactResolution> resolution; // by body
+    physics::JointRows joints;
+
+private:
+    const solution::Histories* read_ = nullptr;
+};
+
+} // namespace simulation

@@ -1,0 +1,177 @@
+#include "events/impact_cluster.h"
+
+#include "collision/contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace simulation {
+namespace {
+
+using solution::infinity;
+
+double ballRadius(const MovingBody& body) {
+    return body.isBall() ? body.shape().parts[0].radius : 0;
+}
+
+struct NearCorner { // that bears, or lands on what bears it already
+    Vector point, normal;
+    double gap = 0, solved = 0; // where what bears does so exactly, and as solved
+    bool bears = false;
+};
+
+// Of a body that gives way and its support.
+std::vector<NearCorner> cornersNear(const Instant& at, const Pair& pair, bool isHit) {
+    const auto& [body, support] = pair;
+    const double gap = at.world.resolution[body].gap;
+    const BodyState solved = at.stateOf(body), bearing = at.bearingState(body);
+    const double speed = at.speedOf(pair), tolerance = at.contactTolerance(pair);
+    std::vector<NearCorner> corners;
+    for (const Touch& touch :
+         touchesOf(at.placed(body, {{body, bearing}}), at.placed(support), 2 * gap))
+        for (const Corner& corner : touch.corners) {
+            if (!isHit && touch.passes(collision::approachThreshold * speed))
+                continue;
+            const Vector arm =
+                bearing.attitude.conjugate() * Vector(corner.point - bearing.position);
+            const Vector there = solved.position + solved.attitude * arm;
+            corners.push_back({.point = corner.point,
+                               .normal = touch.normal,
+                               .gap = corner.gap,
+                               .solved = corner.gap + touch.normal.dot(there - corner.point),
+                               .bears = std::abs(corner.gap) <= tolerance &&
+                                        std::abs(corner.rate) <= gap * speed});
+        }
+    return corners;
+}
+
+// Contact points that are active, or hit at this instant. A point that is near and approaches hits
+// by itself a little later: that is another motion. The search found the hit at the solved places;
+// other points as near, such as both ends of an edge that lands, are compared with active contacts
+// put back to a gap of 0. A point that has sunk in by an error of the integration counts.
+std::vector<NearCorner> cornersAt(const Instant& at, const Pair& pair, bool isHit) {
+    const double tolerance = at.contactTolerance(pair);
+    std::vector<NearCorner> corners = cornersNear(at, pair, isHit);
+    double nearest = infinity, level = infinity; // of what hits: as solved, and exactly
+    bool isAnyTouching = false;
+    for (const NearCorner& corner : corners)
+        if (std::abs(corner.gap) <= tolerance) {
+            isAnyTouching = true;
+        } else if (corner.solved < nearest) {
+            nearest = corner.solved;
+            level = corner.gap;
+        }
+    const bool isReached = nearest <= 2 * tolerance || (isHit && !isAnyTouching);
+    const double farthest = isReached ? std::max(tolerance, level + tolerance) : tolerance;
+    std::erase_if(corners, [&](const NearCorner& corner) { return corner.gap > farthest; });
+    return corners;
+}
+
+class Gathering { // of contacts of one pair
+public:
+    Gathering(const Instant& at, const Pair& pair, ImpactCluster& cluster)
+        : at_(at), a_(pair.first), b_(pair.second), cluster_(cluster) {}
+
+    // isHit: the search found that these two hit each other.
+    void add(bool isHit) {
+        const auto contacts =
+            collision::contactsAt(at_.world.moving[a_], at_.world.moving[b_], at_.time,
+                                  at_.contactTolerance({a_, b_}), at_.resting.slack(a_, b_));
+        // A body that rests turns about what it rests on: each corner counts. So it does where gaps
+        // have the integration's errors, not rounding's.
+        const bool isUnsure = at_.resting.hasFooting(a_, b_) || (contacts.empty() && isHit);
+        if (isUnsure && freedom(a_) != freedom(b_))
+            return addCorners(isHit);
+        for (const collision::Contact& contact : contacts)
+            addPatch(contact);
+    }
+
+private:
+    // How freely it moves; the freer one may rest on the other.
+    [[nodiscard]] int freedom(std::size_t body) const {
+        return at_.resting.isFree(body, at_.time) ? 2 : at_.canGiveWay(body) ? 1 : 0;
+    }
+    std::size_t indexOf(std::size_t body) {
+        const auto place = std::ranges::find(cluster_.bodies, body);
+        const auto index = static_cast<std::size_t>(place - cluster_.bodies.begin());
+        if (place == cluster_.bodies.end())
+            cluster_.bodies.push_back(body);
+        return index;
+    }
+    void add(const Vector& point, const Vector& normal, const std::array<double, 2>& radii) {
+        cluster_.radii.push_back(radii);
+        cluster_.contacts.push_back({.first = indexOf(a_),
+                                     .second = indexOf(b_),
+                                     .point = point,
+                                     .normal = normal,
+                                     .restitution = at_.world.restitutionOf({a_, b_}),
+                                     .isBeside = at_.search.depth({a_, b_}) > 0});
+    }
+    void addCorners(bool isHit) {
+        const bool isFirst = freedom(a_) > freedom(b_);
+        const Pair ordered = isFirst ? Pair{a_, b_} : Pair{b_, a_};
+        for (const NearCorner& corner : cornersAt(at_, ordered, isHit)) {
+            add(corner.point, isFirst ? corner.normal : Vector(-corner.normal),
+                {ballRadius(at_.world.moving[a_]), ballRadius(at_.world.moving[b_])});
+            cluster_.contacts.back().isResting = corner.bears;
+        }
+    }
+    void addPatch(const collision::Contact& contact) {
+        add(contact.point, contact.normal,
+            {at_.world.moving[a_].shape().parts[contact.firstPart].radius,
+             at_.world.moving[b_].shape().parts[contact.secondPart].radius});
+        for (const Vector& corner : contact.patch)
+            if (contact.patch.size() > 1) {
+                cluster_.corners.push_back(cluster_.contacts.back());
+                cluster_.corners.back().point = corner;
+                cluster_.contactOf.push_back(cluster_.contacts.size() - 1);
+            }
+    }
+
+    const Instant& at_;
+    std::size_t a_, b_;
+    ImpactCluster& cluster_;
+};
+
+} // namespace
+
+ImpactCluster clusterAt(const Instant& instant, const Pair& hit) {
+    ImpactCluster cluster;
+    cluster.bodies = {hit.first, hit.second};
+    std::set<Pair> seen;
+    for (std::size_t i = 0; i < cluster.bodies.size(); ++i) {
+        const std::size_t body = cluster.bodies[i];
+        if (!instant.canGiveWay(body))
+            continue;
+        for (const std::size_t other : instant.search.partners(body))
+            if (const Pair pair = std::minmax(body, other);
+                !instant.search.hasEnded(other) && seen.insert(pair).second)
+                Gathering(instant, pair, cluster).add(pair == hit);
+        for (const std::size_t joined : instant.world.joints.neighbours(body))
+            if (std::ranges::find(cluster.bodies, joined) == cluster.bodies.end())
+                cluster.bodies.push_back(joined);
+    }
+    cluster.joints =
+        instant.world.joints.rowsAt(cluster.bodies, instant.time, [&](std::size_t body) {
+            const BodyState state = instant.bearingState(body);
+            return physics::BodyValues{state.position, state.velocity, state.attitude,
+                                       state.angularVelocity};
+        });
+    return cluster;
+}
+
+std::vector<physics::ImpactBody> bodiesOf(const Instant& instant, const ImpactCluster& cluster) {
+    std::vector<physics::ImpactBody> bodies;
+    for (const std::size_t body : cluster.bodies)
+        bodies.push_back(instant.impactBody(body));
+    return bodies;
+}
+
+bool touch(const Instant& instant, const Pair& pair) {
+    ImpactCluster cluster;
+    Gathering(instant, pair, cluster).add(true);
+    return !cluster.contacts.empty();
+}
+
+} // namespace simulation

@@ -1,0 +1,63 @@
+#include "events/instant.h"
+
+#include "collision/contact.h"
+
+#include <set>
+
+namespace simulation {
+
+physics::ImpactBody Instant::impactBody(std::size_t body) const {
+    BodyState state = bearingState(body);
+    if (world.isBall(body) && !state.angularVelocity.allFinite())
+        state.angularVelocity.setZero(); // its blows go through its centre
+    return resting.impactBody(body, time, state);
+}
+
+bool Instant::areFreeBalls(const Pair& pair) const {
+    const auto isFree = [&](std::size_t body) {
+        return search.isFollowed(body) || resting.isFree(body, time);
+    };
+    return world.isBall(pair.first) && world.isBall(pair.second) && isFree(pair.first) &&
+           isFree(pair.second);
+}
+
+double Instant::speedOf(const Pair& pair) const {
+    double speed = 0;
+    for (const std::size_t body : {pair.first, pair.second}) {
+        if (const collision::BallFlight* flight = search.flight(body)) {
+            speed += flight->velocityAt(time).norm();
+        } else if (!world.isFixed(body)) {
+            const auto velocity = collision::velocityAt(world.moving[body].pieceAt(time), time);
+            speed += velocity.linear.norm() + velocity.angular.norm() * world.records[body].radius;
+        }
+    }
+    return speed;
+}
+
+double Instant::contactTolerance(const Pair& pair) const {
+    double reach = 0, coordinates = 0;
+    for (const std::size_t body : {pair.first, pair.second}) {
+        reach += world.records[body].radius;
+        if (const collision::BallFlight* flight = search.flight(body))
+            coordinates += flight->centreAt(time).cwiseAbs().maxCoeff();
+        else if (world.isFixed(body))
+            coordinates += world.records[body].start.position.cwiseAbs().maxCoeff();
+        else
+            coordinates +=
+                collision::positionAt(world.moving[body].pieceAt(time), time).cwiseAbs().maxCoeff();
+    }
+    const double depth = search.depth(pair);
+    return (depth > 0 ? depth : collision::touchingGap * reach) +
+           resolution::ofPlaces * (coordinates + std::abs(time) * speedOf(pair));
+}
+
+std::vector<std::size_t> Instant::unknownsOf(const Pair& pair) const {
+    std::vector<std::size_t> unknowns;
+    for (const std::size_t body : std::set<std::size_t>{pair.first, pair.second})
+        if (canGiveWay(body))
+            for (std::size_t i = 0; i < physics::bodyUnknowns; ++i)
+                unknowns.push_back(world.records[body].firstUnknown + i);
+    return unknowns;
+}
+
+} // namespace simulation

@@ -1,0 +1,57 @@
+// An instant of a motion at which bodies may meet: what they are like there.
+#pragma once
+
+#include "contacts/colliders.h"
+#include "contacts/resting_bodies.h"
+#include "meetings/encounter_search.h"
+
+#include <algorithm>
+
+namespace simulation {
+
+struct Instant {
+    const Colliders& world;
+    const RestingBodies& resting;
+    const EncounterSearch& search;
+    const solution::Histories& histories;
+    double time = 0;
+
+    [[nodiscard]] BodyState stateOf(std::size_t body) const {
+        return simulation::stateOf(world.records[body], histories, time);
+    }
+    [[nodiscard]] Acceleration accelerationOf(std::size_t body) const {
+        return simulation::accelerationOf(world.records[body], histories, time);
+    }
+    [[nodiscard]] Placed placed(std::size_t body, const RestingBodies::States& changed = {}) const {
+        return resting.placed(histories, body, time, changed);
+    }
+    [[nodiscard]] Rest restOf(std::size_t body, const RestingBodies::States& changed = {}) const {
+        return resting.restAt(histories, body, time, search.partners(body), changed);
+    }
+    // Where it bears, without what the integration errs there.
+    [[nodiscard]] BodyState bearingState(std::size_t body) const {
+        return resting.bearingState(histories, body, time);
+    }
+    [[nodiscard]] physics::ImpactBody impactBody(std::size_t body) const;
+
+    // Blows can change how it moves; givesWay() is known at once of what flies.
+    [[nodiscard]] bool canGiveWay(std::size_t body) const { return resting.canGiveWay(body, time); }
+    [[nodiscard]] bool givesWay(std::size_t body) const {
+        return search.isFollowed(body) || canGiveWay(body);
+    }
+    [[nodiscard]] bool areFreeBalls(const Pair& pair) const;
+    // When a trajectory next takes hold of one of them, bends or lets go.
+    [[nodiscard]] double nextPhase(const Pair& pair) const {
+        return std::min(resting.nextPhase(pair.first, time), resting.nextPhase(pair.second, time));
+    }
+
+    // The speeds that enter.
+    [[nodiscard]] double speedOf(const Pair& pair) const;
+    // Nearer than this they touch at an impact: it is as far off as coordinates and times are
+    // resolved, too.
+    [[nodiscard]] double contactTolerance(const Pair& pair) const;
+    // The unknowns of those of the two that can give way.
+    [[nodiscard]] std::vector<std::size_t> unknownsOf(const Pair& pair) const;
+};
+
+} // namespace simulation

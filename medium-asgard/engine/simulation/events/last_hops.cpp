@@ -1,0 +1,138 @@
+#include "events/last_hops.h"
+
+#include "collision/contact.h"
+#include "events/cluster_impulses.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+namespace simulation {
+
+using physics::ImpactBody;
+using physics::ImpactContact;
+using solution::infinity;
+
+// Hops that the search may pass over (time_of_impact.h) are lower still; where a body rests, what
+// sinks in unnoticed would hop again by that much without end.
+double lastHopHeight(double hopHeight, double radius, double reach, double slack) {
+    return std::max({hopHeight * radius, resolution::leastHop * radius, 2 * slack * radius,
+                     resolution::ofMotion * reach});
+}
+
+namespace {
+
+struct Hop { // that an impact would lead to
+    bool approaches = false, isLow = true;
+    double settling = 0; // the time that it and all hops after it take
+    double height = 0;
+};
+
+// How the gap accelerates: of flat parts as their points that touch, of spheres as their centres.
+double pushAt(const Instant& at, const ImpactCluster& cluster, const ImpactContact& c,
+              const std::array<double, 2>& radii, std::span<const ImpactBody> bodies) {
+    double push = 0;
+    Vector speed = Vector::Zero();
+    for (const auto& [index, sign, radius] :
+         {std::tuple{c.first, 1.0, radii[0]}, std::tuple{c.second, -1.0, radii[1]}}) {
+        const Vector arm = c.point + sign * radius * c.normal - bodies[index].centre;
+        const Vector& w = bodies[index].angularVelocity;
+        const Acceleration a = at.accelerationOf(cluster.bodies[index]);
+        speed += sign * (bodies[index].velocity + w.cross(arm));
+        push += sign * c.normal.dot(a.linear + a.angular.cross(arm) + w.cross(w.cross(arm)));
+    }
+    // Two spheres that pass each other part.
+    if (radii[0] > 0 && radii[1] > 0)
+        push += (speed - c.normal * c.normal.dot(speed)).squaredNorm() / (radii[0] + radii[1]);
+    return push;
+}
+
+Hop hopOf(const Instant& at, const ImpactCluster& cluster, const ImpactContact& contact,
+          const std::array<double, 2>& radii, std::span<const ImpactBody> bodies) {
+    const double push = pushAt(at, cluster, contact, radii, bodies);
+    double approach = 0, speed = 0, radius = infinity, reach = 0, lowest = infinity;
+    for (const auto& [index, sign] :
+         {std::pair{contact.first, 1.0}, std::pair{contact.second, -1.0}}) {
+        const std::size_t body = cluster.bodies[index];
+        const Vector arm = contact.point - bodies[index].centre;
+        const Vector velocity = bodies[index].velocity + bodies[index].angularVelocity.cross(arm);
+        approach += sign * contact.normal.dot(velocity);
+        speed += bodies[index].velocity.norm() + bodies[index].angularVelocity.norm() * arm.norm();
+        radius = std::min(radius, at.world.records[body].radius);
+        if (!at.world.records[body].isFixed)
+            lowest = std::min(lowest, at.world.resolution[body].hopHeight);
+        reach += at.world.records[body].radius + bodies[index].centre.norm();
+    }
+    if (contact.isResting || !(approach < -collision::approachThreshold * speed))
+        return {};
+    const double slack =
+        at.resting.slack(cluster.bodies[contact.first], cluster.bodies[contact.second]);
+    lowest = lastHopHeight(lowest, radius, reach, slack);
+    const double parting = -contact.restitution * approach;
+    Hop hop{.approaches = true, .isLow = push < 0 && parting * parting / (-2 * push) < lowest};
+    if (hop.isLow)
+        hop.height = parting * parting / (-2 * push);
+    if (hop.isLow && contact.restitution < 1)
+        hop.settling = 2 * parting / (-push * (1 - contact.restitution));
+    return hop;
+}
+
+} // namespace
+
+LastHops softenLastHops(const Instant& at, ImpactCluster& cluster,
+                        std::span<const ImpactBody> bodies) {
+    LastHops last;
+    for (std::size_t c = 0; c < cluster.contacts.size(); ++c) {
+        const Pair pair = cluster.pairOf(cluster.contacts[c]);
+        if (cluster.contacts[c].restitution == 1 && at.areFreeBalls(pair))
+            continue; // they hop on (side_by_side.h)
+        Hop hop = hopOf(at, cluster, cluster.contacts[c], cluster.radii[c], bodies);
+        for (std::size_t i = 0; i < cluster.corners.size(); ++i) {
+            if (cluster.contactOf[i] != c)
+                continue;
+            const Hop other = hopOf(at, cluster, cluster.corners[i], cluster.radii[c], bodies);
+            hop.approaches = hop.approaches || other.approaches;
+            hop.isLow = hop.isLow && other.isLow;
+            hop.settling = std::max(hop.settling, other.settling);
+            hop.height = std::max(hop.height, other.height);
+        }
+        if (hop.approaches && hop.isLow) {
+            for (const std::size_t body : {pair.first, pair.second})
+                if (at.canGiveWay(body))
+                    last.lost.push_back({.time = at.time, .height = hop.height, .body = body});
+            last.settling = std::max(last.settling, hop.settling);
+            cluster.contacts[c].restitution = 0;
+        }
+    }
+    return last;
+}
+
+void pressTogether(const Instant& at, ImpactCluster& cluster, std::span<const ImpactBody> bodies) {
+    constexpr double more = 1.5; // than what the push gives
+    std::vector<ImpactContact*> contacts;
+    double fastest = 0, ofPush = 0;
+    for (std::size_t c = 0; c < cluster.contacts.size(); ++c) {
+        ImpactContact& contact = cluster.contacts[c];
+        const Pair pair =
+            std::minmax(cluster.bodies[contact.first], cluster.bodies[contact.second]);
+        const double rate = closingAt(contact, bodies).rate;
+        fastest = std::max(fastest, -rate);
+        if (!at.areFreeBalls(pair))
+            continue;
+        contacts.push_back(&contact);
+        if (!contact.isBeside)
+            continue;
+        const double push = -pushAt(at, cluster, contact, cluster.radii[c], bodies);
+        ofPush = std::max(ofPush, at.search.sideBySide().speedOfPush(
+                                      pair, {.time = at.time, .rate = rate, .push = push}));
+    }
+    if (!(fastest < more * ofPush))
+        return;
+    for (ImpactContact* const contact : contacts) {
+        contact->restitution = 0;
+        contact->isPressed = true;
+    }
+}
+
+} // namespace simulation

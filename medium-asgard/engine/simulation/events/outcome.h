@@ -1,0 +1,27 @@
+// What an event changes, from the moment at which it is announced until the solver asks for it.
+#pragma once
+
+#include "contacts/resting_bodies.h"
+#include "solution/event_source.h"
+
+#include <vector>
+
+namespace simulation {
+
+struct Outcome {
+    struct Resting {
+        std::size_t body;
+        BodyState state;
+        Rest rest;
+    };
+    std::vector<solution::Changes::Jump> jumps;
+    std::vector<solution::Changes::End> ends;
+    std::vector<Resting> rests;
+
+    // Of the body's unknowns those that are not the same, in the event, too; of the attitude all or
+    // none, since what was solved is of length 1 only to its error.
+    void jump(const physics::BodyMotion& motion, const BodyState& from, const BodyState& to,
+              solution::Event& event);
+};
+
+} // namespace simulation

@@ -1,0 +1,95 @@
+#include "events/sentences.h"
+
+#include <cctype>
+#include <cstdio>
+
+namespace simulation::sentences {
+
+std::string quoted(const Colliders& world, std::size_t body) {
+    return "\"" + world.name(body) + "\"";
+}
+
+std::string bodies(const Colliders& world, const Pair& pair) {
+    return "bodies " + quoted(world, pair.first) + " and " + quoted(world, pair.second);
+}
+
+std::string capital(std::string sentence) {
+    sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
+    return sentence;
+}
+
+std::string leaning(const Colliders& world, const Pair& pair) {
+    return bodies(world, pair) +
+           " come to rest on each other, which is modelled only where one of them is fixed or held";
+}
+
+std::string lost(const Colliders& world, const Pair& pair, bool bothGiveWay) {
+    return bodies(world, pair) +
+           (bothGiveWay ? " go on touching while they turn, which is modelled only where one of "
+                          "them is fixed or held and the other is pushed onto it"
+                        : " go on touching while they turn, and no force presses them together; "
+                          "the time of their next impact cannot be told. Leave a little room "
+                          "between them, or add a force that presses them together");
+}
+
+std::string withoutEnd(const Colliders& world, const Pair& pair, bool isBetweenSeveral) {
+    return bodies(world, pair) + " meet again and again in ever shorter time; " +
+           (isBetweenSeveral ? "leave more room between them"
+                             : "they meet no other body in between, and their motion in contact is "
+                               "not modelled");
+}
+
+std::string joinedRests(const Colliders& world, const Pair& pair) {
+    return "body " + quoted(world, pair.first) + ", which a joint holds, comes to rest on body " +
+           quoted(world, pair.second) + ", which is not computed yet";
+}
+
+std::string meetsEnded(const Colliders& world, std::size_t body, std::size_t ended, double time) {
+    char when[40];
+    std::snprintf(when, sizeof when, "%.6g", time);
+    return "body " + quoted(world, body) + " meets " + quoted(world, ended) +
+           ", whose motion stopped at t = " + when + "; what happens then is not known";
+}
+
+std::string missed(const Colliders& world, const Pair& pair) {
+    return bodies(world, pair) + " overlap after they have met, since the search missed an impact; "
+                                 "another accuracy may find it";
+}
+
+std::string opensAgain(const Colliders& world, std::size_t body) {
+    return "body " + quoted(world, body) +
+           " comes to rest and opens again and again in ever shorter time";
+}
+
+std::string restless(const Colliders& world, std::size_t body) {
+    return "body " + quoted(world, body) +
+           " lifts off its support and comes back again and again within next to no time: no "
+           "position is found in which it rests there; turn or move it a little, or hold it there "
+           "(constrain, link)";
+}
+
+std::string passThrough(const Colliders& world, const Pair& pair) {
+    return capital(bodies(world, pair)) +
+           " are both held where they meet, so they pass through each other.";
+}
+
+std::string overlap(const Colliders& world, const Pair& pair) {
+    return capital(bodies(world, pair)) +
+           " overlap without having met; they can collide once they are apart.";
+}
+
+std::string noRoom(const Colliders& world, std::size_t body, const std::set<std::size_t>& between) {
+    std::string others;
+    for (const std::size_t other : between)
+        others += (others.empty() ? "" : " and ") + quoted(world, other);
+    return "Body " + quoted(world, body) + " has no room between " + others +
+           ": it would bounce between them without end at one instant, and loses its speed there.";
+}
+
+std::string noHinge(const Colliders& world, std::size_t body) {
+    return "Body " + quoted(world, body) +
+           " is held at a place beside its centre of mass, which makes no hinge: what hits it or "
+           "rests on it does not turn it. A stiff link makes a hinge.";
+}
+
+} // namespace simulation::sentences

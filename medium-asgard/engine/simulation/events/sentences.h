@@ -1,0 +1,35 @@
+// What an author reads of bodies that meet.
+#pragma once
+
+#include "contacts/colliders.h"
+
+#include <set>
+#include <string>
+
+namespace simulation::sentences {
+
+[[nodiscard]] std::string quoted(const Colliders& world, std::size_t body);
+[[nodiscard]] std::string bodies(const Colliders& world, const Pair& pair); // bodies "a" and "b"
+[[nodiscard]] std::string capital(std::string sentence);
+
+// Why a motion ends.
+[[nodiscard]] std::string leaning(const Colliders& world, const Pair& pair);
+[[nodiscard]] std::string lost(const Colliders& world, const Pair& pair, bool bothGiveWay);
+[[nodiscard]] std::string withoutEnd(const Colliders& world, const Pair& pair,
+                                     bool isBetweenSeveral);
+// The first, which a joint holds, on the second.
+[[nodiscard]] std::string joinedRests(const Colliders& world, const Pair& pair);
+[[nodiscard]] std::string meetsEnded(const Colliders& world, std::size_t body, std::size_t ended,
+                                     double time);
+[[nodiscard]] std::string missed(const Colliders& world, const Pair& pair);
+[[nodiscard]] std::string opensAgain(const Colliders& world, std::size_t body);
+[[nodiscard]] std::string restless(const Colliders& world, std::size_t body);
+
+// What is noted beside a motion that goes on.
+[[nodiscard]] std::string passThrough(const Colliders& world, const Pair& pair);
+[[nodiscard]] std::string overlap(const Colliders& world, const Pair& pair);
+[[nodiscard]] std::string noRoom(const Colliders& world, std::size_t body,
+                                 const std::set<std::size_t>& between);
+[[nodiscard]] std::string noHinge(const Colliders& world, std::size_t body);
+
+} // namespace simulation::sentences

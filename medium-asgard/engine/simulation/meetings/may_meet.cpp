@@ -1,0 +1,28 @@
+#include "meetings/may_meet.h"
+
+#include "scene/connections.h"
+
+#include <algorithm>
+
+namespace simulation {
+
+MayMeet::MayMeet(const scene::Scene& scene) : joined_(scene::joinedBodies(scene)) {
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+        isFixed_.push_back(scene.bodies[b].fixed);
+        groups_.push_back(scene.bodies[b].collisionGroup);
+        isChoosy_.push_back(groups_[b].has_value() || !joined_[b].empty());
+    }
+}
+
+bool MayMeet::mayChoosyMeet(std::size_t a, std::size_t b) const {
+    if (groups_[a] && groups_[b] && *groups_[a] == *groups_[b])
+        return false;
+    return std::ranges::find(joined_[a], b) == joined_[a].end();
+}
+
+bool MayMeet::isPassing(const Pair& pair, double time) const {
+    return std::ranges::any_of(passing_,
+                               [&](const Passing& p) { return p.pair == pair && p.until > time; });
+}
+
+} // namespace simulation

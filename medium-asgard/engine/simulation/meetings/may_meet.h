@@ -1,0 +1,43 @@
+// Which pairs of bodies may collide at all?
+//
+// Not those of one collision group, not those that a link or a joint joins, not two fixed ones. Two
+// that cannot give way where they meet let each other pass for a while.
+#pragma once
+
+#include "collision/broad_phase.h"
+#include "scene/scene.h"
+
+#include <optional>
+#include <vector>
+
+namespace simulation {
+
+class MayMeet {
+public:
+    using Pair = collision::Pair;
+
+    explicit MayMeet(const scene::Scene& scene);
+
+    [[nodiscard]] bool operator()(std::size_t a, std::size_t b) const {
+        if (a == b || (isFixed_[a] && isFixed_[b]))
+            return false;
+        return !isChoosy_[a] || !isChoosy_[b] || mayChoosyMeet(a, b);
+    }
+    void letPass(const Pair& pair, double until) { passing_.push_back({pair, until}); }
+    [[nodiscard]] bool isPassing(const Pair& pair, double time) const;
+    [[nodiscard]] bool isAnyPassing() const { return !passing_.empty(); }
+
+private:
+    [[nodiscard]] bool mayChoosyMeet(std::size_t a, std::size_t b) const;
+
+    struct Passing {
+        Pair pair;
+        double until = 0;
+    };
+    std::vector<char> isFixed_, isChoosy_; // by body; choosy: it has a group or joined bodies
+    std::vector<std::optional<std::size_t>> groups_;
+    std::vector<std::vector<std::size_t>> joined_; // by body: that it never meets
+    std::vector<Passing> passing_;
+};
+
+} // namespace simulation
