@@ -1,5 +1,6 @@
 #include "authoring/commands.h"
 #include "authoring/fields.h"
+#include "manuscript/gaps.h"
 #include "manuscript/leaves.h"
 
 #include "sgml/edit.h"
@@ -351,16 +352,7 @@ Result breakParagraph(const Manuscript& manuscript, Selection selection) {
 
 // --- behind the end -------------------------------------------------------------------------
 
-namespace {
-
-// Text in these does not go on behind them; Enter leads out of lists.
-bool isClosed(const Element& element) {
-    return element.display == Display::table || element.display == Display::verbatim ||
-           element.role == ContainerRole::table || element.role == ContainerRole::figure;
-}
-
-} // namespace
-
+// Enter leads out of lists.
 Result goBehindEnd(const Manuscript& manuscript, Selection selection) {
     const std::size_t end = manuscript::everything(manuscript, selection.caret).caret;
     Draft draft(manuscript, {end, end});
@@ -368,7 +360,7 @@ Result goBehindEnd(const Manuscript& manuscript, Selection selection) {
         return refused(why);
     Piece* last = nullptr;
     for (Piece* at = draft.first().parent; at->parent != nullptr; at = at->parent)
-        last = isClosed(draft.of(*at)) ? at : last;
+        last = manuscript::isClosed(draft.of(*at)) ? at : last;
     if (last == nullptr && draft.holdsText(draft.blockOf(draft.first())))
         return refused(QStringLiteral("The document ends with a line for text already."));
     Piece* made = nullptr;

@@ -41,6 +41,7 @@ std::vector<Section> sectionsOf(const Model& model) {
     return result;
 }
 
+// A caption belongs to what it describes.
 SectionCounts countsOf(const Model& model, const Section& section) {
     SectionCounts counts;
     for (std::size_t i = section.heading + 1; i <= section.last; ++i) {
@@ -55,6 +56,10 @@ SectionCounts countsOf(const Model& model, const Section& section) {
             continue;
         counts.figures += container.role == ContainerRole::figure ? 1 : 0;
         counts.tables += container.role == ContainerRole::table ? 1 : 0;
+        if (container.role != ContainerRole::caption)
+            continue;
+        for (std::size_t i = container.first; i <= container.last; ++i)
+            counts.paragraphs -= model.blocks[i]->kind == BlockKind::text ? 1 : 0;
     }
     return counts;
 }

@@ -85,8 +85,8 @@ void ModelWalk::open(std::size_t of) {
     opened_[of].box = model_.boxes.size();
     model_.boxes.push_back({.first = block,
                             .last = block,
-                            .indentLeft = frame.indent.left - style.padding,
-                            .indentRight = frame.indent.right - style.padding,
+                            .indentLeft = frame.indent.left - style.paddingAside(),
+                            .indentRight = frame.indent.right - style.paddingAside(),
                             .padding = style.padding,
                             .background = style.background,
                             .border = style.border});

@@ -303,8 +303,8 @@ bool ModelWalk::beginBlock(Frame& frame) {
         frame.content.together = std::min(frame.content.together, flow_.out->size());
     if ((style.background || style.border.width > 0) && flow_.out == &model_.blocks) {
         flow_.gap.padding += style.padding;
-        frame.indent.left += style.padding;
-        frame.indent.right += style.padding;
+        frame.indent.left += style.paddingAside();
+        frame.indent.right += style.paddingAside();
         frame.content.boxed = true;
     }
     return true;

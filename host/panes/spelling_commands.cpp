@@ -25,6 +25,11 @@ QString languageOf(const document::Document& document) {
                 : QLocale::system().name();
 }
 
+// "American English", of the dictionary that is used.
+QString nameOf(const spelling::Dictionary& dictionary) {
+    return QLocale(dictionary.language).nativeLanguageName();
+}
+
 QString ownWords() {
     return QDir(QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation))
         .filePath("ensemble/words");
@@ -61,6 +66,8 @@ void SpellingCommands::followLanguage() {
     const bool isThere = dictionary().isThere();
     toggle_->setChecked(isThere && QSettings().value(setting, true).toBool());
     toggle_->setEnabled(isThere);
+    toggle_->setText(isThere ? tr("&Spelling (%1)").arg(plain::caption(nameOf(dictionary())))
+                             : tr("&Spelling"));
     toggle_->setToolTip(
         plain::tip(isThere ? QString() : spelling::Speller(dictionary(), {}).whyNot()));
     update();
@@ -72,8 +79,11 @@ spelling::Dictionary SpellingCommands::dictionary() const {
 
 // A dictionary is read when somebody begins to write.
 void SpellingCommands::update() {
-    if (!toggle_->isChecked() || !view_.isWriting())
+    if (!toggle_->isChecked() || !view_.isWriting()) {
+        Q_EMIT languageChanged({});
         return marks_.use(nullptr);
+    }
+    Q_EMIT languageChanged(nameOf(dictionary()));
     std::shared_ptr<spelling::Speller> speller = spellerOf(dictionary());
     if (!speller->whyNot().isEmpty())
         Q_EMIT said(speller->whyNot());

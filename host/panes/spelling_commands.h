@@ -24,6 +24,7 @@ public:
 
 Q_SIGNALS:
     void said(const QString& sentence);
+    void languageChanged(const QString& name); // in which words are checked; "": they are not
 
 private:
     [[nodiscard]] spelling::Dictionary dictionary() const;

@@ -53,6 +53,12 @@ const char* const prose =
     "drives it, and what may be changed while it runs? Two forces act on the bob of a pendulum, "
     "and one of them does no work.";
 
+TEST_F(LinesOfTextTest, ALineStandsStillWhenItGetsItsFirstLetter) {
+    const auto empty = laid(paragraph("")), typed = laid(paragraph("x"));
+    EXPECT_EQ(empty->lines().front().baseline, typed->lines().front().baseline);
+    EXPECT_EQ(empty->lines().front().height, typed->lines().front().height);
+}
+
 TEST_F(LinesOfTextTest, JustifiedLinesEndTogether) {
     for (const double width : {150, 200, 260, 330, 400}) {
         const auto of = laid(justified(prose), fromPoints(width));

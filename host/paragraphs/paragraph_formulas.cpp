@@ -22,6 +22,10 @@ constexpr QColor faultyColor(0xC0, 0x20, 0x20);
 // size around it: alone in a line or a cell it has the base line of a word.
 std::pair<double, double> Paragraph::extentOf(const Line& line, double ascent,
                                               double descent) const {
+    if (line.from == line.to) { // as with the letters that may come to stand there
+        const QFontMetricsF metrics(materials().looks.font(firstStyle()));
+        return {metrics.ascent(), metrics.descent()};
+    }
     for (const InlineObject& object : letters_.objectsIn(line.from, line.to)) {
         const QFontMetricsF metrics(materials().looks.font(block()->runs[object.run].style));
         ascent = std::max(ascent, metrics.ascent());

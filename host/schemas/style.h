@@ -80,6 +80,10 @@ struct BlockStyle {
     // and what follows fills the page before.
     bool mayFloat = false;
     std::string hint; // what stands in it, said where it is written and has no text
+    // A line above or below the text is as wide as the text.
+    [[nodiscard]] double paddingAside() const {
+        return background || border.left || border.right ? padding : 0;
+    }
     bool operator==(const BlockStyle&) const = default;
 };
 

@@ -159,7 +159,8 @@ void OpenDocument::connectLive(document::SubdocumentId id, media::LiveSubdocumen
     connect(&live, &LiveSubdocument::preferredSizeChanged, this, &OpenDocument::resized);
     connect(&live, &LiveSubdocument::windowsChanged, this, &OpenDocument::draftsChanged);
     connect(&live, &LiveSubdocument::keptStateChanged, this, &OpenDocument::draftsChanged);
-    connect(&live, &LiveSubdocument::message, this, &OpenDocument::message);
+    connect(&live, &LiveSubdocument::message, this,
+            [this, id](const QString& text) { Q_EMIT figureSaid(id, text); });
     connect(&live, &LiveSubdocument::undoRequested, document_.get(), &document::Document::undo);
     connect(&live, &LiveSubdocument::redoRequested, document_.get(), &document::Document::redo);
 }

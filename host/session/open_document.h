@@ -100,6 +100,7 @@ Q_SIGNALS:
     void faultsChanged();
     void draftsChanged(); // what was typed in windows of media, or whether anything was
     void message(const QString& text);
+    void figureSaid(document::SubdocumentId figure, const QString& text);
 
 private:
     void readSubdocuments();

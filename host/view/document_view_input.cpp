@@ -3,6 +3,7 @@
 
 #include "view/figures.h"
 #include "view/folds.h"
+#include "view/gap_caret.h"
 #include "view/key_names.h"
 #include "view/text_drag.h"
 #include "view/text_hand.h"
@@ -87,7 +88,7 @@ void DocumentView::mousePressEvent(QMouseEvent* event) {
         return;
     if (event->button() == Qt::LeftButton && !drag_->press(*event)) {
         text_->press(*event);
-        if (!event->modifiers())
+        if (!event->modifiers() && !pressGap(*this, event->position()))
             writing_->pressBelow(event->position());
     } else if (event->button() == Qt::MiddleButton) {
         pasteSelection(*event);

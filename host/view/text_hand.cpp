@@ -5,6 +5,7 @@
 #include "view/copying.h"
 #include "view/document_view.h"
 #include "view/folds.h"
+#include "view/gap_caret.h"
 #include "view/writing.h"
 
 #include <QApplication>
@@ -292,6 +293,8 @@ void TextHand::paintSelection(QPainter& painter, document::SubdocumentId id,
 }
 
 std::optional<QRectF> TextHand::caretRect() const {
+    if (const std::optional<GapPlace> gap = gapOfCaret(view_))
+        return view_.inViewport(gap->page, gap->caret());
     const places::Carets all = carets();
     const std::optional<places::Caret> caret = cursor_.caret(all);
     if (!caret)

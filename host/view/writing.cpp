@@ -1,9 +1,11 @@
 #include "view/writing.h"
 
 #include "authoring/table_nodes.h"
+#include "manuscript/gaps.h"
 #include "manuscript/places.h"
 #include "view/document_view.h"
 #include "view/folds.h"
+#include "view/gap_caret.h"
 #include "view/hints.h"
 #include "view/resizing.h"
 
@@ -123,17 +125,22 @@ void Writing::paint(QPainter& painter, std::size_t page) const {
         paintHints(painter, view_, page);
     if (!on_ || view_.chosen() || !view_.hasFocus())
         return;
+    const QColor paper = view_.pages().paper;
+    const QColor ink = paper.lightness() < 128 ? Qt::white : Qt::black;
+    const double pixel = 1 / painter.transform().m11();
+    constexpr double width = 1.6;
+    if (const std::optional<GapPlace> gap = gapOfCaret(view_)) {
+        if (gap->page == page && isShown_)
+            painter.fillRect(gap->caret().adjusted(0, 0, 0, pixel * width), ink);
+        return;
+    }
     const places::Carets carets(view_.pages(), view_.document().document().tree());
     const std::optional<places::Caret> caret = hand_.cursor().caret(carets);
     if (!caret || caret->page != page)
         return;
-    const QColor paper = view_.pages().paper;
-    const QColor ink = paper.lightness() < 128 ? Qt::white : Qt::black;
     const auto rect = composing_.paint(painter, carets.rectOf(*caret), ink, paper);
     if (!isShown_ || !rect)
         return;
-    const double pixel = 1 / painter.transform().m11();
-    constexpr double width = 1.6;
     painter.fillRect(
         QRectF(rect->left() - pixel * width / 2, rect->top(), pixel * width, rect->height()), ink);
 }
@@ -284,7 +291,7 @@ bool Writing::isForText(const QKeyEvent& event) {
 void Writing::settleCaret() {
     using authoring::Direction;
     const std::optional<authoring::Selection> at = selection();
-    if (!at || !at->isEmpty())
+    if (!at || !at->isEmpty() || manuscript::isGap(manuscript(), at->caret))
         return;
     const auto next = manuscript::place(manuscript(), at->caret, Direction::forward);
     if (next && next != at->caret &&
@@ -334,8 +341,14 @@ bool Writing::moveCaret(const QKeyEvent& event) {
         return false;
     const std::optional<authoring::Selection> after = selection();
     constexpr auto others = Qt::ShiftModifier | Qt::ControlModifier;
-    if (!before || !after || !before->isEmpty() || after->caret != before->caret ||
-        (event.modifiers() & others))
+    if (!before || !after || !before->isEmpty() || (event.modifiers() & others))
+        return true;
+    const bool isArrow = event.key() >= Qt::Key_Left && event.key() <= Qt::Key_Down;
+    if (isArrow && enterGap(view_, event.key(), before->caret, after->caret)) {
+        hand_.showCaret();
+        return true;
+    }
+    if (after->caret != before->caret)
         return true;
     const bool isAside = event.key() == Qt::Key_Right || event.key() == Qt::Key_Left;
     if (event.key() == Qt::Key_Down ||
@@ -355,6 +368,11 @@ bool Writing::useKey(const QKeyEvent& event) {
     };
     if (isForClipboard(event))
         return true; // there was nothing to cut or paste
+    constexpr auto others = Qt::ShiftModifier | Qt::ControlModifier | Qt::AltModifier;
+    if (!(event.modifiers() & others) && leaveGap(view_, event.key())) {
+        hand_.showCaret();
+        return true;
+    }
     if (movesInTable(event)) {
         const bool isRow = event.key() == Qt::Key_Up || event.key() == Qt::Key_Down;
         const bool isBack = event.key() == Qt::Key_Up || event.key() == Qt::Key_Left;

@@ -26,6 +26,7 @@
 #include "window/help_menu.h"
 #include "window/link.h"
 #include "window/medium_commands.h"
+#include "window/status_line.h"
 #include "window/view_menu.h"
 
 #include <QApplication>
@@ -34,7 +35,6 @@
 #include <QFileInfo>
 #include <QMimeData>
 #include <QScreen>
-#include <QScrollBar>
 #include <QStatusBar>
 #include <QVBoxLayout>
 
@@ -61,14 +61,12 @@ DocumentWindow::DocumentWindow(Application& application,
       outline_(new panes::OutlinePane(*view_, this)), source_(new source::SourcePane(*view_, this)),
       presentation_(new source::PresentationPane(*view_, this)),
       tools_(new QToolBar(tr("Tools"), this)), saving_(new filing::Saving(*document_, *this)),
-      printing_(new filing::Printing(*document_, *this)), pageLabel_(plain::label({}, this)),
-      zoomLabel_(plain::label({}, this)) {
+      printing_(new filing::Printing(*document_, *this)),
+      status_(new StatusLine(*view_, *statusBar(), this)) {
     setAttribute(Qt::WA_DeleteOnClose);
     setObjectName("documentWindow");
     banner_->setObjectName("banner");
     view_->setObjectName("pages");
-    pageLabel_->setObjectName("page");
-    zoomLabel_->setObjectName("zoom");
     setAcceptDrops(true);
     auto* middle = new QWidget(this);
     auto* column = new QVBoxLayout(middle);
@@ -100,6 +98,8 @@ DocumentWindow::DocumentWindow(Application& application,
     auto* spelling = new panes::SpellingCommands(*view_, this);
     connect(edit, &EditMenu::aboutToShowAt, spelling, &panes::SpellingCommands::addTo);
     connect(edit, &EditMenu::aboutToShowAt, insert, &menus::InsertMenu::addTo);
+    connect(spelling, &panes::SpellingCommands::languageChanged, status_,
+            &StatusLine::showLanguage);
     connect(spelling, &panes::SpellingCommands::said, this, &DocumentWindow::say);
     auto* look = new ViewMenu(application, *this,
                               {&spelling->toggle(), outline_->toggleViewAction(),
@@ -115,15 +115,13 @@ DocumentWindow::DocumentWindow(Application& application,
     commands_ =
         new MediumCommands(*document_, *view_, *menuBar(), menuBar()->actions().last(), *tools_);
     commands_->setParent(this);
-    statusBar()->addPermanentWidget(pageLabel_);
-    statusBar()->addPermanentWidget(zoomLabel_);
-    statusBar()->setSizeGripEnabled(false);
 
     document::Document* of = &document_->document();
     connect(of, &document::Document::modifiedChanged, this, &DocumentWindow::updateTitle);
     connect(of, &document::Document::fileNameChanged, this, &DocumentWindow::updateTitle);
     connect(view_, &view::DocumentView::laidOut, this, &DocumentWindow::updateTitle);
     connect(document_.get(), &session::OpenDocument::message, this, &DocumentWindow::say);
+    connect(document_.get(), &session::OpenDocument::figureSaid, status_, &StatusLine::sayOf);
     connect(saving_, &filing::Saving::said, this, &DocumentWindow::say);
     connect(saving_, &filing::Saving::savedAs, this,
             [this](const QString& file) { application_.remember(file); });
@@ -143,15 +141,6 @@ DocumentWindow::DocumentWindow(Application& application,
     connect(view_, &view::DocumentView::textMenuWanted, edit, &EditMenu::showAt);
     connect(&view_->writing(), &view::Writing::refused, this, &DocumentWindow::say);
     connect(view_, &view::DocumentView::unhandledKey, this, &DocumentWindow::useShortcut);
-    const auto showPlace = [this] {
-        zoomLabel_->setText(tr("%1 %").arg(qRound(view_->zoom() * 100)));
-        const auto pages = static_cast<int>(view_->pages().pages.size());
-        pageLabel_->setText(tr("Page %1 of %2").arg(view_->currentPage() + 1).arg(pages));
-    };
-    connect(view_, &view::DocumentView::zoomChanged, this, showPlace);
-    connect(view_, &view::DocumentView::laidOut, this, showPlace);
-    connect(view_->verticalScrollBar(), &QScrollBar::valueChanged, this, showPlace);
-    showPlace();
     updateTitle();
     view_->setFocus();
     const QSize screen = this->screen()->availableSize();
@@ -172,10 +161,7 @@ DocumentWindow::~DocumentWindow() {
 bool DocumentWindow::save() { return saving_->save(); }
 bool DocumentWindow::saveAs() { return saving_->saveAs(); }
 
-void DocumentWindow::say(const QString& sentence) {
-    constexpr int longEnoughMs = 8000;
-    statusBar()->showMessage(sentence, longEnoughMs);
-}
+void DocumentWindow::say(const QString& sentence) { status_->say(sentence); }
 
 void DocumentWindow::buildTools(QAction& write) {
     tools_->setObjectName("tools");
@@ -270,18 +256,26 @@ void DocumentWindow::updateFaults(int errors, int warnings) {
     updateBanner();
 }
 
+// What is not on the disk as it is here is no file that is damaged.
+QString DocumentWindow::damage() const {
+    const document::Document& of = document_->document();
+    if (of.isModified() || of.fileName().isEmpty())
+        return tr("A part of this text cannot be read. It is shown as far as it can; the list of "
+                  "faults says where, and Undo takes back what was done.");
+    if (looksLikeADocument(of.bytes()))
+        return tr("This file is damaged. It is shown as far as it can be read, and is not "
+                  "overwritten without your consent.");
+    return tr("This file is no document: documents begin with the word DOCUMENT. It may be one for "
+              "another program, and is not overwritten without your consent.");
+}
+
 void DocumentWindow::updateBanner() {
     // What is being typed in the source is not a damaged file, and nothing moves for it.
     const bool broken =
         document_->document().isBroken() && (!banner_->isHidden() || source_->isHidden());
     if (broken && banner_->isHidden())
         faults_->show();
-    banner_->setText(looksLikeADocument(document_->document().bytes())
-                         ? tr("This file is damaged. It is shown as far as it can be read, and is "
-                              "not overwritten without your consent.")
-                         : tr("This file is no document: documents begin with the word DOCUMENT. "
-                              "It may be one for another program, and is not overwritten without "
-                              "your consent."));
+    banner_->setText(damage());
     banner_->setVisible(broken);
 }
 

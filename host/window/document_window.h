@@ -27,6 +27,7 @@ namespace window {
 
 class Application;
 class MediumCommands;
+class StatusLine;
 class ViewMenu;
 
 class DocumentWindow : public QMainWindow {
@@ -62,6 +63,7 @@ private:
     void say(const QString& sentence); // in the status line
     void updateTitle();
     void updateFaults(int errors, int warnings);
+    [[nodiscard]] QString damage() const; // in words
     void updateBanner();
     void goTo(const session::ListedFault& fault);
     void openLink(const QString& target);
@@ -80,8 +82,7 @@ private:
     filing::Saving* saving_;
     filing::Printing* printing_;
     MediumCommands* commands_ = nullptr;
-    QLabel* pageLabel_;
-    QLabel* zoomLabel_;
+    StatusLine* status_;
 };
 
 } // namespace window

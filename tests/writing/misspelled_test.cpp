@@ -64,8 +64,13 @@ TEST_F(MisspelledTest, AreMarkedWhereOneWritesAndMended) {
     EXPECT_NE(document().bytes().find("The motion of"), std::string::npos);
     EXPECT_EQ(document().steps(), 1u);
     EXPECT_TRUE(waitFor([&] { return count() == 0; }));
+    const auto* language = window_->findChild<QLabel*>("spellingLanguage");
+    EXPECT_TRUE(language->isVisible());
+    EXPECT_EQ(language->text(), "Spelling: American English");
+    EXPECT_EQ(action("spelling")->text(), "&Spelling (American English)");
     action("write")->trigger();
     EXPECT_EQ(count(), 0u);
+    EXPECT_FALSE(language->isVisible());
 }
 
 TEST_F(MisspelledTest, AreRightOnceTheyAreAdded) {

@@ -74,6 +74,30 @@ TEST_F(NewcomerTest, TheKeyOfAPageBreakDoesAsItsMenuAndTheCaretIsOnTheNewPage) {
     EXPECT_EQ(view().text().cursor().page(), 1u);
 }
 
+// --- what the window says
+
+TEST_F(NewcomerTest, TheWordsOfAFigureGoWithIt) {
+    write(paragraph("One") + inFigure("red"));
+    choose(0);
+    Q_EMIT window_->document().figureSaid(nth(*window_, 0), "Drag turns the view");
+    EXPECT_TRUE(says("Drag turns"));
+    press(Qt::Key_Delete);
+    EXPECT_TRUE(waitFor([&] { return document().subdocuments().empty(); }));
+    EXPECT_EQ(window_->statusBar()->currentMessage(), "");
+}
+
+TEST_F(NewcomerTest, ATextThatIsBrokenWhileItIsWrittenIsNoDamagedFile) {
+    write(paragraph("One"));
+    const std::size_t at = document().bytes().find("</BODY>");
+    (void)document().edit({{{at, document().bytes().size()}, ""}}, "Break");
+    const auto* banner = window_->findChild<QLabel*>("banner");
+    EXPECT_TRUE(waitFor([&] { return banner->isVisible(); }));
+    EXPECT_FALSE(banner->text().contains("file is damaged"));
+    EXPECT_TRUE(banner->text().contains("Undo"));
+    document().undo();
+    EXPECT_TRUE(waitFor([&] { return !banner->isVisible(); }));
+}
+
 // --- windows
 
 TEST_F(NewcomerTest, AFileTakesThePlaceOfAMemoInWhichNobodyHasWritten) {
@@ -91,6 +115,51 @@ TEST_F(NewcomerTest, AFileTakesThePlaceOfAMemoInWhichNobodyHasWritten) {
     QTest::qWait(50);
     EXPECT_TRUE(written);
     (void)written->document().document().undo();
+}
+
+// --- between two tables
+
+TEST_F(NewcomerTest, ACaretStandsBetweenTwoTablesAndWritesAParagraphThere) {
+    const QByteArray first = "<TABLE><ROW><CELL>{a}</CELL></ROW></TABLE>\n",
+                     second = "<TABLE><ROW><CELL>{b}</CELL></ROW></TABLE>\n";
+    write(paragraph("One") + first + second + paragraph("Two"));
+    goTo("a}");
+    const QRectF above = view().text().caretRect().value();
+    press(Qt::Key_Down);
+    const QRectF between = view().text().caretRect().value();
+    EXPECT_GT(between.top(), above.bottom());
+    EXPECT_GT(between.width(), above.width()); // a line across
+    press(Qt::Key_Down);
+    const QRectF below = view().text().caretRect().value();
+    EXPECT_GT(below.top(), between.top());
+    EXPECT_EQ(body(), (paragraph("One") + first + second + paragraph("Two")).toStdString());
+    press(Qt::Key_Up);
+    EXPECT_EQ(view().text().caretRect().value(), between);
+    press(Qt::Key_Backspace); // to the end of the first table
+    press(Qt::Key_Right);
+    EXPECT_EQ(view().text().caretRect().value(), between);
+    QTest::mouseClick(view().viewport(), Qt::LeftButton, {}, above.center().toPoint());
+    QTest::mouseClick(view().viewport(), Qt::LeftButton, {}, between.center().toPoint());
+    type("new");
+    EXPECT_THAT(body(),
+                HasSubstr("{a}</CELL></ROW></TABLE>\n<PARAGRAPH>{new}</PARAGRAPH>\n<TABLE>"));
+    document().undo();
+    EXPECT_EQ(view().text().caretRect().value(), between);
+    press(Qt::Key_Return);
+    EXPECT_THAT(body(), HasSubstr("{a}</CELL></ROW></TABLE>\n<PARAGRAPH>{}</PARAGRAPH>\n<TABLE>"));
+}
+
+TEST_F(NewcomerTest, ACaretStandsBetweenATableAndAFigureAndBetweenTwoFigures) {
+    const QByteArray table = "<TABLE><ROW><CELL>{a}</CELL></ROW></TABLE>\n";
+    write(table + inFigure("red") + inFigure("blue"));
+    goTo("a}");
+    press(Qt::Key_Down);
+    type("x");
+    EXPECT_THAT(body(), HasSubstr("</TABLE>\n<PARAGRAPH>{x}</PARAGRAPH>\n<FIGURE>"));
+    goTo("Words}");
+    press(Qt::Key_Down);
+    type("y");
+    EXPECT_THAT(body(), HasSubstr("</FIGURE>\n<PARAGRAPH>{y}</PARAGRAPH>\n<FIGURE>"));
 }
 
 // --- behind a table that ends the document
