@@ -29,6 +29,7 @@ bool Multipliers::evaluate() {
     return full_.allFinite() && rest_.allFinite();
 }
 
+// Without a heap allocation once it was called for as many.
 bool Multipliers::factorise() {
     if (!evaluate())
         return false;
@@ -36,14 +37,25 @@ bool Multipliers::factorise() {
     for (std::size_t row = 0; row < size(); ++row)
         if (mode_.kept[row] == State::inside)
             active_.push_back(row);
-    if (active_.empty())
+    const Eigen::Index n = indexOf(active_.size());
+    if (n == 0)
         return true;
-    matrix_ = active_.size() == size() ? full_ : Eigen::MatrixXd(full_(active_, active_));
-    scale_ = matrix_.diagonal().cwiseAbs().cwiseSqrt().cwiseMax(1e-300).cwiseInverse();
-    scale_ = (matrix_.diagonal().array() == 0).select(1, scale_);
-    matrix_ = scale_.asDiagonal() * matrix_ * scale_.asDiagonal();
+    scale_.resize(n);
+    matrix_.resize(n, n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const Eigen::Index row = indexOf(active_[static_cast<std::size_t>(i)]);
+        const double own = std::abs(full_(row, row));
+        scale_[i] = own > 0 ? 1 / std::sqrt(own) : 1;
+    }
+    for (Eigen::Index j = 0; j < n; ++j)
+        for (Eigen::Index i = 0; i < n; ++i)
+            matrix_(i, j) = scale_[i] * scale_[j] *
+                            full_(indexOf(active_[static_cast<std::size_t>(i)]),
+                                  indexOf(active_[static_cast<std::size_t>(j)]));
     lu_.compute(matrix_);
-    isRegular_ = lu_.matrixLU().diagonal().cwiseAbs().minCoeff() > isNone;
+    isRegular_ = true;
+    for (Eigen::Index i = 0; i < n; ++i)
+        isRegular_ = isRegular_ && std::abs(lu_.matrixLU()(i, i)) > isNone;
     if (!isRegular_) {
         least_.setThreshold(isNone);
         least_.compute(matrix_);
@@ -56,15 +68,19 @@ double Multipliers::bound(std::size_t row) const {
     return mode_.kept[row] == State::high ? law.high : law.low;
 }
 
-void Multipliers::solve(Eigen::Ref<Eigen::VectorXd> rates) const {
-    if (active_.empty()) {
-        rates.setZero();
-        return;
-    }
-    Eigen::VectorXd m = -scale_.cwiseProduct(Eigen::VectorXd(rates(active_)));
-    m = isRegular_ ? Eigen::VectorXd(lu_.solve(m)) : Eigen::VectorXd(least_.solve(m));
+void Multipliers::solve(Eigen::Ref<Eigen::VectorXd> rates) {
+    const Eigen::Index n = indexOf(active_.size());
+    right_.resize(n);
+    answer_.resize(n);
+    for (Eigen::Index i = 0; i < n; ++i)
+        right_[i] = -scale_[i] * rates[indexOf(active_[static_cast<std::size_t>(i)])];
+    if (n > 0 && isRegular_)
+        answer_ = lu_.solve(right_);
+    else if (n > 0)
+        answer_ = least_.solve(right_);
     rates.setZero();
-    rates(active_) = scale_.cwiseProduct(m);
+    for (Eigen::Index i = 0; i < n; ++i)
+        rates[indexOf(active_[static_cast<std::size_t>(i)])] = scale_[i] * answer_[i];
 }
 
 bool Multipliers::isSolved(const Eigen::VectorXd& m, const Eigen::VectorXd& wanted) const {
@@ -82,24 +98,25 @@ bool Multipliers::solve() {
         return true;
     if (!factorise())
         return false;
-    Eigen::VectorXd wanted = rest_;
     if (active_.size() < size())
         for (std::size_t row = 0; row < size(); ++row)
             if (mode_.kept[row] != State::inside && bound(row) != 0)
-                wanted += bound(row) * full_.col(indexOf(row));
-    Eigen::VectorXd m = wanted;
-    solve(m);
-    const bool isKept = m.allFinite() && isSolved(m, wanted);
+                rest_ += bound(row) * full_.col(indexOf(row));
+    found_ = rest_;
+    solve(found_);
+    const bool isKept = found_.allFinite() && isSolved(found_, rest_);
     for (std::size_t row = 0; row < size(); ++row)
-        if (mode_.kept[row] != State::inside)
-            m[indexOf(row)] = bound(row);
-    std::ranges::copy(m, f_.in().end() - std::ptrdiff_t(size()));
+        f_.in()[f_.in().size() - size() + row] =
+            mode_.kept[row] == State::inside ? found_[indexOf(row)] : bound(row);
     return isKept;
 }
 
 double Multipliers::secondRate(std::size_t row) const {
-    const Eigen::Map<const Eigen::VectorXd> m(values().data(), indexOf(size()));
-    return full_.row(indexOf(row)).dot(m) + rest_[indexOf(row)];
+    double rate = rest_[indexOf(row)]; // with what stands at bounds
+    for (std::size_t k = 0; k < size(); ++k)
+        if (mode_.kept[k] == State::inside)
+            rate += full_(indexOf(row), indexOf(k)) * values()[k];
+    return rate;
 }
 
 Multipliers::System Multipliers::systemOf(std::span<const std::size_t> rows) {

@@ -36,7 +36,7 @@ public:
     bool solve();
     // At the point that was solved for last, of conditions with these second rates; 0 of others
     // than those that hold.
-    void solve(Eigen::Ref<Eigen::VectorXd> rates) const;
+    void solve(Eigen::Ref<Eigen::VectorXd> rates);
     [[nodiscard]] std::span<const double> values() const { return std::span(f_.in()).last(size()); }
     // Moves the states onto the conditions that hold.
     void project(double t, std::span<double> y);
@@ -73,7 +73,7 @@ private:
     const Mode& mode_;
     std::vector<double> second_, gaps_, moves_;
     Eigen::MatrixXd full_, matrix_; // of all conditions; of those that hold, scaled
-    Eigen::VectorXd rest_, scale_;
+    Eigen::VectorXd rest_, scale_, right_, answer_, found_;
     std::vector<std::size_t> active_;
     Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> least_;
