@@ -27,7 +27,8 @@ namespace expression {
 // A multiplier may have bounds; at a bound its condition does not hold. With a gap it is a stop:
 // gap >= 0, multiplier >= 0, one of both 0; a gap that closes is a blow with that restitution. Of
 // velocities alone it is a brake or a motor: the force is `low` while the rate is positive, and
-// `high` while it is negative.
+// `high` while it is negative. Without gap and rate the derivative is the multiplier less a value:
+// a force that may be released.
 struct Condition {
     std::optional<Node> gap;  // none: the condition is one of velocities
     std::optional<Node> rate; // none: the multiplier is in the gap's rate, which is the derivative
@@ -35,6 +36,8 @@ struct Condition {
     double high = std::numeric_limits<double>::infinity();
     double restitution = 0; // of a stop
     double resolution = 0;  // of a stop: gaps and hops lower than that are none
+    // Symbol of a given unknown: from its first value that is not 0 on the condition is gone.
+    std::optional<Node> release = {};
 };
 
 struct Phase {

@@ -216,7 +216,7 @@ EquationsOfMotion::EquationsOfMotion(const scene::Scene& scene,
         return;
     }
     ForceReader(g, scene, *scope, faults).read(contributions, links);
-    jointRows = joints.contribute(contributions);
+    joints.contribute(contributions);
 
     std::vector<std::vector<const Contribution*>> acting(bodies.size());
     for (const Contribution& c : contributions)
@@ -236,7 +236,7 @@ EquationsOfMotion::EquationsOfMotion(const scene::Scene& scene,
         for (const HoldSegment& segment : segments)
             times.insert(segment.from);
     }
-    joints.addUnknowns(set, owners, notes);
+    jointRows = joints.addUnknowns(set, owners, notes);
     times.erase(-std::numeric_limits<double>::infinity());
     breakpoints.assign(times.begin(), times.end());
     if (!faults.empty())

@@ -87,6 +87,11 @@ struct JointPush {
     NodeVector linear, angular;
 };
 
+struct JointRow {
+    std::size_t multiplier = 0; // unknown
+    std::vector<JointPush> pushes;
+};
+
 struct EquationsOfMotion {
     // Of many bodies it takes a while: `meanwhile` is called now and then, and may throw to end it.
     // `shapes`: of this scene, where they are wanted for more than masses; may be null.
@@ -104,7 +109,7 @@ struct EquationsOfMotion {
     // joints (joints.h), each told of one of its bodies.
     std::vector<std::size_t> owners;
     // Conditions that joints, gears and drives put on velocities: of each the bodies that move.
-    std::vector<std::vector<JointPush>> jointRows;
+    std::vector<JointRow> jointRows;
     std::vector<std::string> notes; // what is not as it was written, as sentences
     // Why the scene has no equations: sentences. Empty: it has.
     std::vector<std::string> faults;

@@ -22,7 +22,8 @@ public:
     // Conditions between these bodies; their parts count places among them.
     [[nodiscard]] std::vector<ImpactRow>
     rowsAt(std::span<const std::size_t> bodies, double time,
-           const std::function<BodyValues(std::size_t body)>& stateOf) const;
+           const std::function<BodyValues(std::size_t body)>& stateOf,
+           const std::function<bool(std::size_t multiplier)>& isReleased) const;
 
 private:
     const EquationsOfMotion& equations_;

@@ -404,6 +404,7 @@ void JointReader::addKept(const scene::Source& source, const std::string& elemen
     kept.owner = bodies.front();
     kept.bodies = std::move(bodies);
     kept.make = std::move(make);
+    kept.release = release_;
     kept_.push_back(std::move(kept));
 }
 
@@ -423,7 +424,9 @@ void JointReader::push(Node rate, Node force, const Contribution& from,
 }
 
 void JointReader::keepRow(Node rate, std::span<const std::size_t> bodies) {
-    std::vector<JointPush>& row = rows_.emplace_back();
+    JointRow& made = rows_.emplace_back();
+    made.multiplier = kept_.size() - 1; // its unknown is known later
+    std::vector<JointPush>& row = made.pushes;
     for (const std::size_t body : bodies) {
         const BodySymbols& s = bodies_[body].symbols;
         JointPush push{.body = body, .linear = {}, .angular = {}};
@@ -437,8 +440,7 @@ void JointReader::keepRow(Node rate, std::span<const std::size_t> bodies) {
     }
 }
 
-std::vector<std::vector<JointPush>>
-JointReader::contribute(std::vector<Contribution>& contributions) {
+void JointReader::contribute(std::vector<Contribution>& contributions) {
     for (std::size_t j = 0; j < frames_.size(); ++j) {
         const std::vector<std::size_t> moving = movingOf(frames_[j]);
         if (moving.empty())
@@ -448,10 +450,7 @@ JointReader::contribute(std::vector<Contribution>& contributions) {
         Contribution from;
         from.kind = Contribution::Kind::joint;
         from.element = j;
-        if (joint.release)
-            faults_.push_back("line " + std::to_string(joint.source.line) +
-                              ": -release of joint \"" + joint.name +
-                              "\" is not computed yet; leave it out");
+        releaseBy(joint.release, joint.source, joint.name, moving.front());
         if (joint.type == JointType::screw)
             tie(j, 0);
         const std::vector<Jet> conditions = conditionsOf(j, {});
@@ -469,7 +468,7 @@ JointReader::contribute(std::vector<Contribution>& contributions) {
     for (std::size_t i = 0; i < scene_.gears.size(); ++i)
         keepGear(i, contributions);
     scope_.setJoints(nodes_);
-    return std::move(rows_);
+    readReleases();
 }
 
 // All that the joint does to its first body, about its point; of a fixed one, against the second.
@@ -558,10 +557,52 @@ void JointReader::drive(std::size_t joint, std::size_t coordinate,
         else
             keepRow(jet.rate, moving);
         motor = kept_.back().multiplier;
-        force = g_.add(force, motor);
     }
     if (!g_.isConstant(force, 0))
-        push(jet.rate, force, from, moving, contributions);
+        push(jet.rate, releasable(force, said.source, said.name, moving), from, moving,
+             contributions);
+    if (c.speed || isPosition)
+        push(jet.rate, motor, from, moving, contributions);
+}
+
+void JointReader::releaseBy(const std::optional<scene::Expression>& text,
+                            const scene::Source& source, const std::string& element,
+                            std::size_t owner) {
+    release_.reset();
+    if (!text)
+        return;
+    release_ = g_.symbol(element + ".release");
+    releases_.push_back({.symbol = *release_,
+                         .text = *text,
+                         .line = source.line,
+                         .element = element,
+                         .value = g_.constant(0),
+                         .owner = owner});
+}
+
+// What a joint does may release it: that is known when all joints are.
+void JointReader::readReleases() {
+    for (Release& release : releases_) {
+        const auto made = scope_.parse(g_, release.text, scene::Reading::release);
+        if (const auto* node = std::get_if<Node>(&made))
+            release.value = *node;
+        else
+            faults_.push_back("line " + std::to_string(release.line) + ": -release of \"" +
+                              release.element +
+                              "\": " + std::get<expression::SyntaxError>(made).message);
+    }
+}
+
+Node JointReader::releasable(Node force, const scene::Source& source, const std::string& element,
+                             const std::vector<std::size_t>& moving) {
+    if (!release_)
+        return force;
+    addKept(source, element, moving, {});
+    const Node multiplier = kept_.back().multiplier, rate = g_.subtract(multiplier, force);
+    kept_.back().make = [rate](const Along&) {
+        return Condition{{rate, rate, rate}, Condition::Order::value};
+    };
+    return multiplier;
 }
 
 // A stop at each end: the coordinate's distance from it as a length, and a force that only pushes
@@ -633,6 +674,7 @@ void JointReader::keepGear(std::size_t gear, std::vector<Contribution>& contribu
     }
     if (moving.empty())
         return;
+    releaseBy(said.release, said.source, said.name, moving.front());
     const auto jetOf = [this, terms](const Along& along) {
         Jet all = constantJet(g_, 0);
         for (const Term& term : terms)
@@ -712,11 +754,14 @@ void JointReader::addUnknown(expression::EquationSet& set, const Kept& kept) {
         phase.from = time;
         phase.condition.emplace();
         const auto& [value, rate, second] = condition.jet;
-        phase.derivative = condition.order == Condition::Order::first ? rate : second;
-        if (condition.order != Condition::Order::first)
+        using Order = Condition::Order;
+        const bool isFirst = condition.order == Order::first || condition.order == Order::value;
+        phase.derivative = isFirst ? rate : second;
+        if (!isFirst)
             phase.condition->rate = rate;
-        if (condition.order != Condition::Order::velocity)
+        if (condition.order == Order::first || condition.order == Order::second)
             phase.condition->gap = value;
+        phase.condition->release = kept.release;
         phase.condition->low = kept.bounds.low;
         phase.condition->high = kept.bounds.high;
         phase.condition->restitution = kept.bounds.restitution;
@@ -732,11 +777,22 @@ void JointReader::addUnknown(expression::EquationSet& set, const Kept& kept) {
     set.unknowns.push_back(std::move(unknown));
 }
 
-void JointReader::addUnknowns(expression::EquationSet& set, std::vector<std::size_t>& owners,
-                              std::vector<std::string>& notes) {
+std::vector<JointRow> JointReader::addUnknowns(expression::EquationSet& set,
+                                               std::vector<std::size_t>& owners,
+                                               std::vector<std::string>& notes) {
     for (const Angle& angle : angles_) {
         addUnknown(set, angle);
         owners.push_back(angle.owner);
+    }
+    for (const Release& release : releases_) {
+        expression::Unknown unknown;
+        unknown.name = g_.name(release.symbol);
+        unknown.symbol = release.symbol;
+        unknown.phases.emplace_back();
+        unknown.phases[0].derivative = g_.constant(0);
+        unknown.phases[0].given = release.value;
+        set.unknowns.push_back(std::move(unknown));
+        owners.push_back(release.owner);
     }
     for (std::size_t u = 0; u < set.unknowns.size(); ++u)
         unknownOf_.emplace(set.unknowns[u].symbol.index, u);
@@ -747,6 +803,9 @@ void JointReader::addUnknowns(expression::EquationSet& set, std::vector<std::siz
     }
     if (first < set.unknowns.size())
         checkStart(set, first, notes);
+    for (JointRow& row : rows_)
+        row.multiplier += first;
+    return std::move(rows_);
 }
 
 // Gaps and their rates as the scene was written.

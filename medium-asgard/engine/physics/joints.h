@@ -35,14 +35,14 @@ public:
     JointReader(Graph& g, const scene::Scene& scene, Scope& scope,
                 std::span<const BodyMotion> bodies, std::vector<std::string>& faults);
 
-    // What joints add to bodies: multipliers, motors, springs. Answers with the conditions that
-    // they put on velocities.
-    [[nodiscard]] std::vector<std::vector<JointPush>>
-    contribute(std::vector<Contribution>& contributions);
+    // What joints add to bodies: multipliers, motors, springs.
+    void contribute(std::vector<Contribution>& contributions);
     // The unknowns of joints, behind those of the bodies. Joints that the bodies miss go to faults;
-    // velocities at the start that joints do not allow, to notes.
-    void addUnknowns(expression::EquationSet& set, std::vector<std::size_t>& owners,
-                     std::vector<std::string>& notes);
+    // velocities at the start that joints do not allow, to notes. Answers with the conditions that
+    // joints put on velocities.
+    [[nodiscard]] std::vector<JointRow> addUnknowns(expression::EquationSet& set,
+                                                    std::vector<std::size_t>& owners,
+                                                    std::vector<std::string>& notes);
 
 private:
     struct End {
@@ -63,7 +63,8 @@ private:
     };
     struct Condition {
         Jet jet;
-        enum class Order { first, second, velocity } order = Order::second;
+        // value: the rate is the multiplier less what it is to be.
+        enum class Order { first, second, velocity, value } order = Order::second;
     };
     struct Bounds { // of a multiplier; of a stop, restitution
         double low = -std::numeric_limits<double>::infinity();
@@ -79,6 +80,7 @@ private:
         std::vector<std::size_t> bodies;
         std::function<Condition(const Along&)> make;
         Bounds bounds = {};
+        std::optional<Node> release = {};
         std::vector<std::size_t> trajectories = {}; // that it reads
     };
     struct Angle {
@@ -109,6 +111,14 @@ private:
     void nameJoint(std::size_t joint);
     void addForce(std::size_t joint, std::span<const Contribution> contributions);
     void drive(std::size_t joint, std::size_t coordinate, std::vector<Contribution>& contributions);
+    // Names the unknown that releases what is added from now on; nothing: nothing does.
+    void releaseBy(const std::optional<scene::Expression>& text, const scene::Source& source,
+                   const std::string& element, std::size_t owner);
+    void readReleases();
+    // The force itself, or where it may be released a multiplier that is it.
+    [[nodiscard]] Node releasable(Node force, const scene::Source& source,
+                                  const std::string& element,
+                                  const std::vector<std::size_t>& moving);
     void limit(std::size_t joint, std::size_t coordinate, std::vector<Contribution>& contributions);
     void brake(std::size_t joint, std::size_t coordinate, std::vector<Contribution>& contributions);
     void keepGear(std::size_t gear, std::vector<Contribution>& contributions);
@@ -139,9 +149,19 @@ private:
     BodySymbols world_;
     std::vector<Frame> frames_;     // by joint
     std::vector<JointNodes> nodes_; // by joint
-    std::vector<std::vector<JointPush>> rows_;
+    std::vector<JointRow> rows_;
     std::vector<Kept> kept_;
     std::vector<Angle> angles_;
+    struct Release { // a given unknown
+        Node symbol;
+        scene::Expression text;
+        int line = 0;
+        std::string element;
+        Node value;
+        std::size_t owner = 0;
+    };
+    std::vector<Release> releases_;
+    std::optional<Node> release_; // of the element whose conditions are added now
     std::unordered_map<std::uint32_t, std::size_t> unknownOf_; // by symbol
 };
 

@@ -220,3 +220,36 @@ TEST(Bounds, AMotorThatIsTooWeakSlips) {
     EXPECT_NEAR(solver.histories().value(1, 2), 1 - 2 * 2, 1e-12);
     EXPECT_EQ(solver.histories().value(2, 1), 2); // at its upper bound
 }
+
+// A mass on a rod that goes at t = 1, or once it pulls with more than 25: from then on it flies.
+TEST(Release, AConditionGoesForEver) {
+    for (const char* const when : {"t>1", "-m>25"}) {
+        expression::EquationSet set =
+            keeping({{"x", "dx", 1, 1}, {"y", "dy", 0, 1}, {"dx", "m*x"}, {"dy", "-9.81+m*y"}},
+                    {{"m", "(x^2+y^2-1)/2", "x*dx+y*dy", "dx^2+dy^2+m*(x^2+y^2)-9.81*y"}});
+        expression::Unknown release;
+        release.name = "release";
+        release.symbol = set.graph.symbol("release");
+        release.phases.emplace_back();
+        release.phases[0].derivative = set.graph.constant(0);
+        release.phases[0].given = expression::testing::parsed(set.graph, when);
+        set.unknowns.back().phases[0].condition->release = release.symbol;
+        set.unknowns.push_back(release);
+        const Solver solver = solved(set, 2, tolerance(1e-9));
+        const Histories& h = solver.histories();
+        ASSERT_TRUE(h.stops().empty()) << h.stops()[0].sentence;
+        // The pull is 3 * 9.81 * depth.
+        double from = 1;
+        if (when[0] == '-') {
+            for (from = 0; h.value(1, from) > -25 / (3 * 9.81);)
+                from += 1e-5;
+            EXPECT_NEAR(h.value(4, from - 1e-4), 0, 0);
+        }
+        EXPECT_EQ(h.value(4, from + 1e-4), releasedMode);
+        EXPECT_EQ(h.value(4, 2), releasedMode);
+        const double t = 2 - from - 1e-4, vx = h.value(2, from + 1e-4),
+                     vy = h.value(3, from + 1e-4);
+        EXPECT_NEAR(h.value(2, 2), vx, 1e-12);
+        EXPECT_NEAR(h.value(1, 2), h.value(1, from + 1e-4) + vy * t - 9.81 * t * t / 2, 1e-9);
+    }
+}

@@ -152,12 +152,15 @@ ImpactCluster clusterAt(const Instant& instant, const Pair& hit) {
             if (std::ranges::find(cluster.bodies, joined) == cluster.bodies.end())
                 cluster.bodies.push_back(joined);
     }
-    cluster.joints =
-        instant.world.joints.rowsAt(cluster.bodies, instant.time, [&](std::size_t body) {
-            const BodyState state = instant.bearingState(body);
-            return physics::BodyValues{state.position, state.velocity, state.attitude,
-                                       state.angularVelocity};
-        });
+    const auto stateOf = [&](std::size_t body) {
+        const BodyState state = instant.bearingState(body);
+        return physics::BodyValues{state.position, state.velocity, state.attitude,
+                                   state.angularVelocity};
+    };
+    const auto isReleased = [&](std::size_t multiplier) {
+        return instant.histories.value(multiplier, instant.time) == solution::releasedMode;
+    };
+    cluster.joints = instant.world.joints.rowsAt(cluster.bodies, instant.time, stateOf, isReleased);
     return cluster;
 }
 

@@ -21,6 +21,9 @@
 
 namespace solution {
 
+// In the history of a multiplier, which keeps its mode (modes/mode.h): its condition is gone.
+inline constexpr double releasedMode = 3;
+
 inline constexpr double largestValue = 1e100; // of anything; beyond it motion ends
 
 // Why the motion of some unknowns ended before the finish.

@@ -105,9 +105,13 @@ private:
         std::vector<std::uint32_t> entries;
         for (const std::size_t place : bound_.multipliers) {
             const expression::Phase& phase = phaseOf(place);
-            const auto& [gap, rate, low, high, restitution, resolution] = *phase.condition;
+            const auto& [gap, rate, low, high, restitution, resolution, release] = *phase.condition;
             const bool isBounded = low > -infinity || high < infinity;
-            bound_.laws.push_back({low, high, restitution, resolution, gap && isBounded});
+            BoundModel::Law law{low, high, restitution, resolution, gap && isBounded};
+            if (release)
+                if (const auto unknown = index_.of(*release))
+                    law.release = placeOf(*unknown);
+            bound_.laws.push_back(law);
             for (const auto& node : {phase.condition->gap, phase.condition->rate})
                 entries.push_back(entryOf(node ? operandOf(*node) : number(0)));
             entries.push_back(entryOf(operandOf(phase.derivative)));

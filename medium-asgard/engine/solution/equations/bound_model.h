@@ -8,6 +8,7 @@
 #include "expression/equations.h"
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct BoundModel {
     struct Law {                          // of each multiplier (expression/equations.h, Condition)
         double low = -infinity, high = infinity, restitution = 0, resolution = 0;
         bool isStop = false;
+        std::optional<std::size_t> release = {}; // place of an unknown: not 0: gone
         [[nodiscard]] bool isBounded() const { return low > -infinity || high < infinity; }
     };
     std::vector<Law> laws;

@@ -125,6 +125,12 @@ void ComponentModel::findStructure() {
     }
     switching_.switches = switchesOf(graph_, outputs_);
     derivatives_.gradients.resize(switching_.surfaces.size());
+    for (const Surface& surface : switching_.surfaces)
+        switching_.readMultipliers.push_back(std::ranges::any_of(
+            expression::symbolsOf(graph_, std::span(&surface.guard, 1)), [this](Node symbol) {
+                const auto place = placeOf(symbol);
+                return place && *place >= variables() + constants();
+            }));
     for (std::size_t s = 0; s < switching_.surfaces.size(); ++s)
         if (const auto state = stateOf(switching_.surfaces[s].guard);
             state && !switching_.surfaces[s].whole)

@@ -83,6 +83,10 @@ public:
     [[nodiscard]] const std::vector<Surface>& surfaces() const { return switching_.surfaces; }
     // Which of these the outputs read, on given branches.
     [[nodiscard]] const ReadSurfaces& readSurfaces() const { return switching_.read; }
+    // Its guard reads a force, whose rate nothing here knows.
+    [[nodiscard]] bool readsMultipliers(std::size_t surface) const {
+        return switching_.readMultipliers[surface] != 0;
+    }
     // Pairs of a surface and the state that is its guard.
     [[nodiscard]] const std::vector<std::pair<std::size_t, std::size_t>>& ownGuards() const {
         return switching_.ownGuards;
@@ -186,6 +190,7 @@ private:
         std::vector<expression::Node> switches;
         std::vector<Surface> surfaces;
         ReadSurfaces read;
+        std::vector<char> readMultipliers; // by surface
         std::vector<std::pair<std::size_t, std::size_t>> ownGuards;
     };
     Switching switching_;

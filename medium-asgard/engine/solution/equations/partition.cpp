@@ -30,7 +30,8 @@ std::vector<Node> nodesAfter(const expression::Unknown& unknown, double from) {
         if (phase.jump)
             nodes.push_back(*phase.jump);
         if (phase.condition)
-            for (const auto& node : {phase.condition->gap, phase.condition->rate})
+            for (const auto& node :
+                 {phase.condition->gap, phase.condition->rate, phase.condition->release})
                 if (node)
                     nodes.push_back(*node);
     }
@@ -115,7 +116,7 @@ UnknownIndex::UnknownIndex(const expression::EquationSet& set) {
 void UnknownIndex::findMoved(const expression::EquationSet& set,
                              const expression::Condition& condition, std::size_t multiplier) {
     std::vector<Node> nodes;
-    for (const auto& node : {condition.gap, condition.rate})
+    for (const auto& node : {condition.gap, condition.rate, condition.release})
         if (node)
             nodes.push_back(*node);
     for (const Node symbol : expression::symbolsOf(set.graph, nodes))

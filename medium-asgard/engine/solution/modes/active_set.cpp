@@ -30,6 +30,8 @@ void ActiveSet::refresh() {
     watches_.clear();
     for (const std::size_t row : bounded_) {
         const BoundModel::Law& of = law(row);
+        if (mode_.kept[row] == Mode::gone)
+            continue;
         if (mode_.kept[row] == State::inside) {
             if (of.low > -complementarity::unbounded)
                 watches_.push_back({row, Kind::least});
@@ -82,6 +84,8 @@ void ActiveSet::decide(double t, std::span<double> y) {
         fastest = std::max(fastest, std::abs(multipliers_.rate(row)));
     std::vector<std::size_t> candidates, hit;
     for (const std::size_t row : bounded_) {
+        if (mode_.kept[row] == Mode::gone)
+            continue;
         const double rate = multipliers_.rate(row);
         const bool isSlow = std::abs(rate) <= atRest * fastest;
         mode_.kept[row] = isStop(row) || rate > 0 ? State::low : State::high;
@@ -172,7 +176,8 @@ void ActiveSet::slipAfterBlow(double fastest, double t, std::span<const double> 
     f_.fill(t, y);
     multipliers_.evaluateGaps();
     for (const std::size_t row : bounded_)
-        if (const double rate = multipliers_.rate(row); !isStop(row))
+        if (const double rate = multipliers_.rate(row);
+            !isStop(row) && mode_.kept[row] != Mode::gone)
             mode_.kept[row] = std::abs(rate) <= atRest * fastest ? State::inside
                               : rate > 0                         ? State::low
                                                                  : State::high;
@@ -226,7 +231,7 @@ bool ActiveSet::settle(std::span<const std::size_t> candidates, double fastest, 
             mode_.touches[row] = 0;
         if (leaves)
             mode_.kept[row] = State::low;
-        else if (!law(row).isBounded() || isCandidate)
+        else if (isCandidate || (!law(row).isBounded() && mode_.kept[row] != Mode::gone))
             rows.push_back(row);
     }
     const auto [a, b] = multipliers_.systemOf(rows);

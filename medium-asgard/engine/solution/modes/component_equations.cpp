@@ -16,6 +16,8 @@ ComponentEquations::ComponentEquations(std::shared_ptr<const BoundModel> bound,
                multipliers().empty()),
       readsInputs_(!functions_.bound()->inputs.empty()) {}
 
+static_assert(static_cast<int>(Mode::gone) == static_cast<int>(releasedMode));
+
 namespace {
 
 bool areFinite(std::span<const double> values) {
@@ -87,6 +89,30 @@ void ComponentEquations::takeKept(std::span<const double> states) {
     for (std::size_t k = 0; k < states.size(); ++k)
         mode_.kept[k] = static_cast<complementarity::State>(static_cast<int>(states[k]));
     guards_.refresh();
+}
+
+void ComponentEquations::takeGone(std::span<const double> values) {
+    for (std::size_t k = 0; k < multipliers().size(); ++k) {
+        complementarity::State& kept = mode_.kept[k];
+        if (values[multipliers()[k]] == static_cast<double>(Mode::gone))
+            kept = Mode::gone;
+        else if (kept == Mode::gone)
+            kept = complementarity::State::inside;
+    }
+}
+
+bool ComponentEquations::release(std::span<const double> values) {
+    bool isAny = false;
+    for (std::size_t k = 0; k < multipliers().size(); ++k) {
+        const auto& place = bound()->laws[k].release;
+        if (place && mode_.kept[k] != Mode::gone && values[*place] != 0) {
+            mode_.kept[k] = Mode::gone;
+            isAny = true;
+        }
+    }
+    if (isAny)
+        guards_.refresh();
+    return isAny;
 }
 
 bool ComponentEquations::rest(std::span<const std::size_t> directions, double t,

@@ -106,8 +106,12 @@ public:
 
     // Branches.
     [[nodiscard]] const Mode& mode() const { return mode_; }
-    // Whether conditions of multipliers hold, as numbers of complementarity::State; others stay.
+    // Whether conditions of multipliers hold, as numbers of complementarity::State.
     void takeKept(std::span<const double> states);
+    // Conditions are gone for ever where these values, by place, say so. True: some went now.
+    [[nodiscard]] bool release(std::span<const double> values);
+    // As takeKept(), but for those that are gone alone.
+    void takeGone(std::span<const double> values);
     // On surfaces, or held at 0 where directions have none.
     [[nodiscard]] bool sliding() const { return mode_.isHeld(); }
     [[nodiscard]] std::size_t watches() const { return guards_.size(); }

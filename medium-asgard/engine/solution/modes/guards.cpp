@@ -41,11 +41,9 @@ void Guards::watch(double t, std::span<const double> y, std::span<double> values
                                       : mode_.sticking[k] == mode_.leaving
                                           ? stick_.leeway()
                                           : -field_.excess(mode_.sticking[k]);
-    if (!active_.empty()) {
-        if (!mode_.isHeld())
-            field_.findOutputs();
-        active_.watch(values.subspan(watches_.size() + mode_.sticking.size()));
-    }
+    if (!mode_.isHeld() && model_.multipliers() > 0)
+        field_.findOutputs(); // guards may read them
+    active_.watch(values.subspan(watches_.size() + mode_.sticking.size()));
     f_.evaluateGuards();
     for (std::size_t k = 0; k < watches_.size(); ++k) {
         const auto [kind, s] = watches_[k];

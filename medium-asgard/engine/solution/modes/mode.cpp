@@ -81,7 +81,7 @@ std::string print(const Mode& mode) {
     }
     for (const std::size_t d : mode.sticking)
         add("direction " + std::to_string(d) + (d == mode.leaving ? ": sets off" : ": sticks"));
-    static constexpr const char* places[] = {"holds", "low", "high", "edge"};
+    static constexpr const char* places[] = {"holds", "low", "high", "gone"};
     for (std::size_t m = 0; m < mode.kept.size(); ++m)
         add("multiplier " + std::to_string(m) + ": " +
             places[static_cast<std::size_t>(mode.kept[m])]);

@@ -36,7 +36,9 @@ struct Mode {
     std::vector<std::size_t> sliding;   // surfaces
     std::vector<std::size_t> sticking;  // directions whose vectors are held at 0
     std::optional<std::size_t> leaving; // of these, one that sets off
-    // Of each multiplier: inside its bounds, so that its condition holds, or at one of them.
+    // Of each multiplier: inside its bounds, so that its condition holds, or at one of them; or
+    // released for ever.
+    static constexpr complementarity::State gone = complementarity::State::edge;
     std::vector<complementarity::State> kept;
     // Stops that touch without a force and without a rate: rounding may close them.
     std::vector<char> touches;

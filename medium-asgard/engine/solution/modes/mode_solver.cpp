@@ -108,7 +108,11 @@ Decision ModeSolver::wholeBranch(std::size_t surface, std::span<const double> ra
 
 void ModeSolver::pass(const Watch& watch, Passing how, Passed& passed) {
     const std::size_t s = watch.surface;
-    if (how == Passing::leaves) { // whatever else falls later falls again
+    if (watch.kind == Watch::Kind::side && model_.readsMultipliers(s)) { // there is no sliding
+        mode_.setSide(s,
+                      f_.guard(s) > 0 && mode_.sides[s] == Mode::onSurface ? 1 : -mode_.sides[s]);
+        passed.settled.push_back(s);
+    } else if (how == Passing::leaves) { // whatever else falls later falls again
         if (ahead_[s] == Mode::onSurface)
             return;
         mode_.setSide(s, ahead_[s]);

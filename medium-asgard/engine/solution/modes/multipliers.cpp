@@ -64,6 +64,8 @@ bool Multipliers::factorise() {
 }
 
 double Multipliers::bound(std::size_t row) const {
+    if (mode_.kept[row] == Mode::gone)
+        return 0;
     const BoundModel::Law& law = f_.bound()->laws[row];
     return mode_.kept[row] == State::high ? law.high : law.low;
 }

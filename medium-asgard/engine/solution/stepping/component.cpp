@@ -190,6 +190,12 @@ void Component::takeModes() {
     writer_.hold(multipliers, modes);
 }
 
+// What is released may be all that held another: it is asked again, from what is held then.
+void Component::releaseConditions() {
+    while (!stop_ && equations_->release(progress_.values))
+        takeHeldValues();
+}
+
 void Component::takeHeldValues() {
     if (!equations_->multipliers().empty())
         takeModes();
@@ -216,12 +222,14 @@ void Component::begin() {
     switches_.goOn();
     equations_->inputs().window(infinity);
     std::vector<double> y = states();
+    equations_->takeGone(progress_.values);
     equations_->solver().decide(progress_.time, y);
     if (equations_->hasDirections())
         decideRest(y);
     equations_->project(progress_.time, y);
     progress_.put(equations_->states(), y);
     takeHeldValues();
+    releaseConditions();
     if (stop_)
         return;
     memory_.now.control.observe(states());

@@ -104,6 +104,7 @@ private:
     void decideRest(std::vector<double>& y);
     void takeHeldValues();
     void takeModes();
+    void releaseConditions();
     [[nodiscard]] std::vector<double> states() const { return progress_.at(equations_->states()); }
 
     // Steps.

@@ -242,6 +242,7 @@ void Component::pass(const Violation& violation, bool immediate) {
         return giveUp();
     progress_.put(equations_->states(), y);
     takeHeldValues();
+    releaseConditions();
     settle();
 }
 
