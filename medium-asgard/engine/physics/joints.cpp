@@ -251,8 +251,13 @@ std::vector<Jet> JointReader::conditionsOf(std::size_t joint, const Along& along
 Jet JointReader::angleOf(const Frame& frame, std::size_t coordinate, const JetVector& axis,
                          const Along& along) {
     const JetVector spin = turning(frame, along);
-    return {frame.angles[coordinate], dot(g_, axis.value, spin.value),
-            g_.add(dot(g_, axis.rate, spin.value), dot(g_, axis.value, spin.rate))};
+    const Node q = frame.angles[coordinate];
+    Node second = g_.add(dot(g_, axis.rate, spin.value), dot(g_, axis.value, spin.rate));
+    // What moves the angle without the bodies moves conditions that read it; it is 0 but for drift.
+    const auto angle = std::ranges::find(angles_, q, &Angle::symbol);
+    if (along.set && angle != angles_.end() && angle->tie)
+        second = g_.add(second, *angle->tie);
+    return {q, dot(g_, axis.value, spin.value), second};
 }
 
 Jet JointReader::coordinateOf(std::size_t joint, std::size_t coordinate, const Along& along) {

@@ -186,7 +186,7 @@ void Multipliers::project(double t, std::span<double> y) {
     double last = std::numeric_limits<double>::infinity();
     for (int round = 0; round < most; ++round) { // until rounding lets it shrink no more
         const double gap = moveOntoGaps(t, y);
-        if (gap == 0 || !(gap < 0.1 * last))
+        if (gap == 0 || !(gap < 0.5 * last))
             break;
         last = gap;
     }
