@@ -19,22 +19,26 @@
 namespace simulation {
 namespace {
 
+WorkCounts workOf(const solution::Statistics& counted) {
+    return {.steps = counted.steps,
+            .rejectedSteps = counted.rejectedSteps,
+            .discardedSteps = counted.discardedSteps,
+            .unconvergedSteps = counted.unconvergedSteps,
+            .evaluations = counted.evaluations,
+            .equationEvaluations = counted.equationEvaluations,
+            .factorisations = counted.factorisations};
+}
+
 void addWork(const Run& run, Solved& solved) {
     std::vector<std::pair<std::size_t, std::size_t>> near;
     std::ranges::set_union(solved.near, run.candidates, std::back_inserter(near));
     solved.near = std::move(near);
     Statistics& sum = solved.result.statistics;
-    const solution::Statistics &all = run.statistics, &before = run.before;
-    sum.steps += all.steps - before.steps;
-    sum.rejectedSteps += all.rejectedSteps - before.rejectedSteps;
-    sum.unconvergedSteps += all.unconvergedSteps - before.unconvergedSteps;
-    sum.discardedSteps += all.discardedSteps - before.discardedSteps;
-    sum.evaluations += all.evaluations - before.evaluations;
-    sum.equationEvaluations += all.equationEvaluations - before.equationEvaluations;
-    sum.factorisations += all.factorisations - before.factorisations;
+    sum += workOf(run.statistics);
+    sum -= workOf(run.before);
     sum.pairTests += run.pairTests;
     sum.secondsSettingUp += run.secondsSettingUp;
-    solved.keptBytes = std::max(solved.keptBytes, all.keptBytes);
+    solved.keptBytes = std::max(solved.keptBytes, run.statistics.keptBytes);
     solved.isFull = solved.isFull || std::ranges::any_of(run.histories->stops(), [](const auto& s) {
                         return s.reason == solution::Stop::Reason::tooMuchKept;
                     });

@@ -64,14 +64,7 @@ bool sameMethods(const Options& a, const Options& b) {
 }
 
 void add(const Statistics& more, Statistics& sum) {
-    sum.steps += more.steps;
-    sum.rejectedSteps += more.rejectedSteps;
-    sum.unconvergedSteps += more.unconvergedSteps;
-    sum.discardedSteps += more.discardedSteps;
-    sum.evaluations += more.evaluations;
-    sum.equationEvaluations += more.equationEvaluations;
-    sum.factorisations += more.factorisations;
-    sum.pairTests += more.pairTests;
+    static_cast<WorkCounts&>(sum) += more;
     sum.secondsSettingUp += more.secondsSettingUp;
     sum.secondsMoving += more.secondsMoving;
     sum.secondsSolving += more.secondsSolving;

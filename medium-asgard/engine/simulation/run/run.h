@@ -21,23 +21,31 @@ struct BodyError {
 // Of both: the larger estimate, with its part by hops, and the earlier horizon.
 [[nodiscard]] BodyError worse(const BodyError& first, const BodyError& second);
 
-struct Run {
+// What a run has cost.
+struct RunWork {
+    solution::Statistics statistics;
+    solution::Statistics before;                    // what was counted of it before it went on
+    std::size_t pairTests = 0;                      // since then
+    double secondsSettingUp = 0, secondsMoving = 0; // CPU: before the first step, and from it on
+};
+
+// How things stand at the end of a run; when it is to be explained.
+struct RunEnd {
+    // By body that rests or slides: on what.
+    std::map<std::size_t, std::vector<std::size_t>> supports;
+    std::shared_ptr<const expression::EquationSet> equations;
+};
+
+struct Run : RunWork, RunEnd {
     std::shared_ptr<const solution::Histories> histories;
     std::map<std::size_t, Stop> stops; // by body
     Impacts impacts;
     std::vector<std::string> notes;
     std::vector<LostHop> lostHops;
-    // By body that rests or slides at the end: on what; when to be explained.
-    std::map<std::size_t, std::vector<std::size_t>> supports;
-    solution::Statistics statistics;
-    solution::Statistics before; // what was counted of it before it went on
-    std::size_t pairTests = 0;   // since then
     std::vector<std::pair<std::size_t, std::size_t>> candidates; // pairs that were tested; in order
-    std::shared_ptr<const expression::EquationSet> equations;    // at the end; when to be explained
     double reached = 0;
     bool cancelled = false;
-    bool isDisturbed = false;                       // something hit what was taken from another run
-    double secondsSettingUp = 0, secondsMoving = 0; // CPU: before the first step, and from it on
+    bool isDisturbed = false; // something hit what was taken from another run
 
     // Which bodies belong together: bodies of one island read or hit each other, directly or
     // through others. island[b] is the least body of b's.
