@@ -1,6 +1,7 @@
 #include "editing/completion.h"
 
 #include "expression/parse.h"
+#include "scene/joint_types.h"
 #include "scene/names.h"
 #include "script/commands.h"
 #include "script/structure.h"
@@ -16,7 +17,7 @@ namespace editing {
 namespace {
 
 // Of what kind of element names are asked for.
-enum class Named { shapeSet, body, trajectory, parameter };
+enum class Named { shapeSet, body, trajectory, parameter, joint, spring };
 
 bool isWordCharacter(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' ||
@@ -155,6 +156,8 @@ private:
             return take(names(Named::body), hint);
         case Wants::trajectory:
             return take(names(Named::trajectory), hint);
+        case Wants::joint:
+            return take(names(Named::joint), hint);
         case Wants::choice:
             return take(split(option.choices), hint);
         case Wants::flag:
@@ -188,18 +191,42 @@ private:
                             hint);
             if (has(Named::body))
                 return take(scene::bodyQuantityNames(), hint);
+            if (has(Named::joint))
+                return take(scene::jointQuantityNames(typeOfJoint(owner)), hint);
+            if (has(Named::spring))
+                return take(scene::springQuantityNames(), hint);
             return {from_, {}, hint};
         }
         if (atWordEnd() || std::isdigit(static_cast<unsigned char>(before_[from_])) != 0)
             return {from_, {}, hint};
         std::vector<std::string> all;
-        for (const Named kind : {Named::body, Named::parameter, Named::trajectory}) {
+        for (const Named kind :
+             {Named::body, Named::parameter, Named::trajectory, Named::joint, Named::spring}) {
             auto some = names(kind);
             all.insert(all.end(), some.begin(), some.end());
         }
         all.insert(all.end(), expression::functionNames().begin(),
                    expression::functionNames().end());
         return take(std::move(all), hint);
+    }
+
+    [[nodiscard]] std::string wordOf(const script::Word& word) const {
+        return std::string(text_.substr(word.content.from, word.content.to - word.content.from));
+    }
+    // As the text says, else the last good scene.
+    [[nodiscard]] scene::JointType typeOfJoint(const std::string& joint) const {
+        const auto types = scene::jointTypeNames();
+        for (const script::Command& command : written_.commands)
+            if (command.name(text_) == "joint" && command.words.size() > 1 &&
+                wordOf(command.words[1]) == joint)
+                for (std::size_t i = 2; i + 1 < command.words.size(); ++i)
+                    if (wordOf(command.words[i]) == "-type")
+                        if (const auto type =
+                                std::ranges::find(types, wordOf(command.words[i + 1]));
+                            type != types.end())
+                            return static_cast<scene::JointType>(type - types.begin());
+        const scene::Joint* known = scene::findJoint(scene_, joint);
+        return known ? known->type : scene::JointType::hinge;
     }
 
     // Of the text as far as it can be told without running it, and of the last good scene.
@@ -212,6 +239,8 @@ private:
         kind == Named::shapeSet     ? add(scene_.shapeSets)
         : kind == Named::body       ? add(scene_.bodies)
         : kind == Named::trajectory ? add(scene_.trajectories)
+        : kind == Named::joint      ? add(scene_.joints)
+        : kind == Named::spring     ? add(scene_.links)
                                     : add(scene_.parameters);
         // What is being typed here is no name yet.
         for (const script::Command& command : written_.commands) {
@@ -219,14 +248,17 @@ private:
             const bool fits = kind == Named::shapeSet     ? name == "shape_set"
                               : kind == Named::body       ? name == "body" || name == "instance"
                               : kind == Named::trajectory ? name == "trajectory"
+                              : kind == Named::joint      ? name == "joint"
+                              : kind == Named::spring     ? name == "spring"
                                                           : name == "parameter";
             if (fits && command.words.size() > 1 && command.words[1].literal &&
                 !(command.words[1].range.from < before_.size() &&
                   before_.size() <= command.words[1].range.to))
-                all.emplace(
-                    text_.substr(command.words[1].content.from,
-                                 command.words[1].content.to - command.words[1].content.from));
+                all.emplace(wordOf(command.words[1]));
         }
+        std::erase_if(all, [](const std::string& name) { // links, and springs without a name
+            return name.empty() || name.starts_with('-');
+        });
         return {all.begin(), all.end()};
     }
 

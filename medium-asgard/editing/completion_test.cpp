@@ -47,6 +47,21 @@ TEST(Completion, OffersOptionsThatAreNotThereYet) {
     EXPECT_THAT(words("body b ball | -mass 2"), Contains("-color"));
 }
 
+TEST(Completion, KnowsJointsGearsAndSprings) {
+    const std::string text = two + "joint pin -type hinge -body1 b1\n"
+                                   "joint tube -type cylindrical -body1 b2 -axis {1 0 0}\n"
+                                   "spring cord -body1 b1 -body2 b2 -stiffness 1\n"
+                                   "spring -body1 b1 -body2 b2 -stiffness 1\n";
+    EXPECT_THAT(words("joint pin -type h|"), ElementsAre("hinge"));
+    EXPECT_THAT(words("joint pin -pos|"), ElementsAre("-position", "-position1", "-position2"));
+    EXPECT_THAT(words(text + "gear g -joint1 |"), ElementsAre("pin", "tube"));
+    EXPECT_THAT(words(text + "force -body b1 -x {pin.d|"), ElementsAre("dq"));
+    EXPECT_THAT(words(text + "force -body b1 -x {tube.d|"), ElementsAre("dq1", "dq2"));
+    EXPECT_THAT(words(text + "force -body b1 -x {cord.|"), ElementsAre("length", "force"));
+    EXPECT_THAT(words(text + "force -body b1 -x {co|"), Contains("cord"));
+    EXPECT_THAT(words("spring -body1 b -pull|"), ElementsAre("-pull_only"));
+}
+
 TEST(Completion, OffersNamesOfWhatTheTextHas) {
     EXPECT_THAT(words(two + "body b3 ba|"), ElementsAre("ball"));
     EXPECT_THAT(words(two + "body b3 -shape b|"), ElementsAre("ball", "box"));

@@ -116,6 +116,7 @@ std::vector<Element> Users::all() {
         ofTrajectory();
         break;
     case Kind::parameter:
+    case Kind::link: // a spring with a name
         break;
     default:
         return users_;

@@ -44,6 +44,8 @@ std::string nameOf(const scene::Scene& scene, const Element& element) {
         return scene.shapeSets[element.index].name;
     case Kind::body:
         return scene.bodies[element.index].name;
+    case Kind::link:
+        return scene.links[element.index].name;
     case Kind::trajectory:
         return scene.trajectories[element.index].name;
     case Kind::light:
@@ -69,9 +71,12 @@ std::string wordOf(Kind kind) {
 std::string describe(const scene::Scene& scene, const Element& element) {
     const scene::Source* source = sourceOf(scene, element);
     const std::string name = source ? nameOf(scene, element) : "";
+    const bool isSpring =
+        source && element.kind == Kind::link && scene.links[element.index].spring.has_value();
+    const std::string word = isSpring ? "spring" : wordOf(element.kind);
     if (!name.empty())
-        return wordOf(element.kind) + " \"" + name + "\"";
-    return "the " + wordOf(element.kind) +
+        return word + " \"" + name + "\"";
+    return "the " + word +
            (source && source->line > 0 ? " of line " + std::to_string(source->line) : "");
 }
 

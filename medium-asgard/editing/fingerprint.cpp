@@ -36,6 +36,7 @@ private:
     void put(const scene::BodyEnd& end) { add(end.body, end.offset); }
     void put(const scene::PointEnd& end) { put(end.coordinates); }
     void put(const scene::TrajectoryEnd& end) { put(end.trajectory); }
+    void put(const scene::SpringLaw& law) { add(law.rest, law.isPullOnly); }
     void put(const scene::BezierCurve& c) { add(c.from, c.to, c.control); }
     template <class A, class B> void put(const std::pair<A, B>& p) { add(p.first, p.second); }
     template <class Value> void put(const std::optional<Value>& value) {
@@ -70,7 +71,9 @@ void write(Writer& w, const scene::Body& b) {
           b.articulatedBody, b.collisionGroup, b.appearance);
 }
 void write(Writer& w, const scene::Force& f) { w.add(f.body, f.couple, f.offset, f.kind); }
-void write(Writer& w, const scene::Link& l) { w.add(l.first, l.second, l.tightness, l.damping); }
+void write(Writer& w, const scene::Link& l) {
+    w.add(l.name, l.first, l.second, l.tightness, l.damping, l.spring);
+}
 void write(Writer& w, const scene::Trajectory& t) { w.add(t.name, t.curves, t.points); }
 void write(Writer& w, const scene::Constraint& c) {
     w.add(c.body, static_cast<int>(c.held), c.trajectory, c.from, c.to);

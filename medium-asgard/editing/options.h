@@ -19,6 +19,7 @@ enum class Wants {
     shapeSet, // a name
     body,
     trajectory,
+    joint,
     choice // of words
 };
 

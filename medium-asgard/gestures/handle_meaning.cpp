@@ -172,7 +172,8 @@ std::string subjectOf(const scene::Scene& scene, const Handle& handle) {
     if (const scene::Force* force = forceOf(scene, handle))
         return (force->couple ? "torque on " : "force on ") + force->body;
     if (element.kind == Kind::link)
-        return "link of " + scene.links[element.index].first.body;
+        return (scene.links[element.index].spring ? "spring of " : "link of ") +
+               scene.links[element.index].first.body;
     const std::string name = editing::nameOf(scene, element);
     return name.empty() ? editing::describe(scene, element) : name;
 }

@@ -1,5 +1,7 @@
 #include "render/extent.h"
 
+#include "render/coils.h"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -323,6 +325,8 @@ Extent extentOf(const scene::Scene& scene, const simulation::Motion* motion) {
     for (std::size_t i = 0; i < survey.paths.size(); ++i)
         if (!belongs[i] && !survey.paths[i].poses.empty())
             keepNear(extent, moving, survey.paths[i].poses.front(), survey.outlines[i]);
+    for (const Vector& anchor : anchorsOf(scene, motion))
+        keep(extent, {anchor, 0});
     if (extent.box.isEmpty())
         keep(extent, {Vector::Zero(), 1});
     extent.size = std::max(extent.box.sizes().maxCoeff(), 1e-9);

@@ -1,5 +1,6 @@
 #include "render/renderer.h"
 
+#include "render/coils.h"
 #include "render/context.h"
 #include "render/ground.h"
 #include "render/handles.h"
@@ -20,10 +21,12 @@ struct Renderer::Implementation {
     std::unique_ptr<Solids> solids;
     std::unique_ptr<Lines> lines;
     Trails trails;
+    Coils coils;
 
     // The extent of the motion that was drawn last.
     std::weak_ptr<const simulation::Motion> extentOfMotion;
     std::vector<scene::Body> extentOfBodies;
+    std::vector<Vector> extentOfAnchors;
     Extent extent;
 
     ~Implementation() {
@@ -78,12 +81,14 @@ std::string Renderer::Implementation::build() {
 }
 
 void Renderer::Implementation::follow(const Drawing& drawing) {
-    const bool same = extentOfMotion.lock() == drawing.motion &&
+    std::vector<Vector> anchors = anchorsOf(*drawing.scene, drawing.motion.get());
+    const bool same = extentOfMotion.lock() == drawing.motion && extentOfAnchors == anchors &&
                       sameOutlines(extentOfBodies, drawing.scene->bodies);
     if (!same) {
         extent = extentOf(*drawing.scene, drawing.motion.get());
         extentOfMotion = drawing.motion;
         extentOfBodies = drawing.scene->bodies;
+        extentOfAnchors = std::move(anchors);
     }
     if (drawing.display.trails)
         trails.follow(drawing, extent);
@@ -189,6 +194,7 @@ void Renderer::Implementation::paint(const Drawing& drawing, const Frame& frame)
             addEdges(*lines, solid, solids->meshOf(solid, frame), frame);
     if (display.trails)
         trails.add(*lines, drawing, frame);
+    coils.add(*lines, drawing, extent.size, frame);
     if (display.axes)
         addAxes(*lines, extent, frame);
     lines->draw(projection.data(), frame.halfSize(), lift);

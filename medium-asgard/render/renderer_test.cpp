@@ -1,3 +1,4 @@
+#include "render/coils.h"
 #include "render/handles.h"
 #include "render/renderer.h"
 #include "render/test_scenes.h"
@@ -321,6 +322,47 @@ TEST(Handles, LinksAndTrajectoriesAreLinesWithTheirEnds) {
     EXPECT_EQ(set.handles[3].label, "0.5 s");
     ASSERT_EQ(set.lines.size(), 2U);
     EXPECT_EQ(set.lines[1].points.back(), Vector(1, 0, 0));
+}
+
+// A spring is seen without handles, from its body to its other end, and no wider than its coil.
+TEST_F(RendererTest, ASpringIsACoilBetweenItsEnds) {
+    addBody(scene_, sphere(0.1), {0.6, 0, 0}, red);
+    scene::Link spring;
+    spring.first = {scene_.bodies[0].name, std::nullopt};
+    spring.second = scene::PointEnd{{"0", "0", "0 - 0"}};
+    scene_.links.push_back(spring);
+    const auto dark = [](const Picture& p, int x, int y) {
+        return p.red(x, y) < 150 && p.green(x, y) < 150 && p.blue(x, y) < 150;
+    };
+    const auto darkIn = [&](const Picture& p, int fromX, int toX, int fromY, int toY) {
+        return p.count([&](int x, int y) {
+            return x >= fromX && x < toX && y >= fromY && y < toY && dark(p, x, y);
+        });
+    };
+    const Size large{1280, 960};
+    EXPECT_EQ(darkIn(draw(large), 660, 860, 400, 560), 0); // a link without its handles
+    scene_.links[0].spring = scene::SpringLaw{};
+    const Picture picture = draw(large);
+    EXPECT_GT(darkIn(picture, 660, 860, 400, 476), 50); // above its line, and below
+    EXPECT_GT(darkIn(picture, 660, 860, 484, 560), 50);
+    EXPECT_EQ(darkIn(picture, 0, 636, 0, 960), 0);
+    scene_.links[0].spring = scene::SpringLaw{5, true}; // slack: a bare line
+    const Picture slack = draw(large);
+    EXPECT_EQ(darkIn(slack, 660, 860, 400, 476), 0);
+    EXPECT_GT(darkIn(slack, 660, 860, 476, 484), 50);
+}
+
+TEST(Coil, HasItsTurnsAtAnyLength) {
+    for (const double length : {0.1, 1.0, 7.0}) {
+        const auto points = coilBetween({0, 0, 0}, {length, 0, 0}, 0.05, 16);
+        EXPECT_EQ(points.front(), Vector(0, 0, 0));
+        EXPECT_EQ(points.back(), Vector(length, 0, 0));
+        for (std::size_t i = 1; i < points.size(); ++i) {
+            EXPECT_GT(points[i].x(), points[i - 1].x());
+            EXPECT_LT(std::hypot(points[i].y(), points[i].z()), 0.05 + 1e-12);
+        }
+    }
+    EXPECT_EQ(coilBetween({1, 0, 0}, {1, 0, 0}, 1, 16).size(), 2U);
 }
 
 TEST(Handles, ArrowsOfFastBodiesAreScaledByAPowerOfTen) {

@@ -7,7 +7,7 @@ namespace script {
 namespace {
 
 constexpr std::string_view sceneNames[] = {
-    "simulator", "shape_set",  "body",      "instance",    "force", "link",      "joint",
+    "simulator", "shape_set",  "body",      "instance",    "force", "link",      "spring", "joint",
     "gear",      "trajectory", "constrain", "lightsource", "view",  "parameter", "plot"};
 
 constexpr std::string_view tclNames[] = { // sorted

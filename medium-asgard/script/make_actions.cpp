@@ -1,4 +1,4 @@
-// force, link, simulator, parameter and plot.
+// force, link, spring, simulator, parameter and plot.
 #include "script/scene_maker.h"
 
 #include "script/numbers.h"
@@ -100,11 +100,9 @@ void SceneMaker::force(Call& call) {
     made_.scene.forces.push_back(std::move(force));
 }
 
-void SceneMaker::link(Call& call) {
-    Arguments arguments(faults_, call, named("the link of body ", "the link", call, "-body1"), 1,
-                        {"-body1", "-offset1", "-body2", "-offset2", "-x", "-y", "-z",
-                         "-trajectory", "-tightness", "-damping"});
-    scene::Link link;
+// -body1 -offset1, and one of -body2 -offset2, -x -y -z and -trajectory.
+void SceneMaker::ends(Arguments& arguments, std::string_view what, scene::Link& link) {
+    const std::string word(what);
     if (!arguments.attempted("-body1"))
         arguments.wrongElement("wants -body1 with the name of what it holds");
     link.first.body = reference(arguments, "-body1", Kind::body).value_or("");
@@ -115,12 +113,12 @@ void SceneMaker::link(Call& call) {
         const auto name = reference(arguments, "-body2", Kind::body);
         if (name && *name == link.first.body)
             faults_.error(arguments.find("-body2")->range,
-                          "a link cannot join body " + quoted(*name) + " to itself");
+                          "a " + word + " cannot join body " + quoted(*name) + " to itself");
         link.second = scene::BodyEnd{name.value_or(""), offset2};
         ++ends;
     } else if (arguments.attempted("-offset2")) {
         faults_.error(arguments.optionRange("-offset2"),
-                      "-offset2 is a point of -body2, and the link has none");
+                      "-offset2 is a point of -body2, and the " + word + " has none");
     }
     if (const auto xyz = components(arguments, true)) {
         link.second = scene::PointEnd{*xyz};
@@ -134,12 +132,42 @@ void SceneMaker::link(Call& call) {
     if (ends != 1)
         arguments.wrongElement(ends == 0 ? "wants one of -body2, -x -y -z and -trajectory"
                                          : "has more than one of -body2, -x -y -z and -trajectory");
+}
+
+void SceneMaker::link(Call& call) {
+    Arguments arguments(faults_, call, named("the link of body ", "the link", call, "-body1"), 1,
+                        {"-body1", "-offset1", "-body2", "-offset2", "-x", "-y", "-z",
+                         "-trajectory", "-tightness", "-damping"});
+    scene::Link link;
+    ends(arguments, "link", link);
     if (!arguments.attempted("-tightness"))
         arguments.wrongElement("wants -tightness, the stiffness of its spring");
     link.tightness = arguments.number("-tightness", Sign::notNegative).value_or(0);
     link.damping = arguments.number("-damping", Sign::notNegative);
     link.source = call.source;
     made_.scene.links.push_back(std::move(link));
+}
+
+void SceneMaker::spring(Call& call) {
+    scene::Link spring;
+    std::size_t first = 1;
+    spring.name = optionalName(call, Kind::spring, first);
+    Arguments arguments(faults_, call,
+                        spring.name.empty()
+                            ? named("the spring of body ", "the spring", call, "-body1")
+                            : "spring " + quoted(spring.name),
+                        first,
+                        {"-body1", "-offset1", "-body2", "-offset2", "-x", "-y", "-z",
+                         "-trajectory", "-stiffness", "-rest", "-damping", "-pull_only"});
+    ends(arguments, "spring", spring);
+    if (!arguments.attempted("-stiffness"))
+        arguments.wrongElement("wants -stiffness, its force for each unit of length");
+    spring.tightness = arguments.number("-stiffness", Sign::notNegative).value_or(0);
+    spring.damping = arguments.number("-damping", Sign::notNegative).value_or(0);
+    spring.spring = scene::SpringLaw{arguments.number("-rest", Sign::notNegative),
+                                     arguments.flag("-pull_only").value_or(false)};
+    spring.source = call.source;
+    made_.scene.links.push_back(std::move(spring));
 }
 
 void SceneMaker::simulator(Call& call) {

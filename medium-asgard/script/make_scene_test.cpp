@@ -167,6 +167,25 @@ TEST(Gear, HoldsASumOfCoordinates) {
     EXPECT_EQ(scene.gears[1].release, "t > 1");
 }
 
+TEST(Spring, HasARestLengthAndMayHaveAName) {
+    const Scene scene = read("body a s\nbody b s\nspring -body1 a -x 0 -y 1 -z 2 -stiffness 4\n"
+                             "spring s -body1 a -offset1 {1 0 0} -body2 b -stiffness 5 -rest 2 "
+                             "-damping 3 -pull_only 1\nforce -body a -x {s.length}\n"
+                             "plot p -values {s.force}\nlink -body1 a -body2 b -tightness 1");
+    const scene::Link &plain = scene.links.at(0), &named = scene.links.at(1);
+    ASSERT_TRUE(plain.spring && named.spring);
+    EXPECT_EQ(plain.name, "");
+    EXPECT_EQ(plain.tightness, 4);
+    EXPECT_EQ(plain.damping, 0);
+    EXPECT_FALSE(plain.spring->rest || plain.spring->isPullOnly);
+    EXPECT_EQ(named.name, "s");
+    EXPECT_EQ(named.spring->rest, 2);
+    EXPECT_EQ(named.damping, 3);
+    EXPECT_TRUE(named.spring->isPullOnly);
+    EXPECT_EQ(std::get<scene::BodyEnd>(named.second).body, "b");
+    EXPECT_FALSE(scene.links.at(2).spring);
+}
+
 TEST(Trajectory, PassesThroughItsPointsWithTheSlopesOfTheChords) {
     const Scene scene = read("trajectory T -points {{0 0 0 0} {1 3 0 0} {3 6 0 3}}");
     const auto& curves = scene.trajectories.at(0).curves;

@@ -32,6 +32,7 @@ private:
     void link(Call& call);
     void joint(Call& call);
     void gear(Call& call);
+    void spring(Call& call);
     void trajectory(Call& call);
     void constrain(Call& call);
     void lightSource(Call& call);
@@ -40,7 +41,18 @@ private:
     void plot(Call& call);
 
     // --- names ---
-    enum class Kind { shapeSet, body, trajectory, parameter, joint, gear, lightSource, view, plot };
+    enum class Kind {
+        shapeSet,
+        body,
+        trajectory,
+        parameter,
+        joint,
+        gear,
+        spring,
+        lightSource,
+        view,
+        plot
+    };
     // The name at words[1], checked and registered; "" and a report when there is none.
     std::string newName(Call& call, Kind kind);
     std::string optionalName(Call& call, Kind kind, std::size_t& first);
@@ -68,6 +80,7 @@ private:
     void inertia(Arguments& arguments, scene::Body& body);
     std::optional<std::array<scene::Expression, 3>> components(Arguments& arguments,
                                                                bool allRequired);
+    void ends(Arguments& arguments, std::string_view what, scene::Link& link);
     void smoothCurves(Arguments& arguments, scene::Trajectory& trajectory);
     void bezierCurves(Arguments& arguments, scene::Trajectory& trajectory);
     void orderCurves(Arguments& arguments, const std::vector<Value>& words,

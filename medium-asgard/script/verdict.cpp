@@ -2,6 +2,7 @@
 
 #include "script/locate.h"
 #include "script/make_scene.h"
+#include "script/meant.h"
 #include "script/structure.h"
 #include "script/suggestion.h"
 
@@ -168,7 +169,9 @@ scene::Diagnostic tclError(std::string_view text, const Structure& structure,
         message = "there is no command \"" + name + "\"";
         if (command && !command->words.empty())
             range = command->words[0].range;
-        if (const std::string near = nearest(name, existing); !near.empty())
+        if (std::string meant = meantBy(name); !meant.empty())
+            suggestion = std::move(meant);
+        else if (const std::string near = nearest(name, existing); !near.empty())
             suggestion = "did you mean \"" + near + "\"?";
         else if (name == "DOCUMENT" || name.starts_with('<'))
             suggestion = "documents are opened by ensemble";

@@ -62,7 +62,9 @@ void addComponents(NewElement& element, const Vector& v, double resolution) {
 }
 
 double tightnessOf(const scene::Scene& scene) {
-    return scene.links.empty() ? 100 : scene.links.back().tightness;
+    const auto last = std::find_if(scene.links.rbegin(), scene.links.rend(),
+                                   [](const scene::Link& link) { return !link.spring; });
+    return last == scene.links.rend() ? 100 : last->tightness;
 }
 
 // A trajectory that was shown, or a new one that begins at that place.

@@ -112,6 +112,8 @@ TEST(Simplify, WritesSwitchesInOneWay) {
         {"x/abs(y)", "x/abs(y)"},
         {"-2*x/hypot(x, 0)", "-2*sign(x)"},
         {"x/hypot(x, y)", "x/hypot(x, y)"},
+        {"2*x/(hypot(x, 0) + 1e-300)", "2*sign(x)"},
+        {"x/(abs(x) + 1e-6)", "x/(abs(x) + 1e-06)"},
         {"-2*x/sqrt(x*x)", "-2*sign(x)"},
         {"x/sqrt((-x)^2)", "sign(x)"},
         {"-3*y*x/sqrt(4*x^2)", "-1.5*y*sign(x)"},

@@ -176,8 +176,14 @@ Result Rules::without(Node product, Node factor, int depth) const {
     return std::nullopt;
 }
 
-// v and 3 of 3*abs(v), 3*hypot(v, 0), sqrt(9*v^2).
+// v and 3 of 3*abs(v), 3*hypot(v, 0), sqrt(9*v^2). A length may have a number added that changes
+// none but 0: it keeps 0/0 out of unit vectors.
 std::optional<Rules::Scaled> Rules::lengthOfOne(Node n) const {
+    if (is(n, Op::add))
+        for (const auto& [number, other] :
+             {std::pair(first(n), second(n)), std::pair(second(n), first(n))})
+            if (isNumber(number) && std::abs(g.value(number)) < 1e-290)
+                return lengthOfOne(other);
     const Node length = isScaled(n) ? second(n) : n;
     const double by = isScaled(n) ? g.value(first(n)) : 1;
     if (is(length, Op::abs))

@@ -125,8 +125,10 @@ std::string inWords(const scene::Scene& scene, const EquationsOfMotion& equation
         value = digits;
     }
     static constexpr std::array<const char*, 4> kinds = {"force", "link", "joint", "gear"};
-    return std::string("the ") + kinds[static_cast<std::size_t>(c.kind)] + " on body \"" +
-           scene.bodies[c.body].name + "\" " +
+    const bool isSpring =
+        c.kind == Contribution::Kind::link && scene.links[c.element].spring.has_value();
+    return std::string("the ") + (isSpring ? "spring" : kinds[static_cast<std::size_t>(c.kind)]) +
+           " on body \"" + scene.bodies[c.body].name + "\" " +
            (isFinite ? "grows without bound" : "is not finite") + ": its " + axes[blame.axis] +
            (texts ? ", \"" + shortened((*texts)[blame.axis]) + "\"," : "") + " is " + value;
 }

@@ -79,6 +79,7 @@ struct LinkNodes {
     NodeVector extension; // first point less second, world
     NodeVector speed;     // its rate
     double damping = 0;   // given or critical
+    Node energy;          // that it holds
 };
 
 // The part of a condition's rate that a body's velocity has: J of that body, in world axes.

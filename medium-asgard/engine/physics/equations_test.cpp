@@ -288,7 +288,7 @@ TEST(Equations, FaultsOfExpressionsAreSentences) {
         motion.faults,
         (std::vector<std::string>{
             "line 12: -x of a force on \"ball\": expected a value, and the expression ends here",
-            "line 12: -z of a force on \"ball\": no body, trajectory or joint is named "
+            "line 12: -z of a force on \"ball\": nothing is named "
             "\"nobody\""}));
 }
 

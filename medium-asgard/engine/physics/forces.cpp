@@ -36,12 +36,13 @@ NodeVector negated(Graph& g, const NodeVector& v) {
 
 } // namespace
 
-ForceReader::ForceReader(Graph& g, const scene::Scene& scene, const Scope& scope,
+ForceReader::ForceReader(Graph& g, const scene::Scene& scene, Scope& scope,
                          std::vector<std::string>& faults)
     : g_(g), scene_(scene), scope_(scope), faults_(faults), bodies_(indexByName(scene.bodies)),
       trajectories_(indexByName(scene.trajectories)) {}
 
 void ForceReader::read(std::vector<Contribution>& contributions, std::vector<LinkNodes>& links) {
+    nameSprings();
     for (std::size_t i = 0; i < scene_.forces.size(); ++i)
         readForce(i, contributions);
     for (std::size_t i = 0; i < scene_.links.size(); ++i)
@@ -211,6 +212,84 @@ double ForceReader::dampingOf(const scene::Link& link) const {
     return inverse > 0 ? 2 * std::sqrt(link.tightness / inverse) : 0;
 }
 
+// Expressions of forces may read the lengths of springs.
+void ForceReader::nameSprings() {
+    for (std::size_t i = 0; i < scene_.links.size(); ++i) {
+        const scene::Link& link = scene_.links[i];
+        const auto first = bodyNamed(link.first.body);
+        if (!link.spring || link.name.empty() || !first)
+            continue;
+        const std::size_t told = faults_.size();
+        const LinkNodes nodes = geometryOf(link, bodyEnd(link.first, *first), secondEnd(link));
+        scope_.setSpring(i, lawOf(link, nodes).spring);
+        faults_.resize(told); // they are told when its force is read
+    }
+}
+
+LinkNodes ForceReader::geometryOf(const scene::Link& link, const End& a, const End& b) const {
+    LinkNodes made;
+    made.damping = dampingOf(link);
+    // Places first: far from the origin their difference is small and exact, and a sum of a place
+    // and an arm would lose the arm's last digits.
+    made.extension = add(g_, subtract(g_, a.place, b.place), subtract(g_, a.arm, b.arm));
+    made.speed = add(g_, subtract(g_, a.velocity, b.velocity), subtract(g_, a.turning, b.turning));
+    return made;
+}
+
+ForceReader::Law ForceReader::lawOf(const scene::Link& link, const LinkNodes& nodes) {
+    if (link.spring)
+        return springLaw(link, nodes);
+    Law law;
+    law.force = subtract(g_, scaled(g_, g_.constant(-link.tightness), nodes.extension),
+                         scaled(g_, g_.constant(nodes.damping), nodes.speed));
+    law.energy =
+        g_.multiply(g_.constant(0.5 * link.tightness), dot(g_, nodes.extension, nodes.extension));
+    return law;
+}
+
+// What is added to l and l² in denominators changes no other length than 0, where d/l and the rate
+// l' = d.v/l are 0. Along one line d/l is the sign of d: a switch.
+ForceReader::Law ForceReader::springLaw(const scene::Link& link, const LinkNodes& nodes) {
+    const NodeVector &d = nodes.extension, &v = nodes.speed;
+    const Node k = g_.constant(link.tightness), c = g_.constant(nodes.damping);
+    const Node length = g_.apply(Op::hypot, g_.apply(Op::hypot, d[0], d[1]), d[2]);
+    const double rest = restOf(link, length);
+    const Node nearly = g_.constant(1e-300), divisor = g_.add(length, nearly);
+    const Node stretch = g_.subtract(length, g_.constant(rest));
+    const Node rateOverLength = g_.divide(dot(g_, d, v), g_.add(dot(g_, d, d), nearly));
+    const auto whilePulling = [&](Node value) {
+        return link.spring->isPullOnly
+                   ? g_.apply(Op::select, g_.apply(Op::less, g_.constant(rest), length), value,
+                              g_.constant(0))
+                   : value;
+    };
+    Law law;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Node atRest =
+            g_.divide(g_.multiply(g_.constant(link.tightness * rest), d[i]), divisor);
+        const Node damped = g_.multiply(g_.multiply(c, rateOverLength), d[i]);
+        law.force[i] = whilePulling(g_.subtract(g_.subtract(atRest, g_.multiply(k, d[i])), damped));
+    }
+    law.energy =
+        whilePulling(g_.multiply(g_.constant(0.5 * link.tightness), g_.multiply(stretch, stretch)));
+    const Node rate = g_.multiply(length, rateOverLength);
+    law.spring = {length, whilePulling(g_.add(g_.multiply(k, stretch), g_.multiply(c, rate)))};
+    return law;
+}
+
+double ForceReader::restOf(const scene::Link& link, Node length) {
+    if (link.spring->rest)
+        return *link.spring->rest;
+    if (!start_)
+        start_.emplace(g_, scene_, scope_);
+    const double rest = start_->of(length);
+    if (std::isfinite(rest))
+        return rest;
+    faults_.push_back("line " + std::to_string(link.source.line) +
+                      ": a spring without -rest has its length at the start, which is not finite");
+    return 0;
+}
+
 void ForceReader::readLink(std::size_t index, std::vector<Contribution>& contributions,
                            std::vector<LinkNodes>& links) {
     const scene::Link& link = scene_.links[index];
@@ -220,17 +299,12 @@ void ForceReader::readLink(std::size_t index, std::vector<Contribution>& contrib
         return;
     }
     const End a = bodyEnd(link.first, *first), b = secondEnd(link);
-    LinkNodes made;
+    LinkNodes made = geometryOf(link, a, b);
     made.link = index;
-    made.damping = dampingOf(link);
-    // Places first: far from the origin their difference is small and exact, and a sum of a place
-    // and an arm would lose the arm's last digits.
-    made.extension = add(g_, subtract(g_, a.place, b.place), subtract(g_, a.arm, b.arm));
-    made.speed = add(g_, subtract(g_, a.velocity, b.velocity), subtract(g_, a.turning, b.turning));
+    const Law law = lawOf(link, made);
+    const NodeVector& force = law.force;
+    made.energy = law.energy;
     links.push_back(made);
-
-    const NodeVector force = subtract(g_, scaled(g_, g_.constant(-link.tightness), made.extension),
-                                      scaled(g_, g_.constant(made.damping), made.speed));
     const auto contribute = [&](std::size_t body, const scene::BodyEnd& end, const NodeVector& f) {
         Contribution contribution = at(body, scope_.armTo(body, end.offset), f);
         contribution.kind = Contribution::Kind::link;

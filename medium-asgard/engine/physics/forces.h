@@ -5,16 +5,21 @@
 //     c = 2 sqrt(k m)       critical damping, unless given; m is the mass of the first body, and
 //                           between two bodies the reduced mass m1 m2 / (m1 + m2), a fixed one
 //                           counting as infinite
+// Spring: with l = |d| and L its length without a force,
+//     F = -(k (l - L) + c l') d/l      on the first body, -F on the second; with -pull_only 0 while
+//                                      l < L. At l = 0 there is no direction, and no force.
 #pragma once
 
 #include "physics/equations_of_motion.h"
+#include "physics/start_values.h"
 
 namespace physics {
 
 // Sentences about expressions that cannot be read go to `faults`.
 class ForceReader {
 public:
-    ForceReader(Graph& g, const scene::Scene& scene, const Scope& scope,
+    // The quantities of springs go to the scope.
+    ForceReader(Graph& g, const scene::Scene& scene, Scope& scope,
                 std::vector<std::string>& faults);
 
     void read(std::vector<Contribution>& contributions, std::vector<LinkNodes>& links);
@@ -34,6 +39,17 @@ private:
 
     void readForce(std::size_t index, std::vector<Contribution>& contributions);
     NodeVector forceVector(const scene::Force& force, double mass, bool& isInBodyAxes);
+    // A link's or a spring's law: what it adds to its first body, and the energy that it holds.
+    struct Law {
+        NodeVector force;
+        Node energy;
+        SpringNodes spring; // of a spring
+    };
+    void nameSprings();
+    [[nodiscard]] LinkNodes geometryOf(const scene::Link& link, const End& a, const End& b) const;
+    [[nodiscard]] Law lawOf(const scene::Link& link, const LinkNodes& nodes);
+    [[nodiscard]] Law springLaw(const scene::Link& link, const LinkNodes& nodes);
+    [[nodiscard]] double restOf(const scene::Link& link, Node length);
     void readLink(std::size_t index, std::vector<Contribution>& contributions,
                   std::vector<LinkNodes>& links);
     End bodyEnd(const scene::BodyEnd& end, std::size_t body);
@@ -46,7 +62,8 @@ private:
 
     Graph& g_;
     const scene::Scene& scene_;
-    const Scope& scope_;
+    Scope& scope_;
+    std::optional<StartValues> start_;
     std::vector<std::string>& faults_;
     std::unordered_map<std::string, std::size_t> bodies_, trajectories_; // by name
     std::unordered_map<std::uint32_t, Node> positionRates_; // of each symbol of a place or attitude

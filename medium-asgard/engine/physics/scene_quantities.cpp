@@ -74,11 +74,8 @@ SceneNodes sceneNodes(EquationsOfMotion& motion, const scene::Scene& scene) {
             nodes.energy = g.add(
                 nodes.energy, weightEnergy(g, *motion.scope, c.body, force, weight->acceleration));
     }
-    for (const LinkNodes& link : motion.links) {
-        const Node half = g.constant(0.5 * scene.links[link.link].tightness);
-        nodes.energy =
-            g.add(nodes.energy, g.multiply(half, dot(g, link.extension, link.extension)));
-    }
+    for (const LinkNodes& link : motion.links)
+        nodes.energy = g.add(nodes.energy, link.energy);
     return nodes;
 }
 

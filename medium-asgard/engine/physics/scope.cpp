@@ -96,6 +96,13 @@ expression::Meaning Scope::meaning(Graph& g, std::string_view name, std::span<co
         const auto component = static_cast<std::size_t>(read->component);
         return {(read->isRate ? trajectory.rate : trajectory.value)[component], "", ""};
     }
+    if (const auto* spring = std::get_if<scene::SpringName>(&named)) {
+        const auto nodes = springs_.find(spring->link);
+        if (nodes == springs_.end())
+            return {std::nullopt, "this spring has no ends", ""};
+        const bool isForce = spring->quantity == scene::SpringQuantity::force;
+        return {isForce ? nodes->second.force : nodes->second.length, "", ""};
+    }
     return {time_, "", ""};
 }
 

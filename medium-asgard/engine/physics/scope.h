@@ -12,6 +12,11 @@
 
 namespace physics {
 
+struct SpringNodes {
+    Node length;
+    Node force; // positive: it pulls
+};
+
 struct ScopeTrajectory {
     std::vector<TrajectoryPiece> pieces;
     NodeVector value, rate; // at all times
@@ -53,6 +58,8 @@ public:
     [[nodiscard]] std::unordered_map<std::uint32_t, Node>
     piecesFrom(const Graph& g, std::span<const std::size_t> trajectories, double time) const;
     void setJoints(std::vector<JointNodes> joints) { joints_ = std::move(joints); }
+    // A spring's quantities, by index into Scene::links; set before an expression may read them.
+    void setSpring(std::size_t link, const SpringNodes& nodes) { springs_[link] = nodes; }
     void setSceneNodes(const SceneNodes& nodes) { sceneNodes_ = nodes; }
 
     // From the centre of mass to a point given from the reference point (none: the centre).
@@ -80,6 +87,7 @@ private:
     std::vector<ScopeTrajectory> trajectories_;
     std::unordered_map<std::uint32_t, std::vector<std::size_t>> choices_; // whose value or rate
     std::vector<JointNodes> joints_;
+    std::unordered_map<std::size_t, SpringNodes> springs_;
     SceneNodes sceneNodes_;
 };
 

@@ -26,7 +26,10 @@ public:
     Collector(const Scene& scene, std::vector<Mention>& mentions, bool& isBroken)
         : mentions_(mentions), isBroken_(isBroken), bodies_(indexOf(scene.bodies)),
           trajectories_(indexOf(scene.trajectories)), parameters_(indexOf(scene.parameters)),
-          shapes_(indexOf(scene.shapeSets)), joints_(indexOf(scene.joints)) {}
+          shapes_(indexOf(scene.shapeSets)), joints_(indexOf(scene.joints)),
+          springs_(indexOf(scene.links)) {
+        springs_.erase(std::string_view()); // links, and springs without a name
+    }
 
     std::size_t body(const std::string& name) { return found(bodies_, name); }
     std::size_t shape(const std::string& name) { return found(shapes_, name); }
@@ -64,20 +67,41 @@ private:
         for (const auto& [index, kind] : {std::pair{&bodies_, Mention::Kind::body},
                                           std::pair{&trajectories_, Mention::Kind::trajectory},
                                           std::pair{&parameters_, Mention::Kind::parameter},
-                                          std::pair{&joints_, Mention::Kind::joint}})
+                                          std::pair{&joints_, Mention::Kind::joint},
+                                          std::pair{&springs_, Mention::Kind::spring}})
             if (const auto place = index->find(owner); place != index->end())
                 return mention(reader, kind, place->second);
     }
 
     std::vector<Mention>& mentions_;
     bool& isBroken_;
-    Index bodies_, trajectories_, parameters_, shapes_, joints_;
+    Index bodies_, trajectories_, parameters_, shapes_, joints_, springs_;
 };
 
 std::size_t rootOf(std::vector<std::size_t>& parent, std::size_t i) {
     while (parent[i] != i)
         i = parent[i] = parent[parent[i]];
     return i;
+}
+
+// Who reads a spring reads all that its ends follow from.
+void mentionEndsOfSprings(const Scene& scene, Collector& collect,
+                          const std::vector<Mention>& mentions, std::span<const std::size_t> first,
+                          std::span<const std::size_t> second) {
+    const std::size_t count = mentions.size();
+    for (std::size_t m = 0; m < count; ++m) {
+        const Mention mention = mentions[m]; // the list grows
+        if (mention.kind != Mention::Kind::spring)
+            continue;
+        for (const std::size_t body : {first[mention.index], second[mention.index]})
+            if (body != mention.reader)
+                collect.mention(mention.reader, Mention::Kind::body, body);
+        const Link& spring = scene.links[mention.index];
+        if (const auto* driven = std::get_if<TrajectoryEnd>(&spring.second))
+            collect.trajectory(mention.reader, driven->trajectory);
+        else if (const auto* point = std::get_if<PointEnd>(&spring.second))
+            collect.expressions(mention.reader, point->coordinates);
+    }
 }
 
 } // namespace
@@ -208,6 +232,7 @@ Connections::Connections(const Scene& scene) {
     joints = ByBody(count, onBodies);
     gears = ByBody(count, gearOwners(scene, collect, ends));
     mentionBodiesOfJoints(collect, mentionList, ends);
+    mentionEndsOfSprings(scene, collect, mentionList, first, second);
     for (const Mention& mention : mentionList)
         readers.push_back(mention.reader);
     forces = ByBody(count, onBody);
@@ -237,7 +262,7 @@ std::vector<std::vector<std::size_t>> joinedBodies(const Scene& scene) {
         joined[b].push_back(a);
     };
     for (const Link& link : scene.links)
-        if (const auto* second = std::get_if<BodyEnd>(&link.second))
+        if (const auto* second = std::get_if<BodyEnd>(&link.second); second && !link.spring)
             join(bodies.at(link.first.body), bodies.at(second->body));
     std::vector<std::size_t> rigid(scene.bodies.size()); // what fixed joints make one piece
     std::iota(rigid.begin(), rigid.end(), std::size_t{0});

@@ -19,6 +19,7 @@ bool same(const Quaternion& a, const Quaternion& b) {
     return std::memcmp(a.coeffs().data(), b.coeffs().data(), 4 * sizeof(double)) == 0;
 }
 bool same(const std::string& a, const std::string& b) { return a == b; }
+bool same(const SpringLaw& a, const SpringLaw& b);
 template <typename Value, std::size_t n>
 bool same(const std::array<Value, n>& a, const std::array<Value, n>& b);
 template <typename Value> bool same(const std::vector<Value>& a, const std::vector<Value>& b);
@@ -57,9 +58,12 @@ bool same(const Part& a, const Part& b) {
 bool same(const Force& a, const Force& b) {
     return a.couple == b.couple && same(a.offset, b.offset) && same(a.kind, b.kind);
 }
+bool same(const SpringLaw& a, const SpringLaw& b) {
+    return same(a.rest, b.rest) && a.isPullOnly == b.isPullOnly;
+}
 bool same(const Link& a, const Link& b) {
     return same(a.first, b.first) && same(a.second, b.second) && same(a.tightness, b.tightness) &&
-           same(a.damping, b.damping);
+           same(a.damping, b.damping) && same(a.spring, b.spring);
 }
 bool same(const JointCoordinate& a, const JointCoordinate& b) {
     return same(a.lower, b.lower) && same(a.upper, b.upper) &&
@@ -139,7 +143,7 @@ public:
           shapes_(matched(now_.shapeSets, old_.shapeSets)),
           trajectories_(matched(now_.trajectories, old_.trajectories)),
           parameters_(matched(now_.parameters, old_.parameters)),
-          joints_(matched(now_.joints, old_.joints)) {
+          joints_(matched(now_.joints, old_.joints)), springs_(matched(now_.links, old_.links)) {
         result_.before = matched(now_.bodies, old_.bodies);
         for (std::size_t i = 0; i < shapes_.size(); ++i)
             if (shapes_[i] != noElement &&
@@ -156,6 +160,9 @@ public:
         for (std::size_t i = 0; i < joints_.size(); ++i)
             if (joints_[i] != noElement && !same(now_.joints[i], old_.joints[joints_[i]]))
                 joints_[i] = noElement;
+        for (std::size_t i = 0; i < springs_.size(); ++i)
+            if (springs_[i] != noElement && !same(now_.links[i], old_.links[springs_[i]]))
+                springs_[i] = noElement;
     }
 
     Difference find() {
@@ -228,7 +235,7 @@ private:
         return true;
     }
 
-    const std::vector<std::size_t>& matchesOf(Mention::Kind kind) const {
+    [[nodiscard]] const std::vector<std::size_t>& matchesOf(Mention::Kind kind) const {
         switch (kind) {
         case Mention::Kind::trajectory:
             return trajectories_;
@@ -236,6 +243,8 @@ private:
             return parameters_;
         case Mention::Kind::joint:
             return joints_;
+        case Mention::Kind::spring:
+            return springs_;
         case Mention::Kind::body:
             break;
         }
@@ -245,7 +254,7 @@ private:
     const Scene &old_, &now_;
     const Connections &a_, &b_;
     // By element: the one before with the same content; noElement: none, or it differs.
-    std::vector<std::size_t> shapes_, trajectories_, parameters_, joints_;
+    std::vector<std::size_t> shapes_, trajectories_, parameters_, joints_, springs_;
     Difference result_;
 };
 

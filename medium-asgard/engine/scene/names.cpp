@@ -87,6 +87,11 @@ std::vector<std::string> jointQuantityNames(JointType type) {
     return names;
 }
 
+const std::vector<std::string>& springQuantityNames() {
+    static const std::vector<std::string> names{"length", "force"};
+    return names;
+}
+
 Names::Names(const Scene& scene) {
     for (std::size_t i = 0; i < scene.bodies.size(); ++i)
         owners_.try_emplace(scene.bodies[i].name, Owner{Kind::body, i});
@@ -100,6 +105,9 @@ Names::Names(const Scene& scene) {
     }
     for (std::size_t i = 0; i < scene.gears.size(); ++i)
         owners_.try_emplace(scene.gears[i].name, Owner{Kind::gear, i});
+    for (std::size_t i = 0; i < scene.links.size(); ++i)
+        if (!scene.links[i].name.empty())
+            owners_.try_emplace(scene.links[i].name, Owner{Kind::spring, i});
 }
 
 Named Names::find(std::string_view name, std::optional<std::size_t> arguments,
@@ -129,6 +137,8 @@ Named Names::find(std::string_view name, std::optional<std::size_t> arguments,
         return NameFault{std::string(name) + " takes no arguments", ""};
     if (found->second.kind == Kind::joint)
         return findOfJoint(name, found->second.index, quantity, reading);
+    if (found->second.kind == Kind::spring)
+        return findOfSpring(name, found->second.index, quantity, reading);
     return findOfTrajectory(found->second.index, quantity);
 }
 
@@ -139,9 +149,10 @@ Named Names::findAlone(std::string_view name) const {
     if (found != owners_.end() && found->second.kind == Kind::parameter)
         return ParameterName{found->second.index};
     if (found != owners_.end()) {
-        static constexpr const char* kinds[] = {"body", "trajectory", "parameter", "joint", "gear"};
+        static constexpr const char* kinds[] = {"body",  "trajectory", "parameter",
+                                                "joint", "gear",       "spring"};
         const Owner& owner = found->second;
-        std::string example = "x";
+        std::string example = owner.kind == Kind::spring ? "length" : "x";
         if (owner.kind == Kind::joint)
             example = jointQuantityNames(joints_[owner.index]).front();
         return NameFault{quoted(name) + " is a " + kinds[static_cast<std::size_t>(owner.kind)] +
@@ -212,13 +223,31 @@ Named Names::findOfJoint(std::string_view name, std::size_t joint, std::string_v
     return JointName{joint, found, isForce ? 0 : *index / each};
 }
 
+Named Names::findOfSpring(std::string_view name, std::size_t link, std::string_view quantity,
+                          Reading reading) {
+    const auto index = indexOf(springQuantityNames(), quantity);
+    if (!index)
+        return NameFault{"a spring has no quantity " + quoted(quantity),
+                         "there are length and force"};
+    const auto found = static_cast<SpringQuantity>(*index);
+    if (found == SpringQuantity::force && reading != Reading::quantities &&
+        reading != Reading::release)
+        return NameFault{std::string(name) +
+                             " is a force, which plots, --quantities and -release may read, and no "
+                             "other expression",
+                         ""};
+    if (reading == Reading::positions)
+        return NameFault{"positions may be read here, and no lengths of springs", ""};
+    return SpringName{link, found};
+}
+
 NameFault Names::unknownOwner(std::string_view owner, std::string_view quantity) const {
     std::vector<std::string> known;
     for (const auto& [name, what] : owners_)
         if (what.kind != Kind::parameter && what.kind != Kind::gear)
             known.push_back(name);
     const std::string near = nearestName(owner, known);
-    return {"no body, trajectory or joint is named " + quoted(owner),
+    return {"nothing is named " + quoted(owner),
             near.empty() ? "" : didYouMean(near + "." + std::string(quantity))};
 }
 

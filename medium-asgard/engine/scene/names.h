@@ -45,8 +45,11 @@ enum class BodyQuantity {
     pdz, // calls with the body point's three coordinates
 };
 
-// In the order of BodyQuantity.
+// In the order of BodyQuantity, and of SpringQuantity.
 [[nodiscard]] const std::vector<std::string>& bodyQuantityNames();
+[[nodiscard]] const std::vector<std::string>& springQuantityNames();
+
+enum class SpringQuantity { length, force };
 
 // fx to tz: what the joint does to body 1, in world axes, at its point; motor: along a coordinate.
 enum class JointQuantity { q, dq, motor, fx, fy, fz, tx, ty, tz };
@@ -75,20 +78,24 @@ struct JointName {
     JointQuantity quantity = JointQuantity::q;
     std::size_t coordinate = 0; // of q, dq and motor, from 0
 };
+struct SpringName {
+    std::size_t link = 0; // index into Scene::links
+    SpringQuantity quantity = SpringQuantity::length;
+};
 struct SceneName {
     SceneQuantity quantity = SceneQuantity::energy; // events.collisions among them
 };
 struct NameFault {
     std::string message, suggestion;
 };
-using Named = std::variant<TimeName, ParameterName, BodyName, TrajectoryName, JointName, SceneName,
-                           NameFault>;
+using Named = std::variant<TimeName, ParameterName, BodyName, TrajectoryName, JointName, SpringName,
+                           SceneName, NameFault>;
 
 // The quantities that an expression may read.
 enum class Reading {
-    state,      // everything of bodies, joints, trajectories, parameters, time; no forces
-    positions,  // a link's point, a joint's -position: places and attitudes, no velocities
-    release,    // -release: also the forces of joints
+    state,      // of bodies, joints, trajectories, parameters, time, lengths of springs; no forces
+    positions,  // a link's point, a joint's -position: places and attitudes; no velocities, springs
+    release,    // -release: also the forces of joints and springs
     quantities, // to chart or print: also scene.energy, events.collisions, ...
 };
 
@@ -101,7 +108,7 @@ public:
                              Reading reading) const;
 
 private:
-    enum class Kind { body, trajectory, parameter, joint, gear };
+    enum class Kind { body, trajectory, parameter, joint, gear, spring };
     struct Owner {
         Kind kind;
         std::size_t index;
@@ -113,6 +120,8 @@ private:
     [[nodiscard]] Named findOfTrajectory(std::size_t trajectory, std::string_view quantity) const;
     [[nodiscard]] Named findOfJoint(std::string_view name, std::size_t joint,
                                     std::string_view quantity, Reading reading) const;
+    [[nodiscard]] static Named findOfSpring(std::string_view name, std::size_t link,
+                                            std::string_view quantity, Reading reading);
     [[nodiscard]] NameFault unknownOwner(std::string_view owner, std::string_view quantity) const;
 
     std::map<std::string, Owner, std::less<>> owners_; // all that share the one set of names

@@ -22,6 +22,8 @@ Scene sceneWithNames() {
     scene.joints[2].name = "weld";
     scene.gears.resize(1);
     scene.gears[0].name = "teeth";
+    scene.links.resize(2); // a link, which has no name, and a spring
+    scene.links[1].name = "cord";
     return scene;
 }
 
@@ -29,7 +31,6 @@ Scene sceneWithNames() {
 std::string diagnosis(const std::string& text, Reading reading = Reading::state) {
     Scene scene = sceneWithNames();
     if (reading == Reading::positions) {
-        scene.links.resize(1);
         scene.links[0].second = PointEnd{{text, "0", "0"}};
     } else if (reading == Reading::quantities) {
         scene.plots.resize(1);
@@ -56,8 +57,7 @@ TEST(Names, OfTimeParametersBodiesAndTrajectoriesAreRight) {
 TEST(Names, FaultsNameTheWordAndWhatWasMeant) {
     const std::pair<const char*, const char*> rows[] = {
         {"2*heigth", "[heigth] nothing is named \"heigth\" | did you mean \"height\"?"},
-        {"rod.x",
-         "[rod.x] no body, trajectory or joint is named \"rod\" | did you mean \"rod1.x\"?"},
+        {"rod.x", "[rod.x] nothing is named \"rod\" | did you mean \"rod1.x\"?"},
         {"1 + rod1.massa", "[rod1.massa] a body has no quantity \"massa\" | did you mean "
                            "\"rod1.mass\"?"},
         {"rod1", "[rod1] \"rod1\" is a body, and an expression reads numbers | write rod1.x, or "
@@ -113,6 +113,20 @@ TEST(Names, SayWhichCoordinateIsMeant) {
     EXPECT_EQ(found("weld.fz").quantity, JointQuantity::fz);
 }
 
+TEST(Names, OfSpringsAreTheirLengthAndForce) {
+    EXPECT_EQ(diagnosis("2*cord.length"), "right");
+    EXPECT_EQ(diagnosis("cord.force", Reading::quantities), "right");
+    EXPECT_EQ(diagnosis("cord.force"), "[cord.force] cord.force is a force, which plots, "
+                                       "--quantities and -release may read, and no other "
+                                       "expression");
+    EXPECT_EQ(diagnosis("cord.length", Reading::positions),
+              "[cord.length] positions may be read here, and no lengths of springs");
+    EXPECT_EQ(diagnosis("cord.x"),
+              "[cord.x] a spring has no quantity \"x\" | there are length and force");
+    EXPECT_EQ(diagnosis("cord"), "[cord] \"cord\" is a spring, and an expression reads numbers | "
+                                 "write cord.length, or another of its quantities");
+}
+
 TEST(Names, WhatMayBeReadDependsOnTheElement) {
     EXPECT_EQ(diagnosis("rod1.px(1, 0, 0) + path.x", Reading::positions), "right");
     EXPECT_EQ(diagnosis("rod1.dx", Reading::positions),
@@ -129,7 +143,6 @@ TEST(Names, EveryExpressionOfASceneIsChecked) {
     Scene scene = sceneWithNames();
     scene.forces.resize(1);
     scene.forces[0].kind = ComponentForce{{"1+", "0", "bad1"}};
-    scene.links.resize(1);
     scene.links[0].second = PointEnd{{"0", "bad2", "0"}};
     scene.joints[1].coordinates.resize(2);
     scene.joints[1].coordinates[1].speed = "bad6";

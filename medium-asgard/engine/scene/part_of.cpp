@@ -52,6 +52,8 @@ Scene partOf(const Version& version, const std::vector<std::size_t>& bodies) {
                 parameters.add(mention.index);
             else if (mention.kind == Mention::Kind::joint)
                 joints.add(mention.index);
+            else if (mention.kind == Mention::Kind::spring)
+                links.add(mention.index);
     }
     part.shapeSets = shapes.of(scene.shapeSets);
     part.forces = forces.of(scene.forces);

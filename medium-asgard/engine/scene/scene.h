@@ -148,12 +148,20 @@ struct TrajectoryEnd {
     std::string trajectory;
 };
 
-// Force on the first end: F = -k d - c v (scene language, "Physics").
+// The law of a spring, which pulls along the line of its ends (scene language, "Physics").
+struct SpringLaw {
+    std::optional<double> rest; // L; none: its length at the start
+    bool isPullOnly = false;    // no force while it is shorter than L
+};
+
+// A link, which pulls the first end to the second in every direction, F = -k d - c v; or a spring.
 struct Link {
+    std::string name; // of a spring; "" when not given
     BodyEnd first;
     std::variant<BodyEnd, PointEnd, TrajectoryEnd> second;
-    double tightness = 0;          // k
-    std::optional<double> damping; // c; none: critical, 2 sqrt(k m)
+    double tightness = 0;            // k; a spring's -stiffness
+    std::optional<double> damping;   // c; none: critical, 2 sqrt(k m); a spring's is always given
+    std::optional<SpringLaw> spring; // none: a link
     Source source;
 };
 
@@ -312,7 +320,7 @@ struct Scene {
     std::vector<ShapeSet> shapeSets;
     std::vector<Body> bodies; // in the order of the text, which is the order of output columns
     std::vector<Force> forces;
-    std::vector<Link> links;
+    std::vector<Link> links; // and springs, in the order of the text
     std::vector<Joint> joints;
     std::vector<Gear> gears;
     std::vector<Trajectory> trajectories;

@@ -53,7 +53,8 @@ std::string linkText(const scene::Link& link, const std::string& body) {
         to = "the point " + componentsText(point->coordinates);
     else
         to = "trajectory " + std::get<scene::TrajectoryEnd>(link.second).trajectory;
-    return "a link to " + to + " (tightness " + number(link.tightness) + ")";
+    return (link.spring ? "a spring to " : "a link to ") + to +
+           (link.spring ? " (stiffness " : " (tightness ") + number(link.tightness) + ")";
 }
 
 std::string holdText(const scene::Scene& scene, const scene::Constraint& constraint) {

@@ -286,7 +286,7 @@ std::string whyNever(const Problem& problem, std::size_t a, std::size_t b) {
     const scene::Body& first = problem.scene.bodies[a];
     const scene::Body& second = problem.scene.bodies[b];
     for (const scene::Link& link : problem.scene.links)
-        if (const auto* end = std::get_if<scene::BodyEnd>(&link.second))
+        if (const auto* end = std::get_if<scene::BodyEnd>(&link.second); end && !link.spring)
             if ((link.first.body == first.name && end->body == second.name) ||
                 (link.first.body == second.name && end->body == first.name))
                 return "linked";
