@@ -100,6 +100,26 @@ TEST(Inserting, WhatIsPastedHasIdsOfItsOwnThatItsReferencesFollow) {
               "<P ID=\"a-1\">{x}</P>\n<P>{c}</P>\n<V>{d|}</V>");
 }
 
+TEST(Inserting, PastedBlocksStandOnLinesOfTheirOwn) {
+    const auto pasted = [](const std::string& fragment) {
+        return [fragment](const Manuscript& manuscript, Selection selection) {
+            return paste(manuscript, selection, renamed("<BODY>" + fragment + "</BODY>", false));
+        };
+    };
+    EXPECT_EQ(memo("<P>{|}</P>", pasted("<L><I>{a}</I><I>{b}</I></L><TABLE><R><C>{c}</C><C>{d}</C>"
+                                        "</R><R><C>{e}</C><C>{f}</C></R></TABLE><P>{g}</P>")),
+              "<L>\n<I>{a}</I>\n<I>{b}</I>\n</L>\n<TABLE>\n<R><C>{c}</C><C>{d}</C></R>\n"
+              "<R><C>{e}</C><C>{f}</C></R>\n</TABLE>\n<P>{g|}</P>");
+    EXPECT_EQ(memo("<TABLE><R><C>{|}</C></R></TABLE>", pasted("<P>{a}</P><P>{b}</P>")),
+              "<TABLE><R><C>\n<P>{a}</P>\n<P>{b|}</P></C></R></TABLE>");
+    EXPECT_EQ(memo("<TABLE><R><C>{x|}</C></R></TABLE>", pasted("<P>{a}</P><P>{b}</P>")),
+              "<TABLE><R><C><T>{x}</T>\n<P>{a}</P>\n<P>{b|}</P></C></R></TABLE>");
+    EXPECT_EQ(memo("<TABLE><R><C>{x|y}</C></R></TABLE>", pasted("<P>{a}</P><P>{b}</P>")),
+              "<TABLE><R><C><T>{x}</T>\n<P>{a}</P>\n<P>{b}</P><T>{|y}</T></C></R></TABLE>");
+    EXPECT_EQ(memo("<TABLE><R><C>{|}</C></R></TABLE>", pasted("<L><I>{a}</I><I>{b}</I></L>")),
+              "<TABLE><R><C>\n<L>\n<I>{a}</I>\n<I>{b|}</I>\n</L></C></R></TABLE>");
+}
+
 TEST(Inserting, AttributesAreSetAndRemovedInOneStep) {
     const auto sized = [](const std::string& width) {
         return [width](const Manuscript& manuscript, Selection selection) {
@@ -232,25 +252,25 @@ TEST(Inserting, PastesWhatWasCopiedAcrossTheEdgeOfAnElement) {
     const std::string sections = "<BODY><S><L><I>{2}</I><I>{3}</I></L></S>"
                                  "<S><H>{B}</H><P>{half}</P></S></BODY>";
     EXPECT_EQ(memo("<P>{|}</P>", copied(sections)),
-              "<L><I>{2}</I><I>{3}</I></L>\n<S><H>{B}</H><P>{half|}</P></S>");
+              "<L>\n<I>{2}</I>\n<I>{3}</I>\n</L>\n<S>\n<H>{B}</H>\n<P>{half|}</P>\n</S>");
     EXPECT_EQ(memo("<P>{x|y}</P>", copied(sections)),
-              "<P>{x}</P>\n<L><I>{2}</I><I>{3}</I></L>\n<S><H>{B}</H><P>{half}</P></S>\n"
-              "<P>{|y}</P>");
+              "<P>{x}</P>\n<L>\n<I>{2}</I>\n<I>{3}</I>\n</L>\n"
+              "<S>\n<H>{B}</H>\n<P>{half}</P>\n</S>\n<P>{|y}</P>");
     // Two paragraphs of one section, and of one in it.
     EXPECT_EQ(memo("<P>{|}</P>", copied("<S><P>{a}</P><P>{b}</P></S>")), "<P>{a}</P>\n<P>{b|}</P>");
     EXPECT_EQ(memo("<P>{|}</P>", copied("<S><S><P>{a}</P></S>"
                                         "<S><H>{C}</H><P>{b}</P></S></S>")),
-              "<P>{a}</P>\n<S><H>{C}</H><P>{b|}</P></S>");
+              "<P>{a}</P>\n<S>\n<H>{C}</H>\n<P>{b|}</P>\n</S>");
     // A whole section stays one.
     EXPECT_EQ(memo("<P>{|}</P>", copied("<S><H>{A}</H><P>{a}</P></S>")),
-              "<S><H>{A}</H><P>{a|}</P></S>");
+              "<S>\n<H>{A}</H>\n<P>{a|}</P>\n</S>");
     // From a caption into the text below; the figure was not copied.
     EXPECT_EQ(memo("<P>{|}</P>", copied("<BODY><FIGURE><CAPTION>{c}</CAPTION></FIGURE>"
                                         "<P>{b}</P></BODY>")),
               "<P>{c}</P>\n<P>{b|}</P>");
     // A section that may not stand there leaves its heading as a paragraph.
     EXPECT_EQ(memo("<TABLE><R><C><P>{|}</P></C></R></TABLE>", copied(sections)),
-              "<TABLE><R><C><L><I>{2}</I><I>{3}</I></L>\n<P>{B}</P>\n<P>{half}</P><T>{|}</T></C>"
+              "<TABLE><R><C><L>\n<I>{2}</I>\n<I>{3}</I>\n</L>\n<P>{B}</P>\n<P>{half|}</P></C>"
               "</R></TABLE>");
 }
 
@@ -266,7 +286,7 @@ TEST(Inserting, PastesStructure) {
     EXPECT_EQ(memo("<P ID=\"i\">{a|b}</P>", elements("<BODY><P ID=\"i\">{1}</P><P>{2}</P></BODY>")),
               "<P ID=\"i\">{a}</P>\n<P>{1}</P>\n<P>{2}</P>\n<P>{|b}</P>");
     EXPECT_EQ(memo("<P>{a|b}</P>", elements("<L><I>{1}</I></L>")),
-              "<P>{a}</P>\n<L><I>{1}</I></L>\n<P>{|b}</P>");
+              "<P>{a}</P>\n<L>\n<I>{1}</I>\n</L>\n<P>{|b}</P>");
     EXPECT_EQ(memo("<P>{a|b}</P>", elements("<AUTHOR>{1}</AUTHOR>")), "<P>{a1|b}</P>");
     EXPECT_EQ(memo("<P>{a|b}</P>", elements("<P>{1}")),
               "refused: The clipboard holds nothing that can be read.");

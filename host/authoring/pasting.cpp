@@ -152,7 +152,25 @@ private:
         }
         for (std::unique_ptr<Piece>& child : below(id))
             Draft::put(*piece, piece->children.size(), std::move(child));
+        putOnLines(*piece);
         return piece;
+    }
+    // Blocks in a block stand on lines of their own, as what is written does.
+    void putOnLines(Piece& piece) const {
+        if (draft_.isInlined(piece) || draft_.holdsText(piece))
+            return;
+        bool holdsBlocks = false;
+        for (const std::unique_ptr<Piece>& child : piece.children)
+            if (child->isElement() && !isOfLine(*child) && !isCell(*child)) {
+                child->gap.fresh = "\n";
+                holdsBlocks = true;
+            }
+        if (holdsBlocks)
+            piece.tail.fresh = "\n";
+    }
+    // The cells of a row stand beside each other.
+    [[nodiscard]] bool isCell(const Piece& piece) const {
+        return draft_.of(piece).display == Display::cell;
     }
 
     QString pasteLine(Pieces pieces) {
@@ -181,7 +199,33 @@ private:
             if (QString why = pasteBlock(std::move(piece)); !why.isEmpty())
                 return why;
         Draft::moveTo(draft_.first(), *last_->parent, last_->index() + 1);
+        if (draft_.holdsText(*last_->parent))
+            leaveNoEmptyLines(*last_->parent);
         return {};
+    }
+    // Where text and blocks stand side by side, as in a cell, a text without letters would be an
+    // empty line.
+    void leaveNoEmptyLines(Piece& holder) {
+        Piece* line = draft_.isLineBlank(draft_.first(), Direction::forward) ? lastLine() : nullptr;
+        if (line != nullptr)
+            Draft::moveTo(draft_.first(), *line, line->children.size());
+        draft_.collapse();
+        const auto isEmpty = [](const auto& piece) { return piece->isEmptyText(); };
+        for (std::size_t i = holder.children.size(); i-- > 0;) {
+            Piece& child = *holder.children[i];
+            if (child.isEmptyText() ||
+                (draft_.isPlainText(child) && std::ranges::all_of(child.children, isEmpty)))
+                Draft::take(child);
+        }
+    }
+    // Of what came in; null: it ends with no line.
+    Piece* lastLine() const {
+        Piece* line = last_;
+        while (line != nullptr && !draft_.holdsText(*line)) {
+            Piece* inside = line->children.empty() ? nullptr : line->children.back().get();
+            line = inside != nullptr && inside->isElement() ? inside : nullptr;
+        }
+        return line;
     }
     // The copy may begin within an element, whose beginning is not in it then: a section without
     // its heading. Such an element leaves its content in its place, and so does one that may not

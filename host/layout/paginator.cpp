@@ -422,8 +422,12 @@ void Paginator::addNotes() {
                    schemas::Color{150, 150, 150},
                    {}},
         nullptr);
-    for (const Notes::Taken& taken : notes_.take())
-        put(moved(taken.piece, {area_.left, y}), taken.block);
+    for (const Notes::Taken& taken : notes_.take()) {
+        Piece piece = moved(taken.piece, {area_.left, y});
+        if (auto* text = std::get_if<TextPiece>(&piece))
+            text->isOfNote = true;
+        put(piece, taken.block);
+    }
 }
 
 } // namespace layout

@@ -15,6 +15,7 @@ struct TextPiece {
     int line = 0;
     QPointF at;              // its top left
     bool isRepeated = false; // of a table's header, on a later page: it has no places of its own
+    bool isOfNote = false;   // of a footnote
     [[nodiscard]] const paragraphs::Paragraph::Line& letters() const {
         return paragraph->lines()[static_cast<std::size_t>(line)];
     }

@@ -181,6 +181,23 @@ TEST_F(CaretsTest, CellsOfATableAreLeftBelowInTheirColumn) {
     EXPECT_EQ(behind(caretBefore("Caption"), 7), "Caption");
 }
 
+// The footnotes of a page are beside its text, not in it.
+TEST_F(CaretsTest, DownPassesTheFootnotesOfThePage) {
+    const std::string table = "<TABLE><ROW><CELL><TEXT>{cell}</TEXT></CELL></ROW></TABLE>";
+    open("<PARAGRAPH><TEXT>{above}</TEXT><FOOTNOTE>{note one}</FOOTNOTE></PARAGRAPH>" + table +
+         "<PAGEBREAK></PAGEBREAK>" + paragraph("next page") + table);
+    ASSERT_EQ(pages_.pages.size(), 2u);
+    const auto comesTo = [&](const std::string& from, Move move, const std::string& to) {
+        const Carets all = carets();
+        const Caret moved = all.moved(caretBefore(from), move, 0), wanted = caretBefore(to);
+        return moved.page == wanted.page && moved.piece == wanted.piece;
+    };
+    EXPECT_TRUE(comesTo("cell", Move::down, "next page"));
+    EXPECT_TRUE(comesTo("next page", Move::up, "cell"));
+    EXPECT_TRUE(comesTo("note one", Move::up, "cell"));
+    EXPECT_TRUE(comesTo("note one", Move::down, "next page"));
+}
+
 TEST_F(CaretsTest, WordsAndParagraphsAreAroundAPlace) {
     open(paragraph("The quick, brown fox") + paragraph("Other"));
     const Carets all = carets();

@@ -346,7 +346,7 @@ TEST_F(FiguresTest, AChosenOneIsCopiedWithItsCaptionAlsoAfterItsDocumentIsClosed
     ASSERT_EQ(count(), 1U);
     EXPECT_EQ(text(0), "colour 20A040");
     EXPECT_EQ(figure(0).name, "box");
-    EXPECT_THAT(body(), HasSubstr("<CAPTION>{Words}</CAPTION></FIGURE>"));
+    EXPECT_THAT(body(), HasSubstr("<CAPTION>{Words}</CAPTION>\n</FIGURE>"));
     EXPECT_TRUE(waitFor([&] { return hasPicture(*window_, 0); }));
 }
 

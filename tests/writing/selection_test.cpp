@@ -146,10 +146,11 @@ TEST_F(SelectionTest, ACopyAcrossSectionsIsPastedWithItsStructure) {
     writeIn(*window_);
     view().text().cursor().set({placeBefore("}</PARAGRAPH>"), placeBefore("}</PARAGRAPH>")});
     action("paste")->trigger();
-    EXPECT_THAT(document().bytes(),
-                ::testing::HasSubstr(
-                    "<BODY>\n<LIST><ITEM>{two}</ITEM><ITEM>{three}</ITEM></LIST>\n"
-                    "<SECTION><HEADING>{B}</HEADING><PARAGRAPH>{half}</PARAGRAPH></SECTION>"));
+    EXPECT_THAT(
+        document().bytes(),
+        ::testing::HasSubstr("<BODY>\n<LIST>\n<ITEM>{two}</ITEM>\n<ITEM>{three}</ITEM>\n</LIST>\n"
+                             "<SECTION>\n<HEADING>{B}</HEADING>\n<PARAGRAPH>{half}</PARAGRAPH>\n"
+                             "</SECTION>"));
 }
 
 TEST_F(SelectionTest, AFigureGetsItsPressesAndIsCopied) {
