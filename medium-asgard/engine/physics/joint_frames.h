@@ -1,0 +1,47 @@
+// The points and axes of joints, and what each body has of them, as bodies stand at the start.
+#pragma once
+
+#include "physics/equations_of_motion.h"
+
+namespace physics {
+
+struct JointEnd {
+    std::optional<std::size_t> body; // none: the world
+    Vector arm = Vector::Zero();     // from the centre of mass, along the body's axes
+    // Along the body's axes; across and third are perpendicular to the joint's axis.
+    Vector axis = Vector::UnitZ(), across = Vector::UnitX(), third = Vector::UnitY();
+};
+
+struct JointFrame {
+    std::array<JointEnd, 2> ends;
+    double size = 1;           // of the joint: an angle times it is a length
+    std::vector<double> start; // what its coordinates that are lengths were
+    std::vector<Node> angles;  // symbols, by coordinate
+};
+
+class JointFrames {
+public:
+    // Of the scene's joints, in their order. Names that nobody has, and distances without a
+    // direction, go to faults.
+    JointFrames(Graph& g, const scene::Scene& scene, const Scope& scope,
+                std::span<const BodyMotion> bodies, std::vector<std::string>& faults);
+
+    [[nodiscard]] const JointFrame& operator[](std::size_t joint) const { return frames_[joint]; }
+    [[nodiscard]] std::size_t size() const { return frames_.size(); }
+    [[nodiscard]] std::vector<std::size_t> moving(std::size_t joint) const; // of its bodies
+
+private:
+    [[nodiscard]] std::optional<std::size_t> bodyNamed(const std::string& name) const;
+    [[nodiscard]] JointFrame frameOf(const scene::Joint& joint);
+    void findAxes(const scene::Joint& joint, JointFrame& frame) const;
+    [[nodiscard]] double sizeOf(const JointFrame& frame) const;
+    [[nodiscard]] geometry::Pose poseOf(const JointEnd& end) const;
+    void findStart(Graph& g, std::size_t joint, const scene::Joint& said);
+
+    const Scope& scope_;
+    std::span<const BodyMotion> bodies_;
+    std::vector<std::string>& faults_;
+    std::vector<JointFrame> frames_;
+};
+
+} // namespace physics

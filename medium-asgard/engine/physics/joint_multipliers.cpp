@@ -1,0 +1,276 @@
+#include "physics/joint_multipliers.h"
+
+#include "expression/tape.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <set>
+
+namespace physics {
+namespace {
+
+constexpr double stopResolution = 1e-9;  // of the scene's size: lower hops and gaps are none
+constexpr double startResolution = 1e-6; // of the scene's size: a smaller gap is closed
+
+} // namespace
+
+void JointMultipliers::begin(Element element, const std::optional<scene::Expression>& release) {
+    element_ = std::move(element);
+    release_.reset();
+    if (!release)
+        return;
+    release_ = g_.symbol(element_.name + ".release");
+    releases_.push_back(
+        {.symbol = *release_, .text = *release, .element = element_, .value = g_.constant(0)});
+}
+
+Node JointMultipliers::add(Make make, const JointBounds& bounds,
+                           std::vector<std::size_t> trajectories) {
+    const std::string number = std::to_string(kept_.size());
+    kept_.push_back({.multiplier = g_.symbol(element_.name + ".condition" + number),
+                     .element = element_,
+                     .make = std::move(make),
+                     .bounds = bounds,
+                     .release = release_,
+                     .trajectories = std::move(trajectories)});
+    return kept_.back().multiplier;
+}
+
+void JointMultipliers::keepThroughBlows(Node rate) {
+    JointRow row{.multiplier = kept_.size() - 1, .pushes = {}}; // its unknown is known later
+    for (const std::size_t body : kept_.back().element.moving) {
+        const BodySymbols& s = bodies_[body].symbols;
+        JointPush push{.body = body, .linear = {}, .angular = {}};
+        for (std::size_t i = 0; i < 3; ++i) {
+            push.linear[i] = differentiate(g_, rate, s.velocity[i]);
+            push.angular[i] = differentiate(g_, rate, s.spin[i]);
+        }
+        if (!s.isSpinInWorldAxes)
+            push.angular = s.toWorld(g_, push.angular);
+        row.pushes.push_back(push);
+    }
+    rows_.push_back(std::move(row));
+}
+
+Node JointMultipliers::releasable(Node force) {
+    if (!release_)
+        return force;
+    const Node multiplier = add({}), rate = g_.subtract(multiplier, force);
+    kept_.back().make = [rate](const Along&) {
+        return JointCondition{{rate, rate, rate}, JointCondition::Order::value};
+    };
+    return multiplier;
+}
+
+void JointMultipliers::addAngle(Node symbol, Node rate, double size, std::size_t owner) {
+    angles_.push_back({symbol, rate, size, owner, std::nullopt});
+}
+
+bool JointMultipliers::needsTie(Node symbol) const {
+    const auto angle = std::ranges::find(angles_, symbol, &Angle::symbol);
+    return angle != angles_.end() && !angle->tie;
+}
+
+void JointMultipliers::tie(Node symbol, Node multiplier) {
+    std::ranges::find(angles_, symbol, &Angle::symbol)->tie = multiplier;
+}
+
+void JointMultipliers::readReleases() {
+    for (Release& release : releases_) {
+        const auto made = scope_.parse(g_, release.text, scene::Reading::release);
+        if (const auto* node = std::get_if<Node>(&made))
+            release.value = *node;
+        else
+            faults_.push_back("line " + std::to_string(release.element.line) + ": -release of \"" +
+                              release.element.name +
+                              "\": " + std::get<expression::SyntaxError>(made).message);
+    }
+}
+
+Node JointMultipliers::rateOf(Node node, const Along& along) {
+    if (!along.set)
+        return g_.constant(0);
+    Node rate = differentiate(g_, node, scope_.time());
+    for (const Node symbol : symbolsOf(g_, std::span(&node, 1))) {
+        const auto unknown = unknownOf_.find(symbol.index);
+        if (unknown != unknownOf_.end())
+            rate = g_.add(
+                rate,
+                g_.multiply(differentiate(g_, node, symbol),
+                            phaseAt(along.set->unknowns[unknown->second], along.time).derivative));
+    }
+    return rate;
+}
+
+void JointMultipliers::addUnknown(expression::EquationSet& set, const Angle& angle) const {
+    expression::Unknown unknown;
+    unknown.name = g_.name(angle.symbol);
+    unknown.symbol = angle.symbol;
+    unknown.lengthPerUnit = angle.size;
+    unknown.phases.emplace_back();
+    unknown.phases[0].derivative = angle.tie ? g_.add(angle.rate, *angle.tie) : angle.rate;
+    set.unknowns.push_back(std::move(unknown));
+}
+
+void JointMultipliers::addUnknown(expression::EquationSet& set, const Release& release) const {
+    expression::Unknown unknown;
+    unknown.name = g_.name(release.symbol);
+    unknown.symbol = release.symbol;
+    unknown.phases.emplace_back();
+    unknown.phases[0].derivative = g_.constant(0);
+    unknown.phases[0].given = release.value;
+    set.unknowns.push_back(std::move(unknown));
+}
+
+expression::Phase JointMultipliers::phaseOf(const Kept& kept, const Along& along) const {
+    using Order = JointCondition::Order;
+    const JointCondition condition = kept.make(along);
+    const auto& [value, rate, second] = condition.jet;
+    const bool isFirst = condition.order == Order::first || condition.order == Order::value;
+    expression::Phase phase;
+    phase.from = along.time;
+    phase.derivative = isFirst ? rate : second;
+    phase.condition.emplace();
+    if (!isFirst)
+        phase.condition->rate = rate;
+    if (condition.order == Order::first || condition.order == Order::second)
+        phase.condition->gap = value;
+    phase.condition->low = kept.bounds.low;
+    phase.condition->high = kept.bounds.high;
+    phase.condition->restitution = kept.bounds.restitution;
+    phase.condition->resolution = stopResolution * extents().first;
+    phase.condition->release = kept.release;
+    return phase;
+}
+
+// Its condition is another whenever a body that it moves, or a trajectory that it reads, has
+// another phase.
+void JointMultipliers::addUnknown(expression::EquationSet& set, const Kept& kept) const {
+    std::set<double> times{-std::numeric_limits<double>::infinity()};
+    for (const std::size_t body : kept.element.moving)
+        for (std::size_t i = 0; i < bodyUnknowns; ++i)
+            for (const expression::Phase& phase :
+                 set.unknowns[bodies_[body].firstUnknown + i].phases)
+                times.insert(phase.from);
+    for (const std::size_t trajectory : kept.trajectories)
+        for (const TrajectoryPiece& piece : scope_.trajectory(trajectory).pieces)
+            times.insert(piece.from);
+    expression::Unknown unknown;
+    unknown.name = kept.element.name;
+    unknown.symbol = kept.multiplier;
+    for (const double time : times) {
+        expression::Phase phase = phaseOf(kept, {&set, time});
+        const auto isSame = [&](const expression::Phase& last) {
+            return last.derivative == phase.derivative &&
+                   last.condition->gap == phase.condition->gap &&
+                   last.condition->rate == phase.condition->rate;
+        };
+        if (unknown.phases.empty() || !isSame(unknown.phases.back()))
+            unknown.phases.push_back(std::move(phase));
+    }
+    set.unknowns.push_back(std::move(unknown));
+}
+
+std::vector<JointRow> JointMultipliers::addUnknowns(expression::EquationSet& set,
+                                                    std::vector<std::size_t>& owners,
+                                                    std::vector<std::string>& notes) {
+    for (const Angle& angle : angles_) {
+        addUnknown(set, angle);
+        owners.push_back(angle.owner);
+    }
+    for (const Release& release : releases_) {
+        addUnknown(set, release);
+        owners.push_back(release.element.moving.front());
+    }
+    for (std::size_t u = 0; u < set.unknowns.size(); ++u)
+        unknownOf_.emplace(set.unknowns[u].symbol.index, u);
+    const std::size_t first = set.unknowns.size();
+    for (const Kept& kept : kept_) {
+        addUnknown(set, kept);
+        owners.push_back(kept.element.moving.front());
+    }
+    if (first < set.unknowns.size())
+        checkStart(set, first, notes);
+    for (JointRow& row : rows_)
+        row.multiplier += first;
+    return std::move(rows_);
+}
+
+// Gaps and their rates as the scene was written.
+void JointMultipliers::checkStart(const expression::EquationSet& set, std::size_t first,
+                                  std::vector<std::string>& notes) {
+    std::vector<Node> inputs{set.time}, outputs;
+    std::vector<double> values{scene_.simulator.start};
+    for (const expression::Unknown& unknown : set.unknowns) {
+        inputs.push_back(unknown.symbol);
+        values.push_back(unknown.initial);
+    }
+    for (std::size_t k = 0; k < kept_.size(); ++k) {
+        const auto& condition = *phaseAt(set.unknowns[first + k], scene_.simulator.start).condition;
+        outputs.push_back(condition.gap.value_or(g_.constant(0)));
+        outputs.push_back(condition.rate.value_or(g_.constant(0)));
+    }
+    std::vector<double> found(outputs.size());
+    expression::Tape::Scratch scratch;
+    expression::Tape(g_, inputs, outputs).evaluate(values, found, scratch);
+    std::map<std::pair<int, std::string>, std::pair<double, double>> worst; // by element
+    for (std::size_t k = 0; k < kept_.size(); ++k) {
+        const auto& [name, line, moving] = kept_[k].element;
+        const bool isStop = kept_[k].bounds.low == 0;
+        if (isStop && found[2 * k] < -startResolution * extents().first)
+            faults_.push_back("line " + std::to_string(line) + ": joint \"" + name +
+                              "\" starts outside its limits");
+        if (isStop || kept_[k].bounds.high < std::numeric_limits<double>::infinity())
+            continue;
+        auto& [gap, rate] = worst[{line, name}];
+        gap = std::hypot(gap, found[2 * k]);
+        rate = std::hypot(rate, found[2 * k + 1]);
+    }
+    for (const auto& [element, miss] : worst)
+        tell("line " + std::to_string(element.first) + ": \"" + element.second + "\": ", miss.first,
+             miss.second, notes);
+}
+
+void JointMultipliers::tell(const std::string& where, double gap, double rate,
+                            std::vector<std::string>& notes) {
+    const auto [size, speed] = extents();
+    char text[200];
+    if (!(gap <= startResolution * size)) {
+        std::snprintf(text, sizeof text,
+                      "its bodies miss each other by %.4g at the start; place them so that the "
+                      "joint closes",
+                      gap);
+        faults_.push_back(where + text);
+    } else if (!(rate <= startResolution * speed)) {
+        std::snprintf(text, sizeof text,
+                      "the velocities at the start differ by %.4g from what it allows; they are "
+                      "changed by as little energy as possible",
+                      rate);
+        notes.push_back(where + text);
+    }
+}
+
+// The size of the box of all moving bodies at the start, and their largest speed.
+std::pair<double, double> JointMultipliers::extents() const {
+    Eigen::AlignedBox3d box;
+    double speed = 0;
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        const BodyMotion& body = bodies_[b];
+        if (body.isFixed)
+            continue;
+        const Vector reach = Vector::Constant(body.mass.radius);
+        box.extend(Vector(body.start.position - reach));
+        box.extend(Vector(body.start.position + reach));
+        speed =
+            std::max(speed, scene_.bodies[b].initialVelocity.norm() +
+                                body.mass.radius * scene_.bodies[b].initialAngularVelocity.norm());
+    }
+    const double size = box.isEmpty() ? 1 : box.sizes().maxCoeff();
+    return {size, std::max(speed, 1e-6 * size)};
+}
+
+} // namespace physics

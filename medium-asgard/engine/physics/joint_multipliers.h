@@ -1,0 +1,110 @@
+// Multipliers and angles of joints on their way to becoming unknowns.
+//
+// A condition is made again for each phase of the bodies that it moves. What is added after
+// releaseBy() is gone from the first time on at which that expression is not 0.
+#pragma once
+
+#include "physics/joint_kinematics.h"
+
+#include <functional>
+#include <limits>
+#include <unordered_map>
+
+namespace physics {
+
+struct JointCondition {
+    Jet jet;
+    // first: the multiplier is in the rate. velocity: there is no gap. value: the rate is the
+    // multiplier less the force that it is.
+    enum class Order { first, second, velocity, value } order = Order::second;
+};
+
+struct JointBounds { // of a multiplier; of a stop, restitution
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
+    double restitution = 0;
+};
+
+class JointMultipliers {
+public:
+    using Make = std::function<JointCondition(const Along&)>;
+    // Of one joint or gear: its name, its line in the text, and the bodies that it moves.
+    struct Element {
+        std::string name;
+        int line = 0;
+        std::vector<std::size_t> moving;
+    };
+
+    JointMultipliers(Graph& g, const scene::Scene& scene, const Scope& scope,
+                     std::span<const BodyMotion> bodies, std::vector<std::string>& faults)
+        : g_(g), scene_(scene), scope_(scope), bodies_(bodies), faults_(faults) {}
+
+    // What is added from now on belongs to that element.
+    void begin(Element element, const std::optional<scene::Expression>& release);
+    // The symbol of a new multiplier. `trajectories`: that its condition reads.
+    [[nodiscard]] Node add(Make make, const JointBounds& bounds = {},
+                           std::vector<std::size_t> trajectories = {});
+    // The condition that was added last holds through a blow: J of this rate.
+    void keepThroughBlows(Node rate);
+    // A force itself, or where it may be released a multiplier that is it.
+    [[nodiscard]] Node releasable(Node force);
+    // An unknown for an angle that is not wrapped.
+    void addAngle(Node symbol, Node rate, double size, std::size_t owner);
+    // Whether it needs a condition that keeps it with the attitudes; that is added to its rate.
+    [[nodiscard]] bool needsTie(Node symbol) const;
+    void tie(Node symbol, Node multiplier);
+    // When all joints are named: what a joint does may release it.
+    void readReleases();
+
+    // As JointReader::addUnknowns().
+    [[nodiscard]] std::vector<JointRow> addUnknowns(expression::EquationSet& set,
+                                                    std::vector<std::size_t>& owners,
+                                                    std::vector<std::string>& notes);
+    [[nodiscard]] Node rateOf(Node node, const Along& along);
+
+private:
+    struct Kept {
+        Node multiplier;
+        Element element;
+        Make make;
+        JointBounds bounds;
+        std::optional<Node> release;
+        std::vector<std::size_t> trajectories;
+    };
+    struct Angle {
+        Node symbol, rate;
+        double size = 1;
+        std::size_t owner = 0;
+        std::optional<Node> tie;
+    };
+    struct Release { // a given unknown
+        Node symbol;
+        scene::Expression text;
+        Element element;
+        Node value;
+    };
+
+    void addUnknown(expression::EquationSet& set, const Angle& angle) const;
+    void addUnknown(expression::EquationSet& set, const Kept& kept) const;
+    void addUnknown(expression::EquationSet& set, const Release& release) const;
+    [[nodiscard]] expression::Phase phaseOf(const Kept& kept, const Along& along) const;
+    void checkStart(const expression::EquationSet& set, std::size_t first,
+                    std::vector<std::string>& notes);
+    void tell(const std::string& where, double gap, double rate, std::vector<std::string>& notes);
+    [[nodiscard]] std::pair<double, double> extents() const;
+
+    Graph& g_;
+    const scene::Scene& scene_;
+    const Scope& scope_;
+    std::span<const BodyMotion> bodies_;
+    std::vector<std::string>& faults_;
+    Element element_; // that is added now
+    std::optional<Node> release_;
+    std::vector<Kept> kept_;
+    std::vector<JointRow> rows_;
+    std::vector<Angle> angles_;
+    std::vector<Release> releases_;
+    std::unordered_map<std::uint32_t, std::size_t> unknownOf_; // by symbol
+};
+
+} // namespace physics
