@@ -2,6 +2,7 @@
 
 #include "collision/time_of_impact.h"
 #include "contacts/bearing_rates.h"
+#include "contacts/turns_beyond.h"
 #include "equations/directions.h"
 
 #include <algorithm>
@@ -35,71 +36,9 @@ double strideAfter(double elapsed) {
     return std::max(octave / (2 * looks), firstStride);
 }
 
-struct Bearing { // by a face of what stands still
-    const geometry::Part& part;
-    const BodyRecord& record;
-    const Footing& footing;
-};
-
 bool isStandingFace(const MovingBody& support, const BodyRecord& record, const Footing& footing) {
     return record.isFixed && !support.shape().parts[footing.supportPart].isSphere() &&
            footing.constraints[0].kind == physics::GapConstraint::Kind::onSupportPlane;
-}
-
-struct Path { // of a body
-    const Histories& histories;
-    std::size_t first; // of its unknowns
-};
-
-// How far along the inward normal of a side's plane, in one piece from t on:
-//     in + rate s + bend s^2
-struct Inward {
-    double in = 0, rate = 0, bend = 0;
-
-    void add(double along, const solution::Piece& piece, double t) {
-        const auto& c = piece.coefficients;
-        const double s = (t - piece.origin) / piece.scale;
-        in += along * piece.value(t);
-        if (c.size() > 1)
-            rate += along * (c[1] + (c.size() > 2 ? 2 * c[2] * s : 0)) / piece.scale;
-        if (c.size() > 2)
-            bend += along * c[2] / (piece.scale * piece.scale);
-    }
-};
-
-// When a ball that a face bears is farthest beyond a side of it, where it comes back in the same
-// piece of its motion: up a slope, over its upper edge and back. Pieces of integrated motion are
-// looked at often enough.
-void addTurnsBeyond(const Bearing& bearing, const Path& path, collision::Interval during,
-                    std::vector<double>& times) {
-    const geometry::Polyhedron& core = bearing.part.core;
-    const geometry::Pose& support = bearing.record.start;
-    const auto face = std::ranges::max_element(core.faces, {}, [&](const geometry::Face& f) {
-        return f.normal.dot(bearing.footing.constraints[0].normal);
-    });
-    for (double t = during.from; t < during.to;) {
-        std::array<solution::Piece, 3> pieces;
-        double end = during.to;
-        for (std::size_t k = 0; k < 3; ++k) {
-            pieces[k] = path.histories.piece(path.first + k, t);
-            end = pieces[k].until > t ? std::min(end, pieces[k].until) : end;
-        }
-        const bool isParabola = std::ranges::all_of(
-            pieces, [](const solution::Piece& p) { return p.coefficients.size() <= 3; });
-        for (std::size_t i = 0; isParabola && i < face->vertices.size(); ++i) {
-            const Vector& a = core.vertices[face->vertices[i]];
-            const Vector& b = core.vertices[face->vertices[(i + 1) % face->vertices.size()]];
-            const Vector n = support.attitude * face->normal.cross(b - a).normalized();
-            Inward way;
-            for (std::size_t k = 0; k < 3; ++k)
-                way.add(n[static_cast<Eigen::Index>(k)], pieces[k], t);
-            way.in -= n.dot(support.position + support.attitude * (a - bearing.record.centroid));
-            const double turn = way.bend > 0 ? -way.rate / (2 * way.bend) : 0;
-            if (turn > 0 && t + turn < end && way.in + way.rate * turn / 2 < 0)
-                times.push_back(t + turn);
-        }
-        t = end;
-    }
 }
 
 } // namespace
