@@ -29,7 +29,9 @@ private:
     void put(const scene::SphereShape& shape) { put(shape.radius); }
     void put(const scene::BoxShape& shape) { put(shape.edges); }
     void put(const scene::HullShape& shape) { put(shape.points); }
-    void put(const scene::Part& p) { add(p.shape, p.position, p.rotation, p.appearance); }
+    void put(const scene::Part& p) {
+        add(p.shape, p.position, p.rotation, p.appearance, p.density);
+    }
     void put(const scene::ComponentForce& f) { add(f.components, static_cast<int>(f.frame)); }
     void put(const scene::TrajectoryForce& f) { put(f.trajectory); }
     void put(const scene::GravitationalForce& f) { put(f.acceleration); }
@@ -67,7 +69,7 @@ void write(Writer& w, const scene::Simulator& s) {
 void write(Writer& w, const scene::ShapeSet& s) { w.add(s.name, s.parts, s.appearance); }
 void write(Writer& w, const scene::Body& b) {
     w.add(b.name, b.shape, b.initialPosition, b.initialAttitude, b.initialVelocity,
-          b.initialAngularVelocity, b.mass, b.inertia, b.density, b.restitution, b.fixed,
+          b.initialAngularVelocity, b.mass, b.inertia, b.center, b.density, b.restitution, b.fixed,
           b.articulatedBody, b.collisionGroup, b.appearance);
 }
 void write(Writer& w, const scene::Force& f) { w.add(f.body, f.couple, f.offset, f.kind); }

@@ -34,6 +34,7 @@ constexpr OptionHint bodyOptions[] = {
     {"-init_drot", vector, "three numbers: its angular velocity at the start, axis times rate", ""},
     {"-mass", number, "a positive number; else the shape's volume times -density", ""},
     {"-inertia", vector, "three principal values, or xx yy zz xy xz yz", ""},
+    {"-center", vector, "three numbers: its centre of mass, with -mass and -inertia", ""},
     {"-density", number, "a positive number (1)", ""},
     {"-restitution", number, "0: it does not bounce, 1: it loses nothing (1)", ""},
     {"-fixed", flag, "1: it never moves", ""},

@@ -50,6 +50,16 @@ TEST(Body, TakesPrincipalMomentsOrATensor) {
     EXPECT_EQ(*scene.bodies[1].inertia, (std::array<double, 6>{1, 2, 3, 0.1, 0.2, 0.3}));
 }
 
+TEST(Body, TakesACentreOfMassAndPartsADensity) {
+    const Scene scene =
+        read("body a s -mass 2 -inertia {1 2 3} -center {0 -0.3 0}\n"
+             "shape_set two -desc {-sub {-box {1 1 1} -density 7} -sub {-pos {2 0 0} "
+             "-sphere 1}}");
+    EXPECT_EQ(*scene.bodies[0].center, Vector(0, -0.3, 0));
+    EXPECT_EQ(scene.shapeSets[1].parts[0].density, 7);
+    EXPECT_FALSE(scene.shapeSets[1].parts[1].density);
+}
+
 TEST(Colors, AreHexadecimalNamedOrNumbers) {
     const Scene scene =
         read("body a s -color #ff0080\nbody b s -color LightSteelBlue\nbody c s -color {0.5 0 1}");

@@ -145,8 +145,9 @@ bool SceneMaker::shapeOfPart(Arguments& arguments, const std::string& option, co
 }
 
 std::optional<scene::Part> SceneMaker::partOf(Arguments& arguments, const Value& description) {
-    static const std::vector<std::string> options = {
-        "-sphere", "-box", "-points", "-pos", "-rot", "-color", "-shininess", "-transparency"};
+    static const std::vector<std::string> options = {"-sphere", "-box",       "-points",
+                                                     "-pos",    "-rot",       "-density",
+                                                     "-color",  "-shininess", "-transparency"};
     const auto words = arguments.listIn("-sub", description, "a list of options");
     if (!words)
         return std::nullopt;
@@ -172,6 +173,10 @@ std::optional<scene::Part> SceneMaker::partOf(Arguments& arguments, const Value&
             const auto v = arguments.vectorIn(option.text, value, "three numbers");
             good = good && v.has_value();
             (option.text == "-pos" ? part.position : part.rotation) = v.value_or(Vector::Zero());
+        } else if (option.text == "-density") {
+            part.density =
+                arguments.numberIn(option.text, value, Sign::positive, "a positive number");
+            good = good && part.density.has_value();
         } else if (std::exchange(shaped, true)) {
             faults_.error(option.range, whole + " is one part, and has a shape already",
                           "write another -sub {...} for another part");
@@ -331,8 +336,8 @@ void SceneMaker::body(Call& call) {
     }
     Arguments arguments(faults_, call, subject, first,
                         {"-shape", "-init_pos", "-init_rot", "-init_dpos", "-init_drot", "-mass",
-                         "-inertia", "-density", "-restitution", "-fixed", "-artbody", "-ct",
-                         "-color", "-shininess", "-transparency"});
+                         "-inertia", "-center", "-density", "-restitution", "-fixed", "-artbody",
+                         "-ct", "-color", "-shininess", "-transparency"});
     if (positional) {
         body.shape = call.words[2].text;
         if (!exists(Kind::shapeSet, body.shape))
@@ -353,6 +358,13 @@ void SceneMaker::body(Call& call) {
     body.initialAngularVelocity = arguments.vector("-init_drot").value_or(Vector::Zero());
     body.mass = arguments.number("-mass", Sign::positive);
     inertia(arguments, body);
+    body.center = arguments.vector("-center");
+    if (arguments.attempted("-center") &&
+        (!arguments.attempted("-mass") || !arguments.attempted("-inertia")))
+        faults_.error(arguments.optionRange("-center"),
+                      "-center of " + subject +
+                          " wants -mass and -inertia beside it, which the shape would give about "
+                          "another centre");
     body.density = arguments.number("-density", Sign::positive).value_or(1);
     body.restitution = arguments.number("-restitution", Sign::unit).value_or(1);
     body.fixed = arguments.flag("-fixed").value_or(false);

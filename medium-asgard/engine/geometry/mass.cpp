@@ -49,13 +49,17 @@ Moments ofPolyhedron(const Polyhedron& polyhedron) {
 
 } // namespace
 
-MassProperties massProperties(const Shape& shape, double density) {
-    std::vector<Moments> parts;
+namespace {
+
+Moments momentsOf(const Part& part) {
+    return part.isSphere() ? ofSphere(part) : ofPolyhedron(part.core);
+}
+
+// The union of parts whose moments are of volume, or of mass: then the volume is the mass.
+MassProperties together(const std::vector<Moments>& parts) {
     MassProperties result;
-    for (const Part& part : shape.parts) {
-        parts.push_back(part.isSphere() ? ofSphere(part) : ofPolyhedron(part.core));
-        result.volume += parts.back().volume;
-    }
+    for (const Moments& m : parts)
+        result.volume += m.volume;
     // Weights first: volume times place would lose digits far from the frame's origin.
     for (const Moments& m : parts)
         result.centroid += m.volume / result.volume * (m.centroid - parts[0].centroid);
@@ -65,8 +69,35 @@ MassProperties massProperties(const Shape& shape, double density) {
         const Vector d = m.centroid - result.centroid;
         second += m.second + m.volume * d * d.transpose();
     }
+    result.inertia = second.trace() * Matrix::Identity() - second;
+    return result;
+}
+
+} // namespace
+
+MassProperties massProperties(const Shape& shape, double density) {
+    std::vector<Moments> parts;
+    for (const Part& part : shape.parts)
+        parts.push_back(momentsOf(part));
+    MassProperties result = together(parts);
     result.mass = density * result.volume;
-    result.inertia = density * (second.trace() * Matrix::Identity() - second);
+    result.inertia = density * result.inertia;
+    return result;
+}
+
+MassProperties massProperties(const Shape& shape, std::span<const double> densities) {
+    std::vector<Moments> parts;
+    double volume = 0;
+    for (std::size_t i = 0; i < shape.parts.size(); ++i) {
+        Moments moments = momentsOf(shape.parts[i]);
+        volume += moments.volume;
+        moments.volume *= densities[i];
+        moments.second *= densities[i];
+        parts.push_back(moments);
+    }
+    MassProperties result = together(parts);
+    result.mass = result.volume;
+    result.volume = volume;
     return result;
 }
 

@@ -1,4 +1,4 @@
-// Mass, centroid and inertia of a union of parts at one density.
+// Mass, centroid and inertia of a union of parts, at one density or at one for each.
 //
 // A polyhedron is the sum of the tetrahedra that its faces make with an inner point c. For a
 // tetrahedron with corners c, c+u, c+v, c+w and volume V = u.(v x w)/6, with s = u + v + w,
@@ -11,6 +11,8 @@
 
 #include "geometry/shape.h"
 
+#include <span>
+
 namespace geometry {
 
 struct MassProperties {
@@ -21,6 +23,8 @@ struct MassProperties {
 };
 
 [[nodiscard]] MassProperties massProperties(const Shape& shape, double density);
+// One density for each part.
+[[nodiscard]] MassProperties massProperties(const Shape& shape, std::span<const double> densities);
 
 // The same body with another mass: inertia in proportion.
 [[nodiscard]] MassProperties scaledToMass(MassProperties properties, double mass);

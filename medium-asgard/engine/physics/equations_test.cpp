@@ -252,6 +252,46 @@ TEST(Equations, TellWhatEachUnknownMeasures) {
     EXPECT_EQ(motion.set.unknowns[motion.set.quaternions[1][0]].name, "rod.qw");
 }
 
+// A hammer: a head of 8 at x = 1 and a handle of 2 at x = 0, both cubes of edge 1.
+TEST(Equations, PartsWithDensitiesOfTheirOwnMakeMassAndCentre) {
+    scene::Scene scene;
+    scene::ShapeSet set = testing::box("hammer", {1, 1, 1});
+    set.parts.push_back(set.parts[0]);
+    set.parts[1].position = {1, 0, 0};
+    set.parts[1].density = 8;
+    scene.shapeSets = {set};
+    scene::Body body;
+    body.name = "b";
+    body.shape = "hammer";
+    body.density = 2;
+    scene.bodies = {body, body};
+    scene.bodies[1].name = "c";
+    scene.bodies[1].mass = 5;
+    const EquationsOfMotion motion(scene);
+    const BodyMass &own = motion.bodies[0].mass, &scaled = motion.bodies[1].mass;
+    EXPECT_NEAR(own.mass, 10, 1e-13);
+    EXPECT_LT((own.centroid - Vector(0.8, 0, 0)).norm(), 1e-15);
+    // Cubes: m/6 each; parallel axes: 2 * 0.8² + 8 * 0.2² = 1.6.
+    EXPECT_NEAR(own.inertia(0, 0), 10.0 / 6, 1e-13);
+    EXPECT_NEAR(own.inertia(1, 1), 10.0 / 6 + 1.6, 1e-13);
+    EXPECT_NEAR(own.radius, std::sqrt(1.3 * 1.3 + 0.5), 1e-13);
+    EXPECT_NEAR(scaled.mass, 5, 1e-13);
+    EXPECT_NEAR(scaled.inertia(1, 1), (10.0 / 6 + 1.6) / 2, 1e-13);
+}
+
+TEST(Equations, ACentreOfMassMayBeGiven) {
+    scene::Scene scene = ballAndRod();
+    scene.bodies[1].inertia = {{1, 2, 3, 0, 0, 0}};
+    scene.bodies[1].center = Vector(0.25, 0, 0);
+    scene.bodies[1].initialPosition = {1, 1, 0};
+    scene.bodies[1].initialAttitude = geometry::fromRotationVector({0, 0, std::numbers::pi / 2});
+    const EquationsOfMotion motion(scene);
+    EXPECT_EQ(motion.bodies[1].mass.centroid, Vector(0.25, 0, 0));
+    EXPECT_EQ(motion.bodies[1].mass.inertia(2, 2), 3);
+    EXPECT_LT((motion.bodies[1].start.position - Vector(1, 1.25, 0)).norm(), 1e-15);
+    EXPECT_NEAR(motion.bodies[1].mass.radius, std::sqrt(1.25 * 1.25 + 0.5), 1e-13);
+}
+
 TEST(Equations, StartAtTheCentreOfMassWithTheSpinAlongTheBodysAxes) {
     scene::Scene scene = ballAndRod();
     scene.shapeSets[1].parts[0].position = {1, 0, 0}; // the reference point is an end of the rod

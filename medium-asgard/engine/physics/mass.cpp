@@ -1,6 +1,8 @@
 #include "physics/mass.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace physics {
 namespace {
@@ -14,6 +16,11 @@ Matrix givenInertia(const std::array<double, 6>& entries) {
     Matrix inertia;
     inertia << xx, xy, xz, xy, yy, yz, xz, yz, zz;
     return inertia;
+}
+
+bool hasOwnDensities(const scene::ShapeSet& set) {
+    return std::ranges::any_of(set.parts,
+                               [](const scene::Part& part) { return part.density.has_value(); });
 }
 
 Matrix cleared(Matrix inertia) {
@@ -58,6 +65,19 @@ MassReader::propertiesOf(const scene::ShapeSet& set) {
     return it->second;
 }
 
+geometry::MassProperties MassReader::propertiesOf(const scene::Body& body,
+                                                  const scene::ShapeSet& set,
+                                                  const geometry::MassProperties& unit) {
+    if (!hasOwnDensities(set))
+        return geometry::scaledToMass(unit, body.mass.value_or(body.density * unit.volume));
+    std::vector<double> densities;
+    for (const scene::Part& part : set.parts)
+        densities.push_back(part.density.value_or(body.density));
+    const auto own =
+        geometry::massProperties(std::get<geometry::Shape>(shapes_.of(set)), densities);
+    return body.mass ? geometry::scaledToMass(own, *body.mass) : own;
+}
+
 std::variant<BodyMass, std::string> MassReader::massOf(const scene::Body& body) {
     const auto set = sets_.find(body.shape);
     if (set == sets_.end())
@@ -66,13 +86,16 @@ std::variant<BodyMass, std::string> MassReader::massOf(const scene::Body& body) 
     if (const auto* sentence = std::get_if<std::string>(&known))
         return "body \"" + body.name + "\": shape set \"" + body.shape + "\": " + *sentence;
     const auto& [unit, radius] = std::get<OfUnitDensity>(known);
-    const auto properties =
-        geometry::scaledToMass(unit, body.mass.value_or(body.density * unit.volume));
+    const auto properties = propertiesOf(body, *set->second, unit);
     BodyMass result;
     result.mass = properties.mass;
     const auto isRounding = properties.centroid.array().abs() < negligible * radius;
-    result.centroid = isRounding.select(geometry::Vector::Zero(), properties.centroid);
+    result.centroid =
+        body.center.value_or(isRounding.select(geometry::Vector::Zero(), properties.centroid));
     result.radius = radius;
+    if (body.center || hasOwnDensities(*set->second))
+        result.radius = geometry::radiusAbout(std::get<geometry::Shape>(shapes_.of(*set->second)),
+                                              result.centroid);
     result.inertia = cleared(body.inertia ? givenInertia(*body.inertia) : properties.inertia);
     return result;
 }

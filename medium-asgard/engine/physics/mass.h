@@ -38,6 +38,11 @@ private:
     [[nodiscard]] const std::variant<OfUnitDensity, std::string>&
     propertiesOf(const scene::ShapeSet& set);
 
+    // Of a body whose shape has these at density 1 throughout.
+    [[nodiscard]] geometry::MassProperties propertiesOf(const scene::Body& body,
+                                                        const scene::ShapeSet& set,
+                                                        const geometry::MassProperties& unit);
+
     scene::ShapeReader& shapes_;
     std::unordered_map<std::string, const scene::ShapeSet*> sets_;
     std::unordered_map<const scene::ShapeSet*, std::variant<OfUnitDensity, std::string>> known_;

@@ -53,7 +53,8 @@ bool same(const std::variant<Kinds...>& a, const std::variant<Kinds...>& b) {
                a);
 }
 bool same(const Part& a, const Part& b) {
-    return same(a.shape, b.shape) && same(a.position, b.position) && same(a.rotation, b.rotation);
+    return same(a.shape, b.shape) && same(a.position, b.position) && same(a.rotation, b.rotation) &&
+           same(a.density, b.density);
 }
 bool same(const Force& a, const Force& b) {
     return a.couple == b.couple && same(a.offset, b.offset) && same(a.kind, b.kind);
@@ -96,7 +97,7 @@ bool same(const Body& a, const Body& b) {
            same(a.initialAttitude, b.initialAttitude) &&
            same(a.initialVelocity, b.initialVelocity) &&
            same(a.initialAngularVelocity, b.initialAngularVelocity) && same(a.mass, b.mass) &&
-           same(a.inertia, b.inertia) && same(a.density, b.density) &&
+           same(a.inertia, b.inertia) && same(a.center, b.center) && same(a.density, b.density) &&
            same(a.restitution, b.restitution) && a.fixed == b.fixed &&
            a.collisionGroup == b.collisionGroup;
 }

@@ -83,6 +83,7 @@ struct Part {
     Vector position = Vector::Zero(); // in the shape's frame; the part is turned, then moved
     Vector rotation = Vector::Zero(); // rotation vector
     Appearance appearance;
+    std::optional<double> density = {}; // none: the body's
     bool operator==(const Part&) const = default;
 };
 
@@ -105,6 +106,7 @@ struct Body {
     std::optional<double> mass;                          // given: the inertia is scaled to it
     // Given: xx yy zz xy xz yz, the tensor's entries about the centre of mass in the body's axes.
     std::optional<std::array<double, 6>> inertia;
+    std::optional<Vector> center; // of mass, body frame; given with mass and inertia only
     double density = 1;
     double restitution = 1;
     bool fixed = false;
