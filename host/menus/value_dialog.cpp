@@ -53,30 +53,34 @@ std::vector<ValuedFigure> valuedFigures(const session::OpenDocument& document,
 ValueDialog::ValueDialog(session::OpenDocument& document, std::vector<ValuedFigure> figures,
                          const document::ValueUse& now, std::string language, QWidget* parent)
     : QDialog(parent), document_(document), figures_(std::move(figures)),
-      language_(std::move(language)), figure_(new QComboBox(this)),
-      expression_(new QLineEdit(this)), list_(new QListWidget(this)),
-      number_(plain::label({}, this)), fixed_(new QRadioButton(tr("&Always at"), this)),
-      time_(new QDoubleSpinBox(this)), digits_(new QSpinBox(this)), unit_(new QComboBox(this)) {
+      language_(std::move(language)), form_{.figure = new QComboBox(this),
+                                            .expression = new QLineEdit(this),
+                                            .list = new QListWidget(this),
+                                            .number = plain::label({}, this),
+                                            .fixed = new QRadioButton(tr("&Always at"), this),
+                                            .time = new QDoubleSpinBox(this),
+                                            .digits = new QSpinBox(this),
+                                            .unit = new QComboBox(this)} {
     setObjectName("valueDialog");
     setWindowTitle(tr("Value of a Figure"));
     look_.setSingleShot(true);
     makeForm(now);
     connect(&look_, &QTimer::timeout, this, &ValueDialog::askForNumber);
-    connect(figure_, &QComboBox::currentIndexChanged, this, &ValueDialog::chooseFigure);
-    connect(expression_, &QLineEdit::textChanged, this, &ValueDialog::look);
-    connect(expression_, &QLineEdit::textEdited, this, &ValueDialog::filter);
-    connect(list_, &QListWidget::itemClicked, this, &ValueDialog::takeOffer);
-    connect(list_, &QListWidget::itemActivated, this, &ValueDialog::takeOffer);
-    connect(fixed_, &QRadioButton::toggled, this, &ValueDialog::look);
-    connect(time_, &QDoubleSpinBox::valueChanged, this, [this] {
-        fixed_->setChecked(true);
+    connect(form_.figure, &QComboBox::currentIndexChanged, this, &ValueDialog::chooseFigure);
+    connect(form_.expression, &QLineEdit::textChanged, this, &ValueDialog::look);
+    connect(form_.expression, &QLineEdit::textEdited, this, &ValueDialog::filter);
+    connect(form_.list, &QListWidget::itemClicked, this, &ValueDialog::takeOffer);
+    connect(form_.list, &QListWidget::itemActivated, this, &ValueDialog::takeOffer);
+    connect(form_.fixed, &QRadioButton::toggled, this, &ValueDialog::look);
+    connect(form_.time, &QDoubleSpinBox::valueChanged, this, [this] {
+        form_.fixed->setChecked(true);
         look();
     });
-    connect(digits_, &QSpinBox::valueChanged, this, &ValueDialog::look);
-    connect(unit_, &QComboBox::currentIndexChanged, this, &ValueDialog::look);
+    connect(form_.digits, &QSpinBox::valueChanged, this, &ValueDialog::look);
+    connect(form_.unit, &QComboBox::currentIndexChanged, this, &ValueDialog::look);
     chooseFigure();
     look();
-    expression_->setFocus();
+    form_.expression->setFocus();
 }
 
 ValueDialog::~ValueDialog() {
@@ -85,94 +89,98 @@ ValueDialog::~ValueDialog() {
 }
 
 void ValueDialog::makeForm(const document::ValueUse& now) {
-    figure_->setObjectName("figure");
-    figure_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    form_.figure->setObjectName("figure");
+    form_.figure->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     int known = -1;
     for (const ValuedFigure& figure : figures_) {
-        figure_->addItem(figure.words);
+        form_.figure->addItem(figure.words);
         if (document_.document().subdocument(figure.id)->name == now.of && !now.of.empty())
-            known = figure_->count() - 1;
+            known = form_.figure->count() - 1;
     }
     // One that is not here is not taken for another: it is to be chosen.
-    figure_->setCurrentIndex(known >= 0 || now.of.empty() ? std::max(known, 0) : -1);
-    figure_->setPlaceholderText(QString::fromStdString(now.of));
-    expression_->setObjectName("expression");
-    expression_->setPlaceholderText(tr("Words of the list, or an expression of the figure"));
+    form_.figure->setCurrentIndex(known >= 0 || now.of.empty() ? std::max(known, 0) : -1);
+    form_.figure->setPlaceholderText(QString::fromStdString(now.of));
+    form_.expression->setObjectName("expression");
+    form_.expression->setPlaceholderText(tr("Words of the list, or an expression of the figure"));
     const QString written = QString::fromStdString(now.expression);
-    expression_->setMaxLength(std::max(static_cast<int>(ipc::longestExpression.most / 4),
-                                       static_cast<int>(written.size()))); // bytes, in UTF-8
-    expression_->setText(written);
-    expression_->setClearButtonEnabled(true);
-    expression_->installEventFilter(this);
-    list_->setObjectName("offers");
-    list_->setAccessibleName(tr("Values of the figure"));
-    list_->setMinimumSize(420, 150);
-    list_->setFocusPolicy(Qt::NoFocus); // the arrows of the line above choose
-    number_->setObjectName("number");
-    number_->setWordWrap(true);
-    number_->setMinimumHeight(number_->fontMetrics().lineSpacing() * 2);
-    number_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    form_.expression->setMaxLength(std::max(static_cast<int>(ipc::longestExpression.most / 4),
+                                            static_cast<int>(written.size()))); // bytes, in UTF-8
+    form_.expression->setText(written);
+    form_.expression->setClearButtonEnabled(true);
+    form_.expression->installEventFilter(this);
+    form_.list->setObjectName("offers");
+    form_.list->setAccessibleName(tr("Values of the figure"));
+    form_.list->setMinimumSize(420, 150);
+    form_.list->setFocusPolicy(Qt::NoFocus); // the arrows of the line above choose
+    form_.number->setObjectName("number");
+    form_.number->setWordWrap(true);
+    form_.number->setMinimumHeight(form_.number->fontMetrics().lineSpacing() * 2);
+    form_.number->setTextInteractionFlags(Qt::TextSelectableByMouse);
     auto* follows = new QRadioButton(tr("As the figure &shows it"), this);
     follows->setObjectName("follows");
-    fixed_->setObjectName("fixed");
-    (now.time ? fixed_ : follows)->setChecked(true);
-    time_->setObjectName("time");
-    time_->setDecimals(3);
-    time_->setRange(-1e6, 1e6);
-    time_->setSuffix(tr(" s"));
-    time_->setAccessibleName(tr("Time"));
-    time_->setValue(now.time.value_or(0));
-    writtenTime_ = now.time;
-    shownTime_ = time_->value();
-    digits_->setObjectName("digits");
-    digits_->setRange(0, std::max(document::mostDecimals, document::mostDigits));
-    digits_->setValue(now.digits.count);
-    digits_->setAccessibleName(tr("How many digits"));
-    unit_->setObjectName("unit");
-    unit_->addItems({tr("digits in all"), tr("behind the point")});
-    unit_->setCurrentIndex(now.digits.areDecimals ? 1 : 0);
-    unit_->setAccessibleName(tr("Which digits"));
+    form_.fixed->setObjectName("fixed");
+    (now.time ? form_.fixed : follows)->setChecked(true);
+    form_.time->setObjectName("time");
+    form_.time->setDecimals(3);
+    form_.time->setRange(-1e6, 1e6);
+    form_.time->setSuffix(tr(" s"));
+    form_.time->setAccessibleName(tr("Time"));
+    form_.time->setValue(now.time.value_or(0));
+    at_.written = now.time;
+    at_.shown = form_.time->value();
+    form_.digits->setObjectName("digits");
+    form_.digits->setRange(0, std::max(document::mostDecimals, document::mostDigits));
+    form_.digits->setValue(now.digits.count);
+    form_.digits->setAccessibleName(tr("How many digits"));
+    form_.unit->setObjectName("unit");
+    form_.unit->addItems({tr("digits in all"), tr("behind the point")});
+    form_.unit->setCurrentIndex(now.digits.areDecimals ? 1 : 0);
+    form_.unit->setAccessibleName(tr("Which digits"));
     auto* when = new QHBoxLayout;
-    for (QWidget* one : std::initializer_list<QWidget*>{follows, fixed_, time_})
+    for (QWidget* one : std::initializer_list<QWidget*>{follows, form_.fixed, form_.time})
         when->addWidget(one);
     when->addStretch();
     auto* digits = new QHBoxLayout;
-    digits->addWidget(digits_);
-    digits->addWidget(unit_);
+    digits->addWidget(form_.digits);
+    digits->addWidget(form_.unit);
     digits->addStretch();
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    ok_ = buttons->button(QDialogButtonBox::Ok);
+    form_.ok = buttons->button(QDialogButtonBox::Ok);
     auto* form = new QFormLayout(this);
     form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-    form->addRow(tr("&Figure:"), figure_);
-    form->addRow(tr("&Value:"), expression_);
-    form->addRow(list_);
+    form->addRow(tr("&Figure:"), form_.figure);
+    form->addRow(tr("&Value:"), form_.expression);
+    QListWidget* offers = form_.list;
+    form->addRow(offers);
     form->addRow(tr("Time:"), when);
     form->addRow(tr("&Digits:"), digits);
     if (auto* label = qobject_cast<QLabel*>(form->labelForField(digits)))
-        label->setBuddy(digits_); // a row that is a layout gives it none
-    form->addRow(tr("Number:"), number_);
+        label->setBuddy(form_.digits); // a row that is a layout gives it none
+    form->addRow(tr("Number:"), form_.number);
     form->addRow(buttons);
 }
 
 media::LiveSubdocument* ValueDialog::live() const {
-    const int at = figure_->currentIndex();
+    const int at = form_.figure->currentIndex();
     return at < 0 ? nullptr : document_.live(figures_.at(static_cast<std::size_t>(at)).id);
 }
 
 sgml::NodeId ValueDialog::figure() const {
-    return figures_.at(static_cast<std::size_t>(std::max(figure_->currentIndex(), 0))).element;
+    return figures_.at(static_cast<std::size_t>(std::max(form_.figure->currentIndex(), 0))).element;
 }
 
 document::ValueUse ValueDialog::use() const {
-    document::ValueUse use{.of = {}, .expression = expression_->text().trimmed().toStdString()};
-    use.digits.areDecimals = unit_->currentIndex() == 1;
-    use.digits.count = use.digits.areDecimals ? std::min(digits_->value(), document::mostDecimals)
-                                              : std::max(digits_->value(), 1);
-    if (fixed_->isChecked()) // digits that the field does not show stay, unless it was changed
-        use.time = writtenTime_ && time_->value() == shownTime_ ? *writtenTime_ : time_->value();
+    document::ValueUse use{.of = {},
+                           .expression = form_.expression->text().trimmed().toStdString()};
+    use.digits.areDecimals = form_.unit->currentIndex() == 1;
+    use.digits.count = use.digits.areDecimals
+                           ? std::min(form_.digits->value(), document::mostDecimals)
+                           : std::max(form_.digits->value(), 1);
+    if (form_.fixed->isChecked()) // digits that the field does not show stay, unless it was changed
+        use.time =
+            at_.written && form_.time->value() == at_.shown ? *at_.written : form_.time->value();
     return use;
 }
 
@@ -218,8 +226,8 @@ bool ValueDialog::isOffered(const QString& expression) const {
 
 // All where the expression is one of them.
 void ValueDialog::filter() {
-    const QString words = expression_->text().simplified();
-    list_->clear();
+    const QString words = form_.expression->text().simplified();
+    form_.list->clear();
     const bool isOne = isOffered(words);
     for (std::size_t i = 0; i < offers_.size(); ++i) {
         const QString expression = QString::fromStdString(offers_[i].expression);
@@ -230,16 +238,16 @@ void ValueDialog::filter() {
             (label == expression ? QString() : QStringLiteral("   ") + expression);
         if (!isOne && !shown.contains(words, Qt::CaseInsensitive))
             continue;
-        auto* item = new QListWidgetItem(shown, list_);
+        auto* item = new QListWidgetItem(shown, form_.list);
         item->setData(Qt::UserRole, expression);
         if (isOne && words == expression)
-            list_->setCurrentItem(item);
+            form_.list->setCurrentItem(item);
     }
 }
 
 void ValueDialog::takeOffer() {
-    if (const QListWidgetItem* item = list_->currentItem())
-        expression_->setText(item->data(Qt::UserRole).toString());
+    if (const QListWidgetItem* item = form_.list->currentItem())
+        form_.expression->setText(item->data(Qt::UserRole).toString());
 }
 
 // Words that are no expression stand for the first value of the list that has them.
@@ -252,33 +260,34 @@ void ValueDialog::accept() {
         return askForNumber();
     }
     if (answer_ == Answer::fault) {
-        const QListWidgetItem* first = list_->item(0);
+        const QListWidgetItem* first = form_.list->item(0);
         if (!first)
             return;
-        expression_->setText(first->data(Qt::UserRole).toString());
+        form_.expression->setText(first->data(Qt::UserRole).toString());
     }
     QDialog::accept();
 }
 
 bool ValueDialog::isComplete() const {
-    return !expression_->text().trimmed().isEmpty() && figure_->currentIndex() >= 0;
+    return !form_.expression->text().trimmed().isEmpty() && form_.figure->currentIndex() >= 0;
 }
 
 void ValueDialog::setAnswer(Answer answer) {
     const bool isAwaited = answer_ == Answer::awaitedByOk && answer != Answer::awaited;
     answer_ = answer;
-    ok_->setEnabled(isComplete() && answer_ != Answer::fault);
+    form_.ok->setEnabled(isComplete() && answer_ != Answer::fault);
     if (isAwaited)
         accept();
 }
 
 // The arrows choose while one types, and Enter takes.
 bool ValueDialog::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == expression_ && event->type() == QEvent::KeyPress) {
+    if (watched == form_.expression && event->type() == QEvent::KeyPress) {
         const int key = static_cast<QKeyEvent*>(event)->key();
         const int step = key == Qt::Key_Down ? 1 : key == Qt::Key_Up ? -1 : 0;
-        if (step != 0 && list_->count() > 0) {
-            list_->setCurrentRow(std::clamp(list_->currentRow() + step, 0, list_->count() - 1));
+        if (step != 0 && form_.list->count() > 0) {
+            form_.list->setCurrentRow(
+                std::clamp(form_.list->currentRow() + step, 0, form_.list->count() - 1));
             takeOffer();
             return true;
         }
@@ -299,7 +308,7 @@ void ValueDialog::look() {
 void ValueDialog::askForNumber() {
     const document::ValueUse use = this->use();
     if (use.expression.empty() || !asked_) {
-        number_->clear();
+        form_.number->clear();
         return setAnswer(Answer::value);
     }
     const media::Condition condition = asked_->condition();
@@ -307,7 +316,7 @@ void ValueDialog::askForNumber() {
                        condition == media::Condition::still ||
                        (condition == media::Condition::live && !asked_->hasLoaded());
     if (comes) {
-        number_->setText(tr("%1 is starting.").arg(asked_->name()));
+        form_.number->setText(tr("%1 is starting.").arg(asked_->name()));
         return setAnswer(Answer::value); // for all that is known
     }
     const QPointer<ValueDialog> guard(this);
@@ -320,18 +329,18 @@ void ValueDialog::askForNumber() {
 void ValueDialog::show(const media::Outcome<ipc::Values>& outcome) {
     const auto* read = std::get_if<ipc::Values>(&outcome);
     if (read && std::isfinite(read->values[0])) {
-        number_->setText(
+        form_.number->setText(
             QString::fromStdString(model::written(read->values[0], use().digits, language_)));
         return setAnswer(Answer::value);
     }
     const std::string fault = read && !read->faults.empty() ? read->faults[0] : std::string();
     const std::string why = read ? fault : std::get<ipc::Error>(outcome).message;
     // A value that the figure offers may have none at this time.
-    const bool isFault = !fault.empty() && !isOffered(expression_->text().simplified());
+    const bool isFault = !fault.empty() && !isOffered(form_.expression->text().simplified());
     QString says = why.empty() ? tr("It has no value now.") : QString::fromStdString(why);
-    if (const QListWidgetItem* first = list_->item(0); first && isFault)
+    if (const QListWidgetItem* first = form_.list->item(0); first && isFault)
         says += '\n' + tr("Enter takes %1.").arg(first->data(Qt::UserRole).toString());
-    number_->setText(says);
+    form_.number->setText(says);
     setAnswer(isFault ? Answer::fault : Answer::value);
 }
 

@@ -75,17 +75,23 @@ private:
     std::string language_;
     QPointer<media::LiveSubdocument> asked_; // the chosen one, whose process is wanted
     std::vector<ipc::ValueOffer> offers_;
-    QComboBox* figure_;
-    QLineEdit* expression_;
-    QListWidget* list_;
-    QLabel* number_;
-    QRadioButton* fixed_;
-    QDoubleSpinBox* time_;
-    std::optional<double> writtenTime_; // with digits that the field does not show
-    double shownTime_ = 0;              // by the field for it
-    QSpinBox* digits_;
-    QComboBox* unit_;
-    QPushButton* ok_ = nullptr;
+    struct Form {
+        QComboBox* figure;
+        QLineEdit* expression;
+        QListWidget* list;
+        QLabel* number;
+        QRadioButton* fixed;
+        QDoubleSpinBox* time;
+        QSpinBox* digits;
+        QComboBox* unit;
+        QPushButton* ok = nullptr;
+    };
+    Form form_;
+    struct Time {
+        std::optional<double> written; // with digits that the field does not show
+        double shown = 0;              // by the field for it
+    };
+    Time at_;
     Answer answer_ = Answer::awaited;
     QTimer look_;
     int asking_ = 0; // which question is the last

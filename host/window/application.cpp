@@ -125,6 +125,7 @@ DocumentWindow* Application::openNew(const filing::Template& from, QWidget* pare
     DocumentWindow* made = addWindow(std::make_shared<session::OpenDocument>(
         std::make_unique<document::Document>(read.bytes), schemas_, media_));
     made->view().setWriting(true);
+    closeUntouched(*made);
     return made;
 }
 
@@ -180,13 +181,15 @@ DocumentWindow* Application::recover(files::LeftBehind left) {
     return made;
 }
 
-// The empty memo that a program begins with which is given no document.
+// The empty memo that a program begins with which is given no document. Somebody who asks for two
+// empty memos gets them.
 void Application::closeUntouched(DocumentWindow& instead) {
     for (const QPointer<DocumentWindow>& one : windows_) {
         if (!one || one == &instead)
             continue;
         const document::Document& of = one->document().document();
-        if (!of.fileName().isEmpty() || of.isModified() || of.revision() != 0)
+        const bool isAlike = of.bytes() == instead.document().document().bytes();
+        if (!of.fileName().isEmpty() || of.isModified() || of.revision() != 0 || isAlike)
             continue;
         instead.setGeometry(one->geometry());
         instead.setWindowState(one->windowState());

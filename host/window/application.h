@@ -26,8 +26,8 @@ public:
     // Opens a file in a window, or raises the one that has it. It takes the place of an empty memo
     // in which nobody has written. Null, after a message, when it cannot be read.
     DocumentWindow* open(const QString& fileName, QWidget* parent = nullptr);
-    // A document that begins as the template, to be written. Null, after a message, when it cannot
-    // be read.
+    // A document that begins as the template, to be written. It takes the place of one that begins
+    // otherwise and in which nobody has written. Null, after a message, when it cannot be read.
     DocumentWindow* openNew(const filing::Template& from, QWidget* parent);
     DocumentWindow* openNew(); // from the first one
     DocumentWindow* addWindow(std::shared_ptr<session::OpenDocument> document);

@@ -13,8 +13,10 @@ StatusLine::StatusLine(view::DocumentView& view, QStatusBar& bar, QObject* paren
     language_->setObjectName("spellingLanguage");
     page_->setObjectName("page");
     zoom_->setObjectName("zoom");
-    for (QLabel* one : {language_, page_, zoom_})
+    for (QLabel* one : {language_, page_, zoom_}) {
+        one->setContentsMargins(6, 0, 6, 0);
         bar_.addPermanentWidget(one);
+    }
     bar_.setSizeGripEnabled(false);
     language_->hide();
     connect(&view_, &view::DocumentView::zoomChanged, this, &StatusLine::showPlace);

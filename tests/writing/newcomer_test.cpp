@@ -117,6 +117,16 @@ TEST_F(NewcomerTest, AFileTakesThePlaceOfAMemoInWhichNobodyHasWritten) {
     (void)written->document().document().undo();
 }
 
+TEST_F(NewcomerTest, AReportTakesThePlaceOfAnUntouchedMemoAndASecondMemoDoesNot) {
+    writeFrom("Memo");
+    const QPointer<DocumentWindow> first = window_;
+    writeFrom("Memo");
+    const QPointer<DocumentWindow> second = window_;
+    EXPECT_TRUE(first);
+    writeFrom("Report");
+    EXPECT_TRUE(waitFor([&] { return !first && !second; }));
+}
+
 // --- between two tables
 
 TEST_F(NewcomerTest, ACaretStandsBetweenTwoTablesAndWritesAParagraphThere) {
