@@ -322,8 +322,6 @@ def four_bar(turn=(0.0, 0.0, 0.0)):
         rod = [l1 * math.cos(a) + l2 / 2 * math.cos(b), l1 * math.sin(a) + l2 / 2 * math.sin(b), 0]
         rows.place(t, 1.7, "rod", turned(r, rod))
         rows.put(t, 500, {"p1.dq": y[3], "p3.dq": y[5] - y[4]})
-        if any(turn):
-            continue
         rows.put(t, 5, {"p1.q": a - start[0], "p2.q": b - a - start[1] + start[0], "p4.q": c - start[2]})
         # what the lever's end does to the lever: the two multipliers, against the direction of the loop
         push = turns(y)[3:]

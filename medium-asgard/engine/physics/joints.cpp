@@ -54,8 +54,8 @@ void JointReader::keepJoint(std::size_t joint) {
     from_.kind = Contribution::Kind::joint;
     from_.element = joint;
     multipliers_.begin({of.name, static_cast<int>(of.source.line), moving}, of.release);
-    if (of.type == JointType::screw)
-        tie({joint, 0});
+    for (std::size_t k = 0; k < of.coordinates.size(); ++k)
+        tie({joint, k});
     const std::vector<Jet> conditions = kinematics_.conditions(joint, {});
     for (std::size_t r = 0; r < conditions.size(); ++r) {
         const Node multiplier = multipliers_.add([this, joint, r](const Along& along) {
@@ -161,8 +161,6 @@ void JointReader::hold(const Coordinate& c, const Jet& jet) {
                                  : parsed(c, *of.speed, "-speed", scene::Reading::state);
     if (!node)
         return;
-    if (isPosition)
-        tie(c);
     const auto read = scope_.trajectoriesReadBy(g_, std::span(&*node, 1));
     const auto make = [this, c, wanted = *node, read, isPosition](const Along& along) {
         const Node now =
@@ -191,7 +189,6 @@ void JointReader::limit(const Coordinate& c) {
     const auto kinds = scene::traitsOf(scene_.joints[c.joint].type).coordinates;
     const bool isAngle = kinds[c.place] == scene::CoordinateKind::angle;
     const double size = isAngle ? frames_[c.joint].size : 1;
-    tie(c);
     for (const auto& [end, sign] : {std::pair(of.lower, 1.0), std::pair(of.upper, -1.0)}) {
         if (!end)
             continue;
@@ -238,9 +235,6 @@ void JointReader::keepGear(std::size_t gear) {
     }
     if (moving.empty())
         return;
-    multipliers_.begin({said.name, static_cast<int>(said.source.line), moving}, std::nullopt);
-    for (const Term& term : terms)
-        tie(term.coordinate);
     multipliers_.begin({said.name, static_cast<int>(said.source.line), moving}, said.release);
     const auto jetOf = [this, terms](const Along& along) {
         Jet all = constantJet(g_, 0);

@@ -12,8 +12,8 @@
 //     cylindrical   e2.d,  f2.d,  n1.e2,  n1.f2        distance   |d| - its value at the start
 //     screw         as cylindrical, and  n2.d - P q / 2 pi
 //
-// Angles that are not wrapped are unknowns of their own, q' = n2.(w1 - w2). Where a condition reads
-// one, the angle itself is kept: s cos q - c sin q = 0, with c = e1.e2 and s = e1.f2.
+// Angles that are not wrapped are unknowns of their own, q' = n2.(w1 - w2), kept with the attitudes
+// by a condition of first order: s cos q - c sin q = 0, with c = e1.e2 and s = e1.f2.
 //
 // Stops, brakes and motors of limited force are multipliers with bounds.
 //

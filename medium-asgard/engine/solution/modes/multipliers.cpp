@@ -63,6 +63,20 @@ bool Multipliers::factorise() {
     return true;
 }
 
+// The shortest m = S y of those with  A y = right,  A scaled by S: the shortest y, and of what
+// leaves A y as it is the part that shortens m.
+Eigen::VectorXd Multipliers::leastSolution() const {
+    Eigen::VectorXd y = least_.solve(right_);
+    const Eigen::Index free = y.size() - least_.rank();
+    if (free == 0)
+        return y;
+    const Eigen::MatrixXd idle =
+        least_.colsPermutation() * Eigen::MatrixXd(least_.matrixZ().transpose().rightCols(free));
+    const Eigen::MatrixXd forces = scale_.asDiagonal() * idle;
+    y -= idle * forces.colPivHouseholderQr().solve(scale_.cwiseProduct(y));
+    return y;
+}
+
 double Multipliers::bound(std::size_t row) const {
     if (mode_.kept[row] == Mode::gone)
         return 0;
@@ -79,7 +93,7 @@ void Multipliers::solve(Eigen::Ref<Eigen::VectorXd> rates) {
     if (n > 0 && isRegular_)
         answer_ = lu_.solve(right_);
     else if (n > 0)
-        answer_ = least_.solve(right_);
+        answer_ = leastSolution();
     rates.setZero();
     for (Eigen::Index i = 0; i < n; ++i)
         rates[indexOf(active_[static_cast<std::size_t>(i)])] = scale_[i] * answer_[i];

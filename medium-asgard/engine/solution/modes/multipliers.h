@@ -62,6 +62,7 @@ private:
     [[nodiscard]] bool evaluate();
     [[nodiscard]] bool factorise();
     [[nodiscard]] double bound(std::size_t row) const;
+    [[nodiscard]] Eigen::VectorXd leastSolution() const;
     [[nodiscard]] bool isSolved(const Eigen::VectorXd& m, const Eigen::VectorXd& wanted) const;
     void move(std::span<const ComponentModel::Entry> entries, std::size_t first,
               const Eigen::VectorXd& by, std::span<double> y) const;
