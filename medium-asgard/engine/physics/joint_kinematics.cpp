@@ -48,6 +48,12 @@ JetVector JointKinematics::apart(const JointFrame& frame, const Along& along) {
         difference(g_, carried(first, first.arm, along), carried(second, second.arm, along)));
 }
 
+NodeVector JointKinematics::pointOf(std::size_t joint) {
+    const JointEnd& first = frames_[joint].ends[0];
+    const BodySymbols& body = bodyOf(first);
+    return add(g_, body.position, body.toWorld(g_, constant(g_, first.arm)));
+}
+
 JetVector JointKinematics::turning(const JointFrame& frame, const Along& along) {
     const auto& [first, second] = frame.ends;
     return difference(g_, spinJet(g_, bodyOf(first), ratesOf(first, along)),

@@ -28,6 +28,7 @@ public:
 
     // All that are 0, as lengths.
     [[nodiscard]] std::vector<Jet> conditions(std::size_t joint, const Along& along);
+    [[nodiscard]] NodeVector pointOf(std::size_t joint); // of its first end, in the world
     [[nodiscard]] Jet coordinate(std::size_t joint, std::size_t k, const Along& along);
     // 0 where the unknown of an angle agrees with the attitudes: of first order, with the
     // multiplier that is added to the angle's rate.

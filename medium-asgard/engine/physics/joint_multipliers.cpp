@@ -13,8 +13,25 @@
 namespace physics {
 namespace {
 
-constexpr double stopResolution = 1e-9;  // of the scene's size: lower hops and gaps are none
+constexpr double stopResolution = 1e-9;  // of the joint's size: lower hops and gaps are none
 constexpr double startResolution = 1e-6; // of the scene's size: a smaller gap is closed
+
+// What changes from 0 in a jump: a comparison, what joins some, or a number.
+bool isCondition(const Graph& g, Node node) {
+    switch (g.op(node)) {
+    case Op::less:
+    case Op::lessEqual:
+    case Op::equal:
+    case Op::notEqual:
+    case Op::logicalNot:
+    case Op::logicalAnd:
+    case Op::logicalOr:
+    case Op::constant:
+        return true;
+    default:
+        return false;
+    }
+}
 
 } // namespace
 
@@ -29,14 +46,15 @@ void JointMultipliers::begin(Element element, const std::optional<scene::Express
 }
 
 Node JointMultipliers::add(Make make, const JointBounds& bounds,
-                           std::vector<std::size_t> trajectories) {
+                           std::vector<std::size_t> trajectories, std::vector<Node> reads) {
     const std::string number = std::to_string(kept_.size());
     kept_.push_back({.multiplier = g_.symbol(element_.name + ".condition" + number),
                      .element = element_,
                      .make = std::move(make),
                      .bounds = bounds,
                      .release = release_,
-                     .trajectories = std::move(trajectories)});
+                     .trajectories = std::move(trajectories),
+                     .reads = std::move(reads)});
     return kept_.back().multiplier;
 }
 
@@ -82,7 +100,10 @@ void JointMultipliers::tie(Node symbol, Node multiplier) {
 void JointMultipliers::readReleases() {
     for (Release& release : releases_) {
         const auto made = scope_.parse(g_, release.text, scene::Reading::release);
-        if (const auto* node = std::get_if<Node>(&made))
+        if (const auto* node = std::get_if<Node>(&made); node && !isCondition(g_, *node))
+            faults_.push_back("line " + std::to_string(release.element.line) + ": -release of \"" +
+                              release.element.name + "\" wants a comparison, as {t > 2}");
+        else if (node)
             release.value = *node;
         else
             faults_.push_back("line " + std::to_string(release.element.line) + ": -release of \"" +
@@ -142,7 +163,7 @@ expression::Phase JointMultipliers::phaseOf(const Kept& kept, const Along& along
     phase.condition->low = kept.bounds.low;
     phase.condition->high = kept.bounds.high;
     phase.condition->restitution = kept.bounds.restitution;
-    phase.condition->resolution = stopResolution * extents().first;
+    phase.condition->resolution = stopResolution * kept.element.size;
     phase.condition->release = kept.release;
     return phase;
 }
@@ -159,6 +180,10 @@ void JointMultipliers::addUnknown(expression::EquationSet& set, const Kept& kept
     for (const std::size_t trajectory : kept.trajectories)
         for (const TrajectoryPiece& piece : scope_.trajectory(trajectory).pieces)
             times.insert(piece.from);
+    for (const Node symbol : expression::symbolsOf(g_, kept.reads))
+        if (const auto read = unknownOf_.find(symbol.index); read != unknownOf_.end())
+            for (const expression::Phase& phase : set.unknowns[read->second].phases)
+                times.insert(phase.from);
     expression::Unknown unknown;
     unknown.name = kept.element.name;
     unknown.symbol = kept.multiplier;
@@ -219,7 +244,7 @@ void JointMultipliers::checkStart(const expression::EquationSet& set, std::size_
     expression::Tape(g_, inputs, outputs).evaluate(values, found, scratch);
     std::map<std::pair<int, std::string>, std::pair<double, double>> worst; // by element
     for (std::size_t k = 0; k < kept_.size(); ++k) {
-        const auto& [name, line, moving] = kept_[k].element;
+        const auto& [name, line, moving, ofJoint] = kept_[k].element;
         const bool isStop = kept_[k].bounds.low == 0;
         if (isStop && found[2 * k] < -startResolution * extents().first)
             faults_.push_back("line " + std::to_string(line) + ": joint \"" + name +

@@ -33,6 +33,7 @@ public:
         std::string name;
         int line = 0;
         std::vector<std::size_t> moving;
+        double size = 1; // of the joint
     };
 
     JointMultipliers(Graph& g, const scene::Scene& scene, const Scope& scope,
@@ -41,9 +42,11 @@ public:
 
     // What is added from now on belongs to that element.
     void begin(Element element, const std::optional<scene::Expression>& release);
-    // The symbol of a new multiplier. `trajectories`: that its condition reads.
+    // The symbol of a new multiplier. `trajectories`, `reads`: those and the author's expressions
+    // that its condition reads.
     [[nodiscard]] Node add(Make make, const JointBounds& bounds = {},
-                           std::vector<std::size_t> trajectories = {});
+                           std::vector<std::size_t> trajectories = {},
+                           std::vector<Node> reads = {});
     // The condition that was added last holds through a blow: J of this rate.
     void keepThroughBlows(Node rate);
     // A force itself, or where it may be released a multiplier that is it.
@@ -70,6 +73,7 @@ private:
         JointBounds bounds;
         std::optional<Node> release;
         std::vector<std::size_t> trajectories;
+        std::vector<Node> reads;
     };
     struct Angle {
         Node symbol, rate;

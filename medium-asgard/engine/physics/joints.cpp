@@ -53,7 +53,8 @@ void JointReader::keepJoint(std::size_t joint) {
     from_ = {};
     from_.kind = Contribution::Kind::joint;
     from_.element = joint;
-    multipliers_.begin({of.name, static_cast<int>(of.source.line), moving}, of.release);
+    multipliers_.begin({of.name, static_cast<int>(of.source.line), moving, frames_[joint].size},
+                       of.release);
     for (std::size_t k = 0; k < of.coordinates.size(); ++k)
         tie({joint, k});
     const std::vector<Jet> conditions = kinematics_.conditions(joint, {});
@@ -87,12 +88,13 @@ void JointReader::addForce(std::size_t joint, std::span<const Contribution> cont
     const auto& [first, second] = frames_[joint].ends;
     const bool isFirst = first.body && !bodies_[*first.body].isFixed;
     const JointEnd& end = isFirst ? first : second;
+    const NodeVector point = kinematics_.pointOf(joint);
     JointNodes& nodes = nodes_[joint];
     for (const Contribution& c : contributions) {
         if (c.body != *end.body)
             continue;
         const BodySymbols& s = bodies_[c.body].symbols;
-        const NodeVector arm = s.toWorld(g_, constant(g_, end.arm));
+        const NodeVector arm = subtract(g_, point, s.position);
         const NodeVector torque = s.isSpinInWorldAxes ? c.torque : s.toWorld(g_, c.torque);
         const NodeVector couple = subtract(g_, torque, cross(g_, arm, c.force));
         const Node sign = g_.constant(isFirst ? 1 : -1);
@@ -128,14 +130,14 @@ void JointReader::drive(const Coordinate& c) {
         limit(c);
     if (of.friction > 0)
         brake(c, jet);
-    Node force = springOf(c, jet);
+    const std::vector<std::size_t> moving = frames_.moving(c.joint);
+    if (const Node force = springOf(c, jet); !g_.isConstant(force, 0))
+        push(jet.rate, multipliers_.releasable(force), moving);
     if (of.motor)
         if (const auto node = parsed(c, *of.motor, "-motor", scene::Reading::state)) {
-            nodes_[c.joint].motor[c.place] = *node;
-            force = g_.add(force, *node);
+            nodes_[c.joint].motor[c.place] = multipliers_.releasable(*node);
+            push(jet.rate, nodes_[c.joint].motor[c.place], moving);
         }
-    if (!g_.isConstant(force, 0))
-        push(jet.rate, multipliers_.releasable(force), frames_.moving(c.joint));
     if (of.speed || of.position)
         hold(c, jet);
 }
@@ -175,7 +177,7 @@ void JointReader::hold(const Coordinate& c, const Jet& jet) {
     };
     const JointBounds bounds =
         of.maxMotor ? JointBounds{-*of.maxMotor, *of.maxMotor, 0} : JointBounds{};
-    const Node motor = multipliers_.add(make, bounds, read);
+    const Node motor = multipliers_.add(make, bounds, read, {*node});
     if (!of.maxMotor)
         multipliers_.keepThroughBlows(jet.rate);
     nodes_[c.joint].motor[c.place] = motor;
@@ -235,7 +237,8 @@ void JointReader::keepGear(std::size_t gear) {
     }
     if (moving.empty())
         return;
-    multipliers_.begin({said.name, static_cast<int>(said.source.line), moving}, said.release);
+    const double size = frames_[terms[0].coordinate.joint].size;
+    multipliers_.begin({said.name, static_cast<int>(said.source.line), moving, size}, said.release);
     const auto jetOf = [this, terms](const Along& along) {
         Jet all = constantJet(g_, 0);
         for (const auto& [c, ratio] : terms)

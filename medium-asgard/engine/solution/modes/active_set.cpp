@@ -13,6 +13,9 @@ using complementarity::State;
 namespace {
 
 constexpr double atRest = 1e-12; // of the rates that enter, what counts as none
+constexpr double rateOf = 1e-3;  // of a resolution, in the unit of time
+
+double shortest(double t) { return 1e-12 * std::max(1e-6, std::abs(t)); }
 
 } // namespace
 
@@ -63,73 +66,74 @@ void ActiveSet::watch(std::span<double> values) {
         case Kind::most:
             values[k] = law(row).high - m;
             break;
-        case Kind::forward:
-            values[k] = multipliers_.rate(row);
+        case Kind::forward: // others may hold its rate at 0, but for rounding
+            values[k] = rateOf * law(row).resolution + multipliers_.rate(row);
             break;
         case Kind::backward:
-            values[k] = -multipliers_.rate(row);
+            values[k] = rateOf * law(row).resolution - multipliers_.rate(row);
             break;
         }
     }
 }
 
+// Stops and brakes are open while the conditions without bounds make velocities consistent.
 void ActiveSet::decide(double t, std::span<double> y) {
     if (bounded_.empty())
         return;
     std::ranges::fill(mode_.touches, 0);
+    for (const std::size_t row : bounded_)
+        if (mode_.kept[row] != Mode::gone)
+            mode_.kept[row] = State::low;
+    multipliers_.project(t, y);
+    lastCross_ = t;
+    ahead_ = 0;
     f_.fill(t, y);
     multipliers_.evaluateGaps();
     double fastest = 0;
     for (std::size_t row = 0; row < mode_.kept.size(); ++row)
         fastest = std::max(fastest, std::abs(multipliers_.rate(row)));
-    std::vector<std::size_t> candidates, hit;
-    for (const std::size_t row : bounded_) {
-        if (mode_.kept[row] == Mode::gone)
-            continue;
-        const double rate = multipliers_.rate(row);
-        const bool isSlow = std::abs(rate) <= atRest * fastest;
-        mode_.kept[row] = isStop(row) || rate > 0 ? State::low : State::high;
-        if (isStop(row) && multipliers_.gap(row) > law(row).resolution)
-            continue;
-        if (isSlow)
-            candidates.push_back(row);
-        else if (isStop(row) && rate < 0)
+    std::vector<std::size_t> hit;
+    for (const std::size_t row : bounded_)
+        if (mode_.kept[row] != Mode::gone && isStop(row) &&
+            multipliers_.gap(row) <= law(row).resolution &&
+            multipliers_.rate(row) < -atRest * fastest)
             hit.push_back(row);
-    }
-    if (!hit.empty()) {
+    if (!hit.empty())
         blow(hit, t, y);
-        candidates.insert(candidates.end(), hit.begin(), hit.end());
-    }
-    (void)settle(candidates, fastest, t, y);
+    slip(fastest, t, y);
+    (void)settle(hit, fastest, t, y);
     refresh();
 }
 
-bool ActiveSet::cross(std::span<const std::size_t> watches, double t, std::span<double> y) {
+// At the bound itself the laws have both answers; a little ahead, along the rates that led there,
+// they have one. Where that little was too little, it is more the next time.
+bool ActiveSet::cross(std::span<const std::size_t> watches, double t, std::span<double> y,
+                      std::span<const double> rates) {
+    constexpr double part = 1e-6, more = 100; // of the time since the last event
+    ahead_ = t > lastCross_ ? part * (t - lastCross_) : std::max(more * ahead_, shortest(t));
+    lastCross_ = t;
     std::vector<std::size_t> candidates, hit;
     for (const std::size_t k : watches) {
-        const auto [row, kind] = watches_[k];
-        if (kind == Kind::least || kind == Kind::most) {
-            mode_.kept[row] = kind == Kind::least ? State::low : State::high;
-            mode_.touches[row] = isStop(row) ? 1 : 0;
-            continue;
-        }
-        candidates.push_back(row);
-        if (kind == Kind::gap)
-            hit.push_back(row);
+        candidates.push_back(watches_[k].row);
+        if (watches_[k].kind == Kind::gap)
+            hit.push_back(watches_[k].row);
     }
     double fastest = 0;
+    bool isDone = false;
     if (!hit.empty()) {
         f_.fill(t, y);
         multipliers_.evaluateGaps();
         for (const std::size_t row : hit)
             fastest = std::max(fastest, std::abs(multipliers_.rate(row)));
         blow(hit, t, y);
-        slipAfterBlow(fastest, t, y);
+        slip(fastest, t, y);
+        isDone = settle(candidates, fastest, t, y);
+    } else {
+        std::vector<double> beyond(y.begin(), y.end());
+        for (std::size_t i = 0; i < beyond.size(); ++i)
+            beyond[i] += ahead_ * rates[i];
+        isDone = settle(candidates, fastest, t + ahead_, beyond);
     }
-    for (const std::size_t row : bounded_)
-        if (mode_.kept[row] == State::inside)
-            candidates.push_back(row);
-    const bool isDone = settle(candidates, fastest, t, y);
     multipliers_.project(t, y);
     refresh();
     return isDone;
@@ -172,7 +176,7 @@ void ActiveSet::blow(std::span<const std::size_t> hit, double t, std::span<doubl
 }
 
 // Brakes and motors do not hold against a blow: they slip the way that it gives.
-void ActiveSet::slipAfterBlow(double fastest, double t, std::span<const double> y) {
+void ActiveSet::slip(double fastest, double t, std::span<const double> y) {
     f_.fill(t, y);
     multipliers_.evaluateGaps();
     for (const std::size_t row : bounded_)
@@ -214,26 +218,37 @@ void ActiveSet::give(std::span<const std::size_t> hit, std::span<const double> r
         multipliers_.push(rows, answer->forces, y);
 }
 
-// The candidates' rates are 0, but for stops that a blow of that speed opened: the laws on second
-// rates decide.
-bool ActiveSet::settle(std::span<const std::size_t> candidates, double fastest, double t,
+// It is at its bound without a rate, or holds: the laws on second rates decide.
+bool ActiveSet::isCandidate(std::size_t row, double fastest) const {
+    if (!law(row).isBounded() || mode_.kept[row] == Mode::gone)
+        return false;
+    const double none = std::max(rateOf * law(row).resolution, atRest * fastest);
+    const bool isSlow = std::abs(multipliers_.rate(row)) <= none;
+    return mode_.kept[row] == State::inside ||
+           (isSlow && (!isStop(row) || multipliers_.gap(row) <= law(row).resolution));
+}
+
+bool ActiveSet::settle(std::span<const std::size_t> fallen, double fastest, double t,
                        std::span<const double> y) {
-    if (candidates.empty())
-        return true;
     f_.fill(t, y);
     multipliers_.evaluateGaps();
     std::vector<std::size_t> rows;
+    bool isAny = false;
     for (std::size_t row = 0; row < mode_.kept.size(); ++row) {
-        const bool isCandidate = std::ranges::find(candidates, row) != candidates.end();
-        const bool leaves =
-            isCandidate && isStop(row) && fastest > 0 && multipliers_.rate(row) > atRest * fastest;
-        if (leaves || multipliers_.gap(row) > law(row).resolution)
+        const bool isBounded = law(row).isBounded();
+        const bool hasFallen = std::ranges::find(fallen, row) != fallen.end();
+        const bool leaves = isStop(row) && fastest > 0 && multipliers_.rate(row) > atRest * fastest;
+        if (isBounded && (leaves || multipliers_.gap(row) > law(row).resolution))
             mode_.touches[row] = 0;
-        if (leaves)
+        if (isBounded && leaves && mode_.kept[row] != Mode::gone)
             mode_.kept[row] = State::low;
-        else if (isCandidate || (!law(row).isBounded() && mode_.kept[row] != Mode::gone))
+        else if (hasFallen || isCandidate(row, fastest) ||
+                 (!isBounded && mode_.kept[row] != Mode::gone))
             rows.push_back(row);
+        isAny = isAny || (isBounded && !rows.empty() && rows.back() == row);
     }
+    if (!isAny)
+        return true;
     const auto [a, b] = multipliers_.systemOf(rows);
     const complementarity::Laws laws = lawsOf(rows, false);
     const auto answer = complementarity::solve(a, b, laws);

@@ -8,8 +8,8 @@
 //
 // Between events the set is held. A force that reaches a bound, a gap or a rate that reaches 0 ends
 // it (watch()). A gap that closes is a blow: velocities jump by Newton's law, in one solve with all
-// that hangs together. Then the second rates and the laws give the next set (complementarity/);
-// no tolerance decides it.
+// that hangs together. Then the second rates and the laws give the next set (complementarity/), a
+// little ahead of the event: at a bound itself they have two answers.
 //
 // LIMIT: hops lower than a condition's resolution are left out.
 #pragma once
@@ -37,7 +37,9 @@ public:
     // The set that follows from the values alone, where some may touch and approach.
     void decide(double t, std::span<double> y);
     // The set after these watches fell; y with what blows give. False: no forces keep the laws.
-    [[nodiscard]] bool cross(std::span<const std::size_t> watches, double t, std::span<double> y);
+    // `rates` of the states led there.
+    [[nodiscard]] bool cross(std::span<const std::size_t> watches, double t, std::span<double> y,
+                             std::span<const double> rates);
 
 private:
     enum class Kind { gap, least, most, forward, backward };
@@ -54,9 +56,10 @@ private:
     void blow(std::span<const std::size_t> hit, double t, std::span<double> y);
     void give(std::span<const std::size_t> hit, std::span<const double> restitutions, double t,
               std::span<double> y);
-    void slipAfterBlow(double fastest, double t, std::span<const double> y);
+    void slip(double fastest, double t, std::span<const double> y);
     [[nodiscard]] bool isLow(std::size_t row, double rate);
-    [[nodiscard]] bool settle(std::span<const std::size_t> candidates, double fastest, double t,
+    [[nodiscard]] bool isCandidate(std::size_t row, double fastest) const;
+    [[nodiscard]] bool settle(std::span<const std::size_t> fallen, double fastest, double t,
                               std::span<const double> y);
 
     ModelFunctions& f_;
@@ -64,6 +67,7 @@ private:
     Mode& mode_;
     std::vector<std::size_t> bounded_; // multipliers
     std::vector<Watch> watches_;
+    double lastCross_ = 0, ahead_ = 0; // the last event, and how far its laws looked ahead
 };
 
 } // namespace solution

@@ -16,7 +16,7 @@ ComponentEquations::ComponentEquations(std::shared_ptr<const BoundModel> bound,
                multipliers().empty()),
       readsInputs_(!functions_.bound()->inputs.empty()) {}
 
-static_assert(static_cast<int>(Mode::gone) == static_cast<int>(releasedMode));
+static_assert(1 + static_cast<int>(Mode::gone) == static_cast<int>(releasedMode));
 
 namespace {
 
@@ -86,15 +86,21 @@ std::vector<std::size_t> ComponentEquations::notFinite(double t, std::span<const
 }
 
 void ComponentEquations::takeKept(std::span<const double> states) {
-    for (std::size_t k = 0; k < states.size(); ++k)
-        mode_.kept[k] = static_cast<complementarity::State>(static_cast<int>(states[k]));
+    using enum complementarity::State;
+    for (std::size_t k = 0; k < states.size(); ++k) {
+        const int mode = static_cast<int>(states[k]) - 1;
+        const bool isOpen = mode < 0 && bound()->laws[k].isStop; // nothing moves
+        mode_.kept[k] = isOpen     ? low
+                        : mode < 0 ? inside
+                                   : static_cast<complementarity::State>(mode);
+    }
     guards_.refresh();
 }
 
 void ComponentEquations::takeGone(std::span<const double> values) {
     for (std::size_t k = 0; k < multipliers().size(); ++k) {
         complementarity::State& kept = mode_.kept[k];
-        if (values[multipliers()[k]] == static_cast<double>(Mode::gone))
+        if (values[multipliers()[k]] == releasedMode)
             kept = Mode::gone;
         else if (kept == Mode::gone)
             kept = complementarity::State::inside;

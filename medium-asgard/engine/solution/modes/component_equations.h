@@ -106,7 +106,7 @@ public:
 
     // Branches.
     [[nodiscard]] const Mode& mode() const { return mode_; }
-    // Whether conditions of multipliers hold, as numbers of complementarity::State.
+    // Whether conditions of multipliers hold, as their histories keep it.
     void takeKept(std::span<const double> states);
     // Conditions are gone for ever where these values, by place, say so. True: some went now.
     [[nodiscard]] bool release(std::span<const double> values);

@@ -293,7 +293,9 @@ void ModeSolver::slideWhereLedBack(const Passed& passed) {
 ModeSolver::Crossing ModeSolver::cross(const Violation& violation, double t, std::span<double> y,
                                        Passing how) {
     if (const auto fallen = guards_.activeOf(violation); !fallen.empty()) {
-        const bool isDone = active_.cross(fallen, t, y);
+        f_.fill(t, y);
+        const std::vector<double> rates = field_.here();
+        const bool isDone = active_.cross(fallen, t, y, rates);
         guards_.refresh();
         return isDone ? Crossing::done : Crossing::impossible;
     }

@@ -184,7 +184,7 @@ void Component::takeModes() {
     const std::vector<std::size_t>& multipliers = equations_->multipliers();
     std::vector<double> modes;
     for (const complementarity::State state : equations_->mode().kept)
-        modes.push_back(static_cast<double>(state));
+        modes.push_back(1 + static_cast<double>(state)); // 0: it sleeps
     for (std::size_t k = 0; k < multipliers.size(); ++k)
         progress_.values[multipliers[k]] = modes[k];
     writer_.hold(multipliers, modes);
