@@ -118,6 +118,113 @@ def torsion_damped():
     return rows
 
 
+def rod_stop():
+    """Between hits q'' = -3/2 g cos q; each hit halves the rate and turns it round."""
+    rows, at = Rows(), [0.3, 0.6, 1.0, 1.3, 1.5, 1.9, 2.1, 2.5, 2.7]
+
+    def rate(_, y):
+        return [y[1], -1.5 * G * math.cos(y[0])]
+
+    hits, t, y = [], 0.0, [0.0, 0.0]
+    while t < max(at):
+        low, high = t + 1e-3, t + 0.9
+        while solve(rate, y, [high], start=t)[0][0] > -math.pi / 2:
+            high += 0.1
+        for _ in range(60):
+            middle = (low + high) / 2
+            if solve(rate, y, [middle], start=t)[0][0] > -math.pi / 2:
+                low = middle
+            else:
+                high = middle
+        hits.append((t, y))
+        t, y = high, [-math.pi / 2, -0.5 * solve(rate, y, [high], start=t)[0][1]]
+    for time in at:
+        start, state = [hit for hit in hits if hit[0] < time][-1]
+        q, w = solve(rate, state, [time], start=start)[0]
+        rows.put(time, 10, {"pin.q": q})
+        rows.put(time, 50, {"pin.dq": w})
+    return rows
+
+
+def clutch():
+    """2 w' = 4 - 0.3 w up to 10, then the motor gives 3."""
+    rows = Rows()
+    for t in steps(18, 9):
+        w = min(10, 4 / 0.3 * (1 - math.exp(-0.15 * t)))
+        rows.put(t, 20, {"axle.dq": w, "axle.motor": 4 if w < 10 else 3, "axle.tz": (4 if w < 10 else 3) - 0.3 * w})
+    return rows
+
+
+def rail():
+    """Sliding from t0 with speed v0: v = v0 + 4 (cos t0 - cos t) - 2 s (t - t0), s the sign of v."""
+    rows, at = Rows(), steps(9.4, 40)
+    t, x, v, slides, pieces = 0.0, 0.0, 0.0, 0, []
+
+    def speed(u):
+        return v + 4 * (math.cos(t) - math.cos(u)) - 2 * slides * (u - t)
+
+    def place(u):
+        return x + (v + 4 * math.cos(t)) * (u - t) - 4 * (math.sin(u) - math.sin(t)) - slides * (u - t) ** 2
+
+    def first(ended):
+        """The first time after t at which it is so."""
+        u = t
+        while not ended(u + 1e-3):
+            u += 1e-3
+        low, high = u, u + 1e-3
+        for _ in range(60):
+            middle = (low + high) / 2
+            low, high = (low, middle) if ended(middle) else (middle, high)
+        return high
+
+    while t < 9.4:
+        pieces.append((t, x, v, slides))
+        if slides == 0:
+            blocked = 1 if x >= 0.8 else -1 if x <= -0.5 else 0
+            t = first(lambda u: abs(4 * math.sin(u)) > 2 and math.copysign(1, math.sin(u)) != blocked)
+            v, slides = 0.0, int(math.copysign(1, math.sin(t)))
+            continue
+        end = first(lambda u: speed(u) * slides < 0 or not -0.5 <= place(u) <= 0.8)
+        if speed(end) * slides > 1e-6:  # a stop
+            t, x, v = end, 0.8 if slides > 0 else -0.5, -0.3 * speed(end)
+            slides = -slides if abs(v) > 1e-5 else 0
+        else:
+            t, x, v = end, place(end), 0.0
+            goes_on = abs(4 * math.sin(t)) > 2
+            slides = int(math.copysign(1, math.sin(t))) if goes_on else 0
+    for time in at:
+        t, x, v, slides = [piece for piece in pieces if piece[0] < time][-1]
+        rows.put(time, 2, {"rail.q": place(time) if slides else x})
+        rows.put(time, 20, {"rail.dq": speed(time) if slides else 0})
+    return rows
+
+
+def released():
+    """A rod falls as q'' = -3/2 g cos q and is free from then on; the pin bears m g sqrt(100 s^2 + c^2) / 4, s = -sin q."""
+    rows, depth = Rows(), math.sqrt((6400 / G ** 2 - 1) / 99)
+
+    def rate(_, y):
+        return [y[1], -1.5 * G * math.cos(y[0])]
+
+    low, high = 0.1, 0.48
+    for _ in range(60):
+        middle = (low + high) / 2
+        low, high = (middle, high) if -math.sin(solve(rate, [0, 0], [middle])[0][0]) < depth else (low, middle)
+    for body, pin, t0 in (("a", "let", 0.7), ("b", "break", high)):
+        q, w = solve(rate, [0, 0], [t0])[0]
+        x, y = math.cos(q) / 2, math.sin(q) / 2
+        for t in [0.2, 0.34, 0.5, 0.69, 0.8, 1.0, 1.2]:
+            s = t - t0
+            if s < 0:
+                p, u = solve(rate, [0, 0], [t])[0]
+                rows.put(t, 5, {body + ".x": math.cos(p) / 2, body + ".y": math.sin(p) / 2})
+                rows.put(t, 20, {body + ".wz": u})
+            else:
+                rows.put(t, 5, {body + ".x": x - y * w * s, body + ".y": y + x * w * s - G * s * s / 2})
+                rows.put(t, 20, {body + ".wz": w, pin + ".fx": 0, pin + ".fy": 0})
+    return rows
+
+
 def drives():
     """Couple of the arm: I q'' + m g l cos q."""
     rows = Rows()
@@ -429,5 +536,5 @@ def governor():
 
 
 BY_NAME = {case.__name__: case for case in (
-    rod_on_hinge, slider_crank, bricard, torsion_dry, torsion_damped, drives, conical_pendulum, hooke, screw, cylindrical,
+    rod_on_hinge, slider_crank, bricard, torsion_dry, torsion_damped, rod_stop, clutch, rail, released, drives, conical_pendulum, hooke, screw, cylindrical,
     planar, dumbbell, gears, gyroscope, spherical_pendulum, double_pendulum, four_bar, four_bar_tilted, welded, top, governor)}
