@@ -217,6 +217,7 @@ EquationsOfMotion::EquationsOfMotion(const scene::Scene& scene,
     }
     ForceReader(g, scene, *scope, faults).read(contributions, links);
     joints.contribute(contributions);
+    jointEnergies = joints.energies();
 
     std::vector<std::vector<const Contribution*>> acting(bodies.size());
     for (const Contribution& c : contributions)

@@ -111,7 +111,8 @@ struct EquationsOfMotion {
     std::vector<std::size_t> owners;
     // Conditions that joints, gears and drives put on velocities: of each the bodies that move.
     std::vector<JointRow> jointRows;
-    std::vector<std::string> notes; // what is not as it was written, as sentences
+    std::vector<Node> jointEnergies; // of the springs of joints
+    std::vector<std::string> notes;  // what is not as it was written, as sentences
     // Why the scene has no equations: sentences. Empty: it has.
     std::vector<std::string> faults;
     std::optional<Scope>

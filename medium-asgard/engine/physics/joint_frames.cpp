@@ -32,7 +32,7 @@ Vector acrossOf(const Vector& n) {
 
 JointFrames::JointFrames(Graph& g, const scene::Scene& scene, const Scope& scope,
                          std::span<const BodyMotion> bodies, std::vector<std::string>& faults)
-    : scope_(scope), bodies_(bodies), faults_(faults) {
+    : scope_(scope), bodies_(bodies), faults_(faults), start_(g, scene, scope) {
     for (const scene::Joint& joint : scene.joints)
         frames_.push_back(frameOf(joint));
     for (std::size_t j = 0; j < frames_.size() && faults_.empty(); ++j)
@@ -46,8 +46,8 @@ std::optional<std::size_t> JointFrames::bodyNamed(const std::string& name) const
                : std::optional(static_cast<std::size_t>(found - bodies_.begin()));
 }
 
-geometry::Pose JointFrames::poseOf(const JointEnd& end) const {
-    return end.body ? bodies_[*end.body].start
+geometry::Pose JointFrames::poseOf(const JointEnd& end) {
+    return end.body ? start_.poseOf(*end.body)
                     : geometry::Pose{Vector::Zero(), Quaternion::Identity()};
 }
 
@@ -77,7 +77,7 @@ JointFrame JointFrames::frameOf(const scene::Joint& joint) {
 }
 
 // docs/scene-language.md, "Joints": which axis belongs to which body.
-void JointFrames::findAxes(const scene::Joint& joint, JointFrame& frame) const {
+void JointFrames::findAxes(const scene::Joint& joint, JointFrame& frame) {
     auto& [first, second] = frame.ends;
     const Quaternion one = poseOf(first).attitude, two = poseOf(second).attitude;
     first.axis = joint.axis.isZero(0) ? Vector(Vector::UnitZ()) : Vector(joint.axis.normalized());
@@ -108,7 +108,7 @@ void JointFrames::findAxes(const scene::Joint& joint, JointFrame& frame) const {
     }
 }
 
-double JointFrames::sizeOf(const JointFrame& frame) const {
+double JointFrames::sizeOf(const JointFrame& frame) {
     constexpr double ofDistance = 1e-4; // from the origin
     double size = 0;
     for (const JointEnd& end : frame.ends) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "physics/equations_of_motion.h"
+#include "physics/start_values.h"
 
 namespace physics {
 
@@ -33,14 +34,15 @@ public:
 private:
     [[nodiscard]] std::optional<std::size_t> bodyNamed(const std::string& name) const;
     [[nodiscard]] JointFrame frameOf(const scene::Joint& joint);
-    void findAxes(const scene::Joint& joint, JointFrame& frame) const;
-    [[nodiscard]] double sizeOf(const JointFrame& frame) const;
-    [[nodiscard]] geometry::Pose poseOf(const JointEnd& end) const;
+    void findAxes(const scene::Joint& joint, JointFrame& frame);
+    [[nodiscard]] double sizeOf(const JointFrame& frame);
+    [[nodiscard]] geometry::Pose poseOf(const JointEnd& end);
     void findStart(Graph& g, std::size_t joint, const scene::Joint& said);
 
     const Scope& scope_;
     std::span<const BodyMotion> bodies_;
     std::vector<std::string>& faults_;
+    StartValues start_; // where trajectories hold bodies, these stand elsewhere than they say
     std::vector<JointFrame> frames_;
 };
 

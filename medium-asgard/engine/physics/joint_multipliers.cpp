@@ -33,6 +33,25 @@ bool isCondition(const Graph& g, Node node) {
     }
 }
 
+// Comparisons of the time with a number: the number, and the value once the time is beyond.
+struct TimeSwitch {
+    Node node;
+    double at = 0;
+    bool after = false;
+};
+std::vector<TimeSwitch> timeSwitchesOf(const Graph& g, std::span<const Node> nodes, Node time) {
+    std::vector<TimeSwitch> found;
+    for (const Node n : expression::reachable(g, nodes)) {
+        if (g.op(n) != Op::less && g.op(n) != Op::lessEqual)
+            continue;
+        const auto arguments = g.arguments(n);
+        for (const std::size_t side : {0U, 1U})
+            if (arguments[side] == time && g.op(arguments[1 - side]) == Op::constant)
+                found.push_back({n, g.value(arguments[1 - side]), side == 1});
+    }
+    return found;
+}
+
 } // namespace
 
 void JointMultipliers::begin(Element element, const std::optional<scene::Expression>& release) {
@@ -112,6 +131,14 @@ void JointMultipliers::readReleases() {
     }
 }
 
+Node JointMultipliers::onBranches(Node node, double time) {
+    const double from = std::max(time, scene_.simulator.start);
+    std::unordered_map<std::uint32_t, Node> taken;
+    for (const TimeSwitch& at : timeSwitchesOf(g_, std::span(&node, 1), scope_.time()))
+        taken.emplace(at.node.index, g_.constant((from >= at.at) == at.after ? 1 : 0));
+    return taken.empty() ? node : substitute(g_, node, taken);
+}
+
 Node JointMultipliers::rateOf(Node node, const Along& along) {
     if (!along.set)
         return g_.constant(0);
@@ -180,6 +207,9 @@ void JointMultipliers::addUnknown(expression::EquationSet& set, const Kept& kept
     for (const std::size_t trajectory : kept.trajectories)
         for (const TrajectoryPiece& piece : scope_.trajectory(trajectory).pieces)
             times.insert(piece.from);
+    for (const TimeSwitch& at : timeSwitchesOf(g_, kept.reads, scope_.time()))
+        if (at.at > scene_.simulator.start)
+            times.insert(at.at);
     for (const Node symbol : expression::symbolsOf(g_, kept.reads))
         if (const auto read = unknownOf_.find(symbol.index); read != unknownOf_.end())
             for (const expression::Phase& phase : set.unknowns[read->second].phases)
@@ -225,6 +255,27 @@ std::vector<JointRow> JointMultipliers::addUnknowns(expression::EquationSet& set
     return std::move(rows_);
 }
 
+// Values that trajectories give at the start; some are made of others.
+void JointMultipliers::putGiven(const expression::EquationSet& set, std::span<const Node> inputs,
+                                std::vector<double>& values) const {
+    std::vector<Node> nodes;
+    std::vector<std::size_t> places;
+    for (std::size_t u = 0; u < set.unknowns.size(); ++u)
+        if (const auto& given = phaseAt(set.unknowns[u], scene_.simulator.start).given) {
+            nodes.push_back(*given);
+            places.push_back(1 + u);
+        }
+    const expression::Tape tape(g_, inputs, nodes);
+    std::vector<double> found(nodes.size());
+    expression::Tape::Scratch scratch;
+    constexpr int depth = 3; // a place that turns with an attitude that is held
+    for (int i = 0; i < depth && !nodes.empty(); ++i) {
+        tape.evaluate(values, found, scratch);
+        for (std::size_t k = 0; k < places.size(); ++k)
+            values[places[k]] = found[k];
+    }
+}
+
 // Gaps and their rates as the scene was written.
 void JointMultipliers::checkStart(const expression::EquationSet& set, std::size_t first,
                                   std::vector<std::string>& notes) {
@@ -239,6 +290,7 @@ void JointMultipliers::checkStart(const expression::EquationSet& set, std::size_
         outputs.push_back(condition.gap.value_or(g_.constant(0)));
         outputs.push_back(condition.rate.value_or(g_.constant(0)));
     }
+    putGiven(set, inputs, values);
     std::vector<double> found(outputs.size());
     expression::Tape::Scratch scratch;
     expression::Tape(g_, inputs, outputs).evaluate(values, found, scratch);
@@ -253,7 +305,8 @@ void JointMultipliers::checkStart(const expression::EquationSet& set, std::size_
             continue;
         auto& [gap, rate] = worst[{line, name}];
         gap = std::hypot(gap, found[2 * k]);
-        rate = std::hypot(rate, found[2 * k + 1]);
+        if (kept_[k].reads.empty()) // a drive takes its speed without a word
+            rate = std::hypot(rate, found[2 * k + 1]);
     }
     for (const auto& [element, miss] : worst)
         tell("line " + std::to_string(element.first) + ": \"" + element.second + "\": ", miss.first,

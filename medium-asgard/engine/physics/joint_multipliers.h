@@ -63,6 +63,8 @@ public:
     [[nodiscard]] std::vector<JointRow> addUnknowns(expression::EquationSet& set,
                                                     std::vector<std::size_t>& owners,
                                                     std::vector<std::string>& notes);
+    // With the branches that comparisons of the time with numbers take from that time on.
+    [[nodiscard]] Node onBranches(Node node, double time);
     [[nodiscard]] Node rateOf(Node node, const Along& along);
 
 private:
@@ -92,6 +94,8 @@ private:
     void addUnknown(expression::EquationSet& set, const Kept& kept) const;
     void addUnknown(expression::EquationSet& set, const Release& release) const;
     [[nodiscard]] expression::Phase phaseOf(const Kept& kept, const Along& along) const;
+    void putGiven(const expression::EquationSet& set, std::span<const Node> inputs,
+                  std::vector<double>& values) const;
     void checkStart(const expression::EquationSet& set, std::size_t first,
                     std::vector<std::string>& notes);
     void tell(const std::string& where, double gap, double rate, std::vector<std::string>& notes);

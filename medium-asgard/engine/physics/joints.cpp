@@ -142,12 +142,15 @@ void JointReader::drive(const Coordinate& c) {
         hold(c, jet);
 }
 
-Node JointReader::springOf(const Coordinate& c, const Jet& jet) const {
+Node JointReader::springOf(const Coordinate& c, const Jet& jet) {
     const scene::JointCoordinate& of = said(c);
     Node force = g_.constant(0);
-    if (of.stiffness != 0)
-        force =
-            g_.multiply(g_.constant(-of.stiffness), g_.subtract(jet.value, g_.constant(of.rest)));
+    if (of.stiffness != 0) {
+        const Node stretched = g_.subtract(jet.value, g_.constant(of.rest));
+        force = g_.multiply(g_.constant(-of.stiffness), stretched);
+        energies_.push_back(
+            g_.multiply(g_.constant(0.5 * of.stiffness), g_.multiply(stretched, stretched)));
+    }
     if (of.damping != 0)
         force = g_.subtract(force, g_.multiply(g_.constant(of.damping), jet.rate));
     return force;
@@ -166,7 +169,10 @@ void JointReader::hold(const Coordinate& c, const Jet& jet) {
     const auto read = scope_.trajectoriesReadBy(g_, std::span(&*node, 1));
     const auto make = [this, c, wanted = *node, read, isPosition](const Along& along) {
         const Node now =
-            along.set ? substitute(g_, wanted, scope_.piecesFrom(g_, read, along.time)) : wanted;
+            along.set
+                ? multipliers_.onBranches(
+                      substitute(g_, wanted, scope_.piecesFrom(g_, read, along.time)), along.time)
+                : wanted;
         const Node rate = multipliers_.rateOf(now, along);
         const Jet jetOfWanted = isPosition ? Jet{now, rate, multipliers_.rateOf(rate, along)}
                                            : Jet{g_.constant(0), now, rate};

@@ -41,6 +41,9 @@ public:
         return multipliers_.addUnknowns(set, owners, notes);
     }
 
+    // Of the springs of joints.
+    [[nodiscard]] const std::vector<Node>& energies() const { return energies_; }
+
 private:
     struct Coordinate {
         std::size_t joint, place;
@@ -49,7 +52,7 @@ private:
     void keepJoint(std::size_t joint);
     void addForce(std::size_t joint, std::span<const Contribution> contributions);
     void drive(const Coordinate& c);
-    [[nodiscard]] Node springOf(const Coordinate& c, const Jet& jet) const;
+    [[nodiscard]] Node springOf(const Coordinate& c, const Jet& jet);
     void hold(const Coordinate& c, const Jet& jet);
     void limit(const Coordinate& c);
     void brake(const Coordinate& c, const Jet& jet);
@@ -73,7 +76,8 @@ private:
     JointKinematics kinematics_;
     JointMultipliers multipliers_;
     std::vector<JointNodes> nodes_; // by joint
-    Contribution from_;             // kind and element of what is pushed now
+    std::vector<Node> energies_;
+    Contribution from_; // kind and element of what is pushed now
     std::vector<Contribution>* contributions_ = nullptr;
 };
 

@@ -76,6 +76,8 @@ SceneNodes sceneNodes(EquationsOfMotion& motion, const scene::Scene& scene) {
     }
     for (const LinkNodes& link : motion.links)
         nodes.energy = g.add(nodes.energy, link.energy);
+    for (const Node energy : motion.jointEnergies)
+        nodes.energy = g.add(nodes.energy, energy);
     return nodes;
 }
 

@@ -16,12 +16,12 @@ public:
 
     // Not a number where the expression is none, or reads more than it may.
     [[nodiscard]] double of(Node node);
+    [[nodiscard]] const geometry::Pose& poseOf(std::size_t body); // of its centre of mass
 
 private:
     struct Entry {
         std::size_t body, index; // 0 to 2: a coordinate, 3 to 6: of the quaternion
     };
-    [[nodiscard]] const geometry::Pose& poseOf(std::size_t body);
     [[nodiscard]] Vector of(const NodeVector& nodes);
 
     const Graph& g_;

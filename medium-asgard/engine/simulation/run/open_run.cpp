@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 
 namespace simulation {
 namespace {
@@ -152,9 +153,11 @@ void OpenRun::publish(double known) {
     Run run;
     run.histories = machinery_->solver->snapshot();
     run.stops = stopsOf(problem_, *run.histories, known);
+    run.notes = problem_.equations.notes;
     if (machinery_->collisions) {
         run.impacts = machinery_->collisions->record().impacts(problem_.finish());
-        run.notes = machinery_->collisions->record().notes(problem_.finish());
+        std::ranges::copy(machinery_->collisions->record().notes(problem_.finish()),
+                          std::back_inserter(run.notes));
     }
     observer_.progress(run.motion(problem_, true));
 }
@@ -169,13 +172,14 @@ Run OpenRun::collect(double until) {
     run.stops = stopsOf(problem_, *run.histories, until);
     run.statistics = machinery_->solver->statistics();
     run.before = std::exchange(counted_, run.statistics);
+    run.notes = problem_.equations.notes;
     std::vector<collision::Pair> blocked;
     if (machinery_->collisions) {
         CollisionSource& collisions = *machinery_->collisions;
         const CollisionRecord& record = collisions.record();
         blocked = record.blocked(until);
         run.impacts = record.impacts(until);
-        run.notes = record.notes(until);
+        std::ranges::copy(record.notes(until), std::back_inserter(run.notes));
         run.lostHops = record.lostHops(until);
         const std::size_t tests = collisions.pairTests();
         run.pairTests = tests - std::exchange(countedPairTests_, tests);

@@ -54,8 +54,7 @@ MotionPointer Run::motion(const Problem& problem, bool draft,
     std::vector<ComputedMotion::Place> places(problem.bodies->size());
     for (std::size_t b = 0; b < places.size(); ++b)
         places[b] = {.part = 0, .body = b};
-    std::vector<std::string> told = problem.equations.notes;
-    told.insert(told.end(), notes.begin(), notes.end());
+    std::vector<std::string> told = notes;
     if (error && error->estimate > problem.accuracy())
         told.push_back(shortfallOf(problem.accuracy(), *error));
     std::optional<double> estimate, until;
