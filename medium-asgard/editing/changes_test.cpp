@@ -14,8 +14,9 @@ std::string story(const std::string& before, const std::string& after) {
     EXPECT_TRUE(two.usable) << after;
     const Changes changes = changesBetween({before, one.scene}, {after, two.scene});
     const auto words = [](const scene::Scene& scene, const Element& element) {
-        constexpr const char* kinds[] = {"simulator", "shape", "body", "force",     "link", "path",
-                                         "hold",      "light", "view", "parameter", "plot"};
+        constexpr const char* kinds[] = {"simulator", "shape",     "body", "force", "link",
+                                         "joint",     "gear",      "path", "hold",  "light",
+                                         "view",      "parameter", "plot"};
         const std::string name = nameOf(scene, element);
         return std::string(kinds[static_cast<int>(element.kind)]) + " " +
                (name.empty() ? std::to_string(element.index) : name);
@@ -53,6 +54,25 @@ TEST(Changes, ANamedElementIsTheOneOfItsName) {
     EXPECT_EQ(story(head, "shape_set s -desc {-sub {-sphere 1}}\n"
                           "body a s -init_pos {0 0 0}\nbody c s -init_pos {9 0 0}\n"),
               "+ body c\n- body b\n");
+}
+
+TEST(Changes, AJointAndAGearAreModifiedByEachOfTheirValues) {
+    const std::string pins = head + "joint p -type hinge -body1 a -offset1 {0 1 0}\n"
+                                    "joint q -type hinge -body1 b -offset1 {0 1 0}\n";
+    const std::string gear = "gear g -joint1 p -joint2 q -ratio 2\n";
+    EXPECT_EQ(story(pins + gear, pins + "\n" + gear), "");
+    EXPECT_EQ(story(pins + gear, pins + "gear g -joint1 p -joint2 q -ratio 3\n"),
+              "gear g -> gear g modified\n");
+    for (const char* more :
+         {"-offset1 {0 2 0}", "-offset2 {0 2 0}", "-axis {0 1 0}", "-body2 b", "-limits {-1 {}}",
+          "-damping 2", "-motor t", "-friction 1", "-limits {-1 1} -limit_restitution 0.5",
+          "-stiffness 1", "-release t>2"}) {
+        const std::string pin = "joint p -type hinge -body1 a ";
+        EXPECT_EQ(story(head + pin + "\n", head + pin + more + "\n"),
+                  "joint p -> joint p modified\n")
+            << more;
+    }
+    EXPECT_EQ(story(pins + gear, pins), "- gear g\n");
 }
 
 TEST(Changes, AForceKeepsItsIdentityWhenItsValueChanges) {

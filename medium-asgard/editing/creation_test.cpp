@@ -64,6 +64,17 @@ TEST(Creation, MindsContinuedLinesAndTheEndOfTheScript) {
               shapes + "parameter g -value 1\nreturn\nnonsense");
 }
 
+TEST(Creation, PutsAJointBehindLinksAndBeforeConstraints) {
+    const NewElement joint{
+        Kind::joint, "hinge1", {"-type", "hinge", "-body1", "a"}, {{Kind::body, 0}}};
+    EXPECT_EQ(
+        withNew(shapes + "body a s\nlink -body1 a -x 0 -y 0 -z 0 -tightness 1\n\n# end\n", joint),
+        shapes + "body a s\nlink -body1 a -x 0 -y 0 -z 0 -tightness 1\n\n"
+                 "joint hinge1 -type hinge -body1 a\n\n# end\n");
+    EXPECT_EQ(unusedName("", *readScene(shapes + "body hinge1 s\n"), Kind::joint, "hinge"),
+              "hinge2");
+}
+
 TEST(Creation, EndsALineThatABackslashContinues) {
     for (const std::string end : {"\n", "\r\n"}) {
         const std::string text =
@@ -132,6 +143,11 @@ INSTANTIATE_TEST_SUITE_P(
             "body a s\nbody b s\nforce -body a -y 1\nforce -body b -y {a.x}\nforce -body b -y 2\n",
             "body b s\nforce -body b -y 2\n"},
         Taken{"Links", "body a s\nbody b s\nlink -body1 b -body2 a -tightness 1\n", "body b s\n"},
+        Taken{"Joints",
+              "body a s\nbody b s\njoint p -type ball -body1 b -body2 a\n"
+              "joint q -type hinge -body1 b\njoint r -type hinge -body1 b -motor {a.x}\n"
+              "gear g -joint1 q -joint2 r -ratio 2\nplot v -values {p.fx}\n",
+              "body b s\njoint q -type hinge -body1 b\n"},
         Taken{"Plots", "body a s\nbody b s\nplot p -values {a.x b.x}\nplot q -values {b.x}\n",
               "body b s\nplot q -values {b.x}\n"},
         Taken{"LastOnALine", "set x 1; body a s", "set x 1; "},
@@ -150,6 +166,16 @@ TEST(Deletion, OfAShapeTakesItsBodiesAndTheirForces) {
     const Deletion deletion = deletionOf(text, *readScene(text), {{Kind::shapeSet, 0}});
     EXPECT_THAT(deletion.along, ElementsAre(Element{Kind::body, 0}, Element{Kind::force, 0}));
     EXPECT_EQ(text::applied(text, deletion.edits), "simulator -finish 1\n");
+}
+
+TEST(Deletion, OfAJointTakesItsGearsAndWhatReadsIt) {
+    const std::string text = shapes + "body a s\njoint p -type hinge -body1 a\n"
+                                      "joint q -type hinge -body1 a -release {p.q > 1}\n"
+                                      "gear g -joints {p q} -ratios {1 1}\nplot v -values {p.dq}\n";
+    const Deletion deletion = deletionOf(text, *readScene(text), {{Kind::joint, 0}});
+    EXPECT_THAT(deletion.along, ElementsAre(Element{Kind::gear, 0}, Element{Kind::joint, 1},
+                                            Element{Kind::plot, 0}));
+    EXPECT_EQ(text::applied(text, deletion.edits), shapes + "body a s\n");
 }
 
 TEST(Deletion, OfAParameterThatTheScriptReadsIsRefused) {

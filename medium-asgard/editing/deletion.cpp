@@ -14,7 +14,7 @@ using script::Structure;
 
 namespace {
 
-// Whether an expression reads a body ("b.x"), a trajectory or a parameter of that name.
+// Whether an expression reads a body ("b.x"), a joint, a trajectory or a parameter of that name.
 bool reads(const std::string& expression, const std::string& name) {
     expression::Tokens tokens(expression);
     bool afterPoint = false;
@@ -47,6 +47,7 @@ private:
             users_.push_back(user);
     }
     void ofBody();
+    void ofJoint();
     void ofTrajectory();
     void byExpression();
 
@@ -65,9 +66,19 @@ void Users::ofBody() {
         if (scene_.links[i].first.body == name_ || (second && second->body == name_))
             add(Kind::link, i);
     }
+    for (std::size_t i = 0; i < scene_.joints.size(); ++i)
+        if (scene_.joints[i].body1 == name_ || scene_.joints[i].body2 == name_)
+            add(Kind::joint, i);
     for (std::size_t i = 0; i < scene_.constraints.size(); ++i)
         if (scene_.constraints[i].body == name_)
             add(Kind::constraint, i);
+}
+
+void Users::ofJoint() {
+    for (std::size_t i = 0; i < scene_.gears.size(); ++i)
+        if (std::ranges::find(scene_.gears[i].terms, name_, &scene::Gear::Term::joint) !=
+            scene_.gears[i].terms.end())
+            add(Kind::gear, i);
 }
 
 void Users::ofTrajectory() {
@@ -94,7 +105,8 @@ void Users::ofTrajectory() {
 void Users::byExpression() {
     for (const scene::ExpressionPlace& place : scene::expressionsOf(scene_))
         if (reads(*place.text, name_))
-            for (const Kind kind : {Kind::force, Kind::link, Kind::view, Kind::plot})
+            for (const Kind kind :
+                 {Kind::force, Kind::link, Kind::joint, Kind::gear, Kind::view, Kind::plot})
                 for (std::size_t i = 0; sourceOf(scene_, {kind, i}); ++i)
                     if (sourceOf(scene_, {kind, i}) == place.source)
                         add(kind, i);
@@ -111,6 +123,9 @@ std::vector<Element> Users::all() {
         return users_;
     case Kind::body:
         ofBody();
+        break;
+    case Kind::joint:
+        ofJoint();
         break;
     case Kind::trajectory:
         ofTrajectory();

@@ -22,6 +22,10 @@ const scene::Source* sourceOf(const scene::Scene& scene, const Element& element)
         return sourceIn(scene.forces, element.index);
     case Kind::link:
         return sourceIn(scene.links, element.index);
+    case Kind::joint:
+        return sourceIn(scene.joints, element.index);
+    case Kind::gear:
+        return sourceIn(scene.gears, element.index);
     case Kind::trajectory:
         return sourceIn(scene.trajectories, element.index);
     case Kind::constraint:
@@ -46,6 +50,10 @@ std::string nameOf(const scene::Scene& scene, const Element& element) {
         return scene.bodies[element.index].name;
     case Kind::link:
         return scene.links[element.index].name;
+    case Kind::joint:
+        return scene.joints[element.index].name;
+    case Kind::gear:
+        return scene.gears[element.index].name;
     case Kind::trajectory:
         return scene.trajectories[element.index].name;
     case Kind::light:
@@ -62,9 +70,9 @@ std::string nameOf(const scene::Scene& scene, const Element& element) {
 }
 
 std::string wordOf(Kind kind) {
-    constexpr const char* words[] = {"simulator", "shape set",  "body",       "force",
-                                     "link",      "trajectory", "constraint", "light",
-                                     "view",      "parameter",  "plot"};
+    constexpr const char* words[] = {"simulator", "shape set", "body",       "force",      "link",
+                                     "joint",     "gear",      "trajectory", "constraint", "light",
+                                     "view",      "parameter", "plot"};
     return words[static_cast<std::size_t>(kind)];
 }
 

@@ -15,6 +15,8 @@ enum class Kind {
     body,
     force,
     link,
+    joint,
+    gear,
     trajectory,
     constraint,
     light,

@@ -54,6 +54,14 @@ Values ofLink(const scene::Link& link, const std::string& option) {
                                          : std::nullopt;
 }
 
+Values ofJoint(const scene::Joint& joint, const std::string& option) {
+    return option == "-offset1"   ? listed(joint.offset1)
+           : option == "-offset2" ? listed(joint.offset2)
+           : option == "-axis"    ? listed(joint.axis)
+           : option == "-axis2"   ? listed(joint.axis2)
+                                  : std::nullopt;
+}
+
 } // namespace
 
 Values valuesOf(const scene::Scene& scene, const Element& element, const std::string& option) {
@@ -65,6 +73,8 @@ Values valuesOf(const scene::Scene& scene, const Element& element, const std::st
         return ofForce(scene.forces[i], option);
     case Kind::link:
         return ofLink(scene.links[i], option);
+    case Kind::joint:
+        return ofJoint(scene.joints[i], option);
     case Kind::light:
         return option == "-pos"         ? listed(scene.lights[i].position)
                : option == "-direction" ? listed(scene.lights[i].direction)

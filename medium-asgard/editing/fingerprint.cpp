@@ -39,6 +39,11 @@ private:
     void put(const scene::PointEnd& end) { put(end.coordinates); }
     void put(const scene::TrajectoryEnd& end) { put(end.trajectory); }
     void put(const scene::SpringLaw& law) { add(law.rest, law.isPullOnly); }
+    void put(const scene::JointCoordinate& c) {
+        add(c.lower, c.upper, c.limitRestitution, c.motor, c.speed, c.position, c.maxMotor,
+            c.stiffness, c.rest, c.damping, c.friction, c.isGiven);
+    }
+    void put(const scene::Gear::Term& t) { add(t.joint, static_cast<int>(t.coordinate), t.ratio); }
     void put(const scene::BezierCurve& c) { add(c.from, c.to, c.control); }
     template <class A, class B> void put(const std::pair<A, B>& p) { add(p.first, p.second); }
     template <class Value> void put(const std::optional<Value>& value) {
@@ -76,6 +81,11 @@ void write(Writer& w, const scene::Force& f) { w.add(f.body, f.couple, f.offset,
 void write(Writer& w, const scene::Link& l) {
     w.add(l.name, l.first, l.second, l.tightness, l.damping, l.spring);
 }
+void write(Writer& w, const scene::Joint& j) {
+    w.add(j.name, static_cast<int>(j.type), j.body1, j.offset1, j.body2, j.offset2, j.axis, j.axis2,
+          j.pitch, j.coordinates, j.release);
+}
+void write(Writer& w, const scene::Gear& g) { w.add(g.name, g.terms, g.release); }
 void write(Writer& w, const scene::Trajectory& t) { w.add(t.name, t.curves, t.points); }
 void write(Writer& w, const scene::Constraint& c) {
     w.add(c.body, static_cast<int>(c.held), c.trajectory, c.from, c.to);
@@ -112,6 +122,10 @@ std::string fingerprintOf(const scene::Scene& scene, const Element& element) {
         return written(scene.forces, i);
     case Kind::link:
         return written(scene.links, i);
+    case Kind::joint:
+        return written(scene.joints, i);
+    case Kind::gear:
+        return written(scene.gears, i);
     case Kind::trajectory:
         return written(scene.trajectories, i);
     case Kind::constraint:
@@ -138,6 +152,10 @@ std::string bodiesOf(const scene::Scene& scene, const Element& element) {
         const scene::Link& link = scene.links[element.index];
         const auto* other = std::get_if<scene::BodyEnd>(&link.second);
         return link.first.body + " " + (other ? other->body : "");
+    }
+    case Kind::joint: {
+        const scene::Joint& joint = scene.joints[element.index];
+        return joint.body1 + " " + joint.body2.value_or("");
     }
     default:
         return "";

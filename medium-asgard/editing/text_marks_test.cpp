@@ -30,6 +30,12 @@ TEST(Editables, AreWordsThatAreTheValue) {
               "-points {{0 1 2 3} {1 2 3 4}}\n");
 }
 
+TEST(Editables, AreAJointsPointsAndItsAxis) {
+    EXPECT_EQ(editables(markedBall + "body b s\njoint p -type hinge -body1 b -offset1 {0 1 0} "
+                                     "-offset2 {0 2 0} -axis {0 0 2} -limits {-1 1}\n"),
+              "-offset1 {0 1 0}\n-offset2 {0 2 0}\n-axis {0 0 2}\n");
+}
+
 TEST(Editables, AreTheNumbersThatAValueComesFrom) {
     EXPECT_EQ(editables(markedBall + "set h 3\nbody b s -init_pos [list 1 $h 0]\n"),
               "-init_pos 3\n-init_pos 1\n-init_pos 0\n");
