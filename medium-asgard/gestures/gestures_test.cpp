@@ -46,7 +46,7 @@ public:
         for (bool render::Display::*kind :
              {&render::Display::positionHandles, &render::Display::velocityHandles,
               &render::Display::forceHandles, &render::Display::linkHandles,
-              &render::Display::trajectories})
+              &render::Display::jointHandles, &render::Display::trajectories})
             drawing.display.*kind = true;
         return drawing;
     }
@@ -165,6 +165,30 @@ TEST(Gestures, TheEndOfALinkStaysOnItsBody) {
     stage.drag(stage.handle(HandleKind::linkEnd), {0.3, 0, 0.4});
     EXPECT_NEAR(stage.scene().links[0].first.offset->norm(), 0.5, 0.01);
     EXPECT_GT(stage.scene().links[0].first.offset->x(), 0.2);
+}
+
+TEST(Gestures, ThePointOfAJointMovesOnBothOfItsBodies) {
+    Stage stage(ball +
+                "body b1 ball\nbody b2 ball -init_pos {1 0 0} -init_rot {0 0 1.5707963267948966}\n"
+                "joint p -type hinge -body1 b1 -offset1 {0.5 0 0} -body2 b2 -offset2 {0 0.5 0}\n");
+    stage.drag(stage.handle(HandleKind::jointPoint), {0.5, 0.25, 0});
+    EXPECT_THAT(stage.text(), HasSubstr("-offset1 {0.5 0.25 0} -body2 b2 -offset2 {0.25 0.5 0}\n"));
+    EXPECT_EQ(stage.words, "p: point 0.500 0.250 0.000");
+    EXPECT_EQ(stage.labels, std::vector<std::string>{"Change the point of p"});
+    // Without -offset2 it is where offset1 stands.
+    stage.read(ball + "body b1 ball\njoint p -type ball -body1 b1\n");
+    stage.drag(stage.handle(HandleKind::jointPoint), {0, 0.75, 0});
+    EXPECT_THAT(stage.text(), HasSubstr("joint p -type ball -body1 b1 -offset1 {0 0.75 0}\n"));
+}
+
+TEST(Gestures, AnAxisAndBothEndsOfADistanceAreDragged) {
+    Stage stage(ball + "body b1 ball\njoint p -type slider -body1 b1 -axis {1 0 0}\n");
+    const Handle axis = stage.handle(HandleKind::jointAxis);
+    stage.drag(axis, {0, (axis.place - axis.base).norm(), 0});
+    EXPECT_THAT(stage.text(), HasSubstr("-axis {0 1 0}\n"));
+    stage.read(ball + "body b1 ball\njoint p -type distance -body1 b1 -offset2 {0 1 0}\n");
+    stage.drag(stage.handle(HandleKind::jointPoint, 1), {0.5, 1, 0});
+    EXPECT_THAT(stage.text(), HasSubstr("-body1 b1 -offset2 {0.5 1 0}\n"));
 }
 
 TEST(Gestures, ButtonsTakeHoldOfHandlesBodiesAndPoints) {

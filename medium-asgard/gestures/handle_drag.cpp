@@ -42,7 +42,7 @@ HandleDrag::HandleDrag(Ground ground, const Sight& sight, const render::Handle& 
     if (handle_.kind == render::HandleKind::trajectoryPoint)
         path_.emplace(ground_.text, ground_.scene, handle_.element);
     // Why it cannot be moved is told before it is.
-    auto asked = wishes();
+    auto asked = withFollowing(*ground_.scene, wishes());
     if (path_)
         asked = {path_->wishOf(pointOf(*path_, handle_))};
     for (editing::Wish& wish : asked) {
@@ -117,7 +117,7 @@ std::vector<editing::Wish> HandleDrag::wishes() const {
 // What it asks of the text. A point that ends one curve and begins the next moves in both.
 editing::Answer HandleDrag::asked(bool offers) const {
     if (!path_) {
-        auto wishes = this->wishes();
+        auto wishes = withFollowing(*ground_.scene, this->wishes());
         for (editing::Wish& wish : wishes)
             wish.offers = offers;
         return mapper_.answer(wishes);

@@ -108,6 +108,9 @@ editing::Element elementOf(const Handle& handle) {
         return {Kind::force, handle.element};
     case HandleKind::linkEnd:
         return {Kind::link, handle.element};
+    case HandleKind::jointAxis:
+    case HandleKind::jointPoint:
+        return {Kind::joint, handle.element};
     case HandleKind::lightPlace:
     case HandleKind::lightDirection:
         return {Kind::light, handle.element};
@@ -147,6 +150,10 @@ std::vector<Wish> wishesFor(const scene::Scene& scene, const Handle& handle, con
             std::holds_alternative<scene::PointEnd>(scene.links[handle.element].second))
             return components(handle, place, handle.place, length);
         return {one(handle, handle.part == 0 ? "-offset1" : "-offset2", local, localNow, length)};
+    case HandleKind::jointAxis:
+        return {one(handle, "-axis", value, now, resolution)};
+    case HandleKind::jointPoint:
+        return {one(handle, handle.part == 0 ? "-offset1" : "-offset2", local, localNow, length)};
     case HandleKind::lightPlace:
         return {one(handle, "-pos", place, handle.place, length)};
     case HandleKind::lightDirection:
@@ -164,6 +171,26 @@ std::vector<Wish> withValues(std::vector<Wish> wishes, const std::vector<double>
             value = at < values.size() ? values[at++] : value;
         wish.resolution = 0;
     }
+    return wishes;
+}
+
+std::vector<Wish> withFollowing(const scene::Scene& scene, std::vector<Wish> wishes) {
+    const Wish wish = wishes.front();
+    if (wish.element.kind != Kind::joint || wish.option != "-offset1" || wish.now.size() != 3)
+        return wishes;
+    const scene::Joint& joint = scene.joints[wish.element.index];
+    const scene::Body* first = scene::findBody(scene, joint.body1);
+    const scene::Body* second = joint.body2 ? scene::findBody(scene, *joint.body2) : nullptr;
+    if (joint.type == scene::JointType::distance || !joint.offset2 || !first)
+        return wishes;
+    Vector moved = first->initialAttitude * (Vector(wish.values.data()) - Vector(wish.now.data()));
+    if (second)
+        moved = second->initialAttitude.conjugate() * moved;
+    Wish other = wish;
+    other.option = "-offset2";
+    other.values = listed(*joint.offset2 + moved);
+    other.absent = other.now = listed(*joint.offset2);
+    wishes.push_back(std::move(other));
     return wishes;
 }
 
@@ -198,6 +225,10 @@ std::string quantityOf(const scene::Scene& scene, const Handle& handle) {
                    : "components";
     case HandleKind::linkEnd:
         return handle.part == 0 ? "first end" : "second end";
+    case HandleKind::jointAxis:
+        return "axis";
+    case HandleKind::jointPoint:
+        return handle.part == 0 ? "point" : "second point";
     case HandleKind::lightPlace:
         return "place";
     case HandleKind::lightDirection:

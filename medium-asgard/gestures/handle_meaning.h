@@ -20,6 +20,11 @@ namespace gestures {
 [[nodiscard]] std::vector<editing::Wish> withValues(std::vector<editing::Wish> wishes,
                                                     const std::vector<double>& values);
 
+// With the wishes that follow from them: the point of a joint moves on both of its bodies, so that
+// they still meet there at the start.
+[[nodiscard]] std::vector<editing::Wish> withFollowing(const scene::Scene& scene,
+                                                       std::vector<editing::Wish> wishes);
+
 // "b1", "force on b1".
 [[nodiscard]] std::string subjectOf(const scene::Scene& scene, const render::Handle& handle);
 // "velocity"

@@ -1,6 +1,7 @@
 #include "render/extent.h"
 
 #include "render/coils.h"
+#include "render/joint_places.h"
 
 #include <algorithm>
 #include <array>
@@ -326,6 +327,8 @@ Extent extentOf(const scene::Scene& scene, const simulation::Motion* motion) {
         if (!belongs[i] && !survey.paths[i].poses.empty())
             keepNear(extent, moving, survey.paths[i].poses.front(), survey.outlines[i]);
     for (const Vector& anchor : anchorsOf(scene, motion))
+        keep(extent, {anchor, 0});
+    for (const Vector& anchor : jointAnchorsOf(scene, motion))
         keep(extent, {anchor, 0});
     if (extent.box.isEmpty())
         keep(extent, {Vector::Zero(), 1});

@@ -1,5 +1,7 @@
 // Which handles a scene has, and where they stand.
 #include "render/handles.h"
+#include "render/joint_places.h"
+#include "scene/joint_types.h"
 
 #include <algorithm>
 #include <cmath>
@@ -246,6 +248,30 @@ void Handles::addLinks(HandleSet& set, double time) {
     }
 }
 
+void Handles::addJoints(HandleSet& set, double time) const {
+    const JointPlaces places(scene_, motion_.get());
+    for (std::size_t i = 0; i < scene_.joints.size(); ++i) {
+        const scene::Joint& joint = scene_.joints[i];
+        const auto place = places.at(joint, time);
+        if (!place)
+            continue;
+        const JointEnd &first = place->ends[0], &second = place->ends[1];
+        if (scene::traitsOf(joint.type).hasAxis) {
+            const double length = joint.axis.norm() > 0 ? joint.axis.norm() : 1;
+            const double perUnit = 0.15 * extent_.size / length;
+            const Vector head =
+                first.point + perUnit * length * first.carried(place->axis).normalized();
+            set.handles.push_back(
+                {HandleKind::jointAxis, i, 0, first.point, head, perUnit, first.pose});
+        }
+        set.handles.push_back(
+            {HandleKind::jointPoint, i, 0, first.point, first.point, 1, first.pose});
+        if (joint.type == scene::JointType::distance)
+            set.handles.push_back(
+                {HandleKind::jointPoint, i, 1, second.point, second.point, 1, second.pose});
+    }
+}
+
 void Handles::addLights(HandleSet& set) const {
     for (std::size_t i = 0; i < scene_.lights.size(); ++i) {
         const scene::LightSource& light = scene_.lights[i];
@@ -314,6 +340,8 @@ HandleSet Handles::at(double time, const Display& display) {
         addForces(set, time, display);
     if (display.linkHandles)
         addLinks(set, time);
+    if (display.jointHandles)
+        addJoints(set, time);
     if (display.lightHandles)
         addLights(set);
     if (display.trajectories)

@@ -1,5 +1,7 @@
 #include "render/handles.h"
 
+#include "render/joint_signs.h"
+
 #include "expression/parse.h"
 #include "scene/names.h"
 
@@ -26,6 +28,9 @@ scene::Color colorOf(HandleKind kind) {
         return {0.75, 0.15, 0.60};
     case HandleKind::linkEnd:
         return {0.15, 0.35, 0.85};
+    case HandleKind::jointPoint:
+    case HandleKind::jointAxis:
+        return jointColor;
     case HandleKind::lightPlace:
     case HandleKind::lightDirection:
         return {0.98, 0.90, 0.35};
@@ -40,9 +45,12 @@ double radiusOf(HandleKind kind) {
     case HandleKind::position:
         return 6.5;
     case HandleKind::linkEnd:
+    case HandleKind::jointAxis:
     case HandleKind::lightPlace:
     case HandleKind::trajectoryPoint:
         return 5;
+    case HandleKind::jointPoint: // over its axis where that is seen end on
+        return 4.5;
     default:
         return 4;
     }
@@ -66,6 +74,9 @@ bool shows(const Display& display, HandleKind kind) {
         return display.torqueHandles;
     case HandleKind::linkEnd:
         return display.linkHandles;
+    case HandleKind::jointPoint:
+    case HandleKind::jointAxis:
+        return display.jointHandles;
     case HandleKind::lightPlace:
     case HandleKind::lightDirection:
         return display.lightHandles;
@@ -78,7 +89,8 @@ bool shows(const Display& display, HandleKind kind) {
 bool showsHandles(const Display& display) {
     return display.positionHandles || display.orientationHandles || display.velocityHandles ||
            display.spinHandles || display.forceHandles || display.torqueHandles ||
-           display.linkHandles || display.lightHandles || display.trajectories;
+           display.linkHandles || display.jointHandles || display.lightHandles ||
+           display.trajectories;
 }
 
 double velocityTime(const scene::Scene& scene, double sceneSize) {

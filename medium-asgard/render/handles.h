@@ -30,6 +30,8 @@ enum class HandleKind : std::uint8_t {
     torqueBase,
     torqueHead,
     linkEnd, // part: 0 or 1
+    jointAxis,
+    jointPoint, // part: 0; 1: of a distance, its second
     lightPlace,
     lightDirection,
     trajectoryPoint, // part: which of -points, or of -bezier's control points (editing/)
@@ -103,6 +105,7 @@ private:
     void addBody(HandleSet& set, std::size_t index, const Display& display) const;
     void addForces(HandleSet& set, double time, const Display& display);
     void addLinks(HandleSet& set, double time);
+    void addJoints(HandleSet& set, double time) const;
     void addLights(HandleSet& set) const;
     void addTrajectories(HandleSet& set) const;
     void setScales();

@@ -4,6 +4,8 @@
 #include "render/context.h"
 #include "render/ground.h"
 #include "render/handles.h"
+#include "render/joint_places.h"
+#include "render/joint_signs.h"
 #include "render/overlay.h"
 #include "render/solids.h"
 #include "render/target.h"
@@ -26,7 +28,7 @@ struct Renderer::Implementation {
     // The extent of the motion that was drawn last.
     std::weak_ptr<const simulation::Motion> extentOfMotion;
     std::vector<scene::Body> extentOfBodies;
-    std::vector<Vector> extentOfAnchors;
+    std::vector<Vector> extentOfAnchors; // of springs and joints in the world
     Extent extent;
 
     ~Implementation() {
@@ -41,6 +43,7 @@ struct Renderer::Implementation {
     void follow(const Drawing& drawing);
     void paint(const Drawing& drawing, const Frame& frame);
     void paintGround(std::span<const Solid> opaque, const Frame& frame, const float* projection);
+    void paintJoints(const Drawing& drawing, const Frame& frame, const float* projection);
     void paintHandles(const Drawing& drawing, const Frame& frame, const float* projection);
 };
 
@@ -82,6 +85,8 @@ std::string Renderer::Implementation::build() {
 
 void Renderer::Implementation::follow(const Drawing& drawing) {
     std::vector<Vector> anchors = anchorsOf(*drawing.scene, drawing.motion.get());
+    std::ranges::copy(jointAnchorsOf(*drawing.scene, drawing.motion.get()),
+                      std::back_inserter(anchors));
     const bool same = extentOfMotion.lock() == drawing.motion && extentOfAnchors == anchors &&
                       sameOutlines(extentOfBodies, drawing.scene->bodies);
     if (!same) {
@@ -117,6 +122,33 @@ void Renderer::Implementation::paintGround(std::span<const Solid> opaque, const 
     }
     addGrid(*lines, extent, frame, floor ? 0.55 : 1);
     lines->draw(projection, frame.halfSize(), 0);
+    gl.DepthMask(GL_TRUE);
+}
+
+// Over the bodies, with a rim of the background's colour, so that they are seen on any body.
+void Renderer::Implementation::paintJoints(const Drawing& drawing, const Frame& frame,
+                                           const float* projection) {
+    const JointSigns signs = jointSignsOf(drawing, extent, frame);
+    const scene::Color &ink = jointColor, &paper = drawing.display.background;
+    gl.Clear(GL_DEPTH_BUFFER_BIT);
+    gl.DepthMask(GL_FALSE);
+    const auto add = [&](const scene::Color& c, float opacity, float wider) {
+        for (const JointSigns::Stroke& one : signs.strokes)
+            lines->add(one.from, one.to,
+                       Ink{Eigen::Vector3d(c.red, c.green, c.blue).cast<float>(),
+                           opacity * one.alphaFrom, one.width + wider},
+                       opacity * one.alphaTo);
+        lines->draw(projection, frame.halfSize(), 0);
+    };
+    add(paper, 0.6F, frame.stroke(2));
+    add(ink, 1, 0);
+    gl.DepthMask(GL_TRUE);
+    solids->drawOpaque(signs.solids, frame);
+    gl.DepthMask(GL_FALSE);
+    for (const Solid& solid : signs.solids)
+        if (!std::holds_alternative<scene::HullShape>(solid.part->shape)) // a pin's sides are round
+            addEdges(*lines, solid, solids->meshOf(solid, frame), frame);
+    lines->draw(projection, frame.halfSize(), 2e-5F);
     gl.DepthMask(GL_TRUE);
 }
 
@@ -205,6 +237,8 @@ void Renderer::Implementation::paint(const Drawing& drawing, const Frame& frame)
             lines->draw(projection.data(), frame.halfSize(), lift);
         }
     gl.DepthMask(GL_TRUE);
+    if (display.joints && !drawing.scene->joints.empty())
+        paintJoints(drawing, frame, projection.data());
     if (showsHandles(display))
         paintHandles(drawing, frame, projection.data());
     gl.Disable(GL_BLEND);

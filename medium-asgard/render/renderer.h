@@ -19,6 +19,7 @@ struct Display {
     bool axes = false;
     bool grid = true;   // ground grid
     bool trails = true; // paths of the centres of mass up to now
+    bool joints = true; // their signs (joint_signs.h)
     // Handles, by what they move.
     bool positionHandles = false;
     bool orientationHandles = false;
@@ -27,6 +28,7 @@ struct Display {
     bool forceHandles = false;
     bool torqueHandles = false;
     bool linkHandles = false;
+    bool jointHandles = false;
     bool lightHandles = false;
     bool trajectories = false; // their paths and points
     scene::Color background{1, 1, 1};

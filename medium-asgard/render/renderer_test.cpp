@@ -365,6 +365,86 @@ TEST(Coil, HasItsTurnsAtAnyLength) {
     EXPECT_EQ(coilBetween({1, 0, 0}, {1, 0, 0}, 1, 16).size(), 2U);
 }
 
+scene::Joint& addJoint(scene::Scene& scene, scene::JointType type, const Vector& offset,
+                       std::size_t coordinates = 1) {
+    scene::Joint& joint = scene.joints.emplace_back();
+    joint.name = "joint" + std::to_string(scene.joints.size());
+    joint.type = type;
+    joint.body1 = scene.bodies.front().name;
+    joint.offset1 = offset;
+    joint.coordinates.resize(coordinates);
+    return joint;
+}
+
+TEST(Handles, JointsHaveTheirPointTheirAxisAndADistanceBothOfItsPoints) {
+    scene::Scene scene;
+    addBody(scene, sphere(1), {3, 0, 0}, red);
+    addJoint(scene, scene::JointType::hinge, {-1, 0, 0});
+    addJoint(scene, scene::JointType::ball, {0, 1, 0});
+    addJoint(scene, scene::JointType::distance, {0, 0, 0}).offset2 = Vector(0, 2, 0);
+    Display display;
+    display.jointHandles = true;
+    const auto all = Handles(scene, nullptr).at(0, display).handles;
+    ASSERT_EQ(all.size(), 5U);
+    EXPECT_EQ(all[0].kind, HandleKind::jointAxis);
+    EXPECT_LT(((all[0].place - all[0].base) / all[0].perUnit - Vector(0, 0, 1)).norm(), 1e-12);
+    EXPECT_EQ(all[1].place, Vector(2, 0, 0));
+    EXPECT_EQ(all[2].place, Vector(3, 1, 0));
+    EXPECT_EQ(all[3].place, Vector(3, 0, 0));
+    EXPECT_EQ(all[4].place, Vector(0, 2, 0));
+    EXPECT_EQ(all[4].part, 1U);
+}
+
+// Brown pixels: of a joint's sign.
+int signPixels(const Picture& p) {
+    return p.count([&](int x, int y) {
+        return p.red(x, y) > p.green(x, y) + 25 && p.green(x, y) > p.blue(x, y) + 12;
+    });
+}
+
+TEST_F(RendererTest, EveryTypeOfJointHasASignOverItsBody) {
+    const scene::Color grey{0.7, 0.7, 0.7};
+    addBody(scene_, box({1, 1, 1}), {0, 0, 0}, grey);
+    EXPECT_EQ(signPixels(draw()), 0);
+    using enum scene::JointType;
+    std::vector<int> seen;
+    for (const auto type :
+         {fixed, hinge, slider, cylindrical, universal, ball, planar, distance, screw}) {
+        scene_.joints.clear();
+        scene::Joint& joint = addJoint(scene_, type, {0, 0, 0});
+        joint.axis = {1, 1, 0};
+        joint.pitch = 0.1;
+        joint.offset2 = type == distance ? Vector(0, 0.4, 0) : Vector(0, 0, 0);
+        seen.push_back(signPixels(draw()));
+        EXPECT_GT(seen.back(), 15) << joint.name << static_cast<int>(type);
+        EXPECT_LT(seen.back(), 900) << static_cast<int>(type);
+        for (const scene::Color& paper : {scene::Color{1, 1, 1}, scene::Color{0, 0, 0}}) {
+            drawing_.display.background = paper;
+            EXPECT_GT(signPixels(draw()), 15) << static_cast<int>(type);
+        }
+        drawing_.display.background = {1, 1, 1};
+    }
+    drawing_.display.joints = false;
+    EXPECT_EQ(signPixels(draw()), 0);
+}
+
+TEST_F(RendererTest, LimitsAreSeenAndAJointThatWasReleasedIsNot) {
+    addBody(scene_, box({1, 1, 1}), {0, 0, 0}, {0.7, 0.7, 0.7});
+    scene::Joint& joint = addJoint(scene_, scene::JointType::hinge, {0, 0.4, 0});
+    const int bare = signPixels(draw());
+    joint.coordinates[0].lower = -1;
+    joint.coordinates[0].upper = 1;
+    EXPECT_GT(signPixels(draw()), bare + 20);
+    joint.coordinates[0].upper.reset();
+    EXPECT_GT(signPixels(draw()), bare + 10);
+    drawing_.motion = std::make_shared<GivenMotion>(2, std::vector<GivenMotion::Law>{[](double t) {
+                                                        return placed({0.5 * t, 0, 0});
+                                                    }});
+    EXPECT_GT(signPixels(draw()), 15);
+    drawing_.time = 1;
+    EXPECT_EQ(signPixels(draw()), 0);
+}
+
 TEST(Handles, ArrowsOfFastBodiesAreScaledByAPowerOfTen) {
     scene::Scene scene;
     addBody(scene, sphere(1), {0, 0, 0}, red).initialVelocity = {3, 0, 0};

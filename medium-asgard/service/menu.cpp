@@ -19,12 +19,14 @@ constexpr Switch switches[] = {
     {"force-handles", "Forces", &render::Display::forceHandles, "Handles"},
     {"torque-handles", "Torques", &render::Display::torqueHandles, "Handles"},
     {"link-handles", "Links", &render::Display::linkHandles, "Handles"},
+    {"joint-handles", "Joints", &render::Display::jointHandles, "Handles"},
     {"light-handles", "Lights", &render::Display::lightHandles, "Handles"},
     {"trajectories", "Trajectories", &render::Display::trajectories, "Handles"},
     {"wireframe", "Wireframe", &render::Display::wireframe},
     {"axes", "Axes", &render::Display::axes},
     {"grid", "Grid", &render::Display::grid},
     {"trails", "Trails", &render::Display::trails},
+    {"joints", "Joints", &render::Display::joints},
 };
 
 std::string number(double value) {

@@ -12,7 +12,10 @@ bool same(const render::Camera& a, const render::Camera& b) {
            a.scale == b.scale && a.position == b.position;
 }
 
-constexpr const char* stateFormat = "asgard-2";
+constexpr const char* stateFormat = "asgard-3";
+// A state of before has as many switches as there were.
+constexpr const char* olderFormat = "asgard-2";
+constexpr std::ptrdiff_t olderSwitches = 13;
 constexpr bool render::Display::*displaySwitches[] = {&render::Display::wireframe,
                                                       &render::Display::axes,
                                                       &render::Display::grid,
@@ -25,7 +28,9 @@ constexpr bool render::Display::*displaySwitches[] = {&render::Display::wirefram
                                                       &render::Display::torqueHandles,
                                                       &render::Display::linkHandles,
                                                       &render::Display::lightHandles,
-                                                      &render::Display::trajectories};
+                                                      &render::Display::trajectories,
+                                                      &render::Display::joints,
+                                                      &render::Display::jointHandles};
 
 bool same(const render::Display& a, const render::Display& b) {
     return a.background == b.background &&
@@ -127,8 +132,9 @@ void Rendition::restore(const std::string& state) {
     render::Camera camera;
     bool turned = false;
     words >> format;
-    for (const auto which : displaySwitches)
-        words >> shown.*which;
+    const auto count = format == olderFormat ? olderSwitches : std::ssize(displaySwitches);
+    for (std::ptrdiff_t i = 0; i < count; ++i)
+        words >> shown.*displaySwitches[i];
     words >> turned;
     if (turned) {
         for (auto* vector : {&camera.center, &camera.position})
@@ -136,7 +142,7 @@ void Rendition::restore(const std::string& state) {
         auto& q = camera.rotation;
         words >> q.w() >> q.x() >> q.y() >> q.z() >> camera.scale;
     }
-    if (!words || format != stateFormat || !sound(camera))
+    if (!words || (format != stateFormat && format != olderFormat) || !sound(camera))
         return;
     words.ignore(1);
     std::getline(words, view);

@@ -81,10 +81,11 @@ AskedValue askedOf(SceneDocument& document, const Shown& of, const render::Handl
     for (const editing::Wish& wish : wishes)
         for (const std::string& one : mapper->written(wish))
             asked.written.push_back(one);
-    asked.answer = [mapper, wishes, path, handle, now = asked.now](const Values& values) {
+    asked.answer = [mapper, wishes, path, handle, now = asked.now,
+                    shown = of.scene](const Values& values) {
         if (values != now && path && path->hasOwnTangents())
             return movedPoint(*path, handle, values);
-        auto meant = gestures::withValues(wishes, values);
+        auto meant = gestures::withFollowing(*shown, gestures::withValues(wishes, values));
         if (values == now)
             for (editing::Wish& wish : meant)
                 wish.now.clear();

@@ -70,6 +70,10 @@ QString wordsOf(HandleKind kind) {
         return QObject::tr("how it turns");
     case HandleKind::linkEnd:
         return QObject::tr("where an end is");
+    case HandleKind::jointPoint:
+        return QObject::tr("where it holds");
+    case HandleKind::jointAxis:
+        return QObject::tr("which way its axis points");
     case HandleKind::lightPlace:
         return QObject::tr("where it is");
     case HandleKind::lightDirection:
@@ -98,6 +102,8 @@ HandleKind handleOf(const Editable& value, const scene::Scene& scene) {
         return option == "-offset" ? HandleKind::forceBase : HandleKind::forceHead;
     case Kind::link:
         return HandleKind::linkEnd;
+    case Kind::joint:
+        return option == "-axis" ? HandleKind::jointAxis : HandleKind::jointPoint;
     case Kind::light:
         return option == "-pos" ? HandleKind::lightPlace : HandleKind::lightDirection;
     case Kind::trajectory:

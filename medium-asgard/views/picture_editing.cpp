@@ -403,6 +403,8 @@ void PictureEditing::markElement(const editing::Element& element) {
         mark_ = {HandleKind::forceHead, element.index, 0};
     else if (element.kind == Kind::link)
         mark_ = {HandleKind::linkEnd, element.index, 0};
+    else if (element.kind == Kind::joint)
+        mark_ = {HandleKind::jointPoint, element.index, 0};
     else if (element.kind == Kind::light)
         mark_ = {HandleKind::lightPlace, element.index, 0};
     else if (element.kind == Kind::trajectory)

@@ -120,6 +120,7 @@ void StatusPanel::addSwitches(const render::Display& display) {
     };
     using render::Display;
     add(tr("&Trails"), tr("The paths of the centres of mass up to now"), &Display::trails);
+    add(tr("&Joints"), tr("Hinges, sliders and the like, with their range"), &Display::joints);
     add(tr("&Ground"), tr("A grid under the scene, and shadows"), &Display::grid);
     add(tr("&Axes"), tr("The world's axes: x red, y green, z blue"), &Display::axes);
     add(tr("&Wireframe"), tr("Edges only"), &Display::wireframe);
@@ -149,6 +150,7 @@ void StatusPanel::addSwitches(const render::Display& display) {
         {tr("Tor&ques"), tr("About the arrow, by the right hand"), &Display::torqueHandles,
          HandleKind::torqueHead},
         {tr("Lin&ks"), tr("Their two ends"), &Display::linkHandles, HandleKind::linkEnd},
+        {tr("Joints"), tr("Their points and axes"), &Display::jointHandles, HandleKind::jointPoint},
         {tr("L&ights"), tr("Where they stand and shine"), &Display::lightHandles,
          HandleKind::lightPlace},
         {tr("Tra&jectories"), tr("Their paths and points"), &Display::trajectories,
