@@ -3,6 +3,7 @@
 #include "editing/lines.h"
 
 #include "expression/parse.h"
+#include "scene/joint_types.h"
 
 #include <algorithm>
 #include <cctype>
@@ -242,6 +243,16 @@ bool isFreeName(const scene::Scene& scene, const std::string& name) {
            std::ranges::all_of(name, isPart) && !takenNames(scene).contains(name);
 }
 
+namespace {
+
+// A name that a new joint has from its type.
+bool isTypeOfJoint(const std::string& word) {
+    const auto types = scene::jointTypeNames();
+    return word == "rod" || std::ranges::find(types, word) != types.end();
+}
+
+} // namespace
+
 std::string unusedName(const std::string& text, const scene::Scene& scene, Kind kind,
                        const std::string& stem, const std::vector<std::string>& taken) {
     std::string base = stem;
@@ -249,9 +260,10 @@ std::string unusedName(const std::string& text, const scene::Scene& scene, Kind 
     if (const std::size_t count = countOf(scene, kind)) {
         const std::string last = nameOf(scene, {kind, count - 1});
         const std::string row = stemOf(last);
-        // A ball behind rod1 and rod2 is no rod3, and a box behind ball1 no ball2.
+        // A ball behind rod1 and rod2 is no rod3, a box behind ball1 no ball2, a slider behind
+        // hinge1 no hinge2.
         const bool ofOtherShape =
-            row != stem && (kind == Kind::shapeSet ||
+            row != stem && (kind == Kind::shapeSet || (kind == Kind::joint && isTypeOfJoint(row)) ||
                             std::ranges::any_of(scene.shapeSets, [&](const scene::ShapeSet& set) {
                                 return set.name == row;
                             }));

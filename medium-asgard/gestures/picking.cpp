@@ -43,12 +43,14 @@ std::optional<std::size_t> handleAt(const render::HandleSet& set, const Sight& s
 }
 
 std::optional<Picked> bodyAt(const render::Drawing& drawing, const Sight& sight,
-                             const Eigen::Vector2d& pixels) {
+                             const Eigen::Vector2d& pixels, std::optional<std::size_t> but) {
     const Line line = lineOfSight(sight, pixels);
     std::map<std::string, ShapePointer> shapes;
     std::optional<Picked> front;
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < drawing.scene->bodies.size(); ++i) {
+        if (i == but)
+            continue;
         const scene::Body& body = drawing.scene->bodies[i];
         const auto [place, isNew] = shapes.try_emplace(body.shape);
         if (isNew)

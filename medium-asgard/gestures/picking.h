@@ -41,9 +41,10 @@ struct Picked {
     std::size_t body = 0;
     Vector point; // world, on its surface
 };
-// The front-most body.
+// The front-most body, or of all but one.
 [[nodiscard]] std::optional<Picked> bodyAt(const render::Drawing& drawing, const Sight& sight,
-                                           const Eigen::Vector2d& pixels);
+                                           const Eigen::Vector2d& pixels,
+                                           std::optional<std::size_t> but = std::nullopt);
 
 // The trajectory whose line passes nearest, within `reach`.
 [[nodiscard]] std::optional<std::size_t> trajectoryAt(const scene::Scene& scene, const Sight& sight,

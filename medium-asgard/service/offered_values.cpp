@@ -1,6 +1,7 @@
 #include "service/offered_values.h"
 
 #include "ipc/bounds.h"
+#include "scene/joint_types.h"
 
 #include <algorithm>
 
@@ -29,6 +30,24 @@ void addBody(ipc::ValueOffers& offers, const std::string& name) {
     add(offers, {name + ".mass/2*(" + sum + ")", name + ": kinetic energy without spin", ""});
 }
 
+// Each coordinate with its rate, and what the joint does to its body.
+void addJoint(ipc::ValueOffers& offers, const scene::Joint& joint) {
+    const std::string& name = joint.name;
+    const auto& kinds = scene::traitsOf(joint.type).coordinates;
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        const bool isAngle = kinds[i] == scene::CoordinateKind::angle;
+        const std::string suffix = scene::coordinateSuffix(joint.type, i);
+        const std::string which = suffix.empty() ? "" : " " + suffix;
+        add(offers, {name + ".q" + suffix, name + (isAngle ? ": angle" : ": length") + which, ""});
+        add(offers, {name + ".dq" + suffix,
+                     name + (isAngle ? ": angular velocity" : ": velocity") + which, ""});
+    }
+    for (const std::string axis : {"x", "y", "z"})
+        add(offers, {name + ".f" + axis, name + ": force " + axis, ""});
+    for (const std::string axis : {"x", "y", "z"})
+        add(offers, {name + ".t" + axis, name + ": couple " + axis, ""});
+}
+
 } // namespace
 
 ipc::ValueOffers offeredValues(const scene::Scene& scene) {
@@ -46,6 +65,8 @@ ipc::ValueOffers offeredValues(const scene::Scene& scene) {
     for (const scene::Body& body : scene.bodies)
         if (!body.fixed && ++bodies <= mostBodiesOffered)
             addBody(offers, body.name);
+    for (std::size_t i = 0; i < scene.joints.size() && i < mostBodiesOffered; ++i)
+        addJoint(offers, scene.joints[i]);
     add(offers, {"t", "time", ""});
     add(offers, {"scene.energy", "energy of all bodies", ""});
     return offers;

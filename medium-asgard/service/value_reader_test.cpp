@@ -1,4 +1,5 @@
 // Values of a motion: which numbers, which sentences, and how often equations are built for them.
+#include "service/offered_values.h"
 #include "service/testing.h"
 
 #include <gmock/gmock.h>
@@ -40,6 +41,22 @@ TEST(ValueReader, EachExpressionHasANumberOrASentence) {
     EXPECT_THAT(none.faults, ElementsAre("it is too late", HasSubstr("\"c.x\""), "it is too late",
                                          HasSubstr("\"1 +\""), "it is too late"));
     EXPECT_THAT(none.values, testing::Each(testing::IsNan()));
+}
+
+TEST(OfferedValues, JointsHaveTheirCoordinatesForcesAndCouples) {
+    scene::Scene scene;
+    scene::Joint& pin = scene.joints.emplace_back();
+    pin.name = "pin";
+    pin.type = scene::JointType::hinge;
+    scene::Joint& sleeve = scene.joints.emplace_back();
+    sleeve.name = "sleeve";
+    sleeve.type = scene::JointType::cylindrical;
+    std::string all;
+    for (const ipc::ValueOffer& offer : offeredValues(scene).items)
+        all += offer.expression + " (" + offer.label + ") ";
+    EXPECT_THAT(all, HasSubstr("pin.q (pin: angle) pin.dq (pin: angular velocity) pin.fx"));
+    EXPECT_THAT(all, HasSubstr("sleeve.q2 (sleeve: length 2) sleeve.dq2 (sleeve: velocity 2)"));
+    EXPECT_THAT(all, HasSubstr("pin.tz (pin: couple z)"));
 }
 
 TEST(ValueReader, FaultyNeighboursCostNoEquations) {

@@ -103,7 +103,25 @@ void buildCreateMenu(QMenu* menu, SceneDocument& document, SceneDisplay& display
     add(torques, QObject::tr("&Constant"),
         [&display] { return newForce(true, display.arrowLength(true)); });
     add(torques, QObject::tr("By a &Trajectory"), [] { return newTrajectoryForce(true); });
+    QMenu* joints = menu->addMenu(QObject::tr("Jo&int"));
+    const auto joint = [&](const QString& label, const QString& tip, scene::JointType type) {
+        add(joints, label, [type] { return newJoint(type); });
+        joints->actions().back()->setToolTip(plain::tip(tip));
+    };
+    joints->setToolTipsVisible(true);
+    joint(QObject::tr("&Hinge"), QObject::tr("It turns about one axis: a pendulum, a door"),
+          scene::JointType::hinge);
+    joint(QObject::tr("&Slider"), QObject::tr("It slides along one line: a drawer, a piston"),
+          scene::JointType::slider);
+    joint(QObject::tr("&Ball"), QObject::tr("It turns any way about one point: a shoulder"),
+          scene::JointType::ball);
+    joint(QObject::tr("&Fixed"), QObject::tr("Two bodies move as one"), scene::JointType::fixed);
+    joint(QObject::tr("&Distance"), QObject::tr("A massless rod between two points"),
+          scene::JointType::distance);
     QMenu* links = menu->addMenu(QObject::tr("&Link"));
+    links->setToolTipsVisible(true);
+    links->menuAction()->setToolTip(plain::tip(
+        QObject::tr("A stiff spring, which gives a little. A hinge, a rail or a rod is a joint")));
     add(links, QObject::tr("Body to &Body"), [] { return newLink(Wanted::body); });
     add(links, QObject::tr("Body to &Point"), [] { return newLink(Wanted::point); });
     add(links, QObject::tr("Body to &Trajectory"), [] { return newLink(Wanted::trajectory); });

@@ -70,6 +70,7 @@ void Creating::offerBody() {
 void Creating::cancel() {
     recipe_.reset();
     shown_.clear();
+    next_.reset();
     fault_.clear();
     cross_.reset();
     Q_EMIT changed();
@@ -88,6 +89,8 @@ std::optional<Indicated> Creating::indicated(const QPointF& position) {
             fault_ = tr("There is no trajectory.");
         return found.trajectory ? std::optional(found) : std::nullopt;
     }
+    if (step().wanted == Wanted::hold)
+        return held(pixels);
     if (step().wanted == Wanted::point) {
         const Vector depth =
             shown_.empty() || !shown_.back().given ? sight.camera.center : shown_.back().point;
@@ -104,13 +107,72 @@ std::optional<Indicated> Creating::indicated(const QPointF& position) {
     if (step().whole ||
         (sight.pixels(center.point) - pixels).norm() <= 0.7 * reach * display_.devicePixelRatioF())
         return center;
+    return onBody(picked->body, step().deep ? sight.beside(pixels, center.point) : picked->point);
+}
+
+// A point of the world on a body; one that is meant to be deep lies on the body's axes if near.
+Indicated Creating::onBody(std::size_t body, const Vector& point) const {
+    const render::Drawing drawing = display_.drawing();
     const geometry::Pose pose =
-        render::poseOf(*drawing.scene, drawing.motion.get(), picked->body, drawing.time);
-    found.body = picked->body;
-    found.point = picked->point;
-    found.onBody = pose.toLocal(found.point);
-    found.resolution = sight.pixelLength(found.point);
+        render::poseOf(*drawing.scene, drawing.motion.get(), body, drawing.time);
+    Indicated found = centerOf(body);
+    found.atCenter = false;
+    found.resolution = display_.sight().pixelLength(point);
+    found.onBody = pose.toLocal(point);
+    if (step().deep)
+        found.onBody = onAxes(body, found.onBody, found.resolution);
+    found.point = pose.toWorld(found.onBody);
     return found;
+}
+
+// A hand's unsteadiness beside an axis of the body through its centre is none.
+Vector Creating::onAxes(std::size_t body, const Vector& onBody, double near) const {
+    const render::Drawing drawing = display_.drawing();
+    const bool known = drawing.motion && body < drawing.motion->bodies();
+    Vector from = onBody - (known ? drawing.motion->centroid(body) : Vector::Zero());
+    for (Eigen::Index i = 0; i < 3; ++i)
+        if (std::abs(from[i]) < 0.6 * reach * display_.devicePixelRatioF() * near)
+            from[i] = 0;
+    return from + (known ? drawing.motion->centroid(body) : Vector::Zero());
+}
+
+// Where something holds the first body: in the plane of the screen through what was shown of it.
+Indicated Creating::held(const Eigen::Vector2d& pixels) const {
+    const gestures::Sight sight = display_.sight();
+    const render::Drawing drawing = display_.drawing();
+    const Indicated& first = shown_.front();
+    const geometry::Pose pose =
+        render::poseOf(*drawing.scene, drawing.motion.get(), *first.body, drawing.time);
+    Indicated found;
+    found.given = true;
+    found.point = sight.beside(pixels, first.point);
+    found.resolution = sight.pixelLength(found.point);
+    const auto other = gestures::bodyAt(drawing, sight, pixels, first.body);
+    if (other) {
+        const Indicated center = centerOf(other->body);
+        found.body = other->body;
+        found.atCenter = (sight.pixels(center.point) - pixels).norm() <=
+                         0.7 * reach * display_.devicePixelRatioF();
+        const geometry::Pose its =
+            render::poseOf(*drawing.scene, drawing.motion.get(), other->body, drawing.time);
+        found.onBody = found.atCenter
+                           ? center.onBody
+                           : onAxes(other->body, its.toLocal(found.point), found.resolution);
+        found.point = its.toWorld(found.onBody);
+    }
+    found.onFirst = onAxes(*first.body, pose.toLocal(found.point), found.resolution);
+    if (!other && first.atCenter)
+        found.point = pose.toWorld(found.onFirst);
+    return found;
+}
+
+void Creating::hover(const QPointF& position) {
+    const QString fault = fault_;
+    next_ = active() && !shown_.empty() && step().wanted == Wanted::hold ? indicated(position)
+                                                                         : std::nullopt;
+    fault_ = fault;
+    if (active())
+        Q_EMIT changed();
 }
 
 Indicated Creating::centerOf(std::size_t body) const {
@@ -119,6 +181,9 @@ Indicated Creating::centerOf(std::size_t body) const {
     Indicated center;
     center.given = center.atCenter = true;
     center.body = body;
+    center.attitude =
+        render::poseOf(*drawing.scene, drawing.motion.get(), body, drawing.time).attitude;
+    center.sight = display_.sight().camera.rotation.conjugate() * Vector::UnitZ();
     center.onBody = known ? drawing.motion->centroid(body) : Vector::Zero();
     center.point = render::poseOf(*drawing.scene, drawing.motion.get(), body, drawing.time)
                        .toWorld(center.onBody);
@@ -135,6 +200,7 @@ void Creating::click(const QPointF& position) {
 
 void Creating::take(const Indicated& found) {
     const bool repeats = step().repeats;
+    next_.reset();
     shown_.push_back(found);
     if (!repeats && shown_.size() == recipe_->steps.size())
         finish();
@@ -239,6 +305,24 @@ void Creating::paint(QPainter& painter) const {
         if (i > 0 && shown_[i - 1].given)
             painter.drawLine(at(shown_[i - 1]), at(shown_[i]));
         painter.drawEllipse(at(shown_[i]), 4, 4);
+    }
+    if (next_) { // as it would be
+        const QPointF place = at(*next_);
+        painter.setPen(QPen(QColor(20, 90, 200), 2, Qt::DashLine));
+        painter.drawLine(at(shown_.front()), place);
+        painter.setPen(QPen(QColor(20, 90, 200), 2));
+        painter.drawEllipse(place, 7, 7);
+        painter.drawEllipse(place, 2, 2);
+        const auto& bodies = document_.shown().scene->bodies;
+        const QString other =
+            next_->body ? QString::fromStdString(bodies[*next_->body].name) : tr("the ground");
+        const QRectF words = painter.boundingRect(QRectF(place + QPointF(12, -22), QSizeF(1, 1)),
+                                                  Qt::AlignLeft | Qt::TextDontClip, other);
+        painter.setPen(Qt::NoPen);
+        painter.drawRoundedRect(words.adjusted(-3, -1, 3, 1), 3, 3);
+        painter.setPen(QColor(20, 90, 200));
+        painter.drawText(words, Qt::AlignLeft | Qt::TextDontClip, other);
+        painter.setPen(QPen(QColor(20, 90, 200), 2));
     }
     if (cross_) {
         painter.drawLine(*cross_ - QPointF(9, 0), *cross_ + QPointF(9, 0));

@@ -30,7 +30,8 @@ public:
     [[nodiscard]] bool active() const { return recipe_.has_value(); }
     void cancel();
     void click(const QPointF& position);
-    bool key(const QKeyEvent& event); // false: not theirs
+    void hover(const QPointF& position); // shows what a click there would make
+    bool key(const QKeyEvent& event);    // false: not theirs
     // The step that is asked for, and the fault of the last click.
     [[nodiscard]] QString prompt() const;
     void paint(QPainter& painter) const;
@@ -47,6 +48,9 @@ private:
     [[nodiscard]] const Step& step() const;
     void offerBody();
     [[nodiscard]] std::optional<Indicated> indicated(const QPointF& position);
+    [[nodiscard]] Indicated held(const Eigen::Vector2d& pixels) const;
+    [[nodiscard]] Indicated onBody(std::size_t body, const Vector& point) const;
+    [[nodiscard]] Vector onAxes(std::size_t body, const Vector& onBody, double near) const;
     [[nodiscard]] Indicated centerOf(std::size_t body) const;
     void take(const Indicated& indicated);
     void otherwise();
@@ -56,6 +60,7 @@ private:
     SceneDisplay& display_;
     std::optional<Recipe> recipe_;
     std::vector<Indicated> shown_;
+    std::optional<Indicated> next_; // under the pointer
     QString fault_;
     std::optional<QPointF> cross_; // moved by the keys
 };

@@ -244,6 +244,53 @@ TEST_F(CreatingTest, LinksOfAllKinds) {
     EXPECT_EQ(std::get<scene::TrajectoryEnd>(scene().links[2].second).trajectory, "T");
 }
 
+TEST_F(CreatingTest, AJointIsOnAnotherBodyOrOnTheGround) {
+    open(balls);
+    display().creating().start(newJoint(scene::JointType::hinge));
+    click({-1.2, 0.1, 0});
+    QTest::mouseMove(&display(),
+                     display().fromPixels(display().sight().pixels({-1, 1, 0})).toPoint());
+    display().grab(); // with the preview
+    click({-0.99, 1, 0});
+    done();
+    ASSERT_EQ(scene().joints.size(), 1U);
+    EXPECT_THAT(text(), HasSubstr("\njoint hinge1 -type hinge -body1 b1 -offset1 {0 "));
+    EXPECT_FALSE(scene().joints[0].body2);
+    EXPECT_NEAR(scene().joints[0].offset1->y(), 1, 0.05);
+    EXPECT_TRUE(display().display().jointHandles);
+    display().creating().start(newJoint(scene::JointType::ball));
+    click({-1, 0, 0});
+    click({0.8, 0, 0});
+    done();
+    EXPECT_EQ(scene().joints[1].name, "ball1");
+    EXPECT_EQ(scene().joints[1].body2, "b2");
+    EXPECT_NEAR(scene().joints[1].offset1->x(), 1.8, 0.05);
+    EXPECT_EQ(scene().joints[1].offset1->y(), 0);
+}
+
+TEST_F(CreatingTest, ASliderHasALineAndADistanceTwoEnds) {
+    open(balls);
+    display().creating().start(newJoint(scene::JointType::slider));
+    click({-1, 0, 0});
+    click({-1, -1, 0});
+    click({-1.02, 1, 0});
+    done();
+    EXPECT_EQ(scene().joints[0].axis, Vector(0, 1, 0));
+    display().creating().start(newJoint(scene::JointType::distance));
+    click({1, 0, 0});
+    click({1.01, 1.5, 0});
+    done();
+    EXPECT_EQ(scene().joints[1].name, "rod1");
+    EXPECT_FALSE(scene().joints[1].offset1);
+    EXPECT_NEAR((*scene().joints[1].offset2 - Vector(1, 1.5, 0)).norm(), 0, 0.05);
+    display().creating().start(newJoint(scene::JointType::fixed));
+    click({1, 0, 0});
+    click({-1, 0, 0});
+    done();
+    EXPECT_THAT(text(),
+                HasSubstr("joint fixed1 -type fixed -body1 b2 -offset1 {-2 0 0} -body2 b1\n"));
+}
+
 TEST_F(CreatingTest, ATrajectoryIsDrawnAndABodyLedByIt) {
     open(balls);
     display().creating().start(newTrajectory());

@@ -103,6 +103,12 @@ void Building::body() {
     create(torque, QObject::tr("&Constant"),
            [&display] { return newForce(true, display.arrowLength(true)); });
     create(torque, QObject::tr("By a &Trajectory"), [] { return newTrajectoryForce(true); });
+    QMenu* joint = menu_.addMenu(QObject::tr("New &Joint"));
+    create(joint, QObject::tr("&Hinge"), [] { return newJoint(scene::JointType::hinge); });
+    create(joint, QObject::tr("&Slider"), [] { return newJoint(scene::JointType::slider); });
+    create(joint, QObject::tr("&Ball"), [] { return newJoint(scene::JointType::ball); });
+    create(joint, QObject::tr("&Fixed"), [] { return newJoint(scene::JointType::fixed); });
+    create(joint, QObject::tr("&Distance"), [] { return newJoint(scene::JointType::distance); });
     QMenu* link = menu_.addMenu(QObject::tr("New &Link"));
     create(link, QObject::tr("To Another &Body"), [] { return newLink(Wanted::body); });
     create(link, QObject::tr("To a &Point"), [] { return newLink(Wanted::point); });

@@ -18,6 +18,18 @@ scene::Scene namesOf(const scene::Scene& scene) {
     scene::Scene names;
     for (const scene::Body& body : scene.bodies)
         names.bodies.emplace_back().name = body.name;
+    for (const scene::Link& link : scene.links) {
+        scene::Link& named = names.links.emplace_back();
+        named.name = link.name;
+        named.spring = link.spring;
+    }
+    for (const scene::Joint& joint : scene.joints) {
+        scene::Joint& named = names.joints.emplace_back();
+        named.name = joint.name;
+        named.type = joint.type;
+    }
+    for (const scene::Gear& gear : scene.gears)
+        names.gears.emplace_back().name = gear.name;
     for (const scene::Trajectory& trajectory : scene.trajectories)
         names.trajectories.emplace_back().name = trajectory.name;
     for (const scene::Parameter& parameter : scene.parameters)

@@ -2,6 +2,7 @@
 
 #include "editing/number_text.h"
 #include "editing/shape_edit.h"
+#include "views/recipe_words.h"
 
 #include <QObject>
 
@@ -18,28 +19,12 @@ using editing::NewElement;
 
 namespace {
 
-std::string listed(const Vector& v, double resolution) {
-    std::string text = "{";
-    for (int i = 0; i < 3; ++i)
-        text += (i == 0 ? "" : " ") + editing::numberText(v[i], editing::decimalStep(resolution));
-    return text + "}";
-}
-
 Step body(const QString& prompt) { return {Wanted::body, prompt, ""}; }
 
 Step wholeBody(const QString& prompt) {
     Step step = body(prompt);
     step.whole = true;
     return step;
-}
-
-// What points along an axis of the world but for a hand's unsteadiness is meant to.
-Vector alongAxis(const Vector& v) {
-    constexpr double steady = 0.1; // radians
-    Eigen::Index axis = 0;
-    v.cwiseAbs().maxCoeff(&axis);
-    const Vector along = v[axis] * Vector::Unit(axis);
-    return (v - along).norm() <= steady * along.norm() ? along : v;
 }
 
 // Where on its body something acts; nothing at its centre of mass, which is what is meant then.

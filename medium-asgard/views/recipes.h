@@ -24,6 +24,7 @@ enum class Wanted {
     point,      // in the plane of the screen through what was shown before
     body,       // the front-most one, and where on its surface
     trajectory, // the nearest line
+    hold,       // a body, or where no other body is the ground; as deep as the first body's centre
 };
 
 struct Step {
@@ -32,6 +33,7 @@ struct Step {
     QString otherwise;    // what Return does instead, "" when there is no such thing
     bool repeats = false; // again and again, until Return
     bool whole = false;   // of a body: wherever it is shown, its centre of mass is meant
+    bool deep = false;    // of a body: as deep as its centre, and on its axes where that is near
     std::optional<std::size_t> offered = {}; // the body that Return takes
 };
 
@@ -40,8 +42,11 @@ struct Indicated {
     bool given = false;
     Vector point = Vector::Zero(); // world
     std::optional<std::size_t> body;
-    Vector onBody = Vector::Zero(); // in the body's frame
-    bool atCenter = false;          // of mass, as near as the pointer can tell
+    Vector onBody = Vector::Zero();  // in the body's frame
+    Vector onFirst = Vector::Zero(); // of what holds a body: in the first body's frame
+    geometry::Quaternion attitude = geometry::Quaternion::Identity(); // of the body, now
+    Vector sight = Vector::UnitZ();                                   // towards the viewer
+    bool atCenter = false; // of mass, as near as the pointer can tell
     std::optional<std::size_t> trajectory;
     double resolution = 0; // what the pointer tells apart there
 };
@@ -76,6 +81,8 @@ enum class BasicShape { sphere, box };
 [[nodiscard]] Vector usualGravity(const scene::Scene& scene);
 [[nodiscard]] Recipe newTrajectoryForce(bool couple);
 [[nodiscard]] Recipe newLink(Wanted second);
+// A hinge, a slider, a ball, a fixed joint or a distance, between a body and another or the ground.
+[[nodiscard]] Recipe newJoint(scene::JointType type);
 [[nodiscard]] Recipe newLight(bool point);
 [[nodiscard]] Recipe newTrajectory();
 [[nodiscard]] Recipe attachTrajectory();

@@ -347,10 +347,11 @@ void SceneDisplay::mousePressEvent(QMouseEvent* event) {
 
 void SceneDisplay::mouseMoveEvent(QMouseEvent* event) {
     constexpr double still = 4; // pixels: not yet a drag
-    if (!control_.active() && !editing_.dragging())
+    if (!control_.active() && !editing_.dragging()) {
         pointing_.moveTo(event->position(), event->modifiers());
-    else if (control_.active() && !pointing_.advice().isEmpty() &&
-             (event->position() - pressed_).manhattanLength() >= still)
+        creating_.hover(event->position());
+    } else if (control_.active() && !pointing_.advice().isEmpty() &&
+               (event->position() - pressed_).manhattanLength() >= still)
         editing_.say(pointing_.advice(), false);
     if (creating_.active() && control_.active() &&
         (event->position() - pressed_).manhattanLength() < still)

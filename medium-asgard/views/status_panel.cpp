@@ -120,7 +120,7 @@ void StatusPanel::addSwitches(const render::Display& display) {
     };
     using render::Display;
     add(tr("&Trails"), tr("The paths of the centres of mass up to now"), &Display::trails);
-    add(tr("&Joints"), tr("Hinges, sliders and the like, with their range"), &Display::joints);
+    add(tr("Joints"), tr("Hinges, sliders and the like, with their range"), &Display::joints);
     add(tr("&Ground"), tr("A grid under the scene, and shadows"), &Display::grid);
     add(tr("&Axes"), tr("The world's axes: x red, y green, z blue"), &Display::axes);
     add(tr("&Wireframe"), tr("Edges only"), &Display::wireframe);

@@ -89,7 +89,7 @@ std::string noRoom(const Colliders& world, std::size_t body, const std::set<std:
 std::string noHinge(const Colliders& world, std::size_t body) {
     return "Body " + quoted(world, body) +
            " is held at a place beside its centre of mass, which makes no hinge: what hits it or "
-           "rests on it does not turn it. A stiff link makes a hinge.";
+           "rests on it does not turn it. A joint of type hinge turns.";
 }
 
 } // namespace simulation::sentences
