@@ -489,6 +489,10 @@ TEST_F(SessionTest, HowARenditionIsSeenComesBackInAnotherProcess) {
         other.restore(nonsense);
         EXPECT_EQ(other.state(), plain) << nonsense;
     }
+    // One of before joints were drawn.
+    other.restore("asgard-2 1 0 1 1 0 0 0 0 0 0 1 0 0 0 ");
+    EXPECT_TRUE(other.display.wireframe && other.display.linkHandles && other.display.joints);
+    EXPECT_FALSE(other.display.jointHandles);
 }
 
 TEST_F(SessionTest, PicturesAreDrawnOnceForEachLookAndNeverWhileHidden) {

@@ -1,5 +1,6 @@
 // What a `plot` says is to be seen, and follows the motion.
 #include "views/editor.h"
+#include "views/plot_dialog.h"
 #include "views/plots_window.h"
 #include "views/test_workshop.h"
 
@@ -69,6 +70,14 @@ TEST_F(PlotsTest, APlotThatIsCreatedIsShown) {
             window = plots;
     ASSERT_NE(window, nullptr);
     EXPECT_TRUE(waitFor([&] { return window->charts().size() == 2; }));
+}
+
+TEST_F(PlotsTest, CoordinatesAndForcesOfJointsCanBePlotted) {
+    show("shape_set s -desc {-sub {-sphere 0.5}}\nbody b s\n"
+         "joint pin -type hinge -body1 b -offset1 {0 1 0}\n");
+    const scene::Scene& scene = *editor.document().shown().scene;
+    EXPECT_EQ(faultOfPlotted(scene, "pin.q + pin.dq * pin.fx").toStdString(), "");
+    EXPECT_NE(faultOfPlotted(scene, "pin.q2").toStdString(), "");
 }
 
 TEST_F(PlotsTest, WhatCannotBeReadSaysWhyAndWithoutPlotsNothingIsLeft) {
