@@ -130,7 +130,7 @@ Jet JointKinematics::angleOf(const JointFrame& frame, std::size_t k, const JetVe
 
 Jet JointKinematics::coordinate(std::size_t joint, std::size_t k, const Along& along) {
     const JointFrame& frame = frames_[joint];
-    const auto& [first, second] = frame.ends;
+    const JointEnd &first = frame.ends[0], &second = frame.ends[1];
     const auto carriedBySecond = [&](const Vector& v) { return carried(second, v, along); };
     const auto slid = [&](const Vector& direction) {
         return difference(g_, product(g_, carriedBySecond(direction), apart(frame, along)),

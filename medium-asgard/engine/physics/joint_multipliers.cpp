@@ -218,14 +218,14 @@ void JointMultipliers::addUnknown(expression::EquationSet& set, const Kept& kept
     unknown.name = kept.element.name;
     unknown.symbol = kept.multiplier;
     for (const double time : times) {
-        expression::Phase phase = phaseOf(kept, {&set, time});
+        const expression::Phase phase = phaseOf(kept, {&set, time});
         const auto isSame = [&](const expression::Phase& last) {
             return last.derivative == phase.derivative &&
                    last.condition->gap == phase.condition->gap &&
                    last.condition->rate == phase.condition->rate;
         };
         if (unknown.phases.empty() || !isSame(unknown.phases.back()))
-            unknown.phases.push_back(std::move(phase));
+            unknown.phases.push_back(phase);
     }
     set.unknowns.push_back(std::move(unknown));
 }

@@ -79,7 +79,7 @@ void JointReader::push(Node rate, Node force, std::span<const std::size_t> bodie
             made.force[i] = g_.multiply(differentiate(g_, rate, s.velocity[i]), force);
             made.torque[i] = g_.multiply(differentiate(g_, rate, s.spin[i]), force);
         }
-        contributions_->push_back(std::move(made));
+        contributions_->push_back(made);
     }
 }
 

@@ -39,6 +39,7 @@ double secondsOf(const Run& before, const solution::TakenMotion& taken) {
 std::vector<ContactResolution>
 resolutionOf(const Problem& problem, const std::vector<double>& tolerances, Rounding rounding) {
     std::vector<ContactResolution> resolution;
+    resolution.reserve(tolerances.size());
     for (const double tolerance : tolerances)
         resolution.push_back(resolutionFor({.accuracy = problem.accuracy(),
                                             .firstTolerance = firstTolerance(problem.accuracy()),
