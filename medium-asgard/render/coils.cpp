@@ -100,7 +100,7 @@ void Coils::follow(const Drawing& drawing) {
 
 std::optional<Vector> Coils::valueOf(const std::array<std::string, 3>& texts,
                                      const Drawing& drawing) {
-    const auto first = std::ranges::search(texts_, texts).begin();
+    const auto first = std::search(texts_.begin(), texts_.end(), texts.begin(), texts.end());
     if (!quantities_ || first == texts_.end())
         return std::nullopt;
     const simulation::Motion& motion = *drawing.motion;

@@ -1,7 +1,6 @@
 #include "scene/difference.h"
 
 #include <bit>
-#include <cstring>
 #include <string_view>
 #include <unordered_map>
 
@@ -13,10 +12,10 @@ bool same(double a, double b) {
     return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 bool same(const Vector& a, const Vector& b) {
-    return std::memcmp(a.data(), b.data(), 3 * sizeof(double)) == 0;
+    return same(a.x(), b.x()) && same(a.y(), b.y()) && same(a.z(), b.z());
 }
 bool same(const Quaternion& a, const Quaternion& b) {
-    return std::memcmp(a.coeffs().data(), b.coeffs().data(), 4 * sizeof(double)) == 0;
+    return same(a.w(), b.w()) && same(a.x(), b.x()) && same(a.y(), b.y()) && same(a.z(), b.z());
 }
 bool same(const std::string& a, const std::string& b) { return a == b; }
 bool same(const SpringLaw& a, const SpringLaw& b);
