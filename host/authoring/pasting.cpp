@@ -203,8 +203,8 @@ private:
             leaveNoEmptyLines(*last_->parent);
         return {};
     }
-    // Where text and blocks stand side by side, as in a cell, a text without letters would be an
-    // empty line.
+    // A cell holds text and blocks side by side: a text without letters would be an empty line
+    // there.
     void leaveNoEmptyLines(Piece& holder) {
         Piece* line = draft_.isLineBlank(draft_.first(), Direction::forward) ? lastLine() : nullptr;
         if (line != nullptr)
@@ -218,7 +218,7 @@ private:
                 Draft::take(child);
         }
     }
-    // Of what came in; null: it ends with no line.
+    // The last line of the pasted pieces; null: they end with a block.
     Piece* lastLine() const {
         Piece* line = last_;
         while (line != nullptr && !draft_.holdsText(*line)) {

@@ -84,7 +84,7 @@ private:
                       : closing(at_, source_[at_], source_[at_] == '{' ? '}' : ']') + 1;
     }
 
-    // Of what opens at a place: where it closes; the end of the source where it does not.
+    // The place of the bracket that closes the one at `from`; the end of the source: none does.
     [[nodiscard]] std::size_t closing(std::size_t from, char open, char close) const {
         int depth = 0;
         for (std::size_t at = from; at < source_.size(); ++at) {
@@ -121,7 +121,7 @@ private:
         propose(range, command);
     }
 
-    // What stands in parentheses from there on is one part.
+    // The parentheses that begin there hold one part.
     void inBraces(Range word, const std::string& command, std::size_t open) {
         const std::size_t close = closing(open, '(', ')');
         const bool ends = close < source_.size();

@@ -1,5 +1,5 @@
-// Where the next page begins, so that the pages up to the next break that the document asks for are
-// filled alike (PAGE { balance: yes }, as slides are).
+// Begins pages so that all up to the next break that the document asks for are filled alike
+// (PAGE { balance: yes }, as slides are).
 //
 // Method: of all ways to divide what comes next into pages, the one of least cost, by dynamic
 // programming from the end. A page costs 1, the square of the part of it that stays empty, and what
@@ -27,7 +27,7 @@ struct Portion {
 [[nodiscard]] std::size_t secondPage(const std::vector<Portion>& portions, bool goesOn,
                                      double pageHeight);
 
-// What pages cost that begin so.
+// The costs of pages that begin within a block, within a list, or with a heading.
 inline constexpr double withinBlockCost = 0.5, withinListCost = 0.3, headingCost = -0.2;
 
 } // namespace layout

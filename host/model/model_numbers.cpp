@@ -76,7 +76,7 @@ std::string unbroken(std::string number) {
 
 } // namespace
 
-// Where the heading shows no number, one refers to a section by its words.
+// A reference to a section whose heading shows no number has the heading's words.
 std::string ModelWalk::referringHeading(const Frame& section) const {
     const bool isCounted =
         section.style.role == schemas::ContainerRole::section && !section.style.counter.empty();

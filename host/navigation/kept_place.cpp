@@ -85,7 +85,7 @@ void KeptPlace::restore() {
     writeAgain(kept);
 }
 
-// Where the caret is already, it stays.
+// A caret that is in the document already stays.
 void KeptPlace::writeAgain(const Kept& kept) {
     if (!kept.caret)
         return;

@@ -50,7 +50,7 @@ std::vector<double> pushesOf(const Eigen::MatrixXd& a, const Eigen::VectorXd& b)
     return {answer->forces.data(), answer->forces.data() + b.size()};
 }
 
-// What joints do when an impulse acts: with its effect c on their conditions, -(J W J')^+ c.
+// Joints answer an impulse that has the effect c on their conditions by -(J W J')^+ c.
 class JointResponse {
 public:
     JointResponse(const std::vector<ImpactBody>& bodies, std::span<const ImpactRow> rows)

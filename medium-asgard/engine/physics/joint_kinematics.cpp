@@ -122,7 +122,8 @@ Jet JointKinematics::angleOf(const JointFrame& frame, std::size_t k, const JetVe
     const JetVector spin = turning(frame, along);
     const Node q = frame.angles[k];
     Node second = g_.add(dot(g_, axis.rate, spin.value), dot(g_, axis.value, spin.rate));
-    // What moves the angle without the bodies moves conditions that read it; it is 0 but for drift.
+    // The tie moves the angle without the bodies, and so the conditions that read it; it is 0 but
+    // for drift.
     if (const auto tie = ties_.find(q.index); along.set && tie != ties_.end())
         second = g_.add(second, tie->second);
     return {q, dot(g_, axis.value, spin.value), second};

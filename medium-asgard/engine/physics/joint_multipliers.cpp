@@ -16,7 +16,7 @@ namespace {
 constexpr double stopResolution = 1e-9;  // of the joint's size: lower hops and gaps are none
 constexpr double startResolution = 1e-6; // of the scene's size: a smaller gap is closed
 
-// What changes from 0 in a jump: a comparison, what joins some, or a number.
+// A comparison, several that are joined, or a number: it changes from 0 in a jump.
 bool isCondition(const Graph& g, Node node) {
     switch (g.op(node)) {
     case Op::less:

@@ -1,7 +1,7 @@
 // Multipliers and angles of joints on their way to becoming unknowns.
 //
-// A condition is made again for each phase of the bodies that it moves. What is added after
-// releaseBy() is gone from the first time on at which that expression is not 0.
+// A condition is made again for each phase of the bodies that it moves. The conditions of an
+// element with a release are gone from the first time on at which that expression is not 0.
 #pragma once
 
 #include "physics/joint_kinematics.h"
@@ -40,7 +40,7 @@ public:
                      std::span<const BodyMotion> bodies, std::vector<std::string>& faults)
         : g_(g), scene_(scene), scope_(scope), bodies_(bodies), faults_(faults) {}
 
-    // What is added from now on belongs to that element.
+    // Conditions that are added from now on belong to that element.
     void begin(Element element, const std::optional<scene::Expression>& release);
     // The symbol of a new multiplier. `trajectories`, `reads`: those and the author's expressions
     // that its condition reads.

@@ -1,4 +1,4 @@
-// What joints allow of a blow: their conditions on velocities at an instant, as numbers.
+// The conditions of joints on velocities at an instant, as numbers: a blow keeps them.
 #pragma once
 
 #include "physics/equations_of_motion.h"

@@ -30,7 +30,7 @@ public:
     JointReader(Graph& g, const scene::Scene& scene, Scope& scope,
                 std::span<const BodyMotion> bodies, std::vector<std::string>& faults);
 
-    // What joints add to bodies: multipliers, motors, springs.
+    // Adds the forces of joints to bodies: multipliers, motors, springs.
     void contribute(std::vector<Contribution>& contributions);
     // The unknowns of joints, behind those of the bodies. Joints that the bodies miss go to faults;
     // velocities at the start that joints do not allow, to notes. Answers with the conditions that

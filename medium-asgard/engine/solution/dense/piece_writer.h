@@ -3,7 +3,7 @@
 // A step gives polynomials of the states. Unknowns that follow from states, the held ones, get
 // polynomials of degree 8 through values at nine points; a step on which one of these does not fit
 // is kept in halves. A velocity that is the derivative of its place to the last bit is not kept.
-// Of multipliers the mode is kept, as a number: who reads one solves for it.
+// Of multipliers the mode is kept, as a number: a reader solves for them.
 #pragma once
 
 #include "dense/histories.h"

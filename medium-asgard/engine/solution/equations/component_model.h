@@ -5,7 +5,7 @@
 // its key and nothing else: the code of its expressions over places,
 //
 //     time, states y0 y1 ..., inputs u0 u1 ... (unknowns of other components), constants c0 c1 ...,
-//     multipliers m0 m1 ... (conditions.h)
+//     multipliers m0 m1 ... (expression/equations.h, Condition)
 //
 // so that models are found again by content, in other components, in another run, after an edit.
 // Constants that shape expressions (0, 1, -1 and exponents) are part of the key; equal constants of

@@ -47,7 +47,7 @@ private:
 using Reads = std::vector<std::vector<std::size_t>>;
 
 // From all phases after `from` and the one in force then. The four of a quaternion read each other,
-// since they are renormalised together; what a condition reads also reads the condition's
+// since they are renormalised together; an unknown that a condition reads also reads its
 // multiplier, which may move it. An unknown that stays 0 reads nothing, and nothing reads
 // it. Unknowns that a switch can hold where it is (sliding, component_equations.h) also read all
 // others whose rates have the same switch: what it gives then is one number, which is theirs too.

@@ -190,7 +190,7 @@ void Component::takeModes() {
     writer_.hold(multipliers, modes);
 }
 
-// What is released may be all that held another: it is asked again, from what is held then.
+// One release may change the forces that another asks about: it is asked again.
 void Component::releaseConditions() {
     while (!stop_ && equations_->release(progress_.values))
         takeHeldValues();
