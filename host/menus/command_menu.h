@@ -1,7 +1,6 @@
 // A menu of commands of writing. It is there while its view is written in. The open menu offers the
-// commands that are allowed at the caret, or behind the figure that is chosen, and says of the
-// others why they are not; their keys work at any time, and the status line says then what the tool
-// tip would. While a figure is chosen these keys are its medium's.
+// commands that are allowed at their place (Writing::place), and says of the others why they are
+// not; their keys work at any time, and the status line says then what the tool tip would.
 #pragma once
 
 #include "view/writing.h"
@@ -29,7 +28,7 @@ public:
     // One that asks first and does then what was wanted. `probe` is a command like it: the entry
     // is offered where this one is allowed.
     QAction* addAsking(const QString& name, const QString& text, const QKeySequence& keys,
-                       Command probe, std::function<void()> ask);
+                       const Command& probe, const std::function<void()>& ask);
 
     // Emphasis and the like: on and off.
     QAction* addToggle(const QString& name, const QString& text, const QKeySequence& keys,
@@ -37,9 +36,6 @@ public:
 
 protected:
     [[nodiscard]] view::DocumentView& view() const { return view_; }
-    // Of a figure that is chosen, behind it.
-    bool perform(const Command& command);
-    [[nodiscard]] QString whyNot(const Command& command) const;
 
 private:
     struct Entry {

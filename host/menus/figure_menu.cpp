@@ -26,7 +26,8 @@ FigureMenu::FigureMenu(view::DocumentView& view, QWidget* parent)
     hint_->setEnabled(false);
     const auto written = [this] { return whyNotWritten(); };
     add(
-        "figureEdit", tr("&Edit"), [this] { return whyNotEdited(); }, [this] { edit(); });
+        "figureEdit", tr("&Edit"), [this] { return whyNotEdited(); },
+        [this] { openEditor(view_, id()); });
     addSeparator();
     addAlignment(Placement::left, "figureLeft", tr("Align &Left"));
     addAlignment(Placement::center, "figureCenter", tr("Align &Centre"));
@@ -36,7 +37,9 @@ FigureMenu::FigureMenu(view::DocumentView& view, QWidget* parent)
     presentations_->setObjectName("figurePresentations");
     add("figureSize", tr("&Size..."), written, [this] { askForSize(); });
     add("figureAlternative", tr("Alternative &Text..."), written, [this] { askForAlternative(); });
-    add("figureCaption", tr("C&aption"), written, [this] { addCaption(); });
+    add(
+        "figureCaption", tr("C&aption"), [this] { return whyNoCaption(); },
+        [this] { view_.writing().perform(caption()); });
     add(
         "figurePoster", tr("Use This &Moment as Poster"), [this] { return whyNoMoment(); },
         [this] { takeMoment(); });
@@ -151,7 +154,8 @@ document::SubdocumentId FigureMenu::id() const {
     for (const document::SubdocumentId one : document.subdocuments()) {
         const sgml::NodeId element = document.subdocument(one)->element;
         const sgml::NodeId whole = authoring::wholeFigure(view_.writing().manuscript(), element);
-        if (whole != element && document.tree().node(whole).range.contains(at->caret))
+        const text::Range range = document.tree().node(whole).range;
+        if (whole != element && range.from < at->caret && at->caret < range.to)
             return one;
     }
     return document::noSubdocument;
@@ -188,6 +192,11 @@ QString FigureMenu::whyNotEdited() const {
     return why;
 }
 
+QString FigureMenu::whyNoCaption() const {
+    const QString why = whyNotWritten();
+    return why.isEmpty() ? view_.writing().whyNot(caption()) : why;
+}
+
 QString FigureMenu::whyNoMoment() const {
     QString why = whyNotWritten();
     if (!why.isEmpty())
@@ -217,12 +226,6 @@ void openEditor(view::DocumentView& view, document::SubdocumentId id) {
         return;
     live->setMode(media::Mode::edit);
     live->invoke(manifest->newEditor, view.rendition(id));
-}
-
-void FigureMenu::edit() {
-    const document::SubdocumentId edited = id();
-    view_.choose(edited);
-    openEditor(view_, edited);
 }
 
 void FigureMenu::setAttributes(const authoring::Attributes& attributes, const QString& label) {
@@ -260,13 +263,11 @@ void FigureMenu::takeMoment() {
     setAttributes({{"POSTER", QString::number(time).toStdString()}}, tr("Poster"));
 }
 
-void FigureMenu::addCaption() {
+view::Writing::Command FigureMenu::caption() const {
     const std::size_t behind = view_.document().document().tree().node(figure()->element).range.to;
-    const bool done = view_.writing().perform([behind](const Manuscript& in, Selection) {
+    return [behind](const Manuscript& in, Selection) {
         return authoring::insertCaption(in, {behind, behind});
-    });
-    if (done)
-        view_.choose(document::noSubdocument);
+    };
 }
 
 void FigureMenu::saveCopy() {

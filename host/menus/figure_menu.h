@@ -46,15 +46,15 @@ private:
     [[nodiscard]] QString whyNotChosen() const;
     [[nodiscard]] QString whyNotWritten() const;
     [[nodiscard]] QString whyNotEdited() const;
+    [[nodiscard]] QString whyNoCaption() const;
     [[nodiscard]] QString whyNoMoment() const;
+    [[nodiscard]] view::Writing::Command caption() const; // of its caption
     [[nodiscard]] QString whyNoText() const;
     void setAttributes(const authoring::Attributes& attributes, const QString& label);
     void addAlignment(document::Placement placement, const QString& name, const QString& text);
-    void edit();
     void askForSize();
     void askForAlternative();
     void takeMoment();
-    void addCaption();
     void saveCopy();
     void replace();
 

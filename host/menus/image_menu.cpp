@@ -84,11 +84,11 @@ void ImageMenu::insertFile(const QString& path, bool isInLine) {
         askAboutImage(tr("Insert Image"), document.images().imageNow(kept.source, preview), {},
                       !isInLine, parentWidget());
     if (wishes)
-        perform(inserted({.file = kept.source,
-                          .alternative = wishes->alternative.toStdString(),
-                          .caption = wishes->caption.toStdString(),
-                          .width = wishes->width,
-                          .isInLine = isInLine}));
+        view().writing().perform(inserted({.file = kept.source,
+                                           .alternative = wishes->alternative.toStdString(),
+                                           .caption = wishes->caption.toStdString(),
+                                           .width = wishes->width,
+                                           .isInLine = isInLine}));
 }
 
 void ImageMenu::askForWords() {
@@ -113,7 +113,7 @@ void ImageMenu::askForWords() {
         attributes.emplace_back("WIDTH", wishes->width > 0 ? std::to_string(wishes->width) : "");
         attributes.emplace_back("HEIGHT", "");
     }
-    perform(
+    view().writing().perform(
         [&](const Manuscript& in, Selection at) { return changed(view(), in, at, attributes); });
 }
 

@@ -144,14 +144,7 @@ void InsertMenu::addCaption() {
         const std::optional<std::size_t> figure = chosenFigureEnd();
         return authoring::insertCaption(in, figure ? Selection{*figure, *figure} : at);
     };
-    // It is asked for the figure while that is chosen.
-    QAction* entry =
-        addAsking("caption", tr("&Caption"), QKeySequence("Ctrl+Alt+C"), caption, [this] {
-            const std::optional<std::size_t> figure = chosenFigureEnd();
-            perform([figure](const Manuscript& in, Selection at) {
-                return authoring::insertCaption(in, figure ? Selection{*figure, *figure} : at);
-            });
-        });
+    QAction* entry = add("caption", tr("&Caption"), QKeySequence("Ctrl+Alt+C"), caption);
     // Behind what the menu offers.
     connect(this, &QMenu::aboutToShow, this, [entry] {
         entry->setText(entry->isEnabled() ? tr("&Caption") : tr("&Caption, in a Figure or Table"));
@@ -169,12 +162,12 @@ void InsertMenu::askForLink() {
     const auto around = [](const Manuscript& in, Selection at) {
         return authoring::linkAround(in, at);
     };
-    const auto old = around(view().writing().manuscript(), *view().writing().selection());
+    const auto old = around(view().writing().manuscript(), *view().writing().place());
     const std::optional<QString> wanted =
         menus::askForLink(old ? QString::fromStdString(old->target) : QString(), parentWidget());
     if (!wanted)
         return;
-    perform([&](const Manuscript& in, Selection at) {
+    view().writing().perform([&](const Manuscript& in, Selection at) {
         const auto link = around(in, at); // the document may have changed since
         return authoring::link(in, link ? link->text : at, wanted->toStdString());
     });
@@ -189,7 +182,7 @@ void InsertMenu::askForReference(sgml::NodeId element) {
         element == sgml::noNode, parentWidget());
     if (dialog.exec() != QDialog::Accepted || dialog.chosen() == sgml::noNode)
         return;
-    perform([&](const Manuscript& in, Selection at) {
+    view().writing().perform([&](const Manuscript& in, Selection at) {
         return element == sgml::noNode
                    ? authoring::insertReference(in, at, dialog.chosen())
                    : authoring::changeReference(in, at, element, dialog.chosen());
@@ -233,7 +226,7 @@ void InsertMenu::askForFormula(sgml::NodeId element) {
                             text.find("{" + authoring::idOf(in, figure) + "}") != std::string::npos;
         return isUsed ? authoring::withIdOf(in, figure, std::move(result)) : result;
     };
-    perform([&](const Manuscript& in, Selection at) -> authoring::Result {
+    view().writing().perform([&](const Manuscript& in, Selection at) -> authoring::Result {
         if (element == sgml::noNode)
             return withId(in, authoring::insertFormula(in, at, text, kindOf(in, dialog.place())));
         if (dialog.place() == place || !tree.holds(element))
@@ -261,7 +254,7 @@ std::optional<InsertMenu::ChosenValue> InsertMenu::chosenValue(std::vector<Value
         return std::nullopt;
     }
     const Manuscript in = view().writing().manuscript();
-    const auto at = view().writing().selection();
+    const auto at = view().writing().place();
     ValueDialog dialog(view().document(), std::move(figures), now,
                        at ? authoring::languageAt(in, at->caret) : std::string(), parent);
     if (dialog.exec() != QDialog::Accepted)
@@ -276,7 +269,7 @@ void InsertMenu::askForValue(sgml::NodeId element) {
     const auto wanted = chosenValue(figures(), now, parentWidget());
     if (!wanted)
         return;
-    perform([&](const Manuscript& in, Selection at) {
+    view().writing().perform([&](const Manuscript& in, Selection at) {
         return element == sgml::noNode
                    ? authoring::insertValue(in, at, wanted->figure, wanted->use)
                    : authoring::changeValue(in, at, element, wanted->figure, wanted->use);

@@ -118,7 +118,7 @@ void LanguageMenu::addLanguage(const QString& code, const QString& name) {
 // That of the last selected letter. "de-DE" is the entry "de" where it has none of its own.
 void LanguageMenu::markCurrent() {
     const authoring::Manuscript in = view().writing().manuscript();
-    const auto at = view().writing().selection();
+    const auto at = view().writing().place();
     const bool isOfDocument = of_ == Of::document || !at;
     const QString whole = ofDocument();
     const QString said =

@@ -53,7 +53,7 @@ authoring::EmbeddedText MediumMenu::embedded(const std::string& text,
 void MediumMenu::insert(const std::string& text, const authoring::Attributes& more, Then then) {
     session::OpenDocument& open = view().document();
     const auto before = open.document().subdocuments();
-    if (!perform([&](const Manuscript& in, Selection at) {
+    if (!view().writing().perform([&](const Manuscript& in, Selection at) {
             return authoring::insertFigure(in, at, embedded(text, more));
         }))
         return;
@@ -61,7 +61,6 @@ void MediumMenu::insert(const std::string& text, const authoring::Attributes& mo
     for (const document::SubdocumentId id : open.document().subdocuments()) {
         if (std::ranges::count(before, id) > 0)
             continue;
-        view().choose(id);
         view().scrollTo(id);
         view().setFocus();
         if (then == Then::edit)

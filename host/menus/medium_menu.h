@@ -1,5 +1,6 @@
 // The submenu of Insert for one medium: an empty subdocument of it, one of its samples, or one of
-// its files. It comes in at the caret as a figure and is chosen; an empty one opens its editor.
+// its files. It comes in at the caret as a figure, and the caret goes on in its caption or behind
+// it; an empty one opens its editor.
 #pragma once
 
 #include "media/manifest.h"

@@ -97,7 +97,7 @@ void TableMenu::addAlignment() {
     addOne("cellRight", tr("&Right"), "right");
     addOne("cellAutomatic", tr("&Automatic: Numbers by Their Point"), "");
     connect(align, &QMenu::aboutToShow, this, [this, all] {
-        const auto selection = view().writing().selection();
+        const auto selection = view().writing().place();
         const auto now =
             selection ? authoring::alignmentOfCells(view().writing().manuscript(), *selection)
                       : std::nullopt;
@@ -109,13 +109,13 @@ void TableMenu::addAlignment() {
 
 bool TableMenu::isInTable() const {
     const view::Writing& writing = view().writing();
-    return writing.selection() &&
-           authoring::tableAround(writing.manuscript(), *writing.selection()).has_value();
+    return writing.place() &&
+           authoring::tableAround(writing.manuscript(), *writing.place()).has_value();
 }
 
 void TableMenu::checkHeader() {
     const Manuscript in = view().writing().manuscript();
-    const auto selection = view().writing().selection();
+    const auto selection = view().writing().place();
     const auto table = selection ? authoring::tableAround(in, *selection) : std::nullopt;
     const authoring::Grammar* grammar = in.grammars.of(in.document.className());
     header_->setChecked(table && grammar &&
@@ -135,14 +135,14 @@ void TableMenu::askForTable() {
     double width = 0;
     if (const std::shared_ptr<const model::Model> model = view().model())
         width = model->page.width - model->page.marginLeft - model->page.marginRight;
-    perform([&](const Manuscript& to, Selection at) {
+    view().writing().perform([&](const Manuscript& to, Selection at) {
         return authoring::insertTable(to, at, *wanted, width / wanted->columns);
     });
 }
 
 void TableMenu::askForWidth() {
     const Manuscript in = view().writing().manuscript();
-    const auto table = authoring::tableAround(in, *view().writing().selection());
+    const auto table = authoring::tableAround(in, *view().writing().place());
     if (!table)
         return;
     const std::vector<std::string> widths = table->widths(in.document.tree());
@@ -151,7 +151,7 @@ void TableMenu::askForWidth() {
     const std::optional<double> wanted =
         menus::askForWidth(schemas::lengthOf(now).value_or(0), parentWidget());
     if (wanted)
-        perform([&](const Manuscript& to, Selection at) {
+        view().writing().perform([&](const Manuscript& to, Selection at) {
             return authoring::setColumnWidth(to, at, *wanted);
         });
 }

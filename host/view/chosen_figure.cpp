@@ -57,7 +57,6 @@ bool ChosenFigure::useKey(int key, Qt::KeyboardModifiers modifiers) {
         return true;
     case Qt::Key_Return:
     case Qt::Key_Enter:
-        standBehind();
         view_.writing().perform(authoring::breakParagraph);
         return true;
     case Qt::Key_Left:
@@ -98,14 +97,6 @@ void ChosenFigure::goBeside(Direction side) {
 std::optional<authoring::Selection> ChosenFigure::behind() const {
     const std::optional<text::Range> all = range();
     return all ? std::optional(authoring::Selection{all->to, all->to}) : std::nullopt;
-}
-
-void ChosenFigure::standBehind() {
-    const std::optional<authoring::Selection> place = behind();
-    if (!place)
-        return;
-    view_.choose(document::noSubdocument);
-    view_.text().cursor().set(*place);
 }
 
 } // namespace view

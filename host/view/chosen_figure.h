@@ -25,7 +25,6 @@ public:
     void leave();
     // The place behind it and its caption; nothing: no figure is chosen.
     [[nodiscard]] std::optional<authoring::Selection> behind() const;
-    void standBehind(); // the caret
 
 private:
     [[nodiscard]] std::optional<text::Range> range() const; // with the caption; nothing: none

@@ -113,15 +113,8 @@ void Figures::connectShown(Shown& shown) {
             [this](const ipc::Input& input) {
                 if (input.type != ipc::InputType::keyPress)
                     return;
-                Qt::KeyboardModifiers modifiers;
-                for (const ipc::Modifier modifier : input.modifiers)
-                    modifiers |=
-                        modifier == ipc::Modifier::shift ? Qt::ShiftModifier : Qt::NoModifier;
-                const QString letter = QString::fromStdString(input.key);
-                int key = keyNamed(input.key);
-                if (key == 0 && letter.size() == 1)
-                    key = letter[0].toUpper().unicode();
-                Q_EMIT unusedKey(key, modifiers);
+                const QKeyCombination unused = keyOf(input);
+                Q_EMIT unusedKey(unused.key(), unused.keyboardModifiers());
             });
     connect(live, &media::LiveSubdocument::conditionChanged, context, [this, id] {
         paintAgain(id);

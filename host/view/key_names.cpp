@@ -1,6 +1,8 @@
 #include "view/key_names.h"
 
+#include <algorithm>
 #include <array>
+#include <utility>
 
 namespace view {
 
@@ -24,16 +26,18 @@ constexpr std::array named{
     Named{Qt::Key_Meta, "Meta"},           Named{Qt::Key_Space, " "},
 };
 
+constexpr std::array modifierNames{
+    std::pair{Qt::ShiftModifier, ipc::Modifier::shift},
+    std::pair{Qt::ControlModifier, ipc::Modifier::control},
+    std::pair{Qt::AltModifier, ipc::Modifier::alt},
+    std::pair{Qt::MetaModifier, ipc::Modifier::meta},
+};
+
 std::vector<ipc::Modifier> modifiersOf(Qt::KeyboardModifiers modifiers) {
     std::vector<ipc::Modifier> result;
-    if (modifiers & Qt::ShiftModifier)
-        result.push_back(ipc::Modifier::shift);
-    if (modifiers & Qt::ControlModifier)
-        result.push_back(ipc::Modifier::control);
-    if (modifiers & Qt::AltModifier)
-        result.push_back(ipc::Modifier::alt);
-    if (modifiers & Qt::MetaModifier)
-        result.push_back(ipc::Modifier::meta);
+    for (const auto& [modifier, name] : modifierNames)
+        if (modifiers & modifier)
+            result.push_back(name);
     return result;
 }
 
@@ -79,11 +83,28 @@ std::string keyName(const QKeyEvent& event) {
     return "Unidentified";
 }
 
+namespace {
+
 int keyNamed(const std::string& name) {
     for (const Named& one : named)
         if (name == one.name)
             return one.key;
-    return 0;
+    const QString word = QString::fromStdString(name);
+    if (word.size() == 1)
+        return word[0].toUpper().unicode();
+    const int number = word.startsWith('F') ? word.mid(1).toInt() : 0;
+    constexpr int last = Qt::Key_F35 - Qt::Key_F1 + 1;
+    return number >= 1 && number <= last ? Qt::Key_F1 + number - 1 : 0;
+}
+
+} // namespace
+
+QKeyCombination keyOf(const ipc::Input& input) {
+    Qt::KeyboardModifiers modifiers;
+    for (const auto& [modifier, name] : modifierNames)
+        if (std::ranges::count(input.modifiers, name) > 0)
+            modifiers |= modifier;
+    return QKeyCombination(modifiers, static_cast<Qt::Key>(keyNamed(input.key)));
 }
 
 ipc::Input inputOf(const QKeyEvent& event) {

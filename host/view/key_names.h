@@ -11,8 +11,8 @@ namespace view {
 
 // As the W3C's UI Events name them: "a", "A", " ", "ArrowLeft", "F5".
 [[nodiscard]] std::string keyName(const QKeyEvent& event);
-// The key of that name, 0 for one that is a letter or unknown.
-[[nodiscard]] int keyNamed(const std::string& name);
+// The key that was pressed, with its modifiers; the key is 0 where Qt has none of that name.
+[[nodiscard]] QKeyCombination keyOf(const ipc::Input& input);
 
 [[nodiscard]] ipc::Input inputOf(const QKeyEvent& event);
 // `pixels`: the place in the rendition, in its device pixels.

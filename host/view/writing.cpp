@@ -81,6 +81,10 @@ std::optional<authoring::Selection> Writing::selection() const {
     return hand_.cursor().selection();
 }
 
+std::optional<authoring::Selection> Writing::place() const {
+    return view_.chosen() ? figure_.behind() : selection();
+}
+
 void Writing::begin() {
     on_ = true;
     if (!hand_.cursor().selection())
@@ -148,8 +152,9 @@ void Writing::paint(QPainter& painter, std::size_t page) const {
 // --- commands ----------------------------------------------------------------------------------
 
 bool Writing::perform(const Command& command, const QString& group) {
-    if (!apply(command, group))
+    if (!apply(command, place(), group))
         return false;
+    view_.choose(document::noSubdocument);
     hand_.showCaret();
     wantsCaret_ = !view_.isLaidOut();
     blink();
@@ -157,19 +162,19 @@ bool Writing::perform(const Command& command, const QString& group) {
 }
 
 bool Writing::change(const Command& command) {
-    const bool done = apply(command, {});
+    const bool done = apply(command, selection(), {});
     if (done)
         blink();
     return done;
 }
 
-bool Writing::apply(const Command& command, const QString& group) {
-    const std::optional<document::Selection> selection = hand_.cursor().selection();
-    if (!selection) {
+bool Writing::apply(const Command& command, const std::optional<authoring::Selection>& at,
+                    const QString& group) {
+    if (!at) {
         Q_EMIT refused(tr("There is no caret in the text."));
         return false;
     }
-    authoring::Result result = command(manuscript(), {selection->anchor, selection->caret});
+    authoring::Result result = command(manuscript(), *at);
     if (const auto* refusal = std::get_if<authoring::Refusal>(&result)) {
         Q_EMIT refused(refusal->why);
         return false;
@@ -177,7 +182,8 @@ bool Writing::apply(const Command& command, const QString& group) {
     const auto& step = std::get<authoring::Step>(result);
     const document::Selection after{step.after.anchor, step.after.caret};
     // Nothing changes unseen: what is folded is seen first.
-    if (view_.folds().opensBefore(step.edits, hand_.cursor().interval())) {
+    if (view_.folds().opensBefore(
+            step.edits, {std::min(at->anchor, at->caret), std::max(at->anchor, at->caret)})) {
         hand_.showCaret();
         Q_EMIT refused(tr("This would change text that was folded. It is unfolded now, and nothing "
                           "has changed: do it again to go on."));
@@ -185,7 +191,7 @@ bool Writing::apply(const Command& command, const QString& group) {
     }
     if (!step.edits.empty()) {
         document::EditNote note{.label = step.label, .group = group};
-        note.before = selection;
+        note.before = *at;
         note.after = after;
         if (step.isTyping)
             note.typed = now();
@@ -221,19 +227,28 @@ void Writing::toggle(schemas::ContainerRole role) {
         next_ = wasNext ? schemas::ContainerRole::none : role;
 }
 
+QString Writing::whyUseless(const Command& command) const {
+    return whyNot([&](const authoring::Manuscript& in, authoring::Selection at) {
+        authoring::Result result = command(in, at);
+        const auto* step = std::get_if<authoring::Step>(&result);
+        if (step && step->edits.empty() && step->after == at)
+            return authoring::Result(authoring::Refusal{tr("It is so already.")});
+        return result;
+    });
+}
+
 QString Writing::whyNot(const Command& command) const {
-    const std::optional<document::Selection> selection = hand_.cursor().selection();
-    if (!selection)
+    const std::optional<authoring::Selection> at = place();
+    if (!at)
         return tr("There is no caret in the text.");
-    const authoring::Result result = command(manuscript(), {selection->anchor, selection->caret});
+    const authoring::Result result = command(manuscript(), *at);
     const auto* refusal = std::get_if<authoring::Refusal>(&result);
     return refusal ? refusal->why : QString();
 }
 
 bool Writing::isMarked(schemas::ContainerRole role) const {
-    const std::optional<document::Selection> selection = hand_.cursor().selection();
-    return selection && authoring::isMarked(manuscript(), {selection->anchor, selection->caret},
-                                            role) != (next_ == role);
+    const std::optional<authoring::Selection> at = place();
+    return at && authoring::isMarked(manuscript(), *at, role) != (next_ == role);
 }
 
 void Writing::takeBack() { view_.document().document().undo(); }
@@ -408,7 +423,7 @@ bool Writing::useKey(const QKeyEvent& event) {
 }
 
 sgml::NodeId Writing::selectedAlone(schemas::Display display) const {
-    const auto at = selection();
+    const auto at = place();
     const sgml::Tree& tree = view_.document().document().tree();
     const authoring::Grammar* grammar = grammars_.of(view_.document().document().className());
     if (!at || grammar == nullptr)

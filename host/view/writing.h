@@ -41,7 +41,8 @@ public:
     // of the viewport is below it.
     void pressBelow(QPointF point);
     void goBy(bool forward); // Tab, and Shift+Tab
-    // A command at what is selected. refused() says why one is not allowed.
+    // A command at its place, place(); the caret is in the text then, and no figure is chosen any
+    // more. refused() says why one is not allowed.
     using Command =
         std::function<authoring::Result(const authoring::Manuscript&, authoring::Selection)>;
     bool perform(const Command& command) { return perform(command, {}); }
@@ -54,7 +55,7 @@ public:
     // is typed next.
     void toggle(schemas::ContainerRole role);
     [[nodiscard]] QString whyNotToggled(schemas::ContainerRole role) const;
-    // The same, and the view stays where it is.
+    // The same at what is selected. The view stays where it is, and a figure stays chosen.
     bool change(const Command& command);
     // The caret, or the image there, unless what is there is selected.
     void goTo(QPointF point);
@@ -66,8 +67,12 @@ public:
     // where no caret is in the text.
     [[nodiscard]] authoring::Manuscript manuscript() const;
     [[nodiscard]] std::optional<authoring::Selection> selection() const;
-    // Why a command may not be where the selection is; "": it may.
+    // Where commands act: behind the figure that is chosen, else at the selection.
+    [[nodiscard]] std::optional<authoring::Selection> place() const;
+    // Why a command may not be at its place; "": it may.
     [[nodiscard]] QString whyNot(const Command& command) const;
+    // The same, or that it would change and move nothing there.
+    [[nodiscard]] QString whyUseless(const Command& command) const;
     [[nodiscard]] bool isMarked(schemas::ContainerRole role) const;
     // The element with that display that is selected, and nothing else; noNode: none is.
     [[nodiscard]] sgml::NodeId selectedAlone(schemas::Display display) const;
@@ -89,7 +94,8 @@ protected:
 private:
     bool paste(const QMimeData& data, const QString& group);
     bool activateSelected();
-    [[nodiscard]] bool apply(const Command& command, const QString& group);
+    [[nodiscard]] bool apply(const Command& command, const std::optional<authoring::Selection>& at,
+                             const QString& group);
     void makeSign();
     void settleCaret();
     void goBehindEnd();

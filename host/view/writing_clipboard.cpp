@@ -57,7 +57,6 @@ bool Writing::paste(const QMimeData& data, const QString& group) {
         Q_EMIT refused(tr("The clipboard holds no text."));
         return false;
     }
-    figure_.standBehind();
     return perform(
         [&](const authoring::Manuscript& in, authoring::Selection at) {
             if (fragment.empty())
@@ -75,6 +74,7 @@ void Writing::drop(const QMimeData& data, QPointF at, std::optional<text::Range>
     if (!caret)
         return;
     const std::optional<document::Selection> before = hand_.cursor().selection();
+    view_.choose(document::noSubdocument);
     hand_.moveTo(*caret);
     if (!moved) {
         (void)paste(data);

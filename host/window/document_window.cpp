@@ -297,7 +297,8 @@ void DocumentWindow::useShortcut(int key, Qt::KeyboardModifiers modifiers) {
             return;
         }
     constexpr int firstOfOthers = Qt::Key_Escape; // behind all letters
-    if (view_->chosen() && view_->isWriting() && key < firstOfOthers)
+    constexpr auto commands = Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier;
+    if (view_->chosen() && view_->isWriting() && key < firstOfOthers && !(modifiers & commands))
         say(tr("The figure has the keyboard. Press Escape to write behind it, or click in the "
                "text."));
 }
