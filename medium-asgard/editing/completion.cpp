@@ -17,7 +17,7 @@ namespace editing {
 namespace {
 
 // Of what kind of element names are asked for.
-enum class Named { shapeSet, body, trajectory, parameter, joint, spring };
+enum class Named { shapeSet, body, trajectory, parameter, joint, spring, rope };
 
 bool isWordCharacter(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' ||
@@ -195,13 +195,15 @@ private:
                 return take(scene::jointQuantityNames(typeOfJoint(owner)), hint);
             if (has(Named::spring))
                 return take(scene::springQuantityNames(), hint);
+            if (has(Named::rope))
+                return take(scene::ropeQuantityNames(ropeNamed(owner)), hint);
             return {from_, {}, hint};
         }
         if (atWordEnd() || std::isdigit(static_cast<unsigned char>(before_[from_])) != 0)
             return {from_, {}, hint};
         std::vector<std::string> all;
-        for (const Named kind :
-             {Named::body, Named::parameter, Named::trajectory, Named::joint, Named::spring}) {
+        for (const Named kind : {Named::body, Named::parameter, Named::trajectory, Named::joint,
+                                 Named::spring, Named::rope}) {
             auto some = names(kind);
             all.insert(all.end(), some.begin(), some.end());
         }
@@ -229,6 +231,12 @@ private:
         return known ? known->type : scene::JointType::hinge;
     }
 
+    // Of the last good scene; one that it does not have has a single span.
+    [[nodiscard]] scene::Rope ropeNamed(const std::string& rope) const {
+        const auto known = std::ranges::find(scene_.ropes, rope, &scene::Rope::name);
+        return known != scene_.ropes.end() ? *known : scene::Rope{};
+    }
+
     // Of the text as far as it can be told without running it, and of the last good scene.
     [[nodiscard]] std::vector<std::string> names(Named kind) const {
         std::set<std::string> all;
@@ -241,6 +249,7 @@ private:
         : kind == Named::trajectory ? add(scene_.trajectories)
         : kind == Named::joint      ? add(scene_.joints)
         : kind == Named::spring     ? add(scene_.links)
+        : kind == Named::rope       ? add(scene_.ropes)
                                     : add(scene_.parameters);
         // What is being typed here is no name yet.
         for (const script::Command& command : written_.commands) {
@@ -250,6 +259,7 @@ private:
                               : kind == Named::trajectory ? name == "trajectory"
                               : kind == Named::joint      ? name == "joint"
                               : kind == Named::spring     ? name == "spring"
+                              : kind == Named::rope       ? name == "rope"
                                                           : name == "parameter";
             if (fits && command.words.size() > 1 && command.words[1].literal &&
                 !(command.words[1].range.from < before_.size() &&

@@ -69,6 +69,10 @@ void Users::ofBody() {
     for (std::size_t i = 0; i < scene_.joints.size(); ++i)
         if (scene_.joints[i].body1 == name_ || scene_.joints[i].body2 == name_)
             add(Kind::joint, i);
+    for (std::size_t i = 0; i < scene_.ropes.size(); ++i)
+        if (std::ranges::find(scene_.ropes[i].points, name_, &scene::Rope::Point::body) !=
+            scene_.ropes[i].points.end())
+            add(Kind::rope, i);
     for (std::size_t i = 0; i < scene_.constraints.size(); ++i)
         if (scene_.constraints[i].body == name_)
             add(Kind::constraint, i);
@@ -105,8 +109,8 @@ void Users::ofTrajectory() {
 void Users::byExpression() {
     for (const scene::ExpressionPlace& place : scene::expressionsOf(scene_))
         if (reads(*place.text, name_))
-            for (const Kind kind :
-                 {Kind::force, Kind::link, Kind::joint, Kind::gear, Kind::view, Kind::plot})
+            for (const Kind kind : {Kind::force, Kind::link, Kind::joint, Kind::gear, Kind::rope,
+                                    Kind::view, Kind::plot})
                 for (std::size_t i = 0; sourceOf(scene_, {kind, i}); ++i)
                     if (sourceOf(scene_, {kind, i}) == place.source)
                         add(kind, i);

@@ -26,6 +26,8 @@ const scene::Source* sourceOf(const scene::Scene& scene, const Element& element)
         return sourceIn(scene.joints, element.index);
     case Kind::gear:
         return sourceIn(scene.gears, element.index);
+    case Kind::rope:
+        return sourceIn(scene.ropes, element.index);
     case Kind::trajectory:
         return sourceIn(scene.trajectories, element.index);
     case Kind::constraint:
@@ -54,6 +56,8 @@ std::string nameOf(const scene::Scene& scene, const Element& element) {
         return scene.joints[element.index].name;
     case Kind::gear:
         return scene.gears[element.index].name;
+    case Kind::rope:
+        return scene.ropes[element.index].name;
     case Kind::trajectory:
         return scene.trajectories[element.index].name;
     case Kind::light:
@@ -70,9 +74,9 @@ std::string nameOf(const scene::Scene& scene, const Element& element) {
 }
 
 std::string wordOf(Kind kind) {
-    constexpr const char* words[] = {"simulator", "shape set", "body",       "force",      "link",
-                                     "joint",     "gear",      "trajectory", "constraint", "light",
-                                     "view",      "parameter", "plot"};
+    constexpr const char* words[] = {
+        "simulator", "shape set",  "body",       "force", "link", "joint",     "gear",
+        "rope",      "trajectory", "constraint", "light", "view", "parameter", "plot"};
     return words[static_cast<std::size_t>(kind)];
 }
 

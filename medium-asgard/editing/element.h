@@ -17,6 +17,7 @@ enum class Kind {
     link,
     joint,
     gear,
+    rope,
     trajectory,
     constraint,
     light,

@@ -44,6 +44,7 @@ private:
             c.stiffness, c.rest, c.damping, c.friction, c.isGiven);
     }
     void put(const scene::Gear::Term& t) { add(t.joint, static_cast<int>(t.coordinate), t.ratio); }
+    void put(const scene::Rope::Point& p) { add(p.body, p.place, p.radius, p.axis); }
     void put(const scene::BezierCurve& c) { add(c.from, c.to, c.control); }
     template <class A, class B> void put(const std::pair<A, B>& p) { add(p.first, p.second); }
     template <class Value> void put(const std::optional<Value>& value) {
@@ -86,6 +87,9 @@ void write(Writer& w, const scene::Joint& j) {
           j.pitch, j.coordinates, j.release);
 }
 void write(Writer& w, const scene::Gear& g) { w.add(g.name, g.terms, g.release); }
+void write(Writer& w, const scene::Rope& r) {
+    w.add(r.name, r.points, r.length, r.restitution, r.isClosed, r.release);
+}
 void write(Writer& w, const scene::Trajectory& t) { w.add(t.name, t.curves, t.points); }
 void write(Writer& w, const scene::Constraint& c) {
     w.add(c.body, static_cast<int>(c.held), c.trajectory, c.from, c.to);
@@ -126,6 +130,8 @@ std::string fingerprintOf(const scene::Scene& scene, const Element& element) {
         return written(scene.joints, i);
     case Kind::gear:
         return written(scene.gears, i);
+    case Kind::rope:
+        return written(scene.ropes, i);
     case Kind::trajectory:
         return written(scene.trajectories, i);
     case Kind::constraint:
@@ -156,6 +162,12 @@ std::string bodiesOf(const scene::Scene& scene, const Element& element) {
     case Kind::joint: {
         const scene::Joint& joint = scene.joints[element.index];
         return joint.body1 + " " + joint.body2.value_or("");
+    }
+    case Kind::rope: {
+        std::string bodies;
+        for (const scene::Rope::Point& point : scene.ropes[element.index].points)
+            bodies += point.body.value_or("") + " ";
+        return bodies;
     }
     default:
         return "";

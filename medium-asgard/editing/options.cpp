@@ -134,6 +134,14 @@ constexpr OptionHint gearOptions[] = {
     {"-ratios", list, "a number for each: the sum of number times q stays", ""},
     {"-release", expression, "an expression: the gear is gone as soon as it is not 0", ""},
 };
+constexpr OptionHint ropeOptions[] = {
+    {"-points", list, "{{BODY {offset}} {x y z} ...}; a wheel is {BODY {offset} RADIUS ?AXIS?}",
+     ""},
+    {"-length", number, "how long it is; by default what it measures at the start", ""},
+    {"-restitution", number, "of the impact when it becomes taut (0)", ""},
+    {"-closed", flag, "1: it leads back to its first point, as a belt", ""},
+    {"-release", expression, "an expression: the rope is gone as soon as it is not 0", ""},
+};
 constexpr OptionHint trajectoryOptions[] = {
     {"-points", list, "{{t x y z} ...}: a smooth curve through these", ""},
     {"-bezier", list, "{{t0 t1 {x y z} {x y z} ...} ...}: curves by their control points", ""},
@@ -200,6 +208,9 @@ constexpr std::array commands = {
                 jointOptions},
     CommandHint{"gear", "gear NAME -joint1 J -joint2 K -ratio R", "Two joints that turn together.",
                 text, true, gearOptions},
+    CommandHint{"rope", "rope NAME -points {P P ...} ?-length L?",
+                "A rope of fixed length through points and around wheels: it only pulls.", text,
+                true, ropeOptions},
     CommandHint{"trajectory", "trajectory NAME -points {{t x y z} ...}", "A path in time.", text,
                 true, trajectoryOptions},
     CommandHint{"constrain", "constrain BODY -pos T", "A trajectory leads a body.", body, false,

@@ -12,12 +12,13 @@ namespace script {
 
 namespace {
 
-constexpr std::string_view kindNames[] = {"shape set", "body", "trajectory", "parameter",
-                                          "joint",     "gear", "spring",     "light source",
-                                          "view",      "plot"};
-constexpr std::string_view kindLists[] = {
-    "shape sets here", "bodies here",  "trajectories here",  "parameters here", "joints here",
-    "gears here",      "springs here", "light sources here", "views here",      "plots here"};
+constexpr std::string_view kindNames[] = {"shape set",    "body", "trajectory", "parameter",
+                                          "joint",        "gear", "rope",       "spring",
+                                          "light source", "view", "plot"};
+constexpr std::string_view kindLists[] = {"shape sets here", "bodies here",  "trajectories here",
+                                          "parameters here", "joints here",  "gears here",
+                                          "ropes here",      "springs here", "light sources here",
+                                          "views here",      "plots here"};
 
 template <typename Kind> std::string_view nameOf(Kind kind) {
     return kindNames[static_cast<std::size_t>(kind)];
@@ -54,6 +55,7 @@ void SceneMaker::make(Call& call) {
         {"link", &SceneMaker::link},
         {"joint", &SceneMaker::joint},
         {"gear", &SceneMaker::gear},
+        {"rope", &SceneMaker::rope},
         {"spring", &SceneMaker::spring},
         {"trajectory", &SceneMaker::trajectory},
         {"constrain", &SceneMaker::constrain},
@@ -72,7 +74,7 @@ namespace {
 
 bool isSymbol(std::string_view kind) {
     return kind == "body" || kind == "trajectory" || kind == "parameter" || kind == "joint" ||
-           kind == "gear" || kind == "spring";
+           kind == "gear" || kind == "rope" || kind == "spring";
 }
 
 std::string keyOf(std::string_view kind, const std::string& name) {
@@ -108,8 +110,8 @@ void SceneMaker::registerName(const std::string& name, const Value& word, Kind k
         if (found->second.known())
             message += ", at line " + std::to_string(places_.at(found->second.from).line);
         faults_.error(word.range, std::move(message),
-                      symbol && before != kind ? "bodies, trajectories, parameters, joints, gears "
-                                                 "and springs share one set of names"
+                      symbol && before != kind ? "bodies, trajectories, parameters, joints, gears, "
+                                                 "ropes and springs share one set of names"
                                                : "");
         return;
     }

@@ -32,6 +32,7 @@ private:
     void link(Call& call);
     void joint(Call& call);
     void gear(Call& call);
+    void rope(Call& call);
     void spring(Call& call);
     void trajectory(Call& call);
     void constrain(Call& call);
@@ -48,6 +49,7 @@ private:
         parameter,
         joint,
         gear,
+        rope,
         spring,
         lightSource,
         view,
@@ -88,7 +90,7 @@ private:
     std::optional<scene::VectorValue> vectorValue(Arguments& arguments, std::string_view option);
     std::optional<scene::ScalarValue> scalarValue(Arguments& arguments, std::string_view option);
 
-    // --- parts of joints and gears ---
+    // --- parts of joints, gears and ropes ---
     void jointEnds(Arguments& arguments, scene::Joint& joint);
     void jointAxes(Arguments& arguments, scene::Joint& joint);
     void refuseOptions(Arguments& arguments, const scene::Joint& joint);
@@ -106,6 +108,10 @@ private:
     std::vector<scene::Gear::Term> gearList(Arguments& arguments);
     std::optional<scene::Gear::Term> gearTerm(Arguments& arguments, std::string_view option,
                                               const Value& value, double ratio);
+    std::vector<scene::Rope::Point> ropePoints(Arguments& arguments);
+    std::optional<scene::Rope::Point> ropePoint(Arguments& arguments, const Value& value);
+    bool ropeWheel(Arguments& arguments, const std::vector<Value>& parts,
+                   scene::Rope::Point& point);
     void checkJoints();
     void checkJointCycles();
 

@@ -2,6 +2,7 @@
 
 #include "ipc/bounds.h"
 #include "scene/joint_types.h"
+#include "scene/names.h"
 
 #include <algorithm>
 
@@ -48,6 +49,16 @@ void addJoint(ipc::ValueOffers& offers, const scene::Joint& joint) {
         add(offers, {name + ".t" + axis, name + ": couple " + axis, ""});
 }
 
+void addRope(ipc::ValueOffers& offers, const scene::Rope& rope) {
+    add(offers, {rope.name + ".length", rope.name + ": length", ""});
+    const std::size_t spans = scene::spansOf(rope);
+    for (std::size_t i = 1; i <= spans; ++i) {
+        const std::string which = spans > 1 ? std::to_string(i) : "";
+        add(offers, {rope.name + ".tension" + which,
+                     rope.name + ": tension" + (which.empty() ? "" : " " + which), ""});
+    }
+}
+
 } // namespace
 
 ipc::ValueOffers offeredValues(const scene::Scene& scene) {
@@ -67,6 +78,8 @@ ipc::ValueOffers offeredValues(const scene::Scene& scene) {
             addBody(offers, body.name);
     for (std::size_t i = 0; i < scene.joints.size() && i < mostBodiesOffered; ++i)
         addJoint(offers, scene.joints[i]);
+    for (std::size_t i = 0; i < scene.ropes.size() && i < mostBodiesOffered; ++i)
+        addRope(offers, scene.ropes[i]);
     add(offers, {"t", "time", ""});
     add(offers, {"scene.energy", "energy of all bodies", ""});
     return offers;

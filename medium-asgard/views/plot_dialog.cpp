@@ -30,6 +30,12 @@ scene::Scene namesOf(const scene::Scene& scene) {
     }
     for (const scene::Gear& gear : scene.gears)
         names.gears.emplace_back().name = gear.name;
+    for (const scene::Rope& rope : scene.ropes) {
+        scene::Rope& named = names.ropes.emplace_back();
+        named.name = rope.name;
+        named.points = rope.points;
+        named.isClosed = rope.isClosed;
+    }
     for (const scene::Trajectory& trajectory : scene.trajectories)
         names.trajectories.emplace_back().name = trajectory.name;
     for (const scene::Parameter& parameter : scene.parameters)

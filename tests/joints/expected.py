@@ -10,8 +10,10 @@ import math
 import os
 import sys
 
-from cases import BY_NAME
+import cases
+import rope_cases
 
+BY_NAME = cases.BY_NAME | {case.__name__: case for case in rope_cases.CASES}
 HERE = os.path.dirname(os.path.abspath(__file__))
 
 

@@ -124,7 +124,7 @@ std::string inWords(const scene::Scene& scene, const EquationsOfMotion& equation
         std::snprintf(digits, sizeof digits, "%.2g", blame.value);
         value = digits;
     }
-    static constexpr std::array<const char*, 4> kinds = {"force", "link", "joint", "gear"};
+    static constexpr std::array<const char*, 5> kinds = {"force", "link", "joint", "gear", "rope"};
     const bool isSpring =
         c.kind == Contribution::Kind::link && scene.links[c.element].spring.has_value();
     return std::string("the ") + (isSpring ? "spring" : kinds[static_cast<std::size_t>(c.kind)]) +

@@ -3,6 +3,7 @@
 #include "physics/body_phases.h"
 #include "physics/forces.h"
 #include "physics/joints.h"
+#include "physics/ropes.h"
 
 #include <algorithm>
 #include <limits>
@@ -210,13 +211,17 @@ EquationsOfMotion::EquationsOfMotion(const scene::Scene& scene,
     if (!faults.empty())
         return;
     scope.emplace(g, scene, std::move(masses), std::move(symbols));
-    JointReader joints(g, scene, *scope, bodies, faults);
+    JointMultipliers multipliers(g, scene, *scope, bodies, faults);
+    JointReader joints(g, scene, *scope, bodies, multipliers, faults);
+    RopeReader ropes(g, scene, *scope, bodies, multipliers, faults);
     if (!faults.empty()) {
         scope.reset();
         return;
     }
     ForceReader(g, scene, *scope, faults).read(contributions, links);
     joints.contribute(contributions);
+    ropes.contribute(contributions);
+    multipliers.readReleases();
     jointEnergies = joints.energies();
 
     std::vector<std::vector<const Contribution*>> acting(bodies.size());
@@ -237,7 +242,7 @@ EquationsOfMotion::EquationsOfMotion(const scene::Scene& scene,
         for (const HoldSegment& segment : segments)
             times.insert(segment.from);
     }
-    jointRows = joints.addUnknowns(set, owners, notes);
+    jointRows = multipliers.addUnknowns(set, owners, notes);
     times.erase(-std::numeric_limits<double>::infinity());
     breakpoints.assign(times.begin(), times.end());
     if (!faults.empty())

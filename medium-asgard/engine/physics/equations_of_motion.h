@@ -64,9 +64,9 @@ struct BodyMotion {
 
 // The terms that one force, one end of a link, or a joint adds to a body.
 struct Contribution {
-    enum class Kind { force, link, joint, gear };
+    enum class Kind { force, link, joint, gear, rope };
     Kind kind = Kind::force;
-    std::size_t element = 0; // index into Scene::forces, links, joints or gears
+    std::size_t element = 0; // index into Scene::forces, links, joints, gears or ropes
     std::size_t body = 0;
     NodeVector force;  // world axes
     NodeVector torque; // along the axes of the body's spin

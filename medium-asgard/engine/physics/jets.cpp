@@ -58,6 +58,20 @@ Jet product(Graph& g, const JetVector& a, const JetVector& b) {
             g.add(g.add(dot(g, a.second, b.value), dot(g, a.value, b.second)), twice)};
 }
 
+Jet product(Graph& g, const Jet& a, const Jet& b) {
+    const Node twice = g.multiply(g.constant(2), g.multiply(a.rate, b.rate));
+    return {g.multiply(a.value, b.value),
+            g.add(g.multiply(a.rate, b.value), g.multiply(a.value, b.rate)),
+            g.add(g.add(g.multiply(a.second, b.value), g.multiply(a.value, b.second)), twice)};
+}
+
+Jet root(Graph& g, const Jet& a) {
+    const Node two = g.constant(2), s = g.apply(Op::sqrt, a.value);
+    const Node rate = g.divide(a.rate, g.multiply(two, s));
+    const Node left = g.subtract(a.second, g.multiply(two, g.multiply(rate, rate)));
+    return {s, rate, g.divide(left, g.multiply(two, s))};
+}
+
 Jet length(Graph& g, const JetVector& v) {
     const Node size = g.apply(Op::sqrt, dot(g, v.value, v.value));
     const Node rate = g.divide(dot(g, v.value, v.rate), size);

@@ -33,6 +33,8 @@ struct BodyRates {
 [[nodiscard]] JetVector sum(Graph& g, const JetVector& a, const JetVector& b);
 [[nodiscard]] JetVector cross(Graph& g, const JetVector& a, const JetVector& b);
 [[nodiscard]] Jet product(Graph& g, const JetVector& a, const JetVector& b); // scalar product
+[[nodiscard]] Jet product(Graph& g, const Jet& a, const Jet& b);
+[[nodiscard]] Jet root(Graph& g, const Jet& a); // square root
 [[nodiscard]] Jet length(Graph& g, const JetVector& v);
 [[nodiscard]] Jet sum(Graph& g, const Jet& a, const Jet& b);
 [[nodiscard]] Jet difference(Graph& g, const Jet& a, const Jet& b);

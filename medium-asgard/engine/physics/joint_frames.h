@@ -1,14 +1,12 @@
 // The points and axes of joints, and what each body has of them, as bodies stand at the start.
 #pragma once
 
-#include "physics/equations_of_motion.h"
+#include "physics/carried_points.h"
 #include "physics/start_values.h"
 
 namespace physics {
 
-struct JointEnd {
-    std::optional<std::size_t> body; // none: the world
-    Vector arm = Vector::Zero();     // from the centre of mass, along the body's axes
+struct JointEnd : CarriedPoint {
     // Along the body's axes; across and third are perpendicular to the joint's axis.
     Vector axis = Vector::UnitZ(), across = Vector::UnitX(), third = Vector::UnitY();
 };

@@ -9,55 +9,16 @@ namespace physics {
 
 using scene::JointType;
 
-const expression::Phase& phaseAt(const expression::Unknown& unknown, double time) {
-    const auto after = std::ranges::upper_bound(unknown.phases, time, {}, &expression::Phase::from);
-    return after == unknown.phases.begin() ? unknown.phases.front() : *(after - 1);
-}
-
-const BodySymbols& JointKinematics::bodyOf(const JointEnd& end) const {
-    return end.body ? bodies_[*end.body].symbols : world_;
-}
-
-BodyRates JointKinematics::ratesOf(const JointEnd& end, const Along& along) const {
-    const NodeVector zero = constant(g_, Vector::Zero());
-    BodyRates rates{zero, zero};
-    if (!along.set || !end.body || bodies_[*end.body].isFixed)
-        return rates;
-    const BodyMotion& body = bodies_[*end.body];
-    const auto rateOfUnknown = [&](std::size_t unknown) {
-        return phaseAt(along.set->unknowns[unknown], along.time).derivative;
-    };
-    for (std::size_t i = 0; i < 3; ++i) {
-        rates.acceleration[i] = rateOfUnknown(body.unknown(dx) + i);
-        rates.spinRate[i] = rateOfUnknown(body.unknown(w1) + i);
-    }
-    return rates;
-}
-
-JetVector JointKinematics::carried(const JointEnd& end, const Vector& v, const Along& along) {
-    return carriedJet(g_, bodyOf(end), ratesOf(end, along), v);
-}
-
-// Places first: far from the origin their difference is small and exact.
 JetVector JointKinematics::apart(const JointFrame& frame, const Along& along) {
-    const auto& [first, second] = frame.ends;
-    const JetVector centres = difference(g_, centreJet(bodyOf(first), ratesOf(first, along)),
-                                         centreJet(bodyOf(second), ratesOf(second, along)));
-    return sum(
-        g_, centres,
-        difference(g_, carried(first, first.arm, along), carried(second, second.arm, along)));
+    return points_.apart(frame.ends[0], frame.ends[1], along);
 }
 
 NodeVector JointKinematics::pointOf(std::size_t joint) {
-    const JointEnd& first = frames_[joint].ends[0];
-    const BodySymbols& body = bodyOf(first);
-    return add(g_, body.position, body.toWorld(g_, constant(g_, first.arm)));
+    return points_.placeOf(frames_[joint].ends[0]);
 }
 
 JetVector JointKinematics::turning(const JointFrame& frame, const Along& along) {
-    const auto& [first, second] = frame.ends;
-    return difference(g_, spinJet(g_, bodyOf(first), ratesOf(first, along)),
-                      spinJet(g_, bodyOf(second), ratesOf(second, along)));
+    return points_.turning(frame.ends[0], frame.ends[1], along);
 }
 
 std::vector<Jet> JointKinematics::conditions(std::size_t joint, const Along& along) {

@@ -10,21 +10,11 @@
 
 namespace physics {
 
-// The equations along which rates are taken, and when; none: with accelerations of 0.
-struct Along {
-    const expression::EquationSet* set = nullptr;
-    double time = 0;
-};
-
-// The phase of an unknown at a time.
-[[nodiscard]] const expression::Phase& phaseAt(const expression::Unknown& unknown, double time);
-
 class JointKinematics {
 public:
     JointKinematics(Graph& g, const scene::Scene& scene, const JointFrames& frames,
                     std::span<const BodyMotion> bodies)
-        : g_(g), scene_(scene), frames_(frames), bodies_(bodies),
-          world_(fixedBody(g, {Vector::Zero(), Quaternion::Identity()})) {}
+        : g_(g), scene_(scene), frames_(frames), points_(g, bodies) {}
 
     // All that are 0, as lengths.
     [[nodiscard]] std::vector<Jet> conditions(std::size_t joint, const Along& along);
@@ -37,9 +27,9 @@ public:
     void setTie(Node angle, Node multiplier) { ties_.emplace(angle.index, multiplier); }
 
 private:
-    [[nodiscard]] const BodySymbols& bodyOf(const JointEnd& end) const;
-    [[nodiscard]] BodyRates ratesOf(const JointEnd& end, const Along& along) const;
-    [[nodiscard]] JetVector carried(const JointEnd& end, const Vector& v, const Along& along);
+    [[nodiscard]] JetVector carried(const JointEnd& end, const Vector& v, const Along& along) {
+        return points_.carried(end, v, along);
+    }
     [[nodiscard]] JetVector apart(const JointFrame& frame, const Along& along); // d
     [[nodiscard]] JetVector turning(const JointFrame& frame, const Along& along);
     [[nodiscard]] Jet angleOf(const JointFrame& frame, std::size_t k, const JetVector& axis,
@@ -49,8 +39,7 @@ private:
     Graph& g_;
     const scene::Scene& scene_;
     const JointFrames& frames_;
-    std::span<const BodyMotion> bodies_;
-    BodySymbols world_;
+    CarriedPoints points_;
     std::unordered_map<std::uint32_t, Node> ties_; // by the angle's symbol
 };
 

@@ -52,6 +52,13 @@ std::vector<TimeSwitch> timeSwitchesOf(const Graph& g, std::span<const Node> nod
     return found;
 }
 
+std::string shortRope(const std::string& name, double by) {
+    char text[100];
+    std::snprintf(text, sizeof text, "\": its -length is %.4g under what it measures at the start",
+                  by);
+    return "rope \"" + name + text;
+}
+
 } // namespace
 
 void JointMultipliers::begin(Element element, const std::optional<scene::Expression>& release) {
@@ -75,6 +82,19 @@ Node JointMultipliers::add(Make make, const JointBounds& bounds,
                      .trajectories = std::move(trajectories),
                      .reads = std::move(reads)});
     return kept_.back().multiplier;
+}
+
+void JointMultipliers::push(std::vector<Contribution>& contributions, Contribution made, Node rate,
+                            Node force) {
+    for (const std::size_t body : element_.moving) {
+        const BodySymbols& s = bodies_[body].symbols;
+        made.body = body;
+        for (std::size_t i = 0; i < 3; ++i) {
+            made.force[i] = g_.multiply(differentiate(g_, rate, s.velocity[i]), force);
+            made.torque[i] = g_.multiply(differentiate(g_, rate, s.spin[i]), force);
+        }
+        contributions.push_back(made);
+    }
 }
 
 void JointMultipliers::keepThroughBlows(Node rate) {
@@ -296,11 +316,12 @@ void JointMultipliers::checkStart(const expression::EquationSet& set, std::size_
     expression::Tape(g_, inputs, outputs).evaluate(values, found, scratch);
     std::map<std::pair<int, std::string>, std::pair<double, double>> worst; // by element
     for (std::size_t k = 0; k < kept_.size(); ++k) {
-        const auto& [name, line, moving, ofJoint] = kept_[k].element;
+        const auto& [name, line, moving, ofJoint, isRope] = kept_[k].element;
         const bool isStop = kept_[k].bounds.low == 0;
         if (isStop && found[2 * k] < -startResolution * extents().first)
-            faults_.push_back("line " + std::to_string(line) + ": joint \"" + name +
-                              "\" starts outside its limits");
+            faults_.push_back("line " + std::to_string(line) + ": " +
+                              (isRope ? shortRope(name, -found[2 * k])
+                                      : "joint \"" + name + "\" starts outside its limits"));
         if (isStop || kept_[k].bounds.high < std::numeric_limits<double>::infinity())
             continue;
         auto& [gap, rate] = worst[{line, name}];

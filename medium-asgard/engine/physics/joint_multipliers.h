@@ -1,10 +1,10 @@
-// Multipliers and angles of joints on their way to becoming unknowns.
+// Multipliers and angles of joints, gears and ropes on their way to becoming unknowns.
 //
 // A condition is made again for each phase of the bodies that it moves. The conditions of an
 // element with a release are gone from the first time on at which that expression is not 0.
 #pragma once
 
-#include "physics/joint_kinematics.h"
+#include "physics/carried_points.h"
 
 #include <functional>
 #include <limits>
@@ -28,12 +28,13 @@ struct JointBounds { // of a multiplier; of a stop, restitution
 class JointMultipliers {
 public:
     using Make = std::function<JointCondition(const Along&)>;
-    // Of one joint or gear: its name, its line in the text, and the bodies that it moves.
+    // Of one joint, gear or rope: its name, its line in the text, and the bodies that it moves.
     struct Element {
         std::string name;
         int line = 0;
         std::vector<std::size_t> moving;
         double size = 1; // of the joint
+        bool isRope = false;
     };
 
     JointMultipliers(Graph& g, const scene::Scene& scene, const Scope& scope,
@@ -47,6 +48,8 @@ public:
     [[nodiscard]] Node add(Make make, const JointBounds& bounds = {},
                            std::vector<std::size_t> trajectories = {},
                            std::vector<Node> reads = {});
+    // J' force on the element's bodies, with J of this rate; `made` has kind and element.
+    void push(std::vector<Contribution>& contributions, Contribution made, Node rate, Node force);
     // The condition that was added last holds through a blow: J of this rate.
     void keepThroughBlows(Node rate);
     // A force itself, or where it may be released a multiplier that is it.
@@ -59,7 +62,9 @@ public:
     // When all joints are named: what a joint does may release it.
     void readReleases();
 
-    // As JointReader::addUnknowns().
+    // The unknowns, behind those of the bodies. Joints that the bodies miss, and ropes that are too
+    // short, go to faults; velocities at the start that joints do not allow, to notes. Answers with
+    // the conditions that joints put on velocities.
     [[nodiscard]] std::vector<JointRow> addUnknowns(expression::EquationSet& set,
                                                     std::vector<std::size_t>& owners,
                                                     std::vector<std::string>& notes);

@@ -10,10 +10,11 @@ namespace physics {
 using scene::JointType;
 
 JointReader::JointReader(Graph& g, const scene::Scene& scene, Scope& scope,
-                         std::span<const BodyMotion> bodies, std::vector<std::string>& faults)
+                         std::span<const BodyMotion> bodies, JointMultipliers& multipliers,
+                         std::vector<std::string>& faults)
     : g_(g), scene_(scene), scope_(scope), bodies_(bodies), faults_(faults),
       frames_(g, scene, scope, bodies, faults), kinematics_(g, scene, frames_, bodies),
-      multipliers_(g, scene, scope, bodies, faults) {
+      multipliers_(multipliers) {
     for (std::size_t j = 0; j < frames_.size() && faults_.empty(); ++j)
         nameJoint(j);
     scope_.setJoints(nodes_);
@@ -43,7 +44,6 @@ void JointReader::contribute(std::vector<Contribution>& contributions) {
     for (std::size_t i = 0; i < scene_.gears.size(); ++i)
         keepGear(i);
     scope_.setJoints(nodes_);
-    multipliers_.readReleases();
 }
 
 void JointReader::keepJoint(std::size_t joint) {
@@ -63,24 +63,11 @@ void JointReader::keepJoint(std::size_t joint) {
             return JointCondition{.jet = kinematics_.conditions(joint, along)[r]};
         });
         multipliers_.keepThroughBlows(conditions[r].rate);
-        push(conditions[r].rate, multiplier, moving);
+        push(conditions[r].rate, multiplier);
     }
     for (std::size_t k = 0; k < of.coordinates.size(); ++k)
         drive({joint, k});
     addForce(joint, std::span(*contributions_).subspan(first));
-}
-
-void JointReader::push(Node rate, Node force, std::span<const std::size_t> bodies) {
-    for (const std::size_t body : bodies) {
-        const BodySymbols& s = bodies_[body].symbols;
-        Contribution made = from_;
-        made.body = body;
-        for (std::size_t i = 0; i < 3; ++i) {
-            made.force[i] = g_.multiply(differentiate(g_, rate, s.velocity[i]), force);
-            made.torque[i] = g_.multiply(differentiate(g_, rate, s.spin[i]), force);
-        }
-        contributions_->push_back(made);
-    }
 }
 
 // All that the joint does to its first body, about its point; of a fixed one, against the second.
@@ -132,11 +119,11 @@ void JointReader::drive(const Coordinate& c) {
         brake(c, jet);
     const std::vector<std::size_t> moving = frames_.moving(c.joint);
     if (const Node force = springOf(c, jet); !g_.isConstant(force, 0))
-        push(jet.rate, multipliers_.releasable(force), moving);
+        push(jet.rate, multipliers_.releasable(force));
     if (of.motor)
         if (const auto node = parsed(c, *of.motor, "-motor", scene::Reading::state)) {
             nodes_[c.joint].motor[c.place] = multipliers_.releasable(*node);
-            push(jet.rate, nodes_[c.joint].motor[c.place], moving);
+            push(jet.rate, nodes_[c.joint].motor[c.place]);
         }
     if (of.speed || of.position)
         hold(c, jet);
@@ -187,7 +174,7 @@ void JointReader::hold(const Coordinate& c, const Jet& jet) {
     if (!of.maxMotor)
         multipliers_.keepThroughBlows(jet.rate);
     nodes_[c.joint].motor[c.place] = motor;
-    push(jet.rate, motor, frames_.moving(c.joint));
+    push(jet.rate, motor);
 }
 
 // A stop at each end: the coordinate's distance from it as a length, and a force that only pushes
@@ -207,7 +194,7 @@ void JointReader::limit(const Coordinate& c) {
         const Node multiplier = multipliers_.add(
             [distance](const Along& along) { return JointCondition{.jet = distance(along)}; },
             {0, std::numeric_limits<double>::infinity(), of.limitRestitution});
-        push(distance({}).rate, multiplier, frames_.moving(c.joint));
+        push(distance({}).rate, multiplier);
     }
 }
 
@@ -220,7 +207,7 @@ void JointReader::brake(const Coordinate& c, const Jet& jet) {
                                   JointCondition::Order::velocity};
         },
         {-most, most, 0});
-    push(jet.rate, multiplier, frames_.moving(c.joint));
+    push(jet.rate, multiplier);
 }
 
 void JointReader::keepGear(std::size_t gear) {
@@ -259,7 +246,7 @@ void JointReader::keepGear(std::size_t gear) {
     from_ = {};
     from_.kind = Contribution::Kind::gear;
     from_.element = gear;
-    push(rate, multiplier, moving);
+    push(rate, multiplier);
 }
 
 // An angle that is an unknown of its own is kept with the attitudes.

@@ -20,6 +20,7 @@
 // Contract: docs/scene-language.md, "Joints".
 #pragma once
 
+#include "physics/joint_kinematics.h"
 #include "physics/joint_multipliers.h"
 
 namespace physics {
@@ -28,19 +29,11 @@ class JointReader {
 public:
     // Names of joints mean something in the scope from here on.
     JointReader(Graph& g, const scene::Scene& scene, Scope& scope,
-                std::span<const BodyMotion> bodies, std::vector<std::string>& faults);
+                std::span<const BodyMotion> bodies, JointMultipliers& multipliers,
+                std::vector<std::string>& faults);
 
     // Adds the forces of joints to bodies: multipliers, motors, springs.
     void contribute(std::vector<Contribution>& contributions);
-    // The unknowns of joints, behind those of the bodies. Joints that the bodies miss go to faults;
-    // velocities at the start that joints do not allow, to notes. Answers with the conditions that
-    // joints put on velocities.
-    [[nodiscard]] std::vector<JointRow> addUnknowns(expression::EquationSet& set,
-                                                    std::vector<std::size_t>& owners,
-                                                    std::vector<std::string>& notes) {
-        return multipliers_.addUnknowns(set, owners, notes);
-    }
-
     // Of the springs of joints.
     [[nodiscard]] const std::vector<Node>& energies() const { return energies_; }
 
@@ -58,8 +51,7 @@ private:
     void brake(const Coordinate& c, const Jet& jet);
     void keepGear(std::size_t gear);
     void tie(const Coordinate& c);
-    // J' force, with J of this rate.
-    void push(Node rate, Node force, std::span<const std::size_t> bodies);
+    void push(Node rate, Node force) { multipliers_.push(*contributions_, from_, rate, force); }
     [[nodiscard]] std::optional<Node> parsed(const Coordinate& c, const scene::Expression& text,
                                              const char* option, scene::Reading reading);
     [[nodiscard]] const scene::JointCoordinate& said(const Coordinate& c) const {
@@ -74,7 +66,7 @@ private:
     std::vector<std::string>& faults_;
     JointFrames frames_;
     JointKinematics kinematics_;
-    JointMultipliers multipliers_;
+    JointMultipliers& multipliers_;
     std::vector<JointNodes> nodes_; // by joint
     std::vector<Node> energies_;
     Contribution from_; // kind and element of what is pushed now

@@ -96,6 +96,10 @@ expression::Meaning Scope::meaning(Graph& g, std::string_view name, std::span<co
         const auto component = static_cast<std::size_t>(read->component);
         return {(read->isRate ? trajectory.rate : trajectory.value)[component], "", ""};
     }
+    if (const auto* rope = std::get_if<scene::RopeName>(&named)) {
+        const RopeNodes& nodes = ropes_[rope->rope];
+        return {rope->span ? nodes.tension[*rope->span] : nodes.length, "", ""};
+    }
     if (const auto* spring = std::get_if<scene::SpringName>(&named)) {
         const auto nodes = springs_.find(spring->link);
         if (nodes == springs_.end())

@@ -37,6 +37,12 @@ struct JointNodes {
     NodeVector force, couple;
 };
 
+// A rope's names; tension of each span between wheels or ends.
+struct RopeNodes {
+    Node length;
+    std::vector<Node> tension;
+};
+
 // Keeps nodes of one graph; it may be used with that graph and with its copies.
 class Scope {
 public:
@@ -58,6 +64,7 @@ public:
     [[nodiscard]] std::unordered_map<std::uint32_t, Node>
     piecesFrom(const Graph& g, std::span<const std::size_t> trajectories, double time) const;
     void setJoints(std::vector<JointNodes> joints) { joints_ = std::move(joints); }
+    void setRopes(std::vector<RopeNodes> ropes) { ropes_ = std::move(ropes); }
     // A spring's quantities, by index into Scene::links; set before an expression may read them.
     void setSpring(std::size_t link, const SpringNodes& nodes) { springs_[link] = nodes; }
     void setSceneNodes(const SceneNodes& nodes) { sceneNodes_ = nodes; }
@@ -87,6 +94,7 @@ private:
     std::vector<ScopeTrajectory> trajectories_;
     std::unordered_map<std::uint32_t, std::vector<std::size_t>> choices_; // whose value or rate
     std::vector<JointNodes> joints_;
+    std::vector<RopeNodes> ropes_;
     std::unordered_map<std::size_t, SpringNodes> springs_;
     SceneNodes sceneNodes_;
 };

@@ -27,7 +27,7 @@ public:
         : mentions_(mentions), isBroken_(isBroken), bodies_(indexOf(scene.bodies)),
           trajectories_(indexOf(scene.trajectories)), parameters_(indexOf(scene.parameters)),
           shapes_(indexOf(scene.shapeSets)), joints_(indexOf(scene.joints)),
-          springs_(indexOf(scene.links)) {
+          springs_(indexOf(scene.links)), ropes_(indexOf(scene.ropes)) {
         springs_.erase(std::string_view()); // links, and springs without a name
     }
 
@@ -64,18 +64,19 @@ private:
     // As Names does: what stands before the last dot is the owner.
     void word(std::size_t reader, std::string_view name) {
         const std::string_view owner = name.substr(0, name.rfind('.'));
-        for (const auto& [index, kind] : {std::pair{&bodies_, Mention::Kind::body},
-                                          std::pair{&trajectories_, Mention::Kind::trajectory},
-                                          std::pair{&parameters_, Mention::Kind::parameter},
-                                          std::pair{&joints_, Mention::Kind::joint},
-                                          std::pair{&springs_, Mention::Kind::spring}})
+        for (const auto& [index, kind] :
+             {std::pair{&bodies_, Mention::Kind::body},
+              std::pair{&trajectories_, Mention::Kind::trajectory},
+              std::pair{&parameters_, Mention::Kind::parameter},
+              std::pair{&joints_, Mention::Kind::joint},
+              std::pair{&springs_, Mention::Kind::spring}, std::pair{&ropes_, Mention::Kind::rope}})
             if (const auto place = index->find(owner); place != index->end())
                 return mention(reader, kind, place->second);
     }
 
     std::vector<Mention>& mentions_;
     bool& isBroken_;
-    Index bodies_, trajectories_, parameters_, shapes_, joints_, springs_;
+    Index bodies_, trajectories_, parameters_, shapes_, joints_, springs_, ropes_;
 };
 
 std::size_t rootOf(std::vector<std::size_t>& parent, std::size_t i) {
@@ -178,6 +179,39 @@ Owned gearOwners(const Scene& scene, Collector& collect, std::span<const Ends> j
     return owners;
 }
 
+// The bodies of each rope; what they read by it is added.
+Owned ropeOwners(const Scene& scene, Collector& collect) {
+    Owned owners;
+    for (std::size_t r = 0; r < scene.ropes.size(); ++r) {
+        std::vector<std::size_t> bodies;
+        for (const Rope::Point& point : scene.ropes[r].points) {
+            const std::size_t body = point.body ? collect.body(*point.body) : noElement;
+            if (body != noElement && std::ranges::find(bodies, body) == bodies.end())
+                bodies.push_back(body);
+        }
+        mentionEachOther(collect, bodies);
+        for (const std::size_t body : bodies) {
+            collect.expression(body, scene.ropes[r].release);
+            owners.emplace_back(body, r);
+        }
+    }
+    return owners;
+}
+
+// Who reads a rope reads its bodies, too.
+void mentionBodiesOfRopes(Collector& collect, const std::vector<Mention>& mentions,
+                          const Owned& owners) {
+    const std::size_t count = mentions.size();
+    for (std::size_t m = 0; m < count; ++m) {
+        const Mention mention = mentions[m]; // the list grows
+        if (mention.kind != Mention::Kind::rope)
+            continue;
+        for (const auto& [body, rope] : owners)
+            if (rope == mention.index && body != mention.reader)
+                collect.mention(mention.reader, Mention::Kind::body, body);
+    }
+}
+
 // Who reads a joint reads its bodies, too.
 void mentionBodiesOfJoints(Collector& collect, std::vector<Mention>& mentions,
                            std::span<const Ends> joints) {
@@ -231,7 +265,10 @@ Connections::Connections(const Scene& scene) {
             onBodies.emplace_back(body, j);
     joints = ByBody(count, onBodies);
     gears = ByBody(count, gearOwners(scene, collect, ends));
+    const Owned ofRopes = ropeOwners(scene, collect);
+    ropes = ByBody(count, ofRopes);
     mentionBodiesOfJoints(collect, mentionList, ends);
+    mentionBodiesOfRopes(collect, mentionList, ofRopes);
     mentionEndsOfSprings(scene, collect, mentionList, first, second);
     for (const Mention& mention : mentionList)
         readers.push_back(mention.reader);

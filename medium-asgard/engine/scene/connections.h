@@ -18,10 +18,10 @@ inline constexpr std::size_t noElement = std::numeric_limits<std::size_t>::max()
 
 // Something that a force, link, joint or constraint of a body names.
 struct Mention {
-    enum class Kind : std::uint8_t { body, trajectory, parameter, joint, spring };
+    enum class Kind : std::uint8_t { body, trajectory, parameter, joint, spring, rope };
     std::size_t reader = 0; // the body
     Kind kind = Kind::body;
-    std::size_t index = 0; // into the scene's bodies, trajectories, parameters, joints or links
+    std::size_t index = 0; // into the scene's list of that kind; of springs: links
 };
 
 // Indices into lists of a scene, by body.
@@ -47,7 +47,7 @@ struct Connections {
     std::vector<std::size_t> shapes; // by body: index into Scene::shapeSets
     ByBody forces, constraints;      // on a body, in the scene's order
     ByBody firstEnds, secondEnds;    // links whose first or second end is on a body
-    ByBody joints, gears;            // that are on a body; a gear is on the bodies of its joints
+    ByBody joints, gears, ropes;     // that are on a body; a gear is on the bodies of its joints
     ByBody mentions;                 // indices into mentionList, by reader
     std::vector<Mention> mentionList;
     // Moving bodies whose equations read each other, directly or through others: the least of them.

@@ -84,6 +84,15 @@ bool same(const Gear::Term& a, const Gear::Term& b) {
 bool same(const Gear& a, const Gear& b) {
     return same(a.terms, b.terms) && same(a.release, b.release);
 }
+bool same(const Rope::Point& a, const Rope::Point& b) {
+    return same(a.body, b.body) && same(a.place, b.place) && same(a.radius, b.radius) &&
+           same(a.axis, b.axis);
+}
+bool same(const Rope& a, const Rope& b) {
+    return same(a.points, b.points) && same(a.length, b.length) &&
+           same(a.restitution, b.restitution) && a.isClosed == b.isClosed &&
+           same(a.release, b.release);
+}
 bool same(const BezierCurve& a, const BezierCurve& b) {
     return same(a.from, b.from) && same(a.to, b.to) && same(a.control, b.control);
 }
@@ -143,7 +152,8 @@ public:
           shapes_(matched(now_.shapeSets, old_.shapeSets)),
           trajectories_(matched(now_.trajectories, old_.trajectories)),
           parameters_(matched(now_.parameters, old_.parameters)),
-          joints_(matched(now_.joints, old_.joints)), springs_(matched(now_.links, old_.links)) {
+          joints_(matched(now_.joints, old_.joints)), springs_(matched(now_.links, old_.links)),
+          ropes_(matched(now_.ropes, old_.ropes)) {
         result_.before = matched(now_.bodies, old_.bodies);
         for (std::size_t i = 0; i < shapes_.size(); ++i)
             if (shapes_[i] != noElement &&
@@ -163,6 +173,9 @@ public:
         for (std::size_t i = 0; i < springs_.size(); ++i)
             if (springs_[i] != noElement && !same(now_.links[i], old_.links[springs_[i]]))
                 springs_[i] = noElement;
+        for (std::size_t i = 0; i < ropes_.size(); ++i)
+            if (ropes_[i] != noElement && !same(now_.ropes[i], old_.ropes[ropes_[i]]))
+                ropes_[i] = noElement;
     }
 
     Difference find() {
@@ -195,6 +208,7 @@ private:
             areSame(now_.links, b_.secondEnds.of(b), old_.links, a_.secondEnds.of(was), moved) &&
             areSame(now_.joints, b_.joints.of(b), old_.joints, a_.joints.of(was), moved) &&
             areSame(now_.gears, b_.gears.of(b), old_.gears, a_.gears.of(was), moved) &&
+            areSame(now_.ropes, b_.ropes.of(b), old_.ropes, a_.ropes.of(was), moved) &&
             areSame(now_.constraints, b_.constraints.of(b), old_.constraints,
                     a_.constraints.of(was), moved) &&
             mentionsSame(b, was);
@@ -245,6 +259,8 @@ private:
             return joints_;
         case Mention::Kind::spring:
             return springs_;
+        case Mention::Kind::rope:
+            return ropes_;
         case Mention::Kind::body:
             break;
         }
@@ -254,7 +270,7 @@ private:
     const Scene &old_, &now_;
     const Connections &a_, &b_;
     // By element: the one before with the same content; noElement: none, or it differs.
-    std::vector<std::size_t> shapes_, trajectories_, parameters_, joints_, springs_;
+    std::vector<std::size_t> shapes_, trajectories_, parameters_, joints_, springs_, ropes_;
     Difference result_;
 };
 

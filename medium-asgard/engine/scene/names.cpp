@@ -50,6 +50,8 @@ std::string listOf(const std::vector<std::string>& names) {
 }
 
 constexpr const char* onlyPositions = "positions may be read here, and no velocities";
+constexpr const char* onlyShown =
+    " is a force, which plots, --quantities and -release may read, and no other expression";
 
 Named findSceneQuantity(std::string_view name, Reading reading) {
     const auto index = indexOf(sceneQuantityNames(), name);
@@ -92,6 +94,22 @@ const std::vector<std::string>& springQuantityNames() {
     return names;
 }
 
+std::size_t spansOf(const Rope& rope) {
+    const std::size_t ends = rope.isClosed || rope.points.empty() ? 0 : 1;
+    std::size_t wheels = 0;
+    for (std::size_t i = ends; i + ends < rope.points.size(); ++i)
+        if (rope.points[i].radius != 0)
+            ++wheels;
+    return std::max<std::size_t>(wheels + ends, 1);
+}
+
+std::vector<std::string> ropeQuantityNames(const Rope& rope) {
+    std::vector<std::string> names{"length", "tension"};
+    for (std::size_t i = 1; i <= spansOf(rope); ++i)
+        names.push_back("tension" + std::to_string(i));
+    return names;
+}
+
 Names::Names(const Scene& scene) {
     for (std::size_t i = 0; i < scene.bodies.size(); ++i)
         owners_.try_emplace(scene.bodies[i].name, Owner{Kind::body, i});
@@ -105,6 +123,10 @@ Names::Names(const Scene& scene) {
     }
     for (std::size_t i = 0; i < scene.gears.size(); ++i)
         owners_.try_emplace(scene.gears[i].name, Owner{Kind::gear, i});
+    for (std::size_t i = 0; i < scene.ropes.size(); ++i) {
+        owners_.try_emplace(scene.ropes[i].name, Owner{Kind::rope, i});
+        ropes_.push_back(ropeQuantityNames(scene.ropes[i]));
+    }
     for (std::size_t i = 0; i < scene.links.size(); ++i)
         if (!scene.links[i].name.empty())
             owners_.try_emplace(scene.links[i].name, Owner{Kind::spring, i});
@@ -139,6 +161,8 @@ Named Names::find(std::string_view name, std::optional<std::size_t> arguments,
         return findOfJoint(name, found->second.index, quantity, reading);
     if (found->second.kind == Kind::spring)
         return findOfSpring(name, found->second.index, quantity, reading);
+    if (found->second.kind == Kind::rope)
+        return findOfRope(name, found->second.index, quantity, reading);
     return findOfTrajectory(found->second.index, quantity);
 }
 
@@ -149,10 +173,11 @@ Named Names::findAlone(std::string_view name) const {
     if (found != owners_.end() && found->second.kind == Kind::parameter)
         return ParameterName{found->second.index};
     if (found != owners_.end()) {
-        static constexpr const char* kinds[] = {"body",  "trajectory", "parameter",
-                                                "joint", "gear",       "spring"};
+        static constexpr const char* kinds[] = {"body", "trajectory", "parameter", "joint",
+                                                "gear", "spring",     "rope"};
         const Owner& owner = found->second;
-        std::string example = owner.kind == Kind::spring ? "length" : "x";
+        const bool isLong = owner.kind == Kind::spring || owner.kind == Kind::rope;
+        std::string example = isLong ? "length" : "x";
         if (owner.kind == Kind::joint)
             example = jointQuantityNames(joints_[owner.index]).front();
         return NameFault{quoted(name) + " is a " + kinds[static_cast<std::size_t>(owner.kind)] +
@@ -215,9 +240,7 @@ Named Names::findOfJoint(std::string_view name, std::size_t joint, std::string_v
         isForce ? static_cast<std::size_t>(JointQuantity::fx) + *index - ofForce : *index % each);
     if (found >= JointQuantity::motor && reading != Reading::quantities &&
         reading != Reading::release)
-        return NameFault{std::string(name) + " is a force, which plots, --quantities and -release "
-                                             "may read, and no other expression",
-                         ""};
+        return NameFault{std::string(name) + onlyShown, ""};
     if (found == JointQuantity::dq && reading == Reading::positions)
         return NameFault{onlyPositions, ""};
     return JointName{joint, found, isForce ? 0 : *index / each};
@@ -232,13 +255,27 @@ Named Names::findOfSpring(std::string_view name, std::size_t link, std::string_v
     const auto found = static_cast<SpringQuantity>(*index);
     if (found == SpringQuantity::force && reading != Reading::quantities &&
         reading != Reading::release)
-        return NameFault{std::string(name) +
-                             " is a force, which plots, --quantities and -release may read, and no "
-                             "other expression",
-                         ""};
+        return NameFault{std::string(name) + onlyShown, ""};
     if (reading == Reading::positions)
         return NameFault{"positions may be read here, and no lengths of springs", ""};
     return SpringName{link, found};
+}
+
+Named Names::findOfRope(std::string_view name, std::size_t rope, std::string_view quantity,
+                        Reading reading) const {
+    const auto index = indexOf(ropes_[rope], quantity);
+    if (!index)
+        return NameFault{"this rope has no quantity " + quoted(quantity),
+                         "there are" + listOf(ropes_[rope])};
+    const bool isTension = *index > 0;
+    if (isTension && reading != Reading::quantities && reading != Reading::release)
+        return NameFault{std::string(name) + onlyShown, ""};
+    if (reading == Reading::positions)
+        return NameFault{"positions may be read here, and no lengths of ropes", ""};
+    RopeName made{rope, std::nullopt};
+    if (isTension)
+        made.span = *index < 2 ? 0 : *index - 2;
+    return made;
 }
 
 NameFault Names::unknownOwner(std::string_view owner, std::string_view quantity) const {
@@ -281,6 +318,7 @@ public:
         add(joint.source, joint.release, "-release", Reading::release);
     }
     void add(const Gear& gear) { add(gear.source, gear.release, "-release", Reading::release); }
+    void add(const Rope& rope) { add(rope.source, rope.release, "-release", Reading::release); }
     void add(const View& view) {
         add(view, view.position, "-pos");
         add(view, view.rotation, "-rot");
@@ -322,6 +360,7 @@ std::vector<ExpressionPlace> expressionsOf(const Scene& scene) {
     std::ranges::for_each(scene.links, [&](const Link& l) { collector.add(l); });
     std::ranges::for_each(scene.joints, [&](const Joint& j) { collector.add(j); });
     std::ranges::for_each(scene.gears, [&](const Gear& g) { collector.add(g); });
+    std::ranges::for_each(scene.ropes, [&](const Rope& r) { collector.add(r); });
     std::ranges::for_each(scene.views, [&](const View& v) { collector.add(v); });
     std::ranges::for_each(scene.plots, [&](const Plot& p) { collector.add(p); });
     return std::move(collector.places);

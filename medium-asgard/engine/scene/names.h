@@ -45,11 +45,17 @@ enum class BodyQuantity {
     pdz, // calls with the body point's three coordinates
 };
 
-// In the order of BodyQuantity, and of SpringQuantity.
+// In the order of BodyQuantity, of SpringQuantity.
 [[nodiscard]] const std::vector<std::string>& bodyQuantityNames();
 [[nodiscard]] const std::vector<std::string>& springQuantityNames();
 
 enum class SpringQuantity { length, force };
+
+// The names that a rope has after its dot: "length", "tension" (of the first span between wheels or
+// ends), "tension1", ...
+[[nodiscard]] std::vector<std::string> ropeQuantityNames(const Rope& rope);
+// How many spans between wheels or ends a rope has: each has a tension of its own.
+[[nodiscard]] std::size_t spansOf(const Rope& rope);
 
 // fx to tz: what the joint does to body 1, in world axes, at its point; motor: along a coordinate.
 enum class JointQuantity { q, dq, motor, fx, fy, fz, tx, ty, tz };
@@ -82,6 +88,10 @@ struct SpringName {
     std::size_t link = 0; // index into Scene::links
     SpringQuantity quantity = SpringQuantity::length;
 };
+struct RopeName {
+    std::size_t rope = 0;            // index into Scene::ropes
+    std::optional<std::size_t> span; // whose tension it is, from 0; none: the length
+};
 struct SceneName {
     SceneQuantity quantity = SceneQuantity::energy; // events.collisions among them
 };
@@ -89,13 +99,13 @@ struct NameFault {
     std::string message, suggestion;
 };
 using Named = std::variant<TimeName, ParameterName, BodyName, TrajectoryName, JointName, SpringName,
-                           SceneName, NameFault>;
+                           RopeName, SceneName, NameFault>;
 
 // The quantities that an expression may read.
 enum class Reading {
-    state,      // of bodies, joints, trajectories, parameters, time, lengths of springs; no forces
-    positions,  // a link's point, a joint's -position: places and attitudes; no velocities, springs
-    release,    // -release: also the forces of joints and springs
+    state,      // of bodies, joints, trajectories, parameters, time, lengths of springs and ropes
+    positions,  // a link's point, a joint's -position: places and attitudes; no velocities, lengths
+    release,    // -release: also the forces of joints, springs and ropes
     quantities, // to chart or print: also scene.energy, events.collisions, ...
 };
 
@@ -108,7 +118,7 @@ public:
                              Reading reading) const;
 
 private:
-    enum class Kind { body, trajectory, parameter, joint, gear, spring };
+    enum class Kind { body, trajectory, parameter, joint, gear, spring, rope };
     struct Owner {
         Kind kind;
         std::size_t index;
@@ -122,10 +132,13 @@ private:
                                     std::string_view quantity, Reading reading) const;
     [[nodiscard]] static Named findOfSpring(std::string_view name, std::size_t link,
                                             std::string_view quantity, Reading reading);
+    [[nodiscard]] Named findOfRope(std::string_view name, std::size_t rope,
+                                   std::string_view quantity, Reading reading) const;
     [[nodiscard]] NameFault unknownOwner(std::string_view owner, std::string_view quantity) const;
 
     std::map<std::string, Owner, std::less<>> owners_; // all that share the one set of names
     std::vector<JointType> joints_;
+    std::vector<std::vector<std::string>> ropes_; // their quantities
 };
 
 // --- every expression of a scene ------------------------------------------------------------

@@ -30,7 +30,7 @@ private:
 Scene partOf(const Version& version, const std::vector<std::size_t>& bodies) {
     const Scene& scene = *version.scene;
     const Connections& connections = version.connections;
-    Chosen shapes, forces, links, joints, gears, constraints, trajectories, parameters;
+    Chosen shapes, forces, links, joints, gears, ropes, constraints, trajectories, parameters;
     Scene part;
     part.simulator = scene.simulator;
     for (const std::size_t b : bodies) {
@@ -43,6 +43,7 @@ Scene partOf(const Version& version, const std::vector<std::size_t>& bodies) {
         links.add(connections.secondEnds.of(b));
         joints.add(connections.joints.of(b));
         gears.add(connections.gears.of(b));
+        ropes.add(connections.ropes.of(b));
         constraints.add(connections.constraints.of(b));
         for (const std::size_t m : connections.mentions.of(b))
             if (const Mention& mention = connections.mentionList[m];
@@ -54,12 +55,15 @@ Scene partOf(const Version& version, const std::vector<std::size_t>& bodies) {
                 joints.add(mention.index);
             else if (mention.kind == Mention::Kind::spring)
                 links.add(mention.index);
+            else if (mention.kind == Mention::Kind::rope)
+                ropes.add(mention.index);
     }
     part.shapeSets = shapes.of(scene.shapeSets);
     part.forces = forces.of(scene.forces);
     part.links = links.of(scene.links);
     part.joints = joints.of(scene.joints);
     part.gears = gears.of(scene.gears);
+    part.ropes = ropes.of(scene.ropes);
     part.constraints = constraints.of(scene.constraints);
     part.trajectories = trajectories.of(scene.trajectories);
     part.parameters = parameters.of(scene.parameters);

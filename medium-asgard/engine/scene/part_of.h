@@ -7,7 +7,7 @@
 
 namespace scene {
 
-// The chosen bodies in the scene's order, with the shapes, forces, links, joints, gears,
+// The chosen bodies in the scene's order, with the shapes, forces, links, joints, gears, ropes,
 // constraints, trajectories and parameters that they need and the scene's simulator. Whole groups
 // of moving bodies (connections.h) and the fixed ones that they read must be chosen. Forces on
 // fixed bodies are left out: they move nothing.

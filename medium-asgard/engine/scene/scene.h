@@ -228,6 +228,25 @@ struct Gear {
     Source source;
 };
 
+// A massless rope of fixed length, which pulls and never pushes. It slides through its middle
+// points without friction; around wheels it is wrapped and does not slip.
+struct Rope {
+    struct Point {
+        std::optional<std::string> body; // none: a point of the world
+        // Frame of the body, from its reference point, or the world. None: its centre of mass.
+        std::optional<Vector> place;
+        double radius = 0;             // of a wheel; negative: the rope goes round its other side
+        Vector axis = Vector::UnitZ(); // of a wheel, frame of the body
+    };
+    std::string name;
+    std::vector<Point> points;
+    std::optional<double> length; // none: what it measures at the start
+    double restitution = 0;       // of the impact when it becomes taut
+    bool isClosed = false;        // from the last point back to the first: a belt
+    std::optional<Expression> release;
+    Source source;
+};
+
 // --- trajectories ---------------------------------------------------------------------------
 
 // One Bezier curve over [from, to), its parameter linear in time. One control point: a constant.
@@ -325,6 +344,7 @@ struct Scene {
     std::vector<Link> links; // and springs, in the order of the text
     std::vector<Joint> joints;
     std::vector<Gear> gears;
+    std::vector<Rope> ropes;
     std::vector<Trajectory> trajectories;
     std::vector<Constraint> constraints;
     std::vector<LightSource> lights;

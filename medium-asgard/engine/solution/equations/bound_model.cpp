@@ -107,7 +107,8 @@ private:
             const expression::Phase& phase = phaseOf(place);
             const auto& [gap, rate, low, high, restitution, resolution, release] = *phase.condition;
             const bool isBounded = low > -infinity || high < infinity;
-            BoundModel::Law law{low, high, restitution, resolution, gap && isBounded};
+            BoundModel::Law law{
+                low, high, restitution, resolution, gap && isBounded, rate.has_value()};
             if (release)
                 if (const auto unknown = index_.of(*release))
                     law.release = placeOf(*unknown);

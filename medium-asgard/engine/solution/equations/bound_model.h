@@ -23,6 +23,8 @@ struct BoundModel {
     struct Law {                          // of each multiplier (expression/equations.h, Condition)
         double low = -infinity, high = infinity, restitution = 0, resolution = 0;
         bool isStop = false;
+        // Its condition is one on second rates; others say their multiplier without the rest.
+        bool isOnSecondRates = true;
         std::optional<std::size_t> release = {}; // place of an unknown: not 0: gone
         [[nodiscard]] bool isBounded() const { return low > -infinity || high < infinity; }
     };

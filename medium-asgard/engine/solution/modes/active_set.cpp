@@ -201,8 +201,8 @@ void ActiveSet::give(std::span<const std::size_t> hit, std::span<const double> r
     multipliers_.evaluateGaps();
     std::vector<std::size_t> rows;
     for (std::size_t row = 0; row < mode_.kept.size(); ++row) {
-        const bool isHeld =
-            mode_.kept[row] == State::inside && (!law(row).isBounded() || isStop(row));
+        const bool isHeld = mode_.kept[row] == State::inside &&
+                            (!law(row).isBounded() ? law(row).isOnSecondRates : isStop(row));
         if (isHeld || std::ranges::find(hit, row) != hit.end())
             rows.push_back(row);
     }
@@ -243,7 +243,7 @@ bool ActiveSet::settle(std::span<const std::size_t> fallen, double fastest, doub
         if (isBounded && leaves && mode_.kept[row] != Mode::gone)
             mode_.kept[row] = State::low;
         else if (hasFallen || isCandidate(row, fastest) ||
-                 (!isBounded && mode_.kept[row] != Mode::gone))
+                 (!isBounded && law(row).isOnSecondRates && mode_.kept[row] != Mode::gone))
             rows.push_back(row);
         isAny = isAny || (isBounded && !rows.empty() && rows.back() == row);
     }

@@ -139,10 +139,18 @@ Multipliers::System Multipliers::systemOf(std::span<const std::size_t> rows) {
     (void)evaluate();
     const std::vector<std::size_t> chosen(rows.begin(), rows.end());
     Eigen::VectorXd rest = rest_;
-    for (std::size_t row = 0; row < size(); ++row)
-        if (std::ranges::find(rows, row) == rows.end() && mode_.kept[row] != State::inside &&
-            bound(row) != 0)
-            rest += bound(row) * full_.col(indexOf(row));
+    for (std::size_t row = 0; row < size(); ++row) {
+        if (std::ranges::find(rows, row) != rows.end())
+            continue;
+        const Eigen::Index i = indexOf(row);
+        double value = 0;
+        if (mode_.kept[row] != State::inside)
+            value = bound(row);
+        else if (!f_.bound()->laws[row].isOnSecondRates)
+            value = -rest_[i] / full_(i, i);
+        if (value != 0)
+            rest += value * full_.col(i);
+    }
     return {full_(chosen, chosen), rest(chosen)};
 }
 

@@ -48,7 +48,7 @@ public:
     // After solve(): of a condition, whether it holds or not.
     [[nodiscard]] double secondRate(std::size_t row) const;
     // Second rates of these conditions as matrix times their multipliers and a rest, in which the
-    // others stand at their bounds.
+    // others stand at their bounds; those that are not on second rates have their own values.
     struct System {
         Eigen::MatrixXd matrix;
         Eigen::VectorXd rest;

@@ -1,0 +1,87 @@
+#include "physics/ropes.h"
+
+#include <cmath>
+#include <limits>
+
+namespace physics {
+
+RopeReader::RopeReader(Graph& g, const scene::Scene& scene, Scope& scope,
+                       std::span<const BodyMotion> bodies, JointMultipliers& multipliers,
+                       std::vector<std::string>& faults)
+    : g_(g), scene_(scene), scope_(scope), paths_(g, scene, scope, bodies, faults),
+      multipliers_(multipliers) {
+    for (std::size_t r = 0; r < paths_.size() && faults.empty(); ++r) {
+        const RopePath& path = paths_[r];
+        for (std::size_t k = 0; k < path.spans.size(); ++k)
+            for (const std::size_t end : {0U, 1U}) {
+                const RopeSpan& span = path.spans[k];
+                const RopePoint& wheel = path.points[end == 0 ? span.from : span.to];
+                const Node angle = span.ends[end].angle;
+                if (wheel.radius != 0 && g_.op(angle) == Op::symbol)
+                    multipliers_.addAngle(angle, paths_.angle(r, k, end, {}).rate,
+                                          std::abs(wheel.radius), path.moving.front());
+            }
+        nodes_.push_back(
+            {paths_.length(r), std::vector<Node>(path.stretches.size(), g_.constant(0))});
+    }
+    if (faults.empty())
+        scope_.setRopes(nodes_);
+}
+
+void RopeReader::contribute(std::vector<Contribution>& contributions) {
+    for (std::size_t r = 0; r < paths_.size(); ++r)
+        if (!paths_[r].moving.empty())
+            contribute(r, contributions);
+    scope_.setRopes(nodes_);
+}
+
+// Angles that are unknowns of their own are kept with the places.
+void RopeReader::tieAngles(std::size_t rope) {
+    for (std::size_t k = 0; k < paths_[rope].spans.size(); ++k)
+        for (const std::size_t end : {0U, 1U}) {
+            const Node angle = paths_[rope].spans[k].ends[end].angle;
+            if (!multipliers_.needsTie(angle))
+                continue;
+            const Node multiplier = multipliers_.add([this, rope, k, end](const Along& along) {
+                return JointCondition{paths_.tie(rope, k, end, along),
+                                      JointCondition::Order::first};
+            });
+            multipliers_.tie(angle, multiplier);
+            paths_.setTie(angle, multiplier);
+        }
+}
+
+// What is slack at the start is so in the first stretch.
+void RopeReader::contribute(std::size_t rope, std::vector<Contribution>& contributions) {
+    const scene::Rope& said = scene_.ropes[rope];
+    const RopePath& path = paths_[rope];
+    multipliers_.begin(
+        {said.name, static_cast<int>(said.source.line), path.moving, path.size, true},
+        said.release);
+    tieAngles(rope);
+    std::vector<double> material;
+    double measured = 0;
+    for (std::size_t s = 0; s < path.stretches.size(); ++s) {
+        material.push_back(paths_.startOf(rope, s));
+        measured += material.back();
+    }
+    for (const RopePoint& point : path.points)
+        measured += std::abs(point.radius) * point.wrapped;
+    if (said.length)
+        material.front() += *said.length - measured;
+    Contribution from;
+    from.kind = Contribution::Kind::rope;
+    from.element = rope;
+    for (std::size_t s = 0; s < path.stretches.size(); ++s) {
+        const auto gap = [this, rope, s, of = material[s]](const Along& along) {
+            return paths_.gap(rope, s, of, along);
+        };
+        const Node tension = multipliers_.add(
+            [gap](const Along& along) { return JointCondition{.jet = gap(along)}; },
+            {0, std::numeric_limits<double>::infinity(), said.restitution});
+        nodes_[rope].tension[s] = tension;
+        multipliers_.push(contributions, from, gap({}).rate, tension);
+    }
+}
+
+} // namespace physics

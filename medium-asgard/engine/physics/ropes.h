@@ -1,0 +1,38 @@
+// Ropes as conditions that only pull, which multipliers keep (expression/equations.h): stops.
+//
+// Each stretch between wheels or ends has its own: gap >= 0 (rope_paths.h), tension >= 0, one of
+// both 0. Becoming taut is an impact of all that hangs together.
+//
+// LIMIT: a rope keeps to its wheels; where the wrapped angle falls under 0 it does not lift off.
+//
+// Contract: docs/scene-language.md, "Ropes".
+#pragma once
+
+#include "physics/joint_multipliers.h"
+#include "physics/rope_paths.h"
+
+namespace physics {
+
+class RopeReader {
+public:
+    // Names of ropes mean something in the scope from here on.
+    RopeReader(Graph& g, const scene::Scene& scene, Scope& scope,
+               std::span<const BodyMotion> bodies, JointMultipliers& multipliers,
+               std::vector<std::string>& faults);
+
+    // Adds the tensions of ropes to bodies.
+    void contribute(std::vector<Contribution>& contributions);
+
+private:
+    void contribute(std::size_t rope, std::vector<Contribution>& contributions);
+    void tieAngles(std::size_t rope);
+
+    Graph& g_;
+    const scene::Scene& scene_;
+    Scope& scope_;
+    RopePaths paths_;
+    JointMultipliers& multipliers_;
+    std::vector<RopeNodes> nodes_; // by rope
+};
+
+} // namespace physics
