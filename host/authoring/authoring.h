@@ -139,12 +139,21 @@ struct LinkAround {
                              std::string_view text);
 // Into the caption of the figure or table around the caret, which gets one.
 [[nodiscard]] Result insertCaption(const Manuscript& manuscript, Selection selection);
+// How a reference names its target: "Equation 1", or "(1)".
+enum class ReferBy { kindAndNumber, number };
 // A reference to an element, which gets an ID when it has none.
 [[nodiscard]] Result insertReference(const Manuscript& manuscript, Selection selection,
-                                     sgml::NodeId target);
-// The reference leads there from now on.
+                                     sgml::NodeId target, ReferBy by = ReferBy::kindAndNumber);
+// The reference leads there from now on, and names it so.
 [[nodiscard]] Result changeReference(const Manuscript& manuscript, Selection selection,
-                                     sgml::NodeId reference, sgml::NodeId target);
+                                     sgml::NodeId reference, sgml::NodeId target, ReferBy by);
+[[nodiscard]] ReferBy refersBy(const Manuscript& manuscript, sgml::NodeId reference);
+// The word for an element in references to it: "Equation"; "": none, or the class has no references
+// that show the number alone.
+[[nodiscard]] std::string referredAs(const Manuscript& manuscript, sgml::NodeId target);
+// By the number where that word, or a beginning of it ("eq.", "Figs."), stands before the place.
+[[nodiscard]] ReferBy fittingAt(const Manuscript& manuscript, std::size_t place,
+                                sgml::NodeId target);
 // The elements that a reference may name, in order: those that are numbered, or have an ID.
 [[nodiscard]] std::vector<sgml::NodeId> targets(const Manuscript& manuscript);
 // The names of elements that may come in behind a place, or behind what is around it.

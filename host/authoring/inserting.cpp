@@ -191,19 +191,7 @@ Result insertCaption(const Manuscript& manuscript, Selection selection) {
 
 // --- references -----------------------------------------------------------------------------
 
-namespace {
-
-// Some elements have a number only with an attribute, such as a formula that stands alone.
-bool isNumbered(const sgml::Tree& tree, const Grammar& grammar, NodeId element) {
-    const Element& known = grammar.of(tree.name(element));
-    const auto& variants = grammar.variants(tree.name(element));
-    const bool isPlain = std::none_of(variants.begin(), variants.end(), [&](const auto& variant) {
-        return tree.attribute(element, variant.attribute) == variant.value;
-    });
-    return known.isNumbered && (known.kind != Kind::unit || variants.empty() || !isPlain);
-}
-
-} // namespace
+namespace {} // namespace
 
 Result withId(const Manuscript& manuscript, NodeId element, const std::string& id, Result result,
               const QString& isErased) {
@@ -226,61 +214,6 @@ Result withId(const Manuscript& manuscript, NodeId element, const std::string& i
     }
     text::putInOrder(step->edits);
     return result;
-}
-
-Result changeReference(const Manuscript& manuscript, Selection selection, NodeId reference,
-                       NodeId target) {
-    const QString isGone = QStringLiteral("The target of the reference is not in this document.");
-    const sgml::Tree& tree = manuscript.document.tree();
-    if (!tree.holds(target) || !tree.isElement(target))
-        return refused(isGone);
-    std::string id(tree.attribute(target, "ID").value_or(""));
-    if (id.empty())
-        id = freeId(idsOf(tree), tree.name(target));
-    return withId(
-        manuscript, target, id,
-        setAttributes(manuscript, selection, reference, {{"TO", id}}, QStringLiteral("Reference")),
-        isGone);
-}
-
-Result insertReference(const Manuscript& manuscript, Selection selection, NodeId target) {
-    const sgml::Tree& tree = manuscript.document.tree();
-    const std::size_t end = std::max(selection.anchor, selection.caret);
-    Draft draft(manuscript, {end, end});
-    if (const QString why = draft.obstacle(); !why.isEmpty())
-        return refused(why);
-    const std::string name(draft.grammar().named(Display::reference));
-    if (name.empty())
-        return refused(QStringLiteral("This class of documents has no references."));
-    if (!tree.holds(target) || !tree.isElement(target) || !draft.isInside(target))
-        return refused(QStringLiteral("The target of the reference is not in this document."));
-    std::string id(tree.attribute(target, "ID").value_or(""));
-    if (id.empty()) {
-        id = freeId(idsOf(tree), tree.name(target));
-        draft.opened(target).attributes += " " + sgml::attributeText("ID", id);
-    }
-    if (putInLine(draft, draft.first(), Draft::made(name, " " + sgml::attributeText("TO", id))) ==
-        nullptr)
-        return refused(mayNotStand(draft.grammar(), name));
-    draft.collapse();
-    return draft.result(QStringLiteral("Reference"));
-}
-
-std::vector<NodeId> targets(const Manuscript& manuscript) {
-    const sgml::Tree& tree = manuscript.document.tree();
-    std::vector<NodeId> found;
-    const Grammar* grammar = manuscript.grammars.of(tree.name(tree.root()));
-    if (grammar == nullptr)
-        return found;
-    for (NodeId id = tree.following(tree.root()); id != noNode;) {
-        const bool isElement = tree.isElement(id);
-        if (isElement && (isNumbered(tree, *grammar, id) ||
-                          (tree.attribute(id, "ID") && tree.name(id) != "DOCUMENT")))
-            found.push_back(id);
-        id = isElement && tree.name(id) == "DOCUMENT" ? tree.followingSkippingChildren(id)
-                                                      : tree.following(id);
-    }
-    return found;
 }
 
 // --- moving ---------------------------------------------------------------------------------

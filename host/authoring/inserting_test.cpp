@@ -180,7 +180,8 @@ TEST(Inserting, AReferenceIsLedElsewhere) {
         sgml::NodeId reference = tree.root();
         while (tree.name(reference) != "REF")
             reference = tree.following(reference);
-        return changeReference(manuscript, selection, reference, targets(manuscript).back());
+        return changeReference(manuscript, selection, reference, targets(manuscript).back(),
+                               ReferBy::kindAndNumber);
     };
     const std::string other = "<FIGURE ID=\"x\"><IMAGE></IMAGE></FIGURE>";
     EXPECT_EQ(

@@ -1,5 +1,7 @@
 #include "manuscript/grammar.h"
 
+#include "schemas/number_pattern.h"
+
 #include <algorithm>
 
 namespace manuscript {
@@ -53,8 +55,10 @@ Grammar::Grammar(const schemas::StructureSchema* structure,
         return;
     for (const std::string& name : structure->names()) {
         const schemas::ElementStyle style = presentation.styleNamed(name);
-        Element element{
-            .display = style.display, .role = style.role, .holdsText = allowsText(name)};
+        Element element{.display = style.display,
+                        .role = style.role,
+                        .holdsText = allowsText(name),
+                        .referredAs = std::string(schemas::wordsBefore(style.reference))};
         element.kind = kindOf(element);
         schemas::Presentation::Progress progress = presentation.start();
         element.isHeaderFirst =

@@ -32,6 +32,7 @@ struct Element {
     bool holdsText = false;
     bool isNumbered = false;    // has a counter, or is a heading of the outline
     bool isHeaderFirst = false; // a row: the first of a table is repeated, unless it says otherwise
+    std::string referredAs{};   // by references, before its number: "Figure"; "": no word
 };
 
 // Of one class of documents.

@@ -177,15 +177,29 @@ void InsertMenu::askForReference(sgml::NodeId element) {
     view().settle();
     if (!view().model())
         return;
-    ReferenceDialog dialog(
-        described(authoring::targets(view().writing().manuscript()), *view().model()),
-        element == sgml::noNode, parentWidget());
+    const Manuscript now = view().writing().manuscript();
+    std::vector<Target> targets = described(authoring::targets(now), *view().model());
+    const auto at = view().writing().place();
+    const bool isNew = element == sgml::noNode;
+    for (Target& one : targets)
+        if (one.isNumbered && at) {
+            const std::size_t place = isNew ? std::max(at->anchor, at->caret)
+                                            : now.document.tree().node(element).range.from;
+            one.kind = QString::fromStdString(authoring::referredAs(now, one.element));
+            one.isNumberFitting =
+                authoring::fittingAt(now, place, one.element) == authoring::ReferBy::number;
+        }
+    std::optional<bool> isByNumber;
+    if (!isNew)
+        isByNumber = authoring::refersBy(now, element) == authoring::ReferBy::number;
+    ReferenceDialog dialog(std::move(targets), isByNumber, parentWidget());
     if (dialog.exec() != QDialog::Accepted || dialog.chosen() == sgml::noNode)
         return;
-    view().writing().perform([&](const Manuscript& in, Selection at) {
-        return element == sgml::noNode
-                   ? authoring::insertReference(in, at, dialog.chosen())
-                   : authoring::changeReference(in, at, element, dialog.chosen());
+    view().writing().perform([&](const Manuscript& in, Selection where) {
+        const auto by =
+            dialog.isByNumber() ? authoring::ReferBy::number : authoring::ReferBy::kindAndNumber;
+        return isNew ? authoring::insertReference(in, where, dialog.chosen(), by)
+                     : authoring::changeReference(in, where, element, dialog.chosen(), by);
     });
 }
 

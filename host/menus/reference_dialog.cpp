@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
+#include <QRadioButton>
 #include <QVBoxLayout>
 #include <map>
 
@@ -54,13 +55,18 @@ std::vector<Target> described(const std::vector<sgml::NodeId>& elements,
     for (const sgml::NodeId element : elements)
         if (const auto found = blocks.find(element); found != blocks.end())
             if (const QString words = wordsOf(*found->second); !words.isEmpty())
-                result.push_back({element, words});
+                result.push_back({.element = element,
+                                  .words = words,
+                                  .isNumbered = !found->second->marker.empty()});
     return result;
 }
 
-ReferenceDialog::ReferenceDialog(std::vector<Target> targets, bool isNew, QWidget* parent)
+ReferenceDialog::ReferenceDialog(std::vector<Target> targets, std::optional<bool> isByNumber,
+                                 QWidget* parent)
     : QDialog(parent), targets_(std::move(targets)), field_(new QLineEdit(this)),
-      list_(new QListWidget(this)) {
+      list_(new QListWidget(this)), byKind_(new QRadioButton(this)),
+      byNumber_(new QRadioButton(tr("The number &alone"), this)),
+      isChosen_(isByNumber.has_value()) {
     setObjectName("referenceDialog");
     setWindowTitle(tr("Cross-Reference"));
     field_->setObjectName("words");
@@ -72,14 +78,22 @@ ReferenceDialog::ReferenceDialog(std::vector<Target> targets, bool isNew, QWidge
     list_->setMinimumSize(440, 300);
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // long captions end in "..."
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
-    buttons->button(QDialogButtonBox::Ok)->setText(isNew ? tr("&Insert") : tr("&Change"));
+    buttons->button(QDialogButtonBox::Ok)->setText(!isByNumber ? tr("&Insert") : tr("&Change"));
     auto* column = new QVBoxLayout(this);
     QLabel* label = plain::label(tr("Refer to:"), this);
     label->setBuddy(field_);
     column->addWidget(label);
     column->addWidget(field_);
     column->addWidget(list_, 1);
+    column->addWidget(byKind_);
+    column->addWidget(byNumber_);
     column->addWidget(buttons);
+    byKind_->setObjectName("byKind");
+    byNumber_->setObjectName("byNumber");
+    (isByNumber.value_or(false) ? byNumber_ : byKind_)->setChecked(true);
+    for (QRadioButton* button : {byKind_, byNumber_})
+        connect(button, &QRadioButton::clicked, this, [this] { isChosen_ = true; });
+    connect(list_, &QListWidget::currentRowChanged, this, &ReferenceDialog::offerKinds);
     connect(field_, &QLineEdit::textChanged, this, &ReferenceDialog::filter);
     connect(list_, &QListWidget::itemDoubleClicked, this, &QDialog::accept);
     connect(list_, &QListWidget::currentRowChanged, this,
@@ -102,11 +116,28 @@ void ReferenceDialog::filter(const QString& words) {
     list_->setCurrentRow(list_->count() > 0 ? 0 : -1);
 }
 
-sgml::NodeId ReferenceDialog::chosen() const {
-    const QListWidgetItem* item = list_->currentItem();
-    const auto at = item ? static_cast<std::size_t>(item->data(Qt::UserRole).toInt()) : 0;
-    return item ? targets_[at].element : sgml::noNode;
+// Until somebody chooses, as it fits what stands before the reference.
+void ReferenceDialog::offerKinds() {
+    const Target* of = target();
+    const bool isOffered = of && !of->kind.isEmpty();
+    byKind_->setText(isOffered ? tr("%1 and &number").arg(plain::caption(of->kind))
+                               : tr("Its &name"));
+    byNumber_->setEnabled(isOffered);
+    if (!isChosen_ || !isOffered)
+        (isOffered && of->isNumberFitting ? byNumber_ : byKind_)->setChecked(true);
 }
+
+const Target* ReferenceDialog::target() const {
+    const QListWidgetItem* item = list_->currentItem();
+    return item ? &targets_[static_cast<std::size_t>(item->data(Qt::UserRole).toInt())] : nullptr;
+}
+
+sgml::NodeId ReferenceDialog::chosen() const {
+    const Target* of = target();
+    return of ? of->element : sgml::noNode;
+}
+
+bool ReferenceDialog::isByNumber() const { return byNumber_->isChecked(); }
 
 // The arrows choose while one types.
 bool ReferenceDialog::eventFilter(QObject* watched, QEvent* event) {

@@ -91,6 +91,7 @@ struct Run {
     std::size_t offset = 0; // unescaped, of the text's first byte
     std::string target{};   // LINK: its address; REF: "#" and the ID
     bool refers = false;    // the text is the number or the name of what has that ID
+    bool byNumber = false;  // of what refers: the number alone
     ReferenceLooks looks{}; // of what refers
     document::SubdocumentId subdocument = document::noSubdocument;
     std::shared_ptr<const Footnote> footnote{}; // never null in a mark

@@ -148,6 +148,7 @@ void ModelWalk::addRun(Run run) {
         model_.title += run.text;
     run.refers = run.kind == RunKind::text && run.text.empty() && run.target.starts_with('#');
     if (run.refers) {
+        run.byNumber = state_.frames.back().style.refersByNumber;
         run.looks = {run.style, valueLooks(state_.frames.back()).faulty};
         markReferring();
     }

@@ -1,6 +1,7 @@
 // Which elements count, their numbers, and the names by which one refers to them.
 #include "model/model_walk.h"
 
+#include "schemas/number_pattern.h"
 #include "text/characters.h"
 
 #include <algorithm>
@@ -74,6 +75,16 @@ std::string unbroken(std::string number) {
     return number;
 }
 
+Reference referenceTo(const schemas::ElementStyle& style, const std::vector<int>& path) {
+    const std::string& named = style.reference.empty() ? style.number : style.reference;
+    const std::string name = schemas::withoutPunctuation(schemas::numbered(named, path));
+    if (!style.referenceNumber.empty())
+        return {unbroken(name), unbroken(schemas::numbered(style.referenceNumber, path))};
+    const std::string number =
+        schemas::withoutPunctuation(schemas::numbered(schemas::withoutWords(named), path));
+    return {unbroken(name), unbroken(number.empty() ? name : number)};
+}
+
 } // namespace
 
 // A reference to a section whose heading shows no number has the heading's words.
@@ -105,14 +116,12 @@ void ModelWalk::beginNumbering(Frame& frame) {
     frame.asked.isUncounted = waitsForHeading(frame);
     frame.asked.heading = referringHeading(frame);
     if (frame.asked.isUncounted) {
-        frame.numbering.reference.clear();
+        frame.numbering.reference = {};
     } else if (!style.counter.empty()) {
         frame.numbering.path = state_.counters.step(style.counter);
-        const std::string& pattern = style.reference.empty() ? style.number : style.reference;
-        frame.numbering.reference =
-            frame.asked.heading.empty()
-                ? unbroken(withoutPunctuation(numbered(pattern, frame.numbering.path)))
-                : frame.asked.heading;
+        frame.numbering.reference = frame.asked.heading.empty()
+                                        ? referenceTo(style, frame.numbering.path)
+                                        : Reference{frame.asked.heading, frame.asked.heading};
     }
     for (const std::string& counter : style.restart)
         state_.counters.restart(counter);
@@ -120,7 +129,7 @@ void ModelWalk::beginNumbering(Frame& frame) {
     const bool borrows = style.counter.empty() && state_.frames.back().asked.isUncounted;
     const bool isNumbered = !style.number.empty() && !borrows;
     frame.numbering.marker =
-        isNumbered ? numbered(style.number, frame.numbering.path) : style.marker;
+        isNumbered ? schemas::numbered(style.number, frame.numbering.path) : style.marker;
     const std::string id =
         tree_.isElement(frame.node) ? attribute(frame.node, "ID") : std::string{};
     if (id.empty())

@@ -20,9 +20,16 @@
 
 namespace model {
 
-// An ID, and the number or name by which one refers to it ("": by the ID itself).
+// By which one refers to something: its number with its kind, or its name; and its number alone.
+// "": by its ID.
+struct Reference {
+    std::string name, number;
+    bool operator==(const Reference&) const = default;
+};
+// What has an ID.
 struct Name {
-    std::string id, reference;
+    std::string id;
+    Reference reference;
     bool operator==(const Name&) const = default;
 };
 
@@ -63,7 +70,7 @@ public:
         struct Numbering {
             std::string marker;    // not yet shown
             std::vector<int> path; // of the innermost counter
-            std::string reference; // what refers to its element
+            Reference reference;   // what refers to its element
             bool operator==(const Numbering&) const = default;
         };
         struct Indent { // from the text area's edges

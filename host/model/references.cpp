@@ -17,7 +17,12 @@ Run References::resolved(const Run& run) const {
     const auto known = names_.find(id);
     const bool isBroken = known == names_.end();
     Run now = run;
-    now.text = isBroken ? "(missing)" : known->second.empty() ? id : known->second;
+    if (isBroken)
+        now.text = "(missing)";
+    else
+        now.text = run.byNumber ? known->second.number : known->second.name;
+    if (now.text.empty())
+        now.text = id;
     now.style = isBroken ? run.looks.broken : run.looks.usual;
     return now;
 }

@@ -25,7 +25,7 @@ public:
 private:
     [[nodiscard]] Run resolved(const Run& run) const;
 
-    std::unordered_map<std::string, std::string> names_;
+    std::unordered_map<std::string, Reference> names_;
 };
 
 } // namespace model

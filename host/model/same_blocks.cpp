@@ -49,11 +49,12 @@ bool isEqual(const std::shared_ptr<const Value>& a, const std::shared_ptr<const 
 }
 
 bool isEqual(const Run& a, const Run& b) {
-    const auto& [kind, text, style, element, content, offset, target, refers, looks, subdocument,
-                 footnote, formula, picture, value] = a;
-    return std::tie(kind, style, element, content, offset, refers, looks, subdocument, text,
-                    target) == std::tie(b.kind, b.style, b.element, b.content, b.offset, b.refers,
-                                        b.looks, b.subdocument, b.text, b.target) &&
+    const auto& [kind, text, style, element, content, offset, target, refers, byNumber, looks,
+                 subdocument, footnote, formula, picture, value] = a;
+    return std::tie(kind, style, element, content, offset, refers, byNumber, looks, subdocument,
+                    text, target) == std::tie(b.kind, b.style, b.element, b.content, b.offset,
+                                              b.refers, b.byNumber, b.looks, b.subdocument, b.text,
+                                              b.target) &&
            isEqual(footnote, b.footnote) && isEqual(formula, b.formula) &&
            isEqual(picture, b.picture) && isEqual(value, b.value);
 }

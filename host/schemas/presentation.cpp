@@ -65,7 +65,12 @@ std::vector<Presentation::Variant> Presentation::variantsOf(std::string_view nam
     std::vector<Variant> variants;
     variants.reserve(found.size());
     for (const auto& [asked, style] : found)
-        variants.push_back({asked.first, asked.second, !style.number.empty(), style.lists});
+        variants.push_back({.attribute = asked.first,
+                            .value = asked.second,
+                            .isNumbered = !style.number.empty(),
+                            .lists = style.lists,
+                            .reference = style.reference,
+                            .refersByNumber = style.refersByNumber});
     return variants;
 }
 

@@ -57,6 +57,9 @@ struct ElementStyle {
     std::string counter;       // that the element steps
     std::vector<std::string> restart; // counters that begin again inside it
     std::string reference; // pattern of what REF shows; "" is `number` without its last punctuation
+    std::string referenceNumber; // of one that shows the number alone; "" is `reference` without
+                                 // the words before its number
+    bool refersByNumber = false; // `display: reference`: it shows the number alone
     int headingLevel = 0;
     ContainerRole role = ContainerRole::none;
     bool title = false;                           // its text is the document's title
@@ -95,6 +98,8 @@ public:
         std::string attribute, value;
         bool isNumbered = false; // it has a marker with its own number
         ContainerRole lists = ContainerRole::heading;
+        std::string reference{};
+        bool refersByNumber = false;
         bool operator==(const Variant&) const = default;
     };
     [[nodiscard]] std::vector<Variant> variantsOf(std::string_view name) const;

@@ -221,6 +221,14 @@ std::string setDisplay(Display& target, const Words& words) {
                    "footnote, link, reference, slider, value, chart, formula, equation or contents";
 }
 
+std::string setRefersBy(ElementStyle& style, const Words& words) {
+    const std::string said = words.size() == 1 ? words[0].text : std::string();
+    if (said != "name" && said != "number")
+        return "wants name or number";
+    style.refersByNumber = said == "number";
+    return "";
+}
+
 std::string setRole(ContainerRole& target, const Words& words) {
     constexpr std::pair<std::string_view, ContainerRole> names[] = {
         {"none", ContainerRole::none},
@@ -328,6 +336,9 @@ const std::map<std::string_view, StyleSetter>& styleSetters() {
         {"marker", [](E& e, const Words& w, const E&) { return setText(e.marker, w); }},
         {"number", [](E& e, const Words& w, const E&) { return setText(e.number, w); }},
         {"reference", [](E& e, const Words& w, const E&) { return setText(e.reference, w); }},
+        {"reference-number",
+         [](E& e, const Words& w, const E&) { return setText(e.referenceNumber, w); }},
+        {"refers-by", [](E& e, const Words& w, const E&) { return setRefersBy(e, w); }},
         {"counter", [](E& e, const Words& w, const E&) { return setName(e.counter, w); }},
         {"restart", [](E& e, const Words& w, const E&) { return setRestart(e.restart, w); }},
         {"level", [](E& e, const Words& w, const E&) { return setLevel(e.headingLevel, w); }},

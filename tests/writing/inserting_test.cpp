@@ -71,6 +71,43 @@ TEST_F(WritingTest, AReferenceIsChosenByTheWordsOfWhatItLeadsTo) {
     EXPECT_TRUE(waitFor([&] { return shown().find("See Table\u00A02") != std::string::npos; }));
 }
 
+// Nobody wants to read "equation Equation 1".
+TEST_F(WritingTest, AReferenceBehindTheWordForItsTargetShowsTheNumberAlone) {
+    const QByteArray formula = "<FORMULA KIND=\"numbered\">{a = b}</FORMULA>\n",
+                     table =
+                         "<TABLE><ROW><CELL>{a}</CELL></ROW><CAPTION>{Masses}</CAPTION></TABLE>\n";
+    const auto referred = [&](const QByteArray& words, int target) {
+        write(paragraph(words) + formula + table);
+        goTo("}</TEXT></PARAGRAPH>");
+        answering("reference", [&](QDialog& dialog) {
+            dialog.findChild<QListWidget*>("targets")->setCurrentRow(target);
+            dialog.accept();
+        });
+        EXPECT_TRUE(waitFor([&] { return view().isLaidOut(); }));
+        view().settle();
+        return shown();
+    };
+    EXPECT_THAT(referred("From equation ", 0), HasSubstr("From equation (1)"));
+    EXPECT_THAT(referred("From eq. ", 0), HasSubstr("From eq. (1)"));
+    EXPECT_THAT(referred("From ", 0), HasSubstr("From Equation\u00A01"));
+    EXPECT_THAT(referred("In Tables ", 1), HasSubstr("In Tables 1"));
+    EXPECT_THAT(referred("In figure ", 1), HasSubstr("In figure Table\u00A01"));
+    EXPECT_THAT(body(), HasSubstr("<REF TO=\"table-1\"></REF>"));
+    // Whatever fits, the author chooses, also of one that is there.
+    const std::size_t at = document().bytes().find("<REF");
+    view().text().cursor().set({at, document().bytes().find("</REF>") + 6});
+    answering("reference", [](QDialog& dialog) {
+        EXPECT_TRUE(dialog.findChild<QRadioButton*>("byKind")->isChecked());
+        EXPECT_EQ(dialog.findChild<QRadioButton*>("byKind")->text(), "Equation and &number");
+        dialog.findChild<QListWidget*>("targets")->setCurrentRow(1);
+        EXPECT_EQ(dialog.findChild<QRadioButton*>("byKind")->text(), "Table and &number");
+        dialog.findChild<QRadioButton*>("byNumber")->click();
+        dialog.accept();
+    });
+    EXPECT_THAT(body(), HasSubstr("<REF TO=\"table-1\" KIND=\"number\"></REF>"));
+    EXPECT_TRUE(waitFor([&] { return shown().find("In figure 1") != std::string::npos; }));
+}
+
 TEST_F(WritingTest, AReferenceWhoseTargetIsDeletedSaysSoAndGetsAnotherOne) {
     const std::string table = "<TABLE ID=\"t\"><ROW><CELL>{a}</CELL></ROW><CAPTION>{First}"
                               "</CAPTION></TABLE>\n";

@@ -1,10 +1,10 @@
-#include "model/numbering.h"
+#include "schemas/number_pattern.h"
 
 #include <gtest/gtest.h>
 
-namespace model {
+namespace schemas {
 
-TEST(Numbering, PatternsAndLevels) {
+TEST(NumberPattern, LevelsAndWords) {
     struct {
         std::string pattern;
         std::vector<int> path;
@@ -22,6 +22,10 @@ TEST(Numbering, PatternsAndLevels) {
     for (const auto& [pattern, path, result] : cases)
         EXPECT_EQ(numbered(pattern, path), result) << pattern;
     EXPECT_EQ(withoutPunctuation("Figure 1: "), "Figure 1");
+    EXPECT_EQ(wordsBefore("Section 1.1"), "Section");
+    EXPECT_EQ(withoutWords("Section 1.1"), "1.1");
+    EXPECT_EQ(wordsBefore("1.1"), "");
+    EXPECT_EQ(withoutWords("none"), "");
 }
 
-} // namespace model
+} // namespace schemas
