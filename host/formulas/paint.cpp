@@ -11,7 +11,16 @@ void paint(QPainter& painter, const Box& box, QPointF at, const Font& font, cons
     painter.translate(at);
     for (const QRectF& rule : box.rules)
         painter.fillRect(rule, ink);
+    QColor pale = ink;
+    pale.setAlphaF(0.55F);
+    QPen thin(pale, 0, Qt::DashLine);
+    thin.setCosmetic(true);
+    painter.setPen(thin);
+    painter.setBrush(Qt::NoBrush);
+    for (const PlacedPart& part : box.waiting)
+        painter.drawRect(part.frame);
     const QTransform place = painter.transform();
+    painter.setPen(Qt::NoPen);
     for (const PlacedGlyph& glyph : box.glyphs) {
         painter.setTransform(QTransform(glyph.size, 0, 0, glyph.size, glyph.x, glyph.y) * place);
         painter.fillPath(font.outline(glyph.glyph), glyph.faulty ? faulty : ink);

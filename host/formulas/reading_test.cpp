@@ -1,4 +1,5 @@
 // What a source means: as plain text, as words, and which faults it has where.
+#include "formulas/empty_parts.h"
 #include "formulas/plain_words.h"
 #include "formulas/typeset.h"
 
@@ -53,6 +54,32 @@ TEST(Reading, PlainTextAndWords) {
         EXPECT_EQ(plain(formula), row.plain) << row.source;
         EXPECT_EQ(spoken(formula), row.spoken) << row.source;
     }
+}
+
+// | stands where Tab leads to, one after the other, from the start of the source on.
+TEST(Reading, OneGoesOnInTheEmptyPartsAndBehindThem) {
+    const std::pair<const char*, std::vector<std::size_t>> table[] = {
+        {"\\frac{}{}", {6, 8, 9}},
+        {"\\frac{a}{ }", {9, 11}},
+        {"2\\sqrt{}+1", {7, 8}},
+        {"x^{}_{}", {3, 6, 7}},
+        {"\\sum_{}^{}", {6, 9, 10}},
+        {"\\left(\\right)", {6, 13}},
+        {"\\begin{pmatrix}&a\\end{pmatrix}", {15, 30}},
+        {"\\begin{aligned}&=a\\end{aligned}", {}},
+        {"{}^{14}C", {}},
+        {"\\vec{}\\frac{\\sqrt{}}{}", {5, 18, 21, 22}},
+        {"\\frac{", {6}},
+    };
+    for (const auto& [source, places] : table) {
+        const Formula formula = read(source);
+        std::vector<std::size_t> way;
+        for (auto at = nextPlace(formula, 0); at; at = nextPlace(formula, *at))
+            way.push_back(*at);
+        EXPECT_EQ(way, places) << source;
+    }
+    EXPECT_EQ(placeBefore(read("\\frac{}{}"), 8), 6U);
+    EXPECT_EQ(placeBefore(read("\\frac{}{}"), 6), std::nullopt);
 }
 
 TEST(Reading, PlainWordsAreProposedAsTexWritesThem) {

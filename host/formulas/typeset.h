@@ -19,6 +19,12 @@ struct PlacedGlyph {
     bool faulty = false;
 };
 
+// The frame of a part that waits to be written.
+struct PlacedPart {
+    QRectF frame;
+    std::size_t place = 0; // in the source
+};
+
 struct Box {
     double width = 0, ascent = 0, descent = 0;
     double italic = 0;                 // in the width; subscripts begin before it
@@ -26,6 +32,7 @@ struct Box {
     std::optional<double> accentPlace; // of an accent over it; else its middle
     std::vector<PlacedGlyph> glyphs;
     std::vector<QRectF> rules;
+    std::vector<PlacedPart> waiting;
 
     // Puts another box, whose origin comes to stand at the place, on this one.
     void put(const Box& box, double x, double y);
@@ -47,6 +54,9 @@ struct Set {
 [[nodiscard]] Set whole(const Set& set);
 
 // `size`: of the letters, in any unit. Style::text is for the line, Style::display stands alone.
-[[nodiscard]] Set typeset(const Formula& formula, Style style, double size, const Font& font);
+// Empty parts take room with Empty::framed, as while a formula is written.
+enum class Empty { unseen, framed };
+[[nodiscard]] Set typeset(const Formula& formula, Style style, double size, const Font& font,
+                          Empty empty = Empty::unseen);
 
 } // namespace formulas

@@ -43,6 +43,8 @@ void Box::put(const Box& box, double x, double y) {
     }
     for (const QRectF& rule : box.rules)
         rules.push_back(rule.translated(x, y));
+    for (const PlacedPart& part : box.waiting)
+        waiting.push_back({part.frame.translated(x, y), part.place});
     ascent = std::max(ascent, box.ascent - y);
     descent = std::max(descent, box.descent + y);
 }
@@ -130,7 +132,21 @@ Box Typesetter::joined(const std::vector<Item>& items) {
     return box;
 }
 
-Box Typesetter::list(NodeId id, Setting setting) { return joined(row(id, setting)); }
+Box Typesetter::list(NodeId id, Setting setting) {
+    const auto empty = std::ranges::find(framed_, id, &EmptyPart::node);
+    return empty == framed_.end() ? joined(row(id, setting)) : frame(empty->place, setting);
+}
+
+// As high as a capital letter, and as wide as most are.
+Box Typesetter::frame(std::size_t place, Setting setting) const {
+    constexpr double width = 0.6, height = 0.7, beside = 0.08; // em
+    const double size = sizeOf(setting);
+    Box box;
+    box.width = (width + 2 * beside) * size;
+    box.ascent = height * size;
+    box.waiting.push_back({{beside * size, -height * size, width * size, height * size}, place});
+    return box;
+}
 
 Box Typesetter::node(NodeId id, Setting setting) {
     if (id == none)
@@ -286,8 +302,9 @@ Set whole(const Set& set) {
     return result;
 }
 
-Set typeset(const Formula& formula, Style style, double size, const Font& font) {
-    Typesetter typesetter(formula, size, font);
+Set typeset(const Formula& formula, Style style, double size, const Font& font, Empty empty) {
+    Typesetter typesetter(formula, size, font,
+                          empty == Empty::framed ? emptyParts(formula) : std::vector<EmptyPart>());
     const auto items = typesetter.row(formula.root, {style, false});
     Set set;
     std::vector<Typesetter::Item> line;

@@ -1,6 +1,7 @@
 // The rules of Appendix G, each for a kind of node.
 #pragma once
 
+#include "formulas/empty_parts.h"
 #include "formulas/typeset.h"
 
 namespace formulas {
@@ -11,8 +12,9 @@ namespace formulas {
 
 class Typesetter {
 public:
-    Typesetter(const Formula& formula, double size, const Font& font)
-        : formula_(formula), size_(size), font_(font) {}
+    Typesetter(const Formula& formula, double size, const Font& font,
+               std::vector<EmptyPart> framed = {})
+        : formula_(formula), size_(size), font_(font), framed_(std::move(framed)) {}
 
     // How a part is set. A cramped one raises its superscripts less: it is under something.
     struct Setting {
@@ -37,6 +39,7 @@ private:
 
     [[nodiscard]] Box node(NodeId id, Setting setting);
     [[nodiscard]] Box list(NodeId id, Setting setting);
+    [[nodiscard]] Box frame(std::size_t place, Setting setting) const;
     [[nodiscard]] Box symbol(const Node& node, Setting setting);
     [[nodiscard]] Box bigOperator(const Node& node, GlyphId glyph, Setting setting);
     [[nodiscard]] Box words(const Node& node, Setting setting);
@@ -72,6 +75,7 @@ private:
     const Formula& formula_;
     double size_ = 0;
     const Font& font_;
+    std::vector<EmptyPart> framed_;
     std::vector<Fault> faults_;
 };
 

@@ -46,6 +46,19 @@ TEST_F(Typesetting, AFileThatIsNoFontForMathematicsIsNone) {
     EXPECT_TRUE(Font::missing().contains("fonts-texgyre-math"));
 }
 
+TEST_F(Typesetting, EmptyPartsHaveAFrameWhileOneWrites) {
+    const Formula formula = read(R"(\frac{}{b})");
+    const Box plain = typeset(formula, Style::display, size, font()).pieces.front().box;
+    const Box framed =
+        typeset(formula, Style::display, size, font(), Empty::framed).pieces.front().box;
+    EXPECT_TRUE(plain.waiting.empty());
+    ASSERT_EQ(framed.waiting.size(), 1U);
+    EXPECT_EQ(framed.waiting[0].place, 6U);
+    EXPECT_LT(framed.waiting[0].frame.bottom(), -axis()); // over the line
+    EXPECT_GT(framed.waiting[0].frame.width(), 0.3 * size);
+    EXPECT_GT(framed.ascent, plain.ascent);
+}
+
 TEST_F(Typesetting, LettersAreItalicAndAsWideAsTheFontSays) {
     const Box x = box("x");
     const GlyphSize own = font().size(glyph(0x1D465));

@@ -1,14 +1,14 @@
 #include "menus/formula_dialog.h"
 
-#include "formulas/paint.h"
+#include "formulas/empty_parts.h"
 #include "formulas/plain_words.h"
+#include "menus/formula_preview.h"
 #include "plain/plain.h"
 
 #include <QDialogButtonBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QKeyEvent>
-#include <QPainter>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QRadioButton>
@@ -67,51 +67,6 @@ constexpr int signsInRow = 12;
 
 } // namespace
 
-FormulaPreview::FormulaPreview(QWidget* parent) : QWidget(parent) {
-    setObjectName("preview");
-    setMinimumHeight(110);
-}
-
-void FormulaPreview::show(formulas::Formula formula, formulas::Style style) {
-    formula_ = std::move(formula);
-    style_ = style;
-    setAccessibleName(QString::fromStdString(formulas::spoken(formula_)));
-    update();
-}
-
-// As on paper: black on white, also where the desktop is dark.
-void FormulaPreview::paintEvent(QPaintEvent*) {
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.fillRect(rect(), Qt::white);
-    painter.setPen(QColor(0xd0, 0xd4, 0xda));
-    painter.drawRect(rect().adjusted(0, 0, -1, -1));
-    const auto& font = formulas::Font::standard();
-    if (!font) {
-        painter.setPen(Qt::black);
-        painter.drawText(rect().adjusted(8, 8, -8, -8), Qt::AlignCenter | Qt::TextWordWrap,
-                         formulas::Font::missing());
-        return;
-    }
-    if (formula_.nodes.empty())
-        return;
-    constexpr double usual = 26, inset = 12;
-    const auto setAt = [&](double size) {
-        return formulas::whole(formulas::typeset(formula_, style_, size, *font));
-    };
-    formulas::Set set = setAt(usual);
-    const double high = set.ascent + set.descent;
-    const double fits = std::min((width() - 2 * inset) / std::max(set.width, 1.0),
-                                 (height() - 2 * inset) / std::max(high, 1.0));
-    if (fits < 1)
-        set = setAt(usual * fits);
-    if (set.pieces.empty())
-        return;
-    const QPointF at((width() - set.width) / 2, (height() + set.ascent - set.descent) / 2);
-    formulas::paint(painter, set.pieces.front().box, at, *font, Qt::black,
-                    QColor(0xc0, 0x1c, 0x28));
-}
-
 FormulaDialog::FormulaDialog(const QString& source, Place place, QWidget* parent)
     : QDialog(parent), field_(new QPlainTextEdit(source, this)), preview_(new FormulaPreview(this)),
       fault_(plain::label({}, this)), tex_(new QPushButton(tr("Write It in Te&X"), this)),
@@ -136,6 +91,7 @@ FormulaDialog::FormulaDialog(const QString& source, Place place, QWidget* parent
     kept.setRetainSizeWhenHidden(true);
     tex_->setSizePolicy(kept);
     connect(tex_, &QPushButton::clicked, this, &FormulaDialog::writeTex);
+    connect(preview_, &FormulaPreview::wantsToWrite, this, &FormulaDialog::goTo);
     auto* said = new QHBoxLayout;
     said->addWidget(fault_, 1);
     said->addWidget(tex_);
@@ -226,11 +182,31 @@ FormulaDialog::Place FormulaDialog::place() const {
                                   : Place::inLine;
 }
 
-void FormulaDialog::mark(text::Range bytes, const QColor& color) {
+int FormulaDialog::letters(std::size_t bytes) const {
     const std::string all = field_->toPlainText().toStdString();
-    const auto letters = [&all](std::size_t to) {
-        return static_cast<int>(QString::fromUtf8(all.data(), static_cast<qsizetype>(to)).size());
-    };
+    return static_cast<int>(QString::fromUtf8(all.data(), static_cast<qsizetype>(bytes)).size());
+}
+
+void FormulaDialog::goTo(std::size_t place) {
+    QTextCursor cursor = field_->textCursor();
+    cursor.setPosition(letters(place));
+    field_->setTextCursor(cursor);
+    field_->setFocus();
+}
+
+bool FormulaDialog::goOn(bool forward) {
+    const QString all = field_->toPlainText();
+    const formulas::Formula formula = formulas::read(all.toStdString());
+    const auto here =
+        static_cast<std::size_t>(all.left(field_->textCursor().position()).toUtf8().size());
+    const std::optional<std::size_t> place =
+        forward ? formulas::nextPlace(formula, here) : formulas::placeBefore(formula, here);
+    if (place)
+        goTo(*place);
+    return place.has_value();
+}
+
+void FormulaDialog::mark(text::Range bytes, const QColor& color) {
     QTextEdit::ExtraSelection mark;
     mark.cursor = QTextCursor(field_->document());
     mark.cursor.setPosition(letters(bytes.from));
@@ -283,6 +259,9 @@ bool FormulaDialog::eventFilter(QObject* watched, QEvent* event) {
                 accept();
             return true;
         }
+        const bool isTab = key->key() == Qt::Key_Tab, isBack = key->key() == Qt::Key_Backtab;
+        if ((isTab || isBack) && goOn(isTab))
+            return true;
     }
     return QDialog::eventFilter(watched, event);
 }

@@ -1,5 +1,6 @@
 // A formula that is written: its source, how it looks, what is wrong with it, and what TeX writes
-// for plain words in it, as one types.
+// for plain words in it, as one types. Tab, and a click in the picture, lead to the parts that are
+// empty; Tab leads behind the last of them, and then to the next widget.
 #pragma once
 
 #include "formulas/formula.h"
@@ -16,22 +17,7 @@ class QRadioButton;
 
 namespace menus {
 
-// How a formula looks, as large as its room allows.
-class FormulaPreview : public QWidget {
-    Q_OBJECT
-
-public:
-    explicit FormulaPreview(QWidget* parent = nullptr);
-
-    void show(formulas::Formula formula, formulas::Style style);
-
-protected:
-    void paintEvent(QPaintEvent* event) override;
-
-private:
-    formulas::Formula formula_;
-    formulas::Style style_ = formulas::Style::text;
-};
+class FormulaPreview;
 
 class FormulaDialog : public QDialog {
     Q_OBJECT
@@ -46,11 +32,15 @@ public:
     void offerValues(std::function<QString(QWidget* parent)> ask);
 
 protected:
-    bool eventFilter(QObject* watched, QEvent* event) override; // Return ends the dialog
+    bool eventFilter(QObject* watched,
+                     QEvent* event) override; // Return ends the dialog, Tab goes on
 
 private:
     QWidget* makeSigns();
     void put(const QString& before, const QString& after);
+    [[nodiscard]] int letters(std::size_t bytes) const; // of the source
+    void goTo(std::size_t place);                       // the caret
+    bool goOn(bool forward);                            // Tab; false: to the next widget
     void look();
     void mark(text::Range bytes, const QColor& color);
     void writeTex();

@@ -1,5 +1,6 @@
 // What comes in at the caret: links, references, formulas, pasted and dropped text.
 #include "menus/formula_dialog.h"
+#include "menus/formula_preview.h"
 #include "menus/insert_menu.h"
 #include "menus/reference_dialog.h"
 #include "places/carets.h"
@@ -168,6 +169,31 @@ TEST_F(WritingTest, AFormulaIsWrittenWithItsPictureAndItsFaults) {
     });
     EXPECT_THAT(body(), HasSubstr("<FORMULA KIND=\"numbered\">{m g h}</FORMULA>"));
     EXPECT_THAT(body(), Not(HasSubstr("frac")));
+}
+
+TEST_F(WritingTest, TabLeadsThroughTheEmptyPartsOfAFormulaAndAClickIntoThem) {
+    write(paragraph("The ratio "));
+    goTo("}</TEXT></PARAGRAPH>\n</BODY>");
+    answering("formula", [](QDialog& dialog) {
+        auto* source = dialog.findChild<QPlainTextEdit*>("source");
+        auto* preview = dialog.findChild<menus::FormulaPreview*>();
+        QTest::keyClicks(source, "\\frac{}{} ");
+        ASSERT_TRUE(preview->frameAt(6) && preview->frameAt(8));
+        EXPECT_LT(preview->frameAt(6)->y(), preview->frameAt(8)->y());
+        QTest::mouseClick(preview, Qt::LeftButton, {}, preview->frameAt(6)->toPoint());
+        QTest::keyClicks(source, "a");
+        EXPECT_FALSE(preview->frameAt(6)); // it waits no more
+        QTest::keyClick(source, Qt::Key_Tab);
+        QTest::keyClicks(source, "b");
+        QTest::keyClick(source, Qt::Key_Tab); // behind the fraction
+        QTest::keyClicks(source, "m");
+        EXPECT_EQ(source->toPlainText(), "\\frac{a}{b}m ");
+        EXPECT_EQ(dialog.focusWidget(), source);
+        QTest::keyClick(source, Qt::Key_Tab);
+        EXPECT_NE(dialog.focusWidget(), source);
+        dialog.accept();
+    });
+    EXPECT_THAT(body(), HasSubstr("<FORMULA>{\\\\frac\\{a\\}\\{b\\}m}</FORMULA>"));
 }
 
 TEST_F(WritingTest, AFormulaInPlainWordsIsWrittenInTexAtAClick) {
