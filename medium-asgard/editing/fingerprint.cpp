@@ -29,6 +29,12 @@ private:
     void put(const scene::SphereShape& shape) { put(shape.radius); }
     void put(const scene::BoxShape& shape) { put(shape.edges); }
     void put(const scene::HullShape& shape) { put(shape.points); }
+    void put(const scene::CylinderShape& shape) { putRound(shape); }
+    void put(const scene::ConeShape& shape) { putRound(shape); }
+    void put(const scene::CapsuleShape& shape) { putRound(shape); }
+    void put(const scene::EllipsoidShape& shape) { put(shape.axes); }
+    void put(const scene::PlaneShape&) {}
+    template <class Round> void putRound(const Round& shape) { add(shape.radius, shape.height); }
     void put(const scene::Part& p) {
         add(p.shape, p.position, p.rotation, p.appearance, p.density);
     }

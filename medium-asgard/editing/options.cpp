@@ -21,7 +21,9 @@ constexpr OptionHint simulatorOptions[] = {
 };
 constexpr OptionHint shapeOptions[] = {
     {"-desc", list,
-     "parts: -face {{x y z} ...} and -sub {... -sphere R | -box {a b c} | -points {...}}", ""},
+     "parts: -sub {... -sphere R | -box {a b c} | -cylinder {r h} | -cone {r h} | -capsule {r h} | "
+     "-ellipsoid {a b c} | -plane | -points {...}} and -face {{x y z} ...}",
+     ""},
     {"-color", color, "#rrggbb, a name, or {r g b} from 0 to 1", ""},
     {"-shininess", number, "from 0, matt, to 1", ""},
     {"-transparency", number, "from 0, opaque, to 1", ""},

@@ -2,6 +2,7 @@
 
 #include "editing/number_text.h"
 #include "editing/origin.h"
+#include "editing/shape_points.h"
 
 #include "script/numbers.h"
 
@@ -26,13 +27,27 @@ std::string pointsText(const std::vector<Vector>& points) {
     return "{" + text + "}";
 }
 
-// "-sphere 2", "-box {1 2 3}", "-points {...}"
-std::pair<std::string, std::string> wordsOf(const scene::Part& part) {
-    if (const auto* sphere = std::get_if<scene::SphereShape>(&part.shape))
-        return {"-sphere", numberText(sphere->radius, 0)};
-    if (const auto* box = std::get_if<scene::BoxShape>(&part.shape))
-        return {"-box", listText(box->edges)};
-    return {"-points", pointsText(std::get<scene::HullShape>(part.shape).points)};
+constexpr std::string_view shapeOptions[] = { // in the order of the variant
+    "-sphere", "-box", "-points", "-cylinder", "-cone", "-capsule", "-ellipsoid", "-plane"};
+
+std::string_view optionOf(const scene::Part& part) { return shapeOptions[part.shape.index()]; }
+
+// "2", "{1 2 3}", "{{0 0 0} ...}"; nothing behind -plane.
+std::string valueText(const scene::Part& part) {
+    if (const auto* hull = std::get_if<scene::HullShape>(&part.shape))
+        return pointsText(hull->points);
+    const std::vector<double> sizes = sizesOf(part);
+    if (sizes.size() == 1)
+        return numberText(sizes.front(), 0);
+    std::string text;
+    for (const double size : sizes)
+        text += (text.empty() ? "" : " ") + numberText(size, 0);
+    return sizes.empty() ? text : "{" + text + "}";
+}
+
+std::string shapeText(const scene::Part& part) {
+    const std::string value = valueText(part);
+    return std::string(optionOf(part)) + (value.empty() ? "" : " " + value);
 }
 
 std::string colourText(const scene::Color& color) {
@@ -58,6 +73,9 @@ std::vector<Item> itemsOf(const std::string& text, scene::Range content) {
                          one.value});
     return items;
 }
+
+// Words of an option in a part's description, with its value.
+std::size_t optionSize(const Item& option) { return option.value == "-plane" ? 1 : 2; }
 
 // The description as it is written: for each part its option words and their values.
 struct WrittenPart {
@@ -97,14 +115,20 @@ private:
             put(item.range, numberText(value, 0, item.value));
     }
     void putVector(const Item& item, const Vector& value) {
+        putNumbers(item, {value.x(), value.y(), value.z()}, listText(value));
+    }
+    // `otherwise` where the list does not stand in the text.
+    void putNumbers(const Item& item, const std::vector<double>& values, std::string otherwise) {
         const auto numbers = itemsOf(text_, item.content);
-        if (numbers.size() != 3)
-            return put(item.range, listText(value));
-        for (int k = 0; k < 3; ++k)
-            putNumber(numbers[static_cast<std::size_t>(k)], value[k]);
+        if (numbers.size() != values.size())
+            return put(item.range, std::move(otherwise));
+        for (std::size_t k = 0; k < values.size(); ++k)
+            putNumber(numbers[k], values[k]);
     }
     void putPoints(const Item& item, const std::vector<Vector>& before,
                    const std::vector<Vector>& after);
+    void changeShape(const std::vector<Item>& items, const scene::Part& before,
+                     const scene::Part& after);
     void changeSub(const Item& value, const scene::Part& before, const scene::Part& after);
     void changeFaces(const WrittenPart& faces, const scene::Part& before, const scene::Part& after);
     void removeWithin(const std::vector<Item>& items, const Item* value);
@@ -157,7 +181,7 @@ void Description::changeSub(const Item& value, const scene::Part& before,
                             const scene::Part& after) {
     const auto items = itemsOf(text_, value.content);
     const auto find = [&](std::string_view option) -> const Item* {
-        for (std::size_t i = 0; i + 1 < items.size(); i += 2)
+        for (std::size_t i = 0; i + 1 < items.size(); i += optionSize(items[i]))
             if (items[i].value == option)
                 return &items[i + 1];
         return nullptr;
@@ -187,22 +211,24 @@ void Description::changeSub(const Item& value, const scene::Part& before,
         put({items.front().range.from, items.front().range.from}, inserted);
     if (before.shape == after.shape)
         return;
-    const auto [option, words] = wordsOf(after);
-    for (std::size_t i = 0; i + 1 < items.size(); i += 2) {
+    changeShape(items, before, after);
+}
+
+void Description::changeShape(const std::vector<Item>& items, const scene::Part& before,
+                              const scene::Part& after) {
+    for (std::size_t i = 0; i < items.size(); i += optionSize(items[i])) {
         const std::string& is = items[i].value;
-        if (is != "-sphere" && is != "-box" && is != "-points")
+        if (std::ranges::find(shapeOptions, is) == std::end(shapeOptions))
             continue;
-        const Item& at = items[i + 1];
-        if (is != option) {
-            put(items[i].range, option);
-            put(at.range, words);
-        } else if (const auto* sphere = std::get_if<scene::SphereShape>(&after.shape)) {
-            putNumber(at, sphere->radius);
-        } else if (const auto* box = std::get_if<scene::BoxShape>(&after.shape)) {
-            putVector(at, box->edges);
-        } else {
-            putPoints(at, std::get<scene::HullShape>(before.shape).points,
-                      std::get<scene::HullShape>(after.shape).points);
+        const Item& at = items[std::min(i + optionSize(items[i]) - 1, items.size() - 1)];
+        if (is != optionOf(after)) {
+            put({items[i].range.from, at.range.to}, shapeText(after));
+        } else if (const auto* hull = std::get_if<scene::HullShape>(&after.shape)) {
+            putPoints(at, std::get<scene::HullShape>(before.shape).points, hull->points);
+        } else if (const auto sizes = sizesOf(after); sizes.size() == 1) {
+            putNumber(at, sizes.front());
+        } else if (!sizes.empty()) {
+            putNumbers(at, sizes, valueText(after));
         }
     }
 }
@@ -318,8 +344,9 @@ std::string partText(const scene::Part& part) {
         text += "-shininess " + numberText(*part.appearance.shininess, 0) + " ";
     if (part.appearance.transparency)
         text += "-transparency " + numberText(*part.appearance.transparency, 0) + " ";
-    const auto [option, value] = wordsOf(part);
-    return text + option + " " + value + "}";
+    if (part.density)
+        text += "-density " + numberText(*part.density, 0) + " ";
+    return text + shapeText(part) + "}";
 }
 
 std::string descriptionText(const std::vector<scene::Part>& parts) {

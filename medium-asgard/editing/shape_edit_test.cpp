@@ -100,6 +100,32 @@ TEST(ShapeEditTest, PartsAreAddedInTheStyleOfTheOthersAndDeleted) {
     EXPECT_THAT(after(tetra, [](auto& draft) { draft.clear(); }), HasSubstr("one part at least"));
 }
 
+// All other bytes of a round part stay, and -plane has no value.
+TEST(ShapeEditTest, RoundPartsAreWrittenInTheirSizes) {
+    const std::string wheel = "shape_set w -desc {-sub {-pos {1  0 0} -cylinder {0.5  0.20}}}\n";
+    EXPECT_EQ(after(wheel,
+                    [](auto& draft) {
+                        draft[0].part = withSizes(draft[0].part, {0.75, 0.2});
+                    }),
+              "shape_set w -desc {-sub {-pos {1  0 0} -cylinder {0.75  0.20}}}\n");
+    EXPECT_EQ(after(wheel, [](auto& draft) { draft[0].part.shape = scene::PlaneShape{}; }),
+              "shape_set w -desc {-sub {-pos {1  0 0} -plane}}\n");
+    const std::string floor = "shape_set f -desc {-sub {-plane -pos {0  1 0}}}\n";
+    EXPECT_EQ(after(floor,
+                    [](auto& draft) {
+                        draft[0].part.position = {0, 2, 0};
+                    }),
+              "shape_set f -desc {-sub {-plane -pos {0  2 0}}}\n");
+    EXPECT_EQ(after(floor, [](auto& draft) { draft[0].part.shape = scene::SphereShape{2}; }),
+              "shape_set f -desc {-sub {-sphere 2 -pos {0  1 0}}}\n");
+    EXPECT_THAT(after(floor,
+                      [](auto& draft) {
+                          for (const auto& part : {cone(1, 2), capsule(1, 2), ellipsoid({1, 2, 3})})
+                              draft.push_back({part, std::nullopt});
+                      }),
+                HasSubstr("-sub {-cone {1 2}} -sub {-capsule {1 2}} -sub {-ellipsoid {1 2 3}}"));
+}
+
 // What goes together is one stretch of the text, wherever it stands.
 TEST(ShapeEditTest, NeighboursAreDeletedTogether) {
     scene::Part box;
@@ -223,6 +249,27 @@ TEST(ShapePointsTest, AreWhatOneTakesHoldOf) {
     const scene::Part moved = withPoint(cut, 3, {0, 0, 5});
     EXPECT_EQ(std::ranges::count(std::get<scene::HullShape>(moved.shape).points, Vector(0, 0, 5)),
               3);
+}
+
+TEST(ShapePointsTest, OfRoundPartsSetTheirSizes) {
+    for (scene::Part part : {cylinder(1, 2), cone(1, 2), capsule(1, 2), ellipsoid({1, 2, 3})}) {
+        part.position = {1, 2, 3};
+        part.rotation = {0.3, -1, 0.5};
+        const auto points = pointsOf(part);
+        ASSERT_EQ(points.size(), sizesOf(part).size() + 1);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const auto same = sizesOf(withPoint(part, i, points[i]));
+            for (std::size_t k = 0; k < same.size(); ++k)
+                EXPECT_NEAR(same[k], sizesOf(part)[k], 1e-14);
+        }
+        const Vector out = points[0] + 1.5 * (points[1] - points[0]);
+        EXPECT_NEAR(sizesOf(withPoint(part, 1, out))[0], 1.5, 1e-14);
+        EXPECT_GT(sizesOf(withPoint(part, 2, points[0]))[1], 0);
+        EXPECT_TRUE(isSolid(asPolyhedron(part)));
+    }
+    EXPECT_EQ(pointsOf(plane()).size(), 1U);
+    EXPECT_EQ(withPoint(plane(), 0, {0, 3, 0}).position, Vector(0, 3, 0));
+    EXPECT_TRUE(isSolid(asPolyhedron(plane())));
 }
 
 TEST(ShapePointsTest, ABoxGrowsFromTheOppositeCorner) {

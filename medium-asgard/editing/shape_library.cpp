@@ -1,5 +1,6 @@
 #include "editing/shape_library.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -13,17 +14,14 @@ namespace {
 // To the digits that one would write oneself.
 double rounded(double x) { return std::round(x * 1e4) / 1e4; }
 
-void ring(std::vector<Vector>& points, double radius, double y, int sides) {
-    for (int k = 0; k < sides; ++k) {
-        const double angle = 2 * std::numbers::pi * k / sides;
-        points.emplace_back(rounded(radius * std::cos(angle)), rounded(y),
-                            rounded(radius * std::sin(angle)));
-    }
-}
-
 Part hull(std::vector<Vector> points) {
     Part part;
     part.shape = scene::HullShape{std::move(points)};
+    return part;
+}
+
+Part turned(Part part, const Vector& rotation) {
+    part.rotation = rotation;
     return part;
 }
 
@@ -76,30 +74,43 @@ Part box(const Vector& edges) {
     return part;
 }
 
-Part cylinder(double radius, double height, int sides) {
-    std::vector<Vector> points;
-    for (const double y : {-height / 2, height / 2})
-        ring(points, radius, y, sides);
-    return hull(points);
+Part cylinder(double radius, double height) {
+    Part part;
+    part.shape = scene::CylinderShape{radius, height};
+    return part;
 }
 
-Part capsule(double radius, double height, int sides) {
-    constexpr int rings = 3;
-    std::vector<Vector> points;
-    for (const double end : {-1.0, 1.0}) {
-        for (int k = 0; k < rings; ++k) {
-            const double angle = std::numbers::pi / 2 * k / rings;
-            ring(points, radius * std::cos(angle), end * (height / 2 + radius * std::sin(angle)),
-                 sides);
-        }
-        points.emplace_back(0, rounded(end * (height / 2 + radius)), 0);
-    }
-    return hull(points);
+Part cone(double radius, double height) {
+    Part part;
+    part.shape = scene::ConeShape{radius, height};
+    return part;
+}
+
+Part capsule(double radius, double height) {
+    Part part;
+    part.shape = scene::CapsuleShape{radius, height};
+    return part;
+}
+
+Part ellipsoid(const Vector& halfAxes) {
+    Part part;
+    part.shape = scene::EllipsoidShape{halfAxes};
+    return part;
+}
+
+Part plane() {
+    Part part;
+    part.shape = scene::PlaneShape{};
+    return part;
 }
 
 Part tetrahedron(double size) {
     const double a = size / 2;
     return hull({{a, a, a}, {a, -a, -a}, {-a, a, -a}, {-a, -a, a}});
+}
+
+const LibraryShape& libraryShape(const std::string& name) {
+    return *std::ranges::find(shapeLibrary(), name, &LibraryShape::name);
 }
 
 const std::vector<LibraryShape>& shapeLibrary() {
@@ -109,8 +120,12 @@ const std::vector<LibraryShape>& shapeLibrary() {
         {"Rod", {box({4, 0.3, 0.3})}},
         {"Plate", {box({4, 0.2, 4})}},
         {"Cylinder", {cylinder(0.5, 1)}},
-        {"Disc", {cylinder(1, 0.2, 24)}},
+        {"Disc", {cylinder(1, 0.2)}},
+        {"Wheel", {turned(cylinder(0.5, 0.2), {std::numbers::pi / 2, 0, 0})}}, // about z
         {"Capsule", {capsule(0.3, 1)}},
+        {"Cone", {cone(0.5, 1)}},
+        {"Egg", {ellipsoid({0.4, 0.6, 0.4})}},
+        {"Floor", {plane()}},
         {"Tetrahedron", {tetrahedron(1)}},
         {"Octahedron",
          {hull({{0.7, 0, 0}, {-0.7, 0, 0}, {0, 0.7, 0}, {0, -0.7, 0}, {0, 0, 0.7}, {0, 0, -0.7}})}},

@@ -15,11 +15,16 @@ struct LibraryShape {
 
 [[nodiscard]] scene::Part sphere(double radius);
 [[nodiscard]] scene::Part box(const geometry::Vector& edges);
-// Polyhedra along y with so many sides; a capsule's ends are halves of a ball of that many rings.
-[[nodiscard]] scene::Part cylinder(double radius, double height, int sides = 16);
-[[nodiscard]] scene::Part capsule(double radius, double height, int sides = 12);
+// Along y.
+[[nodiscard]] scene::Part cylinder(double radius, double height);
+[[nodiscard]] scene::Part cone(double radius, double height);
+[[nodiscard]] scene::Part capsule(double radius, double height);
+[[nodiscard]] scene::Part ellipsoid(const geometry::Vector& halfAxes);
+[[nodiscard]] scene::Part plane();
 [[nodiscard]] scene::Part tetrahedron(double size);
 
 [[nodiscard]] const std::vector<LibraryShape>& shapeLibrary();
+// One that there is.
+[[nodiscard]] const LibraryShape& libraryShape(const std::string& name);
 
 } // namespace editing

@@ -4,13 +4,20 @@
 #include "geometry/pose.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace editing {
 
 using geometry::Vector;
 using scene::BoxShape;
+using scene::CapsuleShape;
+using scene::ConeShape;
+using scene::CylinderShape;
+using scene::EllipsoidShape;
 using scene::HullShape;
 using scene::Part;
+using scene::PlaneShape;
 using scene::SphereShape;
 
 namespace {
@@ -46,19 +53,115 @@ Part withCorner(Part part, BoxShape box, std::size_t index, const Vector& place)
     return part;
 }
 
+struct Sizes {
+    std::vector<double> operator()(const SphereShape& sphere) const { return {sphere.radius}; }
+    std::vector<double> operator()(const BoxShape& box) const { return listed(box.edges); }
+    std::vector<double> operator()(const EllipsoidShape& e) const { return listed(e.axes); }
+    std::vector<double> operator()(const CylinderShape& c) const { return {c.radius, c.height}; }
+    std::vector<double> operator()(const ConeShape& c) const { return {c.radius, c.height}; }
+    std::vector<double> operator()(const CapsuleShape& c) const { return {c.radius, c.height}; }
+    std::vector<double> operator()(const HullShape&) const { return {}; }
+    std::vector<double> operator()(const PlaneShape&) const { return {}; }
+    static std::vector<double> listed(const Vector& v) { return {v.x(), v.y(), v.z()}; }
+};
+
+struct Resize {
+    const std::vector<double>& sizes;
+    void operator()(SphereShape& sphere) const { sphere.radius = sizes.at(0); }
+    void operator()(BoxShape& box) const { box.edges = Vector(sizes.data()); }
+    void operator()(EllipsoidShape& e) const { e.axes = Vector(sizes.data()); }
+    void operator()(CylinderShape& c) const { c = {sizes.at(0), sizes.at(1)}; }
+    void operator()(ConeShape& c) const { c = {sizes.at(0), sizes.at(1)}; }
+    void operator()(CapsuleShape& c) const { c = {sizes.at(0), sizes.at(1)}; }
+    void operator()(HullShape&) const {}
+    void operator()(PlaneShape&) const {}
+};
+
+// Of a round part: its centre, a point that sets each size.
+std::vector<Vector> sizingPoints(const Part& part) {
+    const std::vector<double> sizes = sizesOf(part);
+    std::vector<Vector> points{Vector::Zero()};
+    if (!sizes.empty())
+        points.emplace_back(sizes[0], 0, 0);
+    if (sizes.size() == 2) {
+        const bool isCapsule = std::holds_alternative<CapsuleShape>(part.shape);
+        points.emplace_back(0, sizes[1] / 2 + (isCapsule ? sizes[0] : 0), 0);
+    } else if (sizes.size() == 3) {
+        points.emplace_back(0, sizes[1], 0);
+        points.emplace_back(0, 0, sizes[2]);
+    }
+    return points;
+}
+
+// The size that such a point sets, where it has been dragged to; never nothing.
+Part withSizingPoint(const Part& part, std::size_t point, const Vector& local) {
+    std::vector<double> sizes = sizesOf(part);
+    if (point == 0 || point > sizes.size())
+        return part;
+    const double least = 1e-3 * *std::ranges::max_element(sizes);
+    double now = std::abs(local[static_cast<Eigen::Index>(point - 1)]);
+    if (sizes.size() == 2)
+        now = point == 1 ? std::hypot(local.x(), local.z()) : 2 * std::abs(local.y());
+    if (point == 2 && std::holds_alternative<CapsuleShape>(part.shape))
+        now -= 2 * sizes[0];
+    sizes[point - 1] = std::max(now, least);
+    return withSizes(part, sizes);
+}
+
+// Points of the surface, for drawing: in rings about y.
+std::vector<Vector> surfaceOf(const Part& part) {
+    constexpr int sides = 24, rings = 12;
+    std::vector<std::pair<double, double>> profile; // radius, height
+    const std::vector<double> sizes = sizesOf(part);
+    if (std::holds_alternative<PlaneShape>(part.shape))
+        return {{1, 0, 1}, {1, 0, -1}, {-1, 0, 1}, {-1, 0, -1}, {0, -1e-3, 0}};
+    if (std::holds_alternative<CylinderShape>(part.shape)) {
+        const double half = std::max(sizes[1] / 2, 1e-3 * sizes[0]);
+        profile = {{sizes[0], half}, {sizes[0], -half}};
+    } else if (std::holds_alternative<ConeShape>(part.shape)) {
+        profile = {{0, sizes[1] / 2}, {sizes[0], -sizes[1] / 2}};
+    } else {
+        const bool isCapsule = sizes.size() == 2;
+        for (int k = 0; k <= rings; ++k) {
+            const double angle = std::numbers::pi * (k - rings / 2) / rings;
+            const double lift = isCapsule ? std::copysign(sizes[1] / 2, angle) : 0;
+            const double radius = isCapsule ? sizes[0] : 1;
+            profile.emplace_back(radius * std::cos(angle), radius * std::sin(angle) + lift);
+            if (isCapsule && k == rings / 2)
+                profile.emplace_back(radius, -lift);
+        }
+    }
+    const Vector scale = sizes.size() == 3 ? Vector(sizes.data()) : Vector(Vector::Ones());
+    std::vector<Vector> points;
+    for (const auto& [radius, height] : profile)
+        for (int k = 0; k < sides; ++k) {
+            const double angle = 2 * std::numbers::pi * k / sides;
+            points.push_back(scale.cwiseProduct(
+                Vector(radius * std::cos(angle), height, radius * std::sin(angle))));
+        }
+    return distinct(points);
+}
+
 } // namespace
+
+std::vector<double> sizesOf(const Part& part) { return std::visit(Sizes{}, part.shape); }
+
+Part withSizes(Part part, const std::vector<double>& sizes) {
+    std::visit(Resize{sizes}, part.shape);
+    return part;
+}
 
 std::vector<Vector> pointsOf(const Part& part) {
     const geometry::Pose pose = poseOf(part);
     std::vector<Vector> points;
-    if (const auto* sphere = std::get_if<SphereShape>(&part.shape)) {
-        points = {Vector::Zero(), sphere->radius * Vector::UnitX()};
-    } else if (const auto* box = std::get_if<BoxShape>(&part.shape)) {
+    if (const auto* box = std::get_if<BoxShape>(&part.shape)) {
         points.push_back(Vector::Zero());
         for (std::size_t i = 0; i < 8; ++i)
             points.push_back(corner(box->edges, i));
+    } else if (const auto* hull = std::get_if<HullShape>(&part.shape)) {
+        points = distinct(hull->points);
     } else {
-        points = distinct(std::get<HullShape>(part.shape).points);
+        points = sizingPoints(part);
     }
     for (Vector& p : points)
         p = pose.toWorld(p);
@@ -77,8 +180,10 @@ Part withPoint(const Part& part, std::size_t point, const Vector& place) {
         const double radius = (place - part.position).norm();
         if (radius > 0)
             sphere->radius = radius;
+    } else if (const auto* box = std::get_if<BoxShape>(&part.shape)) {
+        result = withCorner(part, *box, point - 1, place);
     } else {
-        result = withCorner(part, std::get<BoxShape>(part.shape), point - 1, place);
+        result = withSizingPoint(part, point, poseOf(part).toLocal(place));
     }
     return result;
 }
@@ -141,6 +246,8 @@ Part asPolyhedron(const Part& part) {
         for (std::size_t i = 0; i < 8; ++i)
             hull.points.push_back(corner(box->edges, i));
         result.shape = hull;
+    } else if (!std::holds_alternative<HullShape>(part.shape)) {
+        result.shape = HullShape{surfaceOf(part)};
     }
     return result;
 }

@@ -1,5 +1,6 @@
 // The points that a shape editor drags: the vertices of a polyhedron, a sphere's centre and a point
-// of its surface, a box's centre and corners (dissertation 4.1.1). All in the shape set's frame.
+// of its surface, a box's centre and corners (dissertation 4.1.1), of what is round its centre and
+// points that set its sizes, of a half space its origin. All in the shape set's frame.
 #pragma once
 
 #include "scene/scene.h"
@@ -7,6 +8,11 @@
 #include <vector>
 
 namespace editing {
+
+// The numbers of its option: radius, edges, radius and height, half axes; none of a polyhedron and
+// of a half space.
+[[nodiscard]] std::vector<double> sizesOf(const scene::Part& part);
+[[nodiscard]] scene::Part withSizes(scene::Part part, const std::vector<double>& sizes);
 
 // Vertices that stand several times, as in faces, are one point.
 [[nodiscard]] std::vector<geometry::Vector> pointsOf(const scene::Part& part);
@@ -28,7 +34,8 @@ namespace editing {
 [[nodiscard]] std::vector<bool> innerPoints(const scene::Part& part);
 [[nodiscard]] scene::Part withoutInnerPoints(const scene::Part& part);
 
-// The part as a polyhedron with the same place: a box's corners; nothing else changes.
+// The part as a polyhedron with the same place: a box's corners, points of a round surface, a
+// square in place of a half space; nothing else changes.
 [[nodiscard]] scene::Part asPolyhedron(const scene::Part& part);
 
 } // namespace editing

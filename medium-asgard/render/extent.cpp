@@ -23,10 +23,32 @@ void addCorners(std::vector<Ball>& outline, const Box& box, const Pose& pose) {
 
 void addPart(std::vector<Ball>& outline, const scene::Part& part) {
     const Pose pose{part.position, geometry::fromRotationVector(part.rotation)};
+    const auto ring = [&](double radius, double height) {
+        constexpr int corners = 12;
+        for (int k = 0; k < corners; ++k) {
+            const double angle = 2 * M_PI * k / corners;
+            outline.push_back(
+                {pose.toWorld({radius * std::cos(angle), height, radius * std::sin(angle)}), 0});
+        }
+    };
     if (const auto* sphere = std::get_if<scene::SphereShape>(&part.shape)) {
         outline.push_back({part.position, sphere->radius});
     } else if (const auto* box = std::get_if<scene::BoxShape>(&part.shape)) {
         addCorners(outline, Box(-box->edges / 2, box->edges / 2), pose);
+    } else if (const auto* cylinder = std::get_if<scene::CylinderShape>(&part.shape)) {
+        ring(cylinder->radius, cylinder->height / 2);
+        ring(cylinder->radius, -cylinder->height / 2);
+    } else if (const auto* cone = std::get_if<scene::ConeShape>(&part.shape)) {
+        outline.push_back({pose.toWorld({0, cone->height / 2, 0}), 0});
+        ring(cone->radius, -cone->height / 2);
+    } else if (const auto* capsule = std::get_if<scene::CapsuleShape>(&part.shape)) {
+        for (const double end : {-0.5, 0.5})
+            outline.push_back({pose.toWorld({0, end * capsule->height, 0}), capsule->radius});
+    } else if (const auto* ellipsoid = std::get_if<scene::EllipsoidShape>(&part.shape)) {
+        for (int i = 0; i < 27; ++i)
+            if (const Vector way(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1); !way.isZero(0))
+                outline.push_back(
+                    {pose.toWorld(ellipsoid->axes.cwiseProduct(way.normalized())), 0});
     } else if (const auto* hull = std::get_if<scene::HullShape>(&part.shape)) {
         if (hull->points.size() <= 24) {
             for (const Vector& p : hull->points)
@@ -173,6 +195,25 @@ void keepNear(Extent& extent, const Box& moving, const Pose& pose,
         return;
     for (int i = 0; i < 8; ++i)
         keep(extent, {shown.corner(static_cast<Box::CornerType>(i)), 0});
+}
+
+// Of half spaces of bodies that stand, what lies under or beside the motion.
+void keepPlanes(Extent& extent, const scene::Scene& scene, const scene::Body& body,
+                const Pose& pose) {
+    const scene::ShapeSet* shape = scene::findShapeSet(scene, body.shape);
+    if (shape == nullptr || extent.box.isEmpty())
+        return;
+    const Vector middle = extent.box.center();
+    const double reach = extent.box.sizes().maxCoeff();
+    for (const scene::Part& part : shape->parts) {
+        if (!std::holds_alternative<scene::PlaneShape>(part.shape))
+            continue;
+        const Vector up =
+            pose.attitude * geometry::fromRotationVector(part.rotation) * Vector::UnitY();
+        const double height = up.dot(middle - pose.toWorld(part.position));
+        if (std::abs(height) <= reach)
+            keep(extent, {middle - height * up, 0});
+    }
 }
 
 // The axis along which nothing goes and about which alone anything turns, if there is one.
@@ -326,6 +367,9 @@ Extent extentOf(const scene::Scene& scene, const simulation::Motion* motion) {
     for (std::size_t i = 0; i < survey.paths.size(); ++i)
         if (!belongs[i] && !survey.paths[i].poses.empty())
             keepNear(extent, moving, survey.paths[i].poses.front(), survey.outlines[i]);
+    for (std::size_t i = 0; i < survey.paths.size(); ++i)
+        if (!survey.paths[i].poses.empty())
+            keepPlanes(extent, scene, scene.bodies[i], survey.paths[i].poses.front());
     for (const Vector& anchor : anchorsOf(scene, motion))
         keep(extent, {anchor, 0});
     for (const Vector& anchor : jointAnchorsOf(scene, motion))

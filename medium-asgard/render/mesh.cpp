@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace render {
 
@@ -66,7 +67,119 @@ void append(Mesh& mesh, const Vector& point, const Vector& normal) {
         mesh.vertices.push_back(static_cast<float>(x));
 }
 
+// Rings about y, from above to below, each with one normal at all heights of its points.
+class Rings {
+public:
+    explicit Rings(int sides) : sides_(sides) {}
+
+    // Normal: outward and up. A radius of 0 is a point with as many normals as there are sides.
+    void add(double radius, double height, double outward, double up) {
+        for (int k = 0; k < sides_; ++k) {
+            const double angle = 2 * M_PI * k / sides_;
+            const double x = std::cos(angle), z = std::sin(angle);
+            append(mesh, {radius * x, height, radius * z}, {outward * x, up, outward * z});
+        }
+        ++count_;
+    }
+    // Between the last two rings.
+    void join() {
+        const auto at = [&](int ring, int k) {
+            return static_cast<std::uint32_t>((count_ - 2 + ring) * sides_ + k % sides_);
+        };
+        for (int k = 0; k < sides_; ++k)
+            mesh.indices.insert(mesh.indices.end(), {at(0, k), at(0, k + 1), at(1, k), at(0, k + 1),
+                                                     at(1, k + 1), at(1, k)});
+    }
+    // An end, and the edge about it.
+    void disc(double radius, double height, double up) {
+        add(radius, height, 0, up);
+        const auto first = static_cast<std::uint32_t>((count_ - 1) * sides_);
+        for (std::uint32_t k = 1; k + 1 < static_cast<std::uint32_t>(sides_); ++k)
+            if (up > 0)
+                mesh.indices.insert(mesh.indices.end(), {first, first + k + 1, first + k});
+            else
+                mesh.indices.insert(mesh.indices.end(), {first, first + k, first + k + 1});
+        for (int k = 0; k < sides_; ++k) {
+            const double from = 2 * M_PI * k / sides_, to = 2 * M_PI * (k + 1) / sides_;
+            mesh.edges.emplace_back(
+                Vector(radius * std::cos(from), height, radius * std::sin(from)),
+                Vector(radius * std::cos(to), height, radius * std::sin(to)));
+        }
+    }
+
+    Mesh mesh;
+
+private:
+    int sides_, count_ = 0;
+};
+
 } // namespace
+
+int ringSides(double radiusInPixels) {
+    int sides = 12;
+    while (sides < finestRing && radiusInPixels * (1 - std::cos(M_PI / sides)) > 1.0 / 3)
+        sides *= 2;
+    return sides;
+}
+
+Mesh cylinderMesh(double radius, double height, int sides) {
+    Rings rings(sides);
+    rings.disc(radius, height / 2, 1);
+    rings.add(radius, height / 2, 1, 0);
+    rings.add(radius, -height / 2, 1, 0);
+    rings.join();
+    rings.disc(radius, -height / 2, -1);
+    return std::move(rings.mesh);
+}
+
+Mesh coneMesh(double radius, double height, int sides) {
+    Rings rings(sides);
+    const double slant = std::hypot(radius, height);
+    rings.add(0, height / 2, height / slant, radius / slant);
+    rings.add(radius, -height / 2, height / slant, radius / slant);
+    rings.join();
+    rings.disc(radius, -height / 2, -1);
+    return std::move(rings.mesh);
+}
+
+Mesh capsuleMesh(double radius, double height, int sides) {
+    Rings rings(sides);
+    const int quarter = sides / 4;
+    for (int k = 0; k <= 2 * quarter + 1; ++k) {
+        // The equator comes twice: at both ends of the tube.
+        const bool isUpper = k <= quarter;
+        const double angle = M_PI / 2 * (quarter - (isUpper ? k : k - 1)) / quarter;
+        const double outward = std::cos(angle), up = std::sin(angle);
+        rings.add(radius * outward, radius * up + (isUpper ? height : -height) / 2, outward, up);
+        if (k > 0)
+            rings.join();
+    }
+    return std::move(rings.mesh);
+}
+
+Mesh ellipsoidMesh(const Vector& halfAxes, int level) {
+    Mesh mesh = sphereMesh(level);
+    for (std::size_t i = 0; i < mesh.vertices.size(); i += 6) {
+        Vector normal;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double axis = halfAxes[static_cast<Eigen::Index>(k)];
+            mesh.vertices[i + k] *= static_cast<float>(axis);
+            normal[static_cast<Eigen::Index>(k)] = mesh.vertices[i + 3 + k] / axis;
+        }
+        normal.normalize();
+        for (std::size_t k = 0; k < 3; ++k)
+            mesh.vertices[i + 3 + k] = static_cast<float>(normal[static_cast<Eigen::Index>(k)]);
+    }
+    return mesh;
+}
+
+Mesh squareMesh() {
+    Mesh mesh;
+    for (const auto& [x, z] : {std::pair(-1, -1), {-1, 1}, {1, 1}, {1, -1}})
+        append(mesh, Vector(x, 0, z), Vector::UnitY());
+    mesh.indices = {0, 1, 2, 0, 2, 3};
+    return mesh;
+}
 
 int sphereLevel(double radiusInPixels) {
     // A chord over one of n parts of a circle sags by r (1 - cos(pi / n)); level l has 5 * 2^l.

@@ -1,7 +1,8 @@
 // Shapes as triangles with normals, and as the lines that their edges make.
 //
 // Faces of a polyhedron are flat: each has its own vertices. Spheres are subdivided icosahedra,
-// as fine as their size on screen asks for.
+// what is round about an axis has rings about y, as fine as their size on screen asks for; normals
+// are those of the true surface.
 #pragma once
 
 #include "geometry/polyhedron.h"
@@ -24,6 +25,19 @@ inline constexpr int finestSphere = 5; // 20 * 4^5 triangles
 [[nodiscard]] Mesh sphereMesh(int level);
 // The level whose outline stays within a third of a pixel of the circle of that radius.
 [[nodiscard]] int sphereLevel(double radiusInPixels);
+
+inline constexpr int finestRing = 1536; // sides
+
+// How many sides a circle of that radius needs for an outline that stays within a third of a pixel.
+[[nodiscard]] int ringSides(double radiusInPixels);
+// Cylinder, cone and capsule in their own sizes, about y; `sides` is a multiple of 4.
+[[nodiscard]] Mesh cylinderMesh(double radius, double height, int sides);
+[[nodiscard]] Mesh coneMesh(double radius, double height, int sides);
+[[nodiscard]] Mesh capsuleMesh(double radius, double height, int sides);
+// A sphere of that level, drawn out along its axes.
+[[nodiscard]] Mesh ellipsoidMesh(const geometry::Vector& halfAxes, int level);
+// From -1 to 1 along x and z, seen from above.
+[[nodiscard]] Mesh squareMesh();
 
 // A convex polyhedron: flat faces, its own edges.
 [[nodiscard]] Mesh polyhedronMesh(const geometry::Polyhedron& polyhedron);

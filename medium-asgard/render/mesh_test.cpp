@@ -42,6 +42,39 @@ TEST(SphereMesh, IsFinerWhereItIsLargerOnScreen) {
         EXPECT_LE(sphereLevel(radius), sphereLevel(radius * 1.3));
 }
 
+// Outward triangles, normals of unit length that are those of the true surface, and a volume that
+// approaches the true one.
+TEST(RoundMeshes, ApproachTheTrueSurfaces) {
+    const double r = 0.7, h = 1.9;
+    const auto check = [](const Mesh& mesh, double expected, double within) {
+        EXPECT_NEAR(volume(mesh) / expected, 1, within);
+        for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+            const Vector across = (vertex(mesh, i + 1) - vertex(mesh, i))
+                                      .cross(vertex(mesh, i + 2) - vertex(mesh, i));
+            for (std::size_t k = i; k < i + 3; ++k) {
+                const float* n = &mesh.vertices[6 * mesh.indices[k] + 3];
+                const Vector normal(n[0], n[1], n[2]);
+                EXPECT_NEAR(normal.norm(), 1, 1e-6);
+                EXPECT_GE(across.dot(normal), 0.9 * across.norm() - 1e-7);
+            }
+        }
+    };
+    for (const int sides : {24, 96, 384}) {
+        const double within = 8.0 / (sides * sides);
+        check(cylinderMesh(r, h, sides), M_PI * r * r * h, within);
+        check(coneMesh(r, h, sides), M_PI * r * r * h / 3, within);
+        check(capsuleMesh(r, h, sides), M_PI * r * r * (h + 4 * r / 3), 2 * within);
+    }
+    check(ellipsoidMesh({1, 1.5, 0.8}, 4), 4 * M_PI / 3 * 1.2, 2e-3);
+    EXPECT_EQ(cylinderMesh(r, h, 24).edges.size(), 48U);
+    EXPECT_EQ(coneMesh(r, h, 24).edges.size(), 24U);
+    EXPECT_TRUE(capsuleMesh(r, h, 24).edges.empty());
+    EXPECT_EQ(ringSides(1), 12);
+    EXPECT_EQ(ringSides(1e9), finestRing);
+    for (const double pixels : {10.0, 100.0, 1000.0})
+        EXPECT_LE(pixels * (1 - std::cos(M_PI / ringSides(pixels))), 1.0 / 3);
+}
+
 TEST(PolyhedronMesh, OfABoxHasItsVolumeTwelveEdgesAndFlatFaces) {
     const Mesh mesh = polyhedronMesh(geometry::box(Vector(1, 2, 3)));
     EXPECT_NEAR(volume(mesh), 6, 1e-6);

@@ -7,6 +7,76 @@ namespace render {
 
 namespace {
 
+// Outlines of what is curved, as the eye sees it: where lines of sight touch the surface. In the
+// solid's own frame, with the eye at e and the normal n at x on the surface: n.(e - x) = 0.
+class Contour {
+public:
+    Contour(Lines& lines, const Solid& solid, int parts, const Ink& ink)
+        : lines_(lines), solid_(solid), parts_(parts), ink_(ink),
+          eye_(solid.linear.inverse() * (Vector(0, 0, eyeDistance) - solid.place)) {}
+
+    void operator()(const scene::CylinderShape& c) const { addSides(c.radius, c.height); }
+    void operator()(const scene::CapsuleShape& c) const {
+        addSides(c.radius, c.height);
+        for (const double end : {-1.0, 1.0})
+            addEllipse(Vector::Constant(c.radius), {0, end * c.height / 2, 0}, end);
+    }
+    void operator()(const scene::EllipsoidShape& e) const { addEllipse(e.axes, Vector::Zero(), 0); }
+    // n = (h e + r y) / |..| for the direction e across the axis, and x the apex.
+    void operator()(const scene::ConeShape& c) const {
+        const Vector apex(0, c.height / 2, 0), d = eye_ - apex;
+        const double across = std::hypot(d.x(), d.z());
+        const double cosine = -c.radius * d.y() / (c.height * across);
+        for (const double angle : touching(d, cosine))
+            add(apex, {c.radius * std::cos(angle), -c.height / 2, c.radius * std::sin(angle)});
+    }
+    template <typename Other> void operator()(const Other&) const {}
+
+private:
+    // The directions across the axis at that cosine from d; none: it sees no side, or all.
+    static std::vector<double> touching(const Vector& d, double cosine) {
+        if (!(std::abs(cosine) < 1))
+            return {};
+        const double middle = std::atan2(d.z(), d.x()), half = std::acos(cosine);
+        return {middle - half, middle + half};
+    }
+    void addSides(double radius, double height) const {
+        for (const double angle : touching(eye_, radius / std::hypot(eye_.x(), eye_.z()))) {
+            const Vector out(radius * std::cos(angle), 0, radius * std::sin(angle));
+            add(out + Vector(0, height / 2, 0), out - Vector(0, height / 2, 0));
+        }
+    }
+    // Of the ball that the ellipsoid is with its axes as units; of it only what lies towards `end`.
+    void addEllipse(const Vector& axes, const Vector& centre, double end) const {
+        const Vector eye = (eye_ - centre).cwiseQuotient(axes);
+        const double distance = eye.norm();
+        if (distance <= 1)
+            return;
+        const Vector axis = eye / distance, u = axis.unitOrthogonal(), v = axis.cross(u);
+        const double radius = std::sqrt(1 - 1 / (distance * distance));
+        const auto at = [&](int k) {
+            const double angle = 2 * M_PI * k / parts_;
+            return Vector(axis / distance + radius * (std::cos(angle) * u + std::sin(angle) * v));
+        };
+        for (int k = 0; k < parts_; ++k)
+            if (const Vector from = at(k), to = at(k + 1); end * (from + to).y() >= 0)
+                add(centre + axes.cwiseProduct(from), centre + axes.cwiseProduct(to));
+    }
+    void add(const Vector& from, const Vector& to) const {
+        lines_.add(solid_.toView(from), solid_.toView(to), ink_);
+    }
+
+    Lines& lines_;
+    const Solid& solid_;
+    int parts_;
+    const Ink& ink_;
+    Vector eye_;
+};
+
+void addContour(Lines& lines, const Solid& solid, int parts, const Ink& ink) {
+    std::visit(Contour(lines, solid, parts, ink), solid.part->shape);
+}
+
 bool isSphere(const Solid& solid) {
     return std::holds_alternative<scene::SphereShape>(solid.part->shape);
 }
@@ -60,6 +130,7 @@ void addEdges(Lines& lines, const Solid& solid, const Mesh& mesh, const Frame& f
         return;
     }
     const Ink ink = rim(solid, frame, 1.1, 0.75F * alpha);
+    addContour(lines, solid, circleParts(frame.pixels(solid.radius, solid.middle.z())), ink);
     for (const auto& [from, to] : mesh.edges)
         lines.add(solid.toView(from), solid.toView(to), ink);
 }
@@ -67,6 +138,7 @@ void addEdges(Lines& lines, const Solid& solid, const Mesh& mesh, const Frame& f
 void addWireframe(Lines& lines, const Solid& solid, const Mesh& mesh, const Frame& frame) {
     const Ink ink = rim(solid, frame, 1.2, 0.9F);
     if (!isSphere(solid)) {
+        addContour(lines, solid, circleParts(frame.pixels(solid.radius, solid.middle.z())), ink);
         for (const auto& [from, to] : mesh.edges)
             lines.add(solid.toView(from), solid.toView(to), ink);
         return;

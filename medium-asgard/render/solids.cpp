@@ -21,9 +21,12 @@ Fit fitOf(const scene::Part& part) {
         return {Vector::Constant(sphere->radius), Vector::Zero(), sphere->radius};
     if (const auto* box = std::get_if<scene::BoxShape>(&part.shape))
         return {box->edges, Vector::Zero(), box->edges.norm() / 2};
+    const auto* hull = std::get_if<scene::HullShape>(&part.shape);
+    if (!hull) // in its own sizes
+        return {Vector::Ones(), Vector::Zero(), scene::reachOf(part)};
     Fit fit;
     Eigen::AlignedBox3d bounds;
-    for (const Vector& p : std::get<scene::HullShape>(part.shape).points)
+    for (const Vector& p : hull->points)
         bounds.extend(p);
     if (!bounds.isEmpty()) {
         fit.middle = bounds.center();
@@ -64,6 +67,19 @@ Solid solidOf(const scene::Part& part, const scene::Body& body, const scene::Sha
     return solid;
 }
 
+// Of a half space a square about what the picture shows, as wide as it can be seen.
+void showPlane(Solid& solid, const geometry::Pose& pose, const Extent& extent, const Frame& frame) {
+    constexpr double wide = 4; // of the scene's size
+    const scene::Part& part = *solid.part;
+    const geometry::Quaternion turn = pose.attitude * geometry::fromRotationVector(part.rotation);
+    const Vector up = turn * Vector::UnitY(), origin = pose.toWorld(part.position);
+    const Vector middle = extent.box.center();
+    const double half = wide * extent.size;
+    solid.linear = frame.linear() * turn.toRotationMatrix() * half;
+    solid.place = solid.middle = frame.toView(middle - up * up.dot(middle - origin));
+    solid.radius = std::sqrt(2) * half * frame.camera().scale;
+}
+
 bool isBall(const scene::ShapeSet& shape) {
     return shape.parts.size() == 1 &&
            std::holds_alternative<scene::SphereShape>(shape.parts.front().shape);
@@ -90,6 +106,8 @@ std::vector<Solid> solidsOf(const Drawing& drawing, const Extent& extent, const 
         for (const scene::Part& part : shape->parts) {
             solids.push_back(solidOf(part, body, *shape, pose, frame));
             solids.back().body = i;
+            if (std::holds_alternative<scene::PlaneShape>(part.shape))
+                showPlane(solids.back(), pose, extent, frame);
             solids.back().turns = isBall(*shape) && i < extent.turns.size() && extent.turns[i];
         }
     }
@@ -142,28 +160,70 @@ const Mesh& Solids::meshOf(const Solid& solid, const Frame& frame) {
     return stored(solid, frame).mesh;
 }
 
-Solids::Stored& Solids::stored(const Solid& solid, const Frame& frame, int coarser) {
-    Key key;
-    if (std::holds_alternative<scene::SphereShape>(solid.part->shape)) {
-        const int level =
-            std::max(1, sphereLevel(frame.pixels(solid.radius, solid.middle.z())) - coarser);
-        key = {0, static_cast<double>(level)};
-    } else if (std::holds_alternative<scene::BoxShape>(solid.part->shape)) {
-        key = {1};
-    } else {
-        key = {2};
-        for (const Vector& p : std::get<scene::HullShape>(solid.part->shape).points)
+namespace {
+
+struct MeshKey {
+    double fineness; // in pixels: of the ball about it
+    int coarser;
+    [[nodiscard]] double level() const { return std::max(1, sphereLevel(fineness) - coarser); }
+    [[nodiscard]] double sides() const { return std::max(12, ringSides(fineness) >> coarser); }
+
+    std::vector<double> operator()(const scene::SphereShape&) const { return {0, level()}; }
+    std::vector<double> operator()(const scene::BoxShape&) const { return {1}; }
+    std::vector<double> operator()(const scene::HullShape& hull) const {
+        std::vector<double> key{2};
+        for (const Vector& p : hull.points)
             key.insert(key.end(), p.begin(), p.end());
+        return key;
     }
+    std::vector<double> operator()(const scene::CylinderShape& c) const {
+        return {3, sides(), c.radius, c.height};
+    }
+    std::vector<double> operator()(const scene::ConeShape& c) const {
+        return {4, sides(), c.radius, c.height};
+    }
+    std::vector<double> operator()(const scene::CapsuleShape& c) const {
+        return {5, sides(), c.radius, c.height};
+    }
+    std::vector<double> operator()(const scene::EllipsoidShape& e) const {
+        return {6, level(), e.axes.x(), e.axes.y(), e.axes.z()};
+    }
+    std::vector<double> operator()(const scene::PlaneShape&) const { return {7}; }
+};
+
+struct MeshMaker {
+    const std::vector<double>& key;
+    [[nodiscard]] int fineness() const { return static_cast<int>(key[1]); }
+
+    Mesh operator()(const scene::SphereShape&) const { return sphereMesh(fineness()); }
+    Mesh operator()(const scene::BoxShape&) const {
+        return polyhedronMesh(geometry::box(Vector::Ones()));
+    }
+    Mesh operator()(const scene::HullShape& hull) const { return hullMesh(hull.points); }
+    Mesh operator()(const scene::CylinderShape& c) const {
+        return cylinderMesh(c.radius, c.height, fineness());
+    }
+    Mesh operator()(const scene::ConeShape& c) const {
+        return coneMesh(c.radius, c.height, fineness());
+    }
+    Mesh operator()(const scene::CapsuleShape& c) const {
+        return capsuleMesh(c.radius, c.height, fineness());
+    }
+    Mesh operator()(const scene::EllipsoidShape& e) const {
+        return ellipsoidMesh(e.axes, fineness());
+    }
+    Mesh operator()(const scene::PlaneShape&) const { return squareMesh(); }
+};
+
+} // namespace
+
+Solids::Stored& Solids::stored(const Solid& solid, const Frame& frame, int coarser) {
+    const Key key = std::visit(MeshKey{frame.pixels(solid.radius, solid.middle.z()), coarser},
+                               solid.part->shape);
     std::unique_ptr<Stored>& entry = meshes_[key];
     if (!entry) {
         entry = std::make_unique<Stored>();
-        if (key[0] == 0)
-            entry->mesh = sphereMesh(static_cast<int>(key[1]));
-        else if (key[0] == 1)
-            entry->mesh = polyhedronMesh(geometry::box(Vector::Ones()));
-        else
-            entry->mesh = hullMesh(std::get<scene::HullShape>(solid.part->shape).points);
+        entry->mesh = std::visit(MeshMaker{key}, solid.part->shape);
         upload(*entry);
     }
     entry->used = picture_;

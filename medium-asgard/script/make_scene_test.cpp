@@ -86,6 +86,27 @@ TEST(ShapeSet, IsAUnionOfPartsAndOneHullOfAllFaces) {
     EXPECT_EQ(std::get<scene::HullShape>(set.parts[2].shape).points.size(), 4u);
 }
 
+TEST(ShapeSet, HasRoundPartsAndHalfSpaces) {
+    const Scene scene = read("shape_set r -desc {\n"
+                             "  -sub {-cylinder {1 0} -pos {1 2 3}} -sub {-cone {1 2}}\n"
+                             "  -sub {-capsule {0.5 3}} -sub {-ellipsoid {1 2 3}}\n"
+                             "  -sub {-color red -plane -rot {0 0 1}}}\n"
+                             "body floor r -fixed 1\n"
+                             "shape_set disc -desc {-sub {-cylinder {1 0}}}\n"
+                             "body d disc -mass 2\n"
+                             "trajectory T -points {{0 0 0 0} {10 0 1 0}}\n"
+                             "body lift r\nconstrain lift -pos T -rot T");
+    const std::vector<scene::Part>& parts = scene.shapeSets.at(1).parts;
+    ASSERT_EQ(parts.size(), 5u);
+    EXPECT_EQ(std::get<scene::CylinderShape>(parts[0].shape), (scene::CylinderShape{1, 0}));
+    EXPECT_EQ(parts[0].position, Vector(1, 2, 3));
+    EXPECT_EQ(std::get<scene::ConeShape>(parts[1].shape), (scene::ConeShape{1, 2}));
+    EXPECT_EQ(std::get<scene::CapsuleShape>(parts[2].shape), (scene::CapsuleShape{0.5, 3}));
+    EXPECT_EQ(std::get<scene::EllipsoidShape>(parts[3].shape).axes, Vector(1, 2, 3));
+    EXPECT_TRUE(std::holds_alternative<scene::PlaneShape>(parts[4].shape));
+    EXPECT_EQ(parts[4].rotation, Vector(0, 0, 1));
+}
+
 TEST(Force, IsOfOneOfThreeKinds) {
     const Scene scene = read("body b s\ntrajectory T -points {{0 0 0 0} {1 1 1 1}}\n"
                              "force -body b -y {-9.81 * b.mass} -offset {1 0 0} -frame body\n"

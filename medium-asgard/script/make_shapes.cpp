@@ -114,7 +114,30 @@ bool SceneMaker::facePoints(Arguments& arguments, const Value& face, std::vector
     return good;
 }
 
-// -sphere, -box or -points.
+// {radius height}; without height it may be flat where `mayBeFlat`.
+template <typename Round>
+bool SceneMaker::roundPart(Arguments& arguments, const std::string& option, const Value& value,
+                           bool mayBeFlat, scene::Part& part) {
+    const std::string wants =
+        mayBeFlat ? "{radius height}, a positive number and one that is not negative"
+                  : "{radius height}, two positive numbers";
+    const auto numbers = arguments.numbersIn(option, value, wants);
+    if (!numbers)
+        return false;
+    if (numbers->size() != 2) {
+        arguments.wrong(option, value.range, wants, "and gets " + std::to_string(numbers->size()));
+        return false;
+    }
+    const double radius = (*numbers)[0], height = (*numbers)[1];
+    if (!(radius > 0) || !(mayBeFlat ? height >= 0 : height > 0)) {
+        arguments.wrong(option, value.range, wants, "not " + quoted(value.text));
+        return false;
+    }
+    part.shape = Round{radius, height};
+    return true;
+}
+
+// Those with a value; of -plane in partOf().
 bool SceneMaker::shapeOfPart(Arguments& arguments, const std::string& option, const Value& value,
                              scene::Part& part) {
     if (option == "-sphere") {
@@ -129,6 +152,20 @@ bool SceneMaker::shapeOfPart(Arguments& arguments, const std::string& option, co
                             "not " + quoted(value.text));
         part.shape = scene::BoxShape{edges.value_or(Vector::Ones())};
         return edges && edges->minCoeff() > 0;
+    }
+    if (option == "-cylinder")
+        return roundPart<scene::CylinderShape>(arguments, option, value, true, part);
+    if (option == "-cone")
+        return roundPart<scene::ConeShape>(arguments, option, value, false, part);
+    if (option == "-capsule")
+        return roundPart<scene::CapsuleShape>(arguments, option, value, true, part);
+    if (option == "-ellipsoid") {
+        const auto axes = arguments.vectorIn(option, value, "three positive half axes");
+        if (axes && axes->minCoeff() <= 0)
+            arguments.wrong(option, value.range, "three positive half axes",
+                            "not " + quoted(value.text));
+        part.shape = scene::EllipsoidShape{axes.value_or(Vector::Ones())};
+        return axes && axes->minCoeff() > 0;
     }
     const auto list = arguments.listIn(option, value, "a list of points {x y z}");
     if (!list)
@@ -145,9 +182,9 @@ bool SceneMaker::shapeOfPart(Arguments& arguments, const std::string& option, co
 }
 
 std::optional<scene::Part> SceneMaker::partOf(Arguments& arguments, const Value& description) {
-    static const std::vector<std::string> options = {"-sphere", "-box",       "-points",
-                                                     "-pos",    "-rot",       "-density",
-                                                     "-color",  "-shininess", "-transparency"};
+    static const std::vector<std::string> options = {
+        "-sphere", "-box", "-points", "-cylinder", "-cone",  "-capsule",   "-ellipsoid",
+        "-plane",  "-pos", "-rot",    "-density",  "-color", "-shininess", "-transparency"};
     const auto words = arguments.listIn("-sub", description, "a list of options");
     if (!words)
         return std::nullopt;
@@ -164,11 +201,16 @@ std::optional<scene::Part> SceneMaker::partOf(Arguments& arguments, const Value&
                           suggestionFor(option.text, options, "options here"));
             return std::nullopt;
         }
-        if (i + 1 >= words->size()) {
+        if (option.text == "-plane" && !shaped) {
+            part.shape = scene::PlaneShape{};
+            shaped = true;
+            continue;
+        }
+        if (i + 1 >= words->size() && option.text != "-plane") {
             arguments.wrong(option.text, option.range, "a value", "and nothing follows it");
             return std::nullopt;
         }
-        const Value& value = (*words)[++i];
+        const Value& value = option.text == "-plane" ? option : (*words)[++i];
         if (option.text == "-pos" || option.text == "-rot") {
             const auto v = arguments.vectorIn(option.text, value, "three numbers");
             good = good && v.has_value();
@@ -186,8 +228,15 @@ std::optional<scene::Part> SceneMaker::partOf(Arguments& arguments, const Value&
         }
     }
     if (!shaped && good)
-        arguments.wrong("-sub", description.range, "one of -sphere, -box and -points",
+        arguments.wrong("-sub", description.range,
+                        "one of -sphere, -box, -cylinder, -cone, -capsule, -ellipsoid, -points and "
+                        "-plane",
                         "and gets none");
+    if (part.density && std::holds_alternative<scene::PlaneShape>(part.shape)) {
+        arguments.wrong("-density", description.range, "a part with a volume",
+                        "and a -plane has no mass");
+        good = false;
+    }
     return good && shaped ? std::optional(part) : std::nullopt;
 }
 
@@ -322,6 +371,18 @@ void SceneMaker::inertia(Arguments& arguments, scene::Body& body) {
     body.inertia = entries;
 }
 
+// A disc weighs nothing, and a half space cannot move; where trajectories hold it is known at the
+// end (checkPlanes).
+void SceneMaker::checkShapeOf(Arguments& arguments, const scene::Body& body) {
+    const scene::ShapeSet* set = scene::findShapeSet(made_.scene, body.shape);
+    if (!set || body.fixed || set->parts.empty())
+        return;
+    if (scene::hasPlane(*set))
+        planes_.emplace_back(body.name, arguments.commandRange());
+    else if (!scene::hasVolume(*set) && !arguments.attempted("-mass"))
+        arguments.wrongElement("wants -mass: its shape has no volume");
+}
+
 void SceneMaker::body(Call& call) {
     scene::Body body;
     body.name = newName(call, Kind::body);
@@ -366,8 +427,9 @@ void SceneMaker::body(Call& call) {
                           " wants -mass and -inertia beside it, which the shape would give about "
                           "another centre");
     body.density = arguments.number("-density", Sign::positive).value_or(1);
-    body.restitution = arguments.number("-restitution", Sign::unit).value_or(1);
     body.fixed = arguments.flag("-fixed").value_or(false);
+    checkShapeOf(arguments, body);
+    body.restitution = arguments.number("-restitution", Sign::unit).value_or(1);
     body.articulatedBody = arguments.name("-artbody", "an articulated body").value_or("");
     body.collisionGroup = arguments.integer("-ct");
     body.appearance = arguments.appearance();

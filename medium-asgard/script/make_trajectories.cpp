@@ -6,6 +6,7 @@
 #include "script/suggestion.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -261,6 +262,44 @@ void SceneMaker::checkHolds() {
         }
         steps += held.intervals.size();
         before.push_back(std::move(held));
+    }
+}
+
+namespace {
+
+// Whether intervals leave nothing out from `from` to `to`.
+bool cover(std::vector<Interval> intervals, double from, double to) {
+    std::ranges::sort(intervals);
+    for (const Interval& interval : intervals)
+        if (interval.first <= from)
+            from = std::max(from, interval.second);
+    return !intervals.empty() && from >= to;
+}
+
+} // namespace
+
+// A body with a half space is held in place and attitude all the time.
+void SceneMaker::checkPlanes() {
+    for (const auto& [body, range] : planes_) {
+        std::array<std::vector<Interval>, 4> held; // by axis, as in axesOf()
+        for (const Hold& hold : holds_) {
+            const scene::Trajectory* trajectory =
+                scene::findTrajectory(made_.scene, hold.constraint.trajectory);
+            if (hold.constraint.body != body || !trajectory)
+                continue;
+            for (std::size_t axis = 0; axis < held.size(); ++axis)
+                if ((axesOf(hold.constraint.held) >> axis & 1U) != 0)
+                    for (const Interval& one : intervalsOf(hold.constraint, *trajectory))
+                        held[axis].push_back(one);
+        }
+        const scene::Simulator& simulator = made_.scene.simulator;
+        if (!std::ranges::all_of(held, [&](const std::vector<Interval>& intervals) {
+                return cover(intervals, simulator.start, simulator.finish);
+            }))
+            faults_.error(range, "body " + quoted(body) +
+                                     " has a -plane, which reaches everywhere and cannot be moved: "
+                                     "it wants -fixed 1, or trajectories that hold its place and "
+                                     "attitude from the start to the end");
     }
 }
 

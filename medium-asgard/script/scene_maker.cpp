@@ -192,6 +192,7 @@ std::optional<std::string> SceneMaker::reference(Arguments& arguments, std::stri
 
 void SceneMaker::finish(bool finished) {
     checkHolds();
+    checkPlanes();
     checkJoints();
     if (finished)
         checkExpressions();

@@ -72,6 +72,10 @@ private:
     std::optional<scene::Part> partOf(Arguments& arguments, const Value& description);
     bool shapeOfPart(Arguments& arguments, const std::string& option, const Value& value,
                      scene::Part& part);
+    template <typename Round>
+    bool roundPart(Arguments& arguments, const std::string& option, const Value& value,
+                   bool mayBeFlat, scene::Part& part);
+    void checkShapeOf(Arguments& arguments, const scene::Body& body);
     bool facePoints(Arguments& arguments, const Value& face, std::vector<geometry::Vector>& points,
                     scene::Appearance& appearance);
     bool solid(Arguments& arguments, std::string_view option, Range range,
@@ -125,6 +129,7 @@ private:
                            scene::Reading reading = scene::Reading::state);
     void checkExpressions();
     void checkHolds();
+    void checkPlanes();
     void warnOfUnusedParameters();
     void checkOverrides(bool finished);
 
@@ -143,6 +148,7 @@ private:
         scene::Constraint constraint;
     };
     std::vector<Hold> holds_;
+    std::vector<std::pair<std::string, Range>> planes_; // bodies with a half space that may move
     int suggestions_ = 0;
     bool simulatorSeen_ = false;
 };

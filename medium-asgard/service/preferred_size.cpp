@@ -15,15 +15,7 @@ constexpr double usualAspect = 4.0 / 3, flattest = 2.2, steepest = 0.9; // width
 double reach(const scene::ShapeSet& shape) {
     double farthest = 0;
     for (const scene::Part& part : shape.parts) {
-        double radius = 0;
-        if (const auto* sphere = std::get_if<scene::SphereShape>(&part.shape))
-            radius = sphere->radius;
-        else if (const auto* box = std::get_if<scene::BoxShape>(&part.shape))
-            radius = box->edges.norm() / 2;
-        else
-            for (const auto& point : std::get<scene::HullShape>(part.shape).points)
-                radius = std::max(radius, point.norm());
-        farthest = std::max(farthest, part.position.norm() + radius);
+        farthest = std::max(farthest, part.position.norm() + scene::reachOf(part));
     }
     return farthest;
 }

@@ -1,6 +1,7 @@
 #include "views/asked_value.h"
 
 #include "editing/shape_edit.h"
+#include "editing/shape_points.h"
 #include "editing/trajectory_edit.h"
 #include "gestures/handle_meaning.h"
 #include "gestures/new_point.h"
@@ -51,7 +52,7 @@ struct SizedShape {
 std::optional<SizedShape> sizedShapeOf(const scene::Scene& scene, const std::string& name) {
     const auto set = std::ranges::find(scene.shapeSets, name, &scene::ShapeSet::name);
     if (set == scene.shapeSets.end() || set->parts.size() != 1 ||
-        sizesOf(set->parts.front()).empty())
+        editing::sizesOf(set->parts.front()).empty())
         return std::nullopt;
     return SizedShape{
         static_cast<std::size_t>(set - scene.shapeSets.begin()),
@@ -109,11 +110,8 @@ std::optional<AskedValue> askedSize(SceneDocument& document, std::size_t body) {
         asked.note = SceneDocument::tr("All %1 bodies of the shape %2 change with it.")
                          .arg(sized->bodies)
                          .arg(words(shape));
-    asked.now = sizesOf(set.parts.front());
-    asked.names = asked.now.size() == 1
-                      ? QStringList{SceneDocument::tr("Radius")}
-                      : QStringList{SceneDocument::tr("Edge x"), SceneDocument::tr("Edge y"),
-                                    SceneDocument::tr("Edge z")};
+    asked.now = editing::sizesOf(set.parts.front());
+    asked.names = sizeNames(set.parts.front());
     asked.written.resize(asked.now.size());
     asked.answer = [text = asked.text, scene, which = sized->shapeSet](const Values& values) {
         if (!std::ranges::all_of(values, [](double size) { return size > 0; })) {
@@ -122,7 +120,7 @@ std::optional<AskedValue> askedSize(SceneDocument& document, std::size_t body) {
             return answer;
         }
         auto draft = editing::draftOf(scene->shapeSets[which]);
-        draft.front().part = withSizes(draft.front().part, values);
+        draft.front().part = editing::withSizes(draft.front().part, values);
         return editing::become(text, scene, which, draft);
     };
     return asked;

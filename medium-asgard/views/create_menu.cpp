@@ -64,6 +64,15 @@ void fillBodies(QMenu* menu, SceneDocument& document, SceneDisplay& display) {
                     [&display] { display.creating().start(newBody(BasicShape::sphere)); });
     menu->addAction(QObject::tr("New &Box"), &display,
                     [&display] { display.creating().start(newBody(BasicShape::box)); });
+    const std::pair<QString, const char*> round[] = {{QObject::tr("New &Wheel"), "Wheel"},
+                                                     {QObject::tr("New &Capsule"), "Capsule"},
+                                                     {QObject::tr("New C&one"), "Cone"},
+                                                     {QObject::tr("New &Floor"), "Floor"}};
+    for (const auto& [label, name] : round)
+        menu->addAction(plain::ours(label), &display,
+                        [&display, &shape = editing::libraryShape(name)] {
+                            display.creating().start(newBody(shape));
+                        });
     QMenu* library = menu->addMenu(QObject::tr("New from the &Library"));
     for (const editing::LibraryShape& shape : editing::shapeLibrary())
         library->addAction(plain::caption(QString::fromStdString(shape.name)), &display,

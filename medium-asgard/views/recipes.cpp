@@ -103,17 +103,19 @@ Recipe newBody(const std::string& shape) {
 
 namespace {
 
-Recipe newBody(const std::string& stem, const std::string& description) {
+Recipe newBody(const std::string& stem, const std::string& description, bool isFixed = false) {
     Recipe recipe = views::newBody(std::string());
-    recipe.make = [stem, description](const std::string& text, const scene::Scene& scene,
-                                      const std::vector<Indicated>& shown) {
+    recipe.make = [stem, description, isFixed](const std::string& text, const scene::Scene& scene,
+                                               const std::vector<Indicated>& shown) {
         const std::string shape = editing::unusedName(text, scene, Kind::shapeSet, stem);
         const NewElement set{Kind::shapeSet, shape, {"-desc", description}, {}};
-        const NewElement body{Kind::body,
-                              editing::unusedName(text, scene, Kind::body, "body", {shape}),
-                              {"-init_pos", listed(shown[0].point, shown[0].resolution)},
-                              {},
-                              shape};
+        NewElement body{Kind::body,
+                        editing::unusedName(text, scene, Kind::body, "body", {shape}),
+                        {"-init_pos", listed(shown[0].point, shown[0].resolution)},
+                        {},
+                        shape};
+        if (isFixed)
+            body.words.insert(body.words.end(), {"-fixed", "1"});
         return std::vector{set, body};
     };
     return recipe;
@@ -131,7 +133,10 @@ Recipe newBody(const editing::LibraryShape& shape) {
     for (const char c : shape.name)
         if (std::isalpha(static_cast<unsigned char>(c)) != 0)
             stem += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return newBody(stem, editing::descriptionText(shape.parts));
+    const bool isFixed = std::ranges::any_of(shape.parts, [](const scene::Part& part) {
+        return std::holds_alternative<scene::PlaneShape>(part.shape);
+    });
+    return newBody(stem, editing::descriptionText(shape.parts), isFixed);
 }
 
 Recipe newForce(bool couple, double perUnit) {

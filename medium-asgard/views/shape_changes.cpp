@@ -152,7 +152,7 @@ void ShapeEditor::movePoint(const Vector& place) {
 void ShapeEditor::resizePart(const std::vector<double>& sizes) {
     if (const auto part = display_->chosenPart())
         change(tr("Resize Part"),
-               [&] { draft_[*part].part = withSizes(draft_[*part].part, sizes); });
+               [&] { draft_[*part].part = editing::withSizes(draft_[*part].part, sizes); });
 }
 
 // By keys: the grid's step, or some pixels' worth, each one step of undo. Those of a vertex that
@@ -199,8 +199,8 @@ void ShapeEditor::addPoint(const Vector& place) {
                     true);
     const scene::Part& before = draft_[*part].part;
     if (!std::holds_alternative<scene::HullShape>(before.shape))
-        return tell(tr("A sphere has its two points and a box its corners; Polyhedron adds a part "
-                       "that can have more."),
+        return tell(tr("A box has its corners, and what is round the points that set its sizes; "
+                       "Polyhedron adds a part that can have more."),
                     true);
     const double length = display_->grid() > 0 ? 0 : display_->pixelLength();
     const scene::Part more = editing::withNewPoint(before, decimal(place, length));
@@ -258,7 +258,7 @@ void ShapeEditor::removePoint(std::size_t part, std::size_t point) {
         return tell(std::holds_alternative<scene::HullShape>(less.shape)
                         ? tr("A polyhedron needs four vertices that are not in one plane. Delete "
                              "Part deletes it.")
-                        : tr("A sphere and a box keep their points. Delete Part deletes them."),
+                        : tr("Only a polyhedron loses points. Delete Part deletes the part."),
                     true);
     change(tr("Delete Vertex"), [&] {
         draft_[part].part = less;

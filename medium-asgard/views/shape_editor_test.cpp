@@ -229,7 +229,7 @@ TEST_F(ShapeEditorTest, TheButtonMakesTheHullOfTheChosenPart) {
 
 TEST_F(ShapeEditorTest, SizesAndColoursAreTheTexts) {
     Q_EMIT editor->display().chosen(1, 0);
-    type("Radius or first edge", "0.75");
+    type("Radius", "0.75");
     EXPECT_NE(document.text().find("-sub {-pos {2 0 0} -sphere 0.75}"), std::string::npos);
     editor->setColour(1, scene::Color{1, 0.5, 0});
     ASSERT_TRUE(settle(document));
@@ -239,6 +239,20 @@ TEST_F(ShapeEditorTest, SizesAndColoursAreTheTexts) {
     document.undo();
     document.undo();
     EXPECT_EQ(document.text(), text);
+}
+
+TEST_F(ShapeEditorTest, RoundPartsComeFromButtonsAndTakeSizes) {
+    for (const char* name : {"addCylinder", "addCone", "addCapsule", "addEllipsoid"}) {
+        editor->findChild<QPushButton*>(name)->click();
+        ASSERT_TRUE(settle(document));
+    }
+    for (const char* part : {"-sub {-cylinder {0.5 1}}", "-sub {-cone {0.5 1}}",
+                             "-sub {-capsule {0.3 1}}", "-sub {-ellipsoid {0.6 0.4 0.4}}"})
+        EXPECT_NE(document.text().find(part), std::string::npos) << document.text();
+    Q_EMIT editor->display().chosen(2, 0);
+    type("Height", "2.5");
+    ASSERT_TRUE(settle(document));
+    EXPECT_NE(document.text().find("-sub {-cylinder {0.5 2.5}}"), std::string::npos);
 }
 
 TEST_F(ShapeEditorTest, ARenamedShapeIsRenamedWhereItIsUsed) {
@@ -353,7 +367,7 @@ TEST_F(ShapeEditorTest, RandomGesturesUndoToTheFirstBytes) {
             Q_EMIT display.removeWanted(one, random() % count);
             break;
         case 2:
-            editor->addParts({editing::cylinder(0.25, 1, 5)}, "Add Cylinder");
+            editor->addParts({editing::cylinder(0.25, 1)}, "Add Cylinder");
             break;
         case 3:
             editor->setColour(one, scene::Color{0.25, 0.5, 0.75});

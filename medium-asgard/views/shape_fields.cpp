@@ -1,5 +1,6 @@
 #include "views/shape_fields.h"
 
+#include "editing/shape_points.h"
 #include "plain/plain.h"
 #include "script/numbers.h"
 
@@ -42,20 +43,21 @@ void fill(const std::array<QLineEdit*, 3>& fields, const std::vector<double>& va
 
 } // namespace
 
-std::vector<double> sizesOf(const scene::Part& part) {
-    if (const auto* sphere = std::get_if<scene::SphereShape>(&part.shape))
-        return {sphere->radius};
-    if (const auto* box = std::get_if<scene::BoxShape>(&part.shape))
-        return {box->edges.x(), box->edges.y(), box->edges.z()};
-    return {};
-}
-
-scene::Part withSizes(scene::Part part, const std::vector<double>& sizes) {
-    if (sizes.size() == 1)
-        part.shape = scene::SphereShape{sizes.front()};
-    else if (sizes.size() == 3)
-        part.shape = scene::BoxShape{Vector(sizes.data())};
-    return part;
+QStringList sizeNames(const scene::Part& part) {
+    switch (editing::sizesOf(part).size()) {
+    case 1:
+        return {ShapeFields::tr("Radius")};
+    case 2:
+        return {ShapeFields::tr("Radius"), ShapeFields::tr("Height")};
+    case 3:
+        return std::holds_alternative<scene::BoxShape>(part.shape)
+                   ? QStringList{ShapeFields::tr("Edge x"), ShapeFields::tr("Edge y"),
+                                 ShapeFields::tr("Edge z")}
+                   : QStringList{ShapeFields::tr("Half axis x"), ShapeFields::tr("Half axis y"),
+                                 ShapeFields::tr("Half axis z")};
+    default:
+        return {};
+    }
 }
 
 ShapeFields::ShapeFields(QWidget* parent) : QWidget(parent) {
@@ -74,7 +76,7 @@ ShapeFields::ShapeFields(QWidget* parent) : QWidget(parent) {
     row->addSpacing(16);
     for (std::size_t i = 0; i < 3; ++i) {
         sizeNames_[i] = plain::label(QStringLiteral("×"));
-        sizes_[i] = field(row, sizeNames_[i], i == 0 ? tr("Radius or first edge") : tr("Edge"));
+        sizes_[i] = field(row, sizeNames_[i], tr("Size"));
         sizes_[i]->setObjectName(QStringLiteral("size%1").arg(i + 1));
         connect(sizes_[i], &QLineEdit::editingFinished, this, [this, i] {
             if (sizes_[i]->isModified())
@@ -98,11 +100,15 @@ QLineEdit* ShapeFields::field(QHBoxLayout* row, QLabel* label, const QString& ac
 void ShapeFields::showNumbers(const scene::Part* part, const std::optional<Vector>& place) {
     fill(place_,
          place ? std::vector<double>{place->x(), place->y(), place->z()} : std::vector<double>());
-    const auto sizes = part ? sizesOf(*part) : std::vector<double>();
+    const auto sizes = part ? editing::sizesOf(*part) : std::vector<double>();
+    const QStringList names = part ? sizeNames(*part) : QStringList();
     sizeCount_ = sizes.size();
     fill(sizes_, sizes);
-    sizeNames_[0]->setText(sizeCount_ == 1 ? tr("Radius") : tr("Edges"));
     for (std::size_t i = 0; i < 3; ++i) {
+        if (i < sizeCount_) {
+            sizeNames_[i]->setText(plain::ours(names[static_cast<qsizetype>(i)]));
+            sizes_[i]->setAccessibleName(names[static_cast<qsizetype>(i)]);
+        }
         sizeNames_[i]->setVisible(i < sizeCount_);
         sizes_[i]->setVisible(i < sizeCount_);
     }

@@ -40,8 +40,7 @@ private:
     std::size_t sizeCount_ = 0;
 };
 
-// None for a polyhedron.
-[[nodiscard]] std::vector<double> sizesOf(const scene::Part& part);
-[[nodiscard]] scene::Part withSizes(scene::Part part, const std::vector<double>& sizes);
+// Of the numbers that editing::sizesOf() gives.
+[[nodiscard]] QStringList sizeNames(const scene::Part& part);
 
 } // namespace views

@@ -1,6 +1,7 @@
 #include "views/shape_gesture.h"
 
 #include "editing/number_text.h"
+#include "editing/shape_points.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,6 +58,13 @@ scene::Part tidied(const scene::Part& before, scene::Part after, double length) 
         for (int k = 0; k < 3; ++k)
             if (!old || box->edges[k] != old->edges[k])
                 box->edges[k] = std::max(decimal(box->edges[k], half), editing::decimalStep(half));
+    } else if (!std::holds_alternative<scene::HullShape>(after.shape)) {
+        const std::vector<double> old = editing::sizesOf(before);
+        std::vector<double> sizes = editing::sizesOf(after);
+        for (std::size_t i = 0; i < sizes.size(); ++i)
+            if (i >= old.size() || sizes[i] != old[i])
+                sizes[i] = std::max(decimal(sizes[i], length), editing::decimalStep(length));
+        after = editing::withSizes(after, sizes);
     } else if (auto* hull = std::get_if<scene::HullShape>(&after.shape)) {
         const auto* old = std::get_if<scene::HullShape>(&before.shape);
         const bool turned = after.rotation != Vector::Zero();

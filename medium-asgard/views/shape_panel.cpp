@@ -3,7 +3,6 @@
 #include "editing/shape_library.h"
 #include "editing/shape_points.h"
 #include "plain/plain.h"
-#include "views/round_part.h"
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>
@@ -19,11 +18,13 @@ namespace views {
 namespace {
 
 QString kindOf(const scene::Part& part) {
-    if (std::holds_alternative<scene::SphereShape>(part.shape))
-        return ShapePanel::tr("Sphere");
-    if (std::holds_alternative<scene::BoxShape>(part.shape))
-        return ShapePanel::tr("Box");
-    return ShapePanel::tr("Polyhedron, %1 vertices").arg(editing::pointsOf(part).size());
+    const QString names[] = {ShapePanel::tr("Sphere"),     ShapePanel::tr("Box"),
+                             ShapePanel::tr("Polyhedron"), ShapePanel::tr("Cylinder"),
+                             ShapePanel::tr("Cone"),       ShapePanel::tr("Capsule"),
+                             ShapePanel::tr("Ellipsoid"),  ShapePanel::tr("Floor")};
+    if (std::holds_alternative<scene::HullShape>(part.shape))
+        return ShapePanel::tr("Polyhedron, %1 vertices").arg(editing::pointsOf(part).size());
+    return names[part.shape.index()]; // in the order of the variant
 }
 
 // A part's own colour; a hollow square where it has none.
@@ -91,6 +92,10 @@ void ShapePanel::buildNewParts(QVBoxLayout* column) {
         {"addSphere", tr("&Sphere"), editing::sphere(0.5)},
         {"addBox", tr("&Box"), editing::box({1, 1, 1})},
         {"addPolyhedron", tr("Polyhed&ron"), editing::tetrahedron(1)},
+        {"addCylinder", tr("C&ylinder"), editing::cylinder(0.5, 1)},
+        {"addCone", tr("Co&ne"), editing::cone(0.5, 1)},
+        {"addCapsule", tr("Ca&psule"), editing::capsule(0.3, 1)},
+        {"addEllipsoid", tr("&Ellipsoid"), editing::ellipsoid({0.6, 0.4, 0.4})},
     };
     int place = 0;
     for (const auto& [name, text, part] : kinds) {
@@ -98,19 +103,6 @@ void ShapePanel::buildNewParts(QVBoxLayout* column) {
         auto* one =
             button(name, text, tr("Adds one of size 1 about the origin; its sizes stand below"),
                    [this, label, what = part] { Q_EMIT addWanted({what}, label); });
-        grid->addWidget(one, place / 2, place % 2);
-        ++place;
-    }
-    for (const auto& [name, text, kind] :
-         {std::tuple("addCylinder", tr("C&ylinder…"), RoundPart::cylinder),
-          std::tuple("addCapsule", tr("Ca&psule…"), RoundPart::capsule)}) {
-        const QString label = tr("Add %1").arg(QString(text).remove('&').remove(u'…'));
-        auto* one = button(name, text, tr("Adds a polyhedron as round as you want it"),
-                           [this, label, which = kind] {
-                               RoundPartDialog dialog(which, this);
-                               if (dialog.exec() == QDialog::Accepted)
-                                   Q_EMIT addWanted({dialog.part()}, label);
-                           });
         grid->addWidget(one, place / 2, place % 2);
         ++place;
     }

@@ -13,7 +13,7 @@ namespace views {
 
 namespace {
 
-QString number(double value) { return QString::number(value, 'g', 6); }
+QString shortNumber(double value) { return QString::number(value, 'g', 6); }
 
 QColor markColour() {
     const scene::Color c = render::colorOf(render::HandleKind::trajectoryPoint);
@@ -56,7 +56,7 @@ void TimeStrip::paintScale(QPainter& painter) const {
     for (const double time : charts::multiplesOf(step, from_, to_)) {
         const double x = position(time);
         painter.drawLine(QPointF(x, a.bottom() + 1), QPointF(x, a.bottom() + 4));
-        const QString label = number(time);
+        const QString label = shortNumber(time);
         const double wide = fontMetrics().horizontalAdvance(label);
         painter.drawText(QPointF(std::clamp(x - wide / 2, 0.0, std::max(0.0, width() - wide)),
                                  a.bottom() + 4 + fontMetrics().ascent()),
@@ -83,7 +83,7 @@ void TimeStrip::paintMarks(QPainter& painter) const {
     double labelled = -1e9; // to where times stand already
     int before = 0, after = 0;
     const auto label = [&](std::size_t i) {
-        const QString text = number(all[i].time);
+        const QString text = shortNumber(all[i].time);
         const double wide = fontMetrics().horizontalAdvance(text);
         const double left =
             std::clamp(position(all[i].time) - wide / 2, 0.0, std::max(0.0, width() - wide));

@@ -7,7 +7,6 @@
 #include "views/motion_span.h"
 #include "views/plot_dialog.h"
 #include "views/plots_window.h"
-#include "views/round_part.h"
 #include "views/shape_editor.h"
 #include "views/test_workshop.h"
 
@@ -183,20 +182,6 @@ TEST_F(WindowsTest, TheSizeOfAnotherShapeIsInTheShapeEditor) {
     EXPECT_EQ(shapes->shape(), "two");
     EXPECT_EQ(shapes->draft().size(), 2U);
     EXPECT_FALSE(display().editing().entry());
-}
-
-TEST_F(WindowsTest, ARoundPartIsAsLargeAsOneAsksFor) {
-    RoundPartDialog dialog(RoundPart::cylinder, nullptr);
-    dialog.radius().setValue(2);
-    dialog.length().setValue(6);
-    dialog.sides().setValue(24);
-    const scene::Part part = dialog.part();
-    const auto& points = std::get<scene::HullShape>(part.shape).points;
-    EXPECT_EQ(points.size(), 48U);
-    for (const Vector& point : points) {
-        EXPECT_EQ(std::abs(point.y()), 3);
-        EXPECT_NEAR(std::hypot(point.x(), point.z()), 2, 1e-3);
-    }
 }
 
 TEST_F(WindowsTest, WithNothingSelectedThereIsNothingToDelete) {

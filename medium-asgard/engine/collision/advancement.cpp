@@ -1,5 +1,6 @@
 #include "collision/advancement.h"
 
+#include "collision/curved_separation.h"
 #include "collision/polynomial.h"
 #include "collision/spheres.h"
 #include "collision/turning_axis.h"
@@ -190,7 +191,7 @@ private:
                 break;
             window = std::max(4 * s, window / 4096);
         }
-        if (result_.evaluations > patience)
+        if (result_.evaluations > patience && !isCurvedPair(*pair_.first.part, *pair_.second.part))
             best = std::max(best, nextAlongTurningAxes(n, gap));
         lastWindow = std::max(16 * best, 1e-12 * left());
         // Nothing within the window: only that much is known.
@@ -254,6 +255,45 @@ private:
         return s ? *s : 2 * length;
     }
 
+    struct Extents {
+        double now = 0, then = 0; // along n and along n turned back, from the pivot
+        double reach = 0;
+    };
+    // Of the part's core.
+    [[nodiscard]] Extents extents(const PartMotion& p, const Vector& n,
+                                  const Vector& turned) const {
+        const Posed posed = p.posedAt(t_, positionAt(p.piece, t_)); // levers from the pivot
+        if (p.part->curved)
+            return {n.dot(posed.furthest(n)), turned.dot(posed.furthest(turned)), p.reach};
+        return {n.dot(posed.world(posed.support(n))),
+                turned.dot(posed.world(posed.support(turned))), p.reach - p.part->radius};
+    }
+
+    // Of the piece of a half space that the other part can come to within the window: a disc about
+    // the foot of its pivot.
+    [[nodiscard]] Extents nearOfPlane(const PartMotion& p, const Vector& n, const Vector& turned,
+                                      double angularSpeed, double window) const {
+        const PartMotion& other = &p == &pair_.first ? pair_.second : pair_.first;
+        const Posed posed = p.posedAt(t_, positionAt(p.piece, t_));
+        const Vector up = posed.rotation * p.part->curved->axis();
+        const Vector origin = posed.rotation * p.part->curved->center + posed.offset;
+        const Vector place = positionAt(other.piece, t_) - positionAt(p.piece, t_);
+        const double height = up.dot(place - origin);
+        const Vector foot = place - height * up;
+        double travel = 0, power = window;
+        const RelativePath path = relativePath(pair_.first.piece, pair_.second.piece, t_);
+        for (std::size_t k = 1; k <= maximumDegree; ++k, power *= window)
+            for (const Polynomial& c : path)
+                if (k < c.count)
+                    travel += std::abs(c.terms[k]) * power;
+        double radius = std::abs(height) + other.reach + travel;
+        radius += angularSpeed * window * (foot.norm() + radius);
+        const auto along = [&](const Vector& d) {
+            return d.dot(foot) + radius * (d - up * up.dot(d)).norm();
+        };
+        return {along(n), along(turned), foot.norm() + radius};
+    }
+
     // d/ds of R x is w x x, so that extents grow to first order like the support along n + s (n x
     // w); that is convex in s and lies below its chord. Second order: (w^2 + w') |x|, or (|n x w'|
     // + |n x w| w) |x|.
@@ -261,11 +301,10 @@ private:
         if (!p.turns())
             return {};
         const TurnBounds bounds = turnBounds(p.piece, t_, t_ + window);
-        const Posed posed = p.posedAt(t_, positionAt(p.piece, t_)); // levers from the pivot
-        const double reach = p.reach - p.part->radius;
-        const double now = n.dot(posed.world(posed.support(n)));
         const Vector turned = n + window * n.cross(velocityAt(p.piece, t_).angular);
-        const double then = turned.dot(posed.world(posed.support(turned)));
+        const auto [now, then, reach] = p.part->isPlane()
+                                            ? nearOfPlane(p, n, turned, bounds.angularSpeed, window)
+                                            : extents(p, n, turned);
         Growth g;
         g.rate = (then - now) / window;
         g.curvature =

@@ -136,6 +136,10 @@ StandingPart standingPart(const geometry::Part& part, const Pose& pose) {
         corners.push_back(pose.toWorld(vertex));
     for (const Vector& corner : corners)
         standing.extent = std::max(standing.extent, corner.cwiseAbs().maxCoeff());
+    if (part.isPlane()) {
+        const Vector normal = pose.attitude * part.curved->axis();
+        standing.faces.push_back({{normal, normal.dot(pose.toWorld(part.curved->center))}, {}});
+    }
     for (const geometry::Face& face : part.core.faces) {
         StandingFace made;
         const Vector normal = pose.attitude * face.normal;

@@ -32,6 +32,8 @@ void grow(geometry::Box& box, double by) {
 
 geometry::Box boundsDuring(const MovingShape& moving, double from, double to) {
     geometry::Box box;
+    if (std::ranges::any_of(moving.shape().parts, &geometry::Part::isPlane))
+        return {Vector::Constant(-everywhere), Vector::Constant(everywhere)};
     const double reach = geometry::radiusAbout(moving.shape(), moving.pivot());
     for (double t = from;;) {
         const MotionPiece& piece = moving.pieceAt(t);

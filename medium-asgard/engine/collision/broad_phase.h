@@ -9,7 +9,9 @@
 
 namespace collision {
 
-// The axis-aligned box that holds the shape at all times from..to.
+// The axis-aligned box that holds the shape at all times from..to. One with a half space is
+// everywhere: then the box ends at coordinates of `everywhere`.
+inline constexpr double everywhere = 1e60;
 [[nodiscard]] geometry::Box boundsDuring(const MovingShape& moving, double from, double to);
 
 using Pair = std::pair<std::size_t, std::size_t>; // first < second

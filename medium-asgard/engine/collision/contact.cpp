@@ -1,5 +1,6 @@
 #include "collision/contact.h"
 
+#include "collision/curved_separation.h"
 #include "collision/part_motion.h"
 #include "collision/patch.h"
 
@@ -65,6 +66,8 @@ bool isRound(const PartPair& pair) {
     return pair.first.part->isSphere() || pair.second.part->isSphere();
 }
 
+bool isCurved(const PartPair& pair) { return isCurvedPair(*pair.first.part, *pair.second.part); }
+
 } // namespace
 
 double closingSpeed(const Velocity& first, const Vector& firstPivot, const Velocity& second,
@@ -113,10 +116,20 @@ Vector normalOfLanding(const Touching& now, double tolerance) {
     return face ? Vector(-(now.first.rotation * face->normal)) : now.normal;
 }
 
+// Two sharp points, or a point and a sharp edge, that are at one place: the line between them
+// before.
+Vector normalBefore(const PartPair& pair, double t, const Separation& separation) {
+    WarmStart cold;
+    const Separation then = pair.separationAt(shortlyBefore(pair, t), cold);
+    return then.gap > separation.gap && then.gap > 0 ? then.normal : separation.normal;
+}
+
 // Which features touch along several axes is seen a little before: at the contact itself the line
 // between closest points is lost. Along one they are those of now: a body that turns while it
 // lands was tilted the other way a little before.
 Vector normalOfHit(const PartPair& pair, double t, const Separation& separation) {
+    if (isCurved(pair))
+        return separation.isBlurred ? normalBefore(pair, t, separation) : separation.normal;
     if (isRound(pair)) // known from the sphere's centre (nearest_feature.h)
         return separation.normal;
     const Vector origin = pair.originAt(t);
@@ -218,6 +231,8 @@ std::vector<Separation> axesBesideRound(const PartPair& pair, double t, const Ve
 
 // They touch along several axes, and do not approach along each.
 bool isPassing(const PartPair& pair, double t, const Contact& contact) {
+    if (isCurved(pair))
+        return false;
     if (isRound(pair))
         return contact.closingSpeed > pair.leastApproach(t) && passing(pair, t).has_value();
     if (contact.patch.size() > 2)
@@ -236,6 +251,8 @@ Contact contactOf(const PartPair& pair, double t, const Separation& separation) 
 }
 
 std::optional<Contact> passing(const PartPair& pair, double t) {
+    if (isCurved(pair))
+        return std::nullopt;
     WarmStart cold;
     const std::vector<Separation> axes =
         isRound(pair) ? axesBesideRound(pair, t, pair.separationAt(t, cold).normal)
@@ -259,7 +276,8 @@ std::vector<Contact> contactsAt(const MovingShape& first, const MovingShape& sec
             const PartPair pair = partPair(first, i, second, j, t, slack);
             const double apart =
                 (positionAt(pair.first.piece, t) - positionAt(pair.second.piece, t)).norm();
-            if (apart > pair.first.reach + pair.second.reach + tolerance)
+            if (pair.areHalfSpaces() ||
+                (!pair.hasPlane() && apart > pair.first.reach + pair.second.reach + tolerance))
                 continue;
             WarmStart cold;
             const Separation separation = pair.separationAt(t, cold);

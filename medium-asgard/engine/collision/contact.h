@@ -11,9 +11,12 @@
 //     else that of the face when one touches, the common perpendicular of two edges that cross,
 //     and else (vertex on vertex or edge, parallel edges) the line between the closest points just
 //     before; of a sphere, that from the feature to its centre (nearest_feature.h).
+// Where one of the parts is curved, the normal is that of separation.h, along which surfaces that
+// are not flat touch in one point and along one axis.
 // The point is the centre of the patch in which they touch: two convex polygons clipped against
 // each other, two segments, or a point.
 //
+// LIMIT: a capsule or a curved part that slides over a seam hits the second body's edge there.
 // LIMIT: a surface that near is touched and not hit: a body slides over a step in a floor that is
 // lower than 1e-10 of the smaller part's size, or than the slack.
 #pragma once

@@ -52,7 +52,24 @@ Nearest nearestOnEdges(const Polyhedron& core, const Vector& point, double borde
 
 } // namespace
 
+namespace {
+
+NearestFeature footOnPlane(const Posed& posed, const Vector& point) {
+    NearestFeature feature;
+    feature.normal = posed.rotation * posed.part->curved->axis();
+    const Vector origin = posed.rotation * posed.part->curved->center + posed.offset;
+    feature.distance = feature.normal.dot(point - origin);
+    const Vector foot = point - feature.distance * feature.normal;
+    const Vector right = feature.normal.unitOrthogonal(), up = feature.normal.cross(right);
+    feature.corners = {foot, foot + right, foot + up};
+    return feature;
+}
+
+} // namespace
+
 NearestFeature nearestFeature(const Posed& posed, const Vector& point, double border) {
+    if (posed.part->isPlane())
+        return footOnPlane(posed, point);
     const Polyhedron& core = posed.part->core;
     const Vector local = posed.rotation.transpose() * (point - posed.offset);
     const Face& face = facing(core, local);

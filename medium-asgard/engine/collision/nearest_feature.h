@@ -19,7 +19,8 @@ struct NearestFeature {
     double distance = 0;             // negative: inside
 };
 
-// Of the core of a part that is no sphere; world coordinates.
+// Of a polyhedron, or a half space: a face with three corners about the point's foot. World
+// coordinates.
 [[nodiscard]] NearestFeature nearestFeature(const Posed& posed, const Vector& point, double border);
 
 } // namespace collision

@@ -11,6 +11,8 @@ std::vector<std::pair<std::size_t, std::size_t>> overlappingParts(const geometry
     for (std::size_t i = 0; i < shape.parts.size(); ++i)
         for (std::size_t j = i + 1; j < shape.parts.size(); ++j) {
             const geometry::Part &a = shape.parts[i], &b = shape.parts[j];
+            if (a.isPlane() || b.isPlane()) // without volume
+                continue;
             const Vector origin = a.core.vertices[0];
             const double size = std::min(geometry::radiusAbout(a, a.core.vertices[0]),
                                          geometry::radiusAbout(b, b.core.vertices[0]));

@@ -1,7 +1,9 @@
 #include "collision/part_motion.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <utility>
 
 namespace collision {
 
@@ -48,6 +50,8 @@ double PartPair::leastApproach(double t) const {
 
 double PartPair::smallerSize() const {
     const auto sizeOf = [](const Part& part) {
+        if (part.isPlane())
+            return HUGE_VAL;
         return geometry::radiusAbout(part, part.core.vertices[0]) + part.radius;
     };
     return std::min(sizeOf(*first.part), sizeOf(*second.part));
@@ -67,6 +71,10 @@ double PartPair::relativeSpeed(double t) const {
 PartPair partPair(const MovingShape& first, std::size_t firstPart, const MovingShape& second,
                   std::size_t secondPart, double t, Slack slack) {
     PartPair pair{partMotion(first, firstPart, t), partMotion(second, secondPart, t), slack};
+    for (auto [plane, other] : {std::pair(&pair.first, &pair.second), {&pair.second, &pair.first}})
+        if (plane->part->isPlane() && plane->turns())
+            plane->reach +=
+                (positionAt(plane->piece, t) - positionAt(other->piece, t)).norm() + other->reach;
     for (const PartMotion* p : {&pair.first, &pair.second})
         pair.cores += geometry::radiusAbout(*p->part, p->part->core.vertices[0]) - p->part->radius;
     return pair;

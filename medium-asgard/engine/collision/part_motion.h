@@ -14,7 +14,8 @@ struct PartMotion {
     const Part* part = nullptr;
     MotionPiece piece;
     Vector pivot = Vector::Zero(); // in the shape's frame
-    double reach = 0;              // of the part from the pivot, surface included
+    // Of the part from the pivot, surface included; of a half space, as far as what it meets.
+    double reach = 0;
 
     [[nodiscard]] bool turns() const { return piece.attitude.size() > 1; }
     [[nodiscard]] Posed posedAt(double t, const Vector& origin) const;
@@ -29,6 +30,12 @@ struct PartPair {
     [[nodiscard]] double size() const { return first.part->radius + second.part->radius + cores; }
     double cores = 0; // reaches of the cores about themselves
 
+    [[nodiscard]] bool hasPlane() const { return first.part->isPlane() || second.part->isPlane(); }
+    // Each of which is everywhere: they are not looked at.
+    [[nodiscard]] bool areHalfSpaces() const {
+        return first.part->isPlane() && second.part->isPlane();
+    }
+
     // World coordinates minus this are small and share no rounding with places far away.
     [[nodiscard]] Vector originAt(double t) const { return positionAt(second.piece, t); }
     [[nodiscard]] Separation separationAt(double t, WarmStart& warm) const;
@@ -38,7 +45,7 @@ struct PartPair {
     [[nodiscard]] double speedScale(double t) const;
     // Slower than this surfaces do not count as approaching.
     [[nodiscard]] double leastApproach(double t) const;
-    // Of the smaller part, about its first vertex.
+    // Of the smaller part, about its first vertex; a half space is never that.
     [[nodiscard]] double smallerSize() const;
     // Shallower than this an overlap may have gone unnoticed.
     [[nodiscard]] double unnoticedDepth(double t) const;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <utility>
 
 namespace collision {
 
@@ -144,8 +146,103 @@ std::vector<std::size_t> furthestVertices(const Posed& posed, const Vector& dire
     return result;
 }
 
+namespace {
+
+using geometry::Curved;
+
+constexpr int roundCorners = 64;
+
+// About the axis u of a curved part at its place: where the circle of an end lies.
+struct Axis {
+    Vector centre, u, e; // e: across u, the way in which the direction goes
+    double along = 0, across = 0;
+    Axis(const Posed& posed, const Vector& direction)
+        : centre(posed.rotation * posed.part->curved->center + posed.offset),
+          u(posed.rotation * posed.part->curved->axis()), along(u.dot(direction)) {
+        const Vector sideways = direction - along * u;
+        across = sideways.norm();
+        e = across > 0 ? Vector(sideways / across) : u.unitOrthogonal();
+    }
+    [[nodiscard]] Vector at(double height, double radius) const {
+        return centre + height * u + radius * e;
+    }
+    [[nodiscard]] std::vector<Vector> disc(double height, double radius) const {
+        std::vector<Vector> corners;
+        const Vector f = u.cross(e);
+        for (int i = 0; i < roundCorners; ++i) {
+            const double angle = 2 * std::numbers::pi * i / roundCorners;
+            corners.push_back(centre + height * u +
+                              radius * (std::cos(angle) * e + std::sin(angle) * f));
+        }
+        return corners;
+    }
+};
+
+std::vector<Vector> furthestOfCurved(const Posed& posed, const Vector& direction,
+                                     double tolerance) {
+    const Curved& curved = *posed.part->curved;
+    const Axis axis(posed, direction);
+    const double r = curved.radius(), h = curved.half();
+    const bool isAcross = 2 * r * axis.across <= tolerance; // an end lies in the plane
+    if (curved.kind == Curved::Kind::cylinder) {
+        const double end = std::copysign(h, axis.along);
+        if (isAcross)
+            return axis.disc(end, r);
+        if (h > 0 && 2 * h * std::abs(axis.along) <= tolerance)
+            return {axis.at(-h, r), axis.at(h, r)};
+        return {axis.at(end, r)};
+    }
+    if (curved.kind == Curved::Kind::cone) {
+        const double apex = h * axis.along, rim = r * axis.across - h * axis.along;
+        if (isAcross && axis.along < 0)
+            return axis.disc(-h, r);
+        if (std::abs(apex - rim) <= tolerance)
+            return {axis.at(-h, r), axis.at(h, 0)};
+        return {apex > rim ? axis.at(h, 0) : axis.at(-h, r)};
+    }
+    return {posed.furthest(direction)};
+}
+
+// Around the foot of the other's feature, twice as wide.
+std::vector<Vector> squareOf(const Posed& plane, const std::vector<Vector>& facing) {
+    const Vector normal = plane.rotation * plane.part->curved->axis();
+    const Vector origin = plane.rotation * plane.part->curved->center + plane.offset;
+    const Plane across(normal);
+    Vector middle = Vector::Zero();
+    for (const Vector& p : facing)
+        middle += p / static_cast<double>(facing.size());
+    double reach = 0;
+    for (const Vector& p : facing)
+        reach = std::max(reach, (p - middle).norm());
+    reach = reach > 0 ? 2 * reach : 1;
+    const Vector foot = middle - normal * normal.dot(middle - origin);
+    std::vector<Vector> square;
+    for (const auto& [x, y] : {std::pair(1, 1), {-1, 1}, {-1, -1}, {1, -1}})
+        square.emplace_back(foot + reach * (x * across.right + y * across.up));
+    return square;
+}
+
+} // namespace
+
+FacingFeatures facingFeatures(const Posed& first, const Posed& second, const Vector& normal,
+                              double tolerance) {
+    FacingFeatures facing;
+    if (!first.part->isPlane())
+        facing.first = furthestFeature(first, -normal, tolerance);
+    facing.second = second.part->isPlane() ? squareOf(second, facing.first)
+                                           : furthestFeature(second, normal, tolerance);
+    if (first.part->isPlane())
+        facing.first = squareOf(first, facing.second);
+    return facing;
+}
+
 std::vector<Vector> furthestFeature(const Posed& posed, const Vector& direction, double tolerance) {
     std::vector<Vector> result;
+    if (posed.part->curved) {
+        result = furthestOfCurved(posed, direction, tolerance);
+        sortAround(result, Plane(direction));
+        return result;
+    }
     for (const std::size_t i : furthestVertices(posed, direction, tolerance))
         result.push_back(posed.world(i));
     sortAround(result, Plane(direction));
@@ -155,8 +252,7 @@ std::vector<Vector> furthestFeature(const Posed& posed, const Vector& direction,
 Patch patchOf(const Posed& first, const Posed& second, const Vector& normal, double tolerance,
               double beside) {
     const Plane plane(normal);
-    auto ofFirst = furthestFeature(first, -normal, tolerance);
-    auto ofSecond = furthestFeature(second, normal, tolerance);
+    auto [ofFirst, ofSecond] = facingFeatures(first, second, normal, tolerance);
     std::reverse(ofFirst.begin(), ofFirst.end()); // counter-clockwise about +normal, as the other
     const double height = (normal.dot(ofFirst[0]) - first.part->radius + normal.dot(ofSecond[0]) +
                            second.part->radius) /

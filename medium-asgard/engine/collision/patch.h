@@ -1,5 +1,8 @@
 // The contact patch of two parts: the part of one's furthest face, edge or vertex that lies over
 // the other's.
+//
+// LIMIT: round ends of cylinders and bases of cones are polygons of 64 corners in the patch, and
+// nowhere else: the centre of a patch that is a whole disc is right, that of a part of one to 1e-3.
 #pragma once
 
 #include "collision/separation.h"
@@ -17,6 +20,14 @@ namespace collision {
 // The same in order around the direction; all in one plane up to the tolerance.
 [[nodiscard]] std::vector<Vector> furthestFeature(const Posed& posed, const Vector& direction,
                                                   double tolerance);
+
+// The features of both that face each other along the normal from second to first. Of a half space
+// a square under, or over, the other's. Those that are round are drawn with many corners.
+struct FacingFeatures {
+    std::vector<Vector> first, second; // each around its own outward direction
+};
+[[nodiscard]] FacingFeatures facingFeatures(const Posed& first, const Posed& second,
+                                            const Vector& normal, double tolerance);
 
 struct Patch {
     std::vector<Vector> corners; // halfway between the surfaces; not empty

@@ -1,5 +1,6 @@
 #include "collision/separation.h"
 
+#include "collision/curved_separation.h"
 #include "collision/nearest_feature.h"
 #include "collision/simplex.h"
 
@@ -234,6 +235,8 @@ Separation separateByAxes(const Posed& first, const Posed& second) {
 }
 
 Separation separate(const Posed& first, const Posed& second, WarmStart& warm) {
+    if (isCurvedPair(*first.part, *second.part))
+        return separateCurved(first, second);
     const double size = extent(first) + extent(second);
     const Closest closest = closestPoints(first, second, size, warm);
     const double radii = first.part->radius + second.part->radius;

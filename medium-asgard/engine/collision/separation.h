@@ -36,6 +36,10 @@ struct Posed {
     [[nodiscard]] std::size_t support(const Vector& direction, std::size_t start = 0) const {
         return geometry::support(part->core, rotation.transpose() * direction, start);
     }
+    // The point of the core furthest along it, whatever the part is.
+    [[nodiscard]] Vector furthest(const Vector& direction) const {
+        return rotation * geometry::supportPoint(*part, rotation.transpose() * direction) + offset;
+    }
 };
 
 // Pairs of vertices from the last query; the next one starts from them. Speeds up, changes nothing.
@@ -49,8 +53,10 @@ struct Separation {
     Vector normal = Vector::UnitX(); // unit, from the second part towards the first
     double coreDistance = 0;         // upper bound of the cores' distance, 0 when they overlap
     std::size_t iterations = 0;
+    bool isBlurred = false; // of curved parts: the normal is lost in rounding
 };
 
+// Capsules and curved parts: curved_separation.h.
 [[nodiscard]] Separation separate(const Posed& first, const Posed& second, WarmStart& warm);
 
 // Axes along which the parts are apart, touch, or overlap by no more than `depth`: normals of faces

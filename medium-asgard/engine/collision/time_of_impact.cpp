@@ -45,7 +45,7 @@ bool neverNear(const PartPair& pair, Interval during) {
 Encounter meetInPiece(const PartPair& pair, Interval during, double depth) {
     if (centredSphere(pair.first) && centredSphere(pair.second))
         return meetAsSpheres(pair, during, depth);
-    if (neverNear(pair, during))
+    if (pair.areHalfSpaces() || (!pair.hasPlane() && neverNear(pair, during)))
         return {};
     return advance(pair, during);
 }

@@ -47,12 +47,79 @@ Moments ofPolyhedron(const Polyhedron& polyhedron) {
     return sum;
 }
 
-} // namespace
+// C = volume (across (1 - u u') + along u u') for the axis u.
+Moments about(const Vector& centroid, const Vector& u, double volume, double across, double along) {
+    const Matrix uu = u * u.transpose();
+    return {volume, centroid, volume * (across * (Matrix::Identity() - uu) + along * uu)};
+}
 
-namespace {
+// Two half spheres (centroid 3 r / 8 beyond their centres) and the tube between.
+Moments ofCapsule(const Part& part) {
+    const Vector &a = part.core.vertices[0], &b = part.core.vertices[1];
+    const double r = part.radius, h = (b - a).norm();
+    const double tube = std::numbers::pi * r * r * h;
+    const double ball = 4.0 / 3.0 * std::numbers::pi * r * r * r;
+    const double volume = tube + ball;
+    const double across = (tube * r * r / 4 + ball * r * r / 5) / volume;
+    const double along =
+        (tube * h * h / 12 + ball * (h * h / 4 + 3 * h * r / 8 + r * r / 5)) / volume;
+    return about((a + b) / 2, (b - a) / h, volume, across, along);
+}
+
+Moments ofCurved(const Curved& curved) {
+    const double r = curved.radius(), h = 2 * curved.half();
+    const double disc = std::numbers::pi * r * r;
+    switch (curved.kind) {
+    case Curved::Kind::cylinder:
+        return about(curved.center, curved.axis(), disc * h, r * r / 4, h * h / 12);
+    case Curved::Kind::cone:
+        return about(curved.center - h / 4 * curved.axis(), curved.axis(), disc * h / 3,
+                     3 * r * r / 20, 3 * h * h / 80);
+    case Curved::Kind::ellipsoid: {
+        const Vector& a = curved.sizes;
+        const double volume = 4.0 / 3.0 * std::numbers::pi * a.prod();
+        const Matrix own = (volume / 5 * a.cwiseProduct(a)).asDiagonal();
+        return {volume, curved.center, curved.frame * own * curved.frame.transpose()};
+    }
+    case Curved::Kind::plane:
+        break;
+    }
+    return {0, curved.center, Matrix::Zero()};
+}
 
 Moments momentsOf(const Part& part) {
-    return part.isSphere() ? ofSphere(part) : ofPolyhedron(part.core);
+    return part.curved        ? ofCurved(*part.curved)
+           : part.isCapsule() ? ofCapsule(part)
+           : part.isSphere()  ? ofSphere(part)
+                              : ofPolyhedron(part.core);
+}
+
+bool isDisc(const Part& part) {
+    return part.curved && part.curved->kind == Curved::Kind::cylinder && part.curved->half() == 0;
+}
+
+// Of nothing but discs (and half spaces): of their areas.
+std::vector<Moments> momentsOf(const Shape& shape) {
+    std::vector<Moments> parts;
+    double volume = 0;
+    for (const Part& part : shape.parts) {
+        parts.push_back(momentsOf(part));
+        volume += parts.back().volume;
+    }
+    for (std::size_t i = 0; i < parts.size() && volume == 0; ++i)
+        if (isDisc(shape.parts[i])) {
+            const Curved& disc = *shape.parts[i].curved;
+            const double square = disc.radius() * disc.radius();
+            parts[i] = about(disc.center, disc.axis(), std::numbers::pi * square, square / 4, 0);
+        }
+    return parts;
+}
+
+double volumeOf(const Shape& shape) {
+    double volume = 0;
+    for (const Part& part : shape.parts)
+        volume += momentsOf(part).volume;
+    return volume;
 }
 
 // The union of parts whose moments are of volume, or of mass: then the volume is the mass.
@@ -60,6 +127,10 @@ MassProperties together(const std::vector<Moments>& parts) {
     MassProperties result;
     for (const Moments& m : parts)
         result.volume += m.volume;
+    result.centroid = parts[0].centroid;
+    if (result.volume == 0)
+        return result;
+    result.centroid.setZero();
     // Weights first: volume times place would lose digits far from the frame's origin.
     for (const Moments& m : parts)
         result.centroid += m.volume / result.volume * (m.centroid - parts[0].centroid);
@@ -76,33 +147,28 @@ MassProperties together(const std::vector<Moments>& parts) {
 } // namespace
 
 MassProperties massProperties(const Shape& shape, double density) {
-    std::vector<Moments> parts;
-    for (const Part& part : shape.parts)
-        parts.push_back(momentsOf(part));
-    MassProperties result = together(parts);
+    MassProperties result = together(momentsOf(shape));
     result.mass = density * result.volume;
     result.inertia = density * result.inertia;
+    result.volume = volumeOf(shape);
     return result;
 }
 
 MassProperties massProperties(const Shape& shape, std::span<const double> densities) {
-    std::vector<Moments> parts;
-    double volume = 0;
-    for (std::size_t i = 0; i < shape.parts.size(); ++i) {
-        Moments moments = momentsOf(shape.parts[i]);
-        volume += moments.volume;
-        moments.volume *= densities[i];
-        moments.second *= densities[i];
-        parts.push_back(moments);
+    std::vector<Moments> parts = momentsOf(shape);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        parts[i].volume *= densities[i];
+        parts[i].second *= densities[i];
     }
     MassProperties result = together(parts);
     result.mass = result.volume;
-    result.volume = volume;
+    result.volume = volumeOf(shape);
     return result;
 }
 
 MassProperties scaledToMass(MassProperties properties, double mass) {
-    properties.inertia *= mass / properties.mass;
+    if (properties.mass != 0)
+        properties.inertia *= mass / properties.mass;
     properties.mass = mass;
     return properties;
 }

@@ -14,7 +14,48 @@ Part polyhedronPart(const Polyhedron& polyhedron, const Pose& pose) {
     return {moved ? transformed(polyhedron, pose) : polyhedron, 0};
 }
 
+// A capsule without height is a sphere, to the last bit.
+Part capsulePart(double radius, double height, const Pose& pose) {
+    if (height == 0)
+        return spherePart(radius, pose.position);
+    const Vector half = pose.attitude * Vector(0, height / 2, 0);
+    Polyhedron segment;
+    segment.vertices = {pose.position - half, pose.position + half};
+    segment.neighbours = {{1}, {0}};
+    return {segment, radius};
+}
+
+namespace {
+
+Part curvedPart(Curved::Kind kind, const Vector& sizes, const Pose& pose) {
+    return {point(pose.position), 0,
+            Curved{kind, sizes, pose.position, pose.attitude.toRotationMatrix()}};
+}
+
+} // namespace
+
+Part cylinderPart(double radius, double height, const Pose& pose) {
+    return curvedPart(Curved::Kind::cylinder, {radius, height / 2, radius}, pose);
+}
+
+Part conePart(double radius, double height, const Pose& pose) {
+    return curvedPart(Curved::Kind::cone, {radius, height / 2, radius}, pose);
+}
+
+Part ellipsoidPart(const Vector& halfAxes, const Pose& pose) {
+    return curvedPart(Curved::Kind::ellipsoid, halfAxes, pose);
+}
+
+Part planePart(const Pose& pose) { return curvedPart(Curved::Kind::plane, Vector::Zero(), pose); }
+
+Vector supportPoint(const Part& part, const Vector& direction) {
+    return part.curved ? supportPoint(*part.curved, direction)
+                       : part.core.vertices[support(part.core, direction)];
+}
+
 double radiusAbout(const Part& part, const Vector& center) {
+    if (part.curved)
+        return radiusAbout(*part.curved, center);
     double furthest = 0;
     for (const Vector& v : part.core.vertices)
         furthest = std::max(furthest, (v - center).norm());
@@ -31,11 +72,19 @@ double radiusAbout(const Shape& shape, const Vector& center) {
 Box bounds(const Shape& shape, const Pose& pose) {
     Box box;
     for (const Part& part : shape.parts)
-        for (const Vector& v : part.core.vertices) {
-            const Vector world = pose.toWorld(v);
-            box.extend(world - Vector::Constant(part.radius));
-            box.extend(world + Vector::Constant(part.radius));
-        }
+        if (part.curved) {
+            for (int axis = 0; axis < 3; ++axis)
+                for (const double sign : {-1.0, 1.0}) {
+                    const Vector direction = sign * Vector::Unit(axis);
+                    box.extend(
+                        pose.toWorld(supportPoint(part, pose.attitude.conjugate() * direction)));
+                }
+        } else
+            for (const Vector& v : part.core.vertices) {
+                const Vector world = pose.toWorld(v);
+                box.extend(world - Vector::Constant(part.radius));
+                box.extend(world + Vector::Constant(part.radius));
+            }
     return box;
 }
 
@@ -55,6 +104,46 @@ std::optional<RayHit> hitSphere(const Part& part, const Vector& origin, const Ve
         return std::nullopt;
     const Vector point = origin + distance * direction;
     return RayHit{distance, point, (point - part.center()).normalized(), 0, std::nullopt};
+}
+
+// The first crossing at a distance >= 0 of a stretch that is inside.
+std::optional<double> crossing(const std::optional<std::pair<double, double>>& inside) {
+    if (!inside)
+        return std::nullopt;
+    const double distance = inside->first >= 0 ? inside->first : inside->second;
+    return distance >= 0 && std::isfinite(distance) ? std::optional(distance) : std::nullopt;
+}
+
+std::optional<RayHit> hitCurved(const Part& part, const Vector& origin, const Vector& direction) {
+    const auto distance = crossing(insideAlong(*part.curved, origin, direction));
+    if (!distance)
+        return std::nullopt;
+    const Vector point = origin + *distance * direction;
+    return RayHit{*distance, point, normalAt(*part.curved, point), 0, std::nullopt};
+}
+
+// Inside the tube or one of the balls: convex, and so one stretch.
+std::optional<RayHit> hitCapsule(const Part& part, const Vector& origin, const Vector& direction) {
+    const Vector &a = part.core.vertices[0], &b = part.core.vertices[1];
+    const Vector middle = (a + b) / 2, along = (b - a).normalized();
+    const Quaternion turn = Quaternion::FromTwoVectors(Vector::UnitY(), along);
+    const Part tube = cylinderPart(part.radius, (b - a).norm(), {middle, turn});
+    std::optional<std::pair<double, double>> inside = insideAlong(*tube.curved, origin, direction);
+    for (const Vector& end : {a, b}) {
+        const Part ball =
+            ellipsoidPart(Vector::Constant(part.radius), {end, Quaternion::Identity()});
+        const auto own = insideAlong(*ball.curved, origin, direction);
+        if (own && inside)
+            inside = {std::min(inside->first, own->first), std::max(inside->second, own->second)};
+        else if (own)
+            inside = own;
+    }
+    const auto distance = crossing(inside);
+    if (!distance)
+        return std::nullopt;
+    const Vector hit = origin + *distance * direction;
+    const double s = std::clamp((hit - a).dot(along), 0.0, (b - a).norm());
+    return RayHit{*distance, hit, (hit - a - s * along).normalized(), 0, std::nullopt};
 }
 
 // Clips the ray by the face planes: it is inside from the last entry to the first exit.
@@ -92,8 +181,10 @@ std::optional<RayHit> castRay(const Shape& shape, const Vector& origin, const Ve
     std::optional<RayHit> nearest;
     for (std::size_t i = 0; i < shape.parts.size(); ++i) {
         const Part& part = shape.parts[i];
-        auto hit = part.isSphere() ? hitSphere(part, origin, direction)
-                                   : hitPolyhedron(part, origin, direction);
+        auto hit = part.curved        ? hitCurved(part, origin, direction)
+                   : part.isCapsule() ? hitCapsule(part, origin, direction)
+                   : part.isSphere()  ? hitSphere(part, origin, direction)
+                                      : hitPolyhedron(part, origin, direction);
         if (hit && (!nearest || hit->distance < nearest->distance)) {
             hit->part = i;
             nearest = hit;

@@ -1,9 +1,11 @@
 // The shape of a body: a union of convex parts in the body's own frame.
 //
-// Spheres and polyhedra are one kind of thing: a polyhedral core and a radius around it. The core
-// of a sphere is its centre; polyhedra have radius 0. Collision and mass need no other case.
+// Spheres, capsules and polyhedra are one kind of thing: a polyhedral core and a radius around it.
+// The core of a sphere is its centre, that of a capsule its axis; polyhedra have radius 0. What is
+// curved otherwise says so itself (curved.h); its core is its own origin.
 #pragma once
 
+#include "geometry/curved.h"
 #include "geometry/polyhedron.h"
 
 #include <cstddef>
@@ -16,12 +18,27 @@ namespace geometry {
 struct Part {
     Polyhedron core; // in the shape's frame
     double radius = 0;
-    [[nodiscard]] bool isSphere() const { return core.faces.empty(); }
+    std::optional<Curved> curved = {};
+    [[nodiscard]] bool isPolyhedron() const { return !core.faces.empty(); }
+    [[nodiscard]] bool isSphere() const { return core.vertices.size() == 1 && !curved; }
+    [[nodiscard]] bool isCapsule() const { return core.vertices.size() == 2; }
+    [[nodiscard]] bool isPlane() const { return curved && curved->kind == Curved::Kind::plane; }
     [[nodiscard]] const Vector& center() const { return core.vertices.front(); } // of a sphere
 };
 
 [[nodiscard]] Part spherePart(double radius, const Vector& center = Vector::Zero());
 [[nodiscard]] Part polyhedronPart(const Polyhedron& polyhedron, const Pose& pose = {});
+// The others have the pose's y as their axis. `height` of a capsule lies between the centres of its
+// half spheres, and may be 0, as that of a cylinder: a disc.
+[[nodiscard]] Part capsulePart(double radius, double height, const Pose& pose = {});
+[[nodiscard]] Part cylinderPart(double radius, double height, const Pose& pose = {});
+[[nodiscard]] Part conePart(double radius, double height, const Pose& pose = {});
+[[nodiscard]] Part ellipsoidPart(const Vector& halfAxes, const Pose& pose = {});
+// Everything below the pose's y = 0. It has no mass and no extent: it counts as its origin.
+[[nodiscard]] Part planePart(const Pose& pose = {});
+
+// The point of the core that lies furthest along a direction; what is curved is its own core.
+[[nodiscard]] Vector supportPoint(const Part& part, const Vector& direction);
 
 struct Shape {
     std::vector<Part> parts; // not empty
@@ -41,7 +58,7 @@ struct RayHit {
     Vector point = Vector::Zero();
     Vector normal = Vector::Zero(); // outward
     std::size_t part = 0;
-    std::optional<std::size_t> face; // none: a sphere
+    std::optional<std::size_t> face; // none: not of a polyhedron
 };
 
 // The nearest point at a distance >= 0 where the ray crosses into a part; none when it misses. A

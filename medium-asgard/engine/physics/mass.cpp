@@ -96,6 +96,8 @@ std::variant<BodyMass, std::string> MassReader::massOf(const scene::Body& body) 
     if (body.center || hasOwnDensities(*set->second))
         result.radius = geometry::radiusAbout(std::get<geometry::Shape>(shapes_.of(*set->second)),
                                               result.centroid);
+    if (!(result.radius > 0)) // a half space alone: the unit of its searches and tolerances
+        result.radius = 1;
     result.inertia = cleared(body.inertia ? givenInertia(*body.inertia) : properties.inertia);
     return result;
 }

@@ -28,6 +28,14 @@ template <typename Value> bool same(const std::optional<Value>& a, const std::op
 bool same(const SphereShape& a, const SphereShape& b) { return same(a.radius, b.radius); }
 bool same(const BoxShape& a, const BoxShape& b) { return same(a.edges, b.edges); }
 bool same(const HullShape& a, const HullShape& b) { return same(a.points, b.points); }
+template <typename Round> bool sameRound(const Round& a, const Round& b) {
+    return same(a.radius, b.radius) && same(a.height, b.height);
+}
+bool same(const CylinderShape& a, const CylinderShape& b) { return sameRound(a, b); }
+bool same(const ConeShape& a, const ConeShape& b) { return sameRound(a, b); }
+bool same(const CapsuleShape& a, const CapsuleShape& b) { return sameRound(a, b); }
+bool same(const EllipsoidShape& a, const EllipsoidShape& b) { return same(a.axes, b.axes); }
+bool same(const PlaneShape&, const PlaneShape&) { return true; }
 bool same(const ComponentForce& a, const ComponentForce& b) {
     return a.frame == b.frame && same(a.components, b.components);
 }

@@ -1,6 +1,7 @@
 #include "scene/scene.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace scene {
 
@@ -29,6 +30,47 @@ const Trajectory* findTrajectory(const Scene& scene, const std::string& name) {
 
 const Joint* findJoint(const Scene& scene, const std::string& name) {
     return find(scene.joints, name);
+}
+
+namespace {
+
+struct Reach {
+    double operator()(const SphereShape& sphere) const { return sphere.radius; }
+    double operator()(const BoxShape& box) const { return box.edges.norm() / 2; }
+    double operator()(const CylinderShape& cylinder) const {
+        return std::hypot(cylinder.radius, cylinder.height / 2);
+    }
+    double operator()(const ConeShape& cone) const {
+        return std::hypot(cone.radius, cone.height / 2);
+    }
+    double operator()(const CapsuleShape& capsule) const {
+        return capsule.radius + capsule.height / 2;
+    }
+    double operator()(const EllipsoidShape& ellipsoid) const { return ellipsoid.axes.maxCoeff(); }
+    double operator()(const PlaneShape&) const { return 0; }
+    double operator()(const HullShape& hull) const {
+        double farthest = 0;
+        for (const Vector& point : hull.points)
+            farthest = std::max(farthest, point.norm());
+        return farthest;
+    }
+};
+
+} // namespace
+
+double reachOf(const Part& part) { return std::visit(Reach{}, part.shape); }
+
+bool hasPlane(const ShapeSet& set) {
+    return std::ranges::any_of(
+        set.parts, [](const Part& part) { return std::holds_alternative<PlaneShape>(part.shape); });
+}
+
+bool hasVolume(const ShapeSet& set) {
+    return std::ranges::any_of(set.parts, [](const Part& part) {
+        const auto* cylinder = std::get_if<CylinderShape>(&part.shape);
+        return !std::holds_alternative<PlaneShape>(part.shape) &&
+               (!cylinder || cylinder->height > 0);
+    });
 }
 
 } // namespace scene

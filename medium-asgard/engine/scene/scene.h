@@ -78,8 +78,32 @@ struct HullShape {
     bool operator==(const HullShape&) const = default;
 };
 
+// Round parts have the part's y as their axis, and their origin half way up it.
+struct CylinderShape {
+    double radius = 1, height = 1; // without height: a disc
+    bool operator==(const CylinderShape&) const = default;
+};
+struct ConeShape { // apex at + height / 2
+    double radius = 1, height = 1;
+    bool operator==(const ConeShape&) const = default;
+};
+struct CapsuleShape {
+    double radius = 1, height = 1; // between the centres of its half spheres
+    bool operator==(const CapsuleShape&) const = default;
+};
+struct EllipsoidShape {
+    Vector axes = Vector::Ones(); // half axes along x, y, z
+    bool operator==(const EllipsoidShape&) const = default;
+};
+// Everything below y = 0, without mass and extent; of bodies that are fixed or held.
+struct PlaneShape {
+    bool operator==(const PlaneShape&) const = default;
+};
+
 struct Part {
-    std::variant<SphereShape, BoxShape, HullShape> shape;
+    std::variant<SphereShape, BoxShape, HullShape, CylinderShape, ConeShape, CapsuleShape,
+                 EllipsoidShape, PlaneShape>
+        shape;
     Vector position = Vector::Zero(); // in the shape's frame; the part is turned, then moved
     Vector rotation = Vector::Zero(); // rotation vector
     Appearance appearance;
@@ -358,5 +382,11 @@ struct Scene {
 [[nodiscard]] const Body* findBody(const Scene& scene, const std::string& name);
 [[nodiscard]] const Trajectory* findTrajectory(const Scene& scene, const std::string& name);
 [[nodiscard]] const Joint* findJoint(const Scene& scene, const std::string& name);
+
+// Of the ball about the part's origin that holds it; of a half space 0.
+[[nodiscard]] double reachOf(const Part& part);
+[[nodiscard]] bool hasPlane(const ShapeSet& set);
+// Of its parts some have a volume; a body of discs or half spaces alone has none.
+[[nodiscard]] bool hasVolume(const ShapeSet& set);
 
 } // namespace scene

@@ -19,6 +19,19 @@ struct PartMaker {
     Made operator()(const BoxShape& box) const {
         return geometry::polyhedronPart(geometry::box(box.edges), pose);
     }
+    Made operator()(const CylinderShape& cylinder) const {
+        return geometry::cylinderPart(cylinder.radius, cylinder.height, pose);
+    }
+    Made operator()(const ConeShape& cone) const {
+        return geometry::conePart(cone.radius, cone.height, pose);
+    }
+    Made operator()(const CapsuleShape& capsule) const {
+        return geometry::capsulePart(capsule.radius, capsule.height, pose);
+    }
+    Made operator()(const EllipsoidShape& ellipsoid) const {
+        return geometry::ellipsoidPart(ellipsoid.axes, pose);
+    }
+    Made operator()(const PlaneShape&) const { return geometry::planePart(pose); }
     Made operator()(const HullShape& hull) const {
         const auto made = geometry::convexHull(hull.points, meanwhile);
         if (const auto* refusal = std::get_if<geometry::HullRefusal>(&made))
@@ -31,6 +44,8 @@ struct PartMaker {
 constexpr double least = 1e-50, most = 1e50;
 
 std::optional<std::string> refusedSize(const geometry::Part& part) {
+    if (part.isPlane())
+        return std::nullopt;
     const double size = geometry::bounds({{part}}).sizes().maxCoeff();
     if (size >= least && size <= most)
         return std::nullopt;

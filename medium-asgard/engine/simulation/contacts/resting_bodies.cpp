@@ -37,7 +37,7 @@ double strideAfter(double elapsed) {
 }
 
 bool isStandingFace(const MovingBody& support, const BodyRecord& record, const Footing& footing) {
-    return record.isFixed && !support.shape().parts[footing.supportPart].isSphere() &&
+    return record.isFixed && support.shape().parts[footing.supportPart].isPolyhedron() &&
            footing.constraints[0].kind == physics::GapConstraint::Kind::onSupportPlane;
 }
 

@@ -44,7 +44,11 @@ Posed posed(const Placed& placed, std::size_t part, const Vector& origin) {
             .offset = placed.state.position - origin - rotation * placed.record->centroid};
 }
 
+bool isCurved(const Part& part) { return part.isCapsule() || (part.curved && !part.isPlane()); }
+
 double sizeOf(const Part& part) {
+    if (part.isPlane()) // never the smaller one
+        return HUGE_VAL;
     return geometry::radiusAbout(part, part.core.vertices[0]) + part.radius;
 }
 
@@ -52,6 +56,8 @@ double sizeOf(const Part& part) {
 Vector faceNormal(const Posed& owner, const Vector& direction) {
     Vector best = direction;
     double most = -1;
+    if (owner.part->isPlane())
+        return owner.rotation * owner.part->curved->axis();
     for (const geometry::Face& face : owner.part->core.faces) {
         const Vector normal = owner.rotation * face.normal;
         if (const double along = normal.dot(direction); along > most) {
@@ -90,6 +96,8 @@ public:
         touch.bodyPart = bodyPart;
         touch.supportPart = supportPart;
         touch.isRound = first_.part->isSphere() || second_.part->isSphere();
+        touch.isCurved = isCurved(*first_.part) || isCurved(*second_.part);
+        hasPlane_ = first_.part->isPlane() || second_.part->isPlane();
         touch.size = std::min(sizeOf(*first_.part), sizeOf(*second_.part));
         const PartsInTouch parts{support.index, bodyPart, supportPart};
         const bool isResting = std::ranges::find(resting, parts) != resting.end();
@@ -104,11 +112,15 @@ public:
         touch.normal = separation.normal;
         if (std::abs(touch.gap) > 10 * tolerance_ || touch.gap > tolerance_)
             return false;
-        if (!touch.isRound)
+        if (touch.isCurved) {
+            addCurved();
+            return true;
+        }
+        if (!touch.isRound && !hasPlane_)
             preferFaces();
         addCorners();
-        // A patch with an area, and what is round, has one normal.
-        if (touch.corners.size() < 3 && !touch.isRound)
+        // A patch with an area, what is round, and what is on a half space, has one normal.
+        if (touch.corners.size() < 3 && !touch.isRound && !hasPlane_)
             addOthers();
         return true;
     }
@@ -140,9 +152,18 @@ private:
             return addRound();
         if (second_.part->isSphere())
             return addOnRound();
-        ofBody_ = collision::furthestFeature(first_, -touch.normal, tolerance_);
-        ofSupport_ = collision::furthestFeature(second_, touch.normal, tolerance_);
+        auto facing = collision::facingFeatures(first_, second_, touch.normal, tolerance_);
+        ofBody_ = std::move(facing.first);
+        ofSupport_ = std::move(facing.second);
         addPatch();
+    }
+
+    // Where it is, and how fast they approach; what keeps it is not known.
+    void addCurved() {
+        touch.isModelled = false;
+        for (const Vector& corner :
+             collision::patchOf(first_, second_, touch.normal, tolerance_, beside_).corners)
+            add(Kind::onSupportPlane, corner, corner, corner, 0);
     }
 
     // Of a polyhedron, that in whose cell the sphere's centre lies; the normal away from it.
@@ -150,7 +171,7 @@ private:
         const Vector place = centre.world(0);
         const double coordinates = origin_.cwiseAbs().maxCoeff() +
                                    polyhedron.offset.cwiseAbs().maxCoeff() +
-                                   sizeOf(*polyhedron.part);
+                                   (hasPlane_ ? 0 : sizeOf(*polyhedron.part));
         collision::NearestFeature feature =
             collision::nearestFeature(polyhedron, place, resolution::ofPlaces * coordinates);
         touch.gap = feature.distance - centre.part->radius;
@@ -330,6 +351,7 @@ private:
     Vector origin_;
     Posed first_, second_;
     double tolerance_ = 0, beside_ = 0;
+    bool hasPlane_ = false;
     std::vector<Vector> ofBody_, ofSupport_;
 };
 
@@ -446,6 +468,8 @@ std::vector<Touch> touchesOf(const Placed& body, const Placed& support, double t
     std::vector<Touch> touches;
     for (std::size_t i = 0; i < body.shape->parts.size(); ++i)
         for (std::size_t j = 0; j < support.shape->parts.size(); ++j) {
+            if (body.shape->parts[i].isPlane() && support.shape->parts[j].isPlane())
+                continue; // each is everywhere
             Pairing pairing(body, i, support, j, tolerance, resting);
             if (pairing.find())
                 touches.push_back(std::move(pairing.touch));

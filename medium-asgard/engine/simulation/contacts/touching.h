@@ -13,6 +13,7 @@
 // Where edges or vertices touch, the parts may touch along several axes at once, and stay apart as
 // long as they do along one of them (collision/contact.h). Then each is told.
 //
+// LIMIT: capsules, cylinders, cones and ellipsoids have no constraint.
 // LIMIT: vertices and parallel edges on each other, an edge of the body on a sphere, and spheres on
 // edges of a support that turns have no constraint.
 #pragma once
@@ -58,6 +59,7 @@ struct Touch { // of one pair of parts
     bool isFlat = false;
     bool isModelled = true;
     bool isRound = false;       // one of the two is a sphere
+    bool isCurved = false;      // one of the two is a capsule, cylinder, cone or ellipsoid
     bool isRoundOnEdge = false; // a sphere on an edge or a vertex
     std::vector<Corner> corners;
     std::vector<Vector> bodyFace, supportFace; // outlines, world; of polyhedra

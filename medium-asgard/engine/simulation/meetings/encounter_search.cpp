@@ -17,7 +17,7 @@ std::vector<collision::StandingPart> standingOf(const MovingBody& body, const Bo
     const geometry::Pose pose{record.start.position - record.start.attitude * record.centroid,
                               record.start.attitude};
     for (const geometry::Part& part : body.shape().parts) {
-        if (part.isSphere())
+        if (!part.isPolyhedron() && !part.isPlane())
             return {};
         parts.push_back(collision::standingPart(part, pose));
     }

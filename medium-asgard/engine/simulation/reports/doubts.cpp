@@ -39,8 +39,10 @@ bool overlap(const BoxedPart& one, const BoxedPart& other) {
 // Two of them, the lesser first; boxes are swept along x.
 std::optional<std::pair<std::size_t, std::size_t>> overlapping(const geometry::Shape& shape) {
     std::vector<BoxedPart> parts;
+    std::size_t number = 0;
     for (const geometry::Part& part : shape.parts)
-        parts.push_back({&part, geometry::bounds(geometry::Shape{{part}}), parts.size() + 1});
+        if (++number; !part.isPlane()) // without volume
+            parts.push_back({&part, geometry::bounds(geometry::Shape{{part}}), number});
     std::ranges::sort(parts, {}, [](const BoxedPart& p) { return p.box.min().x(); });
     std::vector<const BoxedPart*> open;
     for (const BoxedPart& part : parts) {
