@@ -43,6 +43,14 @@ QAction* CommandMenu::addAsking(const QString& name, const QString& text, const 
     return append(name, text, keys, {nullptr, whyNot}, ask);
 }
 
+void CommandMenu::addEntryOf(const CommandMenu& other, const QString& name) {
+    for (const Entry& entry : other.entries_)
+        if (entry.action->objectName() == name) {
+            addAction(entry.action);
+            entries_.push_back(entry);
+        }
+}
+
 QAction* CommandMenu::addToggle(const QString& name, const QString& text, const QKeySequence& keys,
                                 Role role) {
     const auto whyNot = [this, role] { return view_.writing().whyNotToggled(role); };

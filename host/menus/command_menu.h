@@ -30,6 +30,8 @@ public:
     QAction* addAsking(const QString& name, const QString& text, const QKeySequence& keys,
                        const Command& probe, const std::function<void()>& ask);
 
+    // The entry of another menu, of that object name, stands in this one, too.
+    void addEntryOf(const CommandMenu& other, const QString& name);
     // Emphasis and the like: on and off.
     QAction* addToggle(const QString& name, const QString& text, const QKeySequence& keys,
                        Role role);

@@ -224,8 +224,15 @@ void openEditor(view::DocumentView& view, document::SubdocumentId id) {
              : nullptr;
     if (!manifest || manifest->newEditor.isEmpty())
         return;
+    const auto say = [document = &view.document(), id](const QString& sentence) {
+        Q_EMIT document->figureSaid(id, sentence);
+    };
+    QObject::connect(
+        live, &media::LiveSubdocument::windowsChanged, &view, [say] { say({}); },
+        Qt::SingleShotConnection);
     live->setMode(media::Mode::edit);
     live->invoke(manifest->newEditor, view.rendition(id));
+    say(FigureMenu::tr("Opening the editor of %1 ...").arg(manifest->name));
 }
 
 void FigureMenu::setAttributes(const authoring::Attributes& attributes, const QString& label) {

@@ -75,7 +75,8 @@ authoring::Result valueOfFirst(const Manuscript& in, Selection at) {
 
 } // namespace
 
-InsertMenu::InsertMenu(view::DocumentView& view, QWidget* parent)
+InsertMenu::InsertMenu(view::DocumentView& view, const CommandMenu& tables, QMenu& images,
+                       QWidget* parent)
     : CommandMenu(tr("&Insert"), view, parent) {
     setObjectName("insert");
     addAsking(
@@ -105,6 +106,8 @@ InsertMenu::InsertMenu(view::DocumentView& view, QWidget* parent)
         QMenu* ofMedium = new MediumMenu(manifest, view, parent);
         addMenu(ofMedium);
     }
+    addEntryOf(tables, "insertTable");
+    addMenu(&images);
     addCaption();
     addSeparator();
     add("pageBreak", tr("&Page Break"), QKeySequence("Ctrl+Return"), block(Display::pageBreak));

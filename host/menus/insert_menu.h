@@ -10,7 +10,9 @@ class InsertMenu : public CommandMenu {
     Q_OBJECT
 
 public:
-    explicit InsertMenu(view::DocumentView& view, QWidget* parent = nullptr);
+    // With the entry `insertTable` of one menu, and all of another.
+    InsertMenu(view::DocumentView& view, const CommandMenu& tables, QMenu& images,
+               QWidget* parent = nullptr);
 
     // Entries for what is at a place of the screen.
     void addTo(QMenu& menu, const QPoint& at);

@@ -23,7 +23,7 @@ TableMenu::TableMenu(view::DocumentView& view, QWidget* parent)
     : CommandMenu(tr("&Table"), view, parent) {
     setObjectName("table");
     addAsking(
-        "insertTable", tr("Insert &Table..."), QKeySequence("Ctrl+F12"),
+        "insertTable", tr("&New Table..."), QKeySequence("Ctrl+F12"),
         [](const Manuscript& in, Selection at) { return authoring::insertTable(in, at, {}); },
         [this] { askForTable(); });
     addSeparator();

@@ -88,8 +88,7 @@ DocumentWindow::DocumentWindow(Application& application,
     auto* edit = new EditMenu(*view_, *find_, this);
     auto* table = new menus::TableMenu(*view_, this);
     auto* image = new menus::ImageMenu(*view_, this);
-    auto* insert = new menus::InsertMenu(*view_, this);
-    insert->addMenu(image);
+    auto* insert = new menus::InsertMenu(*view_, *table, *image, this);
     edit->offerAtPointer(*image, [image] { return image->isOnImage(); });
     edit->offerAtPointer(*table, [table] { return table->isInTable(); });
     column->addWidget(new panes::ReadingBar(*view_, edit->write(), this));

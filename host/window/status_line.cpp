@@ -33,8 +33,10 @@ void StatusLine::say(const QString& sentence) {
 }
 
 void StatusLine::sayOf(document::SubdocumentId figure, const QString& sentence) {
+    if (sentence.isEmpty() && speaker_ != figure)
+        return; // another sentence has come
     say(sentence);
-    speaker_ = figure;
+    speaker_ = sentence.isEmpty() ? document::noSubdocument : figure;
 }
 
 void StatusLine::showLanguage(const QString& name) {

@@ -17,6 +17,7 @@ public:
     StatusLine(view::DocumentView& view, QStatusBar& bar, QObject* parent);
 
     void say(const QString& sentence);
+    // "": the figure has no more to say; a sentence of others stays.
     void sayOf(document::SubdocumentId figure, const QString& sentence);
     void showLanguage(const QString& name); // "": words are not checked
 

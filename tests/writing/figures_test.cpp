@@ -11,6 +11,7 @@
 #include <QMimeData>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QStatusBar>
 
 namespace writing {
 namespace {
@@ -77,7 +78,10 @@ TEST_F(FiguresTest, AnEmptyOneIsAFigureThatOpensItsEditorAndOneWritesInItsCaptio
                           "</DOCUMENT>\n<CAPTION>{}</CAPTION>\n</FIGURE>\n");
     EXPECT_EQ(document().steps(), 1U);
     EXPECT_EQ(view().chosen(), document::noSubdocument);
+    const QStatusBar& line = *window_->statusBar();
+    EXPECT_THAT(line.currentMessage().toStdString(), HasSubstr("Opening the editor of Scripted"));
     ASSERT_TRUE(waitFor([&] { return live(*window_, 0).windows().open == 1; }));
+    EXPECT_TRUE(waitFor([&] { return line.currentMessage().isEmpty(); }));
     EXPECT_EQ(children().size(), 1U); // that has had no other one before it
     ASSERT_TRUE(waitFor([&] { return hasPicture(*window_, 0); }));
     type("Words");

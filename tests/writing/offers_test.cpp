@@ -183,6 +183,23 @@ TEST_F(OffersTest, TheKeysOfTheMenusWorkWhileAFigureHasTheKeyboard) {
     EXPECT_GT(pressed, 60U);
 }
 
+TEST_F(OffersTest, ATableIsInsertedFromTheMenuInsertToo) {
+    write(paragraph("One"));
+    auto* insert = window_->findChild<QMenu*>("insert");
+    QAction* table = action("insertTable");
+    ASSERT_TRUE(insert->actions().contains(table));
+    goTo("Test}"); // the subject holds none
+    Q_EMIT insert->aboutToShow();
+    EXPECT_FALSE(table->isEnabled());
+    Q_EMIT insert->aboutToHide();
+    goTo("One");
+    Q_EMIT insert->aboutToShow();
+    EXPECT_TRUE(table->isEnabled());
+    Q_EMIT insert->aboutToHide();
+    answering("insertTable", [](QDialog& dialog) { dialog.accept(); });
+    EXPECT_THAT(body(), ::testing::HasSubstr("<TABLE"));
+}
+
 TEST_F(OffersTest, AFigureThatIsDroppedOnOrPastedOverIsChosenNoMore) {
     writeAll();
     stand({"figure", {}, 0});
