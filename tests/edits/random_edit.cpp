@@ -171,9 +171,19 @@ public:
             sphere->radius *= factor;
         else if (auto* box = std::get_if<scene::BoxShape>(&part->shape))
             box->edges[static_cast<Eigen::Index>(below(3))] *= factor;
-        else
-            for (Vector& point : std::get<scene::HullShape>(part->shape).points)
+        else if (auto* hull = std::get_if<scene::HullShape>(&part->shape))
+            for (Vector& point : hull->points)
                 point *= factor;
+        else if (auto* capsule = std::get_if<scene::CapsuleShape>(&part->shape))
+            capsule->height *= factor;
+        else if (auto* cylinder = std::get_if<scene::CylinderShape>(&part->shape))
+            cylinder->radius *= factor;
+        else if (auto* cone = std::get_if<scene::ConeShape>(&part->shape))
+            cone->height *= factor;
+        else if (auto* ellipsoid = std::get_if<scene::EllipsoidShape>(&part->shape))
+            ellipsoid->axes[static_cast<Eigen::Index>(below(3))] *= factor;
+        else
+            part->position.y() += factor - 1;
         return "shape " + set->name;
     }
     std::string otherShape() {

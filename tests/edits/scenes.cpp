@@ -165,6 +165,36 @@ Scene heaps() {
     return scene;
 }
 
+// Ten round bodies that bounce between two half spaces.
+Scene rounds() {
+    Scene scene;
+    scene.simulator.finish = 1;
+    const scene::Part kinds[] = {
+        {scene::PlaneShape{}, {0, 0, 0}, {0, 0, 0}, {}},
+        {scene::CapsuleShape{0.2, 0.4}, {0, 0, 0}, {0, 0, 0}, {}},
+        {scene::CylinderShape{0.3, 0.5}, {0, 0, 0}, {0, 0, 0}, {}},
+        {scene::ConeShape{0.3, 0.6}, {0, 0, 0}, {0, 0, 0}, {}},
+        {scene::EllipsoidShape{{0.2, 0.3, 0.4}}, {0, 0, 0}, {0, 0, 0}, {}}};
+    for (std::size_t i = 0; i < 5; ++i)
+        scene.shapeSets.push_back({"s" + std::to_string(i), {kinds[i]}, {}, {}});
+    for (int i = 0; i < 12; ++i) {
+        scene::Body& body = scene.bodies.emplace_back();
+        body.name = "b" + std::to_string(i);
+        body.fixed = i < 2;
+        body.shape = body.fixed ? "s0" : "s" + std::to_string(1 + i % 4);
+        body.initialPosition = {0.7 * (i % 4), 0.5 * (i / 4), 0.1 * i};
+        body.initialVelocity = {0.5 - 0.1 * i, -1, 0.3 * (i % 3)};
+        body.initialAngularVelocity = {0.3 * i, 1, -0.2 * i};
+        if (body.fixed) {
+            body.initialPosition = {0, i == 0 ? -0.6 : 2, 0};
+            body.initialVelocity = body.initialAngularVelocity = {0, 0, 0};
+            if (i == 1)
+                body.initialAttitude = scene::Quaternion(0, 1, 0, 0);
+        }
+    }
+    return scene;
+}
+
 } // namespace
 
 Scene besides(const Scene& first, const Scene& second, const scene::Vector& shift) {
@@ -195,6 +225,7 @@ std::vector<NamedScene> scenes() {
         all.push_back({file.stem().string(), std::move(read.scene)});
     }
     all.push_back({"heaps", heaps()});
+    all.push_back({"rounds", rounds()});
     const std::size_t alone = all.size();
     for (std::size_t i = 0; i + 7 < alone; i += 3) { // far from each other, and in each other's way
         const scene::Vector shift =

@@ -135,13 +135,15 @@ TEST(CurvedImpact, BetweenCurvedParts) {
     expectHit(hitOf(flying(ellipsoidPart({1, 2, 3}), apart + 2 * n, -n),
                     flying(ellipsoidPart({2, 1, 1}), Vector::Zero())),
               2, there, n);
-    // A rim across the edge of a box.
+    // A rim across the edge of a box: the coin leans by 0.4 along the edge.
     const Part cube = polyhedronPart(
         box({2, 2, 2}), {Vector::Zero(), fromRotationVector({0, 0, std::numbers::pi / 4})});
-    expectHit(hitOf(flying(cylinderPart(1, 0.1), {0, std::sqrt(2) + 3, 0}, {0, -1, 0},
-                           {std::numbers::pi / 2, 0, 0}),
+    const double low = std::cos(0.4) + 0.05 * std::sin(0.4);
+    const double side = std::sin(0.4) - 0.05 * std::cos(0.4); // of the lowest point along the edge
+    expectHit(hitOf(flying(cylinderPart(1, 0.1), {0, std::sqrt(2) + 2 + low, 0}, {0, -1, 0},
+                           {std::numbers::pi / 2 - 0.4, 0, 0}),
                     flying(cube, Vector::Zero())),
-              2, {0, std::sqrt(2), 0}, {0, 1, 0});
+              2, {0, std::sqrt(2), side}, {0, 1, 0});
     // The tip of a cone on the tip of another: the line between them before.
     expectHit(hitOf(flying(conePart(1, 2), {0, 5, 0}, {0, -1, 0}, {std::numbers::pi, 0, 0}),
                     flying(conePart(1, 2), Vector::Zero())),

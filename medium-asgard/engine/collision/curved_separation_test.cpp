@@ -90,15 +90,20 @@ TEST(CurvedSeparation, OfCylinders) {
     }
 }
 
-// A vertical rim (axis x) over an edge of the cube that is turned by 45 degrees about z: the
-// tangent of the rim and the edge cross at right angles at the top.
-TEST(CurvedSeparation, OfARimAcrossAnEdge) {
+// Over the edge of a cube that is turned by 45 degrees about it: a coin's side along the edge; and
+// the rim of one that leans by 0.4 along the edge, its tangent at right angles to it.
+TEST(CurvedSeparation, OfASideAlongAnEdgeAndARimAcrossIt) {
     const Part coin = cylinderPart(1, 0.1);
     const Part cube = polyhedronPart(
         box({2, 2, 2}), {Vector::Zero(), fromRotationVector({0, 0, std::numbers::pi / 4})});
-    for (const double gap : gaps)
-        expectGap(apart(coin, cube, {0, std::sqrt(2) + 1 + gap, 0}, {std::numbers::pi / 2, 0, 0}),
-                  gap, {0, 1, 0}, 4e-15);
+    const double right = std::numbers::pi / 2, lean = 0.4;
+    const double low = std::cos(lean) + 0.05 * std::sin(lean);
+    for (const double gap : gaps) {
+        expectGap(apart(coin, cube, {0, std::sqrt(2) + 1 + gap, 0}, {right, 0, 0}), gap, {0, 1, 0},
+                  4e-15);
+        expectGap(apart(coin, cube, {0, std::sqrt(2) + low + gap, 0.2}, {right - lean, 0, 0}), gap,
+                  {0, 1, 0}, 4e-15);
+    }
 }
 
 TEST(CurvedSeparation, OfCones) {
