@@ -17,11 +17,13 @@ CommandMenu::CommandMenu(const QString& title, view::DocumentView& view, QWidget
 
 QAction* CommandMenu::append(const QString& name, const QString& text, const QKeySequence& keys,
                              Entry entry, const std::function<void()>& done) {
-    const auto guarded = [this, whyNot = entry.whyNot, done] {
-        if (const QString why = whyNot(); !why.isEmpty())
-            Q_EMIT view_.writing().refused(why);
-        else
-            done();
+    const auto guarded = [this, entry, done] {
+        const QString why = whyNot(entry);
+        if (why.isEmpty())
+            return done();
+        Q_EMIT view_.writing().refused(why);
+        if (!view_.isWriting())
+            Q_EMIT view_.triedToWrite();
     };
     entry.action = addTo(*this, name, text, keys, guarded);
     entry.action->setCheckable(entry.role != Role::none);
@@ -58,18 +60,35 @@ QAction* CommandMenu::addToggle(const QString& name, const QString& text, const 
                   [this, role] { view_.writing().toggle(role); });
 }
 
+void CommandMenu::addBeginning() {
+    QAction* begin =
+        addTo(*this, "beginWriting", tr("&Write in This Document") + "\tCtrl+E", {}, [this] {
+            view_.setWriting(true);
+            view_.setFocus();
+        });
+    beginning_ = {begin, addSeparator()};
+    offerAll();
+}
+
+QString CommandMenu::whyNot(const Entry& entry) const {
+    return view_.isWriting() ? entry.whyNot()
+                             : tr("This document is open for reading. Edit > Write (Ctrl+E) lets "
+                                  "you change it.");
+}
+
 void CommandMenu::offerAll() {
-    menuAction()->setVisible(view_.isWriting());
+    for (QAction* one : beginning_)
+        one->setVisible(!view_.isWriting());
     for (const Entry& entry : entries_) {
-        entry.action->setEnabled(view_.isWriting());
+        entry.action->setEnabled(true);
         entry.action->setToolTip(plain::tip({}));
     }
 }
 
 void CommandMenu::offer() {
     for (const Entry& entry : entries_) {
-        const QString why = entry.whyNot();
-        entry.action->setEnabled(view_.isWriting() && why.isEmpty());
+        const QString why = whyNot(entry);
+        entry.action->setEnabled(why.isEmpty());
         entry.action->setToolTip(plain::tip(why));
         if (entry.role != Role::none)
             entry.action->setChecked(view_.writing().isMarked(entry.role));

@@ -1,6 +1,7 @@
-// A menu of commands of writing. It is there while its view is written in. The open menu offers the
-// commands that are allowed at their place (Writing::place), and says of the others why they are
-// not; their keys work at any time, and the status line says then what the tool tip would.
+// A menu of commands of writing. The open menu offers the commands that are allowed at their place
+// (Writing::place), and says of the others why they are not; their keys work at any time, and the
+// status line says then what the tool tip would. In a view for reading that is that it is for
+// reading.
 #pragma once
 
 #include "view/writing.h"
@@ -30,6 +31,8 @@ public:
     QAction* addAsking(const QString& name, const QString& text, const QKeySequence& keys,
                        const Command& probe, const std::function<void()>& ask);
 
+    // The next entry begins to write; it is there in a view for reading.
+    void addBeginning();
     // The entry of another menu, of that object name, stands in this one, too.
     void addEntryOf(const CommandMenu& other, const QString& name);
     // Emphasis and the like: on and off.
@@ -47,11 +50,13 @@ private:
     };
     QAction* append(const QString& name, const QString& text, const QKeySequence& keys, Entry entry,
                     const std::function<void()>& done);
+    [[nodiscard]] QString whyNot(const Entry& entry) const;
     void offer();
     void offerAll();
 
     view::DocumentView& view_;
     std::vector<Entry> entries_;
+    QList<QAction*> beginning_; // the entry that begins to write, and what parts it from the others
 };
 
 } // namespace menus

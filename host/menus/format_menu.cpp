@@ -10,6 +10,7 @@ using schemas::ContainerRole;
 FormatMenu::FormatMenu(view::DocumentView& view, QWidget* parent)
     : CommandMenu(tr("F&ormat"), view, parent) {
     setObjectName("format");
+    addBeginning();
     addToggle("emphasis", tr("&Emphasis"), QKeySequence::Italic, ContainerRole::emphasis);
     addToggle("strong", tr("&Strong"), QKeySequence::Bold, ContainerRole::strong);
     addToggle("code", tr("&Code"), QKeySequence("Ctrl+Shift+M"), ContainerRole::code);

@@ -79,6 +79,7 @@ InsertMenu::InsertMenu(view::DocumentView& view, const CommandMenu& tables, QMen
                        QWidget* parent)
     : CommandMenu(tr("&Insert"), view, parent) {
     setObjectName("insert");
+    addBeginning();
     addAsking(
         "link", tr("&Link..."), QKeySequence("Ctrl+K"),
         [](const Manuscript& in, Selection at) { return authoring::link(in, at, "#"); },

@@ -22,6 +22,7 @@ CommandMenu::Command towards(authoring::Result (*command)(const Manuscript&, Sel
 TableMenu::TableMenu(view::DocumentView& view, QWidget* parent)
     : CommandMenu(tr("&Table"), view, parent) {
     setObjectName("table");
+    addBeginning();
     addAsking(
         "insertTable", tr("&New Table..."), QKeySequence("Ctrl+F12"),
         [](const Manuscript& in, Selection at) { return authoring::insertTable(in, at, {}); },

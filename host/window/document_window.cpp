@@ -36,6 +36,7 @@
 #include <QMimeData>
 #include <QScreen>
 #include <QStatusBar>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 namespace window {
@@ -167,6 +168,9 @@ void DocumentWindow::buildTools(QAction& write) {
     tools_->setMovable(false);
     tools_->setIconSize({18, 18});
     tools_->addAction(&write);
+    // Newcomers do not know the pencil.
+    if (auto* button = qobject_cast<QToolButton*>(tools_->widgetForAction(&write)))
+        button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     tools_->addSeparator();
     constexpr int leastHeight = 40; // it stays when there is nothing in it
     tools_->setMinimumHeight(leastHeight);

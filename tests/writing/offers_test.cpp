@@ -5,6 +5,7 @@
 
 #include <QMimeData>
 #include <QStatusBar>
+#include <QToolButton>
 
 namespace writing {
 namespace {
@@ -85,7 +86,8 @@ protected:
     // Of all languages one stands for the others.
     static bool isCommand(const QString& name) {
         const bool isLanguage = name.contains("anguage-");
-        return name != "figureHint" && (!isLanguage || name.endsWith('-') || name.endsWith("-de"));
+        return name != "figureHint" && name != "beginWriting" &&
+               (!isLanguage || name.endsWith('-') || name.endsWith("-de"));
     }
     static void collect(QMenu* menu, std::vector<QMenu*> way, std::vector<Entry>& all) {
         way.push_back(menu);
@@ -181,6 +183,39 @@ TEST_F(OffersTest, TheKeysOfTheMenusWorkWhileAFigureHasTheKeyboard) {
         }
     EXPECT_THAT(broken, ::testing::IsEmpty());
     EXPECT_GT(pressed, 60U);
+}
+
+TEST_F(OffersTest, InAViewForReadingTheMenusSayHowToWrite) {
+    writeAll();
+    const auto* button = qobject_cast<QToolButton*>(
+        window_->findChild<QToolBar*>("tools")->widgetForAction(action("write")));
+    ASSERT_TRUE(button);
+    EXPECT_EQ(button->toolButtonStyle(), Qt::ToolButtonTextBesideIcon);
+    EXPECT_EQ(button->text(), "Write");
+    action("write")->trigger();
+    ASSERT_FALSE(view().isWriting());
+    for (const Entry& entry : entries()) {
+        if (entry.way.front()->objectName() == "figure" ||
+            entry.action->objectName() == "beginWriting")
+            continue;
+        EXPECT_TRUE(entry.way.front()->menuAction()->isVisible());
+        show(entry, true);
+        EXPECT_FALSE(entry.action->isEnabled()) << entry.action->text().toStdString();
+        EXPECT_THAT(entry.action->toolTip().toStdString(), ::testing::HasSubstr("for reading"));
+        show(entry, false);
+    }
+    // A key says so, too, and the bar below offers it.
+    const auto* bar = window_->findChild<QWidget*>("readingBar");
+    EXPECT_FALSE(bar->isVisible());
+    press(Qt::Key_B, Qt::ControlModifier);
+    EXPECT_TRUE(window_->statusBar()->currentMessage().contains("for reading"));
+    EXPECT_TRUE(bar->isVisible());
+    EXPECT_EQ(document().bytes(), before_);
+    auto* begin = window_->findChild<QMenu*>("insert")->findChild<QAction*>("beginWriting");
+    EXPECT_TRUE(begin->isVisible());
+    begin->trigger();
+    EXPECT_TRUE(view().isWriting());
+    EXPECT_FALSE(begin->isVisible());
 }
 
 TEST_F(OffersTest, ATableIsInsertedFromTheMenuInsertToo) {
