@@ -1,6 +1,7 @@
 #include "window/application.h"
 
 #include "accessibility/accessible_view.h"
+#include "controls/indicators.h"
 #include "filing/choosing.h"
 #include "filing/recovery.h"
 #include "plain/plain.h"
@@ -63,6 +64,8 @@ void dress() {
     dressHints();
     const bool desktopHasStyle =
         QApplication::style()->name().compare("fusion", Qt::CaseInsensitive) != 0;
+    if (!desktopHasStyle)
+        QApplication::setStyle(new controls::IndicatorStyle);
     if (desktopHasStyle || QApplication::palette().color(QPalette::Window).lightness() < 128)
         return;
     QApplication::setPalette(lightPalette());

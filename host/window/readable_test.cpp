@@ -8,10 +8,13 @@
 #include "window/manual.h"
 
 #include <QAccessible>
+#include <QCheckBox>
+#include <QRadioButton>
 #include <QSlider>
 #include <QStatusBar>
 #include <QStyle>
 #include <QTreeWidget>
+#include <QVBoxLayout>
 
 namespace window {
 namespace {
@@ -72,6 +75,31 @@ TEST_P(ReadableTest, EveryTextOfAWindow) {
         menu->ensurePolished();
         menu->resize(menu->sizeHint());
         expectReadable(*menu, "menu " + menu->title().toStdString(), 0);
+    }
+}
+
+// WCAG 2.1, 1.4.11.
+TEST_P(ReadableTest, TheMarksOfRadioButtonsAndCheckBoxes) {
+    QWidget window;
+    QVBoxLayout column(&window);
+    QRadioButton radio(&window);
+    QCheckBox box(&window);
+    for (QAbstractButton* one :
+         {static_cast<QAbstractButton*>(&radio), static_cast<QAbstractButton*>(&box)}) {
+        one->setAutoExclusive(false);
+        column.addWidget(one);
+    }
+    window.show();
+    constexpr double least = 3;
+    for (const bool isChecked : {false, true}) {
+        radio.setChecked(isChecked);
+        box.setChecked(isChecked);
+        const QImage image = plain::enlarged(window);
+        const double factor = image.devicePixelRatio();
+        for (const QWidget* one : {static_cast<QWidget*>(&radio), static_cast<QWidget*>(&box)})
+            EXPECT_GE(plain::contrastIn(image, QRect(one->pos() * factor, one->size() * factor)),
+                      least)
+                << one->metaObject()->className() << isChecked;
     }
 }
 
