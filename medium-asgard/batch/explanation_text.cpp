@@ -30,7 +30,8 @@ struct Word {
 constexpr Word kindWords[] = {{"a place", "places", " x y z "},
                               {"a velocity", "velocities", " dx dy dz "},
                               {"an attitude", "attitudes", " qw qx qy qz "},
-                              {"a spin", "spins", " w1 w2 w3 wx wy wz "}};
+                              {"a spin", "spins", " w1 w2 w3 wx wy wz "},
+                              {"an angle of a joint", "angles of joints", " q q1 q2 q3 "}};
 
 std::string bodyOf(const std::string& unknown) { return unknown.substr(0, unknown.rfind('.')); }
 std::string lastOf(const std::string& unknown) { return unknown.substr(unknown.rfind('.') + 1); }
@@ -60,6 +61,12 @@ std::vector<std::string> kindsOf(const Component& component) {
         if (!bodies.empty())
             kinds.emplace_back(bodies.size() == 1 ? word.one : word.many);
     }
+    const auto others = std::ranges::count_if(component.unknowns, [](const std::string& unknown) {
+        return std::ranges::none_of(kindWords,
+                                    [&](const Word& word) { return isOne(unknown, word); });
+    });
+    if (others > 0) // of joints, gears and ropes: what keeps them, and when they are released
+        kinds.push_back(counted(static_cast<std::size_t>(others), "condition", "conditions"));
     return kinds;
 }
 

@@ -2,6 +2,7 @@
 
 #include "render/coils.h"
 #include "render/joint_places.h"
+#include "render/rope_lines.h"
 
 #include <algorithm>
 #include <array>
@@ -373,6 +374,8 @@ Extent extentOf(const scene::Scene& scene, const simulation::Motion* motion) {
     for (const Vector& anchor : anchorsOf(scene, motion))
         keep(extent, {anchor, 0});
     for (const Vector& anchor : jointAnchorsOf(scene, motion))
+        keep(extent, {anchor, 0});
+    for (const Vector& anchor : ropeAnchorsOf(scene))
         keep(extent, {anchor, 0});
     if (extent.box.isEmpty())
         keep(extent, {Vector::Zero(), 1});

@@ -7,6 +7,7 @@
 #include "render/joint_places.h"
 #include "render/joint_signs.h"
 #include "render/overlay.h"
+#include "render/rope_lines.h"
 #include "render/solids.h"
 #include "render/target.h"
 #include "render/trails.h"
@@ -28,7 +29,7 @@ struct Renderer::Implementation {
     // The extent of the motion that was drawn last.
     std::weak_ptr<const simulation::Motion> extentOfMotion;
     std::vector<scene::Body> extentOfBodies;
-    std::vector<Vector> extentOfAnchors; // of springs and joints in the world
+    std::vector<Vector> extentOfAnchors; // of springs, joints and ropes in the world
     Extent extent;
 
     ~Implementation() {
@@ -69,6 +70,14 @@ std::pair<double, double> depthRange(std::span<const Solid> solids, const Extent
     return {nearest, furthest};
 }
 
+void addRopes(Lines& lines, const Drawing& drawing, const Extent& extent, const Frame& frame) {
+    const Ink ink{{0.42F, 0.30F, 0.18F}, 0.95F, frame.stroke(2)};
+    for (const RopeLine& rope :
+         ropeLinesOf(*drawing.scene, drawing.motion.get(), drawing.time, extent.up))
+        for (std::size_t i = 1; i < rope.corners.size(); ++i)
+            lines.add(frame.toView(rope.corners[i - 1]), frame.toView(rope.corners[i]), ink);
+}
+
 } // namespace
 
 std::string Renderer::Implementation::build() {
@@ -87,6 +96,7 @@ void Renderer::Implementation::follow(const Drawing& drawing) {
     std::vector<Vector> anchors = anchorsOf(*drawing.scene, drawing.motion.get());
     std::ranges::copy(jointAnchorsOf(*drawing.scene, drawing.motion.get()),
                       std::back_inserter(anchors));
+    std::ranges::copy(ropeAnchorsOf(*drawing.scene), std::back_inserter(anchors));
     const bool same = extentOfMotion.lock() == drawing.motion && extentOfAnchors == anchors &&
                       sameOutlines(extentOfBodies, drawing.scene->bodies);
     if (!same) {
@@ -227,6 +237,7 @@ void Renderer::Implementation::paint(const Drawing& drawing, const Frame& frame)
     if (display.trails)
         trails.add(*lines, drawing, frame);
     coils.add(*lines, drawing, extent.size, frame);
+    addRopes(*lines, drawing, extent, frame);
     if (display.axes)
         addAxes(*lines, extent, frame);
     lines->draw(projection.data(), frame.halfSize(), lift);

@@ -127,6 +127,9 @@ void buildCreateMenu(QMenu* menu, SceneDocument& document, SceneDisplay& display
     joint(QObject::tr("&Fixed"), QObject::tr("Two bodies move as one"), scene::JointType::fixed);
     joint(QObject::tr("&Distance"), QObject::tr("A massless rod between two points"),
           scene::JointType::distance);
+    add(menu, QObject::tr("&Rope"), newRope);
+    menu->actions().back()->setToolTip(
+        plain::tip(QObject::tr("It pulls and never pushes, through points and around wheels")));
     QMenu* links = menu->addMenu(QObject::tr("&Link"));
     links->setToolTipsVisible(true);
     links->menuAction()->setToolTip(plain::tip(

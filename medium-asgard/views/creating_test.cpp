@@ -291,6 +291,21 @@ TEST_F(CreatingTest, ASliderHasALineAndADistanceTwoEnds) {
                 HasSubstr("joint fixed1 -type fixed -body1 b2 -offset1 {-2 0 0} -body2 b1\n"));
 }
 
+TEST_F(CreatingTest, ARopeGoesThroughBodiesAndTheGround) {
+    open(balls);
+    display().creating().start(newRope());
+    click({-1, 0, 0});
+    click({0, 1.5, 0});
+    click({1, 0, 0});
+    key(Qt::Key_Return);
+    done();
+    ASSERT_EQ(scene().ropes.size(), 1U);
+    EXPECT_THAT(text(), HasSubstr("\nrope rope1 -points {{b1} {0 1.5 0} {b2"));
+    EXPECT_EQ(scene().ropes[0].points[0].body, "b1");
+    EXPECT_NEAR((*scene().ropes[0].points[1].place - Vector(0, 1.5, 0)).norm(), 0, 0.05);
+    EXPECT_EQ(scene().ropes[0].points[2].body, "b2");
+}
+
 TEST_F(CreatingTest, ATrajectoryIsDrawnAndABodyLedByIt) {
     open(balls);
     display().creating().start(newTrajectory());

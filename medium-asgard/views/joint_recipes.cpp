@@ -1,4 +1,5 @@
 // Create > Joint: the body that moves, then the place of the joint on another body or the ground.
+// Create > Rope: the body to which it is tied, then its other points.
 #include "views/recipe_words.h"
 
 #include "scene/joint_types.h"
@@ -105,6 +106,45 @@ Recipe newJoint(JointType type) {
         return std::vector{joint};
     };
     recipe.handles = &render::Display::jointHandles;
+    return recipe;
+}
+
+Recipe newRope() {
+    Recipe recipe;
+    recipe.label = QObject::tr("New Rope");
+    Step first{Wanted::body, QObject::tr("Click where the rope is tied to a body."), ""};
+    first.deep = true;
+    Step next{Wanted::hold,
+              QObject::tr("Click where it goes: on another body, or beside all of them on the "
+                          "ground."),
+              QObject::tr("Return: the last one was its end.")};
+    next.repeats = true;
+    recipe.steps = {first, next};
+    recipe.otherwise = QObject::tr("A rope has two ends.");
+    recipe.make = [](const std::string& text, const scene::Scene& scene,
+                     const std::vector<Indicated>& shown) {
+        std::vector<NewElement> made;
+        NewElement rope{Kind::rope, editing::unusedName(text, scene, Kind::rope, "rope"), {}, {}};
+        std::string points;
+        std::size_t count = 0;
+        for (const Indicated& one : shown) {
+            if (!one.given)
+                continue;
+            points += count++ == 0 ? "" : " ";
+            if (!one.body) {
+                points += listed(one.point, one.resolution);
+                continue;
+            }
+            const std::string& body = scene.bodies[*one.body].name;
+            points += one.atCenter ? "{" + body + "}"
+                                   : "{" + body + " " + listed(one.onBody, one.resolution) + "}";
+            rope.behind.push_back({Kind::body, *one.body});
+        }
+        rope.words = {"-points", "{" + points + "}"};
+        if (count > 1)
+            made.push_back(rope);
+        return made;
+    };
     return recipe;
 }
 

@@ -83,6 +83,8 @@ enum class BasicShape { sphere, box };
 [[nodiscard]] Recipe newLink(Wanted second);
 // A hinge, a slider, a ball, a fixed joint or a distance, between a body and another or the ground.
 [[nodiscard]] Recipe newJoint(scene::JointType type);
+// From a body through other bodies and points of the ground.
+[[nodiscard]] Recipe newRope();
 [[nodiscard]] Recipe newLight(bool point);
 [[nodiscard]] Recipe newTrajectory();
 [[nodiscard]] Recipe attachTrajectory();

@@ -205,4 +205,60 @@ def rope_snaps():
     return rows
 
 
-CASES = (rope_drop, rope_slack, rope_atwood, rope_swinging, rope_peg, rope_yoyo, rope_winch, rope_belt, rope_snaps)
+# --- what a blow and a weak motor do --------------------------------------------------------------
+
+def hit_stop():
+    """A ball of 1 at speed 2 comes back from a block on its stop, stops at a free one, and drives two that hang together."""
+    rows = Rows()
+    for t in [0.5, 1.0, 1.5, 2.0]:
+        s = max(t - 0.8, 0)  # since the blow
+        rows.put(t, 10, {"ball.x": -0.4 - 2 * s if s > 0 else -2 + 2 * t, "block.x": 0})
+        rows.put(t, 10, {"free.x": 2 * s, "ball1.x": -0.4 if s > 0 else -2 + 2 * t})
+        rows.put(t, 10, {"first.x": s * 4 / 3, "second.x": s * 4 / 3 - 1, "pulled.length": math.sqrt(5)})
+        rows.put(t, 10, {"ball2.x": -0.4 - s * 2 / 3 if s > 0 else -2 + 2 * t})
+    return rows
+
+
+def coupled_brakes():
+    """Two sliders with brakes of 1 on a rod: 3 t moves both from t = 2 / 3 on."""
+    rows = Rows()
+    for t in [0.5, 0.7, 1.0, 1.5, 2.0]:
+        s = max(t - 2 / 3, 0)
+        rows.put(t, 2, {"a.x": s ** 3 / 4, "b.x": 1 + s ** 3 / 4})
+        rows.put(t, 10, {"a.dx": 0.75 * s * s})
+    return rows
+
+
+def weak_servo():
+    """A place of sin t is held with at most 0.5 on 1 kg: it slips where |sin t| > 0.5, and holds the speed of cos t again later."""
+    rows, last = Rows(), 6.0
+    t, q, v, force, parts = 0.0, 0.0, 1.0, None, []
+    while t < last:
+        parts.append((t, q, v, force))
+        if force is None:
+            end = t
+            while end < last and abs(math.sin(end)) <= 0.5:
+                end += 1e-3
+            end = first(end - 1e-3, end, lambda u: abs(math.sin(u)) > 0.5)
+            q, v, force = q + math.sin(end) - math.sin(t), math.cos(end), -math.copysign(0.5, math.sin(end))
+        else:
+            end, side = t + 1e-3, math.copysign(1, v + force * 1e-3 - math.cos(t + 1e-3))
+            while end < last and (v + force * (end - t) - math.cos(end)) * side > 0:
+                end += 1e-3
+            end = first(end - 1e-3, end, lambda u: (v + force * (u - t) - math.cos(u)) * side <= 0)
+            s = end - t
+            q, v = q + v * s + force * s * s / 2, v + force * s
+            force = None if abs(math.sin(end)) <= 0.5 else -math.copysign(0.5, math.sin(end))
+        t = end
+    for time in steps(last, 24):
+        t, q, v, force = [part for part in parts if part[0] < time][-1]
+        s = time - t
+        if force is None:
+            rows.put(time, 5, {"rail.q": q + math.sin(time) - math.sin(t), "rail.dq": math.cos(time), "rail.motor": -math.sin(time)})
+        else:
+            rows.put(time, 5, {"rail.q": q + v * s + force * s * s / 2, "rail.dq": v + force * s, "rail.motor": force})
+    return rows
+
+
+CASES = (rope_drop, rope_slack, rope_atwood, rope_swinging, rope_peg, rope_yoyo, rope_winch, rope_belt, rope_snaps,
+         hit_stop, coupled_brakes, weak_servo)

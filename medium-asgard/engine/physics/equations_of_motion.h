@@ -91,6 +91,9 @@ struct JointPush {
 struct JointRow {
     std::size_t multiplier = 0; // unknown
     std::vector<JointPush> pushes;
+    // Of a stop or a rope, which holds where its gap is not over this, and pushes only.
+    std::optional<Node> gap = {};
+    double resolution = 0;
 };
 
 struct EquationsOfMotion {

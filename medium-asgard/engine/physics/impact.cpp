@@ -5,6 +5,7 @@
 #include <Eigen/QR>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace physics {
@@ -53,8 +54,10 @@ std::vector<double> pushesOf(const Eigen::MatrixXd& a, const Eigen::VectorXd& b)
 // Joints answer an impulse that has the effect c on their conditions by -(J W J')^+ c.
 class JointResponse {
 public:
-    JointResponse(const std::vector<ImpactBody>& bodies, std::span<const ImpactRow> rows)
-        : rows_(rows) {
+    JointResponse(const std::vector<ImpactBody>& bodies, std::span<const ImpactRow> all) {
+        std::ranges::copy_if(all, std::back_inserter(rows_),
+                             [](const ImpactRow& row) { return !row.isStop; });
+        const std::span<const ImpactRow> rows = rows_;
         const auto n = static_cast<Eigen::Index>(rows.size());
         if (n == 0)
             return;
@@ -74,12 +77,12 @@ public:
         answer_ = scale.asDiagonal() * least.pseudoInverse() * scale.asDiagonal();
     }
     [[nodiscard]] bool empty() const { return rows_.empty(); }
-    [[nodiscard]] Eigen::VectorXd effectOf(const Response& first, const Response& second) const {
+    [[nodiscard]] Eigen::VectorXd effectOf(std::span<const Response> responses) const {
         Eigen::VectorXd effect = Eigen::VectorXd::Zero(answer_.rows());
-        for (const Response* r : {&first, &second})
+        for (const Response& r : responses)
             for (std::size_t i = 0; i < rows_.size(); ++i)
                 effect[static_cast<Eigen::Index>(i)] +=
-                    effectOn(i, r->body, r->velocity, r->angularVelocity);
+                    effectOn(i, r.body, r.velocity, r.angularVelocity);
         return effect;
     }
     [[nodiscard]] double between(const Eigen::VectorXd& one, const Eigen::VectorXd& other) const {
@@ -109,8 +112,41 @@ private:
         return sum;
     }
 
-    std::span<const ImpactRow> rows_;
+    std::vector<ImpactRow> rows_; // that always hold
     Eigen::MatrixXd answer_;
+};
+
+// A stop that is closed: an impulse along it pushes all its bodies.
+struct Stop {
+    Stop(const std::vector<ImpactBody>& bodies, const ImpactRow& of) : row(of) {
+        for (const ImpactRow::Part& part : row.parts) {
+            const ImpactBody& body = bodies[part.body];
+            Response& by = responses.emplace_back();
+            by.body = part.body;
+            by.velocity = body.inverseMass * part.linear.cwiseProduct(body.moves);
+            by.angularVelocity = body.inverseInertia * part.angular;
+        }
+    }
+    [[nodiscard]] double speed(const std::vector<ImpactBody>& bodies) const {
+        double sum = 0;
+        for (const ImpactRow::Part& part : row.parts)
+            sum += part.linear.dot(bodies[part.body].velocity) +
+                   part.angular.dot(bodies[part.body].angularVelocity);
+        return sum;
+    }
+    // What these velocities add to its speed.
+    [[nodiscard]] double effectOf(std::span<const Response> given) const {
+        double sum = 0;
+        for (const ImpactRow::Part& part : row.parts)
+            for (const Response& r : given)
+                if (r.body == part.body)
+                    sum += part.linear.dot(r.velocity) + part.angular.dot(r.angularVelocity);
+        return sum;
+    }
+
+    ImpactRow row;
+    std::vector<Response> responses;
+    Eigen::VectorXd effect; // on the joints' conditions
 };
 
 class Round {
@@ -122,8 +158,13 @@ public:
             first_.push_back(responseOf(bodies, c.first, c.point, c.normal));
             second_.push_back(responseOf(bodies, c.second, c.point, -c.normal));
             if (!joints_.empty())
-                effects_.push_back(joints_.effectOf(first_.back(), second_.back()));
+                effects_.push_back(joints_.effectOf(std::array{first_.back(), second_.back()}));
         }
+        for (const ImpactRow& row : joints)
+            if (row.isStop) {
+                stops_.emplace_back(bodies, row);
+                stops_.back().effect = joints_.effectOf(stops_.back().responses);
+            }
     }
 
     // Of the surfaces at the contact along its normal; negative: they approach.
@@ -150,12 +191,22 @@ public:
         return i == j && left <= rounding * sum ? 0 : left;
     }
 
-    // Impulses on the chosen contacts such that each parts at its restitution or more.
+    // Impulses on the chosen contacts such that each parts at its restitution or more, and behind
+    // them those on the stops.
     [[nodiscard]] std::vector<double> impulses(const std::vector<std::size_t>& chosen,
                                                bool plastic) const {
         const auto n = static_cast<Eigen::Index>(chosen.size());
-        Eigen::MatrixXd a(n, n);
-        Eigen::VectorXd b(n);
+        const auto all = n + static_cast<Eigen::Index>(stops_.size());
+        Eigen::MatrixXd a(all, all);
+        Eigen::VectorXd b(all);
+        for (Eigen::Index i = n; i < all; ++i) {
+            const Stop& stop = stops_[static_cast<std::size_t>(i - n)];
+            b[i] = stop.speed(bodies_);
+            for (Eigen::Index j = 0; j < n; ++j)
+                a(i, j) = a(j, i) = mobility(stop, chosen[static_cast<std::size_t>(j)]);
+            for (Eigen::Index j = n; j < all; ++j)
+                a(i, j) = mobility(stop, stops_[static_cast<std::size_t>(j - n)]);
+        }
         for (Eigen::Index i = 0; i < n; ++i) {
             const std::size_t c = chosen[static_cast<std::size_t>(i)];
             b[i] = (1 + (plastic ? 0 : contacts_[c].restitution)) * speed(c);
@@ -173,8 +224,25 @@ public:
         if (!joints_.empty())
             joints_.apply(impulse * effects_[i], bodies_);
     }
+    [[nodiscard]] std::size_t stops() const { return stops_.size(); }
+    void applyToStop(std::size_t s, double impulse) {
+        for (const Response& r : stops_[s].responses) {
+            bodies_[r.body].velocity += impulse * r.velocity;
+            bodies_[r.body].angularVelocity += impulse * r.angularVelocity;
+        }
+        if (!joints_.empty())
+            joints_.apply(impulse * stops_[s].effect, bodies_);
+    }
 
 private:
+    [[nodiscard]] double mobility(const Stop& stop, std::size_t contact) const {
+        const double sum = stop.effectOf(std::array{first_[contact], second_[contact]});
+        return joints_.empty() ? sum : sum + joints_.between(stop.effect, effects_[contact]);
+    }
+    [[nodiscard]] double mobility(const Stop& one, const Stop& other) const {
+        const double sum = one.effectOf(other.responses);
+        return joints_.empty() ? sum : sum + joints_.between(one.effect, other.effect);
+    }
     [[nodiscard]] double alongOf(const Response& r) const {
         const ImpactBody& b = bodies_[r.body];
         return r.direction.dot(b.velocity + b.angularVelocity.cross(r.lever));
@@ -189,6 +257,7 @@ private:
     JointResponse joints_;
     std::vector<Response> first_, second_;
     std::vector<Eigen::VectorXd> effects_; // of a unit impulse on the joints' conditions
+    std::vector<Stop> stops_;
 };
 
 // What approaches so much slower than the fastest is at relative rest, but for rounding and, of
@@ -222,6 +291,9 @@ bool solveTogether(Round& round, const std::vector<std::size_t>& chosen, bool pl
             round.apply(chosen[i], impulses[i]);
             result.impulses.push_back({chosen[i], impulses[i]});
         }
+    for (std::size_t s = 0; s < round.stops(); ++s)
+        if (const double impulse = impulses[chosen.size() + s]; impulse > 0)
+            round.applyToStop(s, impulse);
     return true;
 }
 

@@ -16,6 +16,8 @@
 // Joints keep their conditions J v through a blow: an impulse of a contact is one of all that hangs
 // together, A = J_n W (1 - J' (J W J')^-1 J W) J_n' with W the inverse masses.
 //
+// Stops and ropes that are closed take part as contacts without restitution do.
+//
 // Bodies of infinite mass or infinite inertia (attitude held) have inverse 0; a body that is held
 // along some axes of the world moves along the others only, and turns. Two bodies that cannot give
 // way pass through each other; that is reported.
@@ -60,6 +62,7 @@ struct ImpactRow {
         Vector linear = Vector::Zero(), angular = Vector::Zero(); // world axes
     };
     std::vector<Part> parts;
+    bool isStop = false; // closed: the sum may grow, and an impulse only makes it grow
 };
 
 struct ImpulseGiven {

@@ -501,5 +501,44 @@ TEST(Impact, AtAHingeMovesNothing) {
     EXPECT_LT(result.bodies[0].velocity.norm(), 1e-14);
 }
 
+// A body on its stop is a wall to what drives it there, and free the other way.
+TEST(Impact, KnowsAStop) {
+    const ImpactBody block{.inverseMass = 0.5, .inverseInertia = Matrix::Identity()};
+    ImpactBody ball{.inverseMass = 1, .inverseInertia = Matrix::Identity()};
+    ball.centre = {-1, 0, 0};
+    ball.velocity = {3, 0, 0};
+    const ImpactContact contact{
+        .first = 0, .second = 1, .point = {0, 0, 0}, .normal = {1, 0, 0}, .restitution = 0.5};
+    for (const double way : {-1.0, 1.0}) {
+        const ImpactRow stop{.parts = {{.body = 0, .linear = {way, 0, 0}}}, .isStop = true};
+        const ImpactResult result =
+            resolveImpact({block, ball}, std::span(&contact, 1), std::span(&stop, 1));
+        EXPECT_TRUE(result.settled);
+        EXPECT_NEAR(result.bodies[0].velocity.x(), way < 0 ? 0 : 1.5, 1e-14);
+        EXPECT_NEAR(result.bodies[1].velocity.x(), way < 0 ? -1.5 : 0, 1e-14);
+    }
+}
+
+// Two blocks on a taut rope; the blow drives one of them away from the other, which it pulls along.
+TEST(Impact, PullsAlongByATautRope) {
+    const ImpactBody block{.inverseMass = 1, .inverseInertia = Matrix::Identity()};
+    ImpactBody ball = block, other = block;
+    ball.centre = {-1, 0, 0};
+    ball.velocity = {3, 0, 0};
+    const ImpactContact contact{
+        .first = 0, .second = 1, .point = {0, 0, 0}, .normal = {1, 0, 0}, .restitution = 0};
+    for (const double side : {-1.0, 1.0}) { // where the other block is
+        other.centre = {side, 5, 0};
+        const ImpactRow rope{
+            .parts = {{.body = 0, .linear = {side, 0, 0}}, {.body = 2, .linear = {-side, 0, 0}}},
+            .isStop = true};
+        const ImpactResult result =
+            resolveImpact({block, ball, other}, std::span(&contact, 1), std::span(&rope, 1));
+        EXPECT_NEAR(result.bodies[0].velocity.x(), side < 0 ? 1 : 1.5, 1e-14);
+        EXPECT_NEAR(result.bodies[1].velocity.x(), side < 0 ? 1 : 1.5, 1e-14);
+        EXPECT_NEAR(result.bodies[2].velocity.x(), side < 0 ? 1 : 0, 1e-14);
+    }
+}
+
 } // namespace
 } // namespace physics

@@ -82,9 +82,17 @@ void JointFrames::findAxes(const scene::Joint& joint, JointFrame& frame) {
     const Quaternion one = poseOf(first).attitude, two = poseOf(second).attitude;
     first.axis = joint.axis.isZero(0) ? Vector(Vector::UnitZ()) : Vector(joint.axis.normalized());
     Vector axis = cleaned(one * first.axis);
+    const auto refuseParallel = [&](const Vector& other) {
+        constexpr double parallel = 1e-6;
+        if (axis.cross(other).norm() < parallel)
+            faults_.push_back(
+                "joint \"" + joint.name + "\": -axis and -axis2 are parallel, and a " +
+                std::string(scene::traitsOf(joint.type).name) + " joint wants two directions");
+    };
     if (joint.type == JointType::universal) {
         const Vector other =
             joint.axis2 ? cleaned(two * joint.axis2->normalized()) : acrossOf(axis);
+        refuseParallel(other);
         second.axis = cleaned(two.conjugate() * other);
         first.across = cleaned(one.conjugate() * other);
         second.across = cleaned(two.conjugate() * axis);
@@ -97,6 +105,7 @@ void JointFrames::findAxes(const scene::Joint& joint, JointFrame& frame) {
         Vector along = joint.axis2 ? Vector(two * *joint.axis2) : Vector(two * Vector::UnitX());
         if (!joint.axis2 && along.cross(axis).norm() < 1e-9)
             along = two * Vector::UnitY();
+        refuseParallel(along.normalized());
         across = cleaned((along - axis * axis.dot(along)).normalized());
     }
     const Vector third = cleaned(axis.cross(across));
@@ -141,8 +150,7 @@ void JointFrames::findStart(Graph& g, std::size_t joint, const scene::Joint& sai
     if (said.type == JointType::distance) {
         frame.start[0] = d.norm();
         if (!(frame.start[0] > 0))
-            faults_.push_back("line " + std::to_string(said.source.line) + ": joint \"" +
-                              said.name +
+            faults_.push_back("joint \"" + said.name +
                               "\": its points are in one place, and their distance has no "
                               "direction; a joint of type ball holds two points together");
     }

@@ -52,11 +52,15 @@ std::vector<TimeSwitch> timeSwitchesOf(const Graph& g, std::span<const Node> nod
     return found;
 }
 
-std::string shortRope(const std::string& name, double by) {
+std::string shortRope(double by) {
     char text[100];
-    std::snprintf(text, sizeof text, "\": its -length is %.4g under what it measures at the start",
+    std::snprintf(text, sizeof text, ": its -length is %.4g under what it measures at the start",
                   by);
-    return "rope \"" + name + text;
+    return text;
+}
+
+std::string nameOf(const JointMultipliers::Element& element) {
+    return element.kind + " \"" + element.name + "\"";
 }
 
 } // namespace
@@ -97,8 +101,12 @@ void JointMultipliers::push(std::vector<Contribution>& contributions, Contributi
     }
 }
 
-void JointMultipliers::keepThroughBlows(Node rate) {
+void JointMultipliers::keepThroughBlows(const Jet& jet) {
+    const Node rate = jet.rate;
     JointRow row{.multiplier = kept_.size() - 1, .pushes = {}}; // its unknown is known later
+    if (kept_.back().bounds.low == 0)
+        row.gap = jet.value;
+    row.resolution = stopResolution * kept_.back().element.size;
     for (const std::size_t body : kept_.back().element.moving) {
         const BodySymbols& s = bodies_[body].symbols;
         JointPush push{.body = body, .linear = {}, .angular = {}};
@@ -140,14 +148,13 @@ void JointMultipliers::readReleases() {
     for (Release& release : releases_) {
         const auto made = scope_.parse(g_, release.text, scene::Reading::release);
         if (const auto* node = std::get_if<Node>(&made); node && !isCondition(g_, *node))
-            faults_.push_back("line " + std::to_string(release.element.line) + ": -release of \"" +
-                              release.element.name + "\" wants a comparison, as {t > 2}");
+            faults_.push_back("-release of " + nameOf(release.element) +
+                              ": it wants a comparison, as {t > 2}");
         else if (node)
             release.value = *node;
         else
-            faults_.push_back("line " + std::to_string(release.element.line) + ": -release of \"" +
-                              release.element.name +
-                              "\": " + std::get<expression::SyntaxError>(made).message);
+            faults_.push_back("-release of " + nameOf(release.element) + ": " +
+                              std::get<expression::SyntaxError>(made).message);
     }
 }
 
@@ -314,24 +321,23 @@ void JointMultipliers::checkStart(const expression::EquationSet& set, std::size_
     std::vector<double> found(outputs.size());
     expression::Tape::Scratch scratch;
     expression::Tape(g_, inputs, outputs).evaluate(values, found, scratch);
-    std::map<std::pair<int, std::string>, std::pair<double, double>> worst; // by element
+    std::map<std::string, std::pair<double, double>> worst; // by element
     for (std::size_t k = 0; k < kept_.size(); ++k) {
-        const auto& [name, line, moving, ofJoint, isRope] = kept_[k].element;
+        const Element& element = kept_[k].element;
         const bool isStop = kept_[k].bounds.low == 0;
         if (isStop && found[2 * k] < -startResolution * extents().first)
-            faults_.push_back("line " + std::to_string(line) + ": " +
-                              (isRope ? shortRope(name, -found[2 * k])
-                                      : "joint \"" + name + "\" starts outside its limits"));
+            faults_.push_back(nameOf(element) + (element.kind == "rope"
+                                                     ? shortRope(-found[2 * k])
+                                                     : ": it starts outside its limits"));
         if (isStop || kept_[k].bounds.high < std::numeric_limits<double>::infinity())
             continue;
-        auto& [gap, rate] = worst[{line, name}];
+        auto& [gap, rate] = worst[nameOf(element)];
         gap = std::hypot(gap, found[2 * k]);
         if (kept_[k].reads.empty()) // a drive takes its speed without a word
             rate = std::hypot(rate, found[2 * k + 1]);
     }
     for (const auto& [element, miss] : worst)
-        tell("line " + std::to_string(element.first) + ": \"" + element.second + "\": ", miss.first,
-             miss.second, notes);
+        tell(element + ": ", miss.first, miss.second, notes);
 }
 
 void JointMultipliers::tell(const std::string& where, double gap, double rate,

@@ -28,13 +28,12 @@ struct JointBounds { // of a multiplier; of a stop, restitution
 class JointMultipliers {
 public:
     using Make = std::function<JointCondition(const Along&)>;
-    // Of one joint, gear or rope: its name, its line in the text, and the bodies that it moves.
+    // Of one joint, gear or rope: its name, and the bodies that it moves.
     struct Element {
         std::string name;
-        int line = 0;
         std::vector<std::size_t> moving;
-        double size = 1; // of the joint
-        bool isRope = false;
+        double size = 1;            // of the joint
+        std::string kind = "joint"; // as sentences call it
     };
 
     JointMultipliers(Graph& g, const scene::Scene& scene, const Scope& scope,
@@ -50,8 +49,9 @@ public:
                            std::vector<Node> reads = {});
     // J' force on the element's bodies, with J of this rate; `made` has kind and element.
     void push(std::vector<Contribution>& contributions, Contribution made, Node rate, Node force);
-    // The condition that was added last holds through a blow: J of this rate.
-    void keepThroughBlows(Node rate);
+    // The condition that was added last holds through a blow: J of this rate; a stop's where its
+    // gap is closed.
+    void keepThroughBlows(const Jet& jet);
     // A force itself, or where it may be released a multiplier that is it.
     [[nodiscard]] Node releasable(Node force);
     // An unknown for an angle that is not wrapped.

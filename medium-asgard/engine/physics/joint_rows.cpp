@@ -19,55 +19,82 @@ JointRows::JointRows(const EquationsOfMotion& equations)
         }
 }
 
-std::vector<ImpactRow>
-JointRows::rowsAt(std::span<const std::size_t> bodies, double time,
-                  const std::function<BodyValues(std::size_t body)>& stateOf,
-                  const std::function<bool(std::size_t multiplier)>& isReleased) const {
+// That are not gone, each once.
+std::vector<std::size_t> JointRows::rowsOf(std::span<const std::size_t> bodies,
+                                           const Motion& motion) const {
     std::vector<std::size_t> rows;
     for (const std::size_t body : bodies)
         rows.insert(rows.end(), rows_[body].begin(), rows_[body].end());
     std::ranges::sort(rows);
     rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-    std::erase_if(rows,
-                  [&](std::size_t r) { return isReleased(equations_.jointRows[r].multiplier); });
+    std::erase_if(rows, [&](std::size_t r) {
+        return motion.multiplierOf(equations_.jointRows[r].multiplier) == State::gone;
+    });
+    return rows;
+}
+
+std::vector<double> JointRows::evaluated(std::span<const Node> outputs,
+                                         std::span<const std::size_t> bodies, double time,
+                                         const Motion& motion) const {
+    const expression::Graph& g = equations_.set.graph;
+    const std::vector<Node> symbols = expression::symbolsOf(g, outputs);
+    std::vector<Node> inputs{equations_.set.time};
+    std::vector<double> values{time};
+    const auto take = [&](std::size_t unknown, const std::function<double()>& value) {
+        const Node symbol = equations_.set.unknowns[unknown].symbol;
+        if (!std::ranges::binary_search(symbols, symbol))
+            return;
+        inputs.push_back(symbol);
+        values.push_back(value());
+    };
+    for (const std::size_t body : bodies) {
+        const BodyMotion& of = equations_.bodies[body];
+        if (of.isFixed)
+            continue;
+        const auto unknowns = of.unknownsOf(motion.stateOf(body));
+        for (std::size_t i = 0; i < bodyUnknowns; ++i)
+            take(of.firstUnknown + i, [&] { return unknowns[i]; });
+    }
+    std::size_t behind = 0; // bodies' unknowns
+    for (const BodyMotion& of : equations_.bodies)
+        behind = of.isFixed ? behind : std::max(behind, of.firstUnknown + bodyUnknowns);
+    for (std::size_t u = behind; u < equations_.set.unknowns.size(); ++u)
+        take(u, [&] { return motion.valueOf(u); });
+    std::vector<double> found(outputs.size());
+    expression::Tape::Scratch scratch;
+    expression::Tape(g, inputs, outputs).evaluate(values, found, scratch);
+    return found;
+}
+
+std::vector<ImpactRow> JointRows::rowsAt(std::span<const std::size_t> bodies, double time,
+                                         const Motion& motion) const {
+    const std::vector<std::size_t> rows = rowsOf(bodies, motion);
     if (rows.empty())
         return {};
-    const expression::Graph& g = equations_.set.graph;
-    std::vector<Node> outputs, inputs{equations_.set.time};
-    for (const std::size_t r : rows)
+    std::vector<Node> outputs;
+    for (const std::size_t r : rows) {
+        outputs.push_back(equations_.jointRows[r].gap.value_or(equations_.set.time));
         for (const JointPush& push : equations_.jointRows[r].pushes) {
             outputs.insert(outputs.end(), push.linear.begin(), push.linear.end());
             outputs.insert(outputs.end(), push.angular.begin(), push.angular.end());
         }
-    const std::vector<Node> symbols = expression::symbolsOf(g, outputs);
-    std::vector<double> values{time};
-    for (const std::size_t body : bodies) {
-        const BodyMotion& motion = equations_.bodies[body];
-        if (motion.isFixed)
-            continue;
-        const auto unknowns = motion.unknownsOf(stateOf(body));
-        for (std::size_t i = 0; i < bodyUnknowns; ++i)
-            if (const Node symbol = equations_.set.unknowns[motion.firstUnknown + i].symbol;
-                std::ranges::binary_search(symbols, symbol)) {
-                inputs.push_back(symbol);
-                values.push_back(unknowns[i]);
-            }
     }
-    std::vector<double> found(outputs.size());
-    expression::Tape::Scratch scratch;
-    expression::Tape(g, inputs, outputs).evaluate(values, found, scratch);
+    const std::vector<double> found = evaluated(outputs, bodies, time, motion);
     std::vector<ImpactRow> made;
     const double* next = found.data();
     for (const std::size_t r : rows) {
-        ImpactRow row;
-        for (const JointPush& push : equations_.jointRows[r].pushes) {
+        const JointRow& of = equations_.jointRows[r];
+        const double gap = *next++;
+        ImpactRow row{.parts = {}, .isStop = of.gap.has_value()};
+        for (const JointPush& push : of.pushes) {
             const auto place = std::ranges::find(bodies, push.body) - bodies.begin();
             row.parts.push_back({.body = static_cast<std::size_t>(place),
                                  .linear = Vector(next[0], next[1], next[2]),
                                  .angular = Vector(next[3], next[4], next[5])});
             next += 6;
         }
-        made.push_back(std::move(row));
+        if (!of.gap || gap <= of.resolution || motion.multiplierOf(of.multiplier) == State::held)
+            made.push_back(std::move(row));
     }
     return made;
 }

@@ -53,8 +53,7 @@ void JointReader::keepJoint(std::size_t joint) {
     from_ = {};
     from_.kind = Contribution::Kind::joint;
     from_.element = joint;
-    multipliers_.begin({of.name, static_cast<int>(of.source.line), moving, frames_[joint].size},
-                       of.release);
+    multipliers_.begin({of.name, moving, frames_[joint].size}, of.release);
     for (std::size_t k = 0; k < of.coordinates.size(); ++k)
         tie({joint, k});
     const std::vector<Jet> conditions = kinematics_.conditions(joint, {});
@@ -62,7 +61,7 @@ void JointReader::keepJoint(std::size_t joint) {
         const Node multiplier = multipliers_.add([this, joint, r](const Along& along) {
             return JointCondition{.jet = kinematics_.conditions(joint, along)[r]};
         });
-        multipliers_.keepThroughBlows(conditions[r].rate);
+        multipliers_.keepThroughBlows(conditions[r]);
         push(conditions[r].rate, multiplier);
     }
     for (std::size_t k = 0; k < of.coordinates.size(); ++k)
@@ -95,8 +94,8 @@ void JointReader::addForce(std::size_t joint, std::span<const Contribution> cont
 
 std::string JointReader::optionOf(const Coordinate& c, const char* option) const {
     const scene::Joint& joint = scene_.joints[c.joint];
-    return "line " + std::to_string(joint.source.line) + ": " + option +
-           scene::coordinateSuffix(joint.type, c.place) + " of joint \"" + joint.name + "\"";
+    return option + scene::coordinateSuffix(joint.type, c.place) + " of joint \"" + joint.name +
+           "\"";
 }
 
 std::optional<Node> JointReader::parsed(const Coordinate& c, const scene::Expression& text,
@@ -146,15 +145,13 @@ Node JointReader::springOf(const Coordinate& c, const Jet& jet) {
 void JointReader::hold(const Coordinate& c, const Jet& jet) {
     const scene::JointCoordinate& of = said(c);
     const bool isPosition = of.position.has_value();
-    if (isPosition && of.maxMotor)
-        faults_.push_back(optionOf(c, "-max_motor") +
-                          " is computed with -speed only; leave it out");
+    const bool isRate = !isPosition || of.maxMotor; // what has slipped stays
     const auto node = isPosition ? parsed(c, *of.position, "-position", scene::Reading::positions)
                                  : parsed(c, *of.speed, "-speed", scene::Reading::state);
     if (!node)
         return;
     const auto read = scope_.trajectoriesReadBy(g_, std::span(&*node, 1));
-    const auto make = [this, c, wanted = *node, read, isPosition](const Along& along) {
+    const auto make = [this, c, wanted = *node, read, isPosition, isRate](const Along& along) {
         const Node now =
             along.set
                 ? multipliers_.onBranches(
@@ -166,13 +163,13 @@ void JointReader::hold(const Coordinate& c, const Jet& jet) {
         using Order = JointCondition::Order;
         return JointCondition{
             difference(g_, kinematics_.coordinate(c.joint, c.place, along), jetOfWanted),
-            isPosition ? Order::second : Order::velocity};
+            isRate ? Order::velocity : Order::second};
     };
     const JointBounds bounds =
         of.maxMotor ? JointBounds{-*of.maxMotor, *of.maxMotor, 0} : JointBounds{};
     const Node motor = multipliers_.add(make, bounds, read, {*node});
     if (!of.maxMotor)
-        multipliers_.keepThroughBlows(jet.rate);
+        multipliers_.keepThroughBlows(jet);
     nodes_[c.joint].motor[c.place] = motor;
     push(jet.rate, motor);
 }
@@ -194,6 +191,7 @@ void JointReader::limit(const Coordinate& c) {
         const Node multiplier = multipliers_.add(
             [distance](const Along& along) { return JointCondition{.jet = distance(along)}; },
             {0, std::numeric_limits<double>::infinity(), of.limitRestitution});
+        multipliers_.keepThroughBlows(distance({}));
         push(distance({}).rate, multiplier);
     }
 }
@@ -231,7 +229,7 @@ void JointReader::keepGear(std::size_t gear) {
     if (moving.empty())
         return;
     const double size = frames_[terms[0].coordinate.joint].size;
-    multipliers_.begin({said.name, static_cast<int>(said.source.line), moving, size}, said.release);
+    multipliers_.begin({said.name, moving, size, "gear"}, said.release);
     const auto jetOf = [this, terms](const Along& along) {
         Jet all = constantJet(g_, 0);
         for (const auto& [c, ratio] : terms)
@@ -241,12 +239,12 @@ void JointReader::keepGear(std::size_t gear) {
     };
     const Node multiplier = multipliers_.add(
         [jetOf](const Along& along) { return JointCondition{.jet = jetOf(along)}; });
-    const Node rate = jetOf({}).rate;
-    multipliers_.keepThroughBlows(rate);
+    const Jet jet = jetOf({});
+    multipliers_.keepThroughBlows(jet);
     from_ = {};
     from_.kind = Contribution::Kind::gear;
     from_.element = gear;
-    push(rate, multiplier);
+    push(jet.rate, multiplier);
 }
 
 // An angle that is an unknown of its own is kept with the attitudes.

@@ -14,9 +14,7 @@ constexpr double offPlane = 1e-6; // of the rope's size
 constexpr double straight = 1e-9; // of the sine of a turn
 constexpr double blunt = 1e-9;    // of the rope's size: two points in one place have a direction
 
-std::string faultOf(const scene::Rope& rope) {
-    return "line " + std::to_string(rope.source.line) + ": rope \"" + rope.name + "\": ";
-}
+std::string faultOf(const scene::Rope& rope) { return "rope \"" + rope.name + "\": "; }
 
 // With its first rate alone.
 Jet quotient(Graph& g, const Jet& a, const Jet& b) {

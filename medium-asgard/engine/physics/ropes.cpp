@@ -55,9 +55,7 @@ void RopeReader::tieAngles(std::size_t rope) {
 void RopeReader::contribute(std::size_t rope, std::vector<Contribution>& contributions) {
     const scene::Rope& said = scene_.ropes[rope];
     const RopePath& path = paths_[rope];
-    multipliers_.begin(
-        {said.name, static_cast<int>(said.source.line), path.moving, path.size, true},
-        said.release);
+    multipliers_.begin({said.name, path.moving, path.size, "rope"}, said.release);
     tieAngles(rope);
     std::vector<double> material;
     double measured = 0;
@@ -79,6 +77,7 @@ void RopeReader::contribute(std::size_t rope, std::vector<Contribution>& contrib
         const Node tension = multipliers_.add(
             [gap](const Along& along) { return JointCondition{.jet = gap(along)}; },
             {0, std::numeric_limits<double>::infinity(), said.restitution});
+        multipliers_.keepThroughBlows(gap({}));
         nodes_[rope].tension[s] = tension;
         multipliers_.push(contributions, from, gap({}).rate, tension);
     }

@@ -22,7 +22,6 @@ scene::Scene ropeThrough(std::vector<scene::Rope::Point> points) {
     scene.bodies[1].initialPosition = {4, 0, 0};
     scene.ropes.emplace_back().name = "r";
     scene.ropes[0].points = std::move(points);
-    scene.ropes[0].source.line = 7;
     return scene;
 }
 
@@ -76,25 +75,24 @@ TEST(Ropes, ThatAreTooShortSayByHowMuch) {
     scene::Scene scene = ropeThrough({at({0, 0, 0}), on("ball")});
     scene.ropes[0].length = 2.75;
     EXPECT_EQ(faultOf(scene),
-              "line 7: rope \"r\": its -length is 0.25 under what it measures at the start");
+              "rope \"r\": its -length is 0.25 under what it measures at the start");
     scene.ropes[0].length = 3;
     EXPECT_EQ(faultOf(scene), "");
 }
 
 TEST(Ropes, LieInThePlanesOfTheirWheels) {
-    EXPECT_EQ(
-        faultOf(ropeThrough({at({0, 0, 0.5}), on("rod", 0.5)})),
-        "line 7: rope \"r\": point 1 lies 0.5 off the plane of the wheel at point 2, which is "
-        "across its axis");
+    EXPECT_EQ(faultOf(ropeThrough({at({0, 0, 0.5}), on("rod", 0.5)})),
+              "rope \"r\": point 1 lies 0.5 off the plane of the wheel at point 2, which is "
+              "across its axis");
     EXPECT_EQ(faultOf(ropeThrough({at({3.9, 0, 0}), on("rod", 0.5)})),
-              "line 7: rope \"r\": point 1 lies 0.1 from the centre of the wheel at point 2, and a "
+              "rope \"r\": point 1 lies 0.1 from the centre of the wheel at point 2, and a "
               "rope cannot leave it");
     scene::Scene scene = ropeThrough({on("ball", 0.1), on("rod", 0.5)});
     scene.ropes[0].points[1].axis = {0.6, 0, 0.8};
     scene.ropes[0].points[0].axis = {0, 0, 1};
     scene.bodies[0].initialPosition = {4, 3, 0};
     EXPECT_EQ(faultOf(scene),
-              "line 7: rope \"r\": the axes of the wheels at points 1 and 2 are not parallel");
+              "rope \"r\": the axes of the wheels at points 1 and 2 are not parallel");
 }
 
 } // namespace

@@ -152,15 +152,26 @@ ImpactCluster clusterAt(const Instant& instant, const Pair& hit) {
             if (std::ranges::find(cluster.bodies, joined) == cluster.bodies.end())
                 cluster.bodies.push_back(joined);
     }
-    const auto stateOf = [&](std::size_t body) {
-        const BodyState state = instant.bearingState(body);
-        return physics::BodyValues{state.position, state.velocity, state.attitude,
-                                   state.angularVelocity};
+    using State = physics::JointRows::State;
+    const auto valueOf = [&](std::size_t unknown) {
+        return instant.histories.value(unknown, instant.time);
     };
-    const auto isReleased = [&](std::size_t multiplier) {
-        return instant.histories.value(multiplier, instant.time) == solution::releasedMode;
-    };
-    cluster.joints = instant.world.joints.rowsAt(cluster.bodies, instant.time, stateOf, isReleased);
+    const physics::JointRows::Motion motion{
+        .stateOf =
+            [&](std::size_t body) {
+                const BodyState state = instant.bearingState(body);
+                return physics::BodyValues{state.position, state.velocity, state.attitude,
+                                           state.angularVelocity};
+            },
+        .valueOf = valueOf,
+        .multiplierOf =
+            [&](std::size_t multiplier) {
+                const double mode = valueOf(multiplier);
+                return mode == solution::releasedMode ? State::gone
+                       : mode == solution::heldMode   ? State::held
+                                                      : State::open;
+            }};
+    cluster.joints = instant.world.joints.rowsAt(cluster.bodies, instant.time, motion);
     return cluster;
 }
 

@@ -1,10 +1,12 @@
 #include "reports/acting.h"
 
 #include "run/run.h"
+#include "scene/joint_types.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <map>
+#include <set>
 
 namespace simulation {
 namespace {
@@ -88,6 +90,20 @@ std::string holdText(const scene::Scene& scene, const scene::Constraint& constra
     return text;
 }
 
+std::string jointText(const scene::Joint& joint, const std::string& body) {
+    const std::string other = joint.body1 == body ? joint.body2.value_or("the world") : joint.body1;
+    return std::string(scene::traitsOf(joint.type).name) + " joint " + joint.name + " to " + other;
+}
+
+std::string ropeText(const scene::Rope& rope, const std::string& body) {
+    std::string others;
+    for (const scene::Rope::Point& point : rope.points)
+        if (point.body && *point.body != body &&
+            (" " + others + ",").find(" " + *point.body + ",") == std::string::npos)
+            others += (others.empty() ? "" : ", ") + *point.body;
+    return "rope " + rope.name + (others.empty() ? "" : " with " + others);
+}
+
 class WhatActs {
 public:
     WhatActs(const Problem& problem, const Run& run) : problem_(problem), run_(run) {
@@ -97,6 +113,20 @@ public:
             add(link.first.body, linkText(link, link.first.body));
             if (const auto* other = std::get_if<scene::BodyEnd>(&link.second))
                 add(other->body, linkText(link, other->body));
+        }
+        for (const scene::Joint& joint : problem.scene.joints) {
+            add(joint.body1, jointText(joint, joint.body1));
+            if (joint.body2)
+                add(*joint.body2, jointText(joint, *joint.body2));
+        }
+        for (const scene::Gear& gear : problem.scene.gears)
+            for (const std::string& body : bodiesOf(gear))
+                add(body, "gear " + gear.name);
+        for (const scene::Rope& rope : problem.scene.ropes) {
+            std::set<std::string> bodies;
+            for (const scene::Rope::Point& point : rope.points)
+                if (point.body && bodies.insert(*point.body).second)
+                    add(*point.body, ropeText(rope, *point.body));
         }
         for (const scene::Constraint& constraint : problem.scene.constraints)
             add(constraint.body, holdText(problem.scene, constraint));
@@ -116,6 +146,16 @@ private:
     void add(const std::string& body, std::string what) { what_[body].push_back(std::move(what)); }
     [[nodiscard]] const std::string& nameOf(std::size_t body) const {
         return problem_.scene.bodies[body].name;
+    }
+    [[nodiscard]] std::set<std::string> bodiesOf(const scene::Gear& gear) const {
+        std::set<std::string> bodies;
+        for (const scene::Gear::Term& term : gear.terms)
+            if (const scene::Joint* joint = scene::findJoint(problem_.scene, term.joint)) {
+                bodies.insert(joint->body1);
+                if (joint->body2)
+                    bodies.insert(*joint->body2);
+            }
+        return bodies;
     }
     void addImpacts() {
         std::map<std::pair<std::size_t, std::size_t>, std::vector<double>> times;

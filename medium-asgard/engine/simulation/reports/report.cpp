@@ -52,12 +52,33 @@ std::vector<std::size_t> namedIn(const Names& names, std::string_view sentence) 
     return named;
 }
 
+template <typename Element>
+const scene::Source* sourceIn(const std::vector<Element>& all, const std::string& word,
+                              const std::string& sentence) {
+    for (const Element& element : all)
+        if (sentence.find(word + " \"" + element.name + "\":") != std::string::npos)
+            return &element.source;
+    return nullptr;
+}
+
+// The joint, gear or rope that a sentence is about: joint "pin": ..., -speed of joint "pin": ...
+const scene::Source* conditionIn(const scene::Scene& scene, const std::string& sentence) {
+    if (const auto* joint = sourceIn(scene.joints, "joint", sentence))
+        return joint;
+    if (const auto* gear = sourceIn(scene.gears, "gear", sentence))
+        return gear;
+    return sourceIn(scene.ropes, "rope", sentence);
+}
+
 scene::Diagnostic placed(const scene::Scene& scene, const Names& names, scene::Severity severity,
                          const std::string& sentence) {
     scene::Diagnostic said;
     said.severity = severity;
     said.message = sentence;
-    if (const auto named = namedIn(names, sentence); !named.empty())
+    if (const scene::Source* element = conditionIn(scene, sentence))
+        placeAt(*element, sentence.starts_with('-') ? sentence.substr(0, sentence.find(' ')) : "",
+                said);
+    else if (const auto named = namedIn(names, sentence); !named.empty())
         placeAt(scene.bodies[named[0]].source, "", said);
     else if (scene.simulator.source)
         for (const char* option : {"-finish", "-accuracy"})

@@ -118,8 +118,12 @@ bool hasRate(const expression::Unknown& unknown, double from, std::uint32_t node
 bool hasRateBesides(const expression::Unknown& unknown, double from,
                     const std::vector<bool>& zero) {
     const auto phases = phasesFrom(unknown, from);
+    const auto gapOf = [](const expression::Phase& phase) {
+        return phase.condition ? phase.condition->gap : std::nullopt;
+    };
     return std::any_of(phases.begin(), phases.end(), [&](const expression::Phase& phase) {
-        return !zero[phase.derivative.index] ||
+        return gapOf(phase) != gapOf(phases.front()) || // another place is wanted from then on
+               !zero[phase.derivative.index] ||
                (phase.condition && phase.condition->rate && !zero[phase.condition->rate->index]);
     });
 }

@@ -87,6 +87,16 @@ public:
     [[nodiscard]] bool slidingFailed() const { return slidingFailed_; }
     // No forces keep the conditions of multipliers there.
     [[nodiscard]] bool isContradictory() const { return field_.isContradictory(); }
+    // Places in `unknowns` of multipliers whose conditions no forces, and after project() no
+    // velocities, keep together; and of those off which places were before project(), since
+    // forgetApart().
+    [[nodiscard]] std::vector<std::size_t> contradictory() const {
+        return placesOf(field_.multipliers().contradictory());
+    }
+    [[nodiscard]] std::vector<std::size_t> apart() const {
+        return placesOf(field_.multipliers().apart());
+    }
+    void forgetApart() { field_.multipliers().forgetApart(); }
     // A stage of a step that starts on a surface, as from rest where drag is v sqrt(abs(v)), may
     // lie a little beyond it, where the branch that holds has no value. From now on rates() takes
     // the other one there, until lookNoMoreBeyond(). False: it does already, or no surface is here.
@@ -126,6 +136,12 @@ public:
     [[nodiscard]] bool rest(std::span<const std::size_t> directions, double t, std::span<double> y);
 
 private:
+    [[nodiscard]] std::vector<std::size_t> placesOf(const std::vector<std::size_t>& rows) const {
+        std::vector<std::size_t> places;
+        for (const std::size_t row : rows)
+            places.push_back(multipliers()[row]);
+        return places;
+    }
     void addMultipliers(std::span<const double> ofConditions, std::span<double> entries);
     [[nodiscard]] bool differences(double t, std::span<const double> y, std::span<double> entries);
 

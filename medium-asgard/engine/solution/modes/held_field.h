@@ -50,6 +50,7 @@ public:
     // Of the last outputs(): no multipliers keep the conditions.
     [[nodiscard]] bool isContradictory() const { return isContradictory_; }
     [[nodiscard]] Multipliers& multipliers() { return multipliers_; }
+    [[nodiscard]] const Multipliers& multipliers() const { return multipliers_; }
 
     // Of weigh(): of each surface that is slid upon, and for parts of unit vectors that are held.
     [[nodiscard]] std::vector<double>& weights() { return weights_; }

@@ -99,14 +99,45 @@ void Multipliers::solve(Eigen::Ref<Eigen::VectorXd> rates) {
         rates[indexOf(active_[static_cast<std::size_t>(i)])] = scale_[i] * answer_[i];
 }
 
-bool Multipliers::isSolved(const Eigen::VectorXd& m, const Eigen::VectorXd& wanted) const {
+bool Multipliers::isSolved(const Eigen::VectorXd& m, const Eigen::VectorXd& wanted) {
     constexpr double rounding = 1e-7;
     if (isRegular_ || active_.empty())
         return true;
     const Eigen::VectorXd scaled = Eigen::VectorXd(m(active_)).cwiseQuotient(scale_);
     const Eigen::VectorXd right = scale_.cwiseProduct(Eigen::VectorXd(wanted(active_)));
-    const double error = (matrix_ * scaled + right).cwiseAbs().maxCoeff();
-    return error <= rounding * std::max(right.cwiseAbs().maxCoeff(), 1e-100);
+    const Eigen::VectorXd errors = (matrix_ * scaled + right).cwiseAbs();
+    const double most = rounding * std::max(right.cwiseAbs().maxCoeff(), 1e-100);
+    contradictory_.clear();
+    for (std::size_t i = 0; i < active_.size(); ++i)
+        if (!(errors[indexOf(i)] <= most))
+            contradictory_.push_back(active_[i]);
+    return contradictory_.empty();
+}
+
+void Multipliers::findApart() {
+    constexpr double most = 1e3; // of the resolution
+    for (const std::size_t row : active_)
+        if (const BoundModel::Law& law = f_.bound()->laws[row];
+            !law.isBounded() && std::abs(gaps_[row]) > most * law.resolution &&
+            std::ranges::find(apart_, row) == apart_.end())
+            apart_.push_back(row);
+}
+
+// What is left of rates after the velocities that were just solved for, where it is more than a
+// resolution in the unit of time and than rounding of the velocities.
+void Multipliers::findContradictory(std::span<const double> y) {
+    constexpr double rounding = 1e-9;
+    if (isRegular_ || active_.empty())
+        return;
+    double fastest = 0;
+    for (const ComponentModel::Entry& push : model_.conditions().pushes)
+        fastest = std::max(fastest, std::abs(y[push.row]));
+    const Eigen::VectorXd left = (matrix_ * answer_ - right_).cwiseQuotient(scale_);
+    for (std::size_t i = 0; i < active_.size(); ++i) {
+        const double most = std::max(f_.bound()->laws[active_[i]].resolution, rounding * fastest);
+        if (std::abs(left[indexOf(i)]) > most)
+            contradictory_.push_back(active_[i]);
+    }
 }
 
 bool Multipliers::solve() {
@@ -205,9 +236,12 @@ void Multipliers::project(double t, std::span<double> y) {
     constexpr int most = 8;
     if (size() == 0)
         return;
+    contradictory_.clear();
     double last = std::numeric_limits<double>::infinity();
     for (int round = 0; round < most; ++round) { // until rounding lets it shrink no more
         const double gap = moveOntoGaps(t, y);
+        if (round == 0)
+            findApart();
         if (gap == 0 || !(gap < 0.5 * last))
             break;
         last = gap;
@@ -218,6 +252,7 @@ void Multipliers::project(double t, std::span<double> y) {
         return;
     Eigen::VectorXd by = Eigen::Map<const Eigen::VectorXd>(gaps_.data() + size(), indexOf(size()));
     solve(by);
+    findContradictory(y);
     evaluateMoves();
     if (by.allFinite())
         move(model_.conditions().pushes, 0, by, y);

@@ -40,6 +40,12 @@ public:
     [[nodiscard]] std::span<const double> values() const { return std::span(f_.in()).last(size()); }
     // Moves the states onto the conditions that hold.
     void project(double t, std::span<double> y);
+    // Conditions that no forces, and after project() no velocities, keep together with the others.
+    [[nodiscard]] const std::vector<std::size_t>& contradictory() const { return contradictory_; }
+    // Conditions without bounds off which places were by more than rounding, before project() moved
+    // them, since forgetApart().
+    [[nodiscard]] const std::vector<std::size_t>& apart() const { return apart_; }
+    void forgetApart() { apart_.clear(); }
 
     // Gaps and their rates at the point of the functions, once evaluated.
     void evaluateGaps();
@@ -63,7 +69,9 @@ private:
     [[nodiscard]] bool factorise();
     [[nodiscard]] double bound(std::size_t row) const;
     [[nodiscard]] Eigen::VectorXd leastSolution() const;
-    [[nodiscard]] bool isSolved(const Eigen::VectorXd& m, const Eigen::VectorXd& wanted) const;
+    [[nodiscard]] bool isSolved(const Eigen::VectorXd& m, const Eigen::VectorXd& wanted);
+    void findApart();
+    void findContradictory(std::span<const double> y);
     void move(std::span<const ComponentModel::Entry> entries, std::size_t first,
               const Eigen::VectorXd& by, std::span<double> y) const;
     void evaluateMoves();
@@ -75,7 +83,7 @@ private:
     std::vector<double> second_, gaps_, moves_;
     Eigen::MatrixXd full_, matrix_; // of all conditions; of those that hold, scaled
     Eigen::VectorXd rest_, scale_, right_, answer_, found_;
-    std::vector<std::size_t> active_;
+    std::vector<std::size_t> active_, apart_, contradictory_;
     Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> least_;
     bool isRegular_ = true;

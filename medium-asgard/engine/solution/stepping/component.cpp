@@ -223,10 +223,12 @@ void Component::begin() {
     equations_->inputs().window(infinity);
     std::vector<double> y = states();
     equations_->takeGone(progress_.values);
+    equations_->forgetApart();
     equations_->solver().decide(progress_.time, y);
     if (equations_->hasDirections())
         decideRest(y);
     equations_->project(progress_.time, y);
+    endWhereContradictory();
     progress_.put(equations_->states(), y);
     takeHeldValues();
     releaseConditions();
@@ -236,6 +238,20 @@ void Component::begin() {
     memory_.keep(progress_.time);
     placeAnchor();
     (void)overflows(states());
+}
+
+void Component::endWhereContradictory() {
+    if (!equations_->contradictory().empty())
+        end(context_.endingOf(equations_->contradictory()));
+}
+
+// What takes hold now puts bodies where their joints do not close.
+void Component::endWhereApart() {
+    const std::vector<std::size_t> apart = equations_->apart();
+    if (!stop_ && !apart.empty())
+        end(Stop::Reason::contradiction, apart,
+            "what begins here wants the bodies of " + context_.names(apart) +
+                " elsewhere at once: a place cannot jump");
 }
 
 void Component::decideRest(std::vector<double>& y) {

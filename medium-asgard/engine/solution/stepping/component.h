@@ -101,6 +101,8 @@ private:
     void begin(); // decides branches, drops the method, stands on an anchor
     void placeAnchor();
     void takeLayout();
+    void endWhereContradictory();
+    void endWhereApart();
     void decideRest(std::vector<double>& y);
     void takeHeldValues();
     void takeModes();

@@ -167,6 +167,7 @@ bool Component::land(std::span<const double>& y) {
     if (!progress_.quaternions.empty() || !equations_->multipliers().empty()) {
         progress_.take(equations_->states(), progress_.ended);
         equations_->project(progress_.time, progress_.ended);
+        endWhereContradictory();
         progress_.put(equations_->states(), progress_.ended);
         y = progress_.ended;
     }
@@ -192,8 +193,10 @@ bool Component::overflows(std::span<const double> y) {
 void Component::arrive() {
     if (progress_.time >= boundary_.phasesUntil()) {
         openRegime(true);
-        if (!stop_)
+        if (!stop_) {
             begin();
+            endWhereApart();
+        }
     } else if (boundary_.restarts()) {
         begin();
     }

@@ -47,14 +47,26 @@ Ending StepContext::endingWithoutRate(double t, std::span<const double> y) const
                 "the motion can follow neither branch of the expressions that switch with " +
                     names(equations().states()) + ", nor a mean of the branches"};
     if (equations().isContradictory())
-        return {Stop::Reason::contradiction, equations().multipliers(),
-                "no forces keep the conditions of " + names(equations().multipliers())};
+        return endingOf(equations().contradictory());
     auto culprits = equations().notFinite(t, y);
     if (culprits.empty())
         culprits = equations().states();
     const std::string named = names(culprits);
     return {Stop::Reason::notFinite, culprits,
             named + (culprits.size() > 1 ? " have" : " has") + " no finite rate"};
+}
+
+Ending StepContext::endingOf(std::vector<std::size_t> contradictory) const {
+    if (contradictory.empty())
+        contradictory = equations().multipliers();
+    const auto nameOf = [&](std::size_t place) { return set->unknowns[unknowns[place]].name; };
+    const bool isOne = std::ranges::all_of(contradictory, [&](std::size_t place) {
+        return nameOf(place) == nameOf(contradictory[0]);
+    });
+    return {Stop::Reason::contradiction, contradictory,
+            "no forces keep the conditions of " + names(contradictory) +
+                (isOne ? ", which contradict how its bodies are held"
+                       : ", which contradict each other")};
 }
 
 std::string StepContext::names(const std::vector<std::size_t>& places) const {

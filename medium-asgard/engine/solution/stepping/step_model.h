@@ -85,6 +85,8 @@ struct StepContext {
     [[nodiscard]] bool passesAtOnce(const Violation& found, const StateCurves& curves) const;
     // The right-hand side has no value at t, y: for which unknowns, or does nothing slide?
     [[nodiscard]] Ending endingWithoutRate(double t, std::span<const double> y) const;
+    // Conditions of these multipliers contradict each other; none: it is not known which do.
+    [[nodiscard]] Ending endingOf(std::vector<std::size_t> contradictory) const;
     [[nodiscard]] std::string names(const std::vector<std::size_t>& places) const;
 };
 

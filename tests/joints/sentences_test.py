@@ -1,0 +1,57 @@
+#!/usr/bin/env python3
+"""Scenes with joints and ropes that cannot be as they are written: the sentence that says so, and those that are right.
+
+usage: sentences_test.py ASGARD
+"""
+import os
+import subprocess
+import sys
+import tempfile
+
+SHAPES = "shape_set rod -desc {-sub {-box {1 0.1 0.1}}}\nsimulator -finish 2\nbody a rod -mass 1 -init_pos {0.5 0 0}\n"
+PIN = "joint pin -type hinge -body1 a -offset1 {-0.5 0 0} "
+HELD = "body h rod -mass 1 -init_pos {0 3 0}\n"
+# What is added, and what asgard says; "": nothing, and the motion reaches its end.
+CASES = (
+    (PIN + "-speed {t>1 ? 1 : 0}\njoint pin2 -type hinge -body1 a -offset1 {-0.5 0 0} -speed 0",
+     "Stopped at t = 1: no forces keep the conditions of pin, pin2, which contradict each other."),
+    (PIN + "-speed {sin(t)}\njoint pin2 -type hinge -body1 a -offset1 {-0.5 0 0} -speed {sin(t)}", ""),
+    ("trajectory r -points {{0 0.5 0 0} {2 1 0 0}}\nconstrain a -pos r\njoint pin -type ball -body1 a",
+     "no forces keep the conditions of pin, which contradict how its bodies are held"),
+    ("trajectory r -points {{0 0.5 0 0} {2 0.5 0 0}}\nconstrain a -pos r\njoint pin -type ball -body1 a", ""),
+    (PIN + "-position {t>1 ? 1 : 0}", "Stopped at t = 1: what begins here wants the bodies of pin elsewhere at once"),
+    (HELD + "trajectory w -points {{1 0 1 0} {2 1 1 0}}\nconstrain h -pos w\n" + PIN + "-body2 h",
+     "Stopped at t = 1: what begins here wants the bodies of pin elsewhere at once"),
+    (PIN + "-position {0.1*t}\nbody b rod -init_pos {0 5 0}", ""),
+    ("joint u -type universal -body1 a -axis {1 0 0} -axis2 {1 0 0}",
+     ':4:1: error: joint "u": -axis and -axis2 are parallel, and a universal joint wants two directions'),
+    ("joint p -type planar -body1 a -axis {0 0 1} -axis2 {0 0 -2}",
+     ':4:1: error: joint "p": -axis and -axis2 are parallel, and a planar joint wants two directions'),
+    ("rope r -points {{a} {0 1 0}} -length 1",
+     ':4:1: error: rope "r": its -length is 0.118 under what it measures at the start'),
+    (PIN + "-limits {-1 1} -release {a.x}", ':4:76: error: -release of joint "pin": it wants a comparison, as {t > 2}'),
+    ("joint pin -type ball -body1 a -offset1 {-0.5 0 0} -offset2 {0 1 0}",
+     ':4:1: error: joint "pin": its bodies miss each other by 1 at the start'),
+    ("joint pin -type ball -body1 a -offset1 {0 0 0}\nbody b rod -init_pos {0 5 0} -init_dpos {1 0 0}\n"
+     "joint nail -type ball -body1 b", ':6:1: warning: joint "nail": the velocities at the start differ by 1 from'),
+)
+
+
+def main():
+    asgard, failed = sys.argv[1], 0
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "scene.al")
+        for added, sentence in CASES:
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(SHAPES + added + "\n")
+            run = subprocess.run([asgard, "simulate", path, "--csv", os.path.join(folder, "out.csv")], capture_output=True, text=True, timeout=60)
+            is_right = sentence in run.stderr if sentence else run.returncode == 0 and "error" not in run.stderr and "warning" not in run.stderr
+            if not is_right:
+                failed += 1
+                print(f"FAIL {added}\n  says {run.stderr.strip()}\n  not  {sentence}")
+    print(f"{len(CASES)} scenes, {failed} wrong")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
