@@ -74,6 +74,26 @@ TEST_F(FormulasInLinesTest, ANumberThatPlaysKeepsItsRoomInTextAndInAFormula) {
     EXPECT_NEAR(widthOf("100.0", "-0.0"), widthOf("100.0", ""), 1e-6); // none is torn
 }
 
+// What is left of the room comes to it, and no more.
+TEST_F(FormulasInLinesTest, TheBlankBeforeANumberThatPlaysIsThatOfOtherWords) {
+    const auto gap = [this](const std::string& room, const std::string& number) {
+        NewBlock block = paragraph("At ");
+        model::Run& run = block->runs.emplace_back();
+        run.kind = model::RunKind::value;
+        run.text = (room.empty() ? "" : "\u2007") + number;
+        run.value = std::make_shared<model::Value>(model::Value{.room = room});
+        const auto of = laid(block);
+        return of->leftOf(0, of->startOfRun(1) + (room.empty() ? 0 : 1)) -
+               of->leftOf(0, of->startOfRun(1) - 1);
+    };
+    const double usual = gap("", "4.44");
+    EXPECT_GT(usual, 40); // twips
+    EXPECT_NEAR(gap("0.00", "4.44"), usual, 1);
+    EXPECT_NEAR(gap("\u22120.00", "\u22124.44"), usual, 1);
+    EXPECT_NEAR(gap("0.00", "\u22124.44"), usual, 1); // wider than its room: none is lost
+    EXPECT_GT(gap("\u22120.00", "4.44"), usual + 50);
+}
+
 TEST_F(FormulasInLinesTest, AloneInACellHaveTheBaseLineOfAWord) {
     auto block = std::make_shared<model::Block>();
     block->runs.push_back(formulaRun("r"));
