@@ -1,3 +1,4 @@
+#include "collision/encounter_trials.h"
 #include "collision/flying_body.h"
 #include "collision/time_of_impact.h"
 
@@ -162,6 +163,20 @@ TEST(CurvedImpact, AHalfSpaceThatTiltsHitsWhatIsFarFromItsPivot) {
     const double t = 10 * (std::atan2(2, 10) - std::asin(0.5 / std::sqrt(104)));
     EXPECT_NEAR(hit.time, t, 1e-12);
     EXPECT_NEAR(hit.contact.closingSpeed, 0.1 * std::sqrt(104 - 0.25), 1e-9);
+}
+
+TEST(CurvedImpact, AgreesWithDenseSamplingOnRandomEncounters) {
+    std::mt19937_64 random(20261123);
+    std::size_t hits = 0, most = 0;
+    for (int i = 0; i < 1500; ++i) {
+        const Meeting meeting = drawCurvedMeeting(random);
+        const MeetingResult result = checkMeeting(meeting);
+        EXPECT_EQ(result.fault, "") << i;
+        hits += result.hit;
+        most = std::max(most, result.evaluations);
+    }
+    EXPECT_GT(hits, 300u);
+    EXPECT_LT(most, 2000u);
 }
 
 TEST(CurvedImpact, WhatTouchesAndPartsDoesNotHit) {

@@ -13,8 +13,11 @@ namespace collision {
 namespace {
 
 // Of the way to the centre: how much smaller parts are made, one after another, until they part.
-constexpr std::array shrinkings = {0.0, 0.02, 0.1, 0.4, 0.9};
-constexpr double apart = 1e-5;      // of the size: nearer than this, the line is blurred
+constexpr std::array shrinkings = {0.0, 1e-6, 1e-4, 2e-3, 0.02, 0.1, 0.4, 0.9};
+constexpr double enough = 0.02;     // a sharp point keeps its place where they are shrunk little,
+                                    // what is round needs few steps where they are shrunk by this
+constexpr double apart = 1e-8;      // of the size: nearer than this, the line is blurred
+constexpr double surely = 1e-3;     // of the size: farther than this, one line is enough
 constexpr double roughly = 1e-6;    // of the squared distance
 constexpr double nearAlong = 0.05;  // of the size: pieces that may bear
 constexpr double advantage = 1e-15; // of the size: as good
@@ -38,13 +41,16 @@ public:
 
     Separation find() {
         best_.gap = -HUGE_VAL;
-        double depth = nearAlong * size_;
-        Vector near = roughNormal(depth);
-        for (int round = 0; round < mostRounds; ++round) {
-            tryAll(near, depth);
+        const std::vector<Rough> seeds = roughNormals();
+        for (const auto& [normal, depth] : seeds)
+            tryAll(normal, depth);
+        const Rough& last = seeds.back();
+        Vector near = last.normal;
+        for (int round = 1; round < mostRounds; ++round) {
             if ((best_.normal - near).norm() < nearAlong)
                 break;
             near = best_.normal;
+            tryAll(near, last.depth);
         }
         best_.coreDistance = std::max(best_.gap, 0.0);
         best_.gap -= first_.part->radius + second_.part->radius;
@@ -89,14 +95,28 @@ private:
         return v;
     }
 
-    // How far from the furthest extent what bears may be grows with the shrinking.
-    Vector roughNormal(double& depth) {
+    // Where to look: how far from the furthest extent what bears may be grows with the shrinking.
+    struct Rough {
+        Vector normal;
+        double depth;
+    };
+    [[nodiscard]] std::vector<Rough> roughNormals() {
+        std::vector<Rough> found;
         for (const double shrinking : shrinkings) {
-            depth = (nearAlong + shrinking) * size_;
-            if (const auto v = nearestOf(shrinking))
-                return v->normalized();
+            if (!found.empty() && shrinking < enough)
+                continue;
+            const auto v = nearestOf(shrinking);
+            if (!v)
+                continue;
+            found.push_back({v->normalized(), (nearAlong + shrinking) * size_});
+            if (shrinking >= enough || (shrinking == 0 && v->norm() > surely * size_))
+                break;
         }
-        return centre_.norm() > 0 ? Vector(centre_.normalized()) : Vector(Vector::UnitY());
+        if (found.empty())
+            found.push_back(
+                {centre_.norm() > 0 ? Vector(centre_.normalized()) : Vector(Vector::UnitY()),
+                 size_});
+        return found;
     }
 
     void take(const Vector& normal, bool isBlurred) {

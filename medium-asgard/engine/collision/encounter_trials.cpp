@@ -51,9 +51,30 @@ geometry::Shape drawShape(std::mt19937_64& random) {
     return shape;
 }
 
-FlyingBody drawBody(std::mt19937_64& random) {
+geometry::Shape drawCurvedShape(std::mt19937_64& random) {
+    const double r = uniform(random, 0.05, 0.5), h = uniform(random, 0.05, 1);
+    switch (random() % 7) {
+    case 0:
+        return {{geometry::capsulePart(r, h)}};
+    case 1: // needle
+        return {{geometry::capsulePart(0.01, 1)}};
+    case 2:
+        return {{geometry::cylinderPart(r, h)}};
+    case 3: // coin
+        return {{geometry::cylinderPart(0.5, random() % 2 ? 1e-3 : 0.05)}};
+    case 4:
+        return {{geometry::conePart(r, h)}};
+    case 5: // a drum with a cone on it
+        return {{geometry::cylinderPart(r, 0.4),
+                 geometry::conePart(r, 0.4, {{0, 0.4, 0}, Quaternion::Identity()})}};
+    default:
+        return {{geometry::ellipsoidPart({r, h, uniform(random, 0.05, 0.7)})}};
+    }
+}
+
+FlyingBody drawBody(std::mt19937_64& random, bool isCurved) {
     FlyingBody body;
-    body.form = drawShape(random);
+    body.form = isCurved ? drawCurvedShape(random) : drawShape(random);
     body.attitude = random() % 3 ? geometry::fromRotationVector(3 * drawVector(random))
                                  : Quaternion::Identity();
     if (random() % 2)
@@ -122,10 +143,8 @@ Interval nearInterval(const Meeting& m) {
     return near;
 }
 
-} // namespace
-
-Meeting drawMeeting(std::mt19937_64& random) {
-    Meeting m{drawBody(random), drawBody(random), 1};
+Meeting meetingOf(std::mt19937_64& random, FlyingBody first, FlyingBody second) {
+    Meeting m{std::move(first), std::move(second), 1};
     // The first flies past the second at about the middle of the interval.
     const double speed = std::pow(10, uniform(random, 0, 3));
     const Vector way = drawVector(random).normalized();
@@ -138,6 +157,19 @@ Meeting drawMeeting(std::mt19937_64& random) {
     m.first.acceleration *= std::min(1.0, speed / 10);
     m.second.acceleration *= std::min(1.0, speed / 10);
     return m;
+}
+
+} // namespace
+
+Meeting drawMeeting(std::mt19937_64& random) {
+    FlyingBody first = drawBody(random, false);
+    return meetingOf(random, std::move(first), drawBody(random, false));
+}
+
+Meeting drawCurvedMeeting(std::mt19937_64& random) {
+    FlyingBody first = drawBody(random, true);
+    const bool areBoth = random() % 2 == 0;
+    return meetingOf(random, std::move(first), drawBody(random, areBoth));
 }
 
 MeetingResult checkMeeting(const Meeting& m) {

@@ -18,6 +18,8 @@ struct Meeting {
 // Balls, bullets, plates, spinning rods, hulls, two-part bodies; aimed at each other, mostly to
 // hit, often to graze; up to 1000 lengths a second and 200 radians a second.
 [[nodiscard]] Meeting drawMeeting(std::mt19937_64& random);
+// The first a capsule, needle, drum, coin, cone or ellipsoid, the second any of these or of those.
+[[nodiscard]] Meeting drawCurvedMeeting(std::mt19937_64& random);
 
 struct MeetingResult {
     std::string fault; // "" when time of impact and oracle agree
