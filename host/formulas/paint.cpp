@@ -12,13 +12,13 @@ void paint(QPainter& painter, const Box& box, QPointF at, const Font& font, cons
     for (const QRectF& rule : box.rules)
         painter.fillRect(rule, ink);
     QColor pale = ink;
-    pale.setAlphaF(0.55F);
-    QPen thin(pale, 0, Qt::DashLine);
-    thin.setCosmetic(true);
-    painter.setPen(thin);
+    pale.setAlphaF(0.6F);
     painter.setBrush(Qt::NoBrush);
-    for (const PlacedPart& part : box.waiting)
-        painter.drawRect(part.frame);
+    for (const PlacedPart& part : box.waiting) {
+        const double line = part.frame.width() / 14;
+        painter.setPen(QPen(pale, line, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+        painter.drawRect(part.frame.adjusted(line / 2, line / 2, -line / 2, -line / 2));
+    }
     const QTransform place = painter.transform();
     painter.setPen(Qt::NoPen);
     for (const PlacedGlyph& glyph : box.glyphs) {
