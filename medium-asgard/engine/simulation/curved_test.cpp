@@ -118,6 +118,45 @@ TEST(CurvedBodies, RestOnAHalfSpace) {
     }
 }
 
+// On a half space and on a box: dropped flat they bounce, come to rest and slide on; the capsule
+// lands with one end first.
+TEST(CurvedBodies, RestOnFlatEndsAndCapsulesOnTheirSides) {
+    const geometry::Vector up(0, 0, 0), lying(0, 0, std::numbers::pi / 2);
+    struct Case {
+        scene::Part part;
+        geometry::Vector rotation;
+        double height;
+    };
+    for (const auto& [part, rotation, height] :
+         {Case{partOf(scene::CylinderShape{0.5, 1}), up, 0.5},
+          Case{partOf(scene::ConeShape{0.5, 1}), up, 0.5},
+          Case{partOf(scene::CapsuleShape{0.25, 1}), lying, 0.25},
+          Case{partOf(scene::CapsuleShape{0.25, 1}), lying - geometry::Vector(0, 0, 0.1), 0.25}})
+        for (const bool isBox : {false, true}) {
+            SceneBuilder b = above(part, {0, height + 0.5, 0}, 6);
+            b.scene.bodies[0].restitution = 0.5;
+            b.scene.bodies[0].initialVelocity = {0.25, 0, 0};
+            b.scene.bodies[0].initialAttitude = geometry::fromRotationVector(rotation);
+            if (isBox) {
+                b.scene.shapeSets[1].parts = {partOf(scene::BoxShape{{20, 2, 20}})};
+                b.scene.bodies[1].initialPosition = {0, -1, 0};
+            }
+            const Result result = simulate(b.scene);
+            ASSERT_TRUE(result.motion);
+            ASSERT_FALSE(result.motion->stop(0)) << result.motion->stop(0)->sentence;
+            const BodyState state = result.motion->at(0, 6);
+            const geometry::Quaternion turn = state.attitude;
+            const double sag = part.shape.index() == 4 ? 0.25 : 0; // centre of mass of the cone
+            EXPECT_NEAR(state.position.y(), height - sag, 1e-7);
+            EXPECT_NEAR(state.position.x(), 1.5, 1e-6);
+            EXPECT_LT(state.angularVelocity.norm(), 1e-6);
+            EXPECT_NEAR((turn * Vector::UnitY())
+                            .dot(geometry::fromRotationVector(height == 0.25 ? lying : up) *
+                                 Vector::UnitY()),
+                        1, 1e-9);
+        }
+}
+
 // A cylinder's side on another's, an ellipsoid on a ball: the impulse goes through the centres.
 TEST(CurvedBodies, HitEachOther) {
     SceneBuilder b(2, 1e-9);

@@ -256,9 +256,11 @@ private:
                                      "\", which is held in part only, would give way under the "
                                      "load, which is not modelled; hold its rotation, too "
                                      "(constrain -rot), or all of its position");
-        if (!touch.isModelled && touch.isCurved)
-            return refuse(touch, "come to rest on each other, which is not modelled for capsules, "
-                                 "cylinders, cones and ellipsoids");
+        const bool isOnRim = touch.isCurved && touch.isFlat && !touch.corners.empty() &&
+                             candidate.bearing.size() < 3;
+        if (isOnRim || (!touch.isModelled && touch.isCurved))
+            return refuse(touch, "come to rest on each other with a round side, rim or tip, which "
+                                 "is not modelled");
         if (!touch.isModelled)
             return refuse(touch, "rest on each other with edges or vertices only, which is not "
                                  "modelled");

@@ -56,8 +56,13 @@ double sizeOf(const Part& part) {
 Vector faceNormal(const Posed& owner, const Vector& direction) {
     Vector best = direction;
     double most = -1;
-    if (owner.part->isPlane())
-        return owner.rotation * owner.part->curved->axis();
+    if (owner.part->curved) { // of a cylinder the end that is meant; of a cone the base
+        const Vector axis = owner.rotation * owner.part->curved->axis();
+        const bool isUp = owner.part->isPlane() ||
+                          (owner.part->curved->kind == geometry::Curved::Kind::cylinder &&
+                           axis.dot(direction) > 0);
+        return isUp ? axis : Vector(-axis);
+    }
     for (const geometry::Face& face : owner.part->core.faces) {
         const Vector normal = owner.rotation * face.normal;
         if (const double along = normal.dot(direction); along > most) {
@@ -158,12 +163,56 @@ private:
         addPatch();
     }
 
-    // Where it is, and how fast they approach; what keeps it is not known.
+    // A capsule on a flat face is its two end balls, and a round end that lies flat is a face with
+    // many corners. Of all else only where it is and how fast they approach is known.
     void addCurved() {
+        if (first_.part->isCapsule() && addEnds())
+            return;
+        auto facing = collision::facingFeatures(first_, second_, touch.normal, tolerance_);
+        ofBody_ = std::move(facing.first);
+        ofSupport_ = std::move(facing.second);
+        const bool isOnFlat = second_.part->isPolyhedron() || second_.part->isPlane();
+        if (isOnFlat && ofBody_.size() > 2 && ofSupport_.size() > 2) {
+            addPatch();
+            return thinOut();
+        }
         touch.isModelled = false;
         for (const Vector& corner :
              collision::patchOf(first_, second_, touch.normal, tolerance_, beside_).corners)
             add(Kind::onSupportPlane, corner, corner, corner, 0);
+    }
+
+    // Of many corners of a round patch some carry as well.
+    void thinOut() {
+        constexpr std::size_t enough = 16;
+        const std::size_t step = touch.corners.size() / enough;
+        if (step < 2)
+            return;
+        std::vector<Corner> kept;
+        for (std::size_t i = 0; i < touch.corners.size(); i += step)
+            kept.push_back(touch.corners[i]);
+        touch.corners = std::move(kept);
+    }
+
+    // False, and none: an end that bears is not over a flat face.
+    bool addEnds() {
+        if (!second_.part->isPolyhedron() && !second_.part->isPlane())
+            return false;
+        const double radius = first_.part->radius;
+        for (std::size_t end = 0; end < 2; ++end) {
+            const Vector centre = first_.world(end);
+            const auto under = collision::nearestFeature(second_, centre, 0);
+            if (under.distance - radius > tolerance_)
+                continue;
+            if (under.corners.size() < 3 || !isOneNormal(under.normal, touch.normal)) {
+                touch.corners.clear();
+                return false;
+            }
+            touch.normal = under.normal;
+            add(Kind::onSupportPlane, centre - radius * under.normal, centre, under.corners[0],
+                radius);
+        }
+        return !touch.corners.empty();
     }
 
     // Of a polyhedron, that in whose cell the sphere's centre lies; the normal away from it.

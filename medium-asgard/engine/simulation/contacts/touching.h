@@ -13,7 +13,7 @@
 // Where edges or vertices touch, the parts may touch along several axes at once, and stay apart as
 // long as they do along one of them (collision/contact.h). Then each is told.
 //
-// LIMIT: capsules, cylinders, cones and ellipsoids have no constraint.
+// LIMIT: of what is round, capsules on flat faces and round ends that lie flat have constraints.
 // LIMIT: vertices and parallel edges on each other, an edge of the body on a sphere, and spheres on
 // edges of a support that turns have no constraint.
 #pragma once
