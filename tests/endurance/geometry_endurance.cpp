@@ -46,12 +46,13 @@ std::uint64_t runPairs(std::uint64_t count, std::mt19937_64& random) {
     return tally.faults;
 }
 
-std::uint64_t runEncounters(std::uint64_t count, std::mt19937_64& random) {
+std::uint64_t runEncounters(std::uint64_t count, std::mt19937_64& random, bool areCurved) {
     Tally tally;
     std::uint64_t hits = 0;
     std::size_t most = 0, all = 0;
     for (std::uint64_t i = 0; i < count; ++i) {
-        const auto result = collision::checkMeeting(collision::drawMeeting(random));
+        const auto result = collision::checkMeeting(areCurved ? collision::drawCurvedMeeting(random)
+                                                              : collision::drawMeeting(random));
         tally.note(i, result.fault);
         hits += result.hit;
         all += result.evaluations;
@@ -69,14 +70,16 @@ std::uint64_t runEncounters(std::uint64_t count, std::mt19937_64& random) {
 
 int main(int argc, char** argv) {
     const std::string what = argc > 1 ? argv[1] : "";
-    if (argc < 3 || argc > 4 || (what != "hulls" && what != "pairs" && what != "encounters")) {
-        std::fprintf(stderr, "usage: geometry_endurance hulls|pairs|encounters COUNT [SEED]\n");
+    if (argc < 3 || argc > 4 ||
+        (what != "hulls" && what != "pairs" && what != "encounters" && what != "curved")) {
+        std::fprintf(stderr,
+                     "usage: geometry_endurance hulls|pairs|encounters|curved COUNT [SEED]\n");
         return 2;
     }
     const std::uint64_t count = std::strtoull(argv[2], nullptr, 10);
     std::mt19937_64 random(argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1);
     const std::uint64_t faults = what == "hulls"   ? runHulls(count, random)
                                  : what == "pairs" ? runPairs(count, random)
-                                                   : runEncounters(count, random);
+                                                   : runEncounters(count, random, what == "curved");
     return faults ? 1 : 0;
 }
