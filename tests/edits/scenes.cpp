@@ -28,7 +28,14 @@ public:
             names_.insert(trajectory.name);
         for (const auto& parameter : scene_.parameters)
             names_.insert(parameter.name);
+        for (const auto& joint : scene_.joints)
+            names_.insert(joint.name);
+        for (const auto& gear : scene_.gears)
+            names_.insert(gear.name);
+        for (const auto& rope : scene_.ropes)
+            names_.insert(rope.name);
         rename();
+        renameConditions();
     }
     Scene take() { return std::move(scene_); }
 
@@ -89,6 +96,36 @@ private:
         }
     }
 
+    void expression(std::optional<std::string>& text) {
+        if (text)
+            expression(*text);
+    }
+    void renameConditions() {
+        for (auto& joint : scene_.joints) {
+            name(joint.name);
+            name(joint.body1);
+            if (joint.body2)
+                name(*joint.body2);
+            for (auto& coordinate : joint.coordinates)
+                for (auto* text : {&coordinate.motor, &coordinate.speed, &coordinate.position})
+                    expression(*text);
+            expression(joint.release);
+        }
+        for (auto& gear : scene_.gears) {
+            name(gear.name);
+            for (auto& term : gear.terms)
+                name(term.joint);
+            expression(gear.release);
+        }
+        for (auto& rope : scene_.ropes) {
+            name(rope.name);
+            for (auto& point : rope.points)
+                if (point.body)
+                    name(*point.body);
+            expression(rope.release);
+        }
+    }
+
     Scene scene_;
     std::string suffix_;
     std::set<std::string> names_;
@@ -120,7 +157,7 @@ void shorten(Scene& scene) {
 
 std::vector<fs::path> files() {
     std::vector<fs::path> found;
-    for (const char* folder : {"/samples", "/tests/reference"})
+    for (const char* folder : {"/samples", "/tests/reference", "/tests/joints"})
         for (const auto& entry : fs::directory_iterator(std::string(SOURCE_DIR) + folder))
             if (entry.path().extension() == ".al")
                 found.push_back(entry.path());
@@ -202,10 +239,20 @@ Scene besides(const Scene& first, const Scene& second, const scene::Vector& shif
     Scene other = Renamed(second, "_").take();
     for (scene::Body& body : other.bodies)
         body.initialPosition += shift;
+    for (scene::Joint& joint : other.joints)
+        if (!joint.body2 && joint.offset2)
+            *joint.offset2 += shift;
+    for (scene::Rope& rope : other.ropes)
+        for (scene::Rope::Point& point : rope.points)
+            if (!point.body && point.place)
+                *point.place += shift;
     append(both.shapeSets, other.shapeSets);
     append(both.bodies, other.bodies);
     append(both.forces, other.forces);
     append(both.links, other.links);
+    append(both.joints, other.joints);
+    append(both.gears, other.gears);
+    append(both.ropes, other.ropes);
     append(both.trajectories, other.trajectories);
     append(both.constraints, other.constraints);
     append(both.parameters, other.parameters);

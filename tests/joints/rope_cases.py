@@ -260,5 +260,14 @@ def weak_servo():
     return rows
 
 
+def speed_jump():
+    """A hinge turns at 1 from the time at which a free body passes 0.7."""
+    rows = Rows()
+    for t in [0.3, 0.6, 0.75, 1.0, 1.5, 2.0]:
+        rows.put(t, 3, {"pin.q": max(t - 0.7, 0)})
+        rows.put(t, 10, {"pin.dq": 1 if t > 0.7 else 0})
+    return rows
+
+
 CASES = (rope_drop, rope_slack, rope_atwood, rope_swinging, rope_peg, rope_yoyo, rope_winch, rope_belt, rope_snaps,
-         hit_stop, coupled_brakes, weak_servo)
+         hit_stop, coupled_brakes, weak_servo, speed_jump)

@@ -243,6 +243,7 @@ EquationsOfMotion::EquationsOfMotion(const scene::Scene& scene,
             times.insert(segment.from);
     }
     jointRows = multipliers.addUnknowns(set, owners, notes);
+    ropeWraps = ropes.wraps(set);
     times.erase(-std::numeric_limits<double>::infinity());
     breakpoints.assign(times.begin(), times.end());
     if (!faults.empty())

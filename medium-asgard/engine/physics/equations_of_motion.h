@@ -96,6 +96,13 @@ struct JointRow {
     double resolution = 0;
 };
 
+// A wheel between two spans of a rope: wrapped by  start + sign (out - in), or lifted off under 0.
+struct RopeWrap {
+    std::string rope, body;
+    std::optional<std::size_t> in, out; // unknowns; none: an angle that stays
+    double start = 0, sign = 1;
+};
+
 struct EquationsOfMotion {
     // Of many bodies it takes a while: `meanwhile` is called now and then, and may throw to end it.
     // `shapes`: of this scene, where they are wanted for more than masses; may be null.
@@ -115,7 +122,8 @@ struct EquationsOfMotion {
     // Conditions that joints, gears and drives put on velocities: of each the bodies that move.
     std::vector<JointRow> jointRows;
     std::vector<Node> jointEnergies; // of the springs of joints
-    std::vector<std::string> notes;  // what is not as it was written, as sentences
+    std::vector<RopeWrap> ropeWraps;
+    std::vector<std::string> notes; // what is not as it was written, as sentences
     // Why the scene has no equations: sentences. Empty: it has.
     std::vector<std::string> faults;
     std::optional<Scope>

@@ -1,5 +1,6 @@
 #include "physics/joint_multipliers.h"
 
+#include "expression/operation.h"
 #include "expression/tape.h"
 
 #include <Eigen/Geometry>
@@ -131,6 +132,20 @@ Node JointMultipliers::releasable(Node force) {
     return multiplier;
 }
 
+Node JointMultipliers::located(Node value) {
+    const std::vector<TimeSwitch> byTime = timeSwitchesOf(g_, std::span(&value, 1), scope_.time());
+    const auto isOther = [&](Node n) {
+        return expression::isSwitch(g_.op(n)) &&
+               std::ranges::find(byTime, n, &TimeSwitch::node) == byTime.end();
+    };
+    if (std::ranges::none_of(expression::reachable(g_, std::span(&value, 1)), isOther) ||
+        !scope_.trajectoriesReadBy(g_, std::span(&value, 1)).empty())
+        return value;
+    const Node symbol = g_.symbol(element_.name + ".wanted" + std::to_string(located_.size()));
+    located_.push_back({symbol, value, element_.moving.front()});
+    return symbol;
+}
+
 void JointMultipliers::addAngle(Node symbol, Node rate, double size, std::size_t owner) {
     angles_.push_back({symbol, rate, size, owner, std::nullopt});
 }
@@ -188,6 +203,16 @@ void JointMultipliers::addUnknown(expression::EquationSet& set, const Angle& ang
     unknown.lengthPerUnit = angle.size;
     unknown.phases.emplace_back();
     unknown.phases[0].derivative = angle.tie ? g_.add(angle.rate, *angle.tie) : angle.rate;
+    set.unknowns.push_back(std::move(unknown));
+}
+
+void JointMultipliers::addUnknown(expression::EquationSet& set, const Located& located) const {
+    expression::Unknown unknown;
+    unknown.name = g_.name(located.symbol);
+    unknown.symbol = located.symbol;
+    unknown.phases.emplace_back();
+    unknown.phases[0].derivative = g_.constant(0); // until all unknowns are there
+    unknown.phases[0].given = located.value;
     set.unknowns.push_back(std::move(unknown));
 }
 
@@ -268,8 +293,15 @@ std::vector<JointRow> JointMultipliers::addUnknowns(expression::EquationSet& set
         addUnknown(set, release);
         owners.push_back(release.element.moving.front());
     }
+    for (const Located& located : located_) {
+        addUnknown(set, located);
+        owners.push_back(located.owner);
+    }
     for (std::size_t u = 0; u < set.unknowns.size(); ++u)
         unknownOf_.emplace(set.unknowns[u].symbol.index, u);
+    for (const Located& located : located_)
+        set.unknowns[unknownOf_.at(located.symbol.index)].phases[0].derivative =
+            rateOf(located.value, {&set, scene_.simulator.start});
     const std::size_t first = set.unknowns.size();
     for (const Kept& kept : kept_) {
         addUnknown(set, kept);

@@ -54,6 +54,9 @@ public:
     void keepThroughBlows(const Jet& jet);
     // A force itself, or where it may be released a multiplier that is it.
     [[nodiscard]] Node releasable(Node force);
+    // A value whose switches other than by the time move nothing as such, as those between numbers:
+    // an unknown that is it, so that they are located. Others stay as they are.
+    [[nodiscard]] Node located(Node value);
     // An unknown for an angle that is not wrapped.
     void addAngle(Node symbol, Node rate, double size, std::size_t owner);
     // Whether it needs a condition that keeps it with the attitudes; that is added to its rate.
@@ -95,7 +98,13 @@ private:
         Node value;
     };
 
+    struct Located { // a given unknown
+        Node symbol, value;
+        std::size_t owner = 0;
+    };
+
     void addUnknown(expression::EquationSet& set, const Angle& angle) const;
+    void addUnknown(expression::EquationSet& set, const Located& located) const;
     void addUnknown(expression::EquationSet& set, const Kept& kept) const;
     void addUnknown(expression::EquationSet& set, const Release& release) const;
     [[nodiscard]] expression::Phase phaseOf(const Kept& kept, const Along& along) const;
@@ -117,6 +126,7 @@ private:
     std::vector<JointRow> rows_;
     std::vector<Angle> angles_;
     std::vector<Release> releases_;
+    std::vector<Located> located_;
     std::unordered_map<std::uint32_t, std::size_t> unknownOf_; // by symbol
 };
 

@@ -146,10 +146,11 @@ void JointReader::hold(const Coordinate& c, const Jet& jet) {
     const scene::JointCoordinate& of = said(c);
     const bool isPosition = of.position.has_value();
     const bool isRate = !isPosition || of.maxMotor; // what has slipped stays
-    const auto node = isPosition ? parsed(c, *of.position, "-position", scene::Reading::positions)
-                                 : parsed(c, *of.speed, "-speed", scene::Reading::state);
-    if (!node)
+    const auto given = isPosition ? parsed(c, *of.position, "-position", scene::Reading::positions)
+                                  : parsed(c, *of.speed, "-speed", scene::Reading::state);
+    if (!given)
         return;
+    const auto node = std::optional(multipliers_.located(*given));
     const auto read = scope_.trajectoriesReadBy(g_, std::span(&*node, 1));
     const auto make = [this, c, wanted = *node, read, isPosition, isRate](const Along& along) {
         const Node now =

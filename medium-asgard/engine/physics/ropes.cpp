@@ -1,5 +1,6 @@
 #include "physics/ropes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -8,7 +9,7 @@ namespace physics {
 RopeReader::RopeReader(Graph& g, const scene::Scene& scene, Scope& scope,
                        std::span<const BodyMotion> bodies, JointMultipliers& multipliers,
                        std::vector<std::string>& faults)
-    : g_(g), scene_(scene), scope_(scope), paths_(g, scene, scope, bodies, faults),
+    : g_(g), scene_(scene), scope_(scope), bodies_(bodies), paths_(g, scene, scope, bodies, faults),
       multipliers_(multipliers) {
     for (std::size_t r = 0; r < paths_.size() && faults.empty(); ++r) {
         const RopePath& path = paths_[r];
@@ -26,6 +27,30 @@ RopeReader::RopeReader(Graph& g, const scene::Scene& scene, Scope& scope,
     }
     if (faults.empty())
         scope_.setRopes(nodes_);
+}
+
+std::vector<RopeWrap> RopeReader::wraps(const expression::EquationSet& set) const {
+    std::vector<RopeWrap> found;
+    const auto unknownOf = [&](Node angle) {
+        const auto at = std::ranges::find(set.unknowns, angle, &expression::Unknown::symbol);
+        return at == set.unknowns.end()
+                   ? std::nullopt
+                   : std::optional(static_cast<std::size_t>(at - set.unknowns.begin()));
+    };
+    for (std::size_t r = 0; r < paths_.size(); ++r)
+        for (const RopePoint& point : paths_[r].points) {
+            if (!point.in || !point.out)
+                continue;
+            const RopeWrap wrap{.rope = scene_.ropes[r].name,
+                                .body = point.body ? bodies_[*point.body].name : "",
+                                .in = unknownOf(*point.in),
+                                .out = unknownOf(*point.out),
+                                .start = point.wrapped,
+                                .sign = point.radius < 0 ? -1.0 : 1.0};
+            if (wrap.in || wrap.out)
+                found.push_back(wrap);
+        }
+    return found;
 }
 
 void RopeReader::contribute(std::vector<Contribution>& contributions) {

@@ -3,7 +3,8 @@
 // Each stretch between wheels or ends has its own: gap >= 0 (rope_paths.h), tension >= 0, one of
 // both 0. Becoming taut is an impact of all that hangs together.
 //
-// LIMIT: a rope keeps to its wheels; where the wrapped angle falls under 0 it does not lift off.
+// LIMIT: a rope keeps to its wheels; where the wrapped angle falls under 0 it does not lift off,
+// which a note of the run tells.
 //
 // Contract: docs/scene-language.md, "Ropes".
 #pragma once
@@ -23,6 +24,9 @@ public:
     // Adds the tensions of ropes to bodies.
     void contribute(std::vector<Contribution>& contributions);
 
+    // Of wheels whose angles are unknowns of the set.
+    [[nodiscard]] std::vector<RopeWrap> wraps(const expression::EquationSet& set) const;
+
 private:
     void contribute(std::size_t rope, std::vector<Contribution>& contributions);
     void tieAngles(std::size_t rope);
@@ -30,6 +34,7 @@ private:
     Graph& g_;
     const scene::Scene& scene_;
     Scope& scope_;
+    std::span<const BodyMotion> bodies_;
     RopePaths paths_;
     JointMultipliers& multipliers_;
     std::vector<RopeNodes> nodes_; // by rope

@@ -96,6 +96,9 @@ public:
     [[nodiscard]] std::vector<std::size_t> apart() const {
         return placesOf(field_.multipliers().apart());
     }
+    [[nodiscard]] std::vector<std::size_t> farApart() const {
+        return placesOf(field_.multipliers().farApart());
+    }
     void forgetApart() { field_.multipliers().forgetApart(); }
     // A stage of a step that starts on a surface, as from rest where drag is v sqrt(abs(v)), may
     // lie a little beyond it, where the branch that holds has no value. From now on rates() takes

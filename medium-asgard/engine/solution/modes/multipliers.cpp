@@ -10,7 +10,7 @@ using complementarity::State;
 
 namespace {
 
-constexpr double isNone = 1e-11; // of 1, of what is left of a scaled condition that others make
+constexpr double isNone = 1e-13; // of 1, of what is left of a scaled condition that others make
 
 Eigen::Index indexOf(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
@@ -115,12 +115,14 @@ bool Multipliers::isSolved(const Eigen::VectorXd& m, const Eigen::VectorXd& want
 }
 
 void Multipliers::findApart() {
-    constexpr double most = 1e3; // of the resolution
-    for (const std::size_t row : active_)
-        if (const BoundModel::Law& law = f_.bound()->laws[row];
-            !law.isBounded() && std::abs(gaps_[row]) > most * law.resolution &&
-            std::ranges::find(apart_, row) == apart_.end())
-            apart_.push_back(row);
+    constexpr double few = 1e3, many = 1e7; // of the resolution
+    for (const std::size_t row : active_) {
+        const BoundModel::Law& law = f_.bound()->laws[row];
+        const double gap = law.isBounded() ? 0 : std::abs(gaps_[row]);
+        for (const auto& [most, list] : {std::pair(few, &apart_), std::pair(many, &farApart_)})
+            if (gap > most * law.resolution && std::ranges::find(*list, row) == list->end())
+                list->push_back(row);
+    }
 }
 
 // What is left of rates after the velocities that were just solved for, where it is more than a

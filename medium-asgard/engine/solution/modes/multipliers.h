@@ -45,7 +45,12 @@ public:
     // Conditions without bounds off which places were by more than rounding, before project() moved
     // them, since forgetApart().
     [[nodiscard]] const std::vector<std::size_t>& apart() const { return apart_; }
-    void forgetApart() { apart_.clear(); }
+    void forgetApart() {
+        apart_.clear();
+        farApart_.clear();
+    }
+    // The same for a motion that went on: by more than the errors of any steps.
+    [[nodiscard]] const std::vector<std::size_t>& farApart() const { return farApart_; }
 
     // Gaps and their rates at the point of the functions, once evaluated.
     void evaluateGaps();
@@ -83,7 +88,7 @@ private:
     std::vector<double> second_, gaps_, moves_;
     Eigen::MatrixXd full_, matrix_; // of all conditions; of those that hold, scaled
     Eigen::VectorXd rest_, scale_, right_, answer_, found_;
-    std::vector<std::size_t> active_, apart_, contradictory_;
+    std::vector<std::size_t> active_, apart_, farApart_, contradictory_;
     Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> least_;
     bool isRegular_ = true;

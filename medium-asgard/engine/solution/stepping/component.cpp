@@ -246,8 +246,7 @@ void Component::endWhereContradictory() {
 }
 
 // What takes hold now puts bodies where their joints do not close.
-void Component::endWhereApart() {
-    const std::vector<std::size_t> apart = equations_->apart();
+void Component::endWhereApart(const std::vector<std::size_t>& apart) {
     if (!stop_ && !apart.empty())
         end(Stop::Reason::contradiction, apart,
             "what begins here wants the bodies of " + context_.names(apart) +

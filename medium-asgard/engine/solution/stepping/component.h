@@ -102,7 +102,7 @@ private:
     void placeAnchor();
     void takeLayout();
     void endWhereContradictory();
-    void endWhereApart();
+    void endWhereApart(const std::vector<std::size_t>& apart);
     void decideRest(std::vector<double>& y);
     void takeHeldValues();
     void takeModes();

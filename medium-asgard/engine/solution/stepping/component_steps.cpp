@@ -195,10 +195,11 @@ void Component::arrive() {
         openRegime(true);
         if (!stop_) {
             begin();
-            endWhereApart();
+            endWhereApart(equations_->apart());
         }
     } else if (boundary_.restarts()) {
         begin();
+        endWhereApart(equations_->farApart());
     }
     // The end of an input is reported by the next step, which cannot be made.
 }
@@ -239,10 +240,12 @@ void Component::pass(const Violation& violation, bool immediate) {
     }
     std::vector<double> y = states();
     equations_->inputs().window(infinity);
+    equations_->forgetApart();
     if ((immediate || !comesToRest(y)) &&
         equations_->solver().cross(violation, progress_.time, y, passing(violation, immediate)) ==
             ComponentEquations::Crossing::impossible)
         return giveUp();
+    endWhereApart(equations_->farApart());
     progress_.put(equations_->states(), y);
     takeHeldValues();
     releaseConditions();
