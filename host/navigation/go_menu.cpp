@@ -12,20 +12,16 @@ GoMenu::GoMenu(view::DocumentView& view, QWidget* parent)
                          [this] { history_.goBack(); })),
       forward_(menus::addTo(*this, "goForward", tr("&Forward"),
                             QKeySequence(Qt::ALT | Qt::Key_Right),
-                            [this] { history_.goForward(); })),
-      page_(menus::addTo(*this, "goToPage", tr("&Page..."), QKeySequence("Ctrl+G"),
-                         [this] { askForPage(); })) {
+                            [this] { history_.goForward(); })) {
     setObjectName("go");
+    menus::addTo(*this, "goToPage", tr("&Page..."), QKeySequence("Ctrl+G"),
+                 [this] { askForPage(); });
     const auto offer = [this] {
         back_->setEnabled(history_.canGoBack());
         forward_->setEnabled(history_.canGoForward());
     };
     connect(&history_, &History::changed, this, offer);
     offer();
-    // The keys of a figure that is active are its medium's.
-    connect(&view_, &view::DocumentView::chosenChanged, this, [this, keys = page_->shortcut()] {
-        page_->setShortcut(view_.chosen() ? QKeySequence() : keys);
-    });
 }
 
 void GoMenu::askForPage() {

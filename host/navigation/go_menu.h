@@ -25,7 +25,6 @@ private:
     History history_;
     QAction* back_;
     QAction* forward_;
-    QAction* page_;
 };
 
 } // namespace navigation

@@ -181,13 +181,24 @@ TEST_F(AroundTest, TheKeysGoBackWhereOneWrites) {
     EXPECT_GT(bar().value(), 500);
 }
 
-TEST_F(AroundTest, AFigureThatIsActiveKeepsItsKeys) {
+TEST_F(AroundTest, TheKeyGoesToAPageAlsoWhereAFigureIsActive) {
     show(memo(scripted("red")));
-    EXPECT_FALSE(action("goToPage")->shortcut().isEmpty());
+    ASSERT_TRUE(waitFor([&] { return hasPicture(*window_, 0); }));
     view().choose(nth(*window_, 0));
-    EXPECT_TRUE(action("goToPage")->shortcut().isEmpty());
-    view().choose(document::noSubdocument);
-    EXPECT_FALSE(action("goToPage")->shortcut().isEmpty());
+    window_->activateWindow();
+    view().setFocus();
+    ASSERT_TRUE(waitFor([&] { return view().hasFocus(); }));
+    bool isAsked = false;
+    QTimer timer;
+    QObject::connect(&timer, &QTimer::timeout, [&isAsked] {
+        if (auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())) {
+            isAsked = true;
+            dialog->reject();
+        }
+    });
+    timer.start(5);
+    QTest::keyClick(&view(), Qt::Key_G, Qt::ControlModifier);
+    EXPECT_TRUE(waitFor([&] { return isAsked; }, 5000));
 }
 
 // --- places that are kept --------------------------------------------------------------------
