@@ -14,9 +14,9 @@ std::string story(const std::string& before, const std::string& after) {
     EXPECT_TRUE(two.usable) << after;
     const Changes changes = changesBetween({before, one.scene}, {after, two.scene});
     const auto words = [](const scene::Scene& scene, const Element& element) {
-        constexpr const char* kinds[] = {"simulator", "shape",     "body", "force", "link",
-                                         "joint",     "gear",      "path", "hold",  "light",
-                                         "view",      "parameter", "plot"};
+        constexpr const char* kinds[] = {"simulator", "shape", "body",      "force", "link",
+                                         "joint",     "gear",  "rope",      "path",  "hold",
+                                         "light",     "view",  "parameter", "plot"};
         const std::string name = nameOf(scene, element);
         return std::string(kinds[static_cast<int>(element.kind)]) + " " +
                (name.empty() ? std::to_string(element.index) : name);
@@ -60,6 +60,9 @@ TEST(Changes, AJointAndAGearAreModifiedByEachOfTheirValues) {
     const std::string pins = head + "joint p -type hinge -body1 a -offset1 {0 1 0}\n"
                                     "joint q -type hinge -body1 b -offset1 {0 1 0}\n";
     const std::string gear = "gear g -joint1 p -joint2 q -ratio 2\n";
+    const std::string rope = "rope r -points {{a} {0 3 0}}\n";
+    EXPECT_EQ(story(pins + rope, pins + "rope r -points {{a} {0 4 0}}\n"),
+              "rope r -> rope r modified\n");
     EXPECT_EQ(story(pins + gear, pins + "\n" + gear), "");
     EXPECT_EQ(story(pins + gear, pins + "gear g -joint1 p -joint2 q -ratio 3\n"),
               "gear g -> gear g modified\n");

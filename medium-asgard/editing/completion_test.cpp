@@ -60,6 +60,9 @@ TEST(Completion, KnowsJointsGearsAndSprings) {
     EXPECT_THAT(words(text + "force -body b1 -x {cord.|"), ElementsAre("length", "force"));
     EXPECT_THAT(words(text + "force -body b1 -x {co|"), Contains("cord"));
     EXPECT_THAT(words("spring -body1 b -pull|"), ElementsAre("-pull_only"));
+    EXPECT_THAT(words("rope r -cl|"), ElementsAre("-closed"));
+    EXPECT_THAT(words(text + "rope r -points {}\nplot p -values {r.|}"),
+                ElementsAre("length", "tension", "tension1"));
 }
 
 TEST(Completion, OffersNamesOfWhatTheTextHas) {
