@@ -203,18 +203,16 @@ std::vector<Vector> furthestOfCurved(const Posed& posed, const Vector& direction
     return {posed.furthest(direction)};
 }
 
-// Around the foot of the other's feature, twice as wide.
-std::vector<Vector> squareOf(const Posed& plane, const std::vector<Vector>& facing) {
+// Around the foot of the other part's feature, and wider than that part.
+std::vector<Vector> squareOf(const Posed& plane, const Part& other,
+                             const std::vector<Vector>& facing) {
     const Vector normal = plane.rotation * plane.part->curved->axis();
     const Vector origin = plane.rotation * plane.part->curved->center + plane.offset;
     const Plane across(normal);
     Vector middle = Vector::Zero();
     for (const Vector& p : facing)
         middle += p / static_cast<double>(facing.size());
-    double reach = 0;
-    for (const Vector& p : facing)
-        reach = std::max(reach, (p - middle).norm());
-    reach = reach > 0 ? 2 * reach : 1;
+    const double reach = 2 * geometry::radiusAbout(other, other.core.vertices[0]);
     const Vector foot = middle - normal * normal.dot(middle - origin);
     std::vector<Vector> square;
     for (const auto& [x, y] : {std::pair(1, 1), {-1, 1}, {-1, -1}, {1, -1}})
@@ -229,10 +227,10 @@ FacingFeatures facingFeatures(const Posed& first, const Posed& second, const Vec
     FacingFeatures facing;
     if (!first.part->isPlane())
         facing.first = furthestFeature(first, -normal, tolerance);
-    facing.second = second.part->isPlane() ? squareOf(second, facing.first)
+    facing.second = second.part->isPlane() ? squareOf(second, *first.part, facing.first)
                                            : furthestFeature(second, normal, tolerance);
     if (first.part->isPlane())
-        facing.first = squareOf(first, facing.second);
+        facing.first = squareOf(first, *second.part, facing.second);
     return facing;
 }
 

@@ -96,7 +96,7 @@ std::variant<BodyMass, std::string> MassReader::massOf(const scene::Body& body) 
     if (body.center || hasOwnDensities(*set->second))
         result.radius = geometry::radiusAbout(std::get<geometry::Shape>(shapes_.of(*set->second)),
                                               result.centroid);
-    if (!(result.radius > 0)) // a half space alone: the unit of its searches and tolerances
+    if (!(result.radius > 0) && !body.fixed) // a half space that is led: the unit of its search
         result.radius = 1;
     result.inertia = cleared(body.inertia ? givenInertia(*body.inertia) : properties.inertia);
     return result;

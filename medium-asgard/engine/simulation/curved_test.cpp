@@ -157,6 +157,27 @@ TEST(CurvedBodies, RestOnFlatEndsAndCapsulesOnTheirSides) {
         }
 }
 
+// A half space has no size of its own: in a scene of 1e-10 m all is as in one of 1 m.
+TEST(CurvedBodies, BounceAlikeInScenesOfAnySize) {
+    const auto after = [](double scale) {
+        SceneBuilder b =
+            above(partOf(scene::CylinderShape{0.4 * scale, scale}), {0, 2 * scale, 0}, 1);
+        b.scene.forces.clear();
+        b.weight("b", {0, -g * scale, 0});
+        b.scene.bodies[0].initialAttitude = geometry::fromRotationVector({0.3, 0, 0.8});
+        const Result result = simulate(b.scene);
+        EXPECT_TRUE(result.motion);
+        return result.motion->at(0, 1);
+    };
+    const BodyState large = after(1);
+    EXPECT_GT(large.angularVelocity.norm(), 1);
+    for (const double scale : {1e-3, 1e-10, 1e10}) {
+        const BodyState other = after(scale);
+        EXPECT_LT((other.position / scale - large.position).norm(), 1e-12);
+        EXPECT_LT((other.angularVelocity - large.angularVelocity).norm(), 1e-11);
+    }
+}
+
 // A cylinder's side on another's, an ellipsoid on a ball: the impulse goes through the centres.
 TEST(CurvedBodies, HitEachOther) {
     SceneBuilder b(2, 1e-9);
