@@ -157,7 +157,8 @@ TEST_F(FiguresTest, AFileOfTheMediumComesInAndOneThatIsNoTextDoesNot) {
     insert("insertFile", [&](QDialog& dialog) { answerFile(dialog, good); });
     ASSERT_EQ(count(), 1U);
     EXPECT_EQ(text(0), "colour 102030\n");
-    press(Qt::Key_Escape);
+    type("Box");
+    EXPECT_THAT(body(), HasSubstr("<CAPTION>{Box}</CAPTION>"));
     QTimer closing;
     QString said;
     QObject::connect(&closing, &QTimer::timeout, [&said] {
