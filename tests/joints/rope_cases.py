@@ -269,5 +269,13 @@ def speed_jump():
     return rows
 
 
+def rope_corner():
+    """From the last hop on (before 1.75) the rope is as long as it is."""
+    rows = Rows()
+    for t in [1.8, 1.9, 2.0]:
+        rows.put(t, 2, {"r.length": 1.2})
+    return rows
+
+
 CASES = (rope_drop, rope_slack, rope_atwood, rope_swinging, rope_peg, rope_yoyo, rope_winch, rope_belt, rope_snaps,
-         hit_stop, coupled_brakes, weak_servo, speed_jump)
+         hit_stop, coupled_brakes, weak_servo, speed_jump, rope_corner)

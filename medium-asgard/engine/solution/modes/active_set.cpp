@@ -237,7 +237,9 @@ bool ActiveSet::settle(std::span<const std::size_t> fallen, double fastest, doub
     for (std::size_t row = 0; row < mode_.kept.size(); ++row) {
         const bool isBounded = law(row).isBounded();
         const bool hasFallen = std::ranges::find(fallen, row) != fallen.end();
-        const bool leaves = isStop(row) && fastest > 0 && multipliers_.rate(row) > atRest * fastest;
+        // Rates round with the velocities, however slow the blow was.
+        const double none = std::max(rateOf * law(row).resolution, atRest * fastest);
+        const bool leaves = isStop(row) && fastest > 0 && multipliers_.rate(row) > none;
         if (isBounded && (leaves || multipliers_.gap(row) > law(row).resolution))
             mode_.touches[row] = 0;
         if (isBounded && leaves && mode_.kept[row] != Mode::gone)
