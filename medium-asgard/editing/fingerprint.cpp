@@ -81,7 +81,8 @@ void write(Writer& w, const scene::Simulator& s) {
 void write(Writer& w, const scene::ShapeSet& s) { w.add(s.name, s.parts, s.appearance); }
 void write(Writer& w, const scene::Body& b) {
     w.add(b.name, b.shape, b.initialPosition, b.initialAttitude, b.initialVelocity,
-          b.initialAngularVelocity, b.mass, b.inertia, b.center, b.density, b.restitution, b.fixed,
+          b.initialAngularVelocity, b.mass, b.inertia, b.center, b.density, b.restitution,
+          b.friction, b.staticFriction, b.rollingFriction, b.surfaceVelocity, b.fixed,
           b.articulatedBody, b.collisionGroup, b.appearance);
 }
 void write(Writer& w, const scene::Force& f) { w.add(f.body, f.couple, f.offset, f.kind); }

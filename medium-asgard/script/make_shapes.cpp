@@ -396,9 +396,26 @@ void SceneMaker::body(Call& call) {
         call.source.arguments.push_back({"", call.words[2].range, call.words[2].exact});
     }
     Arguments arguments(faults_, call, subject, first,
-                        {"-shape", "-init_pos", "-init_rot", "-init_dpos", "-init_drot", "-mass",
-                         "-inertia", "-center", "-density", "-restitution", "-fixed", "-artbody",
-                         "-ct", "-color", "-shininess", "-transparency"});
+                        {"-shape",
+                         "-init_pos",
+                         "-init_rot",
+                         "-init_dpos",
+                         "-init_drot",
+                         "-mass",
+                         "-inertia",
+                         "-center",
+                         "-density",
+                         "-restitution",
+                         "-friction",
+                         "-static_friction",
+                         "-rolling_friction",
+                         "-surface_velocity",
+                         "-fixed",
+                         "-artbody",
+                         "-ct",
+                         "-color",
+                         "-shininess",
+                         "-transparency"});
     if (positional) {
         body.shape = call.words[2].text;
         if (!exists(Kind::shapeSet, body.shape))
@@ -427,6 +444,14 @@ void SceneMaker::body(Call& call) {
                           " wants -mass and -inertia beside it, which the shape would give about "
                           "another centre");
     body.density = arguments.number("-density", Sign::positive).value_or(1);
+    body.restitution = arguments.number("-restitution", Sign::unit).value_or(1);
+    body.friction = arguments.number("-friction", Sign::notNegative).value_or(0);
+    body.staticFriction = arguments.number("-static_friction", Sign::notNegative);
+    if (body.staticFriction && *body.staticFriction < body.friction)
+        faults_.error(arguments.optionRange("-static_friction"),
+                      "-static_friction of " + subject + " is less than its -friction");
+    body.rollingFriction = arguments.number("-rolling_friction", Sign::notNegative).value_or(0);
+    body.surfaceVelocity = arguments.vector("-surface_velocity").value_or(Vector::Zero());
     body.fixed = arguments.flag("-fixed").value_or(false);
     checkShapeOf(arguments, body);
     body.restitution = arguments.number("-restitution", Sign::unit).value_or(1);

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Scenes with joints against values that were computed without the engine.
 
-usage: joints_test.py ASGARD [--accuracies A,A,...] [--scenes NAME,...]
+usage: joints_test.py ASGARD [--accuracies A,A,...] [--scenes NAME,...] [--folder FOLDER]
 
 Of each NAME.al at each accuracy A:
 
@@ -124,11 +124,12 @@ def main():
     parser.add_argument("asgard")
     parser.add_argument("--accuracies", default="1e-3,1e-6,1e-9")
     parser.add_argument("--scenes", default="")
+    parser.add_argument("--folder", default=HERE)
     options = parser.parse_args()
     names = [name for name in options.scenes.split(",") if name]
     faults, honest = [], []
     with tempfile.TemporaryDirectory() as folder:
-        for path in sorted(glob.glob(os.path.join(HERE, "*.values"))):
+        for path in sorted(glob.glob(os.path.join(options.folder, "*.values"))):
             base = path[:-len(".values")]
             if not names or os.path.basename(base) in names:
                 faults += check(options.asgard, base, [float(a) for a in options.accuracies.split(",")], folder, honest)

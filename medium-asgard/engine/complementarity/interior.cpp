@@ -198,8 +198,8 @@ private:
         change.block(law.first, law.first, law.rows, law.rows) +=
             scaling.bottomRightCorner(law.rows, law.rows);
         if (law.normal >= 0)
-            change.block(law.first, law.normal, law.rows, 1) +=
-                law.coefficient * scaling.bottomLeftCorner(law.rows, 1);
+            change.block(law.first, law.normal, law.rows, law.normals).colwise() +=
+                law.coefficient * scaling.bottomLeftCorner(law.rows, 1).col(0);
         right.segment(law.first, law.rows) -=
             t / roomOf(law, forces_) * forces_.segment(law.first, law.rows);
     }
@@ -214,7 +214,9 @@ private:
             if (!hasRoom(k))
                 continue;
             if (!isInterval(law)) {
-                const double wider = law.normal < 0 ? 0 : law.coefficient * way[law.normal];
+                const double wider =
+                    law.normal < 0 ? 0
+                                   : law.coefficient * way.segment(law.normal, law.normals).sum();
                 const Matrix scaling = scalingOf(k);
                 ways[k].rate = rates.segment(law.first, law.rows) - now.rate;
                 ways[k].slip = t * radiusOf(law, forces_) / roomOf(law, forces_) - now.slip -

@@ -20,14 +20,16 @@ void addDisc(Laws& laws, Index rows, double radius) {
         {.kind = Law::Kind::disc, .first = rowsOf(laws), .rows = rows, .radius = radius});
 }
 
-void addFriction(Laws& laws, Index rows, Index normal, double coefficient) {
+void addFriction(Laws& laws, Index rows, Index normal, double coefficient, Index normals) {
     addDisc(laws, rows, 0);
     laws.back().normal = normal;
+    laws.back().normals = normals;
     laws.back().coefficient = coefficient;
 }
 
 double radiusOf(const Law& disc, const Vector& forces) {
-    const double pressed = disc.normal < 0 ? 0 : disc.coefficient * forces[disc.normal];
+    const double pressed =
+        disc.normal < 0 ? 0 : disc.coefficient * forces.segment(disc.normal, disc.normals).sum();
     return std::max(0.0, disc.radius + pressed);
 }
 

@@ -5,7 +5,8 @@
 // Each row of f belongs to one law:
 //     interval  low <= f <= high; w = 0 inside, w >= 0 at low, w <= 0 at high
 //     disc      |f| <= r; w = 0 inside; at the edge w points against f
-//               f has one, two or three rows; r = radius + coefficient * f[normal], at least 0
+//               f has one, two or three rows; r = radius + coefficient * N, at least 0, where N is
+//               the sum of some rows next to each other, the normal forces of one contact
 // A joint is an interval without ends, a contact one from 0 on, a motor one between its greatest
 // forces, Coulomb's friction a disc whose radius is the coefficient times the normal force.
 //
@@ -32,7 +33,8 @@ struct Law {
     Index first = 0, rows = 1;                 // an interval has one row
     double low = -unbounded, high = unbounded; // interval
     double radius = 0, coefficient = 0;        // disc
-    Index normal = -1;                         // disc: the row of the normal force; -1: none
+    Index normal = -1;                         // disc: the first row of the normal force; -1: none
+    Index normals = 1;                         // disc: its rows
 };
 
 using Laws = std::vector<Law>;
@@ -42,7 +44,7 @@ void addEquality(Laws& laws);
 void addInterval(Laws& laws, double low, double high);
 void addUnilateral(Laws& laws); // f >= 0
 void addDisc(Laws& laws, Index rows, double radius);
-void addFriction(Laws& laws, Index rows, Index normal, double coefficient);
+void addFriction(Laws& laws, Index rows, Index normal, double coefficient, Index normals = 1);
 [[nodiscard]] Index rowsOf(const Laws& laws);
 
 // The place of a law's force among those that the law allows.

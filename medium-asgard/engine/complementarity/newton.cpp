@@ -68,9 +68,10 @@ private:
         if (disc.radius > 0 || disc.normal < 0 || disc.coefficient <= 0)
             return disc.radius <= 0;
         for (std::size_t k = 0; k < laws_.size(); ++k)
-            if (laws_[k].first == disc.normal)
-                return states_[k] == State::low && laws_[k].low <= 0;
-        return false;
+            if (laws_[k].first >= disc.normal && laws_[k].first < disc.normal + disc.normals &&
+                !(states_[k] == State::low && laws_[k].low <= 0))
+                return false;
+        return true;
     }
 
     double step() {
@@ -110,14 +111,16 @@ private:
             square += force * force;
         }
         wrong[last] = (square / radius - radius) / 2;
-        const Index normal = law.normal < 0 ? -1 : placeOf(law.normal);
-        if (normal < 0)
-            return;
         const double grows = law.coefficient; // the radius, with the normal force
-        change(last, normal) -= (square / (radius * radius) + 1) / 2 * grows;
-        for (Index i = 0; i < law.rows; ++i) {
-            const Index at = placeOf(law.first + i);
-            change(at, normal) -= slip / radius * grows * forces_[law.first + i];
+        for (Index n = 0; law.normal >= 0 && n < law.normals; ++n) {
+            const Index normal = placeOf(law.normal + n);
+            if (normal < 0)
+                continue;
+            change(last, normal) -= (square / (radius * radius) + 1) / 2 * grows;
+            for (Index i = 0; i < law.rows; ++i) {
+                const Index at = placeOf(law.first + i);
+                change(at, normal) -= slip / radius * grows * forces_[law.first + i];
+            }
         }
     }
 

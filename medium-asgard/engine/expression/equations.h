@@ -29,6 +29,16 @@ namespace expression {
 // velocities alone it is a brake or a motor: the force is `low` while the rate is positive, and
 // `high` while it is negative. Without gap and rate the derivative is the multiplier less a value:
 // a force that may be released.
+//
+// A contact is a stop that a source of events has made and ends: a gap that closes, one that opens
+// beyond `leaving`, and a place at which a function of `valid` falls below 0 are events. Friction
+// is a condition of velocities without bounds of its own: the forces of one disc (`rows`, this one
+// among them) are together at most a coefficient times the sum of some multipliers, `normals`.
+struct Friction {
+    std::vector<Node> rows, normals; // symbols of multipliers
+    double sticking = 0, sliding = 0;
+};
+
 struct Condition {
     std::optional<Node> gap;  // none: the condition is one of velocities
     std::optional<Node> rate; // none: the multiplier is in the gap's rate, which is the derivative
@@ -38,6 +48,9 @@ struct Condition {
     double resolution = 0;  // of a stop: gaps and hops lower than that are none
     // Symbol of a given unknown: from its first value that is not 0 on the condition is gone.
     std::optional<Node> release = {};
+    std::optional<double> leaving = {}; // of a contact
+    std::vector<Node> valid = {};       // of a contact
+    std::optional<Friction> friction = {};
 };
 
 struct Phase {

@@ -1,6 +1,7 @@
 #include "physics/impact.h"
 
 #include "complementarity/convex.h"
+#include "complementarity/solve.h"
 
 #include <Eigen/QR>
 
@@ -154,11 +155,15 @@ public:
     Round(std::vector<ImpactBody>& bodies, std::span<const ImpactContact> contacts,
           std::span<const ImpactRow> joints)
         : bodies_(bodies), contacts_(contacts), joints_(bodies, joints) {
+        for (const ImpactContact& c : contacts)
+            addLine(c, c.normal);
         for (const ImpactContact& c : contacts) {
-            first_.push_back(responseOf(bodies, c.first, c.point, c.normal));
-            second_.push_back(responseOf(bodies, c.second, c.point, -c.normal));
-            if (!joints_.empty())
-                effects_.push_back(joints_.effectOf(std::array{first_.back(), second_.back()}));
+            sliding_.push_back(lines_.size());
+            if (c.friction <= 0)
+                continue;
+            const Vector across = acrossOf(c.normal);
+            addLine(c, c.normal.cross(across));
+            addLine(c, across);
         }
         for (const ImpactRow& row : joints)
             if (row.isStop) {
@@ -168,63 +173,112 @@ public:
     }
 
     // Of the surfaces at the contact along its normal; negative: they approach.
-    [[nodiscard]] double speed(std::size_t i) const {
-        return alongOf(first_[i]) + alongOf(second_[i]);
-    }
+    [[nodiscard]] double speed(std::size_t i) const { return speedAlong(lines_[i]); }
     [[nodiscard]] bool approaches(std::size_t i) const {
-        return speed(i) < -approachThreshold * (scaleOf(first_[i]) + scaleOf(second_[i]));
+        return speed(i) <
+               -approachThreshold * (scaleOf(lines_[i].first) + scaleOf(lines_[i].second));
     }
     [[nodiscard]] bool canYield(std::size_t i) const { return mobility(i, i) > 0; }
 
-    // What a unit impulse at contact j adds to the speed at contact i.
+    // What a unit impulse along line j adds to the speed along line i.
     [[nodiscard]] double mobility(std::size_t i, std::size_t j) const {
         double sum = 0;
-        for (const Response* a : {&first_[i], &second_[i]})
-            for (const Response* b : {&first_[j], &second_[j]})
+        for (const Response* a : {&lines_[i].first, &lines_[i].second})
+            for (const Response* b : {&lines_[j].first, &lines_[j].second})
                 if (a->body == b->body)
                     sum += a->direction.dot(b->velocity) +
                            a->lever.cross(a->direction).dot(b->angularVelocity);
         if (joints_.empty())
             return sum;
         constexpr double rounding = 1e-12; // of what joints hold altogether
-        const double left = sum + joints_.between(effects_[i], effects_[j]);
+        const double left = sum + joints_.between(lines_[i].effects, lines_[j].effects);
         return i == j && left <= rounding * sum ? 0 : left;
     }
 
-    // Impulses on the chosen contacts such that each parts at its restitution or more, and behind
-    // them those on the stops.
-    [[nodiscard]] std::vector<double> impulses(const std::vector<std::size_t>& chosen,
-                                               bool plastic) const {
-        const auto n = static_cast<Eigen::Index>(chosen.size());
-        const auto all = n + static_cast<Eigen::Index>(stops_.size());
-        Eigen::MatrixXd a(all, all);
-        Eigen::VectorXd b(all);
-        for (Eigen::Index i = n; i < all; ++i) {
-            const Stop& stop = stops_[static_cast<std::size_t>(i - n)];
-            b[i] = stop.speed(bodies_);
-            for (Eigen::Index j = 0; j < n; ++j)
-                a(i, j) = a(j, i) = mobility(stop, chosen[static_cast<std::size_t>(j)]);
-            for (Eigen::Index j = n; j < all; ++j)
-                a(i, j) = mobility(stop, stops_[static_cast<std::size_t>(j - n)]);
-        }
+    struct Impulse {
+        std::size_t line = 0;
+        double size = 0;
+        bool isStop = false; // the line is a stop
+    };
+    // On the chosen contacts such that each parts at its restitution or more: first those along the
+    // normals, in order, then those on stops. None: there are none such.
+    [[nodiscard]] std::vector<Impulse> impulses(const std::vector<std::size_t>& chosen,
+                                                double restitution) const {
+        std::vector<Impulse> found;
+        for (const std::size_t c : chosen)
+            found.push_back({c});
+        for (std::size_t s = 0; s < stops_.size(); ++s)
+            found.push_back({.line = s, .size = 0, .isStop = true});
+        complementarity::Laws laws;
+        for (std::size_t k = 0; k < found.size(); ++k)
+            complementarity::addUnilateral(laws);
+        const std::size_t withoutFriction = found.size();
+        for (std::size_t k = 0; k < chosen.size(); ++k)
+            if (const ImpactContact& contact = contacts_[chosen[k]]; contact.friction > 0) {
+                found.push_back({sliding_[chosen[k]]});
+                found.push_back({sliding_[chosen[k]] + 1});
+                complementarity::addFriction(laws, 2, static_cast<Eigen::Index>(k),
+                                             contact.friction);
+            }
+        const auto n = static_cast<Eigen::Index>(found.size());
+        Eigen::MatrixXd a(n, n);
+        Eigen::VectorXd b(n);
         for (Eigen::Index i = 0; i < n; ++i) {
-            const std::size_t c = chosen[static_cast<std::size_t>(i)];
-            b[i] = (1 + (plastic ? 0 : contacts_[c].restitution)) * speed(c);
+            const Impulse& one = found[static_cast<std::size_t>(i)];
+            b[i] = wantedOf(one, restitution);
             for (Eigen::Index j = 0; j < n; ++j)
-                a(i, j) = mobility(c, chosen[static_cast<std::size_t>(j)]);
+                a(i, j) = mobility(one, found[static_cast<std::size_t>(j)]);
         }
-        return pushesOf(a, b);
+        const bool hasFriction = found.size() > withoutFriction;
+        const auto answer = hasFriction ? complementarity::solve(a, b, laws)
+                                        : complementarity::solveConvex(a, b, laws);
+        if (!answer)
+            return {};
+        for (Eigen::Index i = 0; i < n; ++i)
+            found[static_cast<std::size_t>(i)].size = answer->forces[i];
+        return found;
+    }
+    // The kinetic energy that they add.
+    [[nodiscard]] double energyOf(std::span<const Impulse> impulses) const {
+        double sum = 0;
+        for (const Impulse& one : impulses) {
+            sum += one.size *
+                   (one.isStop ? stops_[one.line].speed(bodies_) : speedAlong(lines_[one.line]));
+            for (const Impulse& other : impulses)
+                sum += one.size * mobility(one, other) * other.size / 2;
+        }
+        return sum;
     }
 
-    void apply(std::size_t i, double impulse) {
-        for (const Response* r : {&first_[i], &second_[i]}) {
-            bodies_[r->body].velocity += impulse * r->velocity;
-            bodies_[r->body].angularVelocity += impulse * r->angularVelocity;
+    void apply(const Impulse& impulse) {
+        if (impulse.isStop)
+            return applyToStop(impulse.line, impulse.size);
+        const Line& line = lines_[impulse.line];
+        for (const Response* r : {&line.first, &line.second}) {
+            bodies_[r->body].velocity += impulse.size * r->velocity;
+            bodies_[r->body].angularVelocity += impulse.size * r->angularVelocity;
         }
         if (!joints_.empty())
-            joints_.apply(impulse * effects_[i], bodies_);
+            joints_.apply(impulse.size * line.effects, bodies_);
     }
-    [[nodiscard]] std::size_t stops() const { return stops_.size(); }
+    // What a unit impulse of the other adds to the speed along the one.
+    [[nodiscard]] double mobility(const Impulse& one, const Impulse& other) const {
+        if (one.isStop && other.isStop)
+            return mobility(stops_[one.line], stops_[other.line]);
+        if (one.isStop || other.isStop)
+            return one.isStop ? mobility(stops_[one.line], other.line)
+                              : mobility(stops_[other.line], one.line);
+        return mobility(one.line, other.line);
+    }
+
+private:
+    [[nodiscard]] double wantedOf(const Impulse& one, double restitution) const {
+        if (one.isStop)
+            return stops_[one.line].speed(bodies_);
+        const bool isNormal = one.line < contacts_.size();
+        return isNormal ? (1 + restitution * contacts_[one.line].restitution) * speed(one.line)
+                        : speedAlong(lines_[one.line]) + surfaceAlong(one.line);
+    }
     void applyToStop(std::size_t s, double impulse) {
         for (const Response& r : stops_[s].responses) {
             bodies_[r.body].velocity += impulse * r.velocity;
@@ -233,15 +287,42 @@ public:
         if (!joints_.empty())
             joints_.apply(impulse * stops_[s].effect, bodies_);
     }
-
-private:
-    [[nodiscard]] double mobility(const Stop& stop, std::size_t contact) const {
-        const double sum = stop.effectOf(std::array{first_[contact], second_[contact]});
-        return joints_.empty() ? sum : sum + joints_.between(stop.effect, effects_[contact]);
+    [[nodiscard]] double mobility(const Stop& stop, std::size_t line) const {
+        const double sum = stop.effectOf(std::array{lines_[line].first, lines_[line].second});
+        return joints_.empty() ? sum : sum + joints_.between(stop.effect, lines_[line].effects);
     }
     [[nodiscard]] double mobility(const Stop& one, const Stop& other) const {
         const double sum = one.effectOf(other.responses);
         return joints_.empty() ? sum : sum + joints_.between(one.effect, other.effect);
+    }
+    struct Line { // along which impulses act
+        Response first, second;
+        Eigen::VectorXd effects; // of a unit impulse on the joints' conditions
+    };
+    void addLine(const ImpactContact& c, const Vector& direction) {
+        Line line{responseOf(bodies_, c.first, c.point, direction),
+                  responseOf(bodies_, c.second, c.point, -direction),
+                  {}};
+        if (!joints_.empty())
+            line.effects = joints_.effectOf(std::array{line.first, line.second});
+        lines_.push_back(std::move(line));
+    }
+    // An axis of the world as nearly across as there is, made perpendicular.
+    static Vector acrossOf(const Vector& normal) {
+        int best = 2;
+        for (const int axis : {1, 0})
+            if (std::abs(normal[axis]) < std::abs(normal[best]) - 1e-9)
+                best = axis;
+        const Vector axis = Vector::Unit(best);
+        return (axis - normal * normal.dot(axis)).normalized();
+    }
+    [[nodiscard]] double surfaceAlong(std::size_t line) const {
+        const auto after = std::ranges::upper_bound(sliding_, line);
+        const auto contact = static_cast<std::size_t>(after - sliding_.begin()) - 1;
+        return lines_[line].first.direction.dot(contacts_[contact].surface);
+    }
+    [[nodiscard]] double speedAlong(const Line& line) const {
+        return alongOf(line.first) + alongOf(line.second);
     }
     [[nodiscard]] double alongOf(const Response& r) const {
         const ImpactBody& b = bodies_[r.body];
@@ -255,8 +336,8 @@ private:
     std::vector<ImpactBody>& bodies_;
     std::span<const ImpactContact> contacts_;
     JointResponse joints_;
-    std::vector<Response> first_, second_;
-    std::vector<Eigen::VectorXd> effects_; // of a unit impulse on the joints' conditions
+    std::vector<Line> lines_;          // of the contacts' normals, then those along surfaces
+    std::vector<std::size_t> sliding_; // by contact: the first of its two along the surface
     std::vector<Stop> stops_;
 };
 
@@ -280,20 +361,50 @@ bool takesPart(const Round& round, const ImpactContact& contact, std::size_t c, 
     return round.approaches(c) && !(isFirst && contact.isResting);
 }
 
+// With restitutions that add no energy.
+std::vector<Round::Impulse> withoutGain(const Round& round, const std::vector<std::size_t>& chosen,
+                                        std::vector<Round::Impulse> impulses,
+                                        ImpactResult& result) {
+    constexpr double rounding = 1e-12;
+    double scale = 0;
+    for (const Round::Impulse& impulse : impulses)
+        scale += std::abs(impulse.size * round.mobility(impulse, impulse) * impulse.size);
+    if (!(round.energyOf(impulses) > rounding * scale))
+        return impulses;
+    result.loweredRestitution = true;
+    double low = 0, high = 1;
+    impulses = round.impulses(chosen, 0);
+    for (int i = 0; i < 60; ++i) {
+        const double middle = (low + high) / 2;
+        auto tried = round.impulses(chosen, middle);
+        if (tried.empty() || round.energyOf(tried) > rounding * scale) {
+            high = middle;
+        } else {
+            low = middle;
+            impulses = std::move(tried);
+        }
+    }
+    return impulses;
+}
+
 // Gives the impulses to the chosen contacts. False when there are none that part them.
-bool solveTogether(Round& round, const std::vector<std::size_t>& chosen, bool plastic,
-                   ImpactResult& result) {
-    const std::vector<double> impulses = round.impulses(chosen, plastic);
+bool solveTogether(Round& round, std::span<const ImpactContact> contacts,
+                   const std::vector<std::size_t>& chosen, bool plastic, ImpactResult& result) {
+    std::vector<Round::Impulse> impulses = round.impulses(chosen, plastic ? 0 : 1);
     if (impulses.empty())
         return false;
+    const bool isDriven =
+        std::ranges::any_of(chosen, [&](std::size_t c) { return !contacts[c].surface.isZero(0); });
+    const bool hasFriction =
+        std::ranges::any_of(chosen, [&](std::size_t c) { return contacts[c].friction > 0; });
+    if (!plastic && !isDriven && hasFriction)
+        impulses = withoutGain(round, chosen, std::move(impulses), result);
+    for (std::size_t i = 0; i < impulses.size(); ++i)
+        if (impulses[i].size != 0)
+            round.apply(impulses[i]);
     for (std::size_t i = 0; i < chosen.size(); ++i)
-        if (impulses[i] > 0) {
-            round.apply(chosen[i], impulses[i]);
-            result.impulses.push_back({chosen[i], impulses[i]});
-        }
-    for (std::size_t s = 0; s < round.stops(); ++s)
-        if (const double impulse = impulses[chosen.size() + s]; impulse > 0)
-            round.applyToStop(s, impulse);
+        if (impulses[i].size > 0)
+            result.impulses.push_back({chosen[i], impulses[i].size});
     return true;
 }
 
@@ -325,11 +436,11 @@ ImpactResult resolveImpact(std::vector<ImpactBody> bodies, std::span<const Impac
         if (approaching.empty())
             return result;
         leaveTheSlow(round, contacts, approaching);
-        if (!solveTogether(round, approaching, false, result))
+        if (!solveTogether(round, contacts, approaching, false, result))
             break;
     }
     result.jammed = rounds == most;
-    result.settled = solveTogether(round, yielding, true, result);
+    result.settled = solveTogether(round, contacts, yielding, true, result);
     return result;
 }
 

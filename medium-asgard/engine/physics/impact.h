@@ -1,6 +1,6 @@
 // The impact of bodies at the instant at which they touch and approach.
 //
-// Frictionless, instantaneous: impulses j >= 0 along the contact normals. For contact i with normal
+// Instantaneous: impulses j >= 0 along the contact normals. For contact i with normal
 // n (from the second body to the first) at lever arms r1, r2 from the centres of mass,
 //     u_i  = n . (v1 + w1 x r1 - v2 - w2 x r2)            approach when negative
 //     u'   = u + A j,   A_ij = n_i . (velocity that unit impulse j gives at contact i)
@@ -12,6 +12,11 @@
 // that approaches a billion times slower than the fastest does so by rounding, and is at relative
 // rest; for balls side by side (simulation/side_by_side.h), a hundred times. Bodies that a force
 // presses together move as one: their contacts are solved together from the start.
+//
+// Friction is Coulomb's law for impulses, with the coefficient of sliding: along the surfaces each
+// contact takes an impulse of at most mu j that leaves no sliding velocity, or of mu j against the
+// one that is left. Together with Newton's law that may add kinetic energy; then the restitutions
+// of that solution are lowered by one common factor until it does not.
 //
 // Joints keep their conditions J v through a blow: an impulse of a contact is one of all that hangs
 // together, A = J_n W (1 - J' (J W J')^-1 J W) J_n' with W the inverse masses.
@@ -53,6 +58,8 @@ struct ImpactContact {
     // though rounding or an integration may leave it a speed.
     bool isResting = false;
     bool isPressed = false; // they move as one
+    double friction = 0;
+    Vector surface = Vector::Zero(); // of both, first less second, along themselves: a conveyor
 };
 
 // A condition of a joint: the sum of linear . v + angular . w of its parts stays what it is.
@@ -78,7 +85,8 @@ struct ImpactResult {
     // The bound on rounds was reached: a body that fits exactly between two others bounces between
     // them without end at one instant, and the rest of it was taken up without bounce.
     bool jammed = false;
-    bool settled = true; // false: still approaching after that (a bug)
+    bool loweredRestitution = false; // so that no energy is gained
+    bool settled = true;             // false: still approaching after that (a bug)
 };
 
 // The same for one contact whose normal goes through both centres of mass, so that nothing turns.

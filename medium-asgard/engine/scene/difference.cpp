@@ -114,7 +114,9 @@ bool same(const Body& a, const Body& b) {
            same(a.initialVelocity, b.initialVelocity) &&
            same(a.initialAngularVelocity, b.initialAngularVelocity) && same(a.mass, b.mass) &&
            same(a.inertia, b.inertia) && same(a.center, b.center) && same(a.density, b.density) &&
-           same(a.restitution, b.restitution) && a.fixed == b.fixed &&
+           same(a.restitution, b.restitution) && same(a.friction, b.friction) &&
+           same(a.staticFriction, b.staticFriction) && same(a.rollingFriction, b.rollingFriction) &&
+           same(a.surfaceVelocity, b.surfaceVelocity) && a.fixed == b.fixed &&
            a.collisionGroup == b.collisionGroup;
 }
 template <typename Value, std::size_t n>

@@ -133,6 +133,10 @@ struct Body {
     std::optional<Vector> center; // of mass, body frame; given with mass and inertia only
     double density = 1;
     double restitution = 1;
+    double friction = 0;                     // Coulomb's coefficient while it slides
+    std::optional<double> staticFriction;    // while it sticks; none: the same
+    double rollingFriction = 0;              // a length: couple over normal force
+    Vector surfaceVelocity = Vector::Zero(); // of its surface along itself, body frame: a conveyor
     bool fixed = false;
     std::string articulatedBody; // -artbody, "" when not given
     std::optional<int> collisionGroup;

@@ -55,6 +55,13 @@ struct Changes {
         std::vector<std::size_t> unknowns;
         std::string sentence;
     };
+    // An unknown more, which stands behind all others from the event on: a multiplier, as a rule.
+    // Before the event its value is 0. One of `equations` gives it its phase.
+    struct Addition {
+        expression::Unknown unknown;
+        std::size_t like; // an unknown of the same body
+    };
+    std::vector<Addition> additions;
     std::vector<Jump> jumps; // of differential unknowns; others are ignored
     std::vector<Equation> equations;
     std::vector<End> ends;

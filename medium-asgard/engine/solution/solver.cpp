@@ -26,8 +26,9 @@ Preparation preparationFor(const Options& options) {
 
 Solver::Implementation::Implementation(std::shared_ptr<const PreparedEquations> prepared,
                                        Options options, EventSource* source)
-    : set_(prepared->set), prepared_(std::move(prepared)), options_(std::move(options)),
-      source_(source), zero_(prepared_->zero), workers_(options_.threads) {
+    : set_(prepared->set, std::shared_ptr<const UnknownIndex>(prepared, &prepared->index)),
+      prepared_(std::move(prepared)), options_(std::move(options)), source_(source),
+      zero_(prepared_->zero), workers_(options_.threads) {
     assert(options_.method == "auto" ||
            std::ranges::find(methodNames(), options_.method) != methodNames().end());
     assert(prepared_->how.start == options_.start && prepared_->how.whole == options_.whole);
@@ -43,10 +44,9 @@ Solver::Implementation::Implementation(std::shared_ptr<const PreparedEquations> 
 }
 
 std::unique_ptr<Component> Solver::Implementation::madeOf(std::vector<std::size_t> unknowns) {
-    return std::make_unique<Component>(Component::Surroundings{set_, prepared_->index, histories_,
-                                                               options_, zero_,
-                                                               *prepared_->how.models},
-                                       std::move(unknowns));
+    return std::make_unique<Component>(
+        Component::Surroundings{set_, histories_, options_, zero_, *prepared_->how.models},
+        std::move(unknowns));
 }
 
 void Solver::Implementation::place(double t) {
@@ -377,7 +377,7 @@ Statistics Solver::Implementation::statistics() const {
             if (isTaken(s.unknowns))
                 list(s);
     for (const auto& component : components_) {
-        if (!component)
+        if (!component || isAdded(component->unknowns()[0]))
             continue;
         const ComponentStatistics s = component->statistics();
         list(s);
@@ -394,6 +394,11 @@ Statistics Solver::Implementation::statistics() const {
     total.historyBytes = histories_.bytes();
     total.keptBytes = keptBefore(infinity);
     total.zeroStates = zero_.unknowns();
+    // Readers know the unknowns that there were at first.
+    std::erase_if(total.integrated, [this](const auto& of) { return isAdded(of.unknown); });
+    std::erase_if(total.zeroStates, [this](std::size_t u) { return isAdded(u); });
+    for (ComponentStatistics& s : total.componentList)
+        std::erase_if(s.unknowns, [this](std::size_t u) { return isAdded(u); });
     return total;
 }
 

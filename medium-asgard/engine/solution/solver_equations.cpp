@@ -32,11 +32,28 @@ void Solver::Implementation::retire(Component& component) {
 // Equations from the event on.
 void Solver::Implementation::change(const Event& event, const Changes& changes) {
     for (const auto& change : changes.equations) {
-        auto& phases = set_.changing().unknowns[change.unknown].phases;
-        std::erase_if(phases, [&](const expression::Phase& p) { return p.from >= event.time; });
-        phases.push_back(change.phase);
-        phases.back().from = event.time;
-        phases.insert(phases.end(), change.later.begin(), change.later.end());
+        expression::Phase phase = change.phase;
+        phase.from = event.time;
+        set_.replace(change.unknown, phase, change.later);
+    }
+}
+
+// Unknowns that an event adds: asleep, until it gives them equations.
+void Solver::Implementation::add(const Changes& changes) {
+    for (const Changes::Addition& added : changes.additions) {
+        set_.add(added.unknown);
+        zero_.add(*set_);
+        Histories::Track track;
+        auto history = std::make_shared<History>(1);
+        constexpr double none = 0;
+        history->append({options_.start, infinity, 1, true, 1}, std::span(&none, 1));
+        track.spans.push_back({options_.start, std::move(history), 0});
+        histories_.tracks_.push_back(std::move(track));
+        componentOf_.push_back(noComponent);
+        if (!options_.tolerances.empty()) {
+            options_.tolerances.push_back(options_.tolerances[added.like]);
+            options_.extents.push_back(options_.extents[added.like]);
+        }
     }
 }
 
@@ -47,6 +64,13 @@ double Solver::Implementation::magnitude(std::size_t unknown, double value) cons
         return value == 0 ? 0 : infinity;
     const bool turns = !u.integralOf && !options_.extents.empty();
     return std::abs(value) * (turns ? options_.extents[unknown] : 1);
+}
+
+// A row that ends, and that was 0 all the time.
+bool Solver::Implementation::sleepsOn(const Changes::Equation& change) const {
+    const auto& given = change.phase.given;
+    return zero_.contains(change.unknown) && given &&
+           set_->graph.op(*given) == expression::Op::constant && set_->graph.value(*given) == 0;
 }
 
 // What no longer stays 0, since the event moves it or its new equations do. An impact is computed
@@ -76,7 +100,8 @@ std::vector<std::size_t> Solver::Implementation::woken(const Event& event, const
         return {};
     std::vector<std::size_t> changed;
     for (const auto& change : changes.equations)
-        changed.push_back(change.unknown);
+        if (!sleepsOn(change))
+            changed.push_back(change.unknown);
     std::vector<std::size_t> woken = zero_.wake(*set_, event.time, roused, changed);
     std::erase_if(woken, [this](std::size_t u) { return isUnread(u); });
     return woken;
@@ -88,17 +113,17 @@ std::set<std::size_t> Solver::Implementation::changedBy(const Event& event, cons
                                                         const std::vector<std::size_t>& woken) {
     std::set<std::size_t> changed;
     for (const auto& change : changes.equations)
-        if (!isUnread(change.unknown))
+        if (!isUnread(change.unknown) && !sleepsOn(change))
             changed.insert(change.unknown);
     std::vector<std::size_t> candidates = zero_.readersOf(*set_, woken);
     for (const std::size_t w : woken)
-        if (const auto four = prepared_->index.quaternionOf(w))
+        if (const auto four = set_.index().quaternionOf(w))
             candidates.insert(candidates.end(), set_->quaternions[*four].begin(),
                               set_->quaternions[*four].end());
     const auto isWoken = [&](std::size_t u) { return std::ranges::binary_search(woken, u); };
     for (const std::size_t u : candidates)
         if (!isUnread(u) &&
-            std::ranges::any_of(readsOf(*set_, prepared_->index, u, event.time, {}), isWoken))
+            std::ranges::any_of(readsOf(*set_, set_.index(), u, event.time, {}), isWoken))
             changed.insert(u);
     return changed;
 }
@@ -116,7 +141,7 @@ Solver::Implementation::regionOf(const Event& event, const std::set<std::size_t>
     for (const std::size_t u : changed) {
         include(u);
         if (!zero_.contains(u))
-            for (const std::size_t read : readsOf(*set_, prepared_->index, u, event.time, zero_))
+            for (const std::size_t read : readsOf(*set_, set_.index(), u, event.time, zero_))
                 include(read);
     }
     Region region{.groups = {groups.begin(), groups.end()},
@@ -124,6 +149,10 @@ Solver::Implementation::regionOf(const Event& event, const std::set<std::size_t>
                   .unknowns = woken,
                   .partition = {},
                   .isTaken = false};
+    for (const std::size_t u : changed) // new ones
+        if (componentOf_[u] == noComponent && !zero_.contains(u) &&
+            !std::ranges::binary_search(woken, u))
+            region.unknowns.push_back(u);
     for (const std::size_t group : groups)
         for (const std::size_t c : schedule_.components(group)) {
             region.isTaken = region.isTaken || !components_[c];
@@ -136,12 +165,12 @@ Solver::Implementation::regionOf(const Event& event, const std::set<std::size_t>
     std::ranges::sort(region.unknowns);
     Reads reads;
     for (const std::size_t u : region.unknowns) {
-        auto& places = reads.emplace_back(readsOf(*set_, prepared_->index, u, event.time, zero_));
+        auto& places = reads.emplace_back(readsOf(*set_, set_.index(), u, event.time, zero_));
         for (std::size_t& read : places)
             read = static_cast<std::size_t>(std::ranges::lower_bound(region.unknowns, read) -
                                             region.unknowns.begin());
     }
-    addSharedSwitches(*set_, prepared_->index, region.unknowns, event.time, zero_, reads);
+    addSharedSwitches(*set_, set_.index(), region.unknowns, event.time, zero_, reads);
     region.partition = options_.whole ? wholePartition(reads) : partitionOf(reads);
     for (auto& component : region.partition.components)
         for (std::size_t& u : component)

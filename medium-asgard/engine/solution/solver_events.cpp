@@ -55,6 +55,7 @@ bool Solver::Implementation::goesOnAfter(const Event& event) {
 void Solver::Implementation::apply(const Event& event) {
     Changes changes;
     source_->apply(histories_, event, set_, changes);
+    add(changes);
     std::vector<std::size_t> touched = touchedBy(event, changes);
     disturbed_ = std::ranges::any_of(touched, [this](std::size_t c) { return !components_[c]; });
     if (disturbed_)
@@ -205,11 +206,14 @@ void Solver::Implementation::noteStops() {
     for (auto& track : histories_.tracks_)
         track.stop.reset();
     for (const auto& component : components_) {
-        if (!component || !component->stop())
+        if (!component || !component->stop() || isAdded(component->unknowns()[0]))
             continue;
         for (const std::size_t u : component->unknowns())
             histories_.tracks_[u].stop = histories_.stops_.size();
-        histories_.stops_.push_back(*component->stop());
+        Stop stop = *component->stop();
+        for (std::vector<std::size_t>* list : {&stop.unknowns, &stop.culprits})
+            std::erase_if(*list, [this](std::size_t u) { return isAdded(u); });
+        histories_.stops_.push_back(std::move(stop));
     }
 }
 

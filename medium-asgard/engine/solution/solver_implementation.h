@@ -49,6 +49,12 @@ private:
     [[nodiscard]] std::vector<std::size_t> roused(double time,
                                                   std::span<const Changes::Jump> jumps) const;
     [[nodiscard]] std::vector<std::size_t> woken(const Event& event, const Changes& changes);
+    void add(const Changes& changes);
+    // By an event: it tells of no body.
+    [[nodiscard]] bool isAdded(std::size_t unknown) const {
+        return unknown >= prepared_->set->unknowns.size();
+    }
+    [[nodiscard]] bool sleepsOn(const Changes::Equation& change) const;
     void change(const Event& event, const Changes& changes);
     void addTracks(const Component& component, double t);
     void connect(const Partition& partition, std::span<const std::size_t> places);

@@ -3,6 +3,7 @@
 
 #include "contacts/contact_resolution.h"
 #include "motion/body_motion.h"
+#include "physics/contact_rows.h"
 #include "physics/equations_of_motion.h"
 #include "physics/joint_rows.h"
 #include "scene/scene.h"
@@ -35,6 +36,9 @@ struct Colliders {
         return std::min(scene.bodies[pair.first].restitution,
                         scene.bodies[pair.second].restitution);
     }
+
+    // Coulomb's law of the pair.
+    [[nodiscard]] physics::ContactFriction frictionOf(std::size_t body, std::size_t support) const;
 
     const scene::Scene& scene;
     const physics::EquationsOfMotion& equations;

@@ -245,7 +245,8 @@ bool RestingBodies::isFooting(std::size_t a, std::size_t partA, std::size_t b,
                           footing.supportPart == supportPart;
                });
     };
-    return holds(a, partA, b, partB) || holds(b, partB, a, partA);
+    return holds(a, partA, b, partB) || holds(b, partB, a, partA) ||
+           contacts_.areIn(a, partA, b, partB);
 }
 
 bool RestingBodies::hasFooting(std::size_t a, std::size_t b) const {
@@ -256,7 +257,7 @@ bool RestingBodies::hasFooting(std::size_t a, std::size_t b) const {
                    return footing.support == support;
                });
     };
-    return holds(a, b) || holds(b, a);
+    return holds(a, b) || holds(b, a) || contacts_.areIn(a, b);
 }
 
 std::map<std::size_t, std::vector<std::size_t>> RestingBodies::supports() const {
@@ -266,6 +267,7 @@ std::map<std::size_t, std::vector<std::size_t>> RestingBodies::supports() const 
             if (auto& known = supports[body];
                 std::ranges::find(known, footing.support) == known.end())
                 known.push_back(footing.support);
+    contacts_.addSupports(supports);
     return supports;
 }
 

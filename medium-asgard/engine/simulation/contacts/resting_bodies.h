@@ -16,6 +16,7 @@
 
 #include "collision/contact.h"
 #include "contacts/colliders.h"
+#include "contacts/contact_set.h"
 #include "contacts/rest.h"
 #include "expression/tape.h"
 #include "solution/event_source.h"
@@ -44,8 +45,12 @@ public:
     // The motion is wanted for longer than before.
     void lengthen(double finish) { finish_ = finish; }
 
-    [[nodiscard]] bool isAnyResting() const { return !resting_.empty(); }
-    [[nodiscard]] bool isResting(std::size_t body) const { return resting_.contains(body); }
+    [[nodiscard]] bool isAnyResting() const { return !resting_.empty() || !contacts_.empty(); }
+    [[nodiscard]] bool isResting(std::size_t body) const {
+        return resting_.contains(body) || contacts_.isIn(body);
+    }
+    [[nodiscard]] const ContactSet& contacts() const { return contacts_; }
+    [[nodiscard]] ContactSet& contacts() { return contacts_; }
     // The supports of each body that rests now, each support once.
     [[nodiscard]] std::map<std::size_t, std::vector<std::size_t>> supports() const;
     // These parts are in touch for as long as the body rests.
@@ -91,6 +96,7 @@ public:
     // From `time` on the body rests like this, or is free.
     void set(std::size_t body, double time, const Rest& rest);
     void forget(std::size_t body) { resting_.erase(body); }
+    [[nodiscard]] bool restsAlone(std::size_t body) const { return resting_.contains(body); }
     // Looks along the motion of all that rest; the first instant, not after `until`, at which an
     // answer changes. Each is looked at to the end of its own window, or as far as is known.
     struct Change {
@@ -138,6 +144,7 @@ private:
     double finish_;
     std::vector<std::string> names_;
     std::map<std::size_t, Watch> resting_;
+    ContactSet contacts_{world_};
     mutable std::map<std::size_t, Free> free_;
 };
 

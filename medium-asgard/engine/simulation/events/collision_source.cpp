@@ -28,6 +28,12 @@ std::optional<solution::Event> CollisionSource::next(const Histories& histories,
         if (resting_.isAnyResting())
             change = resting_.firstChange(histories, std::min(next.time, until), until, search_);
         // What holds to the finish holds at the finish.
+        std::optional<ContactSet::Change> ended;
+        if (!resting_.contacts().empty())
+            ended = resting_.contacts().firstChange(histories, std::min(next.time, until));
+        if (ended && ended->time < finish_ && !(change && change->time < ended->time) &&
+            !(next.isHit && next.time <= ended->time))
+            return announced(renewContacts(at(histories, ended->time), ended->bodies));
         const bool changes = change && change->time < finish_;
         if (changes && !(next.isHit && next.time <= change->time))
             return announced(stir(at(histories, change->time), change->body));
@@ -53,6 +59,7 @@ std::optional<solution::Event> CollisionSource::next(const Histories& histories,
 // Where its motion has ended.
 void CollisionSource::stand(const Histories& histories, std::size_t body, double time) {
     resting_.forget(body);
+    resting_.contacts().forget(body);
     const double end = search_.endOf(histories, body).value_or(time);
     const BodyState last = stateOf(world_.records[body], histories, end);
     world_.moving[body].standAt({last.position, last.attitude});
@@ -99,7 +106,11 @@ void CollisionSource::lengthen(double finish) {
 // An event cuts the bodies that it touches and all that read them: what was found beyond it for
 // them no longer holds.
 std::optional<solution::Event> CollisionSource::announced(Event event) {
-    const std::vector<std::size_t> cut = readers_.cutBy(event);
+    std::vector<std::size_t> cut = readers_.cutBy(event);
+    if (!resting_.contacts().empty()) {
+        const auto together = resting_.contacts().island({cut.begin(), cut.end()});
+        cut.assign(together.begin(), together.end());
+    }
     resting_.lookAgain(cut, event.time);
     for (const std::size_t body : cut)
         search_.cut(body, event.time);
@@ -114,6 +125,8 @@ void CollisionSource::apply(const Histories& histories, const Event& event,
     for (const Outcome::Resting& resting : outcome_.rests)
         resting_.write(histories, resting.body, event.time, resting.state, resting.rest,
                        equations.changing(), changes);
+    if (outcome_.isContactsNew)
+        resting_.contacts().write(event.time, equations, changes);
 }
 
 } // namespace simulation

@@ -30,6 +30,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -102,8 +103,20 @@ private:
     void passThrough(const Instant& instant, const Pair& pair);
     [[nodiscard]] std::optional<Event> press(const Instant& instant, const Pair& pair);
     [[nodiscard]] Event stir(const Instant& instant, std::size_t body);
-    void settle(const Instant& instant, std::size_t body, const RestingBodies::States& states,
+    // Contacts of these bodies that last from now on; forced: though they be the same as before.
+    void settle(const Instant& instant, std::span<const std::size_t> bodies,
+                const RestingBodies::States& states, Event& event, bool isForced = false);
+    // False: its contacts cannot be those of one body.
+    [[nodiscard]] bool settleAlone(const Instant& instant, std::size_t body,
+                                   const RestingBodies::States& states, Event& event);
+    [[nodiscard]] std::vector<LastingContact> contactsOf(const Instant& instant,
+                                                         std::span<const std::size_t> bodies,
+                                                         const RestingBodies::States& states) const;
+    [[nodiscard]] bool needsRows(const Instant& instant, std::size_t body,
+                                 const RestingBodies::States& states) const;
+    void refuse(const Instant& instant, const Pair& pair, const std::string& sentence,
                 Event& event);
+    [[nodiscard]] Event renewContacts(const Instant& instant, const Pair& pair);
     void keepImpulses(const Instant& instant, const ImpactCluster& cluster,
                       const physics::ImpactResult& result, double settling);
     void noteJam(const Instant& instant, const ImpactCluster& cluster,

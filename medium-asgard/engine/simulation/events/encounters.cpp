@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 #include <utility>
 
 namespace simulation {
@@ -170,31 +171,143 @@ std::optional<Event> CollisionSource::meet(const Instant& at, const Pair& pair) 
     const bool isPlastic = std::ranges::any_of(cluster.contacts, [](const auto& contact) {
         return contact.restitution == 0 && !contact.isPressed;
     });
+    std::vector<std::size_t> settling;
     for (const auto& [body, state] : after)
         if (at.canGiveWay(body) && (isPlastic || resting_.isResting(body)))
-            settle(at, body, after, event);
+            settling.push_back(body);
+    settle(at, settling, after, event, true);
+    return event;
+}
+
+void CollisionSource::refuse(const Instant& at, const Pair& pair, const std::string& sentence,
+                             Event& event) {
+    const auto unknowns = at.unknownsOf(pair);
+    event.touched.insert(event.touched.end(), unknowns.begin(), unknowns.end());
+    outcome_.ends.push_back({unknowns, sentence});
+    for (const std::size_t body : {pair.first, pair.second}) {
+        resting_.forget(body);
+        resting_.contacts().forget(body);
+    }
+}
+
+// Friction, a support that gives way, or a joint: one equation for each body does not do.
+bool CollisionSource::needsRows(const Instant& at, std::size_t body,
+                                const RestingBodies::States& states) const {
+    if (resting_.contacts().isIn(body))
+        return true;
+    const Placed placed = at.placed(body, states);
+    for (const std::size_t other : search_.partners(body)) {
+        const physics::ContactFriction friction = world_.frictionOf(body, other);
+        const bool isAsked = friction.sticking > 0 || friction.rolling > 0 ||
+                             at.canGiveWay(other) || resting_.contacts().isIn(other) ||
+                             world_.joints.isJoined(body);
+        if (isAsked && !resting_.hopForEver(body, other, at.time) &&
+            !touchesOf(placed, at.placed(other, states), world_.resolution[body].gap).empty())
+            return true;
+    }
+    return false;
+}
+
+// Of two the rounder, then the smaller one is the body.
+std::vector<LastingContact> CollisionSource::contactsOf(const Instant& at,
+                                                        std::span<const std::size_t> bodies,
+                                                        const RestingBodies::States& states) const {
+    std::vector<LastingContact> found;
+    std::set<Pair> seen;
+    for (const std::size_t body : bodies)
+        for (const std::size_t other : search_.partners(body)) {
+            const Pair pair = std::minmax(body, other);
+            if (!seen.insert(pair).second || resting_.hopForEver(body, other, at.time))
+                continue;
+            const auto rank = [&](std::size_t b) {
+                return std::tuple(world_.isFixed(b), !world_.isBall(b), world_.records[b].radius,
+                                  b);
+            };
+            const auto [first, second] = rank(pair.second) < rank(pair.first)
+                                             ? std::pair(pair.second, pair.first)
+                                             : std::pair(pair.first, pair.second);
+            const Placed a = at.placed(first, states), b = at.placed(second, states);
+            const double speed =
+                a.state.velocity.norm() + b.state.velocity.norm() +
+                a.state.angularVelocity.norm() * a.record->radius +
+                (b.record->isFixed ? 0 : b.state.angularVelocity.norm() * b.record->radius);
+            const TouchLimits limits{
+                .gap = std::min(world_.resolution[first].gap, world_.resolution[second].gap),
+                .slow = resolution::atRest * speed,
+                .wereInContact = resting_.contacts().areIn(first, second),
+                .isStart = at.time == world_.start,
+                .plane = at.planeOf(pair)};
+            for (LastingContact& contact : lastingContacts(a, b, limits)) {
+                const double reach = contact.place.friction.reach;
+                contact.place.friction = world_.frictionOf(first, second);
+                contact.place.friction.reach = reach;
+                found.push_back(std::move(contact));
+            }
+        }
+    return found;
+}
+
+void CollisionSource::settle(const Instant& at, std::span<const std::size_t> bodies,
+                             const RestingBodies::States& states, Event& event, bool isForced) {
+    std::vector<std::size_t> together;
+    for (const std::size_t body : bodies)
+        if (needsRows(at, body, states))
+            together.push_back(body);
+    for (const std::size_t body : bodies)
+        if (std::ranges::find(together, body) == together.end() &&
+            !settleAlone(at, body, states, event))
+            together.push_back(body);
+    if (together.empty())
+        return;
+    std::vector<LastingContact> contacts = contactsOf(at, together, states);
+    for (const LastingContact& contact : contacts) {
+        if (!contact.isModelled)
+            return refuse(at, {contact.place.body, contact.place.support},
+                          sentences::onlyEdges(world_, {contact.place.body, contact.place.support}),
+                          event);
+        for (const std::size_t body : {contact.place.body, contact.place.support})
+            if (resting_.restsAlone(body)) {
+                together.push_back(body);
+                resting_.forget(body);
+            }
+    }
+    if (!isForced && resting_.contacts().isLike(together, contacts))
+        return;
+    resting_.contacts().set(together, std::move(contacts), at.time,
+                            [&](std::size_t body) { return resting_.nextPhase(body, at.time); });
+    outcome_.isContactsNew = true;
+    for (const std::size_t body : resting_.contacts().concerned())
+        for (std::size_t i = 0; i < physics::bodyUnknowns && !world_.isFixed(body); ++i)
+            event.touched.push_back(world_.records[body].firstUnknown + i);
+}
+
+// Contacts of these two have ended, or may be others.
+Event CollisionSource::renewContacts(const Instant& at, const Pair& pair) {
+    for (const std::size_t body : {pair.first, pair.second})
+        if (at.canGiveWay(body) && counts_.isRestless(body, at.time))
+            return end(at, pair, sentences::restless(world_, body));
+    if (auto met = meet(at, pair))
+        return *met;
+    Event event{.time = at.time, .touched = {}, .tag = 0};
+    outcome_ = {};
+    std::vector<std::size_t> bodies;
+    for (const std::size_t body : {pair.first, pair.second})
+        if (!world_.isFixed(body))
+            bodies.push_back(body);
+    settle(at, bodies, {}, event, true);
     return event;
 }
 
 // Whatever the body touches now and does not part from, it rests on.
-void CollisionSource::settle(const Instant& at, std::size_t body,
-                             const RestingBodies::States& states, Event& event) {
+bool CollisionSource::settleAlone(const Instant& at, std::size_t body,
+                                  const RestingBodies::States& states, Event& event) {
     const Rest rest = at.restOf(body, states);
-    const auto refuse = [&](std::size_t partner, const std::string& sentence) {
-        const auto unknowns = at.unknownsOf({body, partner});
-        event.touched.insert(event.touched.end(), unknowns.begin(), unknowns.end());
-        outcome_.ends.push_back({unknowns, sentence});
-        resting_.forget(body);
-        resting_.forget(partner);
-    };
-    if (rest.state == Rest::State::unmodelled)
-        return refuse(rest.partner, rest.sentence);
-    if (!rest.footings.empty() && world_.joints.isJoined(body))
-        return refuse(rest.footings[0].support,
-                      sentences::joinedRests(world_, {body, rest.footings[0].support}));
+    if (rest.state == Rest::State::unmodelled ||
+        (!rest.footings.empty() && world_.joints.isJoined(body)))
+        return false;
     const bool isNothingNew = rest.footings.empty() && !resting_.isResting(body);
     if (isNothingNew || rest.state == Rest::State::approaching)
-        return;
+        return true;
     for (const Footing& footing : rest.footings)
         noteUnturned(at, footing.support);
     resting_.set(body, at.time, rest);
@@ -203,15 +316,18 @@ void CollisionSource::settle(const Instant& at, std::size_t body,
         {body, state != states.end() ? state->second : at.stateOf(body), rest});
     for (std::size_t i = 0; i < physics::bodyUnknowns; ++i)
         event.touched.push_back(world_.records[body].firstUnknown + i);
+    return true;
 }
 
 // Pushed together without approaching.
 std::optional<Event> CollisionSource::press(const Instant& at, const Pair& pair) {
     Event event{.time = at.time, .touched = {}, .tag = 0};
     outcome_ = {};
+    std::vector<std::size_t> settling;
     for (const std::size_t body : {pair.first, pair.second})
-        if (at.canGiveWay(body) && outcome_.ends.empty())
-            settle(at, body, {}, event);
+        if (at.canGiveWay(body))
+            settling.push_back(body);
+    settle(at, settling, {}, event);
     return event.touched.empty() ? std::nullopt : std::optional(event);
 }
 
@@ -227,7 +343,7 @@ Event CollisionSource::stir(const Instant& at, std::size_t body) {
     if (rest.state == Rest::State::approaching)
         if (auto met = meet(at, std::minmax(body, rest.partner)))
             return *met;
-    settle(at, body, leaving(at, body, rest), event);
+    settle(at, std::span(&body, 1), leaving(at, body, rest), event);
     return event;
 }
 

@@ -94,7 +94,8 @@ std::optional<Push> FlightView::pushOf(const Present& first, const Present& seco
                                        const Vector& normal) const {
     const double restitution = world.restitutionOf({first.body, second.body});
     const double speed = normal.dot(first.velocity - second.velocity);
-    if (restitution == 0 || !(speed < -approachThreshold * (first.speed + second.speed)) ||
+    if (world.frictionOf(first.body, second.body).sliding > 0 || restitution == 0 ||
+        !(speed < -approachThreshold * (first.speed + second.speed)) ||
         isLastHop(first, second, normal, restitution * speed))
         return std::nullopt;
     const double one = 1 / world.records[first.body].mass,

@@ -71,7 +71,12 @@ std::vector<NearCorner> cornersAt(const Instant& at, const Pair& pair, bool isHi
 class Gathering { // of contacts of one pair
 public:
     Gathering(const Instant& at, const Pair& pair, ImpactCluster& cluster)
-        : at_(at), a_(pair.first), b_(pair.second), cluster_(cluster) {}
+        : at_(at), a_(pair.first), b_(pair.second), cluster_(cluster),
+          friction_(at.world.frictionOf(a_, b_)) {
+        if (!friction_.bodySurface.isZero(0) || !friction_.supportSurface.isZero(0))
+            surface_ = at.stateOf(a_).attitude * friction_.bodySurface -
+                       at.stateOf(b_).attitude * friction_.supportSurface;
+    }
 
     // isHit: the search found that these two hit each other.
     void add(bool isHit) {
@@ -80,11 +85,18 @@ public:
                                   at_.contactTolerance({a_, b_}), at_.resting.slack(a_, b_));
         // A body that rests turns about what it rests on: each corner counts. So it does where gaps
         // have the integration's errors, not rounding's.
-        const bool isUnsure = at_.resting.hasFooting(a_, b_) || (contacts.empty() && isHit);
+        const bool isAlone =
+            at_.resting.hasFooting(a_, b_) && !at_.resting.contacts().areIn(a_, b_);
+        const bool isUnsure =
+            isAlone || (contacts.empty() && isHit && !at_.resting.contacts().areIn(a_, b_));
         if (isUnsure && freedom(a_) != freedom(b_))
             return addCorners(isHit);
+        const ContactSet& lasting = at_.resting.contacts();
+        if (lasting.areIn(a_, b_))
+            addLasting(lasting);
         for (const collision::Contact& contact : contacts)
-            addPatch(contact);
+            if (!lasting.areIn(a_, contact.firstPart, b_, contact.secondPart))
+                addPatch(contact);
     }
 
 private:
@@ -106,7 +118,25 @@ private:
                                      .point = point,
                                      .normal = normal,
                                      .restitution = at_.world.restitutionOf({a_, b_}),
-                                     .isBeside = at_.search.depth({a_, b_}) > 0});
+                                     .isBeside = at_.search.depth({a_, b_}) > 0,
+                                     .friction = friction_.sliding,
+                                     .surface = surface_});
+    }
+    // Of parts in a contact that lasts each corner that touches: those of the contact, and others
+    // that land.
+    void addLasting(const ContactSet& lasting) {
+        const double gap = std::min(at_.world.resolution[a_].gap, at_.world.resolution[b_].gap);
+        for (const Touch& touch : touchesOf(at_.placed(a_), at_.placed(b_), gap))
+            if (lasting.areIn(a_, touch.bodyPart, b_, touch.supportPart)) {
+                std::vector<Vector> corners;
+                for (const Corner& corner : touch.corners)
+                    if (corner.gap <= landing_ * touch.size)
+                        corners.push_back(corner.point);
+                for (const Vector& corner : inPlane(corners, plane_, touch.size))
+                    add(corner, flat(touch.normal),
+                        {at_.world.moving[a_].shape().parts[touch.bodyPart].radius,
+                         at_.world.moving[b_].shape().parts[touch.supportPart].radius});
+            }
     }
     void addCorners(bool isHit) {
         const bool isFirst = freedom(a_) > freedom(b_);
@@ -121,7 +151,14 @@ private:
         add(contact.point, contact.normal,
             {at_.world.moving[a_].shape().parts[contact.firstPart].radius,
              at_.world.moving[b_].shape().parts[contact.secondPart].radius});
-        for (const Vector& corner : contact.patch)
+        const std::vector<Vector> corners =
+            inPlane(contact.patch, plane_,
+                    std::min(at_.world.records[a_].radius, at_.world.records[b_].radius));
+        if (corners.size() < contact.patch.size()) {
+            cluster_.contacts.back().normal = flat(contact.normal);
+            cluster_.contacts.back().point[plane_->axis] = plane_->at;
+        }
+        for (const Vector& corner : corners)
             if (contact.patch.size() > 1) {
                 cluster_.corners.push_back(cluster_.contacts.back());
                 cluster_.corners.back().point = corner;
@@ -129,9 +166,22 @@ private:
             }
     }
 
+    // Without what is rounding beside the plane of motion.
+    [[nodiscard]] Vector flat(Vector normal) const {
+        if (plane_ && std::abs(normal[plane_->axis]) <= landing_) {
+            normal[plane_->axis] = 0;
+            normal.normalize();
+        }
+        return normal;
+    }
+
     const Instant& at_;
     std::size_t a_, b_;
     ImpactCluster& cluster_;
+    std::optional<MotionPlane> plane_ = at_.planeOf({a_, b_});
+    static constexpr double landing_ = 1e-8; // of the parts' size: a corner that touches
+    physics::ContactFriction friction_;
+    Vector surface_ = Vector::Zero();
 };
 
 } // namespace

@@ -21,6 +21,41 @@ bool Instant::areFreeBalls(const Pair& pair) const {
            isFree(pair.second);
 }
 
+namespace {
+
+// It is 0 and stays so (solution/zero_states.h).
+bool sleeps(const solution::Histories& histories, std::size_t unknown, double time) {
+    const auto place = histories.place(unknown, time);
+    return place.history->until() == solution::infinity &&
+           place.history->from() <= histories.start() && histories.value(unknown, time) == 0;
+}
+
+} // namespace
+
+std::optional<MotionPlane> Instant::planeOf(const Pair& pair) const {
+    using namespace physics;
+    for (const int axis : {2, 1, 0}) {
+        std::optional<double> at;
+        bool isIn = true;
+        for (const std::size_t body : {pair.first, pair.second}) {
+            if (world.isFixed(body))
+                continue;
+            const std::size_t first = world.records[body].firstUnknown;
+            isIn = isIn && sleeps(histories, first + dx + static_cast<std::size_t>(axis), time);
+            for (std::size_t k = 0; k < 3; ++k)
+                if (static_cast<int>(k) != axis)
+                    isIn = isIn && sleeps(histories, first + qx + k, time) &&
+                           sleeps(histories, first + w1 + k, time);
+            const double place = stateOf(body).position[axis];
+            isIn = isIn && (!at || *at == place);
+            at = place;
+        }
+        if (isIn && at)
+            return MotionPlane{.axis = axis, .at = *at};
+    }
+    return std::nullopt;
+}
+
 double Instant::speedOf(const Pair& pair) const {
     double speed = 0;
     for (const std::size_t body : {pair.first, pair.second}) {

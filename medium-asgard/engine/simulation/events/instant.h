@@ -45,6 +45,8 @@ struct Instant {
         return std::min(resting.nextPhase(pair.first, time), resting.nextPhase(pair.second, time));
     }
 
+    // In which the two move, and nothing drives them out of it.
+    [[nodiscard]] std::optional<MotionPlane> planeOf(const Pair& pair) const;
     // The speeds that enter.
     [[nodiscard]] double speedOf(const Pair& pair) const;
     // Nearer than this they touch at an impact: it is as far off as coordinates and times are

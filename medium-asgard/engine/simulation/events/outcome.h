@@ -17,6 +17,7 @@ struct Outcome {
     std::vector<solution::Changes::Jump> jumps;
     std::vector<solution::Changes::End> ends;
     std::vector<Resting> rests;
+    bool isContactsNew = false; // contacts that last are others
 
     // Of the body's unknowns those that are not the same, in the event, too; of the attitude all or
     // none, since what was solved is of length 1 only to its error.

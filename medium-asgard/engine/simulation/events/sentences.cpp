@@ -44,6 +44,11 @@ std::string joinedRests(const Colliders& world, const Pair& pair) {
            quoted(world, pair.second) + ", which is not computed yet";
 }
 
+std::string onlyEdges(const Colliders& world, const Pair& pair) {
+    return bodies(world, pair) +
+           " rest on each other with edges or vertices only, which is not modelled";
+}
+
 std::string meetsEnded(const Colliders& world, std::size_t body, std::size_t ended, double time) {
     char when[40];
     std::snprintf(when, sizeof when, "%.6g", time);

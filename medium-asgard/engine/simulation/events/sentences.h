@@ -19,6 +19,7 @@ namespace simulation::sentences {
                                      bool isBetweenSeveral);
 // The first, which a joint holds, on the second.
 [[nodiscard]] std::string joinedRests(const Colliders& world, const Pair& pair);
+[[nodiscard]] std::string onlyEdges(const Colliders& world, const Pair& pair);
 [[nodiscard]] std::string meetsEnded(const Colliders& world, std::size_t body, std::size_t ended,
                                      double time);
 [[nodiscard]] std::string missed(const Colliders& world, const Pair& pair);

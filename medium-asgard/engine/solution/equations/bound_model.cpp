@@ -105,19 +105,54 @@ private:
         std::vector<std::uint32_t> entries;
         for (const std::size_t place : bound_.multipliers) {
             const expression::Phase& phase = phaseOf(place);
-            const auto& [gap, rate, low, high, restitution, resolution, release] = *phase.condition;
-            const bool isBounded = low > -infinity || high < infinity;
-            BoundModel::Law law{
-                low, high, restitution, resolution, gap && isBounded, rate.has_value()};
-            if (release)
-                if (const auto unknown = index_.of(*release))
+            const expression::Condition& of = *phase.condition;
+            const bool isBounded = of.low > -infinity || of.high < infinity;
+            BoundModel::Law law{of.low,
+                                of.high,
+                                of.restitution,
+                                of.resolution,
+                                of.gap && isBounded,
+                                of.rate.has_value()};
+            if (of.release)
+                if (const auto unknown = index_.of(*of.release))
                     law.release = placeOf(*unknown);
+            law.leaving = of.leaving;
+            if (of.friction)
+                law.disc = discOf(*of.friction);
             bound_.laws.push_back(law);
             for (const auto& node : {phase.condition->gap, phase.condition->rate})
                 entries.push_back(entryOf(node ? operandOf(*node) : number(0)));
             entries.push_back(entryOf(operandOf(phase.derivative)));
         }
+        for (const std::size_t place : bound_.multipliers) {
+            const std::vector<Node>& valid = phaseOf(place).condition->valid;
+            entries.push_back(static_cast<std::uint32_t>(valid.size()));
+            for (const Node node : valid)
+                entries.push_back(entryOf(operandOf(node)));
+        }
         return entries;
+    }
+
+    // The same one for all of its rows.
+    std::size_t discOf(const expression::Friction& friction) {
+        BoundModel::Disc disc{.rows = multipliersOf(friction.rows),
+                              .normals = multipliersOf(friction.normals),
+                              .sticking = friction.sticking,
+                              .sliding = friction.sliding};
+        const auto known = std::ranges::find(bound_.discs, disc);
+        const auto place = static_cast<std::size_t>(known - bound_.discs.begin());
+        if (known == bound_.discs.end())
+            bound_.discs.push_back(std::move(disc));
+        return place;
+    }
+    // Without those that stay 0.
+    [[nodiscard]] std::vector<std::size_t> multipliersOf(std::span<const Node> symbols) const {
+        std::vector<std::size_t> found;
+        for (const Node symbol : symbols)
+            if (const auto unknown = index_.of(symbol); unknown && !zero_.contains(*unknown))
+                if (const auto place = placeOf(*unknown); place && phaseOf(*place).condition)
+                    found.push_back(stateOf_[*place]);
+        return found;
     }
 
     [[nodiscard]] const expression::Phase& phaseOf(std::size_t place) const {

@@ -26,9 +26,19 @@ struct BoundModel {
         // Its condition is one on second rates; others say their multiplier without the rest.
         bool isOnSecondRates = true;
         std::optional<std::size_t> release = {}; // place of an unknown: not 0: gone
-        [[nodiscard]] bool isBounded() const { return low > -infinity || high < infinity; }
+        std::optional<double> leaving = {};      // of a contact
+        std::optional<std::size_t> disc = {};    // of friction
+        [[nodiscard]] bool isBounded() const {
+            return low > -infinity || high < infinity || disc.has_value();
+        }
     };
     std::vector<Law> laws;
+    struct Disc { // of friction, by multipliers in their order
+        std::vector<std::size_t> rows, normals;
+        double sticking = 0, sliding = 0;
+        [[nodiscard]] bool operator==(const Disc&) const = default;
+    };
+    std::vector<Disc> discs;
     std::vector<std::size_t> inputs; // unknowns of other components, in the model's order
     std::vector<double> constants;
     bool canPeak = false; // peaks.h

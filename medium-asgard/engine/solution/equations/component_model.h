@@ -139,7 +139,9 @@ public:
     struct Conditions {
         std::vector<Entry> matrix; // entries of A that are not 0
         Derived second;            // these, then b
-        Derived gaps;              // g, then g'
+        Derived gaps;              // g, then g', then what is not negative while contacts last
+        // By multiplier, and one more: the first of those.
+        std::vector<std::uint32_t> firstValid;
         std::vector<Entry> pushes; // states and multipliers: dy'/dm that are not 0
         // Of places and attitudes, how they move when the states that multipliers push do so.
         std::vector<Entry> shifts;
@@ -196,6 +198,7 @@ private:
     Switching switching_;
     // Of each multiplier g, g' and g''.
     std::vector<expression::Node> conditionNodes_;
+    std::vector<expression::Node> validNodes_; // of all multipliers in order
     Conditions conditions_;
     Directions directions_;
     PeakFunctions peaks_, guardPeaks_;
@@ -226,9 +229,10 @@ private:
 };
 
 // Words of a key: counts of states, of held values and of multipliers, 1 or 0 for each state
-// (configuration or not), then entries, then the entries that are outputs, and three for the
-// condition of each multiplier. An entry is an operation with the entries that are its arguments, a
-// literal (Op::constant and the two halves of its bits), or a leaf.
+// (configuration or not), then entries, then the entries that are outputs, three for the condition
+// of each multiplier, and the number and the entries of what is valid of each. An entry is an
+// operation with the entries that are its arguments, a literal (Op::constant and the two halves of
+// its bits), or a leaf.
 namespace key {
 inline constexpr std::uint32_t time = 0x100, state = 0x101, input = 0x102, constant = 0x103,
                                outputs = 0x104, multiplier = 0x105;

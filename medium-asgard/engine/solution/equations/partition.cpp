@@ -34,6 +34,8 @@ std::vector<Node> nodesAfter(const expression::Unknown& unknown, double from) {
                  {phase.condition->gap, phase.condition->rate, phase.condition->release})
                 if (node)
                     nodes.push_back(*node);
+        if (phase.condition)
+            nodes.insert(nodes.end(), phase.condition->valid.begin(), phase.condition->valid.end());
     }
     return nodes;
 }
@@ -113,6 +115,25 @@ UnknownIndex::UnknownIndex(const expression::EquationSet& set) {
                 findMoved(set, *phase.condition, m);
 }
 
+void UnknownIndex::add(const expression::EquationSet& set, std::size_t unknown) {
+    const std::uint32_t symbol = set.unknowns[unknown].symbol.index;
+    if (symbol >= bySymbol_.size())
+        bySymbol_.resize(symbol + 1, none);
+    bySymbol_[symbol] = static_cast<std::uint32_t>(unknown);
+    quaternions_.resize(set.unknowns.size(), none);
+}
+
+void UnknownIndex::follow(const expression::EquationSet& set, std::size_t multiplier, double from) {
+    for (auto& [unknown, multipliers] : multipliers_)
+        std::erase(multipliers, multiplier);
+    const std::vector<expression::Phase>& phases = set.unknowns[multiplier].phases;
+    for (std::size_t i = 0; i < phases.size(); ++i)
+        if (phases[i].condition && !(i + 1 < phases.size() && phases[i + 1].from <= from))
+            findMoved(set, *phases[i].condition, multiplier);
+    for (auto& [unknown, multipliers] : multipliers_)
+        std::ranges::sort(multipliers);
+}
+
 void UnknownIndex::findMoved(const expression::EquationSet& set,
                              const expression::Condition& condition, std::size_t multiplier) {
     std::vector<Node> nodes;
@@ -122,7 +143,7 @@ void UnknownIndex::findMoved(const expression::EquationSet& set,
     for (const Node symbol : expression::symbolsOf(set.graph, nodes))
         if (const auto unknown = of(symbol)) {
             std::vector<std::size_t>& multipliers = multipliers_[*unknown];
-            if (multipliers.empty() || multipliers.back() != multiplier)
+            if (std::ranges::find(multipliers, multiplier) == multipliers.end())
                 multipliers.push_back(multiplier);
         }
 }

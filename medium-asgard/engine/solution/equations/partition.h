@@ -34,6 +34,11 @@ public:
     // Those whose conditions read it, so that they may move it: in order.
     [[nodiscard]] std::span<const std::size_t> multipliersOf(std::size_t unknown) const;
 
+    // The set has got this unknown, its last.
+    void add(const expression::EquationSet& set, std::size_t unknown);
+    // Its phases from that time on are others.
+    void follow(const expression::EquationSet& set, std::size_t multiplier, double from);
+
 private:
     void findMoved(const expression::EquationSet& set, const expression::Condition& condition,
                    std::size_t multiplier);

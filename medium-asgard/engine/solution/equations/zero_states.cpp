@@ -220,8 +220,8 @@ std::vector<std::size_t> ZeroStates::spread(const expression::EquationSet& set, 
 }
 
 // Nodes that the graph has got since.
-void ZeroStates::grow(const Graph& graph) {
-    for (auto n = static_cast<std::uint32_t>(nodeZero_.size()); n < graph.size(); ++n) {
+void ZeroStates::grow(const Graph& graph, std::uint32_t until) {
+    for (auto n = static_cast<std::uint32_t>(nodeZero_.size()); n < until; ++n) {
         ++looks_;
         nodeZero_.push_back(false);
         if (graph.op(Node{n}) != Op::symbol)
@@ -249,12 +249,23 @@ std::vector<std::size_t> ZeroStates::unknowns() const {
     return list;
 }
 
+void ZeroStates::add(const expression::EquationSet& set) {
+    zero_.resize(set.unknowns.size(), false);
+    if (empty())
+        return;
+    const std::uint32_t symbol = set.unknowns.back().symbol.index;
+    grow(set.graph, symbol + 1); // nodes that read it come after it
+    nodeZero_[symbol] = true;
+    zero_.back() = true;
+    ++count_;
+}
+
 std::vector<std::size_t> ZeroStates::wake(const expression::EquationSet& set, double from,
                                           std::span<const std::size_t> roused,
                                           std::span<const std::size_t> changed) {
     if (empty())
         return {};
-    grow(set.graph);
+    grow(set.graph, static_cast<std::uint32_t>(set.graph.size()));
     std::vector<std::size_t> awake(roused.begin(), roused.end());
     for (const std::size_t u : changed) {
         learn(set.unknowns[u], u);

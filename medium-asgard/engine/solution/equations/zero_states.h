@@ -44,6 +44,9 @@ public:
     [[nodiscard]] std::vector<std::size_t> wake(const expression::EquationSet& set, double from,
                                                 std::span<const std::size_t> roused,
                                                 std::span<const std::size_t> changed);
+    // The last unknown of the set is new. It sleeps until wake() is told of its equations, as
+    // others do; where nothing sleeps it is awake.
+    void add(const expression::EquationSet& set);
     // Unknowns whose equations read one of these in some phase, and perhaps some that did before
     // an event; in order.
     [[nodiscard]] std::vector<std::size_t> readersOf(const expression::EquationSet& set,
@@ -60,7 +63,7 @@ private:
     struct Readers;
     template <class Visit> void eachReader(std::uint32_t node, const Visit& visit) const;
     template <class Visit> void eachUnknown(std::uint32_t node, const Visit& visit) const;
-    void grow(const expression::Graph& graph);
+    void grow(const expression::Graph& graph, std::uint32_t until);
     void learn(const expression::Unknown& unknown, std::size_t u);
     [[nodiscard]] std::vector<std::size_t> spread(const expression::EquationSet& set, double from,
                                                   std::vector<std::size_t> awake);

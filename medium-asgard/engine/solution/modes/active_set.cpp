@@ -12,10 +12,16 @@ using complementarity::State;
 
 namespace {
 
-constexpr double atRest = 1e-12; // of the rates that enter, what counts as none
-constexpr double rateOf = 1e-3;  // of a resolution, in the unit of time
+constexpr double atRest = 1e-12;  // of the rates that enter, what counts as none
+constexpr double slow = 1e-8;     // of the velocities: a contact neither approaches nor parts
+constexpr double noForce = 1e-12; // of the largest, between bodies in contact
+constexpr double rateOf = 1e-3;   // of a resolution, in the unit of time
 
 double shortest(double t) { return 1e-12 * std::max(1e-6, std::abs(t)); }
+
+bool isIn(std::span<const std::size_t> list, std::size_t value) {
+    return std::ranges::find(list, value) != list.end();
+}
 
 } // namespace
 
@@ -23,58 +29,102 @@ ActiveSet::ActiveSet(ModelFunctions& functions, Multipliers& multipliers, Mode& 
     : f_(functions), multipliers_(multipliers), mode_(mode) {
     const auto& laws = functions.bound()->laws;
     for (std::size_t row = 0; row < laws.size(); ++row)
-        if (laws[row].isBounded())
+        if (laws[row].isBounded()) {
             bounded_.push_back(row);
+            hasContacts_ = hasContacts_ || isContact(row);
+        }
+    mode.slips.assign(functions.bound()->discs.size(), {1, 0, 0});
 }
 
 bool ActiveSet::isStop(std::size_t row) const { return law(row).isStop; }
 
+bool ActiveSet::slips() const {
+    return std::ranges::any_of(
+        discs(), [this](const BoundModel::Disc& disc) { return multipliers_.slips(disc); });
+}
+
+// --------------------------------------------------------------------------------------- watches
+
 void ActiveSet::refresh() {
     watches_.clear();
-    for (const std::size_t row : bounded_) {
-        const BoundModel::Law& of = law(row);
-        if (mode_.kept[row] == Mode::gone)
-            continue;
-        if (mode_.kept[row] == State::inside) {
-            if (of.low > -complementarity::unbounded)
-                watches_.push_back({row, Kind::least});
-            if (of.high < complementarity::unbounded)
-                watches_.push_back({row, Kind::most});
-        } else if (of.isStop) {
-            watches_.push_back({row, Kind::gap});
-        } else {
-            watches_.push_back(
-                {row, mode_.kept[row] == State::low ? Kind::forward : Kind::backward});
-        }
+    for (const std::size_t row : bounded_)
+        if (!isGone(row) && !law(row).disc)
+            watchRow(row);
+    for (std::size_t disc = 0; disc < discs().size(); ++disc)
+        watchDisc(disc);
+}
+
+void ActiveSet::watchRow(std::size_t row) {
+    const BoundModel::Law& of = law(row);
+    if (isContact(row))
+        watches_.push_back({row, Kind::invalid});
+    if (mode_.kept[row] == State::inside) {
+        if (of.low > -complementarity::unbounded)
+            watches_.push_back({row, Kind::least});
+        if (of.high < complementarity::unbounded)
+            watches_.push_back({row, Kind::most});
+    } else if (of.isStop) {
+        watches_.push_back({row, Kind::gap});
+        if (isContact(row))
+            watches_.push_back({row, Kind::parted});
+    } else {
+        watches_.push_back({row, mode_.kept[row] == State::low ? Kind::forward : Kind::backward});
     }
+}
+
+// Without a normal force there is nothing to watch.
+void ActiveSet::watchDisc(std::size_t disc) {
+    const BoundModel::Disc& of = discs()[disc];
+    const bool isPressed = std::ranges::any_of(
+        of.normals, [this](std::size_t row) { return mode_.kept[row] == State::inside; });
+    if (isPressed && !isGone(of.rows[0]))
+        watches_.push_back({disc, multipliers_.slips(of) ? Kind::turn : Kind::cone});
 }
 
 void ActiveSet::watch(std::span<double> values) {
     if (watches_.empty())
         return;
     multipliers_.evaluateGaps();
-    for (std::size_t k = 0; k < watches_.size(); ++k) {
-        const auto [row, kind] = watches_[k];
-        const double m = multipliers_.values()[row];
-        switch (kind) {
-        case Kind::gap:
-            values[k] = multipliers_.gap(row) + (mode_.touches[row] != 0 ? law(row).resolution : 0);
-            break;
-        case Kind::least:
-            values[k] = m - law(row).low;
-            break;
-        case Kind::most:
-            values[k] = law(row).high - m;
-            break;
-        case Kind::forward: // others may hold its rate at 0, but for rounding
-            values[k] = rateOf * law(row).resolution + multipliers_.rate(row);
-            break;
-        case Kind::backward:
-            values[k] = rateOf * law(row).resolution - multipliers_.rate(row);
-            break;
-        }
-    }
+    largest_ = 0;
+    if (hasContacts_)
+        for (const double m : multipliers_.values())
+            largest_ = std::max(largest_, std::abs(m));
+    for (std::size_t k = 0; k < watches_.size(); ++k)
+        values[k] = valueOf(watches_[k]);
 }
+
+double ActiveSet::valueOf(const Watch& watch) const {
+    const auto [row, kind] = watch;
+    switch (kind) {
+    case Kind::cone:
+        return multipliers_.leewayOf(discs()[row]) + noForce * largest_;
+    case Kind::turn: { // others may hold it at rest, but for rounding
+        const Multipliers::InDisc slip = multipliers_.slipOf(discs()[row]);
+        const double along =
+            slip.dot(Eigen::Map<const Eigen::Vector3d>(mode_.slips[row].data()).head(slip.size()));
+        return along + rateOf * law(discs()[row].rows[0]).resolution;
+    }
+    case Kind::gap:
+        return multipliers_.gap(row) -
+               (isContact(row) ? opened_[row] - rateOf * law(row).resolution : 0) +
+               (mode_.touches[row] != 0 ? law(row).resolution : 0);
+    case Kind::parted:
+        return *law(row).leaving - multipliers_.gap(row);
+    case Kind::invalid:
+        return multipliers_.validity(row);
+    case Kind::least:
+        return multipliers_.values()[row] - law(row).low + noForce * largest_;
+    case Kind::most:
+        return law(row).high - multipliers_.values()[row];
+    case Kind::forward: // others may hold its rate at 0, but for rounding
+        return rateOf * law(row).resolution + multipliers_.rate(row);
+    case Kind::backward:
+        return rateOf * law(row).resolution - multipliers_.rate(row);
+    }
+    return 0;
+}
+
+// ------------------------------------------------------------------------------- the next set
 
 // Stops and brakes are open while the conditions without bounds make velocities consistent.
 void ActiveSet::decide(double t, std::span<double> y) {
@@ -82,7 +132,7 @@ void ActiveSet::decide(double t, std::span<double> y) {
         return;
     std::ranges::fill(mode_.touches, 0);
     for (const std::size_t row : bounded_)
-        if (mode_.kept[row] != Mode::gone)
+        if (!isGone(row))
             mode_.kept[row] = State::low;
     multipliers_.project(t, y);
     lastCross_ = t;
@@ -92,17 +142,36 @@ void ActiveSet::decide(double t, std::span<double> y) {
     double fastest = 0;
     for (std::size_t row = 0; row < mode_.kept.size(); ++row)
         fastest = std::max(fastest, std::abs(multipliers_.rate(row)));
-    std::vector<std::size_t> hit;
-    for (const std::size_t row : bounded_)
-        if (mode_.kept[row] != Mode::gone && isStop(row) &&
-            multipliers_.gap(row) <= law(row).resolution &&
-            multipliers_.rate(row) < -atRest * fastest)
+    const double none = slow * multipliers_.fastest(y);
+    std::vector<std::size_t> hit, closed;
+    for (const std::size_t row : bounded_) {
+        const bool touches =
+            isStop(row) && !isGone(row) && multipliers_.gap(row) <= law(row).resolution;
+        const bool approaches = multipliers_.rate(row) < -atRest * fastest;
+        if (touches && isContact(row) && multipliers_.rate(row) <= none)
+            closed.push_back(row); // its source has made it: it neither approaches nor parts
+        else if (touches && approaches)
             hit.push_back(row);
+    }
     if (!hit.empty())
         blow(hit, t, y);
     slip(fastest, t, y);
-    (void)settle(hit, fastest, t, y);
+    closed.insert(closed.end(), hit.begin(), hit.end());
+    (void)settle(closed, fastest, t, y);
+    noteOpened(std::vector<State>(mode_.kept.size(), State::inside), t, y);
     refresh();
+}
+
+// An overlap by rounding, or by what an impact left, closes no contact again.
+void ActiveSet::noteOpened(std::span<const State> before, double t, std::span<const double> y) {
+    if (!hasContacts_)
+        return;
+    opened_.resize(mode_.kept.size(), 0);
+    f_.fill(t, y);
+    multipliers_.evaluateGaps();
+    for (const std::size_t row : bounded_)
+        if (isContact(row) && mode_.kept[row] == State::low && before[row] != State::low)
+            opened_[row] = std::min(0.0, multipliers_.gap(row));
 }
 
 // At the bound itself the laws have both answers; a little ahead, along the rates that led there,
@@ -111,18 +180,31 @@ bool ActiveSet::cross(std::span<const std::size_t> watches, double t, std::span<
                       std::span<const double> rates) {
     constexpr double part = 1e-6, more = 100; // of the time since the last event
     ahead_ = t > lastCross_ ? part * (t - lastCross_) : std::max(more * ahead_, shortest(t));
+    f_.fill(t, y);
+    (void)multipliers_.solve();
+    multipliers_.evaluateGaps();
+    const double elapsed = t - lastCross_;
     lastCross_ = t;
+    const std::vector<State> before = mode_.kept;
     std::vector<std::size_t> candidates, hit;
     for (const std::size_t k : watches) {
-        candidates.push_back(watches_[k].row);
-        if (watches_[k].kind == Kind::gap)
-            hit.push_back(watches_[k].row);
+        const auto [row, kind] = watches_[k];
+        const bool isEnded =
+            kind == Kind::parted || kind == Kind::invalid || (kind == Kind::gap && isContact(row));
+        if (isEnded)
+            mode_.kept[row] = Mode::gone;
+        else if (kind == Kind::cone || (kind == Kind::turn && hasStopped(row, elapsed, y)))
+            candidates.push_back(discs()[row].rows[0]);
+        else if (kind == Kind::turn)
+            setSlip(row, multipliers_.slipOf(discs()[row]));
+        else
+            candidates.push_back(row);
+        if (kind == Kind::gap && !isEnded)
+            hit.push_back(row);
     }
     double fastest = 0;
     bool isDone = false;
     if (!hit.empty()) {
-        f_.fill(t, y);
-        multipliers_.evaluateGaps();
         for (const std::size_t row : hit)
             fastest = std::max(fastest, std::abs(multipliers_.rate(row)));
         blow(hit, t, y);
@@ -135,21 +217,18 @@ bool ActiveSet::cross(std::span<const std::size_t> watches, double t, std::span<
         isDone = settle(candidates, fastest, t + ahead_, beyond);
     }
     multipliers_.project(t, y);
+    noteOpened(before, t, y);
     refresh();
     return isDone;
 }
 
-complementarity::Laws ActiveSet::lawsOf(std::span<const std::size_t> rows, bool isBlow) const {
+complementarity::Laws ActiveSet::lawsOf(std::span<const std::size_t> rows) const {
     complementarity::Laws laws;
-    for (const std::size_t row : rows) {
-        const BoundModel::Law& of = law(row);
-        if (!of.isBounded())
-            complementarity::addEquality(laws);
-        else if (isBlow)
+    for (const std::size_t row : rows)
+        if (law(row).isBounded())
             complementarity::addUnilateral(laws);
         else
-            complementarity::addInterval(laws, of.low, of.high);
-    }
+            complementarity::addEquality(laws);
     return laws;
 }
 
@@ -175,16 +254,33 @@ void ActiveSet::blow(std::span<const std::size_t> hit, double t, std::span<doubl
     give(hit, restitutions, t, y);
 }
 
-// Brakes and motors do not hold against a blow: they slip the way that it gives.
+void ActiveSet::setDisc(std::size_t disc, State state) {
+    for (const std::size_t row : discs()[disc].rows)
+        if (!isGone(row))
+            mode_.kept[row] = state;
+}
+
+void ActiveSet::setSlip(std::size_t disc, const Multipliers::InDisc& direction) {
+    setDisc(disc, State::low);
+    const double length = direction.norm();
+    if (!(length > 0))
+        return;
+    for (Eigen::Index i = 0; i < direction.size(); ++i)
+        mode_.slips[disc][static_cast<std::size_t>(i)] = direction[i] / length;
+}
+
+// Brakes, motors and friction do not hold against a blow: they slip the way that it gives.
 void ActiveSet::slip(double fastest, double t, std::span<const double> y) {
     f_.fill(t, y);
     multipliers_.evaluateGaps();
     for (const std::size_t row : bounded_)
         if (const double rate = multipliers_.rate(row);
-            !isStop(row) && mode_.kept[row] != Mode::gone)
+            !isStop(row) && !isGone(row) && !law(row).disc)
             mode_.kept[row] = std::abs(rate) <= atRest * fastest ? State::inside
                               : rate > 0                         ? State::low
                                                                  : State::high;
+    for (std::size_t disc = 0; disc < discs().size(); ++disc)
+        setSlip(disc, multipliers_.slipOf(discs()[disc]));
 }
 
 // With nothing that holds it, it would come back from that height.
@@ -203,24 +299,24 @@ void ActiveSet::give(std::span<const std::size_t> hit, std::span<const double> r
     for (std::size_t row = 0; row < mode_.kept.size(); ++row) {
         const bool isHeld = mode_.kept[row] == State::inside &&
                             (!law(row).isBounded() ? law(row).isOnSecondRates : isStop(row));
-        if (isHeld || std::ranges::find(hit, row) != hit.end())
+        if (isHeld || isIn(hit, row))
             rows.push_back(row);
     }
-    const auto [a, none] = multipliers_.systemOf(rows);
+    const auto [a, none] = multipliers_.systemOf(rows, Multipliers::Friction::none);
     Eigen::VectorXd b(static_cast<Eigen::Index>(rows.size()));
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const double rate = multipliers_.rate(rows[i]);
-        const bool isHit = std::ranges::find(hit, rows[i]) != hit.end() && rate < 0;
+        const bool isHit = isIn(hit, rows[i]) && rate < 0;
         b[static_cast<Eigen::Index>(i)] = isHit ? (1 + restitutions[rows[i]]) * rate : rate;
     }
-    const auto answer = complementarity::solve(a, b, lawsOf(rows, true));
+    const auto answer = complementarity::solve(a, b, lawsOf(rows));
     if (answer)
         multipliers_.push(rows, answer->forces, y);
 }
 
 // It is at its bound without a rate, or holds: the laws on second rates decide.
 bool ActiveSet::isCandidate(std::size_t row, double fastest) const {
-    if (!law(row).isBounded() || mode_.kept[row] == Mode::gone)
+    if (!law(row).isBounded() || isGone(row))
         return false;
     const double none = std::max(rateOf * law(row).resolution, atRest * fastest);
     const bool isSlow = std::abs(multipliers_.rate(row)) <= none;
@@ -228,41 +324,148 @@ bool ActiveSet::isCandidate(std::size_t row, double fastest) const {
            (isSlow && (!isStop(row) || multipliers_.gap(row) <= law(row).resolution));
 }
 
+// Its direction has turned by a right angle: it rests, if it is slow beside what its deceleration
+// has taken away since the last event; else it slips on another way.
+bool ActiveSet::hasStopped(std::size_t disc, double elapsed, std::span<const double> y) {
+    constexpr double ofLost = 1e-6, ofSpeeds = 1e-9;
+    const BoundModel::Disc& of = discs()[disc];
+    double second = 0;
+    for (const std::size_t row : of.rows)
+        second = std::max(second, std::abs(multipliers_.secondRate(row)));
+    const double none = std::max({rateOf * law(of.rows[0]).resolution, ofLost * second * elapsed,
+                                  ofSpeeds * multipliers_.fastest(y)});
+    return multipliers_.slipOf(of).norm() <= none;
+}
+
+bool ActiveSet::mayHold(std::size_t disc, std::span<const std::size_t> fallen,
+                        double fastest) const {
+    const BoundModel::Disc& of = discs()[disc];
+    if (isGone(of.rows[0]))
+        return false;
+    const double none = std::max(rateOf * law(of.rows[0]).resolution, atRest * fastest);
+    const bool hasFallen = isIn(fallen, of.rows[0]);
+    return mode_.kept[of.rows[0]] == State::inside || hasFallen ||
+           multipliers_.slipOf(of).norm() <= none;
+}
+
+ActiveSet::Rows ActiveSet::rowsFor(std::span<const std::size_t> fallen, double fastest,
+                                   const std::vector<char>& slipping) {
+    Rows found;
+    std::vector<char> takesPart(mode_.kept.size(), 0);
+    for (std::size_t row = 0; row < mode_.kept.size(); ++row) {
+        const bool isBounded = law(row).isBounded();
+        if (law(row).disc || isGone(row))
+            continue;
+        const bool isClosed = isContact(row) && isIn(fallen, row);
+        const bool leaves =
+            isStop(row) && !isClosed && fastest > 0 && multipliers_.rate(row) > atRest * fastest;
+        if (isBounded && (leaves || multipliers_.gap(row) > law(row).resolution))
+            mode_.touches[row] = 0;
+        if (isBounded && leaves)
+            mode_.kept[row] = State::low;
+        else
+            takesPart[row] = isIn(fallen, row) || isCandidate(row, fastest) ||
+                                     (!isBounded && law(row).isOnSecondRates)
+                                 ? 1
+                                 : 0;
+    }
+    std::vector<char> isOfDisc(mode_.kept.size(), 0);
+    for (const BoundModel::Disc& disc : discs())
+        for (const std::size_t row : disc.normals)
+            isOfDisc[row] = 1;
+    const auto add = [&](std::size_t row) {
+        found.rows.push_back(row);
+        if (law(row).isBounded())
+            complementarity::addInterval(found.laws, law(row).low, law(row).high);
+        else
+            complementarity::addEquality(found.laws);
+        found.hasBounds = found.hasBounds || law(row).isBounded();
+    };
+    for (std::size_t row = 0; row < mode_.kept.size(); ++row)
+        if (takesPart[row] && !isOfDisc[row])
+            add(row);
+    for (std::size_t disc = 0; disc < discs().size(); ++disc) {
+        const BoundModel::Disc& of = discs()[disc];
+        const auto first = static_cast<Eigen::Index>(found.rows.size());
+        for (const std::size_t row : of.normals)
+            if (takesPart[row])
+                add(row);
+        const auto normals = static_cast<Eigen::Index>(found.rows.size()) - first;
+        const bool holds = !slipping[disc] && mayHold(disc, fallen, fastest);
+        if (!holds && !slipping[disc])
+            setSlip(disc, multipliers_.slipOf(of));
+        if (!holds || normals == 0)
+            continue;
+        setDisc(disc, State::inside); // while the laws are asked, it adds no friction of slip
+        complementarity::addFriction(found.laws, static_cast<Eigen::Index>(of.rows.size()), first,
+                                     of.sticking, normals);
+        found.rows.insert(found.rows.end(), of.rows.begin(), of.rows.end());
+        found.discs.push_back(disc);
+    }
+    return found;
+}
+
 bool ActiveSet::settle(std::span<const std::size_t> fallen, double fastest, double t,
                        std::span<const double> y) {
     f_.fill(t, y);
     multipliers_.evaluateGaps();
-    std::vector<std::size_t> rows;
-    bool isAny = false;
-    for (std::size_t row = 0; row < mode_.kept.size(); ++row) {
-        const bool isBounded = law(row).isBounded();
-        const bool hasFallen = std::ranges::find(fallen, row) != fallen.end();
-        // Rates round with the velocities, however slow the blow was.
-        const double none = std::max(rateOf * law(row).resolution, atRest * fastest);
-        const bool leaves = isStop(row) && fastest > 0 && multipliers_.rate(row) > none;
-        if (isBounded && (leaves || multipliers_.gap(row) > law(row).resolution))
-            mode_.touches[row] = 0;
-        if (isBounded && leaves && mode_.kept[row] != Mode::gone)
-            mode_.kept[row] = State::low;
-        else if (hasFallen || isCandidate(row, fastest) ||
-                 (!isBounded && law(row).isOnSecondRates && mode_.kept[row] != Mode::gone))
-            rows.push_back(row);
-        isAny = isAny || (isBounded && !rows.empty() && rows.back() == row);
+    std::vector<char> slipping(discs().size(), 0);
+    for (bool isOther = true; isOther;) {
+        const Rows rows = rowsFor(fallen, fastest, slipping);
+        if (!rows.hasBounds || !solveLaws(rows)) {
+            openUnpressed();
+            return !rows.hasBounds;
+        }
+        isOther = false;
+        for (const std::size_t disc : rows.discs) // these have the friction of slip from here on
+            if (discs()[disc].sticking != discs()[disc].sliding &&
+                multipliers_.slips(discs()[disc]))
+                slipping[disc] = 1, isOther = true;
     }
-    if (!isAny)
-        return true;
-    const auto [a, b] = multipliers_.systemOf(rows);
-    const complementarity::Laws laws = lawsOf(rows, false);
-    const auto answer = complementarity::solve(a, b, laws);
+    openUnpressed();
+    return true;
+}
+
+// Friction without a normal force holds nothing.
+void ActiveSet::openUnpressed() {
+    for (std::size_t disc = 0; disc < discs().size(); ++disc)
+        if (std::ranges::none_of(discs()[disc].normals, [this](std::size_t row) {
+                return mode_.kept[row] == State::inside;
+            }))
+            setDisc(disc, State::low);
+}
+
+bool ActiveSet::solveLaws(const Rows& rows) {
+    const auto [a, b] = multipliers_.systemOf(rows.rows, Multipliers::Friction::ofSlip);
+    // What may rest does.
+    complementarity::Answer rest{.forces = Eigen::VectorXd::Zero(b.size()),
+                                 .rates = b,
+                                 .states =
+                                     complementarity::States(rows.laws.size(), State::inside)};
+    if (rows.discs.empty())
+        rest = {};
+    const auto answer = complementarity::solve(a, b, rows.laws, rest);
     if (!answer)
         return false;
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        if (law(rows[i]).isBounded()) {
-            const double force = answer->forces[static_cast<Eigen::Index>(i)];
-            const bool isNothing = isStop(rows[i]) && force <= law(rows[i]).low;
-            mode_.kept[rows[i]] = isNothing ? State::low : answer->states[i];
-            mode_.touches[rows[i]] = isNothing ? 1 : 0;
+    const double largest = answer->forces.cwiseAbs().maxCoeff();
+    std::size_t disc = 0;
+    for (std::size_t k = 0; k < rows.laws.size(); ++k) {
+        const complementarity::Law& of = rows.laws[k];
+        const std::size_t row = rows.rows[static_cast<std::size_t>(of.first)];
+        if (of.kind == complementarity::Law::Kind::disc) {
+            const Multipliers::InDisc force = answer->forces.segment(of.first, of.rows);
+            if (answer->states[k] == State::inside)
+                setDisc(rows.discs[disc], State::inside);
+            else
+                setSlip(rows.discs[disc], -force);
+            ++disc;
+        } else if (law(row).isBounded()) {
+            const double none = hasContacts_ ? noForce * largest : 0;
+            const bool isNothing = isStop(row) && answer->forces[of.first] <= law(row).low + none;
+            mode_.kept[row] = isNothing ? State::low : answer->states[k];
+            mode_.touches[row] = isNothing ? 1 : 0;
         }
+    }
     return true;
 }
 

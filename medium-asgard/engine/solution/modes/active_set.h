@@ -4,14 +4,20 @@
 //     m = low, high     the condition is left: a stop is open, a brake or a motor slips
 //
 // A condition with a gap is a stop: gap >= 0, m >= 0, one of both 0. One of velocities is a brake
-// or a motor: its force is low while the rate is positive, and high while it is negative.
+// or a motor: its force is low while the rate is positive, and high while it is negative. The rows
+// of a disc of friction hold together, or slip together with a force against their velocity.
 //
 // Between events the set is held. A force that reaches a bound, a gap or a rate that reaches 0 ends
 // it (watch()). A gap that closes is a blow: velocities jump by Newton's law, in one solve with all
 // that hangs together. Then the second rates and the laws give the next set (complementarity/), a
 // little ahead of the event: at a bound itself they have two answers.
 //
-// LIMIT: hops lower than a condition's resolution are left out.
+// A contact (expression/equations.h) opens and slips here, as stops and brakes do. That it closes,
+// has parted, or has lost its place, is told by its mode: then it is gone, and the source of events
+// that made it says how all goes on from there.
+//
+// LIMIT: hops lower than a condition's resolution are left out. A blow of a stop passes through
+// contacts without friction.
 #pragma once
 
 #include "complementarity/laws.h"
@@ -40,33 +46,65 @@ public:
     // `rates` of the states led there.
     [[nodiscard]] bool cross(std::span<const std::size_t> watches, double t, std::span<double> y,
                              std::span<const double> rates);
+    // A contact's friction slips.
+    [[nodiscard]] bool slips() const;
+    // There are contacts.
+    [[nodiscard]] bool hasContacts() const { return hasContacts_; }
 
 private:
-    enum class Kind { gap, least, most, forward, backward };
+    enum class Kind { gap, least, most, forward, backward, parted, invalid, cone, turn };
     struct Watch {
-        std::size_t row;
+        std::size_t row; // of cone and turn: the disc
         Kind kind;
+    };
+    // The rows of one system: first all without a disc, then of each disc its normal forces next
+    // to each other, and its own rows where it may hold.
+    struct Rows {
+        std::vector<std::size_t> rows;
+        complementarity::Laws laws;
+        std::vector<std::size_t> discs; // that may hold
+        bool hasBounds = false;
     };
     [[nodiscard]] const BoundModel::Law& law(std::size_t row) const {
         return f_.bound()->laws[row];
     }
+    [[nodiscard]] std::span<const BoundModel::Disc> discs() const { return f_.bound()->discs; }
     [[nodiscard]] bool isStop(std::size_t row) const;
-    [[nodiscard]] complementarity::Laws lawsOf(std::span<const std::size_t> rows,
-                                               bool isBlow) const;
+    [[nodiscard]] bool isContact(std::size_t row) const { return law(row).leaving.has_value(); }
+    [[nodiscard]] bool isGone(std::size_t row) const { return mode_.kept[row] == Mode::gone; }
+    void noteOpened(std::span<const complementarity::State> before, double t,
+                    std::span<const double> y);
+    void watchRow(std::size_t row);
+    void watchDisc(std::size_t disc);
+    [[nodiscard]] double valueOf(const Watch& watch) const;
+    [[nodiscard]] complementarity::Laws lawsOf(std::span<const std::size_t> rows) const;
     void blow(std::span<const std::size_t> hit, double t, std::span<double> y);
     void give(std::span<const std::size_t> hit, std::span<const double> restitutions, double t,
               std::span<double> y);
     void slip(double fastest, double t, std::span<const double> y);
+    void setDisc(std::size_t disc, complementarity::State state);
+    void setSlip(std::size_t disc, const Multipliers::InDisc& direction);
     [[nodiscard]] bool isLow(std::size_t row, double rate);
     [[nodiscard]] bool isCandidate(std::size_t row, double fastest) const;
+    [[nodiscard]] bool hasStopped(std::size_t disc, double elapsed, std::span<const double> y);
+    [[nodiscard]] bool mayHold(std::size_t disc, std::span<const std::size_t> fallen,
+                               double fastest) const;
+    // `slipping`: discs that slip, though they have no velocity yet.
+    [[nodiscard]] Rows rowsFor(std::span<const std::size_t> fallen, double fastest,
+                               const std::vector<char>& slipping);
+    void openUnpressed();
     [[nodiscard]] bool settle(std::span<const std::size_t> fallen, double fastest, double t,
                               std::span<const double> y);
+    [[nodiscard]] bool solveLaws(const Rows& rows);
 
     ModelFunctions& f_;
     Multipliers& multipliers_;
     Mode& mode_;
     std::vector<std::size_t> bounded_; // multipliers
     std::vector<Watch> watches_;
+    bool hasContacts_ = false;
+    std::vector<double> opened_; // by multiplier: the gap at which a contact opened, at most 0
+    double largest_ = 0;         // of the multipliers, where watches are asked
     double lastCross_ = 0, ahead_ = 0; // the last event, and how far its laws looked ahead
 };
 

@@ -49,7 +49,16 @@ bool ComponentEquations::rates(double t, std::span<const double> y, std::span<do
             field_.findBeyond();
     }
     std::copy_n(field_.values().begin(), states().size(), out.begin());
+    if (active_.hasContacts())
+        field_.multipliers().balance(y, out);
     return areFinite(field_.values());
+}
+
+void ComponentEquations::project(double t, std::span<double> y) {
+    constexpr double none = 1e-12; // of velocities
+    field_.multipliers().project(t, y);
+    if (active_.hasContacts())
+        field_.multipliers().rest(none, y);
 }
 
 bool ComponentEquations::lookBeyond(double t, std::span<const double> y) {
@@ -135,7 +144,7 @@ bool ComponentEquations::rest(std::span<const std::size_t> directions, double t,
 const Pattern& ComponentEquations::jacobianPattern() { return model().jacobian().pattern; }
 
 bool ComponentEquations::jacobian(double t, std::span<const double> y, std::span<double> entries) {
-    if (sliding())
+    if (sliding() || active_.slips())
         return differences(t, y, entries);
     functions_.fill(t, y);
     const ComponentModel::Jacobian& jacobian = model().jacobian();

@@ -41,7 +41,7 @@ public:
         return field_.multipliers().values();
     }
     // Moves the states onto the conditions that multipliers keep.
-    void project(double t, std::span<double> y) { field_.multipliers().project(t, y); }
+    void project(double t, std::span<double> y);
     // Held unknowns whose values depend on each other in a circle; then no other function may be
     // called.
     [[nodiscard]] const std::vector<std::size_t>& loop() const { return bound()->loop; }

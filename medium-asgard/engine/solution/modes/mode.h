@@ -8,6 +8,7 @@
 #include "complementarity/laws.h"
 #include "equations/component_model.h"
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -42,6 +43,9 @@ struct Mode {
     std::vector<complementarity::State> kept;
     // Stops that touch without a force and without a rate: rounding may close them.
     std::vector<char> touches;
+    // Of each disc of friction whose rows are at a bound: the direction in which it began to slip.
+    // Behind a point of rest it slips back along it, as far as this mode reaches.
+    std::vector<std::array<double, 3>> slips;
     // A stage that lies a little beyond a surface, where the branch that holds has no value, takes
     // the branch of its values.
     bool looksBeyond = false;

@@ -17,7 +17,7 @@ Eigen::Index indexOf(std::size_t i) { return static_cast<Eigen::Index>(i); }
 } // namespace
 
 // All conditions at the point.
-bool Multipliers::evaluate() {
+bool Multipliers::evaluate(Friction friction) {
     const ComponentModel::Conditions& conditions = model_.conditions();
     const std::size_t entries = conditions.matrix.size();
     second_.resize(entries + size());
@@ -26,12 +26,73 @@ bool Multipliers::evaluate() {
     for (std::size_t k = 0; k < entries; ++k)
         full_(conditions.matrix[k].row, conditions.matrix[k].column) = second_[k];
     rest_ = Eigen::Map<const Eigen::VectorXd>(second_.data() + entries, indexOf(size()));
+    own_ = full_.diagonal();
+    if (friction == Friction::ofSlip)
+        addFriction();
     return full_.allFinite() && rest_.allFinite();
 }
 
+// A normal force brings with it the friction of a contact that slips:  f = -coefficient N d.
+void Multipliers::addFriction() {
+    const std::vector<BoundModel::Disc>& discs = f_.bound()->discs;
+    bool isEvaluated = false;
+    for (std::size_t k = 0; k < discs.size(); ++k) {
+        const BoundModel::Disc& disc = discs[k];
+        if (!slips(disc) || disc.sliding == 0)
+            continue;
+        if (!isEvaluated)
+            evaluateGaps();
+        isEvaluated = true;
+        const InDisc direction = directionOf(k);
+        Eigen::VectorXd column = Eigen::VectorXd::Zero(indexOf(size()));
+        for (std::size_t i = 0; i < disc.rows.size(); ++i)
+            column -= disc.sliding * direction[indexOf(i)] * full_.col(indexOf(disc.rows[i]));
+        for (const std::size_t normal : disc.normals)
+            full_.col(indexOf(normal)) += column;
+    }
+}
+
+double Multipliers::validity(std::size_t row) const {
+    const std::vector<std::uint32_t>& first = model_.conditions().firstValid;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::uint32_t k = first[row]; k < first[row + 1]; ++k)
+        least = std::min(least, gaps_[2 * size() + k]);
+    return least;
+}
+
+Multipliers::InDisc Multipliers::slipOf(const BoundModel::Disc& disc) const {
+    InDisc slip(indexOf(disc.rows.size()));
+    for (std::size_t i = 0; i < disc.rows.size(); ++i)
+        slip[indexOf(i)] = rate(disc.rows[i]);
+    return slip;
+}
+
+// Near rest the direction in which it began counts, so that the rates of states have no jump there.
+Multipliers::InDisc Multipliers::directionOf(std::size_t disc) const {
+    constexpr double atRest = 1e-3; // of a resolution, in the unit of time
+    const BoundModel::Disc& of = f_.bound()->discs[disc];
+    const InDisc began =
+        Eigen::Map<const Eigen::Vector3d>(mode_.slips[disc].data()).head(indexOf(of.rows.size()));
+    const InDisc slip = slipOf(of);
+    if (slip.size() == 1)
+        return began;
+    const double least = atRest * f_.bound()->laws[of.rows[0]].resolution;
+    const InDisc way = (slip.dot(began) < 0 ? -slip : slip) + least * began;
+    return way / way.norm();
+}
+
+double Multipliers::leewayOf(const BoundModel::Disc& disc) const {
+    double normal = 0, square = 0;
+    for (const std::size_t row : disc.normals)
+        normal += values()[row];
+    for (const std::size_t row : disc.rows)
+        square += values()[row] * values()[row];
+    return disc.sticking * normal - std::sqrt(square);
+}
+
 // Without a heap allocation once it was called for as many.
-bool Multipliers::factorise() {
-    if (!evaluate())
+bool Multipliers::factorise(Friction friction) {
+    if (!evaluate(friction))
         return false;
     active_.clear();
     for (std::size_t row = 0; row < size(); ++row)
@@ -44,7 +105,7 @@ bool Multipliers::factorise() {
     matrix_.resize(n, n);
     for (Eigen::Index i = 0; i < n; ++i) {
         const Eigen::Index row = indexOf(active_[static_cast<std::size_t>(i)]);
-        const double own = std::abs(full_(row, row));
+        const double own = std::abs(own_[row]);
         scale_[i] = own > 0 ? 1 / std::sqrt(own) : 1;
     }
     for (Eigen::Index j = 0; j < n; ++j)
@@ -81,6 +142,8 @@ double Multipliers::bound(std::size_t row) const {
     if (mode_.kept[row] == Mode::gone)
         return 0;
     const BoundModel::Law& law = f_.bound()->laws[row];
+    if (law.disc)
+        return 0; // it follows normal forces: addFriction()
     return mode_.kept[row] == State::high ? law.high : law.low;
 }
 
@@ -145,7 +208,7 @@ void Multipliers::findContradictory(std::span<const double> y) {
 bool Multipliers::solve() {
     if (size() == 0)
         return true;
-    if (!factorise())
+    if (!factorise(Friction::ofSlip))
         return false;
     if (active_.size() < size())
         for (std::size_t row = 0; row < size(); ++row)
@@ -157,7 +220,25 @@ bool Multipliers::solve() {
     for (std::size_t row = 0; row < size(); ++row)
         f_.in()[f_.in().size() - size() + row] =
             mode_.kept[row] == State::inside ? found_[indexOf(row)] : bound(row);
+    putFriction();
     return isKept;
+}
+
+// Of discs that slip.
+void Multipliers::putFriction() {
+    const std::vector<BoundModel::Disc>& discs = f_.bound()->discs;
+    for (std::size_t k = 0; k < discs.size(); ++k) {
+        const BoundModel::Disc& disc = discs[k];
+        if (!slips(disc) || disc.sliding == 0)
+            continue;
+        double normal = 0;
+        for (const std::size_t row : disc.normals)
+            normal += values()[row];
+        const InDisc direction = directionOf(k);
+        for (std::size_t i = 0; i < disc.rows.size(); ++i)
+            f_.in()[f_.in().size() - size() + disc.rows[i]] =
+                -disc.sliding * normal * direction[indexOf(i)];
+    }
 }
 
 double Multipliers::secondRate(std::size_t row) const {
@@ -168,8 +249,8 @@ double Multipliers::secondRate(std::size_t row) const {
     return rate;
 }
 
-Multipliers::System Multipliers::systemOf(std::span<const std::size_t> rows) {
-    (void)evaluate();
+Multipliers::System Multipliers::systemOf(std::span<const std::size_t> rows, Friction friction) {
+    (void)evaluate(friction);
     const std::vector<std::size_t> chosen(rows.begin(), rows.end());
     Eigen::VectorXd rest = rest_;
     for (std::size_t row = 0; row < size(); ++row) {
@@ -196,8 +277,39 @@ void Multipliers::push(std::span<const std::size_t> rows, const Eigen::VectorXd&
     move(model_.conditions().pushes, 0, by, y);
 }
 
+void Multipliers::rest(double none, std::span<double> y) const {
+    const auto& pushes = model_.conditions().pushes;
+    if (std::ranges::all_of(pushes,
+                            [&](const auto& push) { return std::abs(y[push.row]) <= none; }))
+        for (const ComponentModel::Entry& push : pushes)
+            y[push.row] = 0;
+}
+
+double Multipliers::fastest(std::span<const double> y) const {
+    double most = 0;
+    for (const ComponentModel::Entry& push : model_.conditions().pushes)
+        most = std::max(most, std::abs(y[push.row]));
+    return most;
+}
+
+void Multipliers::balance(std::span<const double> y, std::span<double> rates) {
+    constexpr double rounding = 1e-13; // of the forces
+    const auto& pushes = model_.conditions().pushes;
+    if (std::ranges::any_of(pushes, [&](const auto& push) { return y[push.row] != 0; }))
+        return;
+    evaluateMoves();
+    double force = 0;
+    for (std::size_t k = 0; k < pushes.size(); ++k)
+        force = std::max(force, std::abs(moves_[k] * values()[pushes[k].column]));
+    if (std::ranges::all_of(pushes, [&](const auto& push) {
+            return std::abs(rates[push.row]) <= rounding * force;
+        }))
+        for (const ComponentModel::Entry& push : pushes)
+            rates[push.row] = 0;
+}
+
 void Multipliers::evaluateGaps() {
-    gaps_.resize(2 * size());
+    gaps_.resize(2 * size() + model_.conditions().firstValid.back());
     f_.evaluate(model_.conditions().gaps, gaps_);
 }
 
@@ -219,7 +331,7 @@ double Multipliers::moveOntoGaps(double t, std::span<double> y) {
     const ComponentModel::Conditions& conditions = model_.conditions();
     f_.fill(t, y);
     evaluateGaps();
-    if (!factorise())
+    if (!factorise(Friction::none))
         return 0;
     double largest = 0;
     for (const std::size_t row : active_)
@@ -250,7 +362,7 @@ void Multipliers::project(double t, std::span<double> y) {
     }
     f_.fill(t, y);
     evaluateGaps();
-    if (!factorise())
+    if (!factorise(Friction::none))
         return;
     Eigen::VectorXd by = Eigen::Map<const Eigen::VectorXd>(gaps_.data() + size(), indexOf(size()));
     solve(by);

@@ -52,26 +52,50 @@ public:
     // The same for a motion that went on: by more than the errors of any steps.
     [[nodiscard]] const std::vector<std::size_t>& farApart() const { return farApart_; }
 
+    // Where all velocities that multipliers push are 0 but for this, they become 0.
+    void rest(double none, std::span<double> y) const;
+    // Rates of velocities, where all of these are 0, are 0 if forces cancel but for rounding: what
+    // is at rest stays there to the last bit. After solve().
+    void balance(std::span<const double> y, std::span<double> rates);
+
+    // The largest of the velocities that multipliers push.
+    [[nodiscard]] double fastest(std::span<const double> y) const;
+
     // Gaps and their rates at the point of the functions, once evaluated.
     void evaluateGaps();
     [[nodiscard]] double gap(std::size_t row) const { return gaps_[row]; }
     [[nodiscard]] double rate(std::size_t row) const { return gaps_[size() + row]; }
+    // The least of the functions that are not negative while a contact lasts.
+    [[nodiscard]] double validity(std::size_t row) const;
+    // Of a disc of friction, once gaps are evaluated: the velocities of its rows, the direction in
+    // which it slips, and how far its force is from its bound.
+    using InDisc = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1>;
+    [[nodiscard]] InDisc slipOf(const BoundModel::Disc& disc) const;
+    [[nodiscard]] InDisc directionOf(std::size_t disc) const;
+    [[nodiscard]] double leewayOf(const BoundModel::Disc& disc) const;
+    [[nodiscard]] bool slips(const BoundModel::Disc& disc) const {
+        return mode_.kept[disc.rows[0]] == complementarity::State::low;
+    }
     // After solve(): of a condition, whether it holds or not.
     [[nodiscard]] double secondRate(std::size_t row) const;
     // Second rates of these conditions as matrix times their multipliers and a rest, in which the
-    // others stand at their bounds; those that are not on second rates have their own values.
+    // others stand at their bounds; those that are not on second rates have their own values. Discs
+    // that slip may add their friction to normal forces.
+    enum class Friction { none, ofSlip };
     struct System {
         Eigen::MatrixXd matrix;
         Eigen::VectorXd rest;
     };
-    [[nodiscard]] System systemOf(std::span<const std::size_t> rows);
+    [[nodiscard]] System systemOf(std::span<const std::size_t> rows, Friction friction);
     // Moves the velocities as these impulses do.
     void push(std::span<const std::size_t> rows, const Eigen::VectorXd& impulses,
               std::span<double> y);
 
 private:
-    [[nodiscard]] bool evaluate();
-    [[nodiscard]] bool factorise();
+    [[nodiscard]] bool evaluate(Friction friction);
+    void addFriction();
+    void putFriction();
+    [[nodiscard]] bool factorise(Friction friction);
     [[nodiscard]] double bound(std::size_t row) const;
     [[nodiscard]] Eigen::VectorXd leastSolution() const;
     [[nodiscard]] bool isSolved(const Eigen::VectorXd& m, const Eigen::VectorXd& wanted);
@@ -87,7 +111,7 @@ private:
     const Mode& mode_;
     std::vector<double> second_, gaps_, moves_;
     Eigen::MatrixXd full_, matrix_; // of all conditions; of those that hold, scaled
-    Eigen::VectorXd rest_, scale_, right_, answer_, found_;
+    Eigen::VectorXd rest_, own_, scale_, right_, answer_, found_; // own: A's diagonal
     std::vector<std::size_t> active_, apart_, farApart_, contradictory_;
     Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> least_;

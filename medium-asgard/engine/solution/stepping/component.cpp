@@ -40,7 +40,7 @@ Component::Component(const Surroundings& surroundings, std::vector<std::size_t> 
 void Component::findQuaternions() {
     std::set<std::size_t> found;
     for (const std::size_t u : unknowns_)
-        if (const auto quaternion = around_.index.quaternionOf(u); quaternion)
+        if (const auto quaternion = around_.set.index().quaternionOf(u); quaternion)
             found.insert(*quaternion);
     for (const std::size_t quaternion : found) {
         std::vector<std::size_t> places;
@@ -115,7 +115,7 @@ void Component::takeEquations(std::vector<std::size_t> phases) {
     memory_.now.phases = std::move(phases);
     equations_ =
         std::make_unique<ComponentEquations>(std::make_shared<const BoundModel>(boundModel(
-                                                 *around_.set, around_.index, around_.zero,
+                                                 *around_.set, around_.set.index(), around_.zero,
                                                  unknowns_, memory_.now.phases, around_.models)),
                                              around_.histories);
     takeLayout();
@@ -140,7 +140,7 @@ void Component::applyJumps() {
     for (std::size_t k = 0; k < symbols.size(); ++k) {
         if (symbols[k] == around_.set->time)
             in[k] = progress_.time;
-        const auto unknown = around_.index.of(symbols[k]);
+        const auto unknown = around_.set.index().of(symbols[k]);
         if (!unknown)
             continue;
         const auto own = std::lower_bound(unknowns_.begin(), unknowns_.end(), *unknown);

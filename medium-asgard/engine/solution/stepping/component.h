@@ -23,7 +23,6 @@ public:
     // change with the equations; then the components that it concerns are made anew.
     struct Surroundings {
         const EquationsInForce& set;
-        const UnknownIndex& index;
         const Histories& histories;
         const Options& options;
         const ZeroStates& zero;

@@ -1,0 +1,64 @@
+// At which points do two bodies touch that neither part nor approach there?
+//
+// The answer is geometry alone (physics/contact_rows.h makes equations of it). Each corner of a
+// patch belongs to a vertex of one of the two, which stays that material point, or to the crossing
+// of an edge of the one with an edge of the other, which goes along both. Each has the sides within
+// which it does: a vertex over a face stays over it, a crossing between the ends of both edges, a
+// sphere's centre in the cell of its face, edge or vertex. Beyond, the bodies touch otherwise.
+//
+// LIMIT: parts that touch along several axes at once (a vertex on a vertex, edges side by side)
+// have no contact that lasts.
+#pragma once
+
+#include "contacts/touching.h"
+#include "physics/contact_rows.h"
+
+#include <optional>
+#include <vector>
+
+namespace simulation {
+
+struct LastingContact {
+    std::size_t bodyPart = 0, supportPart = 0;
+    bool isModelled = true;
+    physics::ContactPlace place; // without friction
+};
+
+// Two bodies that move in a plane across an axis of the world, with their centres of mass at this
+// place along it. Corners that lie symmetrically about the plane are one in it: so a scene in a
+// plane has as few contacts as a drawing of it, and stays there.
+struct MotionPlane {
+    int axis = 2;
+    double at = 0;
+};
+
+struct TouchLimits {
+    double gap = 1e-7;          // of the parts' size
+    double slow = 0;            // corners that part faster take no part
+    bool wereInContact = false; // then corners that part take part until they have parted
+    bool isStart = false;       // of the motion: gaps stay what they are
+    std::optional<MotionPlane> plane;
+};
+
+// The same points, or those that are left in the plane.
+[[nodiscard]] std::vector<Vector> inPlane(const std::vector<Vector>& points,
+                                          const std::optional<MotionPlane>& plane, double size);
+
+[[nodiscard]] std::vector<LastingContact> lastingContacts(const Placed& body, const Placed& support,
+                                                          const TouchLimits& limits);
+
+// Of one point: where it is in the world, and the normal there, from the support to the body.
+struct WorldPoint {
+    Vector point = Vector::Zero(), normal = Vector::UnitX();
+};
+[[nodiscard]] WorldPoint worldOf(const physics::ContactPoint& point, double bodyRadius,
+                                 const Placed& body, const Placed& support);
+
+// The mean distance of the points of a convex patch from its middle; of two points, of the line.
+struct PatchMiddle {
+    Vector centre = Vector::Zero();
+    double reach = 0;
+};
+[[nodiscard]] PatchMiddle middleOf(const std::vector<Vector>& corners, const Vector& normal);
+
+} // namespace simulation

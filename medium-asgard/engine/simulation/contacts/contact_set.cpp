@@ -1,0 +1,245 @@
+#include "contacts/contact_set.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace simulation {
+
+using solution::Histories;
+using solution::infinity;
+
+bool ContactSet::areIn(std::size_t a, std::size_t b) const {
+    return std::ranges::any_of(contacts_,
+                               [&](const Contact& c) { return c.has(a) && c.has(b) && a != b; });
+}
+
+bool ContactSet::areIn(std::size_t a, std::size_t partA, std::size_t b, std::size_t partB) const {
+    return std::ranges::any_of(contacts_, [&](const Contact& c) {
+        const std::array is{c.of.place.body, c.of.bodyPart, c.of.place.support, c.of.supportPart};
+        return is == std::array{a, partA, b, partB} || is == std::array{b, partB, a, partA};
+    });
+}
+
+std::set<std::size_t> ContactSet::island(std::set<std::size_t> bodies) const {
+    const auto isMoving = [&](std::size_t body) {
+        return !world_.isFixed(body) && bodies.contains(body);
+    };
+    for (std::size_t before = 0; before != bodies.size();) {
+        before = bodies.size();
+        for (const Contact& contact : contacts_)
+            if (isMoving(contact.of.place.body) || isMoving(contact.of.place.support))
+                bodies.insert({contact.of.place.body, contact.of.place.support});
+    }
+    std::erase_if(bodies, [&](std::size_t body) { return world_.isFixed(body); });
+    return bodies;
+}
+
+void ContactSet::addSupports(std::map<std::size_t, std::vector<std::size_t>>& supports) const {
+    for (const Contact& contact : contacts_) {
+        auto& known = supports[contact.of.place.body];
+        if (std::ranges::find(known, contact.of.place.support) == known.end())
+            known.push_back(contact.of.place.support);
+    }
+}
+
+void ContactSet::forget(std::size_t body) {
+    std::erase_if(contacts_, [&](const Contact& contact) { return contact.has(body); });
+    noteBodies();
+}
+
+// Once gone it stays so: the first of the steps at whose begin it is.
+std::optional<double> ContactSet::goneFrom(const Histories& histories, std::size_t row, double from,
+                                           double until) {
+    if (row >= histories.unknowns() || histories.value(row, until) != solution::releasedMode)
+        return std::nullopt;
+    const Histories::Place place = histories.place(row, until);
+    std::size_t step = place.history->find(until);
+    double since = place.history->origin(step);
+    while (step > 0 && place.history->origin(step) > from) {
+        const solution::Piece before = place.history->piece(step - 1, place.column);
+        if (before.value(before.origin) != solution::releasedMode)
+            break;
+        since = place.history->origin(--step);
+    }
+    return std::max(since, from);
+}
+
+std::optional<ContactSet::Change> ContactSet::firstChange(const Histories& histories,
+                                                          double until) const {
+    std::optional<Change> first;
+    const auto note = [&](double time, const Contact& contact) {
+        if (time <= until && (!first || time < first->time))
+            first = {.time = time,
+                     .bodies = std::minmax(contact.of.place.body, contact.of.place.support)};
+    };
+    for (const Contact& contact : contacts_) {
+        note(contact.phase, contact);
+        for (std::size_t k = 0; k < contact.of.place.points.size() && !contact.rows.empty(); ++k)
+            if (const auto gone = goneFrom(histories, contact.rows[k], contact.from, until))
+                note(*gone, contact);
+    }
+    return first;
+}
+
+std::size_t ContactSet::ownerOf(const Contact& contact) const {
+    const auto [body, support] = std::pair(contact.of.place.body, contact.of.place.support);
+    return world_.isFixed(body) ? support : body;
+}
+
+void ContactSet::noteBodies() {
+    bodies_.clear();
+    for (const Contact& contact : contacts_)
+        bodies_.insert({contact.of.place.body, contact.of.place.support});
+}
+
+namespace {
+
+bool areLike(const physics::GapConstraint& a, const physics::GapConstraint& b, double size) {
+    using Kind = physics::GapConstraint::Kind;
+    const double near = 1e-6;
+    if (a.kind != b.kind)
+        return false;
+    if (a.kind == Kind::edgeOnEdge)
+        return (a.bodyEdge - b.bodyEdge).norm() <= near &&
+               (a.supportEdge - b.supportEdge).norm() <= near;
+    if (a.kind == Kind::onSupportPlane || a.kind == Kind::roundOnLine)
+        return (a.bodyPoint - b.bodyPoint).norm() <= near * size &&
+               (a.normal - b.normal).norm() <= near;
+    return (a.supportPoint - b.supportPoint).norm() <= near * size;
+}
+
+bool areLike(const LastingContact& a, const LastingContact& b) {
+    if (a.place.body != b.place.body || a.place.support != b.place.support ||
+        a.bodyPart != b.bodyPart || a.supportPart != b.supportPart ||
+        a.place.points.size() != b.place.points.size())
+        return false;
+    for (std::size_t k = 0; k < a.place.points.size(); ++k)
+        if (!areLike(a.place.points[k].gap, b.place.points[k].gap, a.place.size))
+            return false;
+    return true;
+}
+
+} // namespace
+
+bool ContactSet::isLike(std::span<const std::size_t> bodies,
+                        std::span<const LastingContact> contacts) const {
+    std::size_t count = 0;
+    for (const Contact& contact : contacts_) {
+        if (std::ranges::none_of(bodies, [&](std::size_t body) { return contact.has(body); }))
+            continue;
+        ++count;
+        if (std::ranges::none_of(
+                contacts, [&](const LastingContact& other) { return areLike(contact.of, other); }))
+            return false;
+    }
+    return count == contacts.size();
+}
+
+void ContactSet::set(std::span<const std::size_t> bodies, std::vector<LastingContact> contacts,
+                     double time, const std::function<double(std::size_t body)>& nextPhase) {
+    const auto isOf = [&](const Contact& contact) {
+        return std::ranges::any_of(bodies, [&](std::size_t b) { return contact.has(b); });
+    };
+    for (const Contact& contact : contacts_) {
+        if (!isOf(contact))
+            continue;
+        concerned_.insert({contact.of.place.body, contact.of.place.support});
+        for (std::size_t k = 0; k < contact.rows.size(); ++k)
+            ended_.emplace_back(roleOf(contact, k), contact.rows[k]);
+    }
+    std::erase_if(contacts_, isOf);
+    for (LastingContact& of : contacts) {
+        concerned_.insert({of.place.body, of.place.support});
+        const double phase = std::min(nextPhase(of.place.body), nextPhase(of.place.support));
+        contacts_.push_back({.of = std::move(of), .rows = {}, .from = time, .phase = phase});
+    }
+    noteBodies();
+}
+
+void ContactSet::giveRows(Contact& contact, solution::EquationsInForce& equations,
+                          solution::Changes& changes) {
+    expression::EquationSet& set = equations.changing();
+    const std::size_t owner = ownerOf(contact);
+    for (std::size_t k = 0; k < contact.of.place.rows(); ++k) {
+        std::vector<std::size_t>& unused = unused_[roleOf(contact, k)];
+        if (!unused.empty()) {
+            contact.rows.push_back(unused.front());
+            unused.erase(unused.begin());
+            continue;
+        }
+        const std::size_t row = set.unknowns.size() + changes.additions.size();
+        contact.rows.push_back(row);
+        expression::Unknown unknown;
+        unknown.name = world_.name(owner) + ".contact" + std::to_string(row);
+        unknown.symbol = set.graph.symbol(unknown.name);
+        unknown.phases.emplace_back();
+        unknown.phases[0].derivative = set.graph.constant(0);
+        unknown.phases[0].given = set.graph.constant(0);
+        changes.additions.push_back({std::move(unknown), world_.records[owner].firstUnknown});
+    }
+}
+
+ContactSet::Role ContactSet::roleOf(const Contact& contact, std::size_t place) const {
+    const physics::ContactPlace& of = contact.of.place;
+    const std::size_t points = of.points.size(), rolling = of.rows() - (of.rolls() ? 2 : 0);
+    constexpr std::size_t friction = 1, turning = 4; // the first of each
+    return {ownerOf(contact), place < points    ? 0
+                              : place < rolling ? friction + place - points
+                                                : turning + place - rolling};
+}
+
+void ContactSet::write(double time, solution::EquationsInForce& equations,
+                       solution::Changes& changes) {
+    expression::EquationSet& set = equations.changing();
+    expression::Graph& g = set.graph;
+    std::set<std::size_t> ending;
+    for (const auto& [role, row] : ended_) {
+        unused_[role].push_back(row);
+        std::ranges::sort(unused_[role]);
+        ending.insert(row);
+    }
+    ended_.clear();
+    std::vector<std::size_t> moving;
+    for (const std::size_t body : concerned_)
+        if (!world_.isFixed(body))
+            moving.push_back(body);
+    physics::ContactRows rows(set, world_.equations, time);
+    std::vector<const Contact*> written;
+    for (Contact& contact : contacts_) {
+        if (std::ranges::none_of(moving, [&](std::size_t body) { return contact.has(body); }))
+            continue;
+        if (contact.rows.empty())
+            giveRows(contact, equations, changes);
+        std::vector<expression::Node> multipliers;
+        for (const std::size_t row : contact.rows) {
+            ending.erase(row);
+            const std::size_t known = set.unknowns.size();
+            multipliers.push_back(row < known ? set.unknowns[row].symbol
+                                              : changes.additions[row - known].unknown.symbol);
+        }
+        rows.addContact(contact.of.place, multipliers);
+        written.push_back(&contact);
+    }
+    for (physics::ContactRows::Equation& equation : rows.velocities(moving))
+        changes.equations.push_back(
+            {equation.unknown, std::move(equation.phase), std::move(equation.later)});
+    const std::vector<expression::Phase> conditions = rows.conditions();
+    std::size_t next = 0;
+    for (const Contact* contact : written)
+        for (const std::size_t row : contact->rows) {
+            changes.equations.push_back({row, conditions[next++], {}});
+            changes.jumps.push_back({row, 0}); // whatever its last contact was
+        }
+    for (physics::ContactRows::Equation& equation : rows.others(moving))
+        changes.equations.push_back(
+            {equation.unknown, std::move(equation.phase), std::move(equation.later)});
+    for (const std::size_t row : ending) {
+        expression::Phase none;
+        none.derivative = g.constant(0);
+        none.given = g.constant(0);
+        changes.equations.push_back({row, none, {}});
+    }
+    concerned_.clear();
+}
+
+} // namespace simulation

@@ -1,0 +1,96 @@
+// The contacts that last now: bodies that rest, slide and roll on each other.
+//
+// A contact begins where bodies touch and neither part nor approach: after an impact without
+// rebound, or where they are placed so. Its rows become unknowns of the equations
+// (physics/contact_rows.h); which of them press, stick or slip is the solver's
+// (solution/modes/active_set.h). A contact that has parted, that closes again, or that has left the
+// features on which it was, is told by its rows' modes: firstChange() finds when. Then the contacts
+// of these bodies are looked at anew.
+//
+// Rows that end are used again by the next contact of the same body.
+#pragma once
+
+#include "contacts/colliders.h"
+#include "contacts/contact_places.h"
+#include "solution/event_source.h"
+
+#include <compare>
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <span>
+#include <vector>
+
+namespace simulation {
+
+class ContactSet {
+public:
+    // The colliders must outlive this.
+    explicit ContactSet(const Colliders& world) : world_(world) {}
+
+    [[nodiscard]] bool empty() const { return contacts_.empty(); }
+    [[nodiscard]] bool isIn(std::size_t body) const { return bodies_.contains(body); }
+    [[nodiscard]] bool areIn(std::size_t a, std::size_t b) const;
+    [[nodiscard]] bool areIn(std::size_t a, std::size_t partA, std::size_t b,
+                             std::size_t partB) const;
+    // These bodies and all that are in contact with them, through whomever: they move together.
+    [[nodiscard]] std::set<std::size_t> island(std::set<std::size_t> bodies) const;
+    // By body on whom it lies or leans.
+    void addSupports(std::map<std::size_t, std::vector<std::size_t>>& supports) const;
+
+    struct Change {
+        double time = 0;
+        Pair bodies;
+    };
+    // The first time, not after `until`, at which a contact has ended or a trajectory takes hold of
+    // one of its bodies, bends or lets go.
+    [[nodiscard]] std::optional<Change> firstChange(const solution::Histories& histories,
+                                                    double until) const;
+
+    // These are the contacts of these bodies already: the same features of the same parts.
+    [[nodiscard]] bool isLike(std::span<const std::size_t> bodies,
+                              std::span<const LastingContact> contacts) const;
+    // From `time` on these are the contacts of these bodies, and no others. `nextPhase`: when a
+    // trajectory next concerns a body.
+    void set(std::span<const std::size_t> bodies, std::vector<LastingContact> contacts, double time,
+             const std::function<double(std::size_t body)>& nextPhase);
+    // Their motion has ended.
+    void forget(std::size_t body);
+    // Equations from `time` on, as set() said since the last call.
+    void write(double time, solution::EquationsInForce& equations, solution::Changes& changes);
+    // set() changes these bodies' equations.
+    [[nodiscard]] const std::set<std::size_t>& concerned() const { return concerned_; }
+
+private:
+    struct Contact {
+        LastingContact of;
+        std::vector<std::size_t> rows; // unknowns; none yet: write() gives them
+        double from = 0, phase = 0;
+        [[nodiscard]] bool has(std::size_t body) const {
+            return of.place.body == body || of.place.support == body;
+        }
+    };
+    [[nodiscard]] std::size_t ownerOf(const Contact& contact) const;
+    [[nodiscard]] static std::optional<double> goneFrom(const solution::Histories& histories,
+                                                        std::size_t row, double from, double until);
+    void giveRows(Contact& contact, solution::EquationsInForce& equations,
+                  solution::Changes& changes);
+    void noteBodies();
+
+    const Colliders& world_;
+    std::vector<Contact> contacts_;
+    std::set<std::size_t> bodies_;    // in contacts
+    std::set<std::size_t> concerned_; // since write()
+    // A row is used again by the owner in the same role: what a scene in a plane leaves out stays
+    // out.
+    struct Role {
+        std::size_t owner = 0, kind = 0; // of a point: 0, of friction and rolling: from 1 on
+        auto operator<=>(const Role&) const = default;
+    };
+    [[nodiscard]] Role roleOf(const Contact& contact, std::size_t place) const;
+    std::vector<std::pair<Role, std::size_t>> ended_; // rows, since write()
+    std::map<Role, std::vector<std::size_t>> unused_;
+};
+
+} // namespace simulation

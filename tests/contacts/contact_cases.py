@@ -1,0 +1,115 @@
+#!/usr/bin/env python3
+"""Writes NAME.al and NAME.values: bodies in contact with friction, with closed forms. SI units, g = 9.81.
+
+usage: contact_cases.py
+"""
+import math
+import os
+
+G = 9.81
+HERE = os.path.dirname(os.path.abspath(__file__))
+FLOOR = "shape_set floor -desc {-sub {-box {60 1 4}}}\nshape_set ball -desc {-sub {-sphere 0.1}}\n"
+
+
+def gravity(*bodies):
+    return "".join(f"force -body {body} -gravitational {{0 -{G} 0}}\n" for body in bodies)
+
+
+def ground(friction, more=""):
+    return FLOOR + f"body ground floor -fixed 1 -init_pos {{0 -0.5 0}} -friction {friction} {more}\n"
+
+
+def slope(angle, mu, speed, finish, radius=None, static=None):
+    """A floor that rises along +x, and a body on it: a box of 0.4 x 0.2 x 0.3, or a ball."""
+    c, s = math.cos(angle), math.sin(angle)
+    turn = f"{{{math.cos(angle / 2)!r} 0 0 {math.sin(angle / 2)!r}}}"
+    high = radius or 0.1
+    friction = f"-friction {mu}" + (f" -static_friction {static}" if static else "")
+    shape = "ball" if radius else "block"
+    return (f"# zero: {-s!r}*b.x+{c!r}*b.y-{high}\nsimulator -finish {finish}\n" + FLOOR +
+            "shape_set block -desc {-sub {-box {0.4 0.2 0.3}}}\n"
+            f"body ground floor -fixed 1 -init_pos {{{0.5 * s!r} {-0.5 * c!r} 0}} -init_rot {turn} {friction}\n"
+            f"body b {shape} -init_pos {{{-high * s!r} {high * c!r} 0}} -init_rot {turn} -mass 1 -restitution 0 {friction} "
+            f"-init_dpos {{{speed * c!r} {speed * s!r} 0}}\n" + gravity("b"))
+
+
+def along(angle, high):
+    return f"{math.cos(angle)!r}*b.x+{math.sin(angle)!r}*b.y"
+
+
+CASES = {}
+
+
+def case(name, text, rows):
+    CASES[name] = (text, rows)
+
+
+# A block thrown up an incline stops and stays: t = v / (g (sin a + mu cos a)).
+a, mu, v = 0.3, 0.4, 5
+slowing = G * (math.sin(a) + mu * math.cos(a))
+stop = v / slowing
+case("thrown_up", slope(a, mu, v, 3),
+     [(t, 2, v * min(t, stop) - slowing * min(t, stop) ** 2 / 2, along(a, 0.1)) for t in (0.2, 0.5, stop, 1, 3)] +
+     [(t, 5, 0, "b.dx") for t in (1, 3)])
+# The same stays where it is with more friction, for a thousand seconds, to the last bit.
+case("stays", slope(0.5, 0.6, 0, 1000), [(t, 0.1, 0, along(0.5, 0.1)) for t in (1, 10, 1000)])
+# What the static coefficient holds; beyond it the block slides with the other one.
+case("held_by_static", slope(0.5, 0.3, 0, 10, static=0.6), [(t, 0.1, 0, along(0.5, 0.1)) for t in (1, 10)])
+slides = -G * (math.sin(0.5) - 0.3 * math.cos(0.5))
+case("slides", slope(0.5, 0.3, 0, 1, static=0.5), [(t, 1, slides * t * t / 2, along(0.5, 0.1)) for t in (0.25, 0.5, 1)])
+# A ball slides, and rolls from t = 2 v / (7 mu g) on with 5/7 v.
+mu, v = 0.25, 3
+rolls = 2 * v / (7 * mu * G)
+
+
+def rolled(t):
+    slid = min(t, rolls)
+    return v * slid - mu * G * slid ** 2 / 2 + 5 / 7 * v * (t - slid)
+
+
+case("begins_to_roll", "# zero: b.y-0.1\nsimulator -finish 1\n" + ground(mu) +
+     f"body b ball -init_pos {{0 0.1 0}} -init_dpos {{{v} 0 0}} -friction {mu} -mass 1 -restitution 0\n" + gravity("b"),
+     [(t, 2, rolled(t), "b.x") for t in (0.1, 0.3, rolls, 0.6, 1)] + [(1, 20, -5 / 7 * v / 0.1, "b.wz"), (0.1, 20, -2.5 * mu * G * 0.1 / 0.1, "b.wz")])
+# Down a slope: it rolls with 5/7 g sin a, or slides where friction is less than 2/7 tan a.
+case("rolls_down", slope(0.3, 0.5, 0, 2, radius=0.1), [(t, 6, -5 / 14 * G * math.sin(0.3) * t * t, along(0.3, 0.1)) for t in (0.5, 1, 2)])
+free = G * (math.sin(0.6) - 0.1 * math.cos(0.6))
+case("slides_down", slope(0.6, 0.1, 0, 2, radius=0.1), [(t, 10, -free * t * t / 2, along(0.6, 0.1)) for t in (0.5, 1, 2)] +
+     [(2, 40, 2.5 * 0.1 * G * math.cos(0.6) * 2 / 0.1, "b.wz")])
+# A block on a cart: one speed from t = v / (mu g (1 + m / M)) on.
+mu, v, m, big = 0.3, 4, 1, 3
+together = v / (mu * G * (1 + m / big))
+case("cart", "# zero: b.y-0.3\n# zero: c.y-0.1\nsimulator -finish 2\n" + ground(0) +
+     "shape_set cart -desc {-sub {-box {8 0.2 1}}}\nshape_set block -desc {-sub {-box {0.2 0.2 0.2}}}\n"
+     f"body c cart -init_pos {{0 0.1 0}} -mass {big} -friction {mu} -restitution 0\n"
+     f"body b block -init_pos {{0 0.3 0}} -init_dpos {{{v} 0 0}} -mass {m} -friction {mu} -restitution 0\n" + gravity("b", "c"),
+     [(t, 8, v * min(t, together) - mu * G * min(t, together) ** 2 / 2 + (t - min(t, together)), "b.x") for t in (0.5, 1, together, 1.5, 2)] +
+     [(t, 8, mu * G * m / big * min(t, together) ** 2 / 2 + (t - min(t, together)), "c.x") for t in (0.5, 1, together, 1.5, 2)])
+# A ball meets the floor obliquely: it sticks, or it slips with mu times the normal impulse.
+for name, vx, w in (("bounce_sticks", 5, 0), ("bounce_slips", 1, 50)):
+    slip, normal = vx + 0.1 * w, (1 + 0.8) * 4
+    impulse = min(0.2 * normal, 2 / 7 * slip)
+    case(name, "# zero: b.z\nsimulator -finish 0.3\n" + ground(0.2, "-restitution 0.8") +
+         f"body b ball -init_pos {{0 0.5 0}} -init_dpos {{{vx} -4 0}} -init_drot {{0 0 {w}}} -friction 0.2 -mass 1 -restitution 0.8\n",
+         [(0.2, 5, vx - impulse, "b.dx"), (0.2, 5, 3.2, "b.dy"), (0.2, 50, w - 2.5 * impulse / 0.1, "b.wz")])
+# Stacks, a pyramid and three balls stand.
+BLOCK = "shape_set block -desc {-sub {-box {1 1 1}}}\n"
+stack = "".join(f"body b{i} block -init_pos {{{0.1 * (i % 2)} {0.5 + i} 0}} -friction 0.5 -restitution 0\n" for i in range(6))
+case("stack", "# zero: b5.y-5.5\nsimulator -finish 20\n" + ground(0.5) + BLOCK + stack + gravity(*(f"b{i}" for i in range(6))),
+     [(t, 1, 0.1, "b5.x") for t in (1, 20)] + [(20, 1, 2.5, "b2.y")])
+pyramid = [(f"b{row}{k}", 1.1 * (k - (3 - row) / 2), 0.5 + row) for row in range(4) for k in range(4 - row)]
+case("pyramid", "# zero: b30.y-3.5\nsimulator -finish 20\n" + ground(0.5) + BLOCK +
+     "".join(f"body {name} block -init_pos {{{x!r} {y!r} 0}} -friction 0.5 -restitution 0\n" for name, x, y in pyramid) +
+     gravity(*(name for name, _, _ in pyramid)), [(20, 1, x, name + ".x") for name, x, _ in pyramid])
+
+
+def main():
+    for name, (text, rows) in CASES.items():
+        with open(os.path.join(HERE, name + ".al"), "w", encoding="utf-8") as file:
+            file.write(text)
+        with open(os.path.join(HERE, name + ".values"), "w", encoding="utf-8") as file:
+            file.write("".join(f"{float(t)!r} {scale:.3g} {float(value)!r} {expression}\n" for t, scale, value, expression in rows))
+    return 0
+
+
+if __name__ == "__main__":
+    main()
