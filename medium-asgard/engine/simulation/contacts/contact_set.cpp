@@ -137,6 +137,7 @@ bool ContactSet::isLike(std::span<const std::size_t> bodies,
 
 void ContactSet::set(std::span<const std::size_t> bodies, std::vector<LastingContact> contacts,
                      double time, const std::function<double(std::size_t body)>& nextPhase) {
+    concerned_.insert(bodies.begin(), bodies.end());
     const auto isOf = [&](const Contact& contact) {
         return std::ranges::any_of(bodies, [&](std::size_t b) { return contact.has(b); });
     };

@@ -260,19 +260,21 @@ void CollisionSource::settle(const Instant& at, std::span<const std::size_t> bod
     if (together.empty())
         return;
     std::vector<LastingContact> contacts = contactsOf(at, together, states);
-    for (const LastingContact& contact : contacts) {
-        if (!contact.isModelled)
-            return refuse(at, {contact.place.body, contact.place.support},
-                          sentences::onlyEdges(world_, {contact.place.body, contact.place.support}),
-                          event);
-        for (const std::size_t body : {contact.place.body, contact.place.support})
-            if (resting_.restsAlone(body)) {
-                together.push_back(body);
-                resting_.forget(body);
+    for (const LastingContact& contact : contacts)
+        for (const std::size_t body : {contact.place.body, contact.place.support}) {
+            if (!contact.isModelled) {
+                const Pair pair{contact.place.body, contact.place.support};
+                return refuse(at, pair, sentences::onlyEdges(world_, pair), event);
             }
-    }
-    if (!isForced && resting_.contacts().isLike(together, contacts))
+            if (resting_.restsAlone(body))
+                together.push_back(body);
+        }
+    const bool didRest = std::ranges::any_of(
+        together, [this](std::size_t body) { return resting_.restsAlone(body); });
+    if (!isForced && !didRest && resting_.contacts().isLike(together, contacts))
         return;
+    for (const std::size_t body : together)
+        resting_.forget(body);
     resting_.contacts().set(together, std::move(contacts), at.time,
                             [&](std::size_t body) { return resting_.nextPhase(body, at.time); });
     outcome_.isContactsNew = true;

@@ -39,11 +39,6 @@ std::string withoutEnd(const Colliders& world, const Pair& pair, bool isBetweenS
                                "not modelled");
 }
 
-std::string joinedRests(const Colliders& world, const Pair& pair) {
-    return "body " + quoted(world, pair.first) + ", which a joint holds, comes to rest on body " +
-           quoted(world, pair.second) + ", which is not computed yet";
-}
-
 std::string onlyEdges(const Colliders& world, const Pair& pair) {
     return bodies(world, pair) +
            " rest on each other with edges or vertices only, which is not modelled";

@@ -17,8 +17,6 @@ namespace simulation::sentences {
 [[nodiscard]] std::string lost(const Colliders& world, const Pair& pair, bool bothGiveWay);
 [[nodiscard]] std::string withoutEnd(const Colliders& world, const Pair& pair,
                                      bool isBetweenSeveral);
-// The first, which a joint holds, on the second.
-[[nodiscard]] std::string joinedRests(const Colliders& world, const Pair& pair);
 [[nodiscard]] std::string onlyEdges(const Colliders& world, const Pair& pair);
 [[nodiscard]] std::string meetsEnded(const Colliders& world, std::size_t body, std::size_t ended,
                                      double time);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double atRest = 1e-12;  // of the rates that enter, what counts as none
 constexpr double slow = 1e-8;     // of the velocities: a contact neither approaches nor parts
-constexpr double noForce = 1e-12; // of the largest, between bodies in contact
+constexpr double noForce = 1e-11; // of the largest, between bodies in contact
 constexpr double rateOf = 1e-3;   // of a resolution, in the unit of time
 
 double shortest(double t) { return 1e-12 * std::max(1e-6, std::abs(t)); }
@@ -56,7 +56,7 @@ void ActiveSet::refresh() {
 
 void ActiveSet::watchRow(std::size_t row) {
     const BoundModel::Law& of = law(row);
-    if (isContact(row))
+    if (multipliers_.isConfined(row))
         watches_.push_back({row, Kind::invalid});
     if (mode_.kept[row] == State::inside) {
         if (of.low > -complementarity::unbounded)
@@ -93,11 +93,17 @@ void ActiveSet::watch(std::span<double> values) {
         values[k] = valueOf(watches_[k]);
 }
 
+// A force that is 0 but for rounding has a constant value: what trembles about 0 ends nothing.
+double ActiveSet::beyondRounding(double force) const {
+    const double none = noForce * largest_;
+    return force >= -none ? std::max(force, none) : force;
+}
+
 double ActiveSet::valueOf(const Watch& watch) const {
     const auto [row, kind] = watch;
     switch (kind) {
     case Kind::cone:
-        return multipliers_.leewayOf(discs()[row]) + noForce * largest_;
+        return beyondRounding(multipliers_.leewayOf(discs()[row]));
     case Kind::turn: { // others may hold it at rest, but for rounding
         const Multipliers::InDisc slip = multipliers_.slipOf(discs()[row]);
         const double along =
@@ -113,7 +119,7 @@ double ActiveSet::valueOf(const Watch& watch) const {
     case Kind::invalid:
         return multipliers_.validity(row);
     case Kind::least:
-        return multipliers_.values()[row] - law(row).low + noForce * largest_;
+        return beyondRounding(multipliers_.values()[row] - law(row).low);
     case Kind::most:
         return law(row).high - multipliers_.values()[row];
     case Kind::forward: // others may hold its rate at 0, but for rounding

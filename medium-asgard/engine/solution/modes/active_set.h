@@ -76,6 +76,7 @@ private:
                     std::span<const double> y);
     void watchRow(std::size_t row);
     void watchDisc(std::size_t disc);
+    [[nodiscard]] double beyondRounding(double force) const;
     [[nodiscard]] double valueOf(const Watch& watch) const;
     [[nodiscard]] complementarity::Laws lawsOf(std::span<const std::size_t> rows) const;
     void blow(std::span<const std::size_t> hit, double t, std::span<double> y);

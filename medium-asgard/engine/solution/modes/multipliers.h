@@ -65,6 +65,11 @@ public:
     void evaluateGaps();
     [[nodiscard]] double gap(std::size_t row) const { return gaps_[row]; }
     [[nodiscard]] double rate(std::size_t row) const { return gaps_[size() + row]; }
+    // A contact that lasts only at some places.
+    [[nodiscard]] bool isConfined(std::size_t row) const {
+        const std::vector<std::uint32_t>& first = model_.conditions().firstValid;
+        return first[row + 1] > first[row];
+    }
     // The least of the functions that are not negative while a contact lasts.
     [[nodiscard]] double validity(std::size_t row) const;
     // Of a disc of friction, once gaps are evaluated: the velocities of its rows, the direction in
