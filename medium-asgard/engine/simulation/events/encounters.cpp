@@ -304,8 +304,12 @@ Event CollisionSource::renewContacts(const Instant& at, const Pair& pair) {
 bool CollisionSource::settleAlone(const Instant& at, std::size_t body,
                                   const RestingBodies::States& states, Event& event) {
     const Rest rest = at.restOf(body, states);
-    if (rest.state == Rest::State::unmodelled ||
-        (!rest.footings.empty() && world_.joints.isJoined(body)))
+    const bool isUnmodelled = rest.state == Rest::State::unmodelled;
+    if (isUnmodelled && !at.canGiveWay(rest.partner) && !world_.joints.isJoined(body)) {
+        refuse(at, {body, rest.partner}, rest.sentence, event);
+        return true;
+    }
+    if (isUnmodelled || (!rest.footings.empty() && world_.joints.isJoined(body)))
         return false;
     const bool isNothingNew = rest.footings.empty() && !resting_.isResting(body);
     if (isNothingNew || rest.state == Rest::State::approaching)

@@ -73,6 +73,10 @@ public:
     Gathering(const Instant& at, const Pair& pair, ImpactCluster& cluster)
         : at_(at), a_(pair.first), b_(pair.second), cluster_(cluster),
           friction_(at.world.frictionOf(a_, b_)) {
+        const ContactSet& lasting = at.resting.contacts();
+        if (friction_.sliding > 0 || (at.canGiveWay(a_) && at.canGiveWay(b_)) || lasting.isIn(a_) ||
+            lasting.isIn(b_))
+            plane_ = at.planeOf(pair);
         if (!friction_.bodySurface.isZero(0) || !friction_.supportSurface.isZero(0))
             surface_ = at.stateOf(a_).attitude * friction_.bodySurface -
                        at.stateOf(b_).attitude * friction_.supportSurface;
@@ -178,7 +182,7 @@ private:
     const Instant& at_;
     std::size_t a_, b_;
     ImpactCluster& cluster_;
-    std::optional<MotionPlane> plane_ = at_.planeOf({a_, b_});
+    std::optional<MotionPlane> plane_;       // of bodies whose contacts last as rows
     static constexpr double landing_ = 1e-8; // of the parts' size: a corner that touches
     physics::ContactFriction friction_;
     Vector surface_ = Vector::Zero();

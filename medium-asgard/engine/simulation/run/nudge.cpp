@@ -100,7 +100,8 @@ void NudgedSource::apply(const solution::Histories& histories, const solution::E
                          solution::EquationsInForce& equations, solution::Changes& changes) {
     source_.apply(histories, event, equations, changes);
     for (solution::Changes::Jump& jump : changes.jumps)
-        if (isVelocity(jump.unknown)) {
+        // Others tell of no body: multipliers, angles of joints.
+        if (isVelocity(jump.unknown) && jump.unknown / physics::bodyUnknowns < radii_.size()) {
             const std::size_t first = jump.unknown - jump.unknown % physics::bodyUnknowns;
             const Vector place(histories.value(first + physics::x, event.time),
                                histories.value(first + physics::y, event.time),

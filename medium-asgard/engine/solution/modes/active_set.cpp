@@ -363,8 +363,10 @@ ActiveSet::Rows ActiveSet::rowsFor(std::span<const std::size_t> fallen, double f
         if (law(row).disc || isGone(row))
             continue;
         const bool isClosed = isContact(row) && isIn(fallen, row);
+        // Rates round with the velocities, however slow the blow was.
+        const double none = std::max(rateOf * law(row).resolution, atRest * fastest);
         const bool leaves =
-            isStop(row) && !isClosed && fastest > 0 && multipliers_.rate(row) > atRest * fastest;
+            isStop(row) && !isClosed && fastest > 0 && multipliers_.rate(row) > none;
         if (isBounded && (leaves || multipliers_.gap(row) > law(row).resolution))
             mode_.touches[row] = 0;
         if (isBounded && leaves)
