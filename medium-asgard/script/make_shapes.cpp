@@ -454,7 +454,6 @@ void SceneMaker::body(Call& call) {
     body.surfaceVelocity = arguments.vector("-surface_velocity").value_or(Vector::Zero());
     body.fixed = arguments.flag("-fixed").value_or(false);
     checkShapeOf(arguments, body);
-    body.restitution = arguments.number("-restitution", Sign::unit).value_or(1);
     body.articulatedBody = arguments.name("-artbody", "an articulated body").value_or("");
     body.collisionGroup = arguments.integer("-ct");
     body.appearance = arguments.appearance();
