@@ -101,6 +101,13 @@ case("pyramid", "# zero: b30.y-3.5\nsimulator -finish 20\n" + ground(0.5) + BLOC
      "".join(f"body {name} block -init_pos {{{x!r} {y!r} 0}} -friction 0.5 -restitution 0\n" for name, x, y in pyramid) +
      gravity(*(name for name, _, _ in pyramid)), [(20, 1, x, name + ".x") for name, x, _ in pyramid])
 
+# Two balls below and one above stand if their friction is at least 2 - sqrt 3.
+HIGH = 0.5 + math.sqrt(3) / 2
+case("three_balls", "# zero: l.y-0.5\nsimulator -finish 10\n" + ground(0.27) + "shape_set large -desc {-sub {-sphere 0.5}}\n" +
+     "".join(f"body {name} large -init_pos {{{x} {y!r} 0}} -friction 0.27 -restitution 0\n"
+             for name, x, y in (("l", -0.5, 0.5), ("r", 0.5, 0.5), ("top", 0, HIGH))) + gravity("l", "r", "top"),
+     [(10, 1, HIGH, "top.y"), (10, 1, -0.5, "l.x")])
+
 
 def main():
     for name, (text, rows) in CASES.items():
