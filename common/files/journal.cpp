@@ -132,7 +132,7 @@ int lockFile(FileSystem& files, const std::string& path) {
     OpenFile file(files, path, O_RDWR | O_CREAT | O_NOFOLLOW, 0600);
     if (!file.isOpen() || files.flock(file.fd(), LOCK_EX | LOCK_NB) != 0)
         return -1;
-    // Whoever held it before may have removed it since it was opened here.
+    // Its last holder may have removed it since it was opened here.
     const OpenFile now(files, path, O_RDONLY | O_NOFOLLOW);
     struct stat held {
     }, there{};

@@ -38,7 +38,7 @@ struct Unreadable {
 };
 [[nodiscard]] std::variant<Kept, Unreadable> decoded(std::string_view bytes);
 
-// A place in the journal that this process holds. What is kept there stays when the object goes,
+// A place in the journal that this process holds. The text kept there stays when the object goes,
 // for whoever looks what was left behind.
 class Place {
 public:

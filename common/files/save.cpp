@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::string_view partEnding = ".part-", backupEnding = "~";
 
-// Where a chain of symbolic links ends, so that saving replaces the file and not the link.
+// The end of a chain of symbolic links, so that saving replaces the file and not the link.
 std::string resolved(FileSystem& files, const std::string& path) {
     char buffer[PATH_MAX];
     return files.realpath(path.c_str(), buffer) != nullptr ? std::string(buffer) : path;

@@ -2,7 +2,7 @@
 //
 // Saving: write beside the file, check every write and the sync, put the old file's permissions on
 // it, exchange it with the old one (through symbolic links, with what they lead to), sync the
-// folder, read it again and compare. Whatever call fails, the file holds the old content or the
+// folder, read it again and compare. If a call fails, the file holds the old content or the
 // new, and "saved" is said only when the new content was read back. (QSaveFile says it also when
 // the sync failed.)
 //
@@ -52,7 +52,8 @@ struct SaveResult {
 [[nodiscard]] SaveResult saveFile(FileSystem& files, const std::string& path,
                                   const std::string& bytes, KnownFile& known,
                                   const SaveOptions& options = {});
-// Where saveFile() keeps the version before, and what leads to it through symbolic links.
+// The place where saveFile() keeps the version before, and the path that leads to it through
+// symbolic links.
 [[nodiscard]] std::string backupOf(FileSystem& files, const std::string& path);
 // Writes without looking at what was there, and without a backup; `mode` is that of a file that was
 // not.

@@ -19,7 +19,7 @@ KnownFile read(const std::string& path) {
     return {path, readFile(FileSystem::real(), path, 10'000).stamp};
 }
 
-// Whatever call fails, the file is the old one or the new one, and "saved" is never said falsely.
+// If any call fails, the file is the old one or the new one, and "saved" is never said falsely.
 TEST(Save, EveryCallMayFail) {
     const Folder folder;
     int injected = 0;

@@ -2,8 +2,8 @@
 //
 // Calls from the host are imperative, a medium's report what happened. A struct with a `Result` is
 // a request, one without is a notification; `method` is its name on the wire. Defaults are those of
-// fields that may be left out. What each means: docs/medium-protocol.md; the field names and the
-// ranges they must keep to: fields.h.
+// fields that may be left out. The meaning of each: docs/medium-protocol.md; the field names and
+// the ranges they must keep to: fields.h.
 //
 // Offsets are UTF-8 bytes of the unescaped storage text, times seconds, sizes device pixels, line
 // and column from 1. Identifiers are whole numbers that the one who makes the thing chooses.

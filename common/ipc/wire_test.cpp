@@ -21,7 +21,7 @@ std::string bodyOf(const std::string& method, const std::string& params, bool re
            method + R"(","params":)" + params + "}";
 }
 
-// What came of reading it, in words.
+// The result of reading it, in words.
 template <class Call> std::string described(const Decoded<Call>& decoded) {
     if (auto* v = std::get_if<Violation>(&decoded))
         return "violation: " + v->sentence;

@@ -10,7 +10,7 @@ namespace plain {
 // A label that shows any text as it is.
 [[nodiscard]] QLabel* label(const QString& text = {}, QWidget* parent = nullptr);
 
-// A label of our own markup. Whoever sets its text escapes what others wrote (toHtmlEscaped()).
+// A label of our own markup. The caller escapes texts of others (toHtmlEscaped()).
 [[nodiscard]] QLabel* markupLabel(QWidget* parent = nullptr);
 
 // For setToolTip(), setWhatsThis() and QToolTip::showText().

@@ -8,7 +8,7 @@ unsigned char byteAt(std::string_view text, std::size_t at) {
     return static_cast<unsigned char>(text[at]);
 }
 
-// What may follow a lead byte: how many bytes there are, and the bounds of the second.
+// The bytes that may follow a lead byte: how many bytes there are, and the bounds of the second.
 struct Form {
     std::size_t length;
     unsigned char low, high;

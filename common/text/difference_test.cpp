@@ -42,7 +42,7 @@ TEST(Differences, AreTheWordsThatDiffer) {
     EXPECT_EQ(differences("-4.37", "-4.38"), (Hunks{{{1, 5}, {1, 5}}}));
 }
 
-// Whatever the texts: the stretches make the one of the other, and what is between them is equal.
+// For all texts the stretches make the one of the other, and what is between them is equal.
 TEST(Differences, MakeOneTextOfTheOther) {
     std::mt19937 random(7);
     const auto textOf = [&](std::size_t length) {

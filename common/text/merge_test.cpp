@@ -34,7 +34,7 @@ TEST(Merge, KeepsMineWhereBothDidSomething) {
     EXPECT_EQ(show("mass 1 x", "mass 2 x", "mass 2 x"), "mass 2 x");
 }
 
-// Where nobody else did anything, mine stays; where I did nothing, theirs is taken.
+// If nobody else did anything, mine stays; if I did nothing, theirs is taken.
 TEST(Merge, OfOneSideIsThatSide) {
     std::mt19937 random(11);
     for (int i = 0; i < 1000; ++i) {
@@ -69,7 +69,7 @@ TEST(Merge, OfChangesApartIsBothEitherWay) {
     }
 }
 
-// Whatever both did: what is marked is what I wrote in the place of something, and mine is all
+// For all edits the mark is on the text that I wrote in the place of some other, and mine is all
 // there.
 TEST(Merge, ConflictsAreMine) {
     std::mt19937 random(17);

@@ -47,7 +47,7 @@ private:
     reading::Part& part_;
 };
 
-// What a press of Enter or a click does: a link is followed, a figure becomes the active one.
+// The action of Enter or a click: a link is followed, a figure becomes the active one.
 class AccessibleActivePart : public AccessiblePart, public QAccessibleActionInterface {
 public:
     AccessibleActivePart(AccessibleView& root, reading::Part& part) : AccessiblePart(root, part) {}

@@ -18,7 +18,7 @@ public:
     [[nodiscard]] int columnCount() const override;
     [[nodiscard]] int rowCount() const override;
 
-    // What is selected is the matter of the text in the cells.
+    // The selection is the matter of the text in the cells.
     [[nodiscard]] int selectedCellCount() const override { return 0; }
     [[nodiscard]] QList<QAccessibleInterface*> selectedCells() const override { return {}; }
     [[nodiscard]] int selectedColumnCount() const override { return 0; }

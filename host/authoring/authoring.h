@@ -80,7 +80,7 @@ using Result = std::variant<Step, Refusal>;
 // Is all of the selected text in one, or the caret?
 [[nodiscard]] bool isMarked(const Manuscript& manuscript, Selection selection,
                             schemas::ContainerRole role);
-// The selected text, or the word around the caret, becomes a link, or none: "". Where there is
+// The selected text, or the word around the caret, becomes a link, or none: "". If there is
 // neither, the address comes in as the text of a link.
 [[nodiscard]] Result link(const Manuscript& manuscript, Selection selection,
                           std::string_view target);
@@ -109,8 +109,8 @@ struct LinkAround {
 // The paragraphs of the selection become headings of that level (1 is the outermost), each with a
 // section of what follows it; a heading with its section goes to that level.
 [[nodiscard]] Result makeHeading(const Manuscript& manuscript, Selection selection, int level);
-// Headings and preformatted text become paragraphs. What a heading's section had is in the section
-// before it then.
+// Headings and preformatted text become paragraphs. The content of a heading's section is in the
+// section before it then.
 [[nodiscard]] Result makeParagraph(const Manuscript& manuscript, Selection selection);
 // The paragraphs of the selection become one piece of preformatted text, a line each, without
 // emphasis and links.
@@ -256,7 +256,7 @@ enum class TablePart { cell, row, column, table };
                                std::string_view text);
 // Elements as they are spelled in documents (exports::fragment()). A single line goes into the line
 // at the caret. Elements and attributes that the class does not know are left out, their text
-// stays. What has an ID that the document has gets another one if references from within the
+// stays. An element with an ID that the document has gets another one if references from within the
 // fragment need it, else none.
 [[nodiscard]] Result paste(const Manuscript& manuscript, Selection selection,
                            std::string_view fragment);

@@ -2,8 +2,9 @@
 // edits of the bytes.
 //
 // A draft is a tree of pieces: elements, text, the marks of the selection, and rests, which are
-// nodes of the document that the command has not opened. What a draft keeps of the document it
-// keeps as ranges of bytes; so what a command has not touched is not in its edits.
+// nodes of the document that the command has not opened. A draft keeps parts of the document
+// as ranges of bytes; so what a command has not touched is not in
+// its edits.
 //
 //     <P>{one two}</P>    with the caret before "two":
 //     element P: text "one ", mark caret, text "two"

@@ -16,8 +16,8 @@ bool isSpecial(char c) { return c == '{' || c == '}' || c == '\\'; }
 
 } // namespace
 
-// Writes the inside of the root, in order. What is kept in the document's order costs no edit; what
-// stands between two kept ranges is the edit there.
+// Writes the inside of the root, in order. A part kept in the document's order costs no edit; one
+// that stands between two kept ranges is the edit there.
 class DraftWriter {
 public:
     DraftWriter(const Draft& draft, const sgml::Tree& tree) : draft_(draft), tree_(tree) {}

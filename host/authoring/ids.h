@@ -14,9 +14,9 @@ using Ids = std::set<std::string, std::less<>>;
 [[nodiscard]] Ids idsOf(const sgml::Tree& tree);
 // "figure-2" for FIGURE: the first that is not taken.
 [[nodiscard]] std::string freeId(const Ids& taken, std::string_view stem);
-// A document's bytes, to come into another document. What has an ID that is taken there, or that
-// comes twice, gets another one, which references from within follow; without such references it
-// has none.
+// A document's bytes, to come into another document. An element with an ID that is taken there, or
+// that comes twice, gets another one, which references from within follow; without such references
+// it has none.
 [[nodiscard]] std::string withFreeIds(const sgml::Tree& into, const std::string& bytes);
 
 } // namespace authoring

@@ -269,7 +269,7 @@ private:
         return {};
     }
 
-    // What follows it in the section around it becomes its own.
+    // The text that follows it in the section around it becomes its own.
     QString raise(Piece& section) {
         Piece& around = *section.parent;
         if (around.parent == nullptr || draft_.of(around).role != ContainerRole::section)

@@ -13,7 +13,7 @@ public:
     explicit TableDraft(Draft& draft);
     [[nodiscard]] bool isThere() const { return nodes_.has_value(); }
 
-    // Each gives "" when it is done, else the reason why not. What is selected is meant: the rows
+    // Each gives "" when it is done, else the reason why not. The selection is meant: the rows
     // or columns of its cells.
     QString insertRow(Direction side);
     QString insertColumn(Direction side);

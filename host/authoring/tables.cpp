@@ -1,4 +1,4 @@
-// Commands for tables. What they do to rows and cells: table_draft.h.
+// Commands for tables. Their work on rows and cells: table_draft.h.
 #include "authoring/new_table.h"
 #include "authoring/table_draft.h"
 

@@ -242,8 +242,8 @@ private:
         return {};
     }
 
-    // The list falls in two around the empty item. What follows is an item of the list around it,
-    // or a paragraph.
+    // The list falls in two around the empty item. The text that follows is an item of the list
+    // around it, or a paragraph.
     QString leaveList(Piece& item) {
         Piece& list = *item.parent;
         if (list.parent == nullptr)

@@ -178,7 +178,7 @@ void readsAnySplitOfItsInput(RawMedium& medium) {
     medium.mustAnswer(ipc::Ping{}, pingMs);
 }
 
-// What is not the protocol ends it, by itself and not by a crash.
+// Bytes that are not the protocol end it, by itself and not by a crash.
 void endsOnBytes(RawMedium& medium, const std::string& bytes) {
     medium.introduce();
     medium.sendBytes(bytes);

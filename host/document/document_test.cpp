@@ -265,7 +265,7 @@ TEST(Document, ATextThatNoBraceClosesIsNotEdited) {
     EXPECT_EQ(document.editText(one, 0, {{{0, 0}, "b"}}, "Type"), EditResult::unknown);
 }
 
-// What would be written behind a tag that is not closed would be read as a part of the tag.
+// Text written behind a tag that is not closed would be read as a part of the tag.
 TEST(Document, AStorageWhoseTagIsNotClosedHasNoText) {
     Document document(memoWith("<ASGARD C{a}</ASGARD>"));
     const SubdocumentId one = document.subdocumentNamed("one");
@@ -362,7 +362,7 @@ TEST(Document, ALetterAndAnEnterCostTheSameInALongDocument) {
     EXPECT_EQ(document.bytes(), text + "</REPORT>");
 }
 
-// What an unclosed brace swallowed comes back with its number when the brace is closed.
+// A figure that an unclosed brace swallowed comes back with its number when the brace is closed.
 TEST(Document, SubdocumentsThatABrokenTextHidesComeBackWithTheirNumber) {
     Document document(twoScenes);
     const std::vector<SubdocumentId> before = document.subdocuments();

@@ -52,7 +52,7 @@ TEST(Faults, ListsEverythingInOrderOfPlace) {
         "r.ens:8:11: error: text outside braces: \"stray\"\n");
 }
 
-// What followed thousands of edits is what a look at the whole document finds.
+// A list that followed thousands of edits is the one that the whole document gives.
 TEST(Faults, AfterEveryEditAreThoseOfANewLook) {
     const schemas::Schemas schemas = schemas::Schemas::builtIn();
     std::size_t edits = 0, found = 0, looked = 0, all = 0;

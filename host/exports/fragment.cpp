@@ -9,7 +9,7 @@ using sgml::noNode;
 
 namespace {
 
-// Where the interval ends in an element: what it has of the content there, and the place from which
+// An element in which the interval ends: its part of the content there, and the place from which
 // on, or up to which, the element's bytes are taken whole.
 struct End {
     NodeId parent = noNode;

@@ -104,7 +104,7 @@ void Saving::saveAsTemplate(const QString& proposed) {
         Q_EMIT said(tr("Saved %1: File > New > %2 begins with it").arg(file, name));
 }
 
-// What was typed in a window of a medium and is no change of the document yet goes with its
+// Text that was typed in a window of a medium and is no change of the document yet goes with its
 // process.
 Saving::Drafts Saving::askAboutDrafts(const QString& title, const QString& update,
                                       const QString& leave) {

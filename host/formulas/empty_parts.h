@@ -16,7 +16,7 @@ struct EmptyPart {
 // In the order of the source, as far as it was read.
 [[nodiscard]] std::vector<EmptyPart> emptyParts(const Formula& formula);
 
-// Where somebody goes on to write who has written at a place: into the next empty part, else behind
+// The place to go on from a place at which one has written: in the next empty part, else behind
 // the outermost part around the place; nothing: there is neither.
 [[nodiscard]] std::optional<std::size_t> nextPlace(const Formula& formula, std::size_t place);
 // The empty part before the place.

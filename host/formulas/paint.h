@@ -9,7 +9,7 @@ class QPainter;
 
 namespace formulas {
 
-// `at`: the left end of its base line. What could not be read has a colour of its own.
+// `at`: the left end of its base line. A part that could not be read has a colour of its own.
 void paint(QPainter& painter, const Box& box, QPointF at, const Font& font, const QColor& ink,
            const QColor& faulty);
 

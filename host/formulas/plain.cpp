@@ -101,7 +101,7 @@ void Writer::list(NodeId id) {
                                atom != Atom::opening && atom != Atom::inner;
         if (wide || name || afterName)
             blank();
-        // What stands right behind a fraction is no part of what is below.
+        // A sign right behind a fraction is no part of what is below.
         const bool goesOn = next + 1 < atoms.size() && !endsFraction(atoms[next + 1]);
         const bool split = node.kind == Kind::fraction && node.amount > 0 && goesOn;
         text_ += split ? "(" : "";

@@ -1,4 +1,4 @@
-// What stands in rows and columns: \begin{...} ... \end{...}.
+// Parts in rows and columns: \begin{...} ... \end{...}.
 #include "formulas/reader.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What each command reads, but for arrays (reader_arrays.cpp).
+// The arguments that each command reads, but for arrays (reader_arrays.cpp).
 #include "formulas/reader.h"
 
 #include "text/characters.h"

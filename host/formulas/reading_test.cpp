@@ -1,4 +1,4 @@
-// What a source means: as plain text, as words, and which faults it has where.
+// The meaning of a source: as plain text, as words, and which faults it has where.
 #include "formulas/empty_parts.h"
 #include "formulas/plain_words.h"
 #include "formulas/typeset.h"
@@ -90,7 +90,7 @@ TEST(Reading, PlainWordsAreProposedAsTexWritesThem) {
         {"e^(-x) + x^10 + x^-1 + v_max + v_end + x^* + a_ij + x_pi",
          "e^{-x} + x^{10} + x^{-1} + v_\\max + v_{\\mathrm{end}} + x^* + a_{ij} + x_\\pi"},
         {"a*b ... infinity", "a\\cdot b \\dots  \\infty"},
-        // What TeX writes is left as it is.
+        // Text that is TeX's already is left as it is.
         {R"(\frac{1}{2} m v^2 \sin\alpha \text{for pi} \mathrm{sin} x^{10} ab x_i2 \begin{cases} 1 \end{cases})",
          nullptr},
         {R"(\value[2 decimals]{pi}{sin} \left( x \right) n! = 1)", nullptr},

@@ -1,4 +1,4 @@
-// A formula in English words. What is more than one sign is closed by a word of its own ("end
+// A formula in English words. A part of more than one sign is closed by a word of its own ("end
 // fraction"), so that two formulas that differ are said differently.
 #include "formulas/symbols.h"
 

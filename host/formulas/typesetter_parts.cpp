@@ -136,7 +136,7 @@ Box Typesetter::bar(const Node& node, Setting setting) {
     return box;
 }
 
-// What is under the accent: i and j without their dots.
+// The letter under the accent: i and j without their dots.
 Box Typesetter::accented(const Node& node, Setting setting) {
     const Node& base = formula_.node(node.children.front());
     Box box = this->node(node.children.front(), {setting.style, true});

@@ -7,7 +7,8 @@ namespace formulas {
 
 namespace {
 
-// What TeX's own fonts ask for, in em; a font that asks for less makes limits touch their operator.
+// The distances that TeX's own fonts ask for, in em; a font that asks for less makes limits touch
+// their operator.
 constexpr double leastRise = 0.2, leastGapAbove = 0.111, leastDrop = 0.6, leastGapBelow = 0.167;
 
 Style smaller(Style style) {

@@ -129,7 +129,7 @@ void Cells::takeFrom(Cell& cell, double to, bool forced, Strip& part) {
     }
 }
 
-// What the next part will be made of.
+// The material of the next part.
 void Cells::refill(Cell& cell) const {
     cell.height = 0;
     for (std::size_t i = 0; i < cell.ready.size(); ++i)

@@ -23,7 +23,7 @@ public:
     std::vector<Hunk> all;
 };
 
-// What stands before a display is kept with it.
+// The block before a display is kept with it.
 std::vector<Hunk> withTextBeforeDisplays(const std::vector<Hunk>& hunks,
                                          const model::Blocks& before, const model::Blocks& now) {
     const auto isDisplay = [](const model::Blocks& all, std::size_t at) {

@@ -315,7 +315,7 @@ void Flow::rule(const BlockPointer& block, Strip& strip) const {
 
 namespace {
 
-// What a block in a cell would like, and cannot do without, of at most so many letters.
+// The width that a block in a cell would like, and the least, of at most so many letters.
 Widths widthsIn(const Surroundings& in, Columns& columns, const BlockPointer& pointer,
                 double available, std::size_t& letters) {
     Stock& stock = in.stock;
@@ -344,7 +344,7 @@ Widths widthsIn(const Surroundings& in, Columns& columns, const BlockPointer& po
     return widths;
 }
 
-// What a cell would like, with its padding.
+// The width that a cell would like, with its padding.
 Widths widthsOf(const Surroundings& in, Columns& columns, const model::Cell& cell, double available,
                 std::size_t& letters) {
     Widths wanted;
@@ -365,7 +365,7 @@ Widths widthsOf(const Surroundings& in, Columns& columns, const model::Cell& cel
     return wanted;
 }
 
-// What a cell over several columns lacks, they share.
+// Several columns share the width that a cell over them lacks.
 void widen(std::vector<Widths>& wanted, const document::GridCell& place, const Widths& cell,
            const std::vector<double>& fixed) {
     double natural = 0, least = 0, free = 0;
@@ -416,7 +416,7 @@ std::vector<Widths> wantedBy(const Surroundings& in, Columns& columns, double av
 }
 
 // Columns as wide as the author or their widest text wants where there is room; else each gets its
-// longest word, and they share what is left by how much more they would like. Where not even the
+// longest word, and they share what is left by how much more they would like. If not even the
 // words have room, each gets its longest number before. LIMIT: numbers that have no room side by
 // side are torn.
 std::unique_ptr<Columns> columnsOf(const Surroundings& in, const BlockPointer& block,

@@ -27,7 +27,7 @@ void Groups::append(Strip strip) {
     strips.push_back(std::move(strip));
 }
 
-// Where it began is kept until all of it is read: what the flow passes before it counts for it.
+// Its beginning is kept until all of it is read: all that the flow passes before counts for it.
 Made Groups::readStrip(Strip& strip) {
     if (ahead_) {
         strip = std::move(*std::exchange(ahead_, {}));

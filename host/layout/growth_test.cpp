@@ -124,7 +124,7 @@ TEST(Growth, TwiceTheDocumentIsTwiceTheWork) {
     }
 }
 
-// What a medium says of a text is placed by reading the text and the file once.
+// A medium's sentence about a text is placed by reading the text and the file once.
 TEST(Growth, ManyFaultsOfASubdocumentArePlacedAtOnce) {
     const auto placed = [](int n) {
         const document::Document document(

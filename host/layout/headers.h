@@ -7,7 +7,7 @@
 
 namespace layout {
 
-// Where the text of a page stands, in twips.
+// The place of the text on a page, in twips.
 struct TextArea {
     double left = 0, top = 0, bottom = 0, width = 0;
     [[nodiscard]] double height() const { return bottom - top; }

@@ -100,7 +100,7 @@ public:
 
     // Some paragraphs' or a page's worth of work; false: there is none left.
     [[nodiscard]] bool step();
-    // So far. What is not made yet is old, if there are old ones.
+    // So far. Pages that are not made yet are old, if there are old ones.
     [[nodiscard]] Pages pages() const;
     [[nodiscard]] std::size_t count() const; // of pages that are made
     [[nodiscard]] Pages take();

@@ -287,7 +287,7 @@ TEST_F(PagesTest, ARowTallerThanAPageGoesOnOnTheNextPages) {
     const Pages laid = pages();
     EXPECT_EQ(wordsOn(laid, laid.size.height() - fromPoints(72)), all);
     EXPECT_GT(laid.pages.size(), 5u);
-    // What is too tall for any page begins where it stands.
+    // A block that is too tall for any page begins where it stands.
     EXPECT_EQ(printed(laid).find("left5-0"), printed(laid).find("left5-"));
     EXPECT_LT(printed(laid).find("left3000-0"), printed(laid).find("page 2"));
 }

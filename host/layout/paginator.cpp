@@ -339,7 +339,7 @@ void Paginator::repeatHeader(const Strip& strip) {
     filling_.top = filling_.y;
 }
 
-// What refers to places: the outline and the anchors.
+// The things that refer to places: the outline and the anchors.
 void Paginator::remember(const Strip& strip) {
     const model::Block& block = *basis_->model->blocks[strip.block];
     for (const std::string& anchor : block.anchors)

@@ -379,14 +379,14 @@ TEST_F(LongTest, AChangeOnPage500CostsItsOwnParagraphAndSomePages) {
     EXPECT_EQ(pages_.work.pages, 0u);
 }
 
-// What is kept of a long document is what was asked for last.
+// The pages kept of a long document are those that were asked for last.
 TEST_F(LongTest, LettersOfFewPagesAreKept) {
     EXPECT_LE(Paragraph::lettersKept(), Paragraph::mostKept);
     const std::string once = printed(pages_);
     EXPECT_LE(Paragraph::lettersKept(), Paragraph::mostKept);
     EXPECT_EQ(printed(pages_), once);
 
-    // What is found has a place in its line once that is asked for.
+    // A word that is found has a place in its line once that is asked for.
     const std::size_t layouts = Paragraph::layoutsMade();
     std::vector<Found> found = findText(pages_, "a");
     EXPECT_GT(found.size(), 1000u);

@@ -73,7 +73,7 @@ TEST_F(TablesTest, CellsReachOverColumnsAndRows) {
     EXPECT_DOUBLE_EQ(frames[1].height(), frames[0].height() + frames[2].height());
 }
 
-// What does not fit beside its rows makes the last one higher.
+// A cell that does not fit beside its rows makes the last one higher.
 TEST_F(TablesTest, ATallCellMakesItsLastRowHigher) {
     std::string words;
     for (int i = 0; i < 200; ++i)

@@ -10,7 +10,7 @@ namespace media {
 
 namespace {
 
-// What desktops and their libraries read: by their first letters...
+// The variables that desktops and their libraries read: by their first letters...
 constexpr std::array<std::string_view, 9> families{"QT_",  "XDG_",   "XCURSOR_", "WAYLAND_", "KDE_",
                                                    "GTK_", "GNOME_", "IBUS_",    "FCITX_"};
 // ...and by name.

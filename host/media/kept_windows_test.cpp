@@ -1,4 +1,4 @@
-// What was open and typed in a medium's own windows outlives its process.
+// The state and drafts of a medium's own windows outlive its process.
 #include "media/scripted_medium.h"
 
 #include <gmock/gmock.h>

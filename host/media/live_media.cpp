@@ -14,7 +14,7 @@ bool mayBeEnded(const LiveSubdocument& one) {
     return one.hasProcess() && !one.hasWindows() && one.windows().open == 0;
 }
 
-// Who goes first of those that are equally near.
+// The one that goes first of those that are equally near.
 int rank(const LiveSubdocument& one) {
     const bool plays = one.time() && one.time()->playing;
     if (one.hasProcess())

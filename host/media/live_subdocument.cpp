@@ -8,7 +8,7 @@ namespace {
 
 constexpr const char* updateDrafts = "update-drafts";
 
-// What a user asks for in windows of the medium, which a process in mode edit has alone.
+// Wishes of a user for windows of the medium, which a process in mode edit has alone.
 bool asksAsEditor(const ipc::ToHost& request) {
     return std::holds_alternative<ipc::EditUndo>(request) ||
            std::holds_alternative<ipc::EditRedo>(request);

@@ -12,7 +12,7 @@ namespace media {
 
 namespace {
 
-// What one turn of the event loop may spend on one medium's mail.
+// The time that one turn of the event loop may spend on one medium's mail.
 constexpr int mostLettersPerTurn = 100;
 constexpr int mostMsPerTurn = 8;
 

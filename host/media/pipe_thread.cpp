@@ -23,7 +23,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// What a medium may leave unread: its longest text and a thousand messages besides.
+// The bytes that a medium may leave unread: its longest text and a thousand messages besides.
 constexpr std::size_t mostUnsentBytes = std::size_t{80} << 20;
 constexpr std::size_t mostUnsentMessages = 1000;
 constexpr std::size_t mostLog = 4096;

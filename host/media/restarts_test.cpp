@@ -18,7 +18,7 @@ TEST(Restarts, ThreeInAMinute) {
     EXPECT_FALSE(restarts.mayTry(minute));
 }
 
-// What dies every half minute is not started for ever.
+// A process that dies every half minute is not started for ever.
 TEST(Restarts, TenInAnHour) {
     Restarts restarts(3, 10);
     int tried = 0;

@@ -1,9 +1,9 @@
 // The menu Figure: what may be done with the figure that is chosen, or whose caption has the caret,
 // whatever medium shows it.
 //
-// The menu is there while the document has figures. Where there is no such figure, its first entry
-// says what to do. What may not be done is grey, and its tip says why: the view is read and not
-// written, the medium has no time or no files.
+// The menu is there while the document has figures. Without such a figure, its first entry
+// says what to do. An entry that may not be done is grey, and its tip says why: the view is read
+// and not written, the medium has no time or no files.
 #pragma once
 
 #include "session/open_document.h"

@@ -160,7 +160,7 @@ QWidget* FormulaDialog::makeSigns() {
     return box;
 }
 
-// What is selected comes to stand in the sign; else the caret does.
+// The selection comes to stand in the sign; else the caret does.
 void FormulaDialog::put(const QString& before, const QString& after) {
     QTextCursor cursor = field_->textCursor();
     const QString selected = cursor.selectedText();

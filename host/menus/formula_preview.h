@@ -18,7 +18,8 @@ public:
 
     void show(formulas::Formula formula, formulas::Style style);
 
-    // Where the part that waits to be written and begins there in the source is; tests click it.
+    // The place of the part that waits to be written and begins there in the source; tests click
+    // it.
     [[nodiscard]] std::optional<QPointF> frameAt(std::size_t place) const;
 
 Q_SIGNALS:

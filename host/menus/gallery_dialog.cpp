@@ -21,7 +21,7 @@ constexpr int pictureWidth = 208, margin = 10, titleGap = 8;
 constexpr int aboutRole = Qt::UserRole, faultRole = Qt::UserRole + 1;
 constexpr int aboutLines = 2;
 
-// Where things are in a tile, and how they look.
+// The places of things in a tile, and their looks.
 class Tile : public QStyledItemDelegate {
 public:
     Tile(double ratio, QObject* parent)

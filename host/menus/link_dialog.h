@@ -1,4 +1,4 @@
-// Where a link leads.
+// The target of a link.
 #pragma once
 
 #include <QString>

@@ -1,4 +1,4 @@
-// What is under a heading, and models without what is folded.
+// The blocks under a heading, and models without what is folded.
 #include "model/folding.h"
 #include "model/model_builder.h"
 

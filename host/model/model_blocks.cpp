@@ -92,7 +92,7 @@ void ModelWalk::open(std::size_t of) {
                             .border = style.border});
 }
 
-// What the innermost frame opened ends with the last block.
+// The boxes that the innermost frame opened end with the last block.
 void ModelWalk::close() {
     const Opened& opened = opened_.back();
     if (opened.container != none)

@@ -227,7 +227,7 @@ private:
 
 } // namespace
 
-// What comes behind the checkpoint that was met is as it was, only further on or back.
+// The blocks behind the checkpoint that was met are as it was, only further on or back.
 void ModelBuilder::join(Model& model) {
     const ModelWalk::Checkpoint now = walk_->checkpoint();
     const ModelWalk::Checkpoint then = trail_[ahead_].begin;

@@ -27,7 +27,7 @@ public:
         while (builder.step(50))
             continue;
     }
-    // What follows differently; "" when nothing does.
+    // The first thing that follows differently; "" when nothing does.
     std::string difference() {
         complete();
         ModelBuilder anew(document, by_, schemas(), styles_);
@@ -190,8 +190,8 @@ TEST(ModelFollow, ALetterLeavesOtherCellsAndFootnotesAsTheyAre) {
     EXPECT_EQ(now.blocks[1]->runs.at(1).footnote, old->footnotes.at(0));
 }
 
-// What stands in a table of contents follows the headings, and a letter elsewhere leaves it as it
-// is.
+// The entries of a table of contents follow the headings, and a letter elsewhere leaves them as
+// they are.
 TEST(ModelFollow, ContentsFollowTheirHeadingsAndCaptions) {
     Followed followed("DOCUMENT REPORT\n<REPORT><CONTENTS></CONTENTS><CONTENTS OF=\"tables\">"
                       "</CONTENTS><SECTION><HEADING>{One}</HEADING><PARAGRAPH>{words}</PARAGRAPH>"

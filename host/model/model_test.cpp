@@ -231,7 +231,7 @@ TEST(Model, FootnotesInFootnotesEndSomewhereAndLoseNoText) {
     EXPECT_NE(model.find("[n19]"), std::string::npos);
 }
 
-// What was never thought of is at least shown and survived.
+// A case that nobody thought of is at least shown and survived.
 TEST(Model, CellsAreAlignedAsTheySay) {
     const schemas::Schemas schemas = schemas::Schemas::builtIn();
     const document::Document document(

@@ -155,7 +155,7 @@ bool ModelWalk::enterElement(NodeId node) {
     return begin(std::move(frame));
 }
 
-// What the element says, or what it stands in.
+// The language of the element, or of the one that it stands in.
 void ModelWalk::takeLanguage(Frame& frame, const Frame& outer) const {
     const std::string own = attribute(frame.node, "LANG");
     frame.style.text.language = own.empty() ? outer.style.text.language : own;

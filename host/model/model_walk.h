@@ -26,7 +26,7 @@ struct Reference {
     std::string name, number;
     bool operator==(const Reference&) const = default;
 };
-// What has an ID.
+// An ID, and how one refers to its element.
 struct Name {
     std::string id;
     Reference reference;

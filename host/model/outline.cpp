@@ -23,7 +23,7 @@ std::string trimmed(const std::string& text) {
     return {from, to.base()};
 }
 
-// What stands in its line, footnotes left out.
+// The text of its line, footnotes left out.
 std::string textOf(const Block& block) {
     std::string text = trimmed(block.marker);
     if (!text.empty())

@@ -37,7 +37,7 @@ private:
     view::DocumentView& view_;
     document::Tracker tracker_;
     Stops back_, forward_;
-    // Where the last hit of a search is shown: the next one joins its jump if the view is still
+    // The place of the last hit of a search: the next one joins its jump if the view is still
     // there.
     std::optional<int> searched_;
     bool isSearch_ = false;

@@ -1,4 +1,4 @@
-// Where one read a document, how large, what was folded, and whether and where one wrote: it opens
+// The place where one read a document, its size and folds, and the place where one wrote: it opens
 // so again. Kept in the program's settings by the document's file.
 #pragma once
 

@@ -58,7 +58,7 @@ SlideShow::SlideShow(const view::DocumentView& of, QWidget* parent)
     pointer_.setInterval(hidePointerMs);
     connect(&pointer_, &QTimer::timeout, this, [this] { viewport()->setCursor(Qt::BlankCursor); });
     connect(this, &view::DocumentView::laidOut, this, &SlideShow::fit);
-    // What a figure does not use.
+    // Keys that a figure does not use.
     connect(this, &view::DocumentView::unhandledKey, this, &SlideShow::useKey);
     // A reference leads to another page.
     connect(this, &view::DocumentView::jumped, this, [this] {
@@ -159,7 +159,7 @@ void SlideShow::mouseMoveEvent(QMouseEvent* event) {
     pointer_.start();
 }
 
-// Where it selects text or follows a link it turns no page.
+// A click that selects text or follows a link it turns no page.
 void SlideShow::mouseReleaseEvent(QMouseEvent* event) {
     const std::size_t page = page_;
     const bool turns = std::exchange(turns_, false) && !text().cursor().selects() &&

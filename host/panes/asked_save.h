@@ -9,8 +9,8 @@
 
 namespace panes {
 
-// What is refused for a reason is done all the same when the user says so. A failure is told. True:
-// it is saved.
+// A saving that is refused for a reason is done all the same when the user says so. A failure is
+// told. True: it is saved.
 [[nodiscard]] bool saveAsking(QWidget* over, const QString& title,
                               const std::function<files::SaveResult(files::SaveOptions)>& saving);
 

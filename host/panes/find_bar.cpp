@@ -164,7 +164,7 @@ std::optional<text::Range> FindBar::placeOfShown() const {
                             model::RunPlaces(view_.document().document().tree()));
 }
 
-// Where one writes, what is found is what the next letter replaces.
+// In a writing view, the next letter replaces the word that is found.
 void FindBar::selectShown() {
     if (!view_.isWriting() || view_.chosen())
         return;

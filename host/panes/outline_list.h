@@ -15,7 +15,7 @@ class OutlineList : public QTreeWidget {
 public:
     explicit OutlineList(QWidget* parent);
 
-    // Those of one kind. What is folded, and the current entry, stay.
+    // Those of one kind. The folds, and the current entry, stay.
     void show(const std::vector<model::Outline::Entry>& entries, model::Outline::Kind kind);
     // Headings may be moved.
     void setMovable(bool on);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr auto setting = "spelling";
 
-// What the document says, else the desktop. LIMIT: text in another language is not checked.
+// The document's language, else the desktop's. LIMIT: text in another language is not checked.
 QString languageOf(const document::Document& document) {
     const sgml::Tree& tree = document.tree();
     const sgml::NodeId top = tree.classElement(tree.root());

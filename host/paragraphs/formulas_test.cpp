@@ -74,7 +74,7 @@ TEST_F(FormulasInLinesTest, ANumberThatPlaysKeepsItsRoomInTextAndInAFormula) {
     EXPECT_NEAR(widthOf("100.0", "-0.0"), widthOf("100.0", ""), 1e-6); // none is torn
 }
 
-// What is left of the room comes to it, and no more.
+// The rest of the room comes to it, and no more.
 TEST_F(FormulasInLinesTest, TheBlankBeforeANumberThatPlaysIsThatOfOtherWords) {
     const auto gap = [this](const std::string& room, const std::string& number) {
         NewBlock block = paragraph("At ");
@@ -131,7 +131,7 @@ TEST_F(FormulasInLinesTest, AreBrokenBehindRelationsAndOperators) {
 TEST_F(FormulasInLinesTest, ReadAgainHaveTheSamePlaces) {
     const auto of = laid(around("a+b=c"), fromPoints(90));
     const double before = of->leftOf(0, of->endOfRun(2));
-    // What is kept of others drives out what is kept of this one.
+    // Lines kept of others drive out those kept of this one.
     for (std::size_t i = 0; i <= Kept::fewest; ++i) {
         const auto other = laid(paragraph(std::string(Kept::most, 'x')));
         EXPECT_GT(other->leftOf(0, 1), 0);

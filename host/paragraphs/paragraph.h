@@ -57,7 +57,7 @@ public:
     [[nodiscard]] bool isOf(Sizes& sizes) const;
 
     void paintLine(QPainter& painter, int line, QPointF topLeft) const;
-    // Where an object of a line stands, the line's top left at the origin.
+    // The place of an object of a line, the line's top left at the origin.
     [[nodiscard]] QRectF objectRect(int line, const InlineObject& object) const;
 
     [[nodiscard]] const BlockPointer& block() const { return letters_.block(); }
@@ -97,7 +97,8 @@ public:
     // The next place to that side as the line looks, where a letter with its accents is one; the
     // same place at the paragraph's end.
     [[nodiscard]] int placeBeside(int letter, Side side) const;
-    // Where the next word begins, or the one before it; the same place at the paragraph's end.
+    // The beginning of the next word, or of the one before it; the same place at the paragraph's
+    // end.
     [[nodiscard]] int nextWord(int letter) const;
     [[nodiscard]] int previousWord(int letter) const;
     // The edges of a letter in its line, from left to right.

@@ -1,4 +1,4 @@
-// Where the lines of a segment of a paragraph end.
+// The ends of the lines of a segment of a paragraph.
 //
 // Qt's text layout breaks the segment at every place where Unicode's rules let a line end: that
 // gives each word its width. typography chooses the ends of lines among these places.

@@ -18,7 +18,7 @@ constexpr QColor faultyColor(0xC0, 0x20, 0x20);
 
 } // namespace
 
-// Of the line's letters, above and below its base line. What is no letter counts as letters of the
+// Of the line's letters, above and below its base line. Other things count as letters of the
 // size around it: alone in a line or a cell it has the base line of a word.
 std::pair<double, double> Paragraph::extentOf(const Line& line, double ascent,
                                               double descent) const {

@@ -76,7 +76,7 @@ QList<QTextLayout::FormatRange> Paragraph::formatsOf(const Letters& letters, int
 
 namespace {
 
-// What stands around a line so that its letters go as they do in the paragraph: the embeddings that
+// The signs around a line so that its letters go as they do in the paragraph: the embeddings that
 // are open where it begins, and signs of the directions of the letters before and behind it.
 struct Marks {
     QString before, behind;

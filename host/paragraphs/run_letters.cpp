@@ -204,7 +204,7 @@ const InlineObject& RunLetters::objectAt(int position) const {
 }
 
 // Each piece that stays on one line is a blank of its width, and the spaces between them are blanks
-// where the line may end. What is read again is what its lines were made for.
+// where the line may end. The letters that are read again are those that its lines were made for.
 std::shared_ptr<const formulas::Set> RunLetters::formulaOf(std::size_t run, int position) const {
     if (run < runsRead_)
         return objectAt(position).formula;

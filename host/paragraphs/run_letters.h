@@ -1,7 +1,7 @@
 // The letters of a block's runs, as a paragraph sets them: the text of the document and what is
 // generated, and a blank of its width for each image, subdocument or piece of a formula.
 //
-// Runs are read as their letters are asked for. What is read again is the same: objects have the
+// Runs are read as their letters are asked for. A second reading gives the same: objects have the
 // sizes that the lines were made for.
 #pragma once
 

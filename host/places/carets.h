@@ -1,8 +1,8 @@
-// Where a caret stands between letters on the pages, which byte of the document is there, and where
+// Places of a caret between letters on the pages: which byte of the document is there, and where
 // the caret goes.
 //
 // A caret stands in text of the document, never inside what is generated: next to a number or a
-// footnote's mark. Where two texts meet it belongs to the end of the first. A place of the document
+// footnote's mark. Between two texts it belongs to the end of the first. A place of the document
 // that has no letter (between elements, in blanks that are shown as one) has the nearest caret.
 #pragma once
 

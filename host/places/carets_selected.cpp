@@ -1,4 +1,4 @@
-// What of a page lies in an interval of the document: its rectangles.
+// The parts of a page that lie in an interval of the document: its rectangles.
 #include "places/carets.h"
 
 #include <algorithm>
@@ -51,7 +51,7 @@ void Carets::addSelected(const TextPiece& piece, const std::vector<model::Select
     for (std::size_t i = 0; i < all.size() && paragraph.startOfRun(i) < line.to; ++i) {
         if (!runs[i].isIn)
             continue;
-        // What is generated is selected as a whole, and may be one sign, as a formula is.
+        // Generated text is selected as a whole, and may be one sign, as a formula is.
         const bool isText = places_.isText(all[i]);
         const int next = i + 1 < all.size() ? paragraph.startOfRun(i + 1) : line.to;
         const int from =

@@ -31,8 +31,8 @@ struct Found {
     int from = 0, to = 0;    // letters of the paragraph, on the next page, too
 };
 
-// In the order of the pages, headers and footers left out. What goes on on the next page is marked
-// on the first.
+// In the order of the pages, headers and footers left out. A word that goes on on the next page is
+// marked on the first.
 [[nodiscard]] std::vector<Found> findText(const layout::Pages& pages, const Search& search);
 [[nodiscard]] inline std::vector<Found> findText(const layout::Pages& pages, const QString& words) {
     return findText(pages, Search{words});

@@ -19,7 +19,7 @@ struct PlaceOnPage {
 // The first line of text that ends below that height of a page; nothing: there is none behind it.
 [[nodiscard]] std::optional<Spot> spotAt(const layout::Pages& pages, PlaceOnPage place);
 
-// Where it is now, looked for from that page on to both sides: in the same block, else in one of
+// Its place now, looked for from that page on to both sides: in the same block, else in one of
 // the same words (of a text that was read anew), else in one of the same element, which has
 // changed.
 [[nodiscard]] std::optional<PlaceOnPage> placeOf(const layout::Pages& pages, const Spot& spot,

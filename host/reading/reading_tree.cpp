@@ -38,7 +38,7 @@ const ReadingTree::Parts& ReadingTree::partsOf(Part& part) {
     part.isOpen = true;
     switch (part.kind) {
     case Kind::container: {
-        // Where it stands among the blocks of the flow that it is in.
+        // Its place among the blocks of the flow that it is in.
         std::size_t first = 0;
         const Part* at = &part;
         for (; !at->flow.blocks; at = at->parent)
@@ -364,7 +364,7 @@ bool ReadingTree::holds(NodeId element, std::size_t place) const {
     return range.from <= place && place <= range.to;
 }
 
-// Where its text begins.
+// The place at which its text begins.
 std::size_t ReadingTree::startOf(const Block& block) const {
     const sgml::Tree& tree = document_.tree();
     const auto startOf = [&](NodeId node) { return tree.node(node).range.from; };

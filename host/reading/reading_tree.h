@@ -36,7 +36,7 @@ struct Part {
         note,
         link, // in a line, as formulas and figures may be
     };
-    // What the user of a tree keeps with a part: gone with it.
+    // Data that the user of a tree keeps with a part: gone with it.
     struct Companion {
         Companion() = default;
         Companion(const Companion&) = delete;
@@ -76,7 +76,7 @@ public:
     // A table's cell that covers a place of it; null: none does.
     [[nodiscard]] Part* cellAt(Part& table, std::size_t row, std::size_t column);
 
-    // What a model changes is told of parts that had been made. `leaves` comes before a part is
+    // A model's changes are told of parts that had been made. `leaves` comes before a part is
     // gone with all in it; `changed` when its block is another one.
     struct Listener {
         std::function<void(Part&)> came, leaves;

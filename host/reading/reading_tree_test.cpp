@@ -1,4 +1,4 @@
-// What a document consists of for those who hear it, and that it follows edits.
+// The parts of a document for those who hear it, and that it follows edits.
 #include "document/random_report.h"
 #include "model/model_builder.h"
 #include "reading/block_text.h"

@@ -1,4 +1,4 @@
-// What each property of a presentation means (docs/schemas.md lists them).
+// The meaning of each property of a presentation (docs/schemas.md lists them).
 #include "schemas/presentation.h"
 
 #include <algorithm>

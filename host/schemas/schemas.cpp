@@ -13,13 +13,13 @@ namespace schemas {
 
 namespace {
 
-// What every class inherits: the looks of TEXT, PARAGRAPH, LIST, ...
+// Every class inherits these: the looks of TEXT, PARAGRAPH, LIST, ...
 const QString baseFile = QStringLiteral("COMMON.base.presentation");
 const QString presentationSuffix = QStringLiteral(".presentation");
 const QString structureSuffix = QStringLiteral(".structure");
 const QString defaultName = QStringLiteral("default");
 
-// What others inherit from comes first.
+// The files that others inherit from come first.
 int rankOf(const QString& name) {
     const QString stem = name.chopped(presentationSuffix.size());
     const bool isDefault =
@@ -40,7 +40,7 @@ QStringList Schemas::standardFolders() {
     for (const QString& place :
          QStandardPaths::standardLocations(QStandardPaths::GenericDataLocation))
         folders << place + QStringLiteral("/ensemble/schemas");
-    // What is installed with this program, under whatever prefix.
+    // The files installed with this program, under whatever prefix.
     if (QCoreApplication::instance())
         folders << QDir::cleanPath(QCoreApplication::applicationDirPath() +
                                    QStringLiteral("/../share/ensemble/schemas"));

@@ -246,7 +246,7 @@ TEST(Schemas, APresentationInheritsFromItsClassesDefaultOne) {
     EXPECT_TRUE(emph.text.italic); // of COMMON.base
 }
 
-// What inherits from an edited file follows, in its place; the file's faults are those of its text.
+// The heirs of an edited file follow, in their place; the file's faults are those of its text.
 TEST(Schemas, AnotherTextCountsInTheMidstOfEditing) {
     Schemas schemas = Schemas::builtIn();
     const Presentation& slides = schemas.presentation("REPORT", "slides");

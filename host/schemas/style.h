@@ -56,7 +56,7 @@ struct Border {
     bool operator==(const Border&) const = default;
 };
 
-// Where a block stands and what surrounds it.
+// The place of a block and its surroundings.
 struct BlockStyle {
     Align align = Align::left;
     // Of two that meet the larger counts: in a Model all of it is in spaceBefore.

@@ -34,7 +34,7 @@ text::Range withWordsAround(std::string_view bytes, text::Range range) {
     return {text::characterStart(bytes, from), text::characterStart(bytes, to)};
 }
 
-// What is in a range, with dots where a text goes on.
+// The text in a range, with dots where a text goes on.
 QString excerpt(std::string_view bytes, text::Range range) {
     const auto isOneOf = [&](std::size_t at, std::string_view signs) {
         return signs.find(bytes[at]) != std::string_view::npos;
@@ -195,7 +195,8 @@ void FileFollower::read() {
     merge();
 }
 
-// What was sound and is not may be half of what another program writes: it is given some time.
+// A file that was sound and is not may be half of what another program writes: it is given some
+// time.
 bool FileFollower::isHalfWritten() {
     if (document_.isBroken() || !isBroken(theirs_.bytes)) {
         half_.reset();

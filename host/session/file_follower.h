@@ -35,7 +35,7 @@ public:
     [[nodiscard]] State state() const { return state_; }
     [[nodiscard]] const QString& sentence() const { return sentence_; } // "" while quiet
 
-    // Where the answers to what is disputed or damaged lead to different texts, in order of place.
+    // The places at which the answers to a dispute or a damage differ, in order.
     struct Choice {
         int line = 0;         // of the text that Keep Mine leads to
         QString mine, theirs; // with some words around them, as one reads them
@@ -46,7 +46,7 @@ public:
     static constexpr std::size_t mostChoices = 20;
 
     void look();
-    // The answers to what is disputed or damaged. Where only one of both changed something, that
+    // The answers to what is disputed or damaged. If only one of both changed something, that
     // change is taken either way. The other's text can be had back by undo.
     void keepMine();
     void takeTheirs();

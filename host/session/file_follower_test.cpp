@@ -119,7 +119,7 @@ TEST_F(FileFollowerTest, TheirTextIsTakenWhereBothChangedSomething) {
     EXPECT_EQ(document_->bytes(), with(with(before, "two", "2"), "five", "5"));
 }
 
-// Far apart they are two choices. Where the words are the same, the tags are shown.
+// Far apart they are two choices. If the words are the same, the tags are shown.
 TEST_F(FileFollowerTest, EachPlaceIsAChoiceOfItsOwn) {
     type("two", "2");
     type("<PARAGRAPH>{four", "<PARAGRAPH ID=\"a\">{four");

@@ -14,7 +14,7 @@ std::size_t placeOf(const std::shared_ptr<const document::Tracker::Place>& fold)
     return fold->offset;
 }
 
-// Where the text of an element begins, behind its tags and the brace, and where it ends.
+// The beginning of an element's text, behind its tags and the brace, and its end.
 std::size_t firstLetterIn(const sgml::Tree& tree, NodeId element) {
     NodeId at = element;
     while (tree.node(at).firstChild != sgml::noNode)
@@ -283,7 +283,7 @@ bool FoldedPages::reveal(const std::string& anchor) {
     });
 }
 
-// The heading's own text is seen. What is selected from its first letter on to the last hidden one
+// The heading's own text is seen. A selection from its first letter on to the last hidden one
 // is all of the section.
 FoldedPages::Touched FoldedPages::isTouched(const model::Section& section, const text::Edits& edits,
                                             text::Range selected) const {

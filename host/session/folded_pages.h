@@ -42,7 +42,7 @@ public:
     [[nodiscard]] bool isFoldable(sgml::NodeId heading) { return sectionOf(heading) != nullptr; }
     [[nodiscard]] bool isFolded(sgml::NodeId heading) const;
     [[nodiscard]] bool foldsAny() const { return !folds_.empty(); }
-    // What is under a heading that is folded.
+    // The range under a heading that is folded.
     [[nodiscard]] model::SectionCounts counts(sgml::NodeId heading);
     // The outermost heading that hides a place of the document; noNode: none does.
     [[nodiscard]] sgml::NodeId hiding(std::size_t place);

@@ -199,7 +199,7 @@ TEST_F(FoldedPagesTest, FoldsAreKeptAndBroughtBackAndStayInOtherPresentations) {
     EXPECT_THAT(headings(), ElementsAre("1  A", "2  B"));
     pages_->unfoldAll();
     EXPECT_THAT(pages_->places(), IsEmpty());
-    // What is no heading's place any more is forgotten.
+    // A place that is no heading's any more is forgotten.
     other.restore({kept[0], place("B1 some")});
     other.settle();
     EXPECT_THAT(other.places(), ElementsAre(kept[0]));

@@ -30,7 +30,7 @@ protected:
     GrowingPages();
     // Some work; false: all is made.
     [[nodiscard]] virtual bool step();
-    // What is being made is of an older state; steps are taken from now on.
+    // The pages that are being made are of an older state; steps are taken from now on.
     void startAnew();
     void stop(); // nothing is being made
     // The pages that those to come follow, and that are shown until then.

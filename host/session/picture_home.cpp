@@ -106,7 +106,7 @@ PictureHome::Kept PictureHome::keepFile(const QString& path) const {
     return fault.isEmpty() ? keep(bytes, path) : Kept{{}, fault};
 }
 
-// What a name of a stranger leads out of the folder to is left where it is.
+// A file outside of the folder that a stranger's name leads to is left where it is.
 QStringList PictureHome::bring(const std::vector<std::string>& sources, const QString& from) const {
     QStringList faults;
     if (from.isEmpty() || QDir(from) == QDir(folder_))

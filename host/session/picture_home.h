@@ -1,4 +1,4 @@
-// Where the pictures of a document are kept that came in by paste, drop or a dialog: in the folder
+// The home of the pictures of a document that came in by paste, drop or a dialog: the folder
 // `pictures` beside the document. A document that has no file yet keeps them in a folder of the
 // user's, and they are beside it when it is saved.
 //

@@ -33,7 +33,7 @@ public:
     [[nodiscard]] bool isUpToDate() const { return isComplete() && !areValuesDue_; }
     // Goes on until it is, or so long.
     void settleModel(int mostMs = std::numeric_limits<int>::max());
-    // What its pages are made with. To be used as long as this lives.
+    // The materials of its pages. To be used as long as this lives.
     [[nodiscard]] paragraphs::Objects objects();
 
     // Steps that are taken before the document is shown: what some 50 pages need.

@@ -20,8 +20,8 @@ Unsaved::Unsaved(OpenDocument& document, const std::string& folder)
 
 Unsaved::~Unsaved() { takeIfChanged(); }
 
-// What a medium keeps of its windows, drafts among it or none. A medium that is not installed any
-// more, or has not opened its windows yet, has still what was left behind.
+// The state that a medium keeps of its windows, drafts among it or none. A medium that is not
+// installed any more, or has not opened its windows yet, has still what was left behind.
 Unsaved::Drafts Unsaved::drafts(bool& any) const {
     Drafts result;
     int place = 0;

@@ -102,7 +102,7 @@ void Values::settle() {
     QMetaObject::invokeMethod(this, &Values::tellSettled, Qt::QueuedConnection);
 }
 
-// Whoever has not answered by now is not waited for.
+// A medium that has not answered by now is not waited for.
 void Values::giveUpSettling() {
     std::vector<SubdocumentId> silent;
     if (isSettling_)

@@ -45,7 +45,7 @@ protected:
         EXPECT_TRUE(waitFor([&] { return isSettled && presented_->isUpToDate(); }));
         values().disconnect(SIGNAL(settled()));
     }
-    // What the pages say.
+    // The text of the pages.
     bool shows(const std::string& words) {
         return !places::findText(presented_->pages(), QString::fromStdString(words)).empty();
     }

@@ -21,7 +21,8 @@ public:
 
     [[nodiscard]] bool atEnd() const { return level_ == noLevel; }
     void advance();
-    // Where the parser stood, in offsets after the edit; nowhere when the edit replaced that place.
+    // The place at which the parser stood, in offsets after the edit; nowhere when the edit
+    // replaced that place.
     [[nodiscard]] std::size_t position() const;
 
     // At that place: the innermost open node, the node last read in it, and the next one.

@@ -368,7 +368,7 @@ void Parser::close(std::size_t end, text::Range endTag) {
     }
 }
 
-// Where the top ends when nothing closes it: behind its last child.
+// The end of the top when nothing closes it: behind its last child.
 std::size_t Parser::endOfTop() const {
     const Node& node = tree_.nodes_[top()];
     if (node.lastChild != noNode)

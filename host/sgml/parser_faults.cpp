@@ -1,4 +1,4 @@
-// What the parser says about the text's bytes, and where its faults stand.
+// The parser's sentences about the text's bytes, and the places of its faults.
 #include "sgml/parser.h"
 #include "text/characters.h"
 

@@ -14,7 +14,7 @@ std::string faultsOf(const Tree& tree) { return formatted(tree.faults(), "f"); }
 
 std::string faultsOf(std::string text) { return faultsOf(Tree::parse(std::move(text))); }
 
-// What must hold of any tree, however broken the text.
+// The rules that hold of any tree, however broken the text.
 void expectSound(const Tree& tree) {
     for (NodeId id = 1; id < tree.size(); ++id) {
         const Node& node = tree.node(id);

@@ -10,7 +10,7 @@ bool isIn(const std::vector<NodeId>& increasing, NodeId id) {
     return std::binary_search(increasing.begin(), increasing.end(), id);
 }
 
-// What the parser says of the next item depends on the one before.
+// The parser's reading of the next item depends on the one before.
 bool isElementOrContent(NodeKind kind) {
     return kind == NodeKind::element || kind == NodeKind::content;
 }

@@ -7,7 +7,7 @@
 // for the places of their bytes, which were moved before. An edit that breaks the structure meets
 // no old state until an enclosing element ends, in the end at none.
 //
-// Where a start tag was read again and then an old state is met inside the element (an attribute
+// If a start tag was read again and then an old state is met inside the element (an attribute
 // changed), the element stays, with its children. So does a content whose text changed.
 //
 // Some faulty items look far ahead: a brace or a quote that is never closed. They are read again

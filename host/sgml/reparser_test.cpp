@@ -209,7 +209,7 @@ Cost costOf(Tree& tree, const text::Edits& edits) {
 
 } // namespace
 
-// What an author does every day, in the middle of a long document.
+// The edits that an author makes every day, in the middle of a long document.
 TEST(Reparser, AnEditIsReadAtTheCostOfItsElement) {
     Tree tree = Tree::parse(longReport());
     ASSERT_GT(tree.bytes().size(), 4'000'000u);

@@ -1,4 +1,4 @@
-// What an edit does to a tree besides reading: places move, faults go, numbers become free.
+// The effects of an edit on a tree besides reading: places move, faults go, numbers become free.
 #include "sgml/reparser.h"
 
 #include "text/characters.h"

@@ -1,4 +1,4 @@
-// Where places of a text are after an edit.
+// The places of a text after an edit.
 #pragma once
 
 #include "sgml/edit.h"

@@ -129,7 +129,7 @@ void DocumentMirror::select(const document::Selection& selection) {
 
 // --- the document's text comes in --------------------------------------------------------------
 
-// What is seen stays where it is.
+// The lines that are seen stay where they are.
 void DocumentMirror::change(const std::function<void()>& how) {
     ++following_;
     QScrollBar* bar = edit_.verticalScrollBar();
@@ -272,7 +272,7 @@ void DocumentMirror::enter(const text::Edit& edit, const Typed& letters, std::si
     isOwn_ = false;
 }
 
-// What has no picture, and line ends that have met, become letters as they are read.
+// Bytes without a picture, and line ends that have met, become letters as they are read.
 void DocumentMirror::check(text::Range came, const Typed& letters) {
     const std::string_view bytes = document_.bytes();
     const text::Range around = stretchesOf(bytes, {{came, {}}}).front().now;

@@ -2,7 +2,7 @@
 //
 // The bytes come in slices, so that a long document keeps nobody waiting; until all are there,
 // nobody types. From then on an edit of the document becomes one of the widget's text, where it
-// stands: the caret, what is selected and what is seen stay. What somebody types becomes an edit of
+// stands: the caret, what is selected and what is seen stay. Typed text becomes an edit of
 // the document, letter by letter, however broken the document is meanwhile: reading it never fails,
 // and what cannot be understood is kept. The document has the one stack of undo.
 //

@@ -59,7 +59,7 @@ TEST(PresentationMarks, SayWhatIsSelectorPropertyAndValue) {
                 ElementsAre("6/* c */", "1ROW:first ", "2font", "3 ", "3 bold", "2 x", "1B"));
 }
 
-// Whatever is typed: in order, apart, inside the text.
+// Text is typed in all places: in order, apart, inside the text.
 TEST(PresentationMarks, AreSoundOfAnyText) {
     const std::string pieces[] = {"{", "}", ":", ";", "\"", "\n", "/*", "*/", "a", " "};
     for (std::size_t seed = 0; seed < 5000; ++seed) {

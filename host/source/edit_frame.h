@@ -18,7 +18,7 @@ public:
 
     [[nodiscard]] SourceEdit& edit() const { return *edit_; }
     void setFaults(const std::vector<LineFault>& faults);
-    // What is said where nothing is wrong at the caret; "": nothing.
+    // The message while nothing is wrong at the caret; "": nothing.
     void setNote(const QString& note);
     // The caret, with the keyboard.
     void goTo(const text::Position& place);

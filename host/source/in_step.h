@@ -19,7 +19,7 @@ public:
     // All outlive it.
     InStep(view::DocumentView& view, SourceEdit& edit, DocumentMirror& mirror);
 
-    // What is marked in the pages; empty: nothing.
+    // The range that is marked in the pages; empty: nothing.
     [[nodiscard]] text::Range marked() const { return marked_; }
     // The source begins where the pages are, as soon as it is there.
     void beginAtPages();

@@ -19,7 +19,7 @@ enum class Kind : std::uint8_t {
     comment,
 };
 
-// What has no mark is text.
+// The parts without a mark are text.
 struct Mark {
     text::Range range;
     Kind kind = Kind::tag;

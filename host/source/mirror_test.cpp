@@ -112,7 +112,7 @@ TEST_F(MirrorTest, AllIsReplaced) {
     EXPECT_EQ(letters(), memo);
 }
 
-// Whoever edits, whatever it is, both hold the same in the end, and the bytes that nobody touched
+// All edit at random; both hold the same in the end, and the bytes that nobody touched
 // stay.
 TEST_F(MirrorTest, RandomTypingAndEditsKeepBothInStep) {
     const QString pieces[] = {"<",  ">", "{",  "}",       "\"",         "\n", "a",

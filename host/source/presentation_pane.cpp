@@ -102,7 +102,7 @@ void PresentationPane::fill() {
     tell();
 }
 
-// What is typed, with its marks, at once.
+// The typed text, with its marks, at once.
 void PresentationPane::read() {
     text_ = draft_ ? spelled(lettersOf(*edit().document()), lineEndOf(draft_->savedText()))
                    : std::string();
@@ -127,7 +127,7 @@ void PresentationPane::present(const std::string& text) {
         Q_EMIT edited(draft_->name(), draft_->isCopy() ? path_ : draft_->path(), text);
 }
 
-// Whose file it is, and where saving writes.
+// The owner of the file, and the place where saving writes.
 void PresentationPane::tell() {
     if (!draft_)
         return;

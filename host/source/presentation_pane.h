@@ -31,7 +31,7 @@ public:
     [[nodiscard]] bool mayClose();
 
 Q_SIGNALS:
-    // What the presentation of that file says now: to be shown.
+    // The present text of that presentation file: to be shown.
     void edited(const QString& name, const QString& path, const std::string& text);
     void said(const QString& sentence); // for the status line
 

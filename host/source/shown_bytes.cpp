@@ -11,7 +11,7 @@ namespace {
 
 constexpr char32_t sign = 0xFFFD;
 
-// What a text widget takes for something else than a letter.
+// Signs that a text widget takes for something else than a letter.
 bool isSpecial(char32_t code) {
     return code == 0x2028 || code == 0x2029 || code == 0xFDD0 || code == 0xFDD1 || code == 0xFFFC;
 }

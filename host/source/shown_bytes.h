@@ -1,8 +1,9 @@
 // The letters that show the bytes of a text, and the bytes behind the letters.
 //
-// A line end (LF, CR LF, CR) is one letter, LF, and a tab is a tab. What has no picture (control
-// characters, marks of direction, bytes that are no UTF-8) is shown as one sign each. Letters are
-// counted as Qt counts them: units of UTF-16. A text begins and ends between two letters.
+// A line end (LF, CR LF, CR) is one letter, LF, and a tab is a tab. Bytes without a picture
+// (control characters, marks of direction, bytes that are no UTF-8) are shown as one sign each.
+// Letters are counted as Qt counts them: units of UTF-16. A text begins and ends between two
+// letters.
 #pragma once
 
 #include <QString>

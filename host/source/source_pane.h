@@ -23,7 +23,7 @@ public:
     [[nodiscard]] SourceEdit& edit() const { return *edit_; }
     [[nodiscard]] DocumentMirror& mirror() const { return *mirror_; }
     [[nodiscard]] const InStep& steps() const { return *steps_; }
-    // Where it was last, as wide and as visible as then.
+    // In its last place, as wide and as visible as then.
     void placeIn(QMainWindow& window);
 
     void setFaults(const std::vector<session::ListedFault>& faults);

@@ -1,4 +1,4 @@
-// What of a text is shown by other letters after a change than before.
+// The parts of a text that are shown by other letters after a change than before.
 #pragma once
 
 #include "text/edit.h"

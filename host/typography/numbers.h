@@ -8,10 +8,10 @@
 
 namespace typography {
 
-// Where the point of the number stands, or would: behind its last whole digit. The number may have
-// a sign before it ("±", "<", "≈", "$"), groups of digits, a power, and a unit or "%" behind it.
-// Nothing: the text is something else. A comma is the point where the language has it so: not in
-// English, where it divides groups of three digits.
+// The place of the number's point, or of one that is not written: behind its last whole digit. The
+// number may have a sign before it ("±", "<", "≈", "$"), groups of digits, a power, and a unit or
+// "%" behind it. Nothing: the text is something else. A comma is the point where the language has
+// it so: not in English, where it divides groups of three digits.
 [[nodiscard]] std::optional<qsizetype> pointOf(QStringView text, const QString& language);
 
 // Says that there is no number: empty, a dash.

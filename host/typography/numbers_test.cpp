@@ -6,7 +6,7 @@
 namespace typography {
 namespace {
 
-// What is before the point, or "no".
+// The part before the point, or "no".
 std::string whole(const QString& text, const QString& language = "en") {
     const auto place = pointOf(text, language);
     return place ? text.first(*place).toStdString() : "no";

@@ -16,7 +16,7 @@ bool isOf(QStringView language, QStringView base) {
 }
 bool isFrench(QStringView language) { return isOf(language, u"fr"); }
 
-// Where Qt's tables have others than people write, or not the blanks.
+// Languages for which Qt's tables have others than people write, or not the blanks.
 struct Own {
     QStringView language;
     Quotes quotes;

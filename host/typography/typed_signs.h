@@ -1,4 +1,4 @@
-// What typed letters become in good typography: quotes by the language, apostrophes, dashes, minus
+// Typed letters as good typography has them: quotes by the language, apostrophes, dashes, minus
 // signs, ellipses, the narrow blanks of French. Only where no other sign can be meant.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Where a document was changed last: what undo and redo lead to.
+// The place at which a document was changed last: undo and redo lead there.
 #pragma once
 
 #include "document/document.h"

@@ -1,8 +1,8 @@
 // The figure that is chosen in a view, as a whole: copied and erased with its caption, and left for
 // the text around it.
 //
-// Keys go to its medium first. What the medium sends back is used here: in a writing view arrows
-// and Escape lead into the text, and Return begins a paragraph behind the figure.
+// Keys go to its medium first. Keys that the medium sends back are used here: in a writing view
+// arrows and Escape lead into the text, and Return begins a paragraph behind the figure.
 #pragma once
 
 #include "authoring/authoring.h"

@@ -105,7 +105,7 @@ void ColumnDrag::setWidths(const Border& border, const std::vector<double>& poin
     });
 }
 
-// Where the border would stand.
+// The place that the border would have.
 void ColumnDrag::paint(QPainter& painter) const {
     if (!taken_)
         return;

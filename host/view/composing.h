@@ -25,7 +25,7 @@ public:
     [[nodiscard]] bool isOn() const { return !letters_.isEmpty(); }
     // Of the text around the caret; not valid: another query.
     [[nodiscard]] QVariant answer(Qt::InputMethodQuery query) const;
-    // The composed letters at a caret's place. Where their own caret stands; nothing: it is hidden.
+    // The composed letters at a caret's place. The place of their own caret; nothing: it is hidden.
     // LIMIT: they cover what follows until they are typed.
     [[nodiscard]] std::optional<QRectF> paint(QPainter& painter, QRectF caret, QColor ink,
                                               QColor paper) const;

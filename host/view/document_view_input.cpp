@@ -1,4 +1,4 @@
-// What the user does in a DocumentView: pointer, wheel, keys, links, the play bar.
+// The user's input in a DocumentView: pointer, wheel, keys, links, the play bar.
 #include "view/document_view.h"
 
 #include "view/figures.h"
@@ -167,7 +167,7 @@ void DocumentView::dragMoveEvent(QDragMoveEvent* event) {
 
 void DocumentView::dragLeaveEvent(QDragLeaveEvent*) { drag_->leave(); }
 
-// What is not for the text is for the window: the file of a document.
+// Data that is not for the text is for the window: the file of a document.
 void DocumentView::dropEvent(QDropEvent* event) {
     if (!drag_->drop(*event))
         event->ignore();
@@ -305,7 +305,7 @@ void DocumentView::setWriting(bool on) {
     Q_EMIT writingChanged(on);
 }
 
-// What the desktop's other windows have selected, where the pointer is.
+// The selection of the desktop's other windows comes in where the pointer is.
 void DocumentView::pasteSelection(const QMouseEvent& event) {
     const QClipboard* clipboard = QApplication::clipboard();
     if (!isWriting() || !clipboard->supportsSelection())
@@ -329,7 +329,7 @@ QVariant DocumentView::inputMethodQuery(Qt::InputMethodQuery query) const {
     return answer.isValid() ? answer : QAbstractScrollArea::inputMethodQuery(query);
 }
 
-// What is selected looks otherwise where the keys go elsewhere.
+// The selection looks otherwise while the keys go elsewhere.
 void DocumentView::focusInEvent(QFocusEvent* event) {
     QAbstractScrollArea::focusInEvent(event);
     text_->refresh();

@@ -1,4 +1,4 @@
-// Where the pages of a DocumentView stand, what of them one reads, and the words that are found.
+// The places of the pages of a DocumentView, the part that one reads, and the words that are found.
 #include "view/document_view.h"
 
 #include "paragraphs/measure.h"

@@ -132,7 +132,7 @@ void Folds::reveal(const std::string& anchor) {
         pages_.settle();
 }
 
-// What is generated, such as a number, stands where its block does.
+// Generated text, such as a number, stands where its block does.
 void Folds::reveal(const places::Found& found) {
     const sgml::Tree& tree = view_.document().document().tree();
     if (const auto place = places::placesOf(found, model::RunPlaces(tree)))

@@ -1,6 +1,6 @@
 // The words that are found in a view, and which of them is shown.
 //
-// They are counted in all of the document. Where the view folds sections, some of them stand on
+// They are counted in all of the document. If the view folds sections, some of them stand on
 // none of its pages.
 #pragma once
 
@@ -22,7 +22,7 @@ public:
 
     // --- on the pages of the view
     [[nodiscard]] const places::Finder& onPages() const { return folds_ ? folded_ : whole_; }
-    // Where a word stands there; null: its section is folded.
+    // The place of a word there; null: its section is folded.
     [[nodiscard]] const places::Found* seen(std::size_t index) const;
     // Of all words the number of that one of these.
     [[nodiscard]] std::size_t numberOf(std::size_t onPages) const;

@@ -8,7 +8,7 @@ namespace view {
 
 namespace {
 
-// Where the first letter will stand.
+// The place of the first letter.
 double leftOf(const model::Block& block, double caret, double width) {
     switch (block.style.align) {
     case schemas::Align::center:

@@ -1,4 +1,4 @@
-// What stands in the empty places of a document that is written: "Title", "Author", faintly.
+// The hints in the empty places of a document that is written: "Title", "Author", faintly.
 #pragma once
 
 #include <QPainter>

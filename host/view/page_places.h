@@ -1,5 +1,5 @@
-// Where the pages of a view stand: one below the other, two side by side, or one at a time, as when
-// they are shown to an audience.
+// The places of the pages of a view: one below the other, two side by side, or one at a time, as
+// when they are shown to an audience.
 #pragma once
 
 #include <QPointF>

@@ -159,7 +159,7 @@ private:
         }
         if (out_.ends_with("</" + item_ + ">"))
             begin(item_);
-        // What may follow in the item is a list.
+        // Only a list may follow in the item.
         begin(paragraph_);
         addLine(block);
         end(paragraph_);

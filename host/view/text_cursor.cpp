@@ -100,7 +100,7 @@ void TextCursor::press(const places::Carets& carets, const places::Caret& at, Un
         set(pressed_);
 }
 
-// What it began with stays selected.
+// The first word or line stays selected.
 void TextCursor::drag(const places::Carets& carets, const places::Caret& at) {
     page_ = at.page;
     const Selection here = around(carets, at, unit_);

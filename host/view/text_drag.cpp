@@ -64,7 +64,7 @@ void TextDrag::start() {
                    writes ? Qt::MoveAction : Qt::CopyAction);
     if (!alive)
         return;
-    // Another window has it now. What was dropped in this one is moved already.
+    // Another window has it now. Text dropped in this one is moved already.
     if (done == Qt::MoveAction && dragged_)
         writing_.cutAway();
     dragged_.reset();

@@ -27,7 +27,7 @@ public:
     void leave();
     bool drop(QDropEvent& event);
 
-    // Where it would be dropped, in twips.
+    // The place at which it would be dropped, in twips.
     void paint(QPainter& painter, std::size_t page) const;
 
 private:

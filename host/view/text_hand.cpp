@@ -19,7 +19,7 @@ namespace {
 
 constexpr int scrollMs = 30;
 
-// What is selected when somebody asks for it.
+// The selection, made when somebody asks for it.
 class LiveCopy : public QMimeData {
 public:
     explicit LiveCopy(const TextHand& hand) : hand_(&hand) {}

@@ -48,7 +48,7 @@ public:
     // Over a page, in twips, or over a figure that is selected.
     void paintSelection(QPainter& painter, std::size_t page) const;
     void paintSelection(QPainter& painter, document::SubdocumentId id, const QRectF& place) const;
-    // Where the caret stands in the viewport; nothing: it has no place.
+    // The place of the caret in the viewport; nothing: it has no place.
     [[nodiscard]] std::optional<QRectF> caretRect() const;
     void showCaret(); // scrolls
     // Scrolls to what stands at a place of the document, unless a part of it is seen.

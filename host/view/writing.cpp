@@ -89,7 +89,7 @@ void Writing::begin() {
     on_ = true;
     if (!hand_.cursor().selection())
         hand_.moveIntoView();
-    // Where all is figures no text is seen.
+    // In a view that shows figures alone no text is seen.
     if (const auto place = manuscript::place(manuscript(), 0, authoring::Direction::forward);
         place && !hand_.cursor().selection())
         hand_.cursor().set({*place, *place});
@@ -302,7 +302,7 @@ bool Writing::isForText(const QKeyEvent& event) {
     return isPrintable(event) || (!isCommand && (isEditing(event.key()) || isMoving(event.key())));
 }
 
-// Where another window has taken the text with the caret, it goes on with what follows.
+// If another window has taken the text with the caret, it goes on with the text that follows.
 void Writing::settleCaret() {
     using authoring::Direction;
     const std::optional<authoring::Selection> at = selection();
@@ -330,7 +330,7 @@ void Writing::breakLine(bool isWithinParagraph) {
                           "behind it fills this one."));
 }
 
-// What is folded there stays so.
+// A section that is folded there stays so.
 void Writing::goBehindEnd() {
     const std::optional<authoring::Selection> at = selection();
     if (!at || !view_.isLaidOut())
@@ -436,7 +436,7 @@ sgml::NodeId Writing::selectedAlone(schemas::Display display) const {
     return isIt && tree.node(node).range == text::Range{first, last} ? node : sgml::noNode;
 }
 
-// What has a dialog of its own opens it.
+// An element with a dialog of its own opens it.
 bool Writing::activateSelected() {
     using schemas::Display;
     for (const Display as : {Display::formula, Display::value, Display::reference})

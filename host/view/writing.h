@@ -37,7 +37,7 @@ public:
     bool paste(const QMimeData& data);
     // At a place of the viewport; moved text goes from where it was, in the same step of undo.
     void drop(const QMimeData& data, QPointF at, std::optional<text::Range> moved);
-    // Where the document ends with a table or the like, a paragraph is made behind it, if the place
+    // If the document ends with a table or the like, a paragraph is made behind it, if the place
     // of the viewport is below it.
     void pressBelow(QPointF point);
     void goBy(bool forward); // Tab, and Shift+Tab
@@ -67,7 +67,7 @@ public:
     // where no caret is in the text.
     [[nodiscard]] authoring::Manuscript manuscript() const;
     [[nodiscard]] std::optional<authoring::Selection> selection() const;
-    // Where commands act: behind the figure that is chosen, else at the selection.
+    // The place at which commands act: behind the figure that is chosen, else at the selection.
     [[nodiscard]] std::optional<authoring::Selection> place() const;
     // Why a command may not be at its place; "": it may.
     [[nodiscard]] QString whyNot(const Command& command) const;

@@ -68,7 +68,7 @@ bool Writing::paste(const QMimeData& data, const QString& group) {
         group);
 }
 
-// What is moved goes first, so that it keeps its IDs; it is back where nothing of it may come in.
+// Moved text goes first, so that it keeps its IDs; it is back where nothing of it may come in.
 void Writing::drop(const QMimeData& data, QPointF at, std::optional<text::Range> moved) {
     const std::optional<places::Caret> caret = hand_.caretAt(at);
     if (!caret)

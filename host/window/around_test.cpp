@@ -1,4 +1,4 @@
-// What stands around the pages: the outline, Back and Forward, places that are kept, pages side by
+// The things around the pages: the outline, Back and Forward, places that are kept, pages side by
 // side and on the whole screen.
 #include "navigation/go_menu.h"
 #include "navigation/slide_show.h"

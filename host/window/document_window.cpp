@@ -259,7 +259,7 @@ void DocumentWindow::updateFaults(int errors, int warnings) {
     updateBanner();
 }
 
-// What is not on the disk as it is here is no file that is damaged.
+// A text that is not on the disk as it is here is no damaged file.
 QString DocumentWindow::damage() const {
     const document::Document& of = document_->document();
     if (of.isModified() || of.fileName().isEmpty())
@@ -273,7 +273,7 @@ QString DocumentWindow::damage() const {
 }
 
 void DocumentWindow::updateBanner() {
-    // What is being typed in the source is not a damaged file, and nothing moves for it.
+    // Text that is being typed in the source is not a damaged file, and nothing moves for it.
     const bool broken =
         document_->document().isBroken() && (!banner_->isHidden() || source_->isHidden());
     if (broken && banner_->isHidden())
@@ -306,7 +306,8 @@ void DocumentWindow::useShortcut(int key, Qt::KeyboardModifiers modifiers) {
                "text."));
 }
 
-// What a watched folder does not tell, as on a network, is seen when the reader comes back.
+// Changes that a watched folder does not tell, as on a network, are seen when the reader comes
+// back.
 void DocumentWindow::changeEvent(QEvent* event) {
     QMainWindow::changeEvent(event);
     if (event->type() == QEvent::ActivationChange && isActiveWindow())

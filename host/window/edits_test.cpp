@@ -116,7 +116,7 @@ TEST_F(WindowTest, ClosingMayTakeInWhatWasTyped) {
     EXPECT_TRUE(kept->document().canUndo());
 }
 
-// What is asked for while a process takes the place of another is done by that one.
+// A wish that comes while a process takes the place of another is done by that one.
 TEST_F(WindowTest, ACommandThatComesWhileTheMediumChangesIsKept) {
     DocumentWindow* window = open(memo(scripted("colour 102030")));
     ASSERT_TRUE(waitFor([&] { return !live(*window, 0).menus().empty(); }));

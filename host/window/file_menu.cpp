@@ -49,7 +49,7 @@ FileMenu::FileMenu(Application& application, DocumentWindow& window)
                  [this] { application_.quit(); });
 }
 
-// What has the keyboard is saved: the document, or the presentation that is edited beside it.
+// The text with the keyboard is saved: the document, or the presentation that is edited beside it.
 void FileMenu::save() {
     if (window_.presentation().hasKeyboard())
         window_.presentation().save();

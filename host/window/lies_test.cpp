@@ -1,4 +1,4 @@
-// What media may say at most, and what a window does with it. How long the window is held is
+// The most that media may say, and the window's answers to it. How long the window is held is
 // printed and recorded; a test shares its machine, so what is compared is what was done.
 #include "window/window_testing.h"
 

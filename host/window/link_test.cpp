@@ -13,7 +13,7 @@ QString placeOf(const QString& target) {
 TEST(Link, IsShownAsTheHostThatIsAsked) {
     EXPECT_EQ(placeOf("https://example.org/a?b#c"), "https://example.org");
     EXPECT_EQ(placeOf("HTTP://Example.ORG:8080"), "http://example.org:8080");
-    // What stands before @ is a name to log in with.
+    // The part before @ is a name to log in with.
     EXPECT_EQ(placeOf("https://bank.example@evil.example/"), "https://evil.example");
     EXPECT_EQ(placeOf("https://bank.example:secret@evil.example/"), "https://evil.example");
 }

@@ -49,7 +49,7 @@ TEST_F(WindowTest, TheWordsThatOneReadsStayWhenPagesBeforeThemChange) {
     view.find("line 1000"); // would scroll to it, were it out of sight
     EXPECT_EQ(bar->value(), moved);
 
-    // What is out of sight is not painted.
+    // Pages out of sight are not painted.
     QCoreApplication::processEvents();
     const int painted = view.pagesPainted();
     insert("{line 20", "x");

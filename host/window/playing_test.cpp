@@ -103,7 +103,7 @@ TEST_F(PlayingTest, FiguresOfEveryMediumPlayTogether) {
     press(*bar); // and stop together
     EXPECT_TRUE(waitFor(
         [&] { return !live(*window, 0).time()->playing && !live(*window, 1).time()->playing; }));
-    // What is chosen is played alone.
+    // The chosen figure is played alone.
     click(*window, 1);
     press(*bar);
     EXPECT_TRUE(waitFor([&] { return live(*window, 1).time()->playing; }));

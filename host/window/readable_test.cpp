@@ -153,7 +153,7 @@ TEST_P(ReadableTest, WhatIsPaintedOverFigures) {
                                     isTitle ? "" : "It was ended"};
                 view::paintShown(painter, QRectF(0, 0, 400, 200), view::Shown{}, notice, false);
                 painter.end();
-                // Where the letters are: the whole of a panel, else a pill or a strip.
+                // The background of the letters: the whole of a panel, else a pill or a strip.
                 const QRect place = kind == Kind::note      ? QRect(60, 60, 300, 60)
                                     : kind == Kind::stopped ? QRect(60, 700, 1480, 90)
                                                             : QRect(8, 8, 1584, 784);

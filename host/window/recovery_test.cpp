@@ -1,5 +1,5 @@
-// What is not saved when a program ends is offered by the next one. A program that ends without its
-// windows being closed is an Application that is destroyed; tests/host kills real ones.
+// Work that is not saved when a program ends is offered by the next one. A program that ends
+// without its windows being closed is an Application that is destroyed; tests/host kills real ones.
 #include "filing/recovery.h"
 #include "window/window_testing.h"
 
@@ -98,7 +98,7 @@ TEST_F(RecoveryTest, EditsThatNeverRestAreKept) {
                     .bytes;
         return std::string();
     };
-    // What is typed after the first text was handed over comes to the disk while typing goes on.
+    // Text typed after the first text was handed over comes to the disk while typing goes on.
     EXPECT_TRUE(waitFor([&] {
         of.edit({{{at + 1, at + 1}, "x"}}, "Type", "typing");
         ++edits;
@@ -224,7 +224,7 @@ TEST_F(RecoveryTest, AFileThatIsAnotherByNowIsNotOverwrittenUnasked) {
     EXPECT_EQ(bytes(*window), anothers.toStdString());
 }
 
-// What was typed in a medium's window and is no change of the document yet.
+// Text that was typed in a medium's window and is no change of the document yet.
 TEST_F(RecoveryTest, DraftsAreKeptAndTheirWindowsOpenAgain) {
     const QByteArray scripts = memo(scripted("colour 3060A0\nkeep NEWS"));
     {

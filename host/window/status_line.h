@@ -1,5 +1,5 @@
 // The line below the pages: what was said last, the page, the zoom, and the language in which words
-// are checked. What a figure says goes when another one is active, or none.
+// are checked. A figure's message goes when another one is active, or none.
 #pragma once
 
 #include "view/document_view.h"

@@ -6,7 +6,7 @@
 namespace window {
 namespace {
 
-// Whoever takes this for HTML reads a file that never ends.
+// A reader that takes this for HTML reads a file that never ends.
 const QByteArray hostile = "<img src=\"/dev/zero\">";
 
 // Every label that shows something has its format set, and no tip is HTML with a picture.

@@ -1,8 +1,8 @@
 // The place and the line of contact of two shapes.
 //
-// Where edges or vertices touch, there are several axes along which the gap is 0: each is a normal
-// of the Minkowski difference at one of its own edges or vertices, which is what the difference of
-// places lies on. Convex bodies penetrate only when they approach along every one of them: an axis
+// If edges or vertices touch, there are several axes along which the gap is 0: each is a normal of
+// the Minkowski difference at one of its own edges or vertices, on which the difference of places
+// lies. Convex bodies penetrate only when they approach along every one of them: an axis
 // along which they do not is a proof that they stay apart, as any separating axis is. So a box that
 // slides over the seam of two boxes in one plane touches the second one's edge and does not hit it:
 // along the side's normal they approach, along the upper face's they do not. That is also what a
@@ -11,7 +11,7 @@
 //     else that of the face when one touches, the common perpendicular of two edges that cross,
 //     and else (vertex on vertex or edge, parallel edges) the line between the closest points just
 //     before; of a sphere, that from the feature to its centre (nearest_feature.h).
-// Where one of the parts is curved, the normal is that of separation.h, along which surfaces that
+// If one of the parts is curved, the normal is that of separation.h, along which surfaces that
 // are not flat touch in one point and along one axis.
 // The point is the centre of the patch in which they touch: two convex polygons clipped against
 // each other, two segments, or a point.

@@ -1,9 +1,9 @@
-// Where two parts touch, which pieces of their surfaces do, and what these pieces are.
+// The points in which two parts touch, and the pieces of their surfaces that do.
 //
-// For whoever keeps a contact: a gap keeps its place while a sphere, a rim or a side rolls only for
-// one who knows the surface, which a point and a normal do not tell. The pieces are given in the
-// frames of their parts, so that they stay what they are while the parts move; feature.h has the
-// numbers of each:
+// The pieces are for one who keeps a contact: a gap keeps its place while a sphere, a rim or a side
+// rolls only for one who knows the surface, which a point and a normal do not tell. The pieces are
+// given in the frames of their parts, so that they stay what they are while the parts move;
+// feature.h has the numbers of each:
 //
 //     on a floor       the cylinder's piece        points
 //     standing         face with a radius          its rim, as corners of the patch; isDisc
