@@ -131,6 +131,7 @@ std::vector<Element> elementsOf(const scene::Scene& scene) {
     append(elements, Kind::joint, scene.joints);
     append(elements, Kind::gear, scene.gears);
     append(elements, Kind::rope, scene.ropes);
+    append(elements, Kind::contact, scene.contacts);
     append(elements, Kind::trajectory, scene.trajectories);
     append(elements, Kind::constraint, scene.constraints);
     append(elements, Kind::light, scene.lights);

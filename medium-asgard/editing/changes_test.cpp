@@ -14,9 +14,9 @@ std::string story(const std::string& before, const std::string& after) {
     EXPECT_TRUE(two.usable) << after;
     const Changes changes = changesBetween({before, one.scene}, {after, two.scene});
     const auto words = [](const scene::Scene& scene, const Element& element) {
-        constexpr const char* kinds[] = {"simulator", "shape", "body",      "force", "link",
-                                         "joint",     "gear",  "rope",      "path",  "hold",
-                                         "light",     "view",  "parameter", "plot"};
+        constexpr const char* kinds[] = {"simulator", "shape", "body", "force",     "link",
+                                         "joint",     "gear",  "rope", "contact",   "path",
+                                         "hold",      "light", "view", "parameter", "plot"};
         const std::string name = nameOf(scene, element);
         return std::string(kinds[static_cast<int>(element.kind)]) + " " +
                (name.empty() ? std::to_string(element.index) : name);

@@ -61,6 +61,8 @@ TEST(Completion, KnowsJointsGearsAndSprings) {
     EXPECT_THAT(words(text + "force -body b1 -x {co|"), Contains("cord"));
     EXPECT_THAT(words("spring -body1 b -pull|"), ElementsAre("-pull_only"));
     EXPECT_THAT(words("rope r -cl|"), ElementsAre("-closed"));
+    EXPECT_THAT(words("contact -body1 b -co|"), ElementsAre("-collide"));
+    EXPECT_THAT(words(text + "contact -body1 |"), ElementsAre("b1", "b2"));
     EXPECT_THAT(words(text + "rope r -points {}\nplot p -values {r.|}"),
                 ElementsAre("length", "tension", "tension1"));
 }

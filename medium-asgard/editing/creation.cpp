@@ -18,10 +18,10 @@ using script::Structure;
 namespace {
 
 // Where elements of a kind stand in a text, by what usually precedes them.
-constexpr Kind order[] = {Kind::parameter, Kind::shapeSet,   Kind::trajectory, Kind::body,
-                          Kind::force,     Kind::link,       Kind::joint,      Kind::gear,
-                          Kind::rope,      Kind::constraint, Kind::light,      Kind::view,
-                          Kind::plot};
+constexpr Kind order[] = {Kind::parameter, Kind::shapeSet, Kind::trajectory, Kind::body,
+                          Kind::force,     Kind::link,     Kind::joint,      Kind::gear,
+                          Kind::rope,      Kind::contact,  Kind::constraint, Kind::light,
+                          Kind::view,      Kind::plot};
 
 std::size_t countOf(const scene::Scene& scene, Kind kind) {
     if (kind == Kind::simulator) // whatever its index
@@ -33,9 +33,9 @@ std::size_t countOf(const scene::Scene& scene, Kind kind) {
 }
 
 std::string commandOf(Kind kind) {
-    constexpr const char* names[] = {
-        "simulator", "shape_set",  "body",      "force",       "link", "joint",     "gear",
-        "rope",      "trajectory", "constrain", "lightsource", "view", "parameter", "plot"};
+    constexpr const char* names[] = {"simulator", "shape_set",   "body", "force",     "link",
+                                     "joint",     "gear",        "rope", "contact",   "trajectory",
+                                     "constrain", "lightsource", "view", "parameter", "plot"};
     return names[static_cast<std::size_t>(kind)];
 }
 

@@ -73,6 +73,9 @@ void Users::ofBody() {
         if (std::ranges::find(scene_.ropes[i].points, name_, &scene::Rope::Point::body) !=
             scene_.ropes[i].points.end())
             add(Kind::rope, i);
+    for (std::size_t i = 0; i < scene_.contacts.size(); ++i)
+        if (scene_.contacts[i].body1 == name_ || scene_.contacts[i].body2 == name_)
+            add(Kind::contact, i);
     for (std::size_t i = 0; i < scene_.constraints.size(); ++i)
         if (scene_.constraints[i].body == name_)
             add(Kind::constraint, i);

@@ -28,6 +28,8 @@ const scene::Source* sourceOf(const scene::Scene& scene, const Element& element)
         return sourceIn(scene.gears, element.index);
     case Kind::rope:
         return sourceIn(scene.ropes, element.index);
+    case Kind::contact:
+        return sourceIn(scene.contacts, element.index);
     case Kind::trajectory:
         return sourceIn(scene.trajectories, element.index);
     case Kind::constraint:
@@ -58,6 +60,8 @@ std::string nameOf(const scene::Scene& scene, const Element& element) {
         return scene.gears[element.index].name;
     case Kind::rope:
         return scene.ropes[element.index].name;
+    case Kind::contact:
+        return scene.contacts[element.index].name;
     case Kind::trajectory:
         return scene.trajectories[element.index].name;
     case Kind::light:
@@ -74,9 +78,9 @@ std::string nameOf(const scene::Scene& scene, const Element& element) {
 }
 
 std::string wordOf(Kind kind) {
-    constexpr const char* words[] = {
-        "simulator", "shape set",  "body",       "force", "link", "joint",     "gear",
-        "rope",      "trajectory", "constraint", "light", "view", "parameter", "plot"};
+    constexpr const char* words[] = {"simulator",  "shape set", "body", "force",     "link",
+                                     "joint",      "gear",      "rope", "contact",   "trajectory",
+                                     "constraint", "light",     "view", "parameter", "plot"};
     return words[static_cast<std::size_t>(kind)];
 }
 

@@ -18,6 +18,7 @@ enum class Kind {
     joint,
     gear,
     rope,
+    contact,
     trajectory,
     constraint,
     light,

@@ -97,6 +97,10 @@ void write(Writer& w, const scene::Gear& g) { w.add(g.name, g.terms, g.release);
 void write(Writer& w, const scene::Rope& r) {
     w.add(r.name, r.points, r.length, r.restitution, r.isClosed, r.release);
 }
+void write(Writer& w, const scene::Contact& c) {
+    w.add(c.name, c.body1, c.body2, c.friction, c.staticFriction, c.rollingFriction, c.restitution,
+          c.collides);
+}
 void write(Writer& w, const scene::Trajectory& t) { w.add(t.name, t.curves, t.points); }
 void write(Writer& w, const scene::Constraint& c) {
     w.add(c.body, static_cast<int>(c.held), c.trajectory, c.from, c.to);
@@ -139,6 +143,8 @@ std::string fingerprintOf(const scene::Scene& scene, const Element& element) {
         return written(scene.gears, i);
     case Kind::rope:
         return written(scene.ropes, i);
+    case Kind::contact:
+        return written(scene.contacts, i);
     case Kind::trajectory:
         return written(scene.trajectories, i);
     case Kind::constraint:
@@ -176,6 +182,8 @@ std::string bodiesOf(const scene::Scene& scene, const Element& element) {
             bodies += point.body.value_or("") + " ";
         return bodies;
     }
+    case Kind::contact:
+        return scene.contacts[element.index].body1 + " " + scene.contacts[element.index].body2;
     default:
         return "";
     }

@@ -148,6 +148,15 @@ constexpr OptionHint ropeOptions[] = {
     {"-closed", flag, "1: it leads back to its first point, as a belt", ""},
     {"-release", expression, "an expression: the rope is gone as soon as it is not 0", ""},
 };
+constexpr OptionHint contactOptions[] = {
+    {"-body1", body, "one of the two bodies that touch", ""},
+    {"-body2", body, "the other one", ""},
+    {"-friction", number, "Coulomb's coefficient of this pair; by default both bodies' mean", ""},
+    {"-static_friction", number, "the same while nothing slides, at least -friction", ""},
+    {"-rolling_friction", number, "a length: the couple that resists rolling, over the force", ""},
+    {"-restitution", number, "0: it does not bounce, 1: it loses nothing; the bodies' smaller", ""},
+    {"-collide", flag, "1: these two may touch whatever joints and -ct say; 0: they never do", ""},
+};
 constexpr OptionHint trajectoryOptions[] = {
     {"-points", list, "{{t x y z} ...}: a smooth curve through these", ""},
     {"-bezier", list, "{{t0 t1 {x y z} {x y z} ...} ...}: curves by their control points", ""},
@@ -217,6 +226,8 @@ constexpr std::array commands = {
     CommandHint{"rope", "rope NAME -points {P P ...} ?-length L?",
                 "A rope of fixed length through points and around wheels: it only pulls.", text,
                 true, ropeOptions},
+    CommandHint{"contact", "contact ?NAME? -body1 A -body2 B ?options?",
+                "The friction and restitution of one pair of bodies.", text, true, contactOptions},
     CommandHint{"trajectory", "trajectory NAME -points {{t x y z} ...}", "A path in time.", text,
                 true, trajectoryOptions},
     CommandHint{"constrain", "constrain BODY -pos T", "A trajectory leads a body.", body, false,

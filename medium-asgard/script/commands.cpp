@@ -6,10 +6,10 @@ namespace script {
 
 namespace {
 
-constexpr std::string_view sceneNames[] = {"simulator",   "shape_set", "body",       "instance",
-                                           "force",       "link",      "spring",     "joint",
-                                           "gear",        "rope",      "trajectory", "constrain",
-                                           "lightsource", "view",      "parameter",  "plot"};
+constexpr std::string_view sceneNames[] = {
+    "simulator", "shape_set",   "body", "instance",  "force",   "link",
+    "spring",    "joint",       "gear", "rope",      "contact", "trajectory",
+    "constrain", "lightsource", "view", "parameter", "plot"};
 
 constexpr std::string_view tclNames[] = { // sorted
     "append", "apply",   "array",     "break",    "catch",   "concat",   "continue", "dict",

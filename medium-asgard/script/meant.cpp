@@ -50,8 +50,9 @@ constexpr Meaning meanings[] = {
     {"damper dashpot shock", "spring", "spring -body1 A -body2 B -stiffness 0 -damping C"},
     {"gravity gravitation weight gravitational", "force",
      "gravity acts on each body by its own command: force -body B -gravitational {0 -9.81 0}"},
-    {"friction", "contact", "friction is an option of a body: body B SHAPE -friction 0.3",
-     "a force against the velocity: force -body B -x {-c*B.dx}"},
+    {"friction", "contact",
+     "friction is an option of a body: body B SHAPE -friction 0.3; of one pair: contact -body1 A "
+     "-body2 B -friction 0.3"},
     {"restitution bounce elasticity", "body", "it is an option: body B SHAPE -restitution 0.5"},
     {"collide collision collisions", "simulator",
      "bodies collide by themselves; simulator -collisions 0 turns it off"},

@@ -12,13 +12,13 @@ namespace script {
 
 namespace {
 
-constexpr std::string_view kindNames[] = {"shape set",    "body", "trajectory", "parameter",
-                                          "joint",        "gear", "rope",       "spring",
-                                          "light source", "view", "plot"};
-constexpr std::string_view kindLists[] = {"shape sets here", "bodies here",  "trajectories here",
-                                          "parameters here", "joints here",  "gears here",
-                                          "ropes here",      "springs here", "light sources here",
-                                          "views here",      "plots here"};
+constexpr std::string_view kindNames[] = {"shape set", "body",         "trajectory", "parameter",
+                                          "joint",     "gear",         "rope",       "contact",
+                                          "spring",    "light source", "view",       "plot"};
+constexpr std::string_view kindLists[] = {
+    "shape sets here", "bodies here",        "trajectories here", "parameters here",
+    "joints here",     "gears here",         "ropes here",        "contacts here",
+    "springs here",    "light sources here", "views here",        "plots here"};
 
 template <typename Kind> std::string_view nameOf(Kind kind) {
     return kindNames[static_cast<std::size_t>(kind)];
@@ -56,6 +56,7 @@ void SceneMaker::make(Call& call) {
         {"joint", &SceneMaker::joint},
         {"gear", &SceneMaker::gear},
         {"rope", &SceneMaker::rope},
+        {"contact", &SceneMaker::contact},
         {"spring", &SceneMaker::spring},
         {"trajectory", &SceneMaker::trajectory},
         {"constrain", &SceneMaker::constrain},
@@ -74,7 +75,7 @@ namespace {
 
 bool isSymbol(std::string_view kind) {
     return kind == "body" || kind == "trajectory" || kind == "parameter" || kind == "joint" ||
-           kind == "gear" || kind == "rope" || kind == "spring";
+           kind == "gear" || kind == "rope" || kind == "contact" || kind == "spring";
 }
 
 std::string keyOf(std::string_view kind, const std::string& name) {
@@ -110,9 +111,10 @@ void SceneMaker::registerName(const std::string& name, const Value& word, Kind k
         if (found->second.known())
             message += ", at line " + std::to_string(places_.at(found->second.from).line);
         faults_.error(word.range, std::move(message),
-                      symbol && before != kind ? "bodies, trajectories, parameters, joints, gears, "
-                                                 "ropes and springs share one set of names"
-                                               : "");
+                      symbol && before != kind
+                          ? "bodies, trajectories, parameters, joints, gears, "
+                            "ropes, contacts and springs share one set of names"
+                          : "");
         return;
     }
     defined_[key] = word.range;

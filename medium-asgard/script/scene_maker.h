@@ -33,6 +33,7 @@ private:
     void joint(Call& call);
     void gear(Call& call);
     void rope(Call& call);
+    void contact(Call& call);
     void spring(Call& call);
     void trajectory(Call& call);
     void constrain(Call& call);
@@ -50,6 +51,7 @@ private:
         joint,
         gear,
         rope,
+        contact,
         spring,
         lightSource,
         view,
@@ -116,6 +118,7 @@ private:
     std::optional<scene::Rope::Point> ropePoint(Arguments& arguments, const Value& value);
     bool ropeWheel(Arguments& arguments, const std::vector<Value>& parts,
                    scene::Rope::Point& point);
+    void checkContact(Arguments& arguments, const scene::Contact& contact);
     void checkJoints();
     void checkJointCycles();
 

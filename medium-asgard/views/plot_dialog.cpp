@@ -36,6 +36,8 @@ scene::Scene namesOf(const scene::Scene& scene) {
         named.points = rope.points;
         named.isClosed = rope.isClosed;
     }
+    for (const scene::Contact& contact : scene.contacts)
+        names.contacts.emplace_back().name = contact.name;
     for (const scene::Trajectory& trajectory : scene.trajectories)
         names.trajectories.emplace_back().name = trajectory.name;
     for (const scene::Parameter& parameter : scene.parameters)

@@ -34,11 +34,11 @@ public:
     // Something came or went: then a command may stand where another one stood.
     [[nodiscard]] bool sameCounts() const {
         const auto counts = [](const scene::Scene& s) {
-            return std::array{s.shapeSets.size(), s.bodies.size(),       s.forces.size(),
-                              s.links.size(),     s.joints.size(),       s.gears.size(),
-                              s.ropes.size(),     s.trajectories.size(), s.constraints.size(),
-                              s.lights.size(),    s.views.size(),        s.parameters.size(),
-                              s.plots.size()};
+            return std::array{s.shapeSets.size(),   s.bodies.size(),   s.forces.size(),
+                              s.links.size(),       s.joints.size(),   s.gears.size(),
+                              s.ropes.size(),       s.contacts.size(), s.trajectories.size(),
+                              s.constraints.size(), s.lights.size(),   s.views.size(),
+                              s.parameters.size(),  s.plots.size()};
         };
         return counts(before_) == counts(after_);
     }

@@ -108,6 +108,25 @@ case("three_balls", "# zero: l.y-0.5\nsimulator -finish 10\n" + ground(0.27) + "
              for name, x, y in (("l", -0.5, 0.5), ("r", 0.5, 0.5), ("top", 0, HIGH))) + gravity("l", "r", "top"),
      [(10, 1, HIGH, "top.y"), (10, 1, -0.5, "l.x")])
 
+# A contact of the pair has its own friction, whatever its bodies have.
+a, mu, v = 0.3, 0.4, 5
+case("pair_friction", slope(a, 0, v, 3) + f"contact -body1 b -body2 ground -friction {mu}\n",
+     [(t, 2, v * min(t, stop) - slowing * min(t, stop) ** 2 / 2, along(a, 0.1)) for t in (0.2, 0.5, stop, 1, 3)])
+# Of three balls that fall on one floor one bounces as the pair says, one of the floor's group meets it, one does not.
+down, fall = 0.4, math.sqrt(2 * 0.4 / G)
+
+
+def bounced(e):
+    return lambda t: down - G * t * t / 2 if t < fall else e * G * fall * (t - fall) - G * (t - fall) ** 2 / 2
+
+
+case("pair_bounces", "# zero: a.z\nsimulator -finish 0.5\n" + ground(0, "-ct 1") +
+     "".join(f"body {name} ball -init_pos {{{x} 0.5 0}} {more}\n" for name, x, more in (("a", -1, ""), ("b", 0, "-ct 1"), ("c", 1, ""))) +
+     gravity("a", "b", "c") + "contact soft -body1 ground -body2 a -restitution 0.5\n"
+     "contact -body1 b -body2 ground -collide 1\ncontact -body1 c -body2 ground -collide 0\n",
+     [(t, 1, 0.1 + bounced(0.5)(t), "a.y") for t in (0.2, 0.4)] + [(t, 1, 0.1 + bounced(1)(t), "b.y") for t in (0.2, 0.4, 0.5)] +
+     [(t, 1, 0.5 - G * t * t / 2, "c.y") for t in (0.2, 0.5)])
+
 
 def main():
     for name, (text, rows) in CASES.items():

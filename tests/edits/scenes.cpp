@@ -34,6 +34,8 @@ public:
             names_.insert(gear.name);
         for (const auto& rope : scene_.ropes)
             names_.insert(rope.name);
+        for (const auto& contact : scene_.contacts)
+            names_.insert(contact.name);
         rename();
         renameConditions();
     }
@@ -124,6 +126,9 @@ private:
                     name(*point.body);
             expression(rope.release);
         }
+        for (auto& contact : scene_.contacts)
+            for (std::string* text : {&contact.name, &contact.body1, &contact.body2})
+                name(*text);
     }
 
     Scene scene_;
@@ -253,6 +258,7 @@ Scene besides(const Scene& first, const Scene& second, const scene::Vector& shif
     append(both.joints, other.joints);
     append(both.gears, other.gears);
     append(both.ropes, other.ropes);
+    append(both.contacts, other.contacts);
     append(both.trajectories, other.trajectories);
     append(both.constraints, other.constraints);
     append(both.parameters, other.parameters);

@@ -267,6 +267,13 @@ Connections::Connections(const Scene& scene) {
     gears = ByBody(count, gearOwners(scene, collect, ends));
     const Owned ofRopes = ropeOwners(scene, collect);
     ropes = ByBody(count, ofRopes);
+    Owned ofContacts;
+    for (std::size_t c = 0; c < scene.contacts.size(); ++c)
+        for (const std::string* name : {&scene.contacts[c].body1, &scene.contacts[c].body2})
+            if (const std::size_t body = collect.body(*name);
+                body != noElement && !scene.bodies[body].fixed)
+                ofContacts.emplace_back(body, c);
+    contacts = ByBody(count, ofContacts);
     mentionBodiesOfJoints(collect, mentionList, ends);
     mentionBodiesOfRopes(collect, mentionList, ofRopes);
     mentionEndsOfSprings(scene, collect, mentionList, first, second);

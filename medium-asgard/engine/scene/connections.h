@@ -48,6 +48,7 @@ struct Connections {
     ByBody forces, constraints;      // on a body, in the scene's order
     ByBody firstEnds, secondEnds;    // links whose first or second end is on a body
     ByBody joints, gears, ropes;     // that are on a body; a gear is on the bodies of its joints
+    ByBody contacts;                 // of a body that moves
     ByBody mentions;                 // indices into mentionList, by reader
     std::vector<Mention> mentionList;
     // Moving bodies whose equations read each other, directly or through others: the least of them.

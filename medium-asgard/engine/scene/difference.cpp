@@ -101,6 +101,12 @@ bool same(const Rope& a, const Rope& b) {
            same(a.restitution, b.restitution) && a.isClosed == b.isClosed &&
            same(a.release, b.release);
 }
+bool same(const Contact& a, const Contact& b) {
+    return a.name == b.name && a.body1 == b.body1 && a.body2 == b.body2 &&
+           same(a.friction, b.friction) && same(a.staticFriction, b.staticFriction) &&
+           same(a.rollingFriction, b.rollingFriction) && same(a.restitution, b.restitution) &&
+           a.collides == b.collides;
+}
 bool same(const BezierCurve& a, const BezierCurve& b) {
     return same(a.from, b.from) && same(a.to, b.to) && same(a.control, b.control);
 }
@@ -219,6 +225,7 @@ private:
             areSame(now_.joints, b_.joints.of(b), old_.joints, a_.joints.of(was), moved) &&
             areSame(now_.gears, b_.gears.of(b), old_.gears, a_.gears.of(was), moved) &&
             areSame(now_.ropes, b_.ropes.of(b), old_.ropes, a_.ropes.of(was), moved) &&
+            areSame(now_.contacts, b_.contacts.of(b), old_.contacts, a_.contacts.of(was), moved) &&
             areSame(now_.constraints, b_.constraints.of(b), old_.constraints,
                     a_.constraints.of(was), moved) &&
             mentionsSame(b, was);

@@ -30,7 +30,8 @@ private:
 Scene partOf(const Version& version, const std::vector<std::size_t>& bodies) {
     const Scene& scene = *version.scene;
     const Connections& connections = version.connections;
-    Chosen shapes, forces, links, joints, gears, ropes, constraints, trajectories, parameters;
+    Chosen shapes, forces, links, joints, gears, ropes, contacts, constraints, trajectories,
+        parameters;
     Scene part;
     part.simulator = scene.simulator;
     for (const std::size_t b : bodies) {
@@ -44,6 +45,7 @@ Scene partOf(const Version& version, const std::vector<std::size_t>& bodies) {
         joints.add(connections.joints.of(b));
         gears.add(connections.gears.of(b));
         ropes.add(connections.ropes.of(b));
+        contacts.add(connections.contacts.of(b));
         constraints.add(connections.constraints.of(b));
         for (const std::size_t m : connections.mentions.of(b))
             if (const Mention& mention = connections.mentionList[m];
@@ -64,6 +66,7 @@ Scene partOf(const Version& version, const std::vector<std::size_t>& bodies) {
     part.joints = joints.of(scene.joints);
     part.gears = gears.of(scene.gears);
     part.ropes = ropes.of(scene.ropes);
+    part.contacts = contacts.of(scene.contacts);
     part.constraints = constraints.of(scene.constraints);
     part.trajectories = trajectories.of(scene.trajectories);
     part.parameters = parameters.of(scene.parameters);

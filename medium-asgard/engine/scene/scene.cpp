@@ -73,4 +73,12 @@ bool hasVolume(const ShapeSet& set) {
     });
 }
 
+const Contact* findContact(const Scene& scene, const std::string& body1, const std::string& body2) {
+    for (const Contact& contact : scene.contacts)
+        if ((contact.body1 == body1 && contact.body2 == body2) ||
+            (contact.body1 == body2 && contact.body2 == body1))
+            return &contact;
+    return nullptr;
+}
+
 } // namespace scene

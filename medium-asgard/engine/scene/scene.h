@@ -275,6 +275,16 @@ struct Rope {
     Source source;
 };
 
+// Where two bodies touch: what is given overrides what follows from the bodies (contact_pairs.h).
+struct Contact {
+    std::string name; // "" when not given
+    std::string body1, body2;
+    std::optional<double> friction; // while it sticks, too, without a static one
+    std::optional<double> staticFriction, rollingFriction, restitution;
+    std::optional<bool> collides; // whatever collision groups, links and joints say
+    Source source;
+};
+
 // --- trajectories ---------------------------------------------------------------------------
 
 // One Bezier curve over [from, to), its parameter linear in time. One control point: a constant.
@@ -373,6 +383,7 @@ struct Scene {
     std::vector<Joint> joints;
     std::vector<Gear> gears;
     std::vector<Rope> ropes;
+    std::vector<Contact> contacts;
     std::vector<Trajectory> trajectories;
     std::vector<Constraint> constraints;
     std::vector<LightSource> lights;
@@ -386,6 +397,9 @@ struct Scene {
 [[nodiscard]] const Body* findBody(const Scene& scene, const std::string& name);
 [[nodiscard]] const Trajectory* findTrajectory(const Scene& scene, const std::string& name);
 [[nodiscard]] const Joint* findJoint(const Scene& scene, const std::string& name);
+// Of these two bodies, in either order.
+[[nodiscard]] const Contact* findContact(const Scene& scene, const std::string& body1,
+                                         const std::string& body2);
 
 // Of the ball about the part's origin that holds it; of a half space 0.
 [[nodiscard]] double reachOf(const Part& part);

@@ -6,9 +6,9 @@
 #include "physics/contact_rows.h"
 #include "physics/equations_of_motion.h"
 #include "physics/joint_rows.h"
+#include "scene/contact_pairs.h"
 #include "scene/scene.h"
 
-#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -33,8 +33,7 @@ struct Colliders {
         return scene.bodies[body].name;
     }
     [[nodiscard]] double restitutionOf(const Pair& pair) const {
-        return std::min(scene.bodies[pair.first].restitution,
-                        scene.bodies[pair.second].restitution);
+        return pairs.restitutionOf(pair.first, pair.second);
     }
 
     // Coulomb's law of the pair.
@@ -42,6 +41,7 @@ struct Colliders {
 
     const scene::Scene& scene;
     const physics::EquationsOfMotion& equations;
+    scene::ContactPairs pairs;
     double start;
     std::vector<BodyRecord> records;
     std::vector<MovingBody> moving;

@@ -1,6 +1,7 @@
 #include "meetings/may_meet.h"
 
 #include "scene/connections.h"
+#include "scene/contact_pairs.h"
 
 #include <algorithm>
 
@@ -12,9 +13,17 @@ MayMeet::MayMeet(const scene::Scene& scene) : joined_(scene::joinedBodies(scene)
         groups_.push_back(scene.bodies[b].collisionGroup);
         isChoosy_.push_back(groups_[b].has_value() || !joined_[b].empty());
     }
+    const scene::ContactPairs pairs(scene);
+    for (const auto& [pair, contact] : pairs.all())
+        if (const auto collides = scene.contacts[contact].collides) {
+            said_[pair] = *collides;
+            isChoosy_[pair.first] = isChoosy_[pair.second] = 1;
+        }
 }
 
 bool MayMeet::mayChoosyMeet(std::size_t a, std::size_t b) const {
+    if (const auto said = said_.find(std::minmax(a, b)); said != said_.end())
+        return said->second;
     if (groups_[a] && groups_[b] && *groups_[a] == *groups_[b])
         return false;
     return std::ranges::find(joined_[a], b) == joined_[a].end();

@@ -1,12 +1,14 @@
 // Which pairs of bodies may collide at all?
 //
-// Not those of one collision group, not those that a link or a joint joins, not two fixed ones. Two
+// Not those of one collision group, not those that a link or a joint joins, unless a contact of the
+// pair says so; not those of which a contact says so, and not two fixed ones. Two
 // that cannot give way where they meet let each other pass for a while.
 #pragma once
 
 #include "collision/broad_phase.h"
 #include "scene/scene.h"
 
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -34,9 +36,11 @@ private:
         Pair pair;
         double until = 0;
     };
-    std::vector<char> isFixed_, isChoosy_; // by body; choosy: it has a group or joined bodies
+    std::vector<char> isFixed_;
+    std::vector<char> isChoosy_; // by body: it has a group, joined bodies, or a contact that says
     std::vector<std::optional<std::size_t>> groups_;
     std::vector<std::vector<std::size_t>> joined_; // by body: that it never meets
+    std::map<Pair, bool> said_;                    // by contacts
     std::vector<Passing> passing_;
 };
 

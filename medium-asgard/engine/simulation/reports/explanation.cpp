@@ -285,6 +285,9 @@ void addZeroStates(const Problem& problem, const Run& run, Explanation& explanat
 std::string whyNever(const Problem& problem, std::size_t a, std::size_t b) {
     const scene::Body& first = problem.scene.bodies[a];
     const scene::Body& second = problem.scene.bodies[b];
+    if (const auto* said = scene::findContact(problem.scene, first.name, second.name);
+        said && said->collides)
+        return *said->collides ? "" : "-collide 0";
     for (const scene::Link& link : problem.scene.links)
         if (const auto* end = std::get_if<scene::BodyEnd>(&link.second); end && !link.spring)
             if ((link.first.body == first.name && end->body == second.name) ||

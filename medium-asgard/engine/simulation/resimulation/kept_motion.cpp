@@ -185,6 +185,10 @@ bool boxesMeet(const Mover& a, const Mover& b, double from, double to, double ro
 } // namespace
 
 bool mayMeet(const scene::Scene& scene, std::size_t a, std::size_t b) {
+    const scene::Contact* said =
+        scene::findContact(scene, scene.bodies[a].name, scene.bodies[b].name);
+    if (said && said->collides)
+        return *said->collides;
     const auto& one = scene.bodies[a].collisionGroup;
     const auto& other = scene.bodies[b].collisionGroup;
     return !(one && other && *one == *other);
