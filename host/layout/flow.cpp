@@ -186,7 +186,8 @@ Made Flow::text(const BlockPointer& block, Strip& strip, bool& last) {
     }
     // Neither the first nor the last line of a paragraph stands alone.
     const bool ragged = block->kind == model::BlockKind::verbatim;
-    strip.keepWithNext = !ragged && !last && (i == 0 || !paragraph_->makeLine(i + 2));
+    strip.keepWithNextLine = !ragged && !last && (i == 0 || !paragraph_->makeLine(i + 2));
+    strip.keepWithNext = strip.keepWithNextLine;
     // A display stays with the sentence before it.
     const auto isDisplay = [](const BlockPointer& one) {
         return one->kind == model::BlockKind::formula;

@@ -62,12 +62,16 @@ Made Groups::read(Group& group) {
         }
         if (group_.strips.empty())
             group_.start = {at, tooTall};
-        const bool goesOn = strip.keepWithNext;
+        const bool keeps = strip.keepWithNext;
+        const bool linesGoOn = strip.keepWithNextLine;
+        const bool endsBlock = strip.lastOfBlock;
         append(std::move(strip));
+        // A figure that floats takes all of its caption along: the text behind it may come before.
+        const bool goesOn = keeps || (group_.mayFloat && !endsBlock);
         tooTall_ = goesOn && (tooTall_ || group_.height > pageHeight_);
         if (group_.height > pageHeight_)
             group_.mayFloat = false;
-        if (!goesOn || tooTall_) {
+        if (!goesOn || (tooTall_ && !linesGoOn)) {
             group = std::exchange(group_, {});
             return Made::strip;
         }

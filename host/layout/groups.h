@@ -8,7 +8,9 @@ namespace layout {
 // Between two groups: what is read from here on is the same each time.
 struct GroupStart {
     Flow::Place at;
-    bool tooTall = false; // goes on with what was taller than a page: each strip is for itself
+    // Goes on with a group that was taller than a page: strips are for themselves, but for the
+    // first two lines and the last two of a paragraph.
+    bool tooTall = false;
     bool operator==(const GroupStart&) const = default;
 };
 

@@ -219,6 +219,17 @@ bool Paginator::fits(const Group& group) {
     return fits(gapBefore(group.strips.front()) + group.height, notes);
 }
 
+bool Paginator::fits(const Group& group, std::size_t strip) {
+    double height = gapBefore(group.strips[strip]) + group.strips[strip].height;
+    std::vector<Notes::Pointer> notes = group.strips[strip].footnotes;
+    for (; group.strips[strip].keepWithNextLine && strip + 1 < group.strips.size(); ++strip) {
+        const Strip& next = group.strips[strip + 1];
+        height += next.height;
+        notes.insert(notes.end(), next.footnotes.begin(), next.footnotes.end());
+    }
+    return fits(height, notes);
+}
+
 // Here, that is: all of it, or of what is taller than a page anyway its first two strips.
 bool Paginator::mayBegin(const Group& group) {
     if (group.height <= area_.height())
@@ -251,7 +262,7 @@ Paginator::Stage Paginator::placeHand() {
         plan_.begin(hand_.start);
     for (; strip_ < hand_.strips.size(); ++strip_) {
         const Strip& strip = hand_.strips[strip_];
-        if (!strip.cells && !fits(strip) && !isFresh()) {
+        if (!strip.cells && !fits(hand_, strip_) && !isFresh()) {
             newPage(PageStart::Next::place);
             return Stage::place;
         }
@@ -264,8 +275,11 @@ void Paginator::placeFloats() {
     while (!floats_.empty() && (isFresh() || fits(floats_.front()))) {
         const Group group = std::move(floats_.front());
         floats_.pop_front();
-        for (const Strip& strip : group.strips)
-            placeStrip(strip);
+        for (std::size_t i = 0; i < group.strips.size(); ++i) {
+            while (!fits(group, i) && !isFresh())
+                newPage(PageStart::Next::within);
+            placeStrip(group.strips[i]);
+        }
     }
 }
 

@@ -37,6 +37,8 @@ private:
     [[nodiscard]] bool fits(const Group& group);
     [[nodiscard]] bool mayBegin(const Group& group);
     [[nodiscard]] bool fits(double height, const std::vector<Notes::Pointer>& notes);
+    // Of the group, from that strip on: it and the lines that it does not part from.
+    [[nodiscard]] bool fits(const Group& group, std::size_t strip);
     [[nodiscard]] bool fits(const Strip& strip) {
         return fits(gapBefore(strip) + strip.height, strip.footnotes);
     }

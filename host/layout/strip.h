@@ -57,6 +57,7 @@ struct Strip {
     double height = 0;
     double before = 0, after = 0; // the larger of two that meet counts
     bool keepWithNext = false;
+    bool keepWithNextLine = false; // also where all that keeps together is taller than a page
     bool breakBefore = false;
     bool mayFloat = false; // begins a figure, which may stand at the top of the next page
     bool firstOfBlock = false, lastOfBlock = false;
