@@ -269,7 +269,9 @@ class Commands(unittest.TestCase):
     def test_check_doubts_what_is_hardly_meant(self):
         odd = self.file("odd.al", "shape_set q -desc {-sub {-sphere 1} -sub {-sphere 1} -sub {-box {1 1 1} -pos {5 0 0}}}\n"
                                   "shape_set two -desc {-sub {-box {1 1 1}} -sub {-box {1 1 1} -pos {1 0 0}}}\n"
-                                  "body c two -fixed 1 -init_dpos {1 0 0}\nbody d q -init_pos {9 0 0} -inertia {1 1 3}\nbody e two -init_pos {0 9 0}\n")
+                                  "body c two -fixed 1 -init_dpos {1 0 0}\nbody d q -init_pos {9 0 0} -inertia {1 1 3}\nbody e two -init_pos {0 9 0}\n"
+                                  "shape_set ball -desc {-sub {-sphere 1} -sub {-sphere 0.1 -pos {1 0 0}}}\n"
+                                  "body spotted ball -init_pos {0 0 9} -mass 1 -inertia {1 1 1} -center {0 0 0}\n")
         ran = self.run_asgard("check", odd)
         self.assertEqual((ran.returncode, ran.stderr), (0, ""))
         said = [line[len(odd):] for line in ran.stdout.split("\n") if ": warning: " in line]

@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """Scenes with joints against values that were computed without the engine.
 
-usage: joints_test.py ASGARD [--accuracies A,A,...] [--scenes NAME,...] [--folder FOLDER]
+usage: joints_test.py ASGARD [--accuracies A,A,...] [--scenes NAME,...] [--folder FOLDER] [--values FOLDER]
+
+The values are beside the scenes, or in a folder of their own.
 
 Of each NAME.al at each accuracy A:
 
@@ -44,7 +46,7 @@ def simulate(asgard, scene, times, accuracy, quantities, folder):
         text = file.read()
     with open(paths[2], encoding="utf-8") as file:
         estimate = json.load(file)["error_estimate"]
-    return text, estimate, float(re.search(r" of (\S+) m ", run.stderr).group(1))
+    return text, estimate, float(re.search(r" of (\S+) m[ ,]", run.stderr).group(1))
 
 
 def rows_of(text):
@@ -93,8 +95,8 @@ def error_of(text, truth, size):
     return place, both
 
 
-def check(asgard, base, accuracies, folder, honest):
-    at = expected(base)
+def check(asgard, base, values, accuracies, folder, honest):
+    at = expected(values)
     quantities = sorted({expression for wanted in at.values() for _, _, expression in wanted})
     gaps = zeros(base)
     many = [max(at) * i / 399 for i in range(400)]
@@ -114,7 +116,7 @@ def check(asgard, base, accuracies, folder, honest):
         honest.append((estimate <= max(30 * both, ROUNDING), f"{name} at {accuracy:g}: {estimate / max(both, 1e-16):.2g}"))
         if accuracy == accuracies[0] and simulate(asgard, base + ".al", many, accuracy, gaps, folder)[0] != motion:
             faults.append(f"{name}: another run gave other bytes")
-        print(f"{name} {accuracy:g}: values {worst:.2g} of what is allowed, gaps {max(gap):.1e}, "
+        print(f"{name} {accuracy:g}: values {worst:.2g} of what is allowed, gaps {max(gap, default=0):.1e}, "
               f"estimate {estimate:.2g}, error {place:.2g} to {both:.2g}", flush=True)
     return faults
 
@@ -125,14 +127,16 @@ def main():
     parser.add_argument("--accuracies", default="1e-3,1e-6,1e-9")
     parser.add_argument("--scenes", default="")
     parser.add_argument("--folder", default=HERE)
+    parser.add_argument("--values", default="")
     options = parser.parse_args()
     names = [name for name in options.scenes.split(",") if name]
     faults, honest = [], []
     with tempfile.TemporaryDirectory() as folder:
-        for path in sorted(glob.glob(os.path.join(options.folder, "*.values"))):
-            base = path[:-len(".values")]
+        for path in sorted(glob.glob(os.path.join(options.values or options.folder, "*.values"))):
+            values = path[:-len(".values")]
+            base = os.path.join(options.folder, os.path.basename(values))
             if not names or os.path.basename(base) in names:
-                faults += check(options.asgard, base, [float(a) for a in options.accuracies.split(",")], folder, honest)
+                faults += check(options.asgard, base, values, [float(a) for a in options.accuracies.split(",")], folder, honest)
     large = [text for is_honest, text in honest if not is_honest]
     print(f"estimates over 30 times the error: {len(large)} of {len(honest)}; " + "; ".join(large))
     if len(large) > 0.05 * len(honest) + 1:

@@ -70,12 +70,13 @@ bool isPossible(const std::array<double, 6>& inertia) {
 
 void doubtShapes(const scene::Scene& scene, std::vector<scene::Diagnostic>& doubts) {
     for (const scene::ShapeSet& set : scene.shapeSets) {
-        const bool moves = std::ranges::any_of(scene.bodies, [&](const scene::Body& body) {
-            return body.shape == set.name && !body.fixed;
+        const bool counts = std::ranges::any_of(scene.bodies, [&](const scene::Body& body) {
+            const bool isGiven = body.mass && body.inertia && body.center;
+            return body.shape == set.name && !body.fixed && !isGiven;
         });
         const auto shape = scene::shapeOf(set);
         const auto* made = std::get_if<geometry::Shape>(&shape);
-        const auto pair = moves && made ? overlapping(*made) : std::nullopt;
+        const auto pair = counts && made ? overlapping(*made) : std::nullopt;
         if (pair)
             doubts.push_back(doubt(set.source, "-desc",
                                    "parts " + std::to_string(pair->first) + " and " +
