@@ -10,7 +10,9 @@ namespace {
 
 using expression::Condition;
 using expression::Phase;
-using Kind = GapConstraint::Kind;
+using Kind = SurfacePiece::Kind;
+using surfaces::Term;
+using surfaces::Triple;
 
 constexpr double resolved = 1e-9; // of the smaller part: gaps lower than that are none
 
@@ -35,6 +37,10 @@ Vector acrossAxis(const Vector& normal) {
             best = axis;
     return Vector::Unit(best);
 }
+
+Triple<Term> terms(Graph& g, const NodeVector& v) { return {{&g, v[0]}, {&g, v[1]}, {&g, v[2]}}; }
+
+NodeVector nodes(const Triple<Term>& v) { return {v.x.node, v.y.node, v.z.node}; }
 
 } // namespace
 
@@ -62,87 +68,44 @@ Node ContactRows::along(Node value) {
 
 // ----------------------------------------------------------------------------------- geometry
 
-NodeVector ContactRows::apartOf(const ContactPlace& place, const GapConstraint& gap) {
-    const BodySymbols &body = symbols(place.body), &support = symbols(place.support);
-    return add(g_, subtract(g_, body.position, support.position),
-               subtract(g_, body.toWorld(g_, constant(g_, gap.bodyPoint)),
-                        support.toWorld(g_, constant(g_, gap.supportPoint))));
+surfaces::Place<Term> ContactRows::poseOf(std::size_t body) {
+    const BodySymbols& of = symbols(body);
+    return {terms(g_, of.position),
+            {terms(g_, of.rotation[0]), terms(g_, of.rotation[1]), terms(g_, of.rotation[2])}};
 }
 
-NodeVector ContactRows::normalOf(const ContactPlace& place, const GapConstraint& gap) {
-    const BodySymbols &body = symbols(place.body), &support = symbols(place.support);
-    switch (gap.kind) {
-    case Kind::onSupportPlane:
-        return support.toWorld(g_, constant(g_, gap.normal));
-    case Kind::onBodyPlane:
-        return body.toWorld(g_, constant(g_, gap.normal));
-    case Kind::roundOnPoint:
-        return unit(g_, apartOf(place, gap));
-    case Kind::roundOnLine: {
-        const NodeVector apart = apartOf(place, gap);
-        const NodeVector edge = support.toWorld(g_, constant(g_, gap.supportEdge));
-        return unit(g_, subtract(g_, apart, scaled(g_, dot(g_, edge, apart), edge)));
-    }
-    case Kind::edgeOnEdge:
-    case Kind::tilt:
-        break;
-    }
-    const NodeVector a = body.toWorld(g_, constant(g_, gap.bodyEdge));
-    const NodeVector b = support.toWorld(g_, constant(g_, gap.supportEdge));
-    return unit(g_, gap.flipped ? cross(g_, b, a) : cross(g_, a, b));
+ContactRows::Meeting ContactRows::meetingOf(const ContactPlace& place, const SurfaceGap& gap) {
+    const surfaces::Nearest<Term> found =
+        surfaces::nearestOf(gap, poseOf(place.body), poseOf(place.support));
+    return {found.gap.node, nodes(found.normal), nodes(found.contact), nodes(found.place)};
 }
 
-Node ContactRows::gapOf(const ContactPlace& place, const GapConstraint& gap) {
-    return g_.subtract(dot(g_, normalOf(place, gap), apartOf(place, gap)), g_.constant(gap.radius));
-}
-
-// Where an edge of the body comes nearest to one of the support, on the body's.
-NodeVector ContactRows::crossingOf(const ContactPlace& place, const GapConstraint& gap) {
-    const BodySymbols &body = symbols(place.body), &support = symbols(place.support);
-    const NodeVector a = body.toWorld(g_, constant(g_, gap.bodyEdge));
-    const NodeVector b = support.toWorld(g_, constant(g_, gap.supportEdge));
-    const NodeVector apart = apartOf(place, gap);
-    const Node both = dot(g_, a, b);
-    const Node way = g_.divide(g_.subtract(g_.multiply(both, dot(g_, b, apart)), dot(g_, a, apart)),
-                               g_.subtract(g_.constant(1), g_.multiply(both, both)));
-    const NodeVector start = add(g_, body.position, body.toWorld(g_, constant(g_, gap.bodyPoint)));
-    return add(g_, start, scaled(g_, way, a));
-}
-
-// The point to which sides refer, and about which a sphere of the body lies.
-NodeVector ContactRows::placeOf(const ContactPlace& place, const GapConstraint& gap) {
-    const BodySymbols &body = symbols(place.body), &support = symbols(place.support);
-    if (gap.kind == Kind::edgeOnEdge)
-        return crossingOf(place, gap);
-    if (gap.kind == Kind::onBodyPlane)
-        return add(g_, support.position, support.toWorld(g_, constant(g_, gap.supportPoint)));
-    return add(g_, body.position, body.toWorld(g_, constant(g_, gap.bodyPoint)));
-}
-
-// Of several points their middle, as a point of the body; directions follow the normal.
+// Directions follow the normal.
 ContactRows::Frame ContactRows::frameOf(const ContactPlace& place) {
-    const GapConstraint& gap = place.points[0].gap;
+    const SurfaceGap& gap = place.points[0].gap;
+    const Meeting meeting = meetingOf(place, gap);
     Frame frame;
-    frame.normal = normalOf(place, gap);
+    frame.normal = meeting.normal;
+    frame.point = meeting.contact;
     const BodySymbols& body = symbols(place.body);
-    if (place.points.size() > 1) {
-        frame.point = add(g_, body.position, body.toWorld(g_, constant(g_, place.centre)));
-    } else {
-        frame.point = placeOf(place, gap);
-        const double inward = gap.kind == Kind::onBodyPlane ? gap.radius : -place.bodyRadius;
-        frame.point = add(g_, frame.point, scaled(g_, g_.constant(inward), frame.normal));
+    if (place.centre) {
+        frame.point = add(g_, body.position, body.toWorld(g_, constant(g_, *place.centre)));
+    } else if (place.points.size() > 1) {
+        for (std::size_t k = 1; k < place.points.size(); ++k)
+            frame.point = add(g_, frame.point, meetingOf(place, place.points[k].gap).contact);
+        const auto count = static_cast<double>(place.points.size());
+        frame.point = scaled(g_, g_.constant(1 / count), frame.point);
     }
-    const Vector axis = acrossAxis(place.normal);
-    const bool isPlane = gap.kind == Kind::onSupportPlane || gap.kind == Kind::onBodyPlane;
-    if (isPlane) { // directions of the plane
-        const Vector n = gap.normal;
+    if (gap.isOnPlane()) { // directions of the plane
+        const bool isBodys = gap.body.kind == Kind::plane;
+        const Vector n = isBodys ? gap.body.axis : gap.support.axis;
         const Vector second = (acrossAxis(n) - n * n.dot(acrossAxis(n))).normalized();
-        const BodySymbols& owner = gap.kind == Kind::onBodyPlane ? body : symbols(place.support);
+        const BodySymbols& owner = isBodys ? body : symbols(place.support);
         frame.along = {owner.toWorld(g_, constant(g_, n.cross(second))),
                        owner.toWorld(g_, constant(g_, second))};
         return frame;
     }
-    const NodeVector fixed = constant(g_, axis);
+    const NodeVector fixed = constant(g_, acrossAxis(place.normal));
     const NodeVector second =
         unit(g_, subtract(g_, fixed, scaled(g_, dot(g_, fixed, frame.normal), frame.normal)));
     frame.along = {cross(g_, frame.normal, second), second};
@@ -185,24 +148,38 @@ std::vector<Node> ContactRows::landingsOf(const ContactPlace& place) {
     std::vector<Node> heights;
     if (place.landings.empty())
         return heights;
-    const GapConstraint& gap = place.points[0].gap;
-    const BodySymbols &body = symbols(place.body), &support = symbols(place.support);
-    const NodeVector normal = normalOf(place, gap);
-    const NodeVector on =
-        gap.kind == Kind::onSupportPlane
-            ? add(g_, support.position, support.toWorld(g_, constant(g_, gap.supportPoint)))
-        : gap.kind == Kind::onBodyPlane
-            ? add(g_, body.position, body.toWorld(g_, constant(g_, gap.bodyPoint)))
-            : crossingOf(place, gap);
+    const SurfaceGap& gap = place.points[0].gap;
+    const Meeting meeting = meetingOf(place, gap);
+    const auto at = [&](std::size_t body, const Vector& point) {
+        const BodySymbols& owner = symbols(body);
+        return add(g_, owner.position, owner.toWorld(g_, constant(g_, point)));
+    };
+    const NodeVector on = gap.support.kind == Kind::plane ? at(place.support, gap.support.place)
+                          : gap.body.kind == Kind::plane  ? at(place.body, gap.body.place)
+                                                          : meeting.contact;
     for (const ContactPlace::Landing& landing : place.landings) {
-        const BodySymbols& owner = symbols(landing.body);
-        const NodeVector at =
-            add(g_, owner.position, owner.toWorld(g_, constant(g_, landing.vertex)));
-        const Node height = dot(g_, normal, subtract(g_, at, on));
-        heights.push_back(
-            g_.add(landing.isAbove ? height : g_.negate(height), g_.constant(landing.room)));
+        const NodeVector up =
+            landing.isAbove ? meeting.normal : scaled(g_, g_.constant(-1), meeting.normal);
+        const Node reach =
+            surfaces::lowest(landing.piece, poseOf(landing.body), terms(g_, up)).reach.node;
+        const Node height = dot(g_, up, subtract(g_, at(landing.body, landing.piece.place), on));
+        heights.push_back(g_.add(g_.subtract(height, reach), g_.constant(landing.room)));
     }
     return heights;
+}
+
+Node ContactRows::sideOf(const ContactPoint::Side& side, const Meeting& meeting) {
+    const BodySymbols& owner = symbols(side.body);
+    const NodeVector at =
+        add(g_, meeting.place, scaled(g_, g_.constant(side.shift), meeting.normal));
+    const NodeVector local = owner.toBody(g_, subtract(g_, at, owner.position));
+    Node value = g_.add(dot(g_, constant(g_, side.inward), local), g_.constant(side.offset));
+    if (side.radial != 0) {
+        const NodeVector from = subtract(g_, local, constant(g_, side.on));
+        const Node far = lengthOf(g_, cross(g_, constant(g_, side.axis), from));
+        value = g_.add(value, g_.multiply(g_.constant(side.radial), far));
+    }
+    return value;
 }
 
 void ContactRows::addNormals(const ContactPlace& place, std::span<const Node> multipliers) {
@@ -213,14 +190,10 @@ void ContactRows::addNormals(const ContactPlace& place, std::span<const Node> mu
         condition.leaving = place.leaving;
         if (k == 0)
             condition.valid = landingsOf(place);
-        const NodeVector at = placeOf(place, point.gap);
-        for (const ContactPoint::Side& side : point.sides) {
-            const BodySymbols& owner = symbols(side.body);
-            const NodeVector local = owner.toBody(g_, subtract(g_, at, owner.position));
-            condition.valid.push_back(
-                g_.add(dot(g_, constant(g_, side.inward), local), g_.constant(side.offset)));
-        }
-        const Node gap = g_.subtract(gapOf(place, point.gap), g_.constant(point.start));
+        const Meeting meeting = meetingOf(place, point.gap);
+        for (const ContactPoint::Side& side : point.sides)
+            condition.valid.push_back(sideOf(side, meeting));
+        const Node gap = g_.subtract(meeting.gap, g_.constant(point.start));
         addRow(place, multipliers[k], gap, along(gap), std::move(condition));
     }
 }

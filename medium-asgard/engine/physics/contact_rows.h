@@ -1,12 +1,14 @@
 // Contacts that last, as conditions with multipliers (expression/equations.h): bodies that rest,
 // slide, roll and tip on each other.
 //
-// Of a contact between two parts each point has a gap g >= 0, a function of the places of both
-// bodies, with a normal force n >= 0. What the surfaces do along each other has conditions of
-// velocities, whose forces are friction:
+// Of a contact between two parts each point has a gap g >= 0 between two pieces of surfaces, a
+// function of the places of both bodies (surface_gap.h), with a normal force n >= 0. A wheel on its
+// side has two, those of its rims; which points of its surface these are changes as it rolls. What
+// the surfaces do along each other, where they touch now, has conditions of velocities, whose
+// forces are friction:
 //
 //     point       two directions of the tangent plane            |f| <= mu N
-//     patch       the same at its centre, and turning in place    |(f, c / reach)| <= mu N
+//     line, patch the same at its middle, and turning in place    |(f, c / reach)| <= mu N
 //     round       turning about both, with rolling friction R     |c| <= R N
 //
 // N is the sum of n over the points, c a couple. `reach` is the mean distance of the patch from its
@@ -19,6 +21,7 @@
 #pragma once
 
 #include "physics/resting.h"
+#include "physics/surface_nearest.h"
 
 #include <map>
 #include <optional>
@@ -28,15 +31,18 @@
 namespace physics {
 
 struct ContactPoint {
-    GapConstraint gap;
+    SurfaceGap gap;
     double start = 0;   // the gap that it keeps
     bool parts = false; // where it was made
-    // While it lasts the point is on this side of planes of either body: inward . p + offset >= 0,
-    // p from the centre of mass in that body's frame.
+    // While it lasts the point stays on this side of planes and cones of either body, in whose
+    // frame, from the centre of mass,
+    //     inward . p + radial |q - axis (axis . q)| + offset >= 0      q = p - on
+    // p is the place of the gap, moved by `shift` along the normal.
     struct Side {
         std::size_t body = 0;
-        Vector inward = Vector::UnitX();
-        double offset = 0;
+        Vector inward = Vector::Zero();
+        double offset = 0, shift = 0, radial = 0;
+        Vector axis = Vector::UnitY(), on = Vector::Zero();
     };
     std::vector<Side> sides;
 };
@@ -52,17 +58,17 @@ struct ContactPlace {
     std::size_t body = 0, support = 0;
     std::vector<ContactPoint> points;
     ContactFriction friction;
-    double bodyRadius = 0;           // of a sphere of the body, about the gap's point
-    Vector centre = Vector::Zero();  // of several points the middle, in the body's frame
+    // Of several points that stay on the body the middle, in its frame; else the points' own.
+    std::optional<Vector> centre;
     Vector normal = Vector::UnitX(); // world, there
     double size = 1;                 // of the smaller part
     double leaving = 0;              // a gap that has opened so far is none
-    // Vertices that are on their side of the plane of the first point; one that comes through it
-    // lands.
+    // Pieces that are on their side of the plane of the first point; one that comes through it
+    // lands. Of a circle with a radius below 0 the far side is meant.
     struct Landing {
         std::size_t body = 0;
-        Vector vertex = Vector::Zero(); // from the centre of mass, body frame
-        bool isAbove = true;            // of the body, else below, of the support
+        SurfacePiece piece;
+        bool isAbove = true; // of the body, else below, of the support
         double room = 0;
     };
     std::vector<Landing> landings;
@@ -113,12 +119,14 @@ private:
         NodeVector point, normal;
         std::array<NodeVector, 2> along;
     };
-    [[nodiscard]] Node gapOf(const ContactPlace& place, const GapConstraint& gap);
-    [[nodiscard]] NodeVector placeOf(const ContactPlace& place, const GapConstraint& gap);
-    [[nodiscard]] NodeVector normalOf(const ContactPlace& place, const GapConstraint& gap);
-    [[nodiscard]] NodeVector apartOf(const ContactPlace& place, const GapConstraint& gap);
-    [[nodiscard]] NodeVector crossingOf(const ContactPlace& place, const GapConstraint& gap);
+    struct Meeting { // of two pieces
+        Node gap;
+        NodeVector normal, contact, place;
+    };
+    [[nodiscard]] surfaces::Place<surfaces::Term> poseOf(std::size_t body);
+    [[nodiscard]] Meeting meetingOf(const ContactPlace& place, const SurfaceGap& gap);
     [[nodiscard]] Frame frameOf(const ContactPlace& place);
+    [[nodiscard]] Node sideOf(const ContactPoint::Side& side, const Meeting& meeting);
     [[nodiscard]] NodeVector velocityAt(std::size_t body, const NodeVector& point,
                                         const Vector& surface);
     [[nodiscard]] std::vector<Node> landingsOf(const ContactPlace& place);

@@ -1,6 +1,7 @@
 #include "contacts/contact_places.h"
 
-#include "collision/nearest_feature.h"
+#include "contacts/contact_sides.h"
+#include "contacts/surface_pieces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,23 +12,12 @@ namespace simulation {
 namespace {
 
 using physics::ContactPoint;
-using physics::GapConstraint;
-using Kind = GapConstraint::Kind;
+using physics::SurfaceGap;
+using physics::SurfacePiece;
+using Kind = SurfacePiece::Kind;
 
-constexpr double same = 1e-9;  // of the parts' size: a corner at a vertex, or on an edge
-constexpr double slack = 1e-9; // of the same: so far a contact goes beyond its side
-constexpr double kept = 2e-9;  // of the same: a gap that stays what it is
-
-Vector localOf(const Placed& owner, const Vector& point) {
-    return owner.state.attitude.conjugate() * Vector(point - owner.state.position);
-}
-
-std::vector<Vector> localOf(const Placed& owner, const std::vector<Vector>& points) {
-    std::vector<Vector> local;
-    for (const Vector& point : points)
-        local.push_back(localOf(owner, point));
-    return local;
-}
+constexpr double same = 1e-9; // of the parts' size: a corner at a vertex, or on an edge
+constexpr double kept = 2e-9; // of the same: a gap that stays what it is
 
 // Vertices in order of the angle about their middle.
 std::vector<Vector> inOrder(std::vector<Vector> corners, const Vector& normal) {
@@ -39,110 +29,6 @@ std::vector<Vector> inOrder(std::vector<Vector> corners, const Vector& normal) {
         return std::atan2(along.dot(corner - middle), across.dot(corner - middle));
     });
     return corners;
-}
-
-class Sides {
-public:
-    Sides(std::size_t body, const Vector& place, double size)
-        : body_(body), place_(place), slack_(slack * size) {}
-
-    // inward . (p - on) >= 0; what is beyond already by rounding stays.
-    void add(const Vector& inward, const Vector& on) {
-        const double now = inward.dot(place_ - on);
-        sides.push_back({.body = body_,
-                         .inward = inward,
-                         .offset = -inward.dot(on) + std::max(0.0, -now) + slack_});
-    }
-    void addOutline(const std::vector<Vector>& outline, const Vector& normal) {
-        Vector middle = Vector::Zero();
-        for (const Vector& vertex : outline)
-            middle += vertex / static_cast<double>(outline.size());
-        for (std::size_t i = 0; i < outline.size(); ++i) {
-            const Vector& from = outline[i];
-            Vector inward = normal.cross(outline[(i + 1) % outline.size()] - from).normalized();
-            if (inward.dot(middle - from) < 0)
-                inward = -inward;
-            add(inward, from);
-        }
-    }
-    void addEnds(const Vector& from, const Vector& to) {
-        const Vector way = (to - from).normalized();
-        add(way, from);
-        add(-way, to);
-    }
-
-    std::vector<ContactPoint::Side> sides;
-
-private:
-    std::size_t body_;
-    Vector place_; // of the point, in the body's frame
-    double slack_;
-};
-
-// ------------------------------------------------------------------------------------ spheres
-
-std::size_t vertexAt(const geometry::Part& part, const Vector& place) {
-    const auto& vertices = part.core.vertices;
-    const auto nearest = std::ranges::min_element(
-        vertices, {}, [&](const Vector& vertex) { return (vertex - place).squaredNorm(); });
-    return static_cast<std::size_t>(nearest - vertices.begin());
-}
-
-// The cell of the feature (of the support's part, as vertices) in which the centre lies.
-void addCell(const geometry::Part& part, const Vector& centroid,
-             const std::vector<std::size_t>& feature, Sides& sides) {
-    const auto at = [&](std::size_t vertex) {
-        return Vector(part.core.vertices[vertex] - centroid);
-    };
-    if (feature.size() == 1) {
-        for (const std::size_t other : part.core.neighbours[feature[0]])
-            sides.add((at(feature[0]) - at(other)).normalized(), at(feature[0]));
-        return;
-    }
-    sides.addEnds(at(feature[0]), at(feature[1]));
-    for (const geometry::Edge& edge : part.core.edges) {
-        const bool isIt = (edge.from == feature[0] && edge.to == feature[1]) ||
-                          (edge.from == feature[1] && edge.to == feature[0]);
-        for (const std::size_t face : {edge.left, edge.right}) {
-            if (!isIt)
-                continue;
-            const Vector way = (at(edge.to) - at(edge.from)).normalized();
-            Vector out = way.cross(part.core.faces[face].normal); // out of the face, in its plane
-            if (face == edge.right)
-                out = -out;
-            sides.add(out, at(edge.from));
-        }
-    }
-}
-
-std::vector<ContactPoint::Side> sidesOfRound(const Touch& touch, const Placed& body,
-                                             const Placed& support) {
-    const geometry::Part& bodyPart = body.shape->parts[touch.bodyPart];
-    const geometry::Part& supportPart = support.shape->parts[touch.supportPart];
-    if (bodyPart.isSphere() && supportPart.isSphere())
-        return {};
-    const bool isBodys = bodyPart.isSphere(); // the sphere
-    const Placed &round = isBodys ? body : support, &flat = isBodys ? support : body;
-    const geometry::Part &sphere = isBodys ? bodyPart : supportPart,
-                         &polyhedron = isBodys ? supportPart : bodyPart;
-    const Vector centre =
-        localOf(flat, Vector(round.state.position +
-                             round.state.attitude * (sphere.center() - round.record->centroid)));
-    const collision::Posed posed{.part = &polyhedron,
-                                 .rotation = geometry::Matrix::Identity(),
-                                 .offset = -flat.record->centroid};
-    const double border = resolution::ofPlaces * touch.size;
-    const collision::NearestFeature feature = collision::nearestFeature(posed, centre, border);
-    Sides sides(flat.index, centre, touch.size);
-    if (feature.corners.size() > 2) {
-        sides.addOutline(feature.corners, feature.normal);
-        return sides.sides;
-    }
-    std::vector<std::size_t> vertices;
-    for (const Vector& corner : feature.corners)
-        vertices.push_back(vertexAt(polyhedron, corner + flat.record->centroid));
-    addCell(polyhedron, flat.record->centroid, vertices, sides);
-    return sides.sides;
 }
 
 // ---------------------------------------------------------------------------------- polyhedra
@@ -187,32 +73,33 @@ public:
         const auto ofBody = std::ranges::find_if(bodyFace_, isAt);
         const auto ofSupport = std::ranges::find_if(supportFace_, isAt);
         if (supportFace_.size() > 2 && ofBody != bodyFace_.end())
-            return overFace(*ofBody, support_, supportFace_, Kind::onSupportPlane);
+            return overFace(*ofBody, body_, support_, supportFace_);
         if (bodyFace_.size() > 2 && ofSupport != supportFace_.end())
-            return overFace(*ofSupport, body_, bodyFace_, Kind::onBodyPlane);
+            return overFace(*ofSupport, support_, body_, bodyFace_);
         return crossingAt(corner);
     }
 
 private:
-    [[nodiscard]] GapConstraint onPlane(Kind kind, const Vector& bodyPoint,
-                                        const Vector& supportPoint) const {
-        GapConstraint c;
-        c.kind = kind;
-        c.support = support_.index;
-        c.bodyPoint = localOf(body_, bodyPoint);
-        c.supportPoint = localOf(support_, supportPoint);
-        const Placed& owner = kind == Kind::onBodyPlane ? body_ : support_;
-        c.normal = owner.state.attitude.conjugate() * touch_.normal;
-        return c;
-    }
     // A vertex of the one over a face of the other.
-    [[nodiscard]] ContactPoint overFace(const Vector& vertex, const Placed& other,
-                                        const std::vector<Vector>& face, Kind kind) const {
+    [[nodiscard]] ContactPoint overFace(const Vector& vertex, const Placed& owner,
+                                        const Placed& other,
+                                        const std::vector<Vector>& face) const {
+        const bool isBodys = &other == &body_; // the face
+        const Vector out = isBodys ? Vector(-touch_.normal) : touch_.normal;
+        const SurfacePiece plane{.kind = Kind::plane,
+                                 .place = localOf(other, face[0]),
+                                 .axis = other.state.attitude.conjugate() * out};
+        const SurfacePiece at{.kind = Kind::point, .place = localOf(owner, vertex)};
         ContactPoint point;
-        point.gap = kind == Kind::onSupportPlane ? onPlane(kind, vertex, face[0])
-                                                 : onPlane(kind, face[0], vertex);
+        point.gap = isBodys ? SurfaceGap{plane, at, false} : SurfaceGap{at, plane, false};
+        const geometry::Part& part =
+            other.shape->parts[isBodys ? touch_.bodyPart : touch_.supportPart];
         Sides sides(other.index, localOf(other, vertex), touch_.size);
-        sides.addOutline(localOf(other, face), point.gap.normal);
+        if (!part.curved)
+            sides.addOutline(localOf(other, face), plane.axis);
+        else if (!part.isPlane())
+            sides.addRound(Vector::Zero(), -1, part.curved->radius(), plane.axis,
+                           part.curved->center - other.record->centroid);
         point.sides = std::move(sides.sides);
         return point;
     }
@@ -228,10 +115,13 @@ private:
         if (std::abs(across) < parallel)
             return std::nullopt;
         ContactPoint point;
-        point.gap = onPlane(Kind::edgeOnEdge, a->first, b->first);
-        point.gap.bodyEdge = body_.state.attitude.conjugate() * ofBody;
-        point.gap.supportEdge = support_.state.attitude.conjugate() * ofSupport;
-        point.gap.flipped = across < 0;
+        point.gap = {.body = {.kind = Kind::line,
+                              .place = localOf(body_, a->first),
+                              .axis = body_.state.attitude.conjugate() * ofBody},
+                     .support = {.kind = Kind::line,
+                                 .place = localOf(support_, b->first),
+                                 .axis = support_.state.attitude.conjugate() * ofSupport},
+                     .isFlipped = across < 0};
         Sides first(body_.index, localOf(body_, corner.point), touch_.size);
         first.addEnds(localOf(body_, a->first), localOf(body_, a->second));
         Sides second(support_.index, localOf(support_, corner.point), touch_.size);
@@ -247,37 +137,36 @@ private:
     std::vector<Vector> bodyFace_, supportFace_;
 };
 
-Vector apartOf(const GapConstraint& gap, const Placed& body, const Placed& support) {
-    return (body.state.position - support.state.position) +
-           (body.state.attitude * gap.bodyPoint - support.state.attitude * gap.supportPoint);
+physics::NearestSurfaces nearestOf(const SurfaceGap& gap, const Placed& body,
+                                   const Placed& support) {
+    return physics::nearest(gap, poseOf(body), poseOf(support));
 }
 
-Vector normalOf(const GapConstraint& gap, const Placed& body, const Placed& support) {
-    const Vector apart = apartOf(gap, body, support);
-    const Vector b = support.state.attitude * gap.supportEdge;
-    switch (gap.kind) {
-    case Kind::onSupportPlane:
-        return support.state.attitude * gap.normal;
-    case Kind::onBodyPlane:
-        return body.state.attitude * gap.normal;
-    case Kind::roundOnPoint:
-        return apart.normalized();
-    case Kind::roundOnLine:
-        return (apart - b * b.dot(apart)).normalized();
-    case Kind::edgeOnEdge:
-    case Kind::tilt:
-        break;
+// A sphere of one of the two, by what keeps it at its distance.
+SurfaceGap roundGap(const Touch& touch, const physics::GapConstraint& of, const Placed& body,
+                    const Placed& support) {
+    using Of = physics::GapConstraint::Kind;
+    SurfaceGap gap;
+    gap.body.place = of.bodyPoint;
+    gap.support.place = of.supportPoint;
+    gap.body.radius = body.shape->parts[touch.bodyPart].radius;
+    gap.support.radius = support.shape->parts[touch.supportPart].radius;
+    if (of.kind == Of::onSupportPlane) {
+        gap.support.kind = Kind::plane;
+        gap.support.axis = of.normal;
+    } else if (of.kind == Of::onBodyPlane) {
+        gap.body.kind = Kind::plane;
+        gap.body.axis = -of.normal;
+    } else if (of.kind == Of::roundOnLine) {
+        gap.support.kind = Kind::line;
+        gap.support.axis = of.supportEdge;
     }
-    const Vector a = body.state.attitude * gap.bodyEdge;
-    return (gap.flipped ? b.cross(a) : a.cross(b)).normalized();
+    return gap;
 }
 
-double gapOf(const GapConstraint& gap, const Placed& body, const Placed& support) {
-    return normalOf(gap, body, support).dot(apartOf(gap, body, support)) - gap.radius;
-}
-
-// Vertices of polyhedra that touch at fewer points than a face has, which may land beside them: of
-// the one whose plane it is not, those that touch and part, and their neighbours.
+// Pieces that may land beside those that touch, of the one whose plane it is not: of polyhedra that
+// touch at fewer points than a face has vertices that touch and part, and their neighbours; of
+// curved parts all that may be lowest, and of the one rim that touches its far side.
 class Landings {
 public:
     Landings(const Touch& touch, const Placed& body, const Placed& support,
@@ -285,16 +174,20 @@ public:
         : touch_(touch), body_(body), support_(support), place_(place) {}
 
     void add() {
-        const Kind kind = place_.points[0].gap.kind;
-        if (kind != Kind::onBodyPlane)
+        const SurfaceGap& gap = place_.points[0].gap;
+        if (touch_.hasPieces && !gap.isOnPlane())
+            return;
+        if (gap.body.kind != Kind::plane)
             addOf(body_, touch_.bodyPart, touch_.bodyFace, true);
-        if (kind != Kind::onSupportPlane)
+        if (gap.support.kind != Kind::plane)
             addOf(support_, touch_.supportPart, touch_.supportFace, false);
     }
 
 private:
     void addOf(const Placed& owner, std::size_t part, const std::vector<Vector>& face, bool above) {
         const geometry::Part& of = owner.shape->parts[part];
+        if (of.curved || of.isCapsule())
+            return addExtremes(owner, part, above);
         std::set<std::size_t> vertices;
         for (const Vector& vertex : face) {
             const std::size_t at = vertexAt(of, localOf(owner, vertex) + owner.record->centroid);
@@ -302,27 +195,47 @@ private:
             vertices.insert(of.core.neighbours[at].begin(), of.core.neighbours[at].end());
         }
         for (const std::size_t vertex : vertices)
-            add(owner, Vector(of.core.vertices[vertex] - owner.record->centroid), above);
+            addVertex(owner, Vector(of.core.vertices[vertex] - owner.record->centroid), above);
     }
-    void add(const Placed& owner, const Vector& vertex, bool above) {
+    void addExtremes(const Placed& owner, std::size_t part, bool above) {
+        if (!touch_.hasPieces)
+            return;
+        for (SurfacePiece piece : extremesOf(owner, part)) {
+            const bool isOne = std::ranges::any_of(place_.points, [&](const ContactPoint& point) {
+                return isOnePiece(above ? point.gap.body : point.gap.support, piece, touch_.size);
+            });
+            if (isOne && (piece.kind != Kind::circle || place_.points.size() > 1))
+                continue;
+            if (isOne)
+                piece.radius = -piece.radius;
+            addPiece(owner, piece, above);
+        }
+    }
+    void addVertex(const Placed& owner, const Vector& vertex, bool above) {
         const Vector& normal = touch_.normal;
         const Vector at = owner.state.position + owner.state.attitude * vertex;
-        for (const physics::ContactPoint& point : place_.points) {
-            const Vector off = worldOf(point, 0, body_, support_).point - at;
+        for (const ContactPoint& point : place_.points) {
+            const Vector off = nearestOf(point.gap, body_, support_).contact - at;
             if ((off - normal * normal.dot(off)).norm() <= same * touch_.size)
                 return; // it is that point
         }
-        const GapConstraint& gap = place_.points[0].gap;
+        addPiece(owner, {.kind = Kind::point, .place = vertex}, above);
+    }
+    void addPiece(const Placed& owner, const SurfacePiece& piece, bool above) {
+        const Vector at = owner.state.position + owner.state.attitude * piece.place;
+        const SurfaceGap& gap = place_.points[0].gap;
         const Vector on =
-            gap.kind == Kind::onSupportPlane
-                ? Vector(support_.state.position + support_.state.attitude * gap.supportPoint)
-            : gap.kind == Kind::onBodyPlane
-                ? Vector(body_.state.position + body_.state.attitude * gap.bodyPoint)
-                : worldOf(place_.points[0], 0, body_, support_).point;
-        const double height = (above ? 1 : -1) * normal.dot(at - on);
-        const double room = height < slack * touch_.size ? slack * touch_.size - height : 0;
+            gap.support.kind == Kind::plane
+                ? Vector(support_.state.position + support_.state.attitude * gap.support.place)
+            : gap.body.kind == Kind::plane
+                ? Vector(body_.state.position + body_.state.attitude * gap.body.place)
+                : nearestOf(gap, body_, support_).contact;
+        const Vector up = above ? touch_.normal : Vector(-touch_.normal);
+        const double height =
+            up.dot(at - on) - physics::reachBelow(piece, owner.state.attitude.conjugate() * up);
+        const double room = height < sideSlack * touch_.size ? sideSlack * touch_.size - height : 0;
         place_.landings.push_back(
-            {.body = owner.index, .vertex = vertex, .isAbove = above, .room = room});
+            {.body = owner.index, .piece = piece, .isAbove = above, .room = room});
     }
 
     const Touch& touch_;
@@ -356,34 +269,63 @@ std::vector<std::size_t> standing(const std::vector<Vector>& points, const Motio
     return first;
 }
 
-// In the plane a corner is a vertex of the one or the other: where an edge crosses the plane.
-void flatten(ContactPoint& point, const MotionPlane& plane, const Vector& corner,
-             const Placed& body, const Placed& support) {
-    GapConstraint& gap = point.gap;
-    const auto isAcross = [&](const Vector& edge, const Placed& owner) {
-        return std::abs((owner.state.attitude * edge)[plane.axis]) >= 1 - same;
-    };
-    const auto set = [&](Kind kind) {
-        const Vector normal = normalOf(gap, body, support);
-        const Placed& owner = kind == Kind::onBodyPlane ? body : support;
-        gap.kind = kind;
-        gap.bodyPoint = localOf(body, corner);
-        gap.supportPoint = localOf(support, corner);
-        gap.normal = owner.state.attitude.conjugate() * normal;
-    };
-    if (gap.kind == Kind::edgeOnEdge && isAcross(gap.bodyEdge, body))
-        set(Kind::onSupportPlane);
-    else if (gap.kind == Kind::edgeOnEdge && isAcross(gap.supportEdge, support))
-        set(Kind::onBodyPlane);
-    for (const auto& [owner, at] :
-         {std::pair(&body, &gap.bodyPoint), {&support, &gap.supportPoint}})
-        if (!owner->record->isFixed)
-            (*at)[plane.axis] = 0;
-    if (!body.record->isFixed || !support.record->isFixed) {
-        gap.normal[plane.axis] = 0;
-        gap.normal.normalize();
+// In the plane an edge, a side or a rim that is across it is the point where its axis meets it, and
+// a corner is a vertex of the one or the other.
+class Flattening {
+public:
+    Flattening(const MotionPlane& plane, const Vector& corner, const Placed& body,
+               const Placed& support)
+        : plane_(plane), corner_(corner), body_(body), support_(support) {}
+
+    void flatten(SurfaceGap& gap) const {
+        const Vector normal = nearestOf(gap, body_, support_).normal;
+        const bool isBodyAcross = cross(gap.body, body_), isAcross = cross(gap.support, support_);
+        const bool isSharp = !gap.isOnPlane() && gap.body.radius + gap.support.radius == 0;
+        if (isSharp && isBodyAcross) {
+            gap.body.place = localOf(body_, corner_);
+            gap.support = planeAt(support_, normal);
+        } else if (isSharp && isAcross) {
+            gap.support.place = localOf(support_, corner_);
+            gap.body = planeAt(body_, -normal);
+        }
+        put(gap.body, body_);
+        put(gap.support, support_);
     }
-}
+
+private:
+    [[nodiscard]] bool cross(SurfacePiece& piece, const Placed& owner) const {
+        const Vector axis = owner.state.attitude * piece.axis;
+        const bool hasAxis = piece.kind == Kind::line || piece.kind == Kind::circle;
+        if (!hasAxis || !(std::abs(axis[plane_.axis]) >= 1 - same))
+            return false;
+        const Vector at = owner.state.position + owner.state.attitude * piece.place;
+        piece.place += piece.axis * ((plane_.at - at[plane_.axis]) / axis[plane_.axis]);
+        piece.kind = Kind::point;
+        piece.axis = Vector::UnitX();
+        return true;
+    }
+    [[nodiscard]] SurfacePiece planeAt(const Placed& owner, const Vector& outward) const {
+        return {.kind = Kind::plane,
+                .place = localOf(owner, corner_),
+                .axis = owner.state.attitude.conjugate() * outward};
+    }
+    void put(SurfacePiece& piece, const Placed& owner) const {
+        if (!owner.record->isFixed)
+            piece.place[plane_.axis] = 0;
+        if (piece.kind != Kind::plane && piece.kind != Kind::line)
+            return;
+        Vector axis = owner.state.attitude * piece.axis;
+        if (axis[plane_.axis] == 0)
+            return;
+        axis[plane_.axis] = 0;
+        piece.axis = owner.state.attitude.conjugate() * axis.normalized();
+    }
+
+    const MotionPlane& plane_;
+    const Vector& corner_;
+    const Placed& body_;
+    const Placed& support_;
+};
 
 void putInPlane(physics::ContactPlace& place, const std::vector<Vector>& corners,
                 const MotionPlane& plane, const Placed& body, const Placed& support) {
@@ -397,42 +339,60 @@ void putInPlane(physics::ContactPlace& place, const std::vector<Vector>& corners
         Vector corner = corners[i];
         corner[plane.axis] = plane.at;
         points.push_back(std::move(place.points[i]));
-        flatten(points.back(), plane, corner, body, support);
+        Flattening(plane, corner, body, support).flatten(points.back().gap);
     }
     place.points = std::move(points);
     place.normal[plane.axis] = 0;
     place.normal.normalize();
-    place.centre[plane.axis] = 0;
+    if (place.centre)
+        (*place.centre)[plane.axis] = 0;
+}
+
+// The surfaces roll there: no point of either stays where they touch.
+bool rolls(const ContactPoint& point) {
+    const auto isRound = [](const SurfacePiece& piece) {
+        return piece.kind != Kind::plane &&
+               (piece.radius > 0 || piece.kind == Kind::cone || piece.kind == Kind::ellipsoid);
+    };
+    return isRound(point.gap.body) || isRound(point.gap.support);
+}
+
+std::optional<ContactPoint> pointAt(const Touch& touch, const Corner& corner, const Placed& body,
+                                    const Placed& support) {
+    ContactPoint point;
+    if (corner.pieces) {
+        point.gap = *corner.pieces;
+        point.sides = sidesOfPieces(point.gap, touch, body, support);
+        return point;
+    }
+    if (!touch.isRound)
+        return Polyhedra(touch, body, support).pointAt(corner);
+    point.gap = roundGap(touch, corner.constraint, body, support);
+    point.sides = sidesOfRound(touch, body, support);
+    return point;
 }
 
 LastingContact contactOf(const Touch& touch, const Placed& body, const Placed& support,
                          const TouchLimits& limits) {
     LastingContact found{.bodyPart = touch.bodyPart,
                          .supportPart = touch.supportPart,
-                         .isModelled = touch.isRound || touch.isModelled,
+                         .isModelled = touch.hasPieces || touch.isModelled ||
+                                       (touch.isRound && !touch.isCurved),
                          .place = {}};
+    if (!found.isModelled)
+        return found;
     physics::ContactPlace& place = found.place;
     place.body = body.index;
     place.support = support.index;
     place.normal = touch.normal;
     place.size = touch.size;
     place.leaving = 2 * limits.gap * touch.size;
-    const geometry::Part& part = body.shape->parts[touch.bodyPart];
-    place.bodyRadius = part.isSphere() ? part.radius : 0;
     std::vector<Vector> corners;
-    const Polyhedra polyhedra(touch, body, support);
     for (const Corner& corner : touch.corners) {
         if ((corner.rate > limits.slow && !limits.wereInContact) ||
             corner.gap > limits.gap * touch.size)
             continue;
-        std::optional<ContactPoint> point;
-        if (touch.isRound) {
-            point.emplace();
-            point->gap = corner.constraint;
-            point->sides = sidesOfRound(touch, body, support);
-        } else {
-            point = polyhedra.pointAt(corner);
-        }
+        std::optional<ContactPoint> point = pointAt(touch, corner, body, support);
         if (!point) {
             found.isModelled = false;
             continue;
@@ -443,16 +403,20 @@ LastingContact contactOf(const Touch& touch, const Placed& body, const Placed& s
     }
     if (corners.empty())
         return found;
+    found.rolls = std::ranges::any_of(place.points, rolls);
     const bool isWhole = corners.size() == touch.corners.size() && corners.size() > 2;
     const PatchMiddle middle = middleOf(corners, touch.normal);
-    place.centre = localOf(body, middle.centre);
+    if (!found.rolls && corners.size() > 1)
+        place.centre = localOf(body, middle.centre);
     place.friction.reach = middle.reach;
-    if (limits.plane && !touch.isRound)
+    if (limits.plane && (!touch.isRound || touch.isCurved))
         putInPlane(place, corners, *limits.plane, body, support);
-    if (!touch.isRound && !isWhole)
+    if (place.points.size() == 1)
+        place.centre.reset();
+    if (!(touch.isRound && !touch.isCurved) && !isWhole)
         Landings(touch, body, support, place).add();
     for (ContactPoint& point : place.points)
-        if (const double gap = gapOf(point.gap, body, support);
+        if (const double gap = nearestOf(point.gap, body, support).gap;
             limits.isStart || point.parts || std::abs(gap) <= kept * touch.size)
             point.start = gap;
     return found;
@@ -519,26 +483,6 @@ std::vector<Vector> inPlane(const std::vector<Vector>& points,
             left.back()[plane->axis] = plane->at;
         }
     return left;
-}
-
-WorldPoint worldOf(const physics::ContactPoint& point, double bodyRadius, const Placed& body,
-                   const Placed& support) {
-    const GapConstraint& gap = point.gap;
-    WorldPoint found;
-    found.normal = normalOf(gap, body, support);
-    const Vector ofBody = body.state.position + body.state.attitude * gap.bodyPoint;
-    found.point = ofBody - bodyRadius * found.normal;
-    if (gap.kind == Kind::onBodyPlane)
-        found.point = support.state.position + support.state.attitude * gap.supportPoint +
-                      gap.radius * found.normal;
-    if (gap.kind == Kind::edgeOnEdge) {
-        const Vector a = body.state.attitude * gap.bodyEdge,
-                     b = support.state.attitude * gap.supportEdge,
-                     apart = apartOf(gap, body, support);
-        const double both = a.dot(b);
-        found.point = ofBody + a * ((both * b.dot(apart) - a.dot(apart)) / (1 - both * both));
-    }
-    return found;
 }
 
 std::vector<LastingContact> lastingContacts(const Placed& body, const Placed& support,

@@ -2,9 +2,9 @@
 //
 // The answer is geometry alone (physics/contact_rows.h makes equations of it). Each corner of a
 // patch belongs to a vertex of one of the two, which stays that material point, or to the crossing
-// of an edge of the one with an edge of the other, which goes along both. Each has the sides within
-// which it does: a vertex over a face stays over it, a crossing between the ends of both edges, a
-// sphere's centre in the cell of its face, edge or vertex. Beyond, the bodies touch otherwise.
+// of an edge of the one with an edge of the other, which goes along both. What is curved touches
+// with pieces of its surface (surface_pieces.h), and where these touch goes along them. Each has
+// the sides within which it does (contact_sides.h). Beyond, the bodies touch otherwise.
 //
 // LIMIT: parts that touch along several axes at once (a vertex on a vertex, edges side by side)
 // have no contact that lasts.
@@ -21,6 +21,7 @@ namespace simulation {
 struct LastingContact {
     std::size_t bodyPart = 0, supportPart = 0;
     bool isModelled = true;
+    bool rolls = false;          // a surface is curved where they touch
     physics::ContactPlace place; // without friction
 };
 
@@ -46,13 +47,6 @@ struct TouchLimits {
 
 [[nodiscard]] std::vector<LastingContact> lastingContacts(const Placed& body, const Placed& support,
                                                           const TouchLimits& limits);
-
-// Of one point: where it is in the world, and the normal there, from the support to the body.
-struct WorldPoint {
-    Vector point = Vector::Zero(), normal = Vector::UnitX();
-};
-[[nodiscard]] WorldPoint worldOf(const physics::ContactPoint& point, double bodyRadius,
-                                 const Placed& body, const Placed& support);
 
 // The mean distance of the points of a convex patch from its middle; of two points, of the line.
 struct PatchMiddle {

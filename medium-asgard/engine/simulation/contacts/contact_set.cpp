@@ -1,5 +1,7 @@
 #include "contacts/contact_set.h"
 
+#include "contacts/surface_pieces.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -94,18 +96,8 @@ void ContactSet::noteBodies() {
 
 namespace {
 
-bool areLike(const physics::GapConstraint& a, const physics::GapConstraint& b, double size) {
-    using Kind = physics::GapConstraint::Kind;
-    const double near = 1e-6;
-    if (a.kind != b.kind)
-        return false;
-    if (a.kind == Kind::edgeOnEdge)
-        return (a.bodyEdge - b.bodyEdge).norm() <= near &&
-               (a.supportEdge - b.supportEdge).norm() <= near;
-    if (a.kind == Kind::onSupportPlane || a.kind == Kind::roundOnLine)
-        return (a.bodyPoint - b.bodyPoint).norm() <= near * size &&
-               (a.normal - b.normal).norm() <= near;
-    return (a.supportPoint - b.supportPoint).norm() <= near * size;
+bool areLike(const physics::SurfaceGap& a, const physics::SurfaceGap& b, double size) {
+    return isOnePiece(a.body, b.body, size) && isOnePiece(a.support, b.support, size);
 }
 
 bool areLike(const LastingContact& a, const LastingContact& b) {

@@ -3,6 +3,7 @@
 #include "collision/nearest_feature.h"
 #include "collision/patch.h"
 #include "collision/separation.h"
+#include "contacts/surface_pieces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -163,23 +164,47 @@ private:
         addPatch();
     }
 
-    // A capsule on a flat face is its two end balls, and a round end that lies flat is a face with
-    // many corners. Of all else only where it is and how fast they approach is known.
+    // A round end that lies flat is a face with many corners. All else touches with pieces.
     void addCurved() {
-        if (first_.part->isCapsule() && addEnds())
-            return;
         auto facing = collision::facingFeatures(first_, second_, touch.normal, tolerance_);
         ofBody_ = std::move(facing.first);
         ofSupport_ = std::move(facing.second);
-        const bool isOnFlat = second_.part->isPolyhedron() || second_.part->isPlane();
-        if (isOnFlat && ofBody_.size() > 2 && ofSupport_.size() > 2) {
+        if (ofBody_.size() > 2 && ofSupport_.size() > 2) {
             addPatch();
             return thinOut();
         }
+        addPieces();
+        if (touch.hasPieces)
+            return;
+        touch.corners.clear();
         touch.isModelled = false;
         for (const Vector& corner :
              collision::patchOf(first_, second_, touch.normal, tolerance_, beside_).corners)
             add(Kind::onSupportPlane, corner, corner, corner, 0);
+    }
+
+    void addPieces() {
+        const PieceTouch found = pieceTouch(body_, touch.bodyPart, support_, touch.supportPart,
+                                            touch.normal, tolerance_);
+        touch.hasPieces = found.isModelled;
+        if (!found.isModelled)
+            return;
+        touch.normal = found.normal;
+        using Piece = physics::SurfacePiece::Kind;
+        for (const PiecePoint& point : found.points) {
+            const physics::SurfaceGap& gap = point.gap;
+            const Vector& at = point.at.contact;
+            if (gap.support.kind == Piece::plane && gap.body.kind == Piece::point) {
+                const Vector on =
+                    support_.state.position - origin_ + support_.state.attitude * gap.support.place;
+                add(Kind::onSupportPlane, at, point.at.place, on, gap.body.radius);
+            } else {
+                touch.isModelled = false;
+                add(Kind::onSupportPlane, at, at, at, 0);
+            }
+            touch.corners.back().gap = point.at.gap;
+            touch.corners.back().pieces = gap;
+        }
     }
 
     // Of many corners of a round patch some carry as well.
@@ -192,27 +217,6 @@ private:
         for (std::size_t i = 0; i < touch.corners.size(); i += step)
             kept.push_back(touch.corners[i]);
         touch.corners = std::move(kept);
-    }
-
-    // False, and none: an end that bears is not over a flat face.
-    bool addEnds() {
-        if (!second_.part->isPolyhedron() && !second_.part->isPlane())
-            return false;
-        const double radius = first_.part->radius;
-        for (std::size_t end = 0; end < 2; ++end) {
-            const Vector centre = first_.world(end);
-            const auto under = collision::nearestFeature(second_, centre, 0);
-            if (under.distance - radius > tolerance_)
-                continue;
-            if (under.corners.size() < 3 || !isOneNormal(under.normal, touch.normal)) {
-                touch.corners.clear();
-                return false;
-            }
-            touch.normal = under.normal;
-            add(Kind::onSupportPlane, centre - radius * under.normal, centre, under.corners[0],
-                radius);
-        }
-        return !touch.corners.empty();
     }
 
     // Of a polyhedron, that in whose cell the sphere's centre lies; the normal away from it.

@@ -13,30 +13,22 @@
 // Where edges or vertices touch, the parts may touch along several axes at once, and stay apart as
 // long as they do along one of them (collision/contact.h). Then each is told.
 //
-// LIMIT: of what is round, capsules on flat faces and round ends that lie flat have constraints.
-// LIMIT: vertices and parallel edges on each other, an edge of the body on a sphere, and spheres on
-// edges of a support that turns have no constraint.
+// Of what is curved each corner has the pieces of the surfaces that touch there (surface_pieces.h).
+// LIMIT: of these, capsules on flat faces and round ends that lie flat have constraints; contacts
+// as rows (contact_set.h) have all. LIMIT: vertices and parallel edges on each other, an edge of
+// the body on a sphere, and spheres on edges of a support that turns have no constraint.
 #pragma once
 
 #include "contacts/contact_resolution.h"
-#include "motion/body_motion.h"
+#include "contacts/placed.h"
 #include "physics/resting.h"
+#include "physics/surface_gap.h"
 
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace simulation {
-
-// A body somewhere, as contacts see it.
-struct Placed {
-    std::size_t index = 0; // in the scene
-    const BodyRecord* record = nullptr;
-    const geometry::Shape* shape = nullptr;
-    BodyState state;
-    Acceleration acceleration; // of a support
-    bool turns = true;         // a support that may change its attitude
-};
 
 // Two normals that count as one.
 [[nodiscard]] inline bool isOneNormal(const Vector& a, const Vector& b) {
@@ -49,6 +41,7 @@ struct Corner {
     double rate = 0;  // of the gap; negative: they approach
     double extra = 0; // of the gap's acceleration
     physics::GapConstraint constraint;
+    std::optional<physics::SurfaceGap> pieces; // of what is curved
 };
 
 struct Touch { // of one pair of parts
@@ -60,6 +53,7 @@ struct Touch { // of one pair of parts
     bool isModelled = true;
     bool isRound = false;       // one of the two is a sphere
     bool isCurved = false;      // one of the two is a capsule, cylinder, cone or ellipsoid
+    bool hasPieces = false;     // ... and each corner has its pieces of the surfaces
     bool isRoundOnEdge = false; // a sphere on an edge or a vertex
     std::vector<Corner> corners;
     std::vector<Vector> bodyFace, supportFace; // outlines, world; of polyhedra

@@ -190,7 +190,8 @@ void CollisionSource::refuse(const Instant& at, const Pair& pair, const std::str
     }
 }
 
-// Friction, a support that gives way, or a joint: one equation for each body does not do.
+// Friction, a support that gives way, a joint, or what rolls on a side or a rim: one equation for
+// each body does not do.
 bool CollisionSource::needsRows(const Instant& at, std::size_t body,
                                 const RestingBodies::States& states) const {
     if (resting_.contacts().isIn(body))
@@ -201,8 +202,13 @@ bool CollisionSource::needsRows(const Instant& at, std::size_t body,
         const bool isAsked = friction.sticking > 0 || friction.rolling > 0 ||
                              at.canGiveWay(other) || resting_.contacts().isIn(other) ||
                              world_.joints.isJoined(body);
-        if (isAsked && !resting_.hopForEver(body, other, at.time) &&
-            !touchesOf(placed, at.placed(other, states), world_.resolution[body].gap).empty())
+        if (resting_.hopForEver(body, other, at.time))
+            continue;
+        const auto touches =
+            touchesOf(placed, at.placed(other, states), world_.resolution[body].gap);
+        if (std::ranges::any_of(touches, [&](const Touch& touch) {
+                return isAsked || (touch.hasPieces && !touch.isModelled);
+            }))
             return true;
     }
     return false;
@@ -240,6 +246,8 @@ std::vector<LastingContact> CollisionSource::contactsOf(const Instant& at,
             for (LastingContact& contact : lastingContacts(a, b, limits)) {
                 const double reach = contact.place.friction.reach;
                 contact.place.friction = world_.frictionOf(first, second);
+                if (!contact.rolls) // edges and vertices do not
+                    contact.place.friction.rolling = 0;
                 contact.place.friction.reach = reach;
                 found.push_back(std::move(contact));
             }

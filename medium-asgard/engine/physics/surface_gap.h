@@ -1,0 +1,78 @@
+// How far apart are two pieces of surfaces, and where do they come nearest?
+//
+// The pieces are those of which smooth surfaces of bodies are made, each with the points around it:
+//
+//     plane      of a flat face, with its outward normal
+//     point      a vertex, a tip; with a radius, a sphere
+//     line       an edge; with a radius, the side of a cylinder or a capsule
+//     circle     the rim of a cylinder or a cone
+//     cone       its side
+//     ellipsoid
+//
+// For two of them the gap g, the normal n from the support to the body, and the point x of contact
+// are closed forms of the bodies' places, as smooth as the pieces are. With d from the one piece's
+// place to the other's:
+//
+//     plane and point     g = n.d - r                         x = p - r n
+//     plane and circle    g = n.d - R |a x n|                 x: the lowest point of the circle
+//     plane, ellipsoid    g = n.d - |A'n|                     x = c - A A'n / |A'n|
+//     point and point     g = |d| - r
+//     point and line      g = |d - b (b.d)| - r
+//     point and circle    g = |p - f| - r                     f: the foot on the circle
+//     point and cone      g = n.d - r                         n.a = sine of the cone
+//     line and line       g = n.d - r, n along a x b          x where they cross
+//
+// That holds for expressions (contact_rows.h) and for numbers alike: surface_nearest.h has the
+// formulas once.
+#pragma once
+
+#include "geometry/pose.h"
+
+namespace physics {
+
+using geometry::Matrix;
+using geometry::Vector;
+
+struct SurfacePiece {
+    enum class Kind { point, line, circle, cone, ellipsoid, plane };
+    Kind kind = Kind::point;
+    // In the body's frame, from its centre of mass: the point; one of the line or the plane; the
+    // centre; the apex.
+    Vector place = Vector::Zero();
+    Vector axis = Vector::UnitX(); // outward; along the line; across the circle; to the apex
+    double radius = 0;             // around a point or a line; of the circle
+    double sine = 0;               // cone: of the angle between its axis and its side
+    Matrix axes = Matrix::Zero();  // ellipsoid: its half axes are the columns
+};
+
+struct SurfaceGap {
+    SurfacePiece body, support;
+    bool isFlipped = false; // lines: the normal is along support x body
+
+    [[nodiscard]] bool isOnPlane() const {
+        return body.kind == SurfacePiece::Kind::plane || support.kind == SurfacePiece::Kind::plane;
+    }
+};
+
+// There is a closed form.
+[[nodiscard]] bool haveGap(SurfacePiece::Kind body, SurfacePiece::Kind support);
+
+struct SurfacePose {                // of a body
+    Vector centre = Vector::Zero(); // of mass
+    Matrix rotation = Matrix::Identity();
+};
+
+struct NearestSurfaces {
+    double gap = 0;
+    Vector normal = Vector::UnitX(); // from the support to the body
+    Vector contact = Vector::Zero(); // on one of the surfaces, world
+    // Of a point its place, within its radius; else `contact`.
+    Vector place = Vector::Zero();
+};
+[[nodiscard]] NearestSurfaces nearest(const SurfaceGap& gap, const SurfacePose& body,
+                                      const SurfacePose& support);
+
+// How far the piece reaches from its place against a normal, all in one frame.
+[[nodiscard]] double reachBelow(const SurfacePiece& piece, const Vector& normal);
+
+} // namespace physics

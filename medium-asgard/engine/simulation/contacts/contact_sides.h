@@ -1,0 +1,61 @@
+// Where does a point of a contact end, though the bodies still touch?
+//
+// A vertex over a face stays over it, a crossing between the ends of both edges, a sphere in the
+// cell of its face, edge or vertex, a side against a ball between its ends. Beyond, the bodies
+// touch otherwise (contact_places.h). Each condition is one of `ContactPoint::Side`; what is beyond
+// already by rounding stays.
+#pragma once
+
+#include "contacts/touching.h"
+#include "physics/contact_rows.h"
+
+#include <vector>
+
+namespace simulation {
+
+inline constexpr double sideSlack = 1e-9; // of the parts' size: so far a contact goes beyond
+
+[[nodiscard]] Vector localOf(const Placed& owner, const Vector& point);
+[[nodiscard]] std::vector<Vector> localOf(const Placed& owner, const std::vector<Vector>& points);
+[[nodiscard]] physics::SurfacePose poseOf(const Placed& owner);
+// The vertex of a part nearest to a place in the part's frame.
+[[nodiscard]] std::size_t vertexAt(const geometry::Part& part, const Vector& place);
+
+// Of one point: in the frame of one body.
+class Sides {
+public:
+    // `place` in that frame.
+    Sides(std::size_t body, const Vector& place, double size)
+        : body_(body), place_(place), slack_(sideSlack * size) {}
+
+    // From here on a point that lies `shift` beside the place, along the contact's normal `normal`
+    // (in this frame).
+    void moveAlong(const Vector& normal, double shift);
+    // inward . (p - on) >= 0
+    void add(const Vector& inward, const Vector& on);
+    // inward . (p - on) + radial |across the axis| + offset >= 0
+    void addRound(const Vector& inward, double radial, double offset, const Vector& axis,
+                  const Vector& on);
+    void addOutline(const std::vector<Vector>& outline, const Vector& normal);
+    void addEnds(const Vector& from, const Vector& to);
+
+    std::vector<physics::ContactPoint::Side> sides;
+
+private:
+    std::size_t body_;
+    Vector place_;
+    double slack_;
+    double shift_ = 0;
+};
+
+// A sphere on a polyhedron.
+[[nodiscard]] std::vector<physics::ContactPoint::Side>
+sidesOfRound(const Touch& touch, const Placed& body, const Placed& support);
+
+// Pieces of which one belongs to a curved part: over a face, or each in its cell.
+[[nodiscard]] std::vector<physics::ContactPoint::Side> sidesOfPieces(const physics::SurfaceGap& gap,
+                                                                     const Touch& touch,
+                                                                     const Placed& body,
+                                                                     const Placed& support);
+
+} // namespace simulation

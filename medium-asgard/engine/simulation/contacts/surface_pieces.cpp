@@ -1,0 +1,322 @@
+#include "contacts/surface_pieces.h"
+
+#include "collision/contact_points.h"
+#include "collision/patch.h"
+#include "contacts/contact_resolution.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace simulation {
+namespace {
+
+using collision::Feature;
+using geometry::Curved;
+using geometry::Part;
+using physics::SurfaceGap;
+using physics::SurfacePiece;
+using Kind = SurfacePiece::Kind;
+
+constexpr double parallel = 1e-6; // sine of an angle between axes
+
+const Part& partOf(const Placed& owner, std::size_t part) { return owner.shape->parts[part]; }
+
+Vector toWorld(const Placed& owner, const Vector& direction) {
+    return owner.state.attitude * direction;
+}
+
+SurfacePiece pointAt(const Vector& place, double radius) {
+    return {.kind = Kind::point, .place = place, .radius = radius};
+}
+
+SurfacePiece rimOf(const Curved& curved, const Vector& centroid, double sign) {
+    return {.kind = Kind::circle,
+            .place = curved.center + sign * curved.half() * curved.axis() - centroid,
+            .axis = curved.axis(),
+            .radius = curved.radius()};
+}
+
+std::optional<SurfacePiece> pieceOf(const Feature& feature, const Vector& centroid) {
+    SurfacePiece piece{.place = feature.place - centroid,
+                       .axis = feature.axis,
+                       .radius = feature.radius,
+                       .sine = feature.sine,
+                       .axes = feature.axes};
+    switch (feature.kind) {
+    case Feature::Kind::point:
+        piece.kind = Kind::point;
+        return piece;
+    case Feature::Kind::segment:
+        piece.kind = Kind::line;
+        return piece;
+    case Feature::Kind::circle:
+        piece.kind = Kind::circle;
+        return piece;
+    case Feature::Kind::cone:
+        piece.kind = Kind::cone;
+        piece.radius = 0;
+        return piece;
+    case Feature::Kind::ellipsoid:
+        piece.kind = Kind::ellipsoid;
+        return piece;
+    case Feature::Kind::face:
+        break;
+    }
+    return std::nullopt;
+}
+
+// How far a point of the owner's frame lies inside the face's border; without border: endless.
+double depthIn(const FlatFace& face, const Vector& point) {
+    if (face.isEndless())
+        return HUGE_VAL;
+    const Vector off = point - face.plane.place;
+    if (face.outline.empty())
+        return face.radius - (off - face.plane.axis * face.plane.axis.dot(off)).norm();
+    double least = HUGE_VAL;
+    for (std::size_t i = 0; i < face.outline.size(); ++i) {
+        const Vector& from = face.outline[i];
+        const Vector edge = face.outline[(i + 1) % face.outline.size()] - from;
+        least = std::min(least, face.plane.axis.cross(edge).normalized().dot(point - from));
+    }
+    return least;
+}
+
+class Pieces {
+public:
+    Pieces(const Placed& body, std::size_t bodyPart, const Placed& support, std::size_t supportPart,
+           double tolerance)
+        : body_(body), support_(support), bodyPart_(bodyPart), supportPart_(supportPart),
+          tolerance_(tolerance), ofBody_(poseOf(body)), ofSupport_(poseOf(support)) {}
+
+    PieceTouch find(const Vector& normal) {
+        found_.normal = normal;
+        const auto under = faceTowards(support_, supportPart_, normal);
+        const auto over = faceTowards(body_, bodyPart_, -normal);
+        if (under && !over)
+            onFace(*under, false);
+        else if (over && !under)
+            onFace(*over, true);
+        if (found_.points.empty()) {
+            found_ = {.normal = normal, .points = {}, .isModelled = true};
+            onPieces();
+        }
+        found_.isModelled = found_.isModelled && !found_.points.empty();
+        return std::move(found_);
+    }
+
+private:
+    // Places from the body's centre of mass.
+    [[nodiscard]] physics::SurfacePose poseOf(const Placed& owner) const {
+        return {owner.state.position - body_.state.position,
+                owner.state.attitude.toRotationMatrix()};
+    }
+    [[nodiscard]] collision::Posed posed(const Placed& owner, std::size_t part) const {
+        const physics::SurfacePose pose = poseOf(owner);
+        return {.part = &partOf(owner, part),
+                .rotation = pose.rotation,
+                .offset = pose.centre - pose.rotation * owner.record->centroid};
+    }
+
+    [[nodiscard]] PiecePoint pointOf(const SurfaceGap& gap) const {
+        return {.gap = gap, .at = physics::nearest(gap, ofBody_, ofSupport_)};
+    }
+    void keep(const PiecePoint& point) { found_.points.push_back(point); }
+
+    void onFace(const FlatFace& face, bool isBodys) {
+        const Placed &owner = isBodys ? body_ : support_, &round = isBodys ? support_ : body_;
+        found_.normal = toWorld(owner, face.plane.axis) * (isBodys ? -1 : 1);
+        const physics::SurfacePose& ofOwner = isBodys ? ofBody_ : ofSupport_;
+        bool isBeyond = false; // the border of the face
+        for (const SurfacePiece& piece : extremesOf(round, isBodys ? supportPart_ : bodyPart_)) {
+            const PiecePoint point = pointOf(isBodys ? SurfaceGap{face.plane, piece, false}
+                                                     : SurfaceGap{piece, face.plane, false});
+            if (!(point.at.gap <= tolerance_))
+                continue;
+            const Vector foot =
+                ofOwner.rotation.transpose() * Vector(point.at.contact - ofOwner.centre);
+            if (depthIn(face, foot) < -tolerance_)
+                isBeyond = true;
+            else
+                keep(point);
+        }
+        if (isBeyond || found_.points.empty())
+            acrossBorder(face, isBodys);
+    }
+
+    // A line of contact ends where it crosses an edge of the face.
+    void acrossBorder(const FlatFace& face, bool isBodys) {
+        const Placed &owner = isBodys ? body_ : support_, &round = isBodys ? support_ : body_;
+        const std::size_t part = isBodys ? supportPart_ : bodyPart_;
+        const Vector towards = found_.normal * (isBodys ? 1 : -1); // of the round part, outward
+        const Feature feature = collision::bearingFeature(
+            partOf(round, part), round.state.attitude.conjugate() * towards, tolerance_);
+        if (feature.kind != Feature::Kind::segment || face.outline.empty()) {
+            found_.isModelled = false;
+            return;
+        }
+        const SurfacePiece line = *pieceOf(feature, round.record->centroid);
+        const Vector along = owner.state.attitude.conjugate() * toWorld(round, line.axis);
+        for (std::size_t i = 0; i < face.outline.size(); ++i) {
+            const Vector &from = face.outline[i], &to = face.outline[(i + 1) % face.outline.size()];
+            const Vector way = (to - from).normalized();
+            if (way.cross(along).norm() < parallel)
+                continue;
+            const SurfacePiece edge{.kind = Kind::line, .place = from, .axis = way};
+            PiecePoint point =
+                pointOf(isBodys ? SurfaceGap{edge, line, false} : SurfaceGap{line, edge, false});
+            if (point.at.normal.dot(found_.normal) < 0) {
+                point.gap.isFlipped = true;
+                point = pointOf(point.gap);
+            }
+            const physics::SurfacePose& ofOwner = isBodys ? ofBody_ : ofSupport_;
+            const physics::SurfacePose& ofRound = isBodys ? ofSupport_ : ofBody_;
+            const Vector at =
+                ofOwner.rotation.transpose() * Vector(point.at.contact - ofOwner.centre);
+            const Vector onLine =
+                ofRound.rotation.transpose() * Vector(point.at.contact - ofRound.centre);
+            const double far = std::abs(line.axis.dot(onLine - line.place));
+            if (depthIn(face, at) >= -tolerance_ && far <= feature.length / 2)
+                keep(point);
+        }
+    }
+
+    void onPieces() {
+        const Vector& n = found_.normal;
+        const auto bearing = [&](const Placed& owner, std::size_t part, const Vector& direction) {
+            return collision::bearingFeature(
+                partOf(owner, part), owner.state.attitude.conjugate() * direction, tolerance_);
+        };
+        const Feature first = bearing(body_, bodyPart_, -n),
+                      second = bearing(support_, supportPart_, n);
+        const auto body = pieceOf(first, body_.record->centroid),
+                   support = pieceOf(second, support_.record->centroid);
+        if (!body || !support) {
+            found_.isModelled = false;
+            return;
+        }
+        const bool areLines = body->kind == Kind::line && support->kind == Kind::line;
+        if (areLines &&
+            toWorld(body_, body->axis).cross(toWorld(support_, support->axis)).norm() < parallel)
+            return sideBySide(first, *body, second, *support);
+        if (!physics::haveGap(body->kind, support->kind)) {
+            found_.isModelled = false;
+            return;
+        }
+        PiecePoint point = pointOf({*body, *support, false});
+        if (areLines && point.at.normal.dot(n) < 0)
+            point = pointOf({*body, *support, true});
+        found_.normal = point.at.normal;
+        keep(point);
+    }
+
+    // Of both ends of the common stretch, whosever they are.
+    void sideBySide(const Feature& first, const SurfacePiece& body, const Feature& second,
+                    const SurfacePiece& support) {
+        const Vector middle = ofBody_.rotation * body.place + ofBody_.centre;
+        const Vector axis = ofBody_.rotation * body.axis;
+        const Vector apart = ofSupport_.rotation * support.place + ofSupport_.centre - middle;
+        const double other = axis.dot(apart);
+        const bool isAlike = axis.dot(ofSupport_.rotation * support.axis) > 0;
+        for (const double end : {-1.0, 1.0}) {
+            const double own = end * first.length / 2, its = other + end * second.length / 2;
+            const bool isOwn = end * own <= end * its;
+            if (isOwn) {
+                const Vector place = body.place + own * body.axis;
+                keep(pointOf({pointAt(place, body.radius), support, false}));
+            } else {
+                const double way = (isAlike ? end : -end) * second.length / 2;
+                const Vector place = support.place + way * support.axis;
+                keep(pointOf({body, pointAt(place, support.radius), false}));
+            }
+        }
+        found_.normal = found_.points[0].at.normal;
+    }
+
+    const Placed& body_;
+    const Placed& support_;
+    std::size_t bodyPart_, supportPart_;
+    double tolerance_;
+    physics::SurfacePose ofBody_, ofSupport_;
+    PieceTouch found_;
+};
+
+} // namespace
+
+std::optional<FlatFace> faceTowards(const Placed& owner, std::size_t part,
+                                    const Vector& direction) {
+    const Part& of = partOf(owner, part);
+    const Vector& centroid = owner.record->centroid;
+    const Vector local = owner.state.attitude.conjugate() * direction;
+    const auto isAlong = [&](const Vector& normal) {
+        return (normal - local).norm() <= resolution::sameNormal;
+    };
+    FlatFace face;
+    face.plane.kind = Kind::plane;
+    if (of.isPolyhedron()) {
+        for (const geometry::Face& each : of.core.faces) {
+            if (!isAlong(each.normal))
+                continue;
+            face.plane.axis = each.normal;
+            for (const std::size_t vertex : each.vertices)
+                face.outline.emplace_back(of.core.vertices[vertex] - centroid);
+            face.plane.place = face.outline[0];
+            return face;
+        }
+        return std::nullopt;
+    }
+    if (!of.curved || of.curved->kind == Curved::Kind::ellipsoid)
+        return std::nullopt;
+    const double sign = of.isPlane() ? 1 : of.curved->axis().dot(local) > 0 ? 1 : -1;
+    face.plane.axis = sign * of.curved->axis();
+    const bool isTip = of.curved->kind == Curved::Kind::cone && sign > 0;
+    if (isTip || !isAlong(face.plane.axis))
+        return std::nullopt;
+    face.radius = of.isPlane() ? 0 : of.curved->radius();
+    face.plane.place = of.curved->center - centroid;
+    if (!of.isPlane())
+        face.plane.place += of.curved->half() * face.plane.axis;
+    return face;
+}
+
+std::vector<SurfacePiece> extremesOf(const Placed& owner, std::size_t part) {
+    const Part& of = partOf(owner, part);
+    const Vector& centroid = owner.record->centroid;
+    std::vector<SurfacePiece> pieces;
+    if (of.isSphere() || of.isCapsule())
+        for (const Vector& end : of.core.vertices)
+            pieces.push_back(pointAt(end - centroid, of.radius));
+    if (!of.curved)
+        return pieces;
+    switch (of.curved->kind) {
+    case Curved::Kind::cylinder:
+        if (!(of.curved->half() > 0)) // a disc
+            return {rimOf(*of.curved, centroid, 1)};
+        return {rimOf(*of.curved, centroid, -1), rimOf(*of.curved, centroid, 1)};
+    case Curved::Kind::cone:
+        return {rimOf(*of.curved, centroid, -1),
+                pointAt(of.curved->center + of.curved->half() * of.curved->axis() - centroid, 0)};
+    case Curved::Kind::ellipsoid:
+        return {{.kind = Kind::ellipsoid,
+                 .place = of.curved->center - centroid,
+                 .axis = of.curved->axis(),
+                 .axes = of.curved->frame * of.curved->sizes.asDiagonal()}};
+    case Curved::Kind::plane:
+        break;
+    }
+    return pieces;
+}
+
+PieceTouch pieceTouch(const Placed& body, std::size_t bodyPart, const Placed& support,
+                      std::size_t supportPart, const Vector& normal, double tolerance) {
+    return Pieces(body, bodyPart, support, supportPart, tolerance).find(normal);
+}
+
+bool isOnePiece(const SurfacePiece& a, const SurfacePiece& b, double size) {
+    constexpr double near = 1e-6;
+    if (a.kind != b.kind || (a.axis - b.axis).norm() > near)
+        return false;
+    const bool isEndless = a.kind == Kind::plane || a.kind == Kind::line;
+    return isEndless || (a.place - b.place).norm() <= near * size;
+}
+
+} // namespace simulation

@@ -1,0 +1,54 @@
+// Through which pieces of their surfaces do two parts touch of which one is curved, and how long?
+//
+//     on a flat face   what of the other is furthest: both rims of a cylinder that lies, both ends
+//                      of a capsule, apex and rim of a cone, one rim, a tip, a sphere, an ellipsoid
+//     else             the pieces that bear along the normal: sphere on a side, a rim or a cone,
+//                      side across side or edge; side by side, both ends of the common stretch
+//
+// A piece of a polyhedron is touched as long as the other's place is in its cell, so is one of a
+// curved part. What lies on a face has none: there other pieces land.
+//
+// LIMIT: pairs without a closed form have no contact that lasts: a rim on a rim or an edge, a
+// cone's side on what is no face, an ellipsoid on what is no face.
+#pragma once
+
+#include "contacts/placed.h"
+#include "physics/contact_rows.h"
+
+#include <optional>
+#include <vector>
+
+namespace simulation {
+
+struct PiecePoint {
+    physics::SurfaceGap gap;
+    physics::NearestSurfaces at; // from the body's centre of mass, along the world's axes
+};
+struct PieceTouch {
+    Vector normal = Vector::UnitX(); // from the support to the body
+    std::vector<PiecePoint> points;
+    bool isModelled = true; // each of the points
+};
+// Along the normal of their separation; `tolerance` along it.
+[[nodiscard]] PieceTouch pieceTouch(const Placed& body, std::size_t bodyPart, const Placed& support,
+                                    std::size_t supportPart, const Vector& normal,
+                                    double tolerance);
+
+// The flat face of a part that looks along a direction of the world, within tolerances.
+struct FlatFace {
+    physics::SurfacePiece plane;
+    std::vector<Vector> outline; // in the body's frame; of a round end none
+    double radius = 0;           // of a round end
+    [[nodiscard]] bool isEndless() const { return outline.empty() && !(radius > 0); }
+};
+[[nodiscard]] std::optional<FlatFace> faceTowards(const Placed& owner, std::size_t part,
+                                                  const Vector& direction);
+
+// Of a part the pieces of which one lies lowest on each plane; none of a polyhedron.
+[[nodiscard]] std::vector<physics::SurfacePiece> extremesOf(const Placed& owner, std::size_t part);
+
+// Is this one of them? Pieces of one part.
+[[nodiscard]] bool isOnePiece(const physics::SurfacePiece& a, const physics::SurfacePiece& b,
+                              double size);
+
+} // namespace simulation
