@@ -11,9 +11,10 @@ import sys
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, os.pardir, "joints"))
 
+import mechanism_cases  # noqa: E402
 import simple_cases  # noqa: E402
 
-MODULES = (simple_cases,)
+MODULES = (simple_cases, mechanism_cases)
 
 
 def scenes():
