@@ -17,7 +17,7 @@ namespace editing {
 namespace {
 
 // Of what kind of element names are asked for.
-enum class Named { shapeSet, body, trajectory, parameter, joint, spring, rope };
+enum class Named { shapeSet, body, trajectory, parameter, joint, spring, rope, contact };
 
 bool isWordCharacter(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' ||
@@ -197,6 +197,8 @@ private:
                 return take(scene::springQuantityNames(), hint);
             if (has(Named::rope))
                 return take(scene::ropeQuantityNames(ropeNamed(owner)), hint);
+            if (has(Named::contact))
+                return take(scene::contactQuantityNames(), hint);
             return {from_, {}, hint};
         }
         if (atWordEnd() || std::isdigit(static_cast<unsigned char>(before_[from_])) != 0)
@@ -250,6 +252,7 @@ private:
         : kind == Named::joint      ? add(scene_.joints)
         : kind == Named::spring     ? add(scene_.links)
         : kind == Named::rope       ? add(scene_.ropes)
+        : kind == Named::contact    ? add(scene_.contacts)
                                     : add(scene_.parameters);
         // What is being typed here is no name yet.
         for (const script::Command& command : written_.commands) {
@@ -260,6 +263,7 @@ private:
                               : kind == Named::joint      ? name == "joint"
                               : kind == Named::spring     ? name == "spring"
                               : kind == Named::rope       ? name == "rope"
+                              : kind == Named::contact    ? name == "contact"
                                                           : name == "parameter";
             if (fits && command.words.size() > 1 && command.words[1].literal &&
                 !(command.words[1].range.from < before_.size() &&

@@ -63,6 +63,8 @@ TEST(Completion, KnowsJointsGearsAndSprings) {
     EXPECT_THAT(words("rope r -cl|"), ElementsAre("-closed"));
     EXPECT_THAT(words("contact -body1 b -co|"), ElementsAre("-collide"));
     EXPECT_THAT(words(text + "contact -body1 |"), ElementsAre("b1", "b2"));
+    EXPECT_THAT(words(text + "contact c -body1 b1 -body2 b2\nplot p -values {c.s|}"),
+                ElementsAre("slip", "state"));
     EXPECT_THAT(words(text + "rope r -points {}\nplot p -values {r.|}"),
                 ElementsAre("length", "tension", "tension1"));
 }

@@ -59,6 +59,14 @@ void addRope(ipc::ValueOffers& offers, const scene::Rope& rope) {
     }
 }
 
+void addContact(ipc::ValueOffers& offers, const std::string& name) {
+    add(offers, {name + ".n", name + ": normal force", ""});
+    for (const std::string axis : {"x", "y", "z"})
+        add(offers, {name + ".f" + axis, name + ": force " + axis, ""});
+    add(offers, {name + ".slip", name + ": speed of slipping", ""});
+    add(offers, {name + ".state", name + ": 0 open, 1 sticks, 2 slips", ""});
+}
+
 } // namespace
 
 ipc::ValueOffers offeredValues(const scene::Scene& scene) {
@@ -80,6 +88,9 @@ ipc::ValueOffers offeredValues(const scene::Scene& scene) {
         addJoint(offers, scene.joints[i]);
     for (std::size_t i = 0; i < scene.ropes.size() && i < mostBodiesOffered; ++i)
         addRope(offers, scene.ropes[i]);
+    for (std::size_t i = 0; i < scene.contacts.size() && i < mostBodiesOffered; ++i)
+        if (!scene.contacts[i].name.empty())
+            addContact(offers, scene.contacts[i].name);
     add(offers, {"t", "time", ""});
     add(offers, {"scene.energy", "energy of all bodies", ""});
     return offers;

@@ -127,6 +127,57 @@ case("pair_bounces", "# zero: a.z\nsimulator -finish 0.5\n" + ground(0, "-ct 1")
      [(t, 1, 0.1 + bounced(0.5)(t), "a.y") for t in (0.2, 0.4)] + [(t, 1, 0.1 + bounced(1)(t), "b.y") for t in (0.2, 0.4, 0.5)] +
      [(t, 1, 0.5 - G * t * t / 2, "c.y") for t in (0.2, 0.5)])
 
+# ---------------------------------------------------------------- forces of contacts, beside those of joints and ropes
+
+# A block that slides up an incline, and then stands.
+a, mu, v = 0.3, 0.4, 5
+weight, slowing = G, G * (math.sin(a) + mu * math.cos(a))
+stop = v / slowing
+c, s = math.cos(a), math.sin(a)
+normal, slides, holds = G * c, -mu * G * c, G * s  # along the slope, upwards
+case("forces_on_a_slope", slope(a, mu, v, 3) + "contact on -body1 b -body2 ground\n",
+     [(t, 10, normal, "on.n") for t in (0.2, 1.5)] + [(0.2, 10, c * slides - s * normal, "on.fx"), (0.2, 10, s * slides + c * normal, "on.fy"),
+      (1.5, 10, c * holds - s * normal, "on.fx"), (1.5, 10, s * holds + c * normal, "on.fy"), (0.2, 5, v - slowing * 0.2, "on.slip"),
+      (1.5, 5, 0, "on.slip"), (0.2, 2, 2, "on.state"), (1.5, 2, 1, "on.state")] +
+     [(t, 1, -0.1 * f / normal, f"(on.px-b.x)*{c!r}+(on.py-b.y)*{s!r}") for t, f in ((0.2, slides), (1.5, holds))])  # no couple about the centre
+# A ladder against a smooth wall, on a floor that holds it.
+a, mu, length, thick = math.radians(70), 0.5, 2, 0.02
+c, s = math.cos(a), math.sin(a)
+foot = (-length / 2 * c + thick / 2 * s, -length / 2 * s - thick / 2 * c)  # corners, from the centre
+foot = min(((sx * length / 2 * c - sy * thick / 2 * s, sx * length / 2 * s + sy * thick / 2 * c) for sx in (-1, 1) for sy in (-1, 1)), key=lambda p: p[1])
+head = max(((sx * length / 2 * c - sy * thick / 2 * s, sx * length / 2 * s + sy * thick / 2 * c) for sx in (-1, 1) for sy in (-1, 1)), key=lambda p: p[0])
+wall = 2 * G * -foot[0] / (head[1] - foot[1])
+case("ladder", f"# zero: l.y-{-foot[1]!r}\nsimulator -finish 5\n" + ground(mu) + f"shape_set ladder -desc {{-sub {{-box {{{length} {thick} 0.4}}}}}}\n"
+     f"shape_set wall -desc {{-sub {{-box {{1 8 4}}}}}}\nbody wall wall -fixed 1 -init_pos {{0.5 4 0}}\n"
+     f"body l ladder -mass 2 -restitution 0 -friction {mu} -init_pos {{{-head[0]!r} {-foot[1]!r} 0}} -init_rot {{0 0 {a!r}}}\n" + gravity("l") +
+     "contact below -body1 l -body2 ground\ncontact beside -body1 wall -body2 l\n",
+     [(t, 20, value, name) for t in (0, 1, 5) for value, name in ((2 * G, "below.n"), (wall, "below.fx"), (wall, "beside.n"), (wall, "beside.fx"),
+      (0, "beside.fy"), (1, "below.state"))])
+# A beam on a hinge, held by a rope, carries a box; a push on the box that friction bears goes into the hinge.
+case("beam", "# zero: box.y-0.35\nsimulator -finish 4\nshape_set beam -desc {-sub {-box {4 0.2 0.5}}}\nshape_set box -desc {-sub {-box {0.5 0.5 0.5}}}\n"
+     "body beam beam -mass 3 -friction 0.5 -restitution 0\nbody box box -mass 2 -init_pos {1 0.35 0} -friction 0.5 -restitution 0\n"
+     "joint pin -type hinge -body1 beam -offset1 {-2 0 0}\nrope r -points {{beam {2 0 0}} {2 3 0}}\ncontact on -body1 box -body2 beam\n" +
+     gravity("beam", "box") + "force -body box -x {t < 2 ? 4 : 0}\n",
+     [(1, 50, 2 * G, "on.n"), (1, 50, -4, "on.fx"), (3, 50, 2 * G, "on.n"), (3, 50, 0, "on.fx"),
+      (1, 50, (3 * G * 2 + 2 * G * 3 + 4 * 0.35) / 4, "r.tension"), (3, 50, (3 * G * 2 + 2 * G * 3) / 4, "r.tension"),
+      (1, 50, -4, "pin.fx"), (3, 50, 0, "pin.fx"), (1, 50, 5 * G - (3 * G * 2 + 2 * G * 3 + 4 * 0.35) / 4, "pin.fy"),
+      (3, 50, 5 * G - (3 * G * 2 + 2 * G * 3) / 4, "pin.fy")])
+# A block hangs by a rope over the edge of a table and draws another one, beside a third that stands.
+mu, m, hung = 0.3, 2, 1
+gains = G * (hung - mu * m) / (m + hung)
+case("over_an_edge", "# zero: a.y-1.1\n# zero: c.y-1.1\nsimulator -finish 0.8\nshape_set table -desc {-sub {-box {6 1 4}}}\n"
+     "shape_set block -desc {-sub {-box {0.2 0.2 0.2}}}\nbody table table -fixed 1 -init_pos {-3 0.5 0} -friction 0.3\n"
+     f"body a block -mass {m} -init_pos {{-2 1.1 0}} -friction {mu} -restitution 0\nbody h block -mass {hung} -init_pos {{0.2 0.5 0}}\n"
+     f"body c block -mass 1 -init_pos {{-3 1.1 0}} -friction {mu} -restitution 0\nrope r -points {{{{a {{0 0 0}}}} {{0.2 1.1 0}} {{h {{0 0 0}}}}}}\n"
+     "contact on -body1 a -body2 table\ncontact stands -body1 table -body2 c\n" + gravity("a", "h", "c"),
+     [(t, 20, value, name) for t in (0.3, 0.7) for value, name in ((gains * t * t / 2 - 2, "a.x"), (m * G, "on.n"), (-mu * m * G, "on.fx"),
+      (hung * (G - gains), "r.tension"), (gains * t, "on.slip"), (2, "on.state"), (G, "stands.n"), (-G, "stands.fy"), (1, "stands.state"))])
+# The link of two contacts: a block is let go when its load on the table exceeds what is allowed.
+case("let_go_by_load", "# zero: b.z\nsimulator -finish 3\n" + ground(0.5) + "shape_set block -desc {-sub {-box {0.2 0.2 0.2}}}\n"
+     "body b block -mass 1 -init_pos {0 0.1 0} -friction 0.5 -restitution 0\nbody w block -mass 1 -init_pos {5 3 0}\n"
+     "joint holds -type fixed -body1 w -release {on.n > 20}\ncontact on -body1 b -body2 ground\n" + gravity("b", "w") + "force -body b -y {-t*10}\n",
+     [(t, 3, 3 - G * max(0, t - (20 - G) / 10) ** 2 / 2, "w.y") for t in (0.5, 1, 1.3, 1.6)])
+
 
 def main():
     for name, (text, rows) in CASES.items():

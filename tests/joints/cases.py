@@ -222,6 +222,8 @@ def released():
             else:
                 rows.put(t, 5, {body + ".x": x - y * w * s, body + ".y": y + x * w * s - G * s * s / 2})
                 rows.put(t, 20, {body + ".wz": w, pin + ".fx": 0, pin + ".fy": 0})
+    for t in [0.2, 0.5, 0.8, 1.2]:  # c is let go with b, which it does not touch
+        rows.put(t, 5, {"c.y": -G * max(0, t - high) ** 2 / 2})
     return rows
 
 

@@ -76,12 +76,31 @@ struct Unknown {
     std::optional<std::size_t> integralOf;
 };
 
+// A value that follows from the unknowns and that no equation reads, as the force of a contact: it
+// is read of the motion. Events make it another one.
+struct Reading {
+    struct Value {
+        double from = -std::numeric_limits<double>::infinity();
+        Node node; // of unknowns and the time
+    };
+    Node symbol;
+    std::vector<Value> values; // ordered by `from`; not empty
+
+    [[nodiscard]] const Value& valueAt(double time) const {
+        std::size_t i = values.size() - 1;
+        while (i > 0 && values[i].from > time)
+            --i;
+        return values[i];
+    }
+};
+
 struct EquationSet {
     Graph graph;
     Node time; // the symbol "t"
     std::vector<Unknown> unknowns;
     // Groups of four unknowns that form a unit quaternion, renormalised after each step.
     std::vector<std::array<std::size_t, 4>> quaternions;
+    std::vector<Reading> readings;
 };
 
 } // namespace expression

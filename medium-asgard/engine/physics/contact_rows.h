@@ -20,6 +20,7 @@
 // trajectory holds take no part.
 #pragma once
 
+#include "physics/contact_readings.h"
 #include "physics/resting.h"
 #include "physics/surface_nearest.h"
 
@@ -100,6 +101,9 @@ public:
     [[nodiscard]] std::vector<Equation> velocities(std::span<const std::size_t> bodies);
     // Of conditions, in the order of addContact(): after velocities().
     [[nodiscard]] std::vector<expression::Phase> conditions();
+    // What a contact that was added does to one of its bodies, which moves.
+    [[nodiscard]] ContactForces forcesOf(const ContactPlace& place,
+                                         std::span<const Node> multipliers, std::size_t on);
     // Of other multipliers whose conditions read these bodies' velocities: of joints.
     [[nodiscard]] std::vector<Equation> others(std::span<const std::size_t> bodies);
 

@@ -1,6 +1,7 @@
 #include "physics/equations_of_motion.h"
 
 #include "physics/body_phases.h"
+#include "physics/contact_readings.h"
 #include "physics/forces.h"
 #include "physics/joints.h"
 #include "physics/ropes.h"
@@ -218,6 +219,7 @@ EquationsOfMotion::EquationsOfMotion(const scene::Scene& scene,
         scope.reset();
         return;
     }
+    addContactReadings(set, scene, *scope);
     ForceReader(g, scene, *scope, faults).read(contributions, links);
     joints.contribute(contributions);
     ropes.contribute(contributions);
@@ -244,6 +246,7 @@ EquationsOfMotion::EquationsOfMotion(const scene::Scene& scene,
     }
     jointRows = multipliers.addUnknowns(set, owners, notes);
     ropeWraps = ropes.wraps(set);
+    contactReaders = multipliers.contactReaders();
     times.erase(-std::numeric_limits<double>::infinity());
     breakpoints.assign(times.begin(), times.end());
     if (!faults.empty())

@@ -103,6 +103,12 @@ struct RopeWrap {
     double start = 0, sign = 1;
 };
 
+// A given unknown that reads contacts, and its value with their symbols.
+struct ContactReader {
+    std::size_t unknown = 0;
+    Node value;
+};
+
 struct EquationsOfMotion {
     // Of many bodies it takes a while: `meanwhile` is called now and then, and may throw to end it.
     // `shapes`: of this scene, where they are wanted for more than masses; may be null.
@@ -123,6 +129,7 @@ struct EquationsOfMotion {
     std::vector<JointRow> jointRows;
     std::vector<Node> jointEnergies; // of the springs of joints
     std::vector<RopeWrap> ropeWraps;
+    std::vector<ContactReader> contactReaders;
     std::vector<std::string> notes; // what is not as it was written, as sentences
     // Why the scene has no equations: sentences. Empty: it has.
     std::vector<std::string> faults;

@@ -1,5 +1,7 @@
 #include "physics/joint_multipliers.h"
 
+#include "physics/contact_readings.h"
+
 #include "expression/operation.h"
 #include "expression/tape.h"
 
@@ -297,6 +299,7 @@ std::vector<JointRow> JointMultipliers::addUnknowns(expression::EquationSet& set
         addUnknown(set, located);
         owners.push_back(located.owner);
     }
+    contactReaders_ = withoutContacts(set);
     for (std::size_t u = 0; u < set.unknowns.size(); ++u)
         unknownOf_.emplace(set.unknowns[u].symbol.index, u);
     for (const Located& located : located_)

@@ -71,6 +71,10 @@ public:
     [[nodiscard]] std::vector<JointRow> addUnknowns(expression::EquationSet& set,
                                                     std::vector<std::size_t>& owners,
                                                     std::vector<std::string>& notes);
+    // Of these unknowns, once they are there.
+    [[nodiscard]] const std::vector<ContactReader>& contactReaders() const {
+        return contactReaders_;
+    }
     // With the branches that comparisons of the time with numbers take from that time on.
     [[nodiscard]] Node onBranches(Node node, double time);
     [[nodiscard]] Node rateOf(Node node, const Along& along);
@@ -127,6 +131,7 @@ private:
     std::vector<Angle> angles_;
     std::vector<Release> releases_;
     std::vector<Located> located_;
+    std::vector<ContactReader> contactReaders_;
     std::unordered_map<std::uint32_t, std::size_t> unknownOf_; // by symbol
 };
 

@@ -100,6 +100,8 @@ expression::Meaning Scope::meaning(Graph& g, std::string_view name, std::span<co
         const RopeNodes& nodes = ropes_[rope->rope];
         return {rope->span ? nodes.tension[*rope->span] : nodes.length, "", ""};
     }
+    if (const auto* contact = std::get_if<scene::ContactName>(&named))
+        return {contactQuantity(g, *contact), "", ""};
     if (const auto* spring = std::get_if<scene::SpringName>(&named)) {
         const auto nodes = springs_.find(spring->link);
         if (nodes == springs_.end())
@@ -168,6 +170,42 @@ Node Scope::jointQuantity(const scene::JointName& name) const {
         break;
     }
     return nodes.couple[static_cast<std::size_t>(name.quantity) - static_cast<std::size_t>(tx)];
+}
+
+// While nothing touches there is no centre of pressure: 0/0.
+Node Scope::contactQuantity(Graph& g, const scene::ContactName& name) const {
+    using enum scene::ContactQuantity;
+    if (!contacts_[name.contact])
+        return g.constant(0);
+    const ContactNodes& nodes = *contacts_[name.contact];
+    const auto after = [&](scene::ContactQuantity first) {
+        return static_cast<std::size_t>(name.quantity) - static_cast<std::size_t>(first);
+    };
+    const auto lengthOf = [&](const NodeVector& v) { return g.apply(Op::sqrt, dot(g, v, v)); };
+    const Node touches = g.apply(Op::less, g.constant(0), nodes.normal);
+    const NodeVector arm = scaled(g, g.divide(g.constant(1), nodes.normal), nodes.moment);
+    if (name.quantity == n)
+        return nodes.normal;
+    if (name.quantity < tx)
+        return nodes.force[after(fx)];
+    if (name.quantity < px)
+        return g.apply(Op::select, touches,
+                       subtract(g, nodes.couple, cross(g, arm, nodes.force))[after(tx)],
+                       g.constant(0));
+    if (name.quantity < slip)
+        return g.add(bodies_[nodes.moving].position[after(px)], arm[after(px)]);
+    if (name.quantity == slip)
+        return lengthOf(nodes.slip);
+    constexpr double rounding = 1e-12; // of the velocities
+    Node fastest = g.constant(0);
+    for (const std::size_t body : {nodes.moving, nodes.other})
+        fastest = g.add(fastest, g.add(lengthOf(bodies_[body].velocity),
+                                       g.multiply(g.constant(masses_[body].radius),
+                                                  lengthOf(bodies_[body].spin))));
+    const Node slips =
+        g.apply(Op::less, g.multiply(g.constant(rounding), fastest), lengthOf(nodes.slip));
+    return g.apply(Op::select, touches, g.apply(Op::select, slips, g.constant(2), g.constant(1)),
+                   g.constant(0));
 }
 
 Node Scope::sceneQuantity(scene::SceneQuantity quantity) const {

@@ -43,6 +43,23 @@ struct RopeNodes {
     std::vector<Node> tension;
 };
 
+// The symbols of a contact's readings (expression/equations.h), of all contacts of its pair: what
+// they do to its first body, in world axes, about the centre of mass of the body that moves.
+struct ContactNodes {
+    Node normal;
+    NodeVector force, couple;
+    NodeVector moment;                 // of the normal forces: each times its place from there
+    NodeVector slip;                   // mean velocity along each other
+    std::size_t moving = 0, other = 0; // bodies
+
+    [[nodiscard]] std::vector<Node> symbols() const {
+        std::vector<Node> all{normal};
+        for (const NodeVector* vector : {&force, &couple, &moment, &slip})
+            all.insert(all.end(), vector->begin(), vector->end());
+        return all;
+    }
+};
+
 // Keeps nodes of one graph; it may be used with that graph and with its copies.
 class Scope {
 public:
@@ -64,6 +81,12 @@ public:
     [[nodiscard]] std::unordered_map<std::uint32_t, Node>
     piecesFrom(const Graph& g, std::span<const std::size_t> trajectories, double time) const;
     void setJoints(std::vector<JointNodes> joints) { joints_ = std::move(joints); }
+    void setContacts(std::vector<std::optional<ContactNodes>> contacts) {
+        contacts_ = std::move(contacts);
+    }
+    [[nodiscard]] const std::vector<std::optional<ContactNodes>>& contacts() const {
+        return contacts_;
+    }
     void setRopes(std::vector<RopeNodes> ropes) { ropes_ = std::move(ropes); }
     // A spring's quantities, by index into Scene::links; set before an expression may read them.
     void setSpring(std::size_t link, const SpringNodes& nodes) { springs_[link] = nodes; }
@@ -84,6 +107,7 @@ private:
     [[nodiscard]] Node bodyPoint(Graph& g, const scene::BodyName& name,
                                  std::span<const Node> arguments) const;
     [[nodiscard]] Node jointQuantity(const scene::JointName& name) const;
+    [[nodiscard]] Node contactQuantity(Graph& g, const scene::ContactName& name) const;
     [[nodiscard]] Node sceneQuantity(scene::SceneQuantity quantity) const;
 
     scene::Names names_;
@@ -95,6 +119,7 @@ private:
     std::unordered_map<std::uint32_t, std::vector<std::size_t>> choices_; // whose value or rate
     std::vector<JointNodes> joints_;
     std::vector<RopeNodes> ropes_;
+    std::vector<std::optional<ContactNodes>> contacts_; // none: without a name, or not all there
     std::unordered_map<std::size_t, SpringNodes> springs_;
     SceneNodes sceneNodes_;
 };

@@ -27,8 +27,10 @@ public:
         : mentions_(mentions), isBroken_(isBroken), bodies_(indexOf(scene.bodies)),
           trajectories_(indexOf(scene.trajectories)), parameters_(indexOf(scene.parameters)),
           shapes_(indexOf(scene.shapeSets)), joints_(indexOf(scene.joints)),
-          springs_(indexOf(scene.links)), ropes_(indexOf(scene.ropes)) {
+          springs_(indexOf(scene.links)), ropes_(indexOf(scene.ropes)),
+          contacts_(indexOf(scene.contacts)) {
         springs_.erase(std::string_view()); // links, and springs without a name
+        contacts_.erase(std::string_view());
     }
 
     std::size_t body(const std::string& name) { return found(bodies_, name); }
@@ -69,14 +71,15 @@ private:
               std::pair{&trajectories_, Mention::Kind::trajectory},
               std::pair{&parameters_, Mention::Kind::parameter},
               std::pair{&joints_, Mention::Kind::joint},
-              std::pair{&springs_, Mention::Kind::spring}, std::pair{&ropes_, Mention::Kind::rope}})
+              std::pair{&springs_, Mention::Kind::spring}, std::pair{&ropes_, Mention::Kind::rope},
+              std::pair{&contacts_, Mention::Kind::contact}})
             if (const auto place = index->find(owner); place != index->end())
                 return mention(reader, kind, place->second);
     }
 
     std::vector<Mention>& mentions_;
     bool& isBroken_;
-    Index bodies_, trajectories_, parameters_, shapes_, joints_, springs_, ropes_;
+    Index bodies_, trajectories_, parameters_, shapes_, joints_, springs_, ropes_, contacts_;
 };
 
 std::size_t rootOf(std::vector<std::size_t>& parent, std::size_t i) {
@@ -212,6 +215,21 @@ void mentionBodiesOfRopes(Collector& collect, const std::vector<Mention>& mentio
     }
 }
 
+// Who reads a contact reads its bodies, too.
+void mentionBodiesOfContacts(const Scene& scene, Collector& collect,
+                             const std::vector<Mention>& mentions) {
+    const std::size_t count = mentions.size();
+    for (std::size_t m = 0; m < count; ++m) {
+        const Mention mention = mentions[m]; // the list grows
+        if (mention.kind != Mention::Kind::contact)
+            continue;
+        const Contact& contact = scene.contacts[mention.index];
+        for (const std::size_t body : {collect.body(contact.body1), collect.body(contact.body2)})
+            if (body != mention.reader)
+                collect.mention(mention.reader, Mention::Kind::body, body);
+    }
+}
+
 // Who reads a joint reads its bodies, too.
 void mentionBodiesOfJoints(Collector& collect, std::vector<Mention>& mentions,
                            std::span<const Ends> joints) {
@@ -273,6 +291,7 @@ Connections::Connections(const Scene& scene) {
             if (const std::size_t body = collect.body(*name);
                 body != noElement && !scene.bodies[body].fixed)
                 ofContacts.emplace_back(body, c);
+    mentionBodiesOfContacts(scene, collect, mentionList);
     contacts = ByBody(count, ofContacts);
     mentionBodiesOfJoints(collect, mentionList, ends);
     mentionBodiesOfRopes(collect, mentionList, ofRopes);

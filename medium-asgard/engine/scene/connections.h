@@ -18,7 +18,7 @@ inline constexpr std::size_t noElement = std::numeric_limits<std::size_t>::max()
 
 // Something that a force, link, joint or constraint of a body names.
 struct Mention {
-    enum class Kind : std::uint8_t { body, trajectory, parameter, joint, spring, rope };
+    enum class Kind : std::uint8_t { body, trajectory, parameter, joint, spring, rope, contact };
     std::size_t reader = 0; // the body
     Kind kind = Kind::body;
     std::size_t index = 0; // into the scene's list of that kind; of springs: links

@@ -29,6 +29,11 @@ public:
     [[nodiscard]] double restitutionOf(std::size_t a, std::size_t b) const;
     // As the pair's contact says; none: it says nothing.
     [[nodiscard]] std::optional<bool> collides(std::size_t a, std::size_t b) const;
+    // There is one with a name, whose forces may be read.
+    [[nodiscard]] bool isNamed(std::size_t a, std::size_t b) const {
+        const Contact* own = find(a, b);
+        return own && !own->name.empty();
+    }
     // Contacts by their pairs, the lesser body first; indices into Scene::contacts.
     using Index = std::map<std::pair<std::size_t, std::size_t>, std::size_t>;
     [[nodiscard]] const Index& all() const { return contacts_; }

@@ -169,7 +169,8 @@ public:
           trajectories_(matched(now_.trajectories, old_.trajectories)),
           parameters_(matched(now_.parameters, old_.parameters)),
           joints_(matched(now_.joints, old_.joints)), springs_(matched(now_.links, old_.links)),
-          ropes_(matched(now_.ropes, old_.ropes)) {
+          ropes_(matched(now_.ropes, old_.ropes)),
+          contacts_(matched(now_.contacts, old_.contacts)) {
         result_.before = matched(now_.bodies, old_.bodies);
         for (std::size_t i = 0; i < shapes_.size(); ++i)
             if (shapes_[i] != noElement &&
@@ -192,6 +193,9 @@ public:
         for (std::size_t i = 0; i < ropes_.size(); ++i)
             if (ropes_[i] != noElement && !same(now_.ropes[i], old_.ropes[ropes_[i]]))
                 ropes_[i] = noElement;
+        for (std::size_t i = 0; i < contacts_.size(); ++i)
+            if (contacts_[i] != noElement && !same(now_.contacts[i], old_.contacts[contacts_[i]]))
+                contacts_[i] = noElement;
     }
 
     Difference find() {
@@ -278,6 +282,8 @@ private:
             return springs_;
         case Mention::Kind::rope:
             return ropes_;
+        case Mention::Kind::contact:
+            return contacts_;
         case Mention::Kind::body:
             break;
         }
@@ -287,7 +293,8 @@ private:
     const Scene &old_, &now_;
     const Connections &a_, &b_;
     // By element: the one before with the same content; noElement: none, or it differs.
-    std::vector<std::size_t> shapes_, trajectories_, parameters_, joints_, springs_, ropes_;
+    std::vector<std::size_t> shapes_, trajectories_, parameters_, joints_, springs_, ropes_,
+        contacts_;
     Difference result_;
 };
 

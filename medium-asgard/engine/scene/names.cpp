@@ -50,6 +50,8 @@ std::string listOf(const std::vector<std::string>& names) {
 }
 
 constexpr const char* onlyPositions = "positions may be read here, and no velocities";
+constexpr const char* ofContact =
+    " tells of a contact, which plots, --quantities and -release may read, and no other expression";
 constexpr const char* onlyShown =
     " is a force, which plots, --quantities and -release may read, and no other expression";
 
@@ -94,6 +96,12 @@ const std::vector<std::string>& springQuantityNames() {
     return names;
 }
 
+const std::vector<std::string>& contactQuantityNames() {
+    static const std::vector<std::string> names{"n",  "fx", "fy", "fz", "tx",   "ty",
+                                                "tz", "px", "py", "pz", "slip", "state"};
+    return names;
+}
+
 std::size_t spansOf(const Rope& rope) {
     const std::size_t ends = rope.isClosed || rope.points.empty() ? 0 : 1;
     std::size_t wheels = 0;
@@ -127,6 +135,9 @@ Names::Names(const Scene& scene) {
         owners_.try_emplace(scene.ropes[i].name, Owner{Kind::rope, i});
         ropes_.push_back(ropeQuantityNames(scene.ropes[i]));
     }
+    for (std::size_t i = 0; i < scene.contacts.size(); ++i)
+        if (!scene.contacts[i].name.empty())
+            owners_.try_emplace(scene.contacts[i].name, Owner{Kind::contact, i});
     for (std::size_t i = 0; i < scene.links.size(); ++i)
         if (!scene.links[i].name.empty())
             owners_.try_emplace(scene.links[i].name, Owner{Kind::spring, i});
@@ -163,6 +174,8 @@ Named Names::find(std::string_view name, std::optional<std::size_t> arguments,
         return findOfSpring(name, found->second.index, quantity, reading);
     if (found->second.kind == Kind::rope)
         return findOfRope(name, found->second.index, quantity, reading);
+    if (found->second.kind == Kind::contact)
+        return findOfContact(name, found->second.index, quantity, reading);
     return findOfTrajectory(found->second.index, quantity);
 }
 
@@ -174,10 +187,12 @@ Named Names::findAlone(std::string_view name) const {
         return ParameterName{found->second.index};
     if (found != owners_.end()) {
         static constexpr const char* kinds[] = {"body", "trajectory", "parameter", "joint",
-                                                "gear", "spring",     "rope"};
+                                                "gear", "spring",     "rope",      "contact"};
         const Owner& owner = found->second;
         const bool isLong = owner.kind == Kind::spring || owner.kind == Kind::rope;
         std::string example = isLong ? "length" : "x";
+        if (owner.kind == Kind::contact)
+            example = "n";
         if (owner.kind == Kind::joint)
             example = jointQuantityNames(joints_[owner.index]).front();
         return NameFault{quoted(name) + " is a " + kinds[static_cast<std::size_t>(owner.kind)] +
@@ -276,6 +291,17 @@ Named Names::findOfRope(std::string_view name, std::size_t rope, std::string_vie
     if (isTension)
         made.span = *index < 2 ? 0 : *index - 2;
     return made;
+}
+
+Named Names::findOfContact(std::string_view name, std::size_t contact, std::string_view quantity,
+                           Reading reading) {
+    const auto index = indexOf(contactQuantityNames(), quantity);
+    if (!index)
+        return NameFault{"a contact has no quantity " + quoted(quantity),
+                         "there are" + listOf(contactQuantityNames())};
+    if (reading != Reading::quantities && reading != Reading::release)
+        return NameFault{std::string(name) + ofContact, ""};
+    return ContactName{contact, static_cast<ContactQuantity>(*index)};
 }
 
 NameFault Names::unknownOwner(std::string_view owner, std::string_view quantity) const {

@@ -64,6 +64,12 @@ enum class JointQuantity { q, dq, motor, fx, fy, fz, tx, ty, tz };
 // ...
 [[nodiscard]] std::vector<std::string> jointQuantityNames(JointType type);
 
+// Of all contacts of its pair together. n: normal force; fx to tz: what they do to body 1, in world
+// axes, about the centre of pressure, which is at px py pz; slip: the speed of body 1 along body 2
+// there; state: 0 open, 1 sticks, 2 slips.
+enum class ContactQuantity { n, fx, fy, fz, tx, ty, tz, px, py, pz, slip, state };
+[[nodiscard]] const std::vector<std::string>& contactQuantityNames();
+
 enum class SceneQuantity { energy, px, py, pz, lx, ly, lz, collisions };
 
 struct TimeName {};
@@ -92,6 +98,10 @@ struct RopeName {
     std::size_t rope = 0;            // index into Scene::ropes
     std::optional<std::size_t> span; // whose tension it is, from 0; none: the length
 };
+struct ContactName {
+    std::size_t contact = 0; // index into Scene::contacts
+    ContactQuantity quantity = ContactQuantity::n;
+};
 struct SceneName {
     SceneQuantity quantity = SceneQuantity::energy; // events.collisions among them
 };
@@ -99,13 +109,13 @@ struct NameFault {
     std::string message, suggestion;
 };
 using Named = std::variant<TimeName, ParameterName, BodyName, TrajectoryName, JointName, SpringName,
-                           RopeName, SceneName, NameFault>;
+                           RopeName, ContactName, SceneName, NameFault>;
 
 // The quantities that an expression may read.
 enum class Reading {
     state,      // of bodies, joints, trajectories, parameters, time, lengths of springs and ropes
     positions,  // a link's point, a joint's -position: places and attitudes; no velocities, lengths
-    release,    // -release: also the forces of joints, springs and ropes
+    release,    // -release: also the forces of joints, springs, ropes and contacts
     quantities, // to chart or print: also scene.energy, events.collisions, ...
 };
 
@@ -118,7 +128,7 @@ public:
                              Reading reading) const;
 
 private:
-    enum class Kind { body, trajectory, parameter, joint, gear, spring, rope };
+    enum class Kind { body, trajectory, parameter, joint, gear, spring, rope, contact };
     struct Owner {
         Kind kind;
         std::size_t index;
@@ -134,6 +144,8 @@ private:
                                             std::string_view quantity, Reading reading);
     [[nodiscard]] Named findOfRope(std::string_view name, std::size_t rope,
                                    std::string_view quantity, Reading reading) const;
+    [[nodiscard]] static Named findOfContact(std::string_view name, std::size_t contact,
+                                             std::string_view quantity, Reading reading);
     [[nodiscard]] NameFault unknownOwner(std::string_view owner, std::string_view quantity) const;
 
     std::map<std::string, Owner, std::less<>> owners_; // all that share the one set of names

@@ -59,6 +59,8 @@ Scene partOf(const Version& version, const std::vector<std::size_t>& bodies) {
                 links.add(mention.index);
             else if (mention.kind == Mention::Kind::rope)
                 ropes.add(mention.index);
+            else if (mention.kind == Mention::Kind::contact)
+                contacts.add(mention.index);
     }
     part.shapeSets = shapes.of(scene.shapeSets);
     part.forces = forces.of(scene.forces);

@@ -61,8 +61,13 @@ struct Changes {
         expression::Unknown unknown;
         std::size_t like; // an unknown of the same body
     };
+    struct Reading {
+        std::size_t reading; // of the set's
+        expression::Node node;
+    };
     std::vector<Addition> additions;
-    std::vector<Jump> jumps; // of differential unknowns; others are ignored
+    std::vector<Reading> readings; // what they are from the event on
+    std::vector<Jump> jumps;       // of differential unknowns; others are ignored
     std::vector<Equation> equations;
     std::vector<End> ends;
 };

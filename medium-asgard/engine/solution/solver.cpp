@@ -423,7 +423,9 @@ const Histories& Solver::histories() const { return implementation_->histories_;
 double Solver::hopelessBeyond() const { return implementation_->hopelessBeyond(); }
 std::size_t Solver::bytes() const { return implementation_->bytes(); }
 std::shared_ptr<const Histories> Solver::snapshot() const { return implementation_->snapshot(); }
-const expression::EquationSet& Solver::equations() const { return *implementation_->set_; }
+std::shared_ptr<const expression::EquationSet> Solver::equations() const {
+    return implementation_->set_.shared();
+}
 Statistics Solver::statistics() const { return implementation_->statistics(); }
 
 } // namespace solution

@@ -107,7 +107,8 @@ public:
     // The same, never to change again.
     [[nodiscard]] std::shared_ptr<const Histories> snapshot() const;
 
-    [[nodiscard]] const expression::EquationSet& equations() const;
+    // Those in force, with all that were before; they never change again.
+    [[nodiscard]] std::shared_ptr<const expression::EquationSet> equations() const;
     [[nodiscard]] Statistics statistics() const;
 
 private:

@@ -36,6 +36,8 @@ void Solver::Implementation::change(const Event& event, const Changes& changes) 
         phase.from = event.time;
         set_.replace(change.unknown, phase, change.later);
     }
+    for (const Changes::Reading& reading : changes.readings)
+        set_.replace(reading.reading, event.time, reading.node);
 }
 
 // Unknowns that an event adds: asleep, until it gives them equations.

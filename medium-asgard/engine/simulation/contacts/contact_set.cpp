@@ -3,6 +3,7 @@
 #include "contacts/surface_pieces.h"
 
 #include <algorithm>
+#include <unordered_map>
 #include <utility>
 
 namespace simulation {
@@ -181,6 +182,61 @@ ContactSet::Role ContactSet::roleOf(const Contact& contact, std::size_t place) c
                                                 : turning + place - rolling};
 }
 
+// The named contacts of bodies that are concerned: what all contacts of a pair do together.
+void ContactSet::writeReadings(physics::ContactRows& rows, std::span<const Written> written,
+                               expression::EquationSet& set, solution::Changes& changes) const {
+    expression::Graph& g = set.graph;
+    for (const auto& [pair, index] : world_.pairs.all()) {
+        const auto& nodes = world_.equations.scope->contacts()[index];
+        const auto isConcerned = [&](std::size_t body) {
+            return !world_.isFixed(body) && concerned_.contains(body);
+        };
+        if (!nodes || !(isConcerned(pair.first) || isConcerned(pair.second)))
+            continue;
+        physics::ContactForces::Nodes sum;
+        sum.fill(g.constant(0));
+        int count = 0;
+        for (const Written& one : written) {
+            const physics::ContactPlace& place = one.contact->of.place;
+            if (Pair(std::minmax(place.body, place.support)) != pair)
+                continue;
+            ++count;
+            const auto part = rows.forcesOf(place, one.multipliers, nodes->moving).nodes();
+            for (std::size_t i = 0; i < sum.size(); ++i)
+                sum[i] = g.add(sum[i], part[i]);
+        }
+        const bool isOnFirst = world_.name(nodes->moving) == world_.scene.contacts[index].body1;
+        const std::size_t first = physics::firstReadingOf(set, *nodes);
+        using Forces = physics::ContactForces;
+        for (std::size_t i = 0; i < sum.size(); ++i) {
+            if (i >= Forces::firstOfSlip && count > 1)
+                sum[i] = g.divide(sum[i], g.constant(count));
+            const bool isForce = i >= Forces::firstOfForce && i < Forces::firstOfMoment;
+            changes.readings.push_back(
+                {first + i, isForce && !isOnFirst ? g.negate(sum[i]) : sum[i]});
+        }
+    }
+}
+
+// The given unknowns that read contacts.
+void ContactSet::writeReaders(double time, expression::EquationSet& set,
+                              solution::Changes& changes) const {
+    if (world_.equations.contactReaders.empty() || changes.readings.empty())
+        return;
+    std::unordered_map<std::uint32_t, expression::Node> now;
+    for (const expression::Reading& reading : set.readings)
+        now[reading.symbol.index] = reading.valueAt(time).node;
+    for (const solution::Changes::Reading& changed : changes.readings)
+        now[set.readings[changed.reading].symbol.index] = changed.node;
+    for (const physics::ContactReader& reader : world_.equations.contactReaders) {
+        expression::Phase phase;
+        phase.from = time;
+        phase.derivative = set.graph.constant(0);
+        phase.given = substitute(set.graph, reader.value, now);
+        changes.equations.push_back({reader.unknown, std::move(phase), {}});
+    }
+}
+
 void ContactSet::write(double time, solution::EquationsInForce& equations,
                        solution::Changes& changes) {
     expression::EquationSet& set = equations.changing();
@@ -197,7 +253,7 @@ void ContactSet::write(double time, solution::EquationsInForce& equations,
         if (!world_.isFixed(body))
             moving.push_back(body);
     physics::ContactRows rows(set, world_.equations, time);
-    std::vector<const Contact*> written;
+    std::vector<Written> written;
     for (Contact& contact : contacts_) {
         if (std::ranges::none_of(moving, [&](std::size_t body) { return contact.has(body); }))
             continue;
@@ -211,18 +267,20 @@ void ContactSet::write(double time, solution::EquationsInForce& equations,
                                               : changes.additions[row - known].unknown.symbol);
         }
         rows.addContact(contact.of.place, multipliers);
-        written.push_back(&contact);
+        written.push_back({&contact, std::move(multipliers)});
     }
     for (physics::ContactRows::Equation& equation : rows.velocities(moving))
         changes.equations.push_back(
             {equation.unknown, std::move(equation.phase), std::move(equation.later)});
     const std::vector<expression::Phase> conditions = rows.conditions();
     std::size_t next = 0;
-    for (const Contact* contact : written)
-        for (const std::size_t row : contact->rows) {
+    for (const Written& one : written)
+        for (const std::size_t row : one.contact->rows) {
             changes.equations.push_back({row, conditions[next++], {}});
             changes.jumps.push_back({row, 0}); // whatever its last contact was
         }
+    writeReadings(rows, written, set, changes);
+    writeReaders(time, set, changes);
     for (physics::ContactRows::Equation& equation : rows.others(moving))
         changes.equations.push_back(
             {equation.unknown, std::move(equation.phase), std::move(equation.later)});

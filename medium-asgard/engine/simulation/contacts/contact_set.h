@@ -77,6 +77,13 @@ private:
     void giveRows(Contact& contact, solution::EquationsInForce& equations,
                   solution::Changes& changes);
     void noteBodies();
+    struct Written {
+        const Contact* contact;
+        std::vector<expression::Node> multipliers;
+    };
+    void writeReadings(physics::ContactRows& rows, std::span<const Written> written,
+                       expression::EquationSet& set, solution::Changes& changes) const;
+    void writeReaders(double time, expression::EquationSet& set, solution::Changes& changes) const;
 
     const Colliders& world_;
     std::vector<Contact> contacts_;

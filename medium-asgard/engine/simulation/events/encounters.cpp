@@ -201,7 +201,7 @@ bool CollisionSource::needsRows(const Instant& at, std::size_t body,
         const physics::ContactFriction friction = world_.frictionOf(body, other);
         const bool isAsked = friction.sticking > 0 || friction.rolling > 0 ||
                              at.canGiveWay(other) || resting_.contacts().isIn(other) ||
-                             world_.joints.isJoined(body);
+                             world_.joints.isJoined(body) || world_.pairs.isNamed(body, other);
         if (resting_.hopForEver(body, other, at.time))
             continue;
         const auto touches =

@@ -32,7 +32,8 @@ BodyState ComputedMotion::at(std::size_t body, double time) const {
     const double at = std::clamp(time, c_.start, end);
     const Part& part = c_.parts[c_.places[body].part];
     std::array<double, physics::bodyUnknowns> values{};
-    if (part.joints && !record.isFixed && part.joints->values(record.firstUnknown, at, values))
+    if (part.conditions && !record.isFixed &&
+        part.conditions->values(record.firstUnknown, at, values))
         return stateOf(record, values);
     return stateOf(record, histories, at);
 }
@@ -40,9 +41,14 @@ BodyState ComputedMotion::at(std::size_t body, double time) const {
 double ComputedMotion::valueOf(std::size_t body, std::size_t unknown, double time) const {
     const Part& part = c_.parts[c_.places[body].part];
     double value = 0;
-    if (part.joints && part.joints->values(unknown, time, std::span(&value, 1)))
+    if (part.conditions && part.conditions->values(unknown, time, std::span(&value, 1)))
         return value;
     return part.histories->value(unknown, time);
+}
+
+double ComputedMotion::readingOf(std::size_t body, std::string_view name, double time) const {
+    const Part& part = c_.parts[c_.places[body].part];
+    return part.conditions ? part.conditions->reading(name, time).value_or(0) : 0;
 }
 
 std::optional<Stop> ComputedMotion::stop(std::size_t body) const {

@@ -16,8 +16,8 @@ public:
     struct Part { // bodies solved together; not all of them need be shown
         std::shared_ptr<const std::vector<BodyRecord>> bodies;
         std::shared_ptr<const solution::Histories> histories;
-        // Of bodies on joints; none: there are none.
-        std::shared_ptr<const solution::ConditionReader> joints = {};
+        // Of bodies on joints or in contact; none: there are none.
+        std::shared_ptr<const solution::ConditionReader> conditions = {};
     };
     struct Place { // of a body of the scene
         std::size_t part = 0, body = 0;
@@ -45,6 +45,8 @@ public:
     [[nodiscard]] Solution of(std::size_t body) const;
     // Of an unknown of that part of the motion which the body belongs to.
     [[nodiscard]] double valueOf(std::size_t body, std::size_t unknown, double time) const;
+    // A reading of the equations (expression/equations.h) of that part; 0 where it has none.
+    [[nodiscard]] double readingOf(std::size_t body, std::string_view name, double time) const;
 
     [[nodiscard]] double start() const override { return c_.start; }
     [[nodiscard]] double finish() const override { return c_.finish; }

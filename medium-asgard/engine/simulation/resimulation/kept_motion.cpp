@@ -87,7 +87,7 @@ void addComponents(std::vector<Unit>& units, const std::vector<std::size_t>& uni
 } // namespace
 
 SolvedPart::SolvedPart(const Problem& problem, const Solved& solved)
-    : motion(partOf(problem, solved.run.histories)), owners(problem.equations.owners),
+    : motion(partOf(problem, solved.run)), owners(problem.equations.owners),
       keptBytes(solved.keptBytes), isFull(solved.isFull) {
     const auto& records = *motion.bodies;
     bodies.reserve(records.size());

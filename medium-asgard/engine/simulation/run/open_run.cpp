@@ -153,6 +153,7 @@ void OpenRun::publish(double known) {
     published_ = known;
     Run run;
     run.histories = machinery_->solver->snapshot();
+    run.equations = machinery_->solver->equations();
     run.stops = stopsOf(problem_, *run.histories, known);
     run.notes = problem_.equations.notes;
     if (machinery_->collisions) {
@@ -201,6 +202,7 @@ void addLiftOffs(const Problem& problem, const solution::Histories& histories, d
 Run OpenRun::collect(double until) {
     Run run;
     run.histories = machinery_->solver->snapshot();
+    run.equations = machinery_->solver->equations();
     if (furthest_ > until || std::ranges::any_of(run.histories->stops(), [&](const auto& stop) {
             return endsLater(stop, problem_.start(), until);
         }))
@@ -224,9 +226,6 @@ Run OpenRun::collect(double until) {
         if (problem_.options.explain)
             run.supports = collisions.supports();
     }
-    if (problem_.options.explain)
-        run.equations =
-            std::make_shared<const expression::EquationSet>(machinery_->solver->equations());
     run.island = islandsOf(problem_, run.impacts, blocked);
     run.isIntegrated.assign(problem_.bodies->size(), false);
     const std::vector<std::size_t> owners = ownersOf(problem_);

@@ -106,18 +106,17 @@ posed(const scene::Scene& original, const Options& options,
                                                      .bodies = std::move(bodies),
                                                      .options = options,
                                                      .prepared = nullptr,
-                                                     .joints = nullptr,
                                                      .readers = {},
                                                      .asked = {}});
     problem->asked = askedOf(*problem);
-    // The set is a part of the problem, which owns what was prepared of it.
-    const std::shared_ptr<const expression::EquationSet> set(std::shared_ptr<const void>(),
-                                                             &problem->equations.set);
+    // The set is a part of the problem, which owns what was prepared of it; readers of a motion
+    // outlive the problem.
+    const auto set = solution::ConditionReader::isWanted(problem->equations.set)
+                         ? std::make_shared<const expression::EquationSet>(problem->equations.set)
+                         : std::shared_ptr<const expression::EquationSet>(
+                               std::shared_ptr<const void>(), &problem->equations.set);
     problem->prepared = std::make_shared<const solution::PreparedEquations>(
         set, solution::preparationFor(solverOptions(*problem, {})), meanwhile);
-    const auto groups = std::make_shared<const solution::ConditionGroups>(*problem->prepared);
-    if (!groups->empty())
-        problem->joints = groups;
     problem->readers = readersOf(*problem);
     return problem;
 }
@@ -130,15 +129,6 @@ double firstTolerance(double accuracy) {
 }
 
 std::vector<std::size_t> ownersOf(const Problem& problem) { return problem.equations.owners; }
-
-ComputedMotion::Part partOf(const Problem& problem,
-                            std::shared_ptr<const solution::Histories> histories) {
-    ComputedMotion::Part part{problem.bodies, std::move(histories)};
-    if (problem.joints && part.histories)
-        part.joints =
-            std::make_shared<const solution::ConditionReader>(problem.joints, part.histories);
-    return part;
-}
 
 solution::Options solverOptions(const Problem& problem, const std::vector<double>& tolerances) {
     solution::Options options;

@@ -24,7 +24,6 @@ struct Problem {
     Options options;
     // Of `equations`, which stay with the problem: what all runs share.
     std::shared_ptr<const solution::PreparedEquations> prepared;
-    std::shared_ptr<const solution::ConditionGroups> joints; // null: there are none
     // By body: the least of those that read each other, directly or through others.
     std::vector<std::size_t> readers;
     // Unknowns that are read of the motion or by collisions; none: all.
@@ -45,9 +44,6 @@ problemOf(const scene::Scene& scene, const Options& options, const Observer& obs
 
 // By unknown: its body.
 [[nodiscard]] std::vector<std::size_t> ownersOf(const Problem& problem);
-// Its bodies with these histories.
-[[nodiscard]] ComputedMotion::Part partOf(const Problem& problem,
-                                          std::shared_ptr<const solution::Histories> histories);
 
 // tolerances: of one step, relative, by body.
 [[nodiscard]] solution::Options solverOptions(const Problem& problem,

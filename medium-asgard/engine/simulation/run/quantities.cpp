@@ -15,6 +15,7 @@ struct Quantities::Implementation {
     std::shared_ptr<const ComputedMotion> motion;
     struct Read {
         std::size_t body, unknown; // one of its thirteen, or behind them one of its record's more
+        std::string reading = {};  // that, and no unknown
     };
     std::vector<std::string> faults; // of each expression
     std::vector<std::size_t> sound;  // which expressions the tape has
@@ -82,6 +83,17 @@ std::vector<std::size_t> unknownsRead(const scene::Scene& scene,
     for (std::size_t u = 0; u < equations.set.unknowns.size(); ++u)
         if (std::ranges::binary_search(symbols, equations.set.unknowns[u].symbol))
             read.push_back(u);
+    // The forces of contacts follow from all that their bodies do.
+    for (const auto& contact : equations.scope->contacts())
+        if (contact && std::ranges::any_of(contact->symbols(), [&](Node symbol) {
+                return std::ranges::binary_search(symbols, symbol);
+            }))
+            for (const std::size_t body : {contact->moving, contact->other})
+                for (std::size_t i = 0;
+                     !equations.bodies[body].isFixed && i < physics::bodyUnknowns; ++i)
+                    read.push_back(equations.bodies[body].firstUnknown + i);
+    std::ranges::sort(read);
+    read.erase(std::unique(read.begin(), read.end()), read.end());
     return read;
 }
 
@@ -141,6 +153,16 @@ Quantities ReadableScene::quantities(const MotionPointer& motion,
             read->reads.push_back({equations.owners[u], place});
         }
     }
+    for (const auto& contact : equations.scope->contacts()) {
+        if (!contact)
+            continue;
+        for (const Node symbol : contact->symbols()) {
+            if (!std::ranges::binary_search(symbols, symbol))
+                continue;
+            inputs.push_back(symbol);
+            read->reads.push_back({contact->moving, 0, equations.set.graph.name(symbol)});
+        }
+    }
     read->tape = expression::Tape(equations.set.graph, inputs, outputs);
     return Quantities(std::move(read));
 }
@@ -178,6 +200,13 @@ std::vector<double> Quantities::Implementation::inputsAt(double time) const {
     std::vector<double> inputs{time, static_cast<double>(collisions)};
     for (const Read& read : reads) {
         const auto [record, histories] = motion->of(read.body);
+        if (!read.reading.empty()) {
+            const auto stop = motion->stop(read.body);
+            inputs.push_back(stop && time > stop->time
+                                 ? std::numeric_limits<double>::quiet_NaN()
+                                 : motion->readingOf(read.body, read.reading, time));
+            continue;
+        }
         const std::size_t unknown = read.unknown < physics::bodyUnknowns
                                         ? record.firstUnknown + read.unknown
                                         : record.more[read.unknown - physics::bodyUnknowns];

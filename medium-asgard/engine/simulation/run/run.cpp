@@ -49,6 +49,14 @@ std::string shortfallOf(double accuracy, const BodyError& error) {
     return text;
 }
 
+ComputedMotion::Part partOf(const Problem& problem, const Run& run) {
+    ComputedMotion::Part part{problem.bodies, run.histories};
+    if (run.histories && run.equations && solution::ConditionReader::isWanted(*run.equations))
+        part.conditions = std::make_shared<const solution::ConditionReader>(
+            run.equations, problem.start(), problem.prepared->how.models, run.histories);
+    return part;
+}
+
 MotionPointer Run::motion(const Problem& problem, bool draft,
                           const std::optional<BodyError>& error) const {
     std::vector<ComputedMotion::Place> places(problem.bodies->size());
@@ -66,7 +74,7 @@ MotionPointer Run::motion(const Problem& problem, bool draft,
         ComputedMotion::Contents{.start = problem.start(),
                                  .finish = problem.finish(),
                                  .draft = draft,
-                                 .parts = {partOf(problem, histories)},
+                                 .parts = {partOf(problem, *this)},
                                  .places = std::move(places),
                                  .stops = stops,
                                  .impacts = impacts,

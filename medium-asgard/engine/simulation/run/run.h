@@ -33,12 +33,12 @@ struct RunWork {
 struct RunEnd {
     // By body that rests or slides: on what.
     std::map<std::size_t, std::vector<std::size_t>> supports;
-    std::shared_ptr<const expression::EquationSet> equations;
 };
 
 struct Run : RunWork, RunEnd {
     std::shared_ptr<const solution::Histories> histories;
-    std::map<std::size_t, Stop> stops; // by body
+    std::shared_ptr<const expression::EquationSet> equations; // as events left them
+    std::map<std::size_t, Stop> stops;                        // by body
     Impacts impacts;
     std::vector<std::string> notes;
     std::vector<LostHop> lostHops;
@@ -57,6 +57,9 @@ struct Run : RunWork, RunEnd {
     [[nodiscard]] MotionPointer motion(const Problem& problem, bool draft,
                                        const std::optional<BodyError>& error = {}) const;
 };
+
+// Its bodies, as it moves them.
+[[nodiscard]] ComputedMotion::Part partOf(const Problem& problem, const Run& run);
 
 // The sentence about a motion whose estimated error exceeds the accuracy.
 [[nodiscard]] std::string shortfallOf(double accuracy, const BodyError& error);

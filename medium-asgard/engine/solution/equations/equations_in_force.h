@@ -20,6 +20,11 @@ public:
     [[nodiscard]] const expression::EquationSet& operator*() const { return *set_; }
     [[nodiscard]] const expression::EquationSet* operator->() const { return set_.get(); }
     [[nodiscard]] const UnknownIndex& index() const { return *index_; }
+    // As they are now, never to change again.
+    [[nodiscard]] std::shared_ptr<const expression::EquationSet> shared() {
+        own_.reset();
+        return set_;
+    }
     // To be changed: an own copy from the first time on. Nodes keep their indices.
     [[nodiscard]] expression::EquationSet& changing() {
         if (!own_) {
@@ -45,6 +50,15 @@ public:
         phases.insert(phases.end(), later.begin(), later.end());
         if (wasOne || isMultiplier(phase))
             changingIndex().follow(*set_, unknown, phase.from);
+        if (index_->isRelease(unknown))
+            changingIndex().followRelease(*set_, unknown);
+    }
+
+    // From that time on the reading is this one.
+    void replace(std::size_t reading, double from, expression::Node node) {
+        std::vector<expression::Reading::Value>& values = changing().readings[reading].values;
+        std::erase_if(values, [&](const auto& value) { return value.from >= from; });
+        values.push_back({from, node});
     }
 
 private:

@@ -113,6 +113,30 @@ UnknownIndex::UnknownIndex(const expression::EquationSet& set) {
         for (const expression::Phase& phase : set.unknowns[m].phases)
             if (phase.condition)
                 findMoved(set, *phase.condition, m);
+    for (const std::size_t release : releases_)
+        followRelease(set, release);
+}
+
+std::span<const std::size_t> UnknownIndex::releasesBy(std::size_t multiplier) const {
+    const auto found = releasesBy_.find(multiplier);
+    return found == releasesBy_.end() ? std::span<const std::size_t>() : found->second;
+}
+
+void UnknownIndex::followRelease(const expression::EquationSet& set, std::size_t release) {
+    for (auto& [multiplier, releases] : releasesBy_)
+        std::erase(releases, release);
+    const auto isMultiplier = [&](std::size_t unknown) {
+        return std::ranges::any_of(set.unknowns[unknown].phases, [](const expression::Phase& p) {
+            return p.condition.has_value();
+        });
+    };
+    std::vector<Node> nodes;
+    for (const expression::Phase& phase : set.unknowns[release].phases)
+        if (phase.given)
+            nodes.push_back(*phase.given);
+    for (const Node symbol : expression::symbolsOf(set.graph, nodes))
+        if (const auto read = of(symbol); read && isMultiplier(*read))
+            releasesBy_[*read].push_back(release);
 }
 
 void UnknownIndex::add(const expression::EquationSet& set, std::size_t unknown) {
@@ -140,6 +164,8 @@ void UnknownIndex::findMoved(const expression::EquationSet& set,
     for (const auto& node : {condition.gap, condition.rate, condition.release})
         if (node)
             nodes.push_back(*node);
+    if (const auto release = condition.release ? of(*condition.release) : std::nullopt)
+        releases_.insert(*release);
     for (const Node symbol : expression::symbolsOf(set.graph, nodes))
         if (const auto unknown = of(symbol)) {
             std::vector<std::size_t>& multipliers = multipliers_[*unknown];
@@ -168,6 +194,9 @@ std::vector<std::size_t> readsOf(const expression::EquationSet& equations,
     for (const std::size_t multiplier : index.multipliersOf(unknown))
         if (!zero.contains(multiplier))
             reads.push_back(multiplier);
+    for (const std::size_t release : index.releasesBy(unknown))
+        if (!zero.contains(release))
+            reads.push_back(release);
     if (const auto four = index.quaternionOf(unknown))
         std::ranges::copy_if(equations.quaternions[*four], std::back_inserter(reads),
                              [&](std::size_t i) { return !zero.contains(i); });

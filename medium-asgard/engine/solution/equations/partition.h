@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -34,10 +35,16 @@ public:
     // Those whose conditions read it, so that they may move it: in order.
     [[nodiscard]] std::span<const std::size_t> multipliersOf(std::size_t unknown) const;
 
+    // Those that release conditions, and that read this multiplier: they are found with it.
+    [[nodiscard]] std::span<const std::size_t> releasesBy(std::size_t multiplier) const;
+    [[nodiscard]] bool isRelease(std::size_t unknown) const { return releases_.contains(unknown); }
+
     // The set has got this unknown, its last.
     void add(const expression::EquationSet& set, std::size_t unknown);
     // Its phases from that time on are others.
     void follow(const expression::EquationSet& set, std::size_t multiplier, double from);
+
+    void followRelease(const expression::EquationSet& set, std::size_t release);
 
 private:
     void findMoved(const expression::EquationSet& set, const expression::Condition& condition,
@@ -46,6 +53,8 @@ private:
     std::vector<std::uint32_t> bySymbol_;    // by node
     std::vector<std::uint32_t> quaternions_; // by unknown
     std::unordered_map<std::size_t, std::vector<std::size_t>> multipliers_;
+    std::set<std::size_t> releases_;
+    std::unordered_map<std::size_t, std::vector<std::size_t>> releasesBy_;
 };
 
 // reads[i]: the unknowns that equation i reads, in order, each once; i itself may be among them.
@@ -53,7 +62,8 @@ using Reads = std::vector<std::vector<std::size_t>>;
 
 // From all phases after `from` and the one in force then. The four of a quaternion read each other,
 // since they are renormalised together; an unknown that a condition reads also reads its
-// multiplier, which may move it. An unknown that stays 0 reads nothing, and nothing reads
+// multiplier, which may move it, and a multiplier the releases that read it, since no history has
+// its value. An unknown that stays 0 reads nothing, and nothing reads
 // it. Unknowns that a switch can hold where it is (sliding, component_equations.h) also read all
 // others whose rates have the same switch: what it gives then is one number, which is theirs too.
 [[nodiscard]] Reads readsOf(const expression::EquationSet& equations, const UnknownIndex& index,

@@ -275,6 +275,16 @@ void ActiveSet::setSlip(std::size_t disc, const Multipliers::InDisc& direction) 
         mode_.slips[disc][static_cast<std::size_t>(i)] = direction[i] / length;
 }
 
+void ActiveSet::takeSlips(double t, std::span<const double> y) {
+    if (!slips())
+        return;
+    f_.fill(t, y);
+    multipliers_.evaluateGaps();
+    for (std::size_t disc = 0; disc < discs().size(); ++disc)
+        if (multipliers_.slips(discs()[disc]))
+            setSlip(disc, multipliers_.slipOf(discs()[disc]));
+}
+
 // Brakes, motors and friction do not hold against a blow: they slip the way that it gives.
 void ActiveSet::slip(double fastest, double t, std::span<const double> y) {
     f_.fill(t, y);

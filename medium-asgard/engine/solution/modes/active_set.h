@@ -48,6 +48,8 @@ public:
                              std::span<const double> rates);
     // A contact's friction slips.
     [[nodiscard]] bool slips() const;
+    // Friction that slips does so as these states move.
+    void takeSlips(double t, std::span<const double> y);
     // There are contacts.
     [[nodiscard]] bool hasContacts() const { return hasContacts_; }
 

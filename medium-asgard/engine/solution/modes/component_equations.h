@@ -121,6 +121,8 @@ public:
     [[nodiscard]] const Mode& mode() const { return mode_; }
     // Whether conditions of multipliers hold, as their histories keep it.
     void takeKept(std::span<const double> states);
+    // Contacts that slip do so as these states move.
+    void takeSlips(double t, std::span<const double> y) { active_.takeSlips(t, y); }
     // Conditions are gone for ever where these values, by place, say so. True: some went now.
     [[nodiscard]] bool release(std::span<const double> values);
     // As takeKept(), but for those that are gone alone.
