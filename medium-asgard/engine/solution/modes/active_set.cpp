@@ -402,13 +402,18 @@ ActiveSet::Rows ActiveSet::rowsFor(std::span<const std::size_t> fallen, double f
     for (std::size_t row = 0; row < mode_.kept.size(); ++row)
         if (takesPart[row] && !isOfDisc[row])
             add(row);
+    Eigen::Index first = 0, normals = 0;
     for (std::size_t disc = 0; disc < discs().size(); ++disc) {
         const BoundModel::Disc& of = discs()[disc];
-        const auto first = static_cast<Eigen::Index>(found.rows.size());
-        for (const std::size_t row : of.normals)
-            if (takesPart[row])
-                add(row);
-        const auto normals = static_cast<Eigen::Index>(found.rows.size()) - first;
+        // Friction and rolling friction have the same normal forces.
+        const bool isKnown = disc > 0 && of.normals == discs()[disc - 1].normals;
+        if (!isKnown) {
+            first = static_cast<Eigen::Index>(found.rows.size());
+            for (const std::size_t row : of.normals)
+                if (takesPart[row])
+                    add(row);
+            normals = static_cast<Eigen::Index>(found.rows.size()) - first;
+        }
         const bool holds = !slipping[disc] && mayHold(disc, fallen, fastest);
         if (!holds && !slipping[disc])
             setSlip(disc, multipliers_.slipOf(of));

@@ -1,0 +1,11 @@
+simulator -finish 0.9026444706517112
+shape_set floor -desc {-sub {-box {60 1 4}}}
+shape_set ball -desc {-sub {-sphere 0.1}}
+shape_set wheel -desc {-sub {-rot {1.5707963267948966 0 0} -cylinder {0.5 0.4}}}
+shape_set pill -desc {-sub {-rot {1.5707963267948966 0 0} -capsule {0.2 0.6}}}
+shape_set disc -desc {-sub {-cylinder {0.1 0}}}
+shape_set cone -desc {-sub {-cone {0.3 0.8}}}
+shape_set egg -desc {-sub {-ellipsoid {0.3 0.2 0.25}}}
+body c wheel -fixed 1
+body b ball -init_pos {0.05990004998809689 0.5970024991668155 0} -restitution 0
+force -body b -gravitational {0 -9.81 0}
