@@ -44,6 +44,8 @@ void addSimulate(CLI::App& app, batch::SimulateArguments& a) {
                  "MB of history that each of the compared runs may keep (80)");
     c.add_option("--set", a.set, "NAME=VALUE of a parameter")->take_all()->allow_extra_args(false);
     c.add_option("--stats", a.stats, "file for the work done, as JSON");
+    c.add_option("--events", a.events,
+                 "file for the list of impacts, contacts, stops, releases, as CSV");
 }
 
 void addExplain(CLI::App& app, batch::ExplainArguments& a) {

@@ -28,7 +28,7 @@ struct SimulateArguments {
     std::optional<int> threads;   // none: as many as the machine has cores
     std::optional<double> memory; // MB that may be kept of a run
     std::vector<std::string> set;
-    std::optional<std::string> stats;
+    std::optional<std::string> stats, events;
 };
 
 struct ExplainArguments {

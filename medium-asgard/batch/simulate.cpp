@@ -6,6 +6,7 @@
 #include "batch/table.h"
 #include "batch/waiting.h"
 #include "motion/known_span.h"
+#include "reports/instants.h"
 #include "run/budget.h"
 #include "terminal/terminal.h"
 
@@ -83,6 +84,18 @@ bool writeStatistics(const std::string& file, const scene::Scene& scene,
     return output.finish(output.write(json));
 }
 
+bool writeInstants(const std::string& file, const scene::Scene& scene,
+                   const simulation::Motion& motion) {
+    Output output(file);
+    if (!output.good())
+        return false;
+    std::string text = "time,kind,names,impulse\n";
+    for (const simulation::ListedInstant& instant : simulation::instantsOf(scene, motion))
+        text += cell(instant.time) + "," + instant.kind + "," + instant.names + "," +
+                (instant.impulse ? cell(*instant.impulse) : "") + "\n";
+    return output.finish(output.write(text));
+}
+
 void tellAccuracy(const SimulateArguments& arguments, const scene::Scene& scene,
                   const simulation::Result& result) {
     const double reached = simulation::knownSpan(*result.motion).computed;
@@ -125,6 +138,8 @@ int compute(const SceneText& scene, const SimulateArguments& arguments,
     Output output(arguments.csv);
     if (!output.good() || !output.finish(writeTable(output.stream(), scene.reading.scene,
                                                     *result.motion, quantities, columns, times)))
+        return failure;
+    if (arguments.events && !writeInstants(*arguments.events, scene.reading.scene, *result.motion))
         return failure;
     if (arguments.stats &&
         !writeStatistics(*arguments.stats, scene.reading.scene, result, secondsReading))

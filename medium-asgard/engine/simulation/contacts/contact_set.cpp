@@ -218,6 +218,21 @@ void ContactSet::writeReadings(physics::ContactRows& rows, std::span<const Writt
     }
 }
 
+void ContactSet::note(double time, std::span<const Written> written,
+                      std::span<const std::size_t> moving) {
+    ContactLog::Entry entry{.time = time, .moving = {moving.begin(), moving.end()}, .contacts = {}};
+    for (const Written& one : written) {
+        const physics::ContactPlace& place = one.contact->of.place;
+        const auto& rows = one.contact->rows;
+        const auto normals = static_cast<std::ptrdiff_t>(place.points.size());
+        const auto rolling = static_cast<std::ptrdiff_t>(rows.size()) - (place.rolls() ? 2 : 0);
+        entry.contacts.push_back({.bodies = std::minmax(place.body, place.support),
+                                  .normals = {rows.begin(), rows.begin() + normals},
+                                  .friction = {rows.begin() + normals, rows.begin() + rolling}});
+    }
+    log_.add(std::move(entry));
+}
+
 // The given unknowns that read contacts.
 void ContactSet::writeReaders(double time, expression::EquationSet& set,
                               solution::Changes& changes) const {
@@ -279,6 +294,7 @@ void ContactSet::write(double time, solution::EquationsInForce& equations,
             changes.equations.push_back({row, conditions[next++], {}});
             changes.jumps.push_back({row, 0}); // whatever its last contact was
         }
+    note(time, written, moving);
     writeReadings(rows, written, set, changes);
     writeReaders(time, set, changes);
     for (physics::ContactRows::Equation& equation : rows.others(moving))

@@ -12,6 +12,7 @@
 
 #include "contacts/colliders.h"
 #include "contacts/contact_places.h"
+#include "motion/contact_log.h"
 #include "solution/event_source.h"
 
 #include <compare>
@@ -59,6 +60,8 @@ public:
     void forget(std::size_t body);
     // Equations from `time` on, as set() said since the last call.
     void write(double time, solution::EquationsInForce& equations, solution::Changes& changes);
+    // All that was written.
+    [[nodiscard]] const ContactLog& log() const { return log_; }
     // set() changes these bodies' equations.
     [[nodiscard]] const std::set<std::size_t>& concerned() const { return concerned_; }
 
@@ -83,10 +86,12 @@ private:
     };
     void writeReadings(physics::ContactRows& rows, std::span<const Written> written,
                        expression::EquationSet& set, solution::Changes& changes) const;
+    void note(double time, std::span<const Written> written, std::span<const std::size_t> moving);
     void writeReaders(double time, expression::EquationSet& set, solution::Changes& changes) const;
 
     const Colliders& world_;
     std::vector<Contact> contacts_;
+    ContactLog log_;
     std::set<std::size_t> bodies_;    // in contacts
     std::set<std::size_t> concerned_; // since write()
     // A row is used again by the owner in the same role: what a scene in a plane leaves out stays

@@ -66,6 +66,7 @@ public:
     [[nodiscard]] std::map<std::size_t, std::vector<std::size_t>> supports() const {
         return resting_.supports();
     }
+    [[nodiscard]] const ContactLog& contactLog() const { return resting_.contacts().log(); }
     [[nodiscard]] std::size_t pairTests() const { return search_.pairTests(); }
     // Pairs of bodies, the lesser first, that came near each other; in order.
     [[nodiscard]] std::vector<Pair> candidates() { return search_.pairs(); }

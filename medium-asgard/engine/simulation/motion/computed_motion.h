@@ -2,6 +2,7 @@
 #pragma once
 
 #include "motion/body_motion.h"
+#include "motion/contact_log.h"
 #include "motion/impacts.h"
 #include "motion/motion.h"
 #include "solution/condition_reader.h"
@@ -18,6 +19,8 @@ public:
         std::shared_ptr<const solution::Histories> histories;
         // Of bodies on joints or in contact; none: there are none.
         std::shared_ptr<const solution::ConditionReader> conditions = {};
+        std::shared_ptr<const expression::EquationSet> equations = {}; // of the same
+        ContactLog contacts = {};
     };
     struct Place { // of a body of the scene
         std::size_t part = 0, body = 0;

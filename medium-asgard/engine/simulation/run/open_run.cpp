@@ -220,6 +220,7 @@ Run OpenRun::collect(double until) {
         run.impacts = record.impacts(until);
         std::ranges::copy(record.notes(until), std::back_inserter(run.notes));
         run.lostHops = record.lostHops(until);
+        run.contacts = collisions.contactLog().upTo(until);
         const std::size_t tests = collisions.pairTests();
         run.pairTests = tests - std::exchange(countedPairTests_, tests);
         run.candidates = collisions.candidates();

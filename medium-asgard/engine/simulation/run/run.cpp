@@ -51,9 +51,12 @@ std::string shortfallOf(double accuracy, const BodyError& error) {
 
 ComputedMotion::Part partOf(const Problem& problem, const Run& run) {
     ComputedMotion::Part part{problem.bodies, run.histories};
-    if (run.histories && run.equations && solution::ConditionReader::isWanted(*run.equations))
+    if (run.histories && run.equations && solution::ConditionReader::isWanted(*run.equations)) {
+        part.equations = run.equations;
+        part.contacts = run.contacts;
         part.conditions = std::make_shared<const solution::ConditionReader>(
             run.equations, problem.start(), problem.prepared->how.models, run.histories);
+    }
     return part;
 }
 

@@ -40,6 +40,7 @@ struct Run : RunWork, RunEnd {
     std::shared_ptr<const expression::EquationSet> equations; // as events left them
     std::map<std::size_t, Stop> stops;                        // by body
     Impacts impacts;
+    ContactLog contacts;
     std::vector<std::string> notes;
     std::vector<LostHop> lostHops;
     std::vector<std::pair<std::size_t, std::size_t>> candidates; // pairs that were tested; in order

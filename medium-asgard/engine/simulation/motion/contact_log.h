@@ -1,0 +1,39 @@
+// Which rows of the equations were contacts of which bodies, from when on?
+#pragma once
+
+#include <cstddef>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace simulation {
+
+class ContactLog {
+public:
+    struct Contact {
+        std::pair<std::size_t, std::size_t> bodies; // the lesser first
+        std::vector<std::size_t> normals, friction; // unknowns of the equations
+    };
+    // From that time on these are the contacts of these bodies, and no others.
+    struct Entry {
+        double time = 0;
+        std::set<std::size_t> moving;
+        std::vector<Contact> contacts;
+    };
+
+    // Times do not decrease.
+    void add(Entry entry) { entries_.push_back(std::move(entry)); }
+    [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
+    [[nodiscard]] ContactLog upTo(double until) const {
+        ContactLog log;
+        for (const Entry& entry : entries_)
+            if (entry.time <= until)
+                log.entries_.push_back(entry);
+        return log;
+    }
+
+private:
+    std::vector<Entry> entries_;
+};
+
+} // namespace simulation

@@ -1,0 +1,227 @@
+#include "reports/instants.h"
+
+#include "equations/prepared_equations.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <set>
+#include <tuple>
+
+namespace simulation {
+namespace {
+
+using Pair = std::pair<std::size_t, std::size_t>;
+
+// Of a multiplier, as its history keeps it.
+enum class Mode { none, holds, low, high, gone };
+static_assert(static_cast<int>(Mode::holds) == static_cast<int>(solution::heldMode));
+static_assert(static_cast<int>(Mode::gone) == static_cast<int>(solution::releasedMode));
+
+Mode modeAt(const solution::Histories& histories, std::size_t row, double time) {
+    const double value = row < histories.unknowns() ? histories.value(row, time) : 0;
+    return static_cast<Mode>(std::lround(value));
+}
+
+// Calls for each piece of the row's mode that begins after `from`, up to `until`.
+void followMode(const solution::Histories& histories, std::size_t row, double from, double until,
+                const std::function<void(double time, Mode mode)>& call) {
+    double time = from;
+    while (row < histories.unknowns()) {
+        const solution::Piece piece = histories.piece(row, time);
+        const double next = piece.until;
+        if (!(next > time) || !(next <= until))
+            return;
+        time = next;
+        call(time, modeAt(histories, row, time));
+    }
+}
+
+class Lister {
+public:
+    Lister(const scene::Scene& scene, const ComputedMotion& motion)
+        : scene_(scene), motion_(motion) {}
+
+    std::vector<ListedInstant> all() {
+        addImpacts();
+        const auto& parts = motion_.contents().parts;
+        for (std::size_t p = 0; p < parts.size(); ++p)
+            if (parts[p].equations && parts[p].histories) {
+                addConditions(parts[p]);
+                addContacts(p);
+            }
+        std::ranges::stable_sort(found_, {}, &ListedInstant::time);
+        return std::move(found_);
+    }
+
+private:
+    void addImpacts();
+    void addConditions(const ComputedMotion::Part& part);
+    void addCondition(const ComputedMotion::Part& part, std::size_t row);
+    void addContacts(std::size_t part);
+    [[nodiscard]] std::string namesOf(const Pair& bodies) const {
+        return scene_.bodies[bodies.first].name + " " + scene_.bodies[bodies.second].name;
+    }
+    [[nodiscard]] std::string namesOf(const std::string& element) const;
+    [[nodiscard]] std::string kindOf(const std::string& element,
+                                     const expression::Condition& condition, Mode before,
+                                     Mode now) const;
+    void add(double time, const std::string& kind, const std::string& names) {
+        if (!kind.empty() && seen_.emplace(time, kind, names).second)
+            found_.push_back({time, kind, names});
+    }
+
+    const scene::Scene& scene_;
+    const ComputedMotion& motion_;
+    std::vector<ListedInstant> found_;
+    std::set<std::tuple<double, std::string, std::string>> seen_;
+};
+
+// One for each pair and time.
+void Lister::addImpacts() {
+    std::map<std::pair<double, Pair>, double> impulses;
+    for (const Impact& impact : motion_.impacts())
+        impulses[{impact.time, std::minmax(impact.first, impact.second)}] += impact.impulse;
+    for (const auto& [at, impulse] : impulses)
+        found_.push_back({at.first, "impact", namesOf(at.second), impulse});
+}
+
+std::string Lister::namesOf(const std::string& element) const {
+    std::string names;
+    if (const scene::Joint* joint = scene::findJoint(scene_, element))
+        names = joint->body1 + " " + (joint->body2 ? *joint->body2 + " " : "");
+    for (const scene::Rope& rope : scene_.ropes)
+        if (rope.name == element)
+            for (const scene::Rope::Point& point : rope.points)
+                if (point.body)
+                    names += *point.body + " ";
+    return names + element;
+}
+
+// Between two modes of a multiplier of a joint, gear or rope; "": nothing that is listed.
+std::string Lister::kindOf(const std::string& element, const expression::Condition& condition,
+                           Mode before, Mode now) const {
+    if (now == Mode::gone)
+        return condition.release ? "release" : "";
+    const bool isBounded = std::isfinite(condition.low) || std::isfinite(condition.high);
+    if (!isBounded || before == Mode::none || now == Mode::none)
+        return "";
+    const bool holds = now == Mode::holds;
+    const scene::Joint* joint = scene::findJoint(scene_, element);
+    if (condition.gap)
+        return joint ? holds ? "limit" : "unlimit" : holds ? "taut" : "slack";
+    if (!holds && before != Mode::holds)
+        return "reverse";
+    const auto isMotor = [&](const scene::JointCoordinate& coordinate) {
+        return coordinate.maxMotor && *coordinate.maxMotor == condition.high &&
+               coordinate.friction != condition.high;
+    };
+    if (joint && std::ranges::any_of(joint->coordinates, isMotor))
+        return holds ? "hold" : "yield";
+    return holds ? "stick" : "slip";
+}
+
+void Lister::addCondition(const ComputedMotion::Part& part, std::size_t row) {
+    const expression::Unknown& unknown = part.equations->unknowns[row];
+    const std::string names = namesOf(unknown.name);
+    Mode before = modeAt(*part.histories, row, motion_.start());
+    followMode(
+        *part.histories, row, motion_.start(), motion_.computed(), [&](double time, Mode now) {
+            const auto& condition = unknown.phases[solution::phaseAt(unknown, time)].condition;
+            if (now != before && condition)
+                add(time, kindOf(unknown.name, *condition, before, now), names);
+            before = now;
+        });
+}
+
+// Of joints, gears and ropes, whose names their multipliers have.
+void Lister::addConditions(const ComputedMotion::Part& part) {
+    for (std::size_t row = 0; row < part.equations->unknowns.size(); ++row) {
+        const auto& phases = part.equations->unknowns[row].phases;
+        const auto isElements = [](const expression::Phase& phase) {
+            return phase.condition && !phase.condition->leaving && !phase.condition->friction;
+        };
+        if (std::ranges::all_of(phases, isElements))
+            addCondition(part, row);
+    }
+}
+
+// What a pair's contacts do together: 0 open, 1 they stick, 2 they slip.
+int stateOf(const solution::Histories& histories, const std::vector<ContactLog::Contact>& contacts,
+            double time) {
+    int state = 0;
+    for (const ContactLog::Contact& contact : contacts) {
+        const auto holds = [&](std::size_t row) {
+            return modeAt(histories, row, time) == Mode::holds;
+        };
+        if (std::ranges::none_of(contact.normals, holds))
+            continue;
+        const bool sticks = !contact.friction.empty() && holds(contact.friction[0]);
+        state = std::max(state, sticks ? 1 : 2);
+    }
+    return state;
+}
+
+void Lister::addContacts(std::size_t part) {
+    const ComputedMotion::Part& of = motion_.contents().parts[part];
+    std::map<std::size_t, std::size_t> bodies; // of the scene, by the part's
+    for (std::size_t b = 0; b < motion_.contents().places.size(); ++b)
+        if (const auto& place = motion_.contents().places[b]; place.part == part)
+            bodies.emplace(place.body, b);
+    const auto& entries = of.contacts.entries();
+    std::set<Pair> pairs;
+    for (const ContactLog::Entry& entry : entries)
+        for (const ContactLog::Contact& contact : entry.contacts)
+            if (bodies.contains(contact.bodies.first) && bodies.contains(contact.bodies.second))
+                pairs.insert(contact.bodies);
+    for (const Pair& pair : pairs) {
+        int state = -1; // not known yet
+        std::vector<ContactLog::Contact> now;
+        double from = motion_.start();
+        const auto look = [&](double time) {
+            const int next = stateOf(*of.histories, now, time);
+            const int before = std::exchange(state, next);
+            if (before < 0 ? time == motion_.start() || next == 0 : next == before)
+                return;
+            add(time,
+                next == 0     ? "open"
+                : before <= 0 ? "close"
+                : next == 1   ? "stick"
+                              : "slip",
+                namesOf(Pair{bodies.at(pair.first), bodies.at(pair.second)}));
+        };
+        const auto lookUpTo = [&](double until) {
+            std::set<double> times;
+            for (const ContactLog::Contact& contact : now)
+                for (const auto* rows : {&contact.normals, &contact.friction})
+                    for (const std::size_t row : *rows)
+                        followMode(*of.histories, row, from, until,
+                                   [&](double time, Mode) { times.insert(time); });
+            for (const double time : times)
+                if (time < until)
+                    look(time);
+        };
+        for (const ContactLog::Entry& entry : entries) {
+            if (!entry.moving.contains(pair.first) && !entry.moving.contains(pair.second))
+                continue;
+            lookUpTo(entry.time);
+            now.clear();
+            std::ranges::copy_if(
+                entry.contacts, std::back_inserter(now),
+                [&](const ContactLog::Contact& contact) { return contact.bodies == pair; });
+            from = entry.time;
+            look(from);
+        }
+        lookUpTo(motion_.computed());
+    }
+}
+
+} // namespace
+
+std::vector<ListedInstant> instantsOf(const scene::Scene& scene, const Motion& motion) {
+    const auto* computed = dynamic_cast<const ComputedMotion*>(&motion);
+    return computed ? Lister(scene, *computed).all() : std::vector<ListedInstant>();
+}
+
+} // namespace simulation

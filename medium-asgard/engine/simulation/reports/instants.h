@@ -1,0 +1,28 @@
+// The instants at which the laws of a motion change, as a list: impacts, contacts that begin, end,
+// stick and slip, stops, ropes, brakes and motors, releases (command lines, "simulate --events").
+//
+// They are read off the motion: its impacts, and the modes of multipliers, which change where the
+// solver located it. LIMIT: a contact that is no condition (docs/numerics.md, "Rest") and switches
+// of expressions are not in the list, and of a contact not where its slip turns round.
+#pragma once
+
+#include "motion/computed_motion.h"
+#include "scene/scene.h"
+
+#include <string>
+#include <vector>
+
+namespace simulation {
+
+struct ListedInstant {
+    double time = 0;
+    std::string kind;  // impact, close, open, stick, slip, limit, unlimit, taut, slack, hold, ...
+    std::string names; // bodies, then the joint, gear or rope; blanks between
+    std::optional<double> impulse = {}; // of an impact
+};
+
+// In order of time; one for each pair and kind at one time.
+[[nodiscard]] std::vector<ListedInstant> instantsOf(const scene::Scene& scene,
+                                                    const Motion& motion);
+
+} // namespace simulation
