@@ -99,7 +99,7 @@ def check(asgard, base, values, accuracies, folder, honest):
     at = expected(values)
     quantities = sorted({expression for wanted in at.values() for _, _, expression in wanted})
     gaps = zeros(base)
-    many = [max(at) * i / 399 for i in range(400)]
+    many = [min(max(at) * i / 399, max(at)) for i in range(400)]
     name, faults, truth = os.path.basename(base), [], None
     for accuracy in accuracies:
         text, estimate, size = simulate(asgard, base + ".al", sorted(at), accuracy, quantities, folder)

@@ -13,9 +13,10 @@ sys.path.insert(0, os.path.join(HERE, os.pardir, "joints"))
 
 import mechanism_cases  # noqa: E402
 import simple_cases  # noqa: E402
+import standing_cases  # noqa: E402
 import swinging_cases  # noqa: E402
 
-MODULES = (simple_cases, mechanism_cases, swinging_cases)
+MODULES = (simple_cases, mechanism_cases, swinging_cases, standing_cases)
 
 
 def scenes():

@@ -1,0 +1,67 @@
+"""The values of what rolls, spins, stands and tips: rows of time, expression, value, scale."""
+import math
+
+from cases import G, Rows, diagonal, steps, tumbling
+from integration import solve
+from vectors import attitude, cross, turned
+
+
+def rolling_race():
+    rows, c, s = Rows(), math.cos(0.2), math.sin(0.2)
+    for name, part in (("ball", 5 / 7), ("cylinder", 2 / 3), ("hoop", 1 / 2)):
+        for t in steps(1.6, 4):
+            way = part * G * s * t * t / 2
+            rows.put(t, 2.5, {name + ".x": 0.12 * s + way * c, name + ".y": 0.12 * c - way * s})
+            rows.put(t, 30, {name + ".wz": -part * G * s * t / 0.12})
+    return rows
+
+
+def coin():
+    """Steady: dL/dt = W x L is the couple of the floor's force about the centre, of mass 1."""
+    rows, a, r, h, circle = Rows(), 0.3, 0.1, 0.01, 0.4
+    s, c = math.sin(a), math.cos(a)
+    about, across = r * r / 2, (3 * r * r + h * h) / 12
+    low, high = r * s - h / 2 * c, r * c + h / 2 * s
+    w = math.sqrt(low * G / ((across - about) * s * c + about * c * (circle + low) / r + high * circle))
+    spin = -w * (circle + low) / r
+    for t in steps(4, 8):
+        x, z = math.cos(w * t), -math.sin(w * t)
+        rows.place(t, 1, "coin", [circle * x, high, circle * z])
+        rows.vector(t, 40, "coin.", "wx wy wz", [spin * c * x, w + spin * s, spin * c * z])
+    return rows
+
+
+def top():
+    rows, at, l = Rows(), steps(1, 5), 0.07
+    start, side = attitude([0, 0, 0.2]), 0.0004 + 0.3 * l * l
+    rate = tumbling(diagonal([side, 0.0003, side]), lambda q: cross(turned(q, [0, l, 0]), [0, -0.3 * G, 0]))
+    for t, y in zip(at, solve(rate, start + [0, 200, 0], at)):
+        rows.place(t, 0.25, "top", turned(y[:4], [0, l, 0]))
+        rows.vector(t, 1000, "top.", "wx wy wz", turned(y[:4], y[4:7]))
+    return rows
+
+
+def pyramid():
+    rows = Rows()
+    places = {"a": (-0.22, 0), "b": (0, 0), "c": (0.22, 0), "d": (-0.11, 1), "e": (0.11, 1), "f": (0, 2)}
+    for t in [0.1, 0.25, 0.6, 1.1, 2.0]:
+        for name, (x, row) in places.items():
+            rows.put(t, 0.4, {name + ".x": x + 0.01 * (1 - math.cos(4 * math.pi * t)), name + ".y": 0.1 + 0.2 * row})
+    return rows
+
+
+def tipping():
+    """The tall one turns by a about its lower edge; the low one slides with m v' = F - mu m g."""
+    rows, m, inertia = Rows(), 5, 5 * (0.09 + 0.25) / 12 + 5 * (0.15 ** 2 + 0.25 ** 2)
+
+    def rate(t, y):
+        s, c = math.sin(y[0]), math.cos(y[0])
+        return [y[1], (8 * t * (0.15 * s + 0.5 * c) - m * G * (0.15 * c - 0.25 * s)) / inertia]
+
+    tips, slides = m * G * 0.15 / 0.5 / 8, 0.25 * m * G / 8
+    for t in [1.0, 1.5, slides, 1.7, tips, 2.0, 2.2, 2.4]:
+        a, w = solve(rate, [0, 0], [t], start=tips)[0] if t > tips else (0, 0)
+        s, c, on = math.sin(a), math.cos(a), max(0, t - slides)
+        rows.put(t, 1.5, {"tall.x": 0.15 - 0.15 * c + 0.25 * s, "tall.y": 0.15 * s + 0.25 * c, "low.x": 8 * on ** 3 / 6 / m})
+        rows.put(t, 10, {"tall.wz": -w, "low.dx": 4 * on * on / m})
+    return rows
