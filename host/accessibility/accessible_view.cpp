@@ -1,7 +1,7 @@
 #include "accessibility/accessible_view.h"
 
 #include "accessibility/accessible_part.h"
-#include "model/equal_ends.h"
+#include "excerpts/equal_ends.h"
 #include "reading/block_text.h"
 #include "view/document_view.h"
 #include "view/text_hand.h"

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "ipc/wire.h"
-#include "media/frame_memory.h"
-#include "media/pipe_thread.h"
+#include "processes/frame_memory.h"
+#include "processes/pipe_thread.h"
 
 #include <QStringList>
 #include <functional>

@@ -1,7 +1,7 @@
 // Which frames of a model's boxes are on a page?
 #pragma once
 
-#include "layout/strip.h"
+#include "strips/strip.h"
 
 namespace layout {
 

@@ -1,7 +1,7 @@
 // Headers and footers of pages, made when a page is asked for: the number of pages changes all.
 #pragma once
 
-#include "layout/strip.h"
+#include "strips/strip.h"
 
 #include <deque>
 

@@ -4,7 +4,7 @@
 // the rest at the foot of the following pages, before the notes of their own marks.
 #pragma once
 
-#include "layout/cells.h"
+#include "strips/cells.h"
 
 #include <deque>
 #include <map>

@@ -1,8 +1,8 @@
 // Of a page that is to be filled like those behind it (balance.h): where the next one begins.
 #pragma once
 
-#include "layout/groups.h"
 #include "layout/notes.h"
+#include "strips/groups.h"
 
 namespace layout {
 

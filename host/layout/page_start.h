@@ -1,8 +1,8 @@
 // The beginning of a page: its content follows from this and from the blocks behind it.
 #pragma once
 
-#include "layout/groups.h"
 #include "layout/notes.h"
+#include "strips/groups.h"
 
 namespace layout {
 

@@ -13,7 +13,7 @@
 #pragma once
 
 #include "layout/headers.h"
-#include "layout/work.h"
+#include "strips/work.h"
 
 #include <QColor>
 

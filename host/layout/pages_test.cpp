@@ -1,8 +1,8 @@
-#include "layout/flow.h"
 #include "layout/paint.h"
 #include "paragraphs/measure.h"
 #include "paragraphs/model_testing.h"
 #include "places/find.h"
+#include "strips/flow.h"
 
 #include <gmock/gmock.h>
 

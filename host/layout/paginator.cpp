@@ -1,8 +1,8 @@
 #include "layout/paginator.h"
 
-#include "layout/cells.h"
 #include "paragraphs/measure.h"
 #include "paragraphs/typeface.h"
+#include "strips/cells.h"
 
 #include <algorithm>
 

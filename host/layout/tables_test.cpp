@@ -1,7 +1,7 @@
-#include "layout/stock.h"
 #include "paragraphs/measure.h"
 #include "paragraphs/model_testing.h"
 #include "places/find.h"
+#include "strips/stock.h"
 
 #include <gtest/gtest.h>
 

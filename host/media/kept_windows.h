@@ -6,7 +6,7 @@
 // shows pictures only, until the user asks for a window.
 #pragma once
 
-#include "media/manifest.h"
+#include "processes/manifest.h"
 
 #include "ipc/messages.h"
 

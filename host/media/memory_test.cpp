@@ -1,6 +1,6 @@
 #include "media/scripted_medium.h"
 
-#include "media/memory.h"
+#include "processes/memory.h"
 
 #include <gmock/gmock.h>
 

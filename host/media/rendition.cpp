@@ -1,7 +1,7 @@
 #include "media/rendition.h"
 
 #include "media/live_subdocument.h"
-#include "media/medium_process.h"
+#include "processes/medium_process.h"
 
 namespace media {
 

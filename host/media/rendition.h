@@ -6,7 +6,7 @@
 // acknowledged when a view has painted it: so a view that is not painted costs the medium nothing.
 #pragma once
 
-#include "media/frame_memory.h"
+#include "processes/frame_memory.h"
 
 #include "ipc/messages.h"
 

@@ -5,8 +5,8 @@
 // (restarts.h). A process that leaves is asked to end, and nobody waits for it.
 #pragma once
 
-#include "media/medium_process.h"
 #include "media/restarts.h"
+#include "processes/medium_process.h"
 
 #include <QPointer>
 #include <functional>

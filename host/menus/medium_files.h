@@ -1,7 +1,7 @@
 // Asks for a file of a medium's own kind, as its manifest names them.
 #pragma once
 
-#include "media/manifest.h"
+#include "processes/manifest.h"
 
 class QWidget;
 

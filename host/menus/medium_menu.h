@@ -3,8 +3,8 @@
 // it; an empty one opens its editor.
 #pragma once
 
-#include "media/manifest.h"
 #include "menus/command_menu.h"
+#include "processes/manifest.h"
 
 namespace menus {
 

@@ -2,8 +2,8 @@
 
 #include "authoring/new_table.h"
 #include "authoring/table_nodes.h"
-#include "layout/stock.h"
 #include "menus/table_dialog.h"
+#include "strips/stock.h"
 #include "view/document_view.h"
 
 namespace menus {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "authoring/authoring.h"
-#include "model/outline.h"
+#include "excerpts/outline.h"
 
 #include <QTreeWidget>
 

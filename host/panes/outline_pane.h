@@ -3,7 +3,7 @@
 #pragma once
 
 #include "authoring/authoring.h"
-#include "model/outline.h"
+#include "excerpts/outline.h"
 #include "view/document_view.h"
 
 #include <QDockWidget>

@@ -1,6 +1,6 @@
 #include "panes/text_count_dialog.h"
 
-#include "model/selected.h"
+#include "excerpts/selected.h"
 #include "plain/plain.h"
 #include "reading/text_count.h"
 #include "view/text_hand.h"

@@ -6,8 +6,8 @@
 // that has no letter (between elements, in blanks that are shown as one) has the nearest caret.
 #pragma once
 
+#include "excerpts/selected.h"
 #include "layout/pages.h"
-#include "model/selected.h"
 
 namespace places {
 

@@ -1,8 +1,8 @@
 // The places of words on the pages.
 #pragma once
 
+#include "excerpts/selected.h"
 #include "layout/pages.h"
-#include "model/selected.h"
 
 #include <optional>
 #include <span>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "document/document.h"
-#include "model/selected.h"
+#include "excerpts/selected.h"
 
 #include <QString>
 

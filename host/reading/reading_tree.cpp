@@ -1,6 +1,6 @@
 #include "reading/reading_tree.h"
 
-#include "model/equal_ends.h"
+#include "excerpts/equal_ends.h"
 
 #include <map>
 

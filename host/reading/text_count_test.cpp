@@ -1,5 +1,5 @@
 // Words and characters of a document and of a part of it.
-#include "model/selected.h"
+#include "excerpts/selected.h"
 #include "reading/text_count.h"
 
 #include "document/document.h"

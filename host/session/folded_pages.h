@@ -9,7 +9,7 @@
 #pragma once
 
 #include "document/tracker.h"
-#include "model/folding.h"
+#include "excerpts/folding.h"
 #include "session/presented.h"
 
 namespace session {

@@ -1,7 +1,7 @@
 #include "view/chosen_figure.h"
 
+#include "clipboard/copying.h"
 #include "manuscript/places.h"
-#include "view/copying.h"
 #include "view/document_view.h"
 #include "view/text_hand.h"
 #include "view/writing.h"

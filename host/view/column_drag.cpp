@@ -2,8 +2,8 @@
 
 #include "controls/accent.h"
 
-#include "layout/stock.h"
 #include "paragraphs/measure.h"
+#include "strips/stock.h"
 #include "view/document_view.h"
 #include "view/writing.h"
 

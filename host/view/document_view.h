@@ -8,11 +8,11 @@
 #pragma once
 
 #include "layout/paint.h"
+#include "onpage/found_words.h"
+#include "onpage/page_places.h"
 #include "places/carets.h"
 #include "places/spot.h"
 #include "session/open_document.h"
-#include "view/found_words.h"
-#include "view/page_places.h"
 
 #include <QAbstractScrollArea>
 #include <QTimer>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "layout/pages.h"
-#include "view/shown.h"
+#include "onpage/shown.h"
 
 #include <QCursor>
 #include <QMouseEvent>

@@ -1,8 +1,8 @@
 #include "view/text_drag.h"
 
-#include "view/copying.h"
+#include "clipboard/copying.h"
+#include "clipboard/pictures_in.h"
 #include "view/document_view.h"
-#include "view/pictures_in.h"
 #include "view/writing.h"
 
 #include <QApplication>

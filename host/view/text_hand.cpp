@@ -1,8 +1,8 @@
 #include "view/text_hand.h"
 
 #include "authoring/table_nodes.h"
+#include "clipboard/copying.h"
 #include "manuscript/places.h"
-#include "view/copying.h"
 #include "view/document_view.h"
 #include "view/folds.h"
 #include "view/gap_caret.h"

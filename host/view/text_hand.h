@@ -5,7 +5,7 @@
 // selected text is the primary selection of the desktop, where there is one.
 #pragma once
 
-#include "view/text_cursor.h"
+#include "onpage/text_cursor.h"
 
 #include <QElapsedTimer>
 #include <QMouseEvent>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "authoring/authoring.h"
-#include "view/changed_place.h"
+#include "onpage/changed_place.h"
 #include "view/chosen_figure.h"
 #include "view/composing.h"
 #include "view/gestures.h"

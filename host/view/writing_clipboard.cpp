@@ -2,10 +2,10 @@
 #include "view/writing.h"
 
 #include "authoring/images.h"
-#include "view/copying.h"
+#include "clipboard/copying.h"
+#include "clipboard/pasted_html.h"
+#include "clipboard/pictures_in.h"
 #include "view/document_view.h"
-#include "view/pasted_html.h"
-#include "view/pictures_in.h"
 
 #include <QMimeData>
 #include <QUuid>

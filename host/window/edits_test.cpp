@@ -1,5 +1,5 @@
 // Changes that come from a medium: steps of undo, drafts in its windows, commands while it changes.
-#include "view/shown.h"
+#include "onpage/shown.h"
 #include "window/window_testing.h"
 
 namespace window {

@@ -2,9 +2,9 @@
 // reader as well.
 #include "window/window_testing.h"
 
+#include "onpage/shown.h"
 #include "plain/plain.h"
 #include "plain/test_contrast.h"
-#include "view/shown.h"
 #include "window/manual.h"
 
 #include <QAccessible>

@@ -1,5 +1,5 @@
 #include "filing/printing.h"
-#include "view/shown.h"
+#include "onpage/shown.h"
 #include "window/window_testing.h"
 
 namespace window {

@@ -1,5 +1,5 @@
 // Figures of media in a document that is written: how they come in, change, are copied and go.
-#include "view/copying.h"
+#include "clipboard/copying.h"
 #include "view/resizing.h"
 #include "writing/writing_testing.h"
 

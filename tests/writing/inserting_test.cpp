@@ -1,10 +1,10 @@
 // What comes in at the caret: links, references, formulas, pasted and dropped text.
+#include "clipboard/pasted_html.h"
 #include "menus/formula_dialog.h"
 #include "menus/formula_preview.h"
 #include "menus/insert_menu.h"
 #include "menus/reference_dialog.h"
 #include "places/carets.h"
-#include "view/pasted_html.h"
 #include "writing/writing_testing.h"
 
 #include <QListWidget>

@@ -1,6 +1,6 @@
 // Selecting and copying text in the reading view.
+#include "clipboard/copying.h"
 #include "places/carets.h"
-#include "view/copying.h"
 #include "view/text_hand.h"
 #include "writing/writing_testing.h"
 

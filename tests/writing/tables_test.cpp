@@ -1,5 +1,5 @@
 // Tables and pictures in a writing view, by pointer and keys.
-#include "layout/stock.h"
+#include "strips/stock.h"
 #include "view/resizing.h"
 #include "writing/writing_testing.h"
 
