@@ -9,10 +9,13 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QKeyEvent>
+#include <QPainter>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QScreen>
 #include <QToolButton>
+#include <algorithm>
 #include <array>
 
 namespace menus {
@@ -125,6 +128,28 @@ FormulaDialog::FormulaDialog(const QString& source, Place place, QWidget* parent
     buttons->button(QDialogButtonBox::Ok)->setEnabled(!source.isEmpty());
     look();
     field_->setFocus();
+}
+
+void FormulaDialog::standBy(const QRect& place) {
+    constexpr int gap = 6;
+    setWindowFlag(Qt::FramelessWindowHint);
+    adjustSize();
+    const QRect all = parentWidget()->screen()->availableGeometry();
+    const int below = place.bottom() + gap, above = place.top() - gap - height();
+    const bool isBelow = below + height() <= all.bottom() || above < all.top();
+    const int lowest = std::max(all.top(), all.bottom() - height());
+    const int rightmost = std::max(all.left(), all.right() - width());
+    move(std::clamp(place.left(), all.left(), rightmost),
+         std::clamp(isBelow ? below : above, all.top(), lowest));
+}
+
+void FormulaDialog::paintEvent(QPaintEvent* event) {
+    QDialog::paintEvent(event);
+    if (!windowFlags().testFlag(Qt::FramelessWindowHint))
+        return;
+    QPainter painter(this);
+    painter.setPen(palette().color(QPalette::Highlight));
+    painter.drawRect(rect().adjusted(0, 0, -1, -1));
 }
 
 void FormulaDialog::offerValues(std::function<QString(QWidget* parent)> ask) {

@@ -26,6 +26,10 @@ public:
     enum class Place { inLine, alone, numbered };
     FormulaDialog(const QString& source, Place place, QWidget* parent);
 
+    // Opens below that place of the screen, or above it, and has no frame of a window. LIMIT: where
+    // a desktop places all windows itself (Wayland), it stands where that puts it.
+    void standBy(const QRect& place);
+
     [[nodiscard]] QString source() const;
     [[nodiscard]] Place place() const;
     // A button that asks for a value of a figure: source of a formula, "" when none was chosen.
@@ -34,6 +38,7 @@ public:
 protected:
     bool eventFilter(QObject* watched,
                      QEvent* event) override; // Return ends the dialog, Tab goes on
+    void paintEvent(QPaintEvent* event) override;
 
 private:
     QWidget* makeSigns();

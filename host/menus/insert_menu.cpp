@@ -236,6 +236,10 @@ void InsertMenu::askForFormula(sgml::NodeId element) {
         return QString::fromStdString("\\value" + (options.empty() ? "" : "[" + options + "]") +
                                       "{" + id + "}{" + wanted->use.expression + "}");
     });
+    if (const std::optional<QRectF> at =
+            element == sgml::noNode ? view().text().caretRect() : view().placeOfFormula(element))
+        dialog.standBy(
+            {view().viewport()->mapToGlobal(at->topLeft().toPoint()), at->size().toSize()});
     if (dialog.exec() != QDialog::Accepted)
         return;
     const std::string text = dialog.source().toStdString();

@@ -113,6 +113,19 @@ double DocumentView::topOf(sgml::NodeId element, const places::Caret& caret) con
     return inViewport(caret.page, {0, top, 0, 0}).top();
 }
 
+std::optional<QRectF> DocumentView::placeOfFormula(sgml::NodeId element) const {
+    for (std::size_t page = 0; page < pages().pages.size(); ++page)
+        for (const layout::Piece& piece : pages().pages[page]->pieces)
+            if (const auto* text = std::get_if<layout::TextPiece>(&piece))
+                for (const paragraphs::InlineObject& object :
+                     text->paragraph->objectsOf(text->line))
+                    if (text->paragraph->block()->runs[object.run].element == element)
+                        return inViewport(
+                            page,
+                            text->paragraph->objectRect(text->line, object).translated(text->at));
+    return std::nullopt;
+}
+
 void DocumentView::goToPage(std::size_t page) {
     settle();
     if (pages().pages.empty())

@@ -10,6 +10,7 @@
 #include "window/window_testing.h"
 
 #include <QComboBox>
+#include <QSpinBox>
 
 namespace window {
 namespace {
@@ -199,6 +200,31 @@ TEST_F(AroundTest, TheKeyGoesToAPageAlsoWhereAFigureIsActive) {
     timer.start(5);
     QTest::keyClick(&view(), Qt::Key_G, Qt::ControlModifier);
     EXPECT_TRUE(waitFor([&] { return isAsked; }, 5000));
+}
+
+TEST_F(AroundTest, TheNumberThatOneTypesIsThePageThatOneSees) {
+    show(memo(lines(300)));
+    ASSERT_GT(view().pages().pages.size(), 4u);
+    window_->activateWindow();
+    view().setFocus();
+    ASSERT_TRUE(waitFor([&] { return view().hasFocus(); }));
+    QTimer timer;
+    QObject::connect(&timer, &QTimer::timeout, [&timer] {
+        auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+        if (!dialog)
+            return;
+        timer.stop();
+        auto* number = dialog->findChild<QSpinBox*>();
+        ASSERT_TRUE(number);
+        number->selectAll();
+        QTest::keyClicks(number, "4");
+        QTest::keyClick(number, Qt::Key_Return);
+    });
+    timer.start(5);
+    QTest::keyClick(&view(), Qt::Key_G, Qt::ControlModifier);
+    EXPECT_EQ(view().currentPage(), 3u);
+    action("goBack")->trigger();
+    EXPECT_EQ(view().currentPage(), 0u);
 }
 
 // --- places that are kept --------------------------------------------------------------------

@@ -312,5 +312,29 @@ TEST_F(WritingTest, TheCaretIsSeenAfterEachNewParagraph) {
     }
 }
 
+TEST_F(WritingTest, AFormulaIsEditedBesideItsPlaceOnThePage) {
+    write("<PARAGRAPH><TEXT>{Here }</TEXT><FORMULA>{x^2}</FORMULA><TEXT>{ and on}</TEXT>"
+          "</PARAGRAPH>\n");
+    const std::size_t from = document().bytes().find("<FORMULA>"),
+                      to = document().bytes().find("</FORMULA>") + 10;
+    view().text().cursor().set({from, to});
+    const QRect formula =
+        view().placeOfFormula(document().tree().innermostAt(from)).value().toAlignedRect();
+    const QRect place(view().viewport()->mapToGlobal(formula.topLeft()), formula.size());
+    EXPECT_GT(place.width(), 5);
+    EXPECT_TRUE(answers(
+        [&](QDialog& dialog) {
+            const QRect stands = dialog.frameGeometry();
+            EXPECT_FALSE(stands.intersects(place));
+            EXPECT_LT(std::min(std::abs(stands.top() - place.bottom()),
+                               std::abs(place.top() - stands.bottom())),
+                      20);
+            QTest::keyClicks(dialog.findChild<QWidget*>("source"), "+y");
+            QTest::keyClick(dialog.findChild<QWidget*>("source"), Qt::Key_Return);
+        },
+        [&] { press(Qt::Key_Return); }));
+    EXPECT_THAT(body(), HasSubstr("<FORMULA>{x^2+y}</FORMULA>"));
+}
+
 } // namespace
 } // namespace writing

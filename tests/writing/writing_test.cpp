@@ -1,11 +1,13 @@
 // Writing in a document, as with the keyboard.
 #include "filing/templates.h"
+#include "paper/paper.h"
 #include "places/carets.h"
 #include "writing/writing_testing.h"
 
 #include <QClipboard>
 #include <QMimeData>
 #include <QStatusBar>
+#include <set>
 
 namespace writing {
 namespace {
@@ -355,6 +357,82 @@ TEST_F(WritingTest, ACaretThatIsSetFarAwayIsLookedForOnce) {
     goTo("number 299");
     view().text().showCaret();
     EXPECT_EQ(view().text().cursor().page(), view().pages().pages.size() - 1);
+}
+
+TEST_F(WritingTest, UndoGoesBackOverSavesAndRedoComesBack) {
+    write(paragraph("One"));
+    const std::string first = document().bytes();
+    const auto onDisk = [&] {
+        QFile file(document().fileName());
+        EXPECT_TRUE(file.open(QIODevice::ReadOnly));
+        return file.readAll().toStdString();
+    };
+    const auto save = [&] {
+        action("save")->trigger();
+        EXPECT_TRUE(waitFor([&] { return !document().isModified(); }));
+        EXPECT_EQ(onDisk(), document().bytes());
+    };
+    goTo("}</TEXT>");
+    type(" two");
+    save();
+    const std::string second = document().bytes();
+    press(Qt::Key_Return);
+    type("Three");
+    save();
+    const std::string third = document().bytes();
+    while (document().canUndo() && document().bytes() != second)
+        action("undo")->trigger();
+    EXPECT_EQ(document().bytes(), second);
+    EXPECT_TRUE(document().isModified());
+    EXPECT_EQ(onDisk(), third);
+    while (document().canUndo())
+        action("undo")->trigger();
+    EXPECT_EQ(document().bytes(), first);
+    save();
+    while (document().canRedo())
+        action("redo")->trigger();
+    EXPECT_EQ(document().bytes(), third);
+    EXPECT_TRUE(document().isModified());
+}
+
+TEST_F(WritingTest, TheCaretStandsStillWhereTheDesktopWantsReducedMotion) {
+    const int usual = QApplication::cursorFlashTime();
+    const auto looks = [&](int flashTime, int ms) {
+        QApplication::setCursorFlashTime(flashTime);
+        goTo("One");
+        goTo("}</TEXT>");
+        const QRect caret = view().text().caretRect().value().toAlignedRect().adjusted(-2, 0, 2, 0);
+        std::set<QByteArray> all;
+        (void)QTest::qWaitFor(
+            [&] {
+                const QImage image = view().viewport()->grab(caret).toImage();
+                all.insert(QByteArray(reinterpret_cast<const char*>(image.constBits()),
+                                      image.sizeInBytes()));
+                return all.size() > 1;
+            },
+            ms);
+        return all.size();
+    };
+    write(paragraph("One"));
+    constexpr int blinks = 60, hang = 120'000, still = 300;
+    EXPECT_EQ(looks(blinks, hang), 2u);
+    EXPECT_EQ(looks(0, still), 1u);
+    QApplication::setCursorFlashTime(usual);
+}
+
+TEST_F(WritingTest, PaperHasThePagesOfTheViewThatShowsTheSamePresentation) {
+    QByteArray text;
+    for (int i = 0; i < 150; ++i)
+        text += paragraph("Line " + QByteArray::number(i));
+    write(text);
+    paper::Paper paper(window_->document(), view().presentation(), 72, true);
+    bool isReady = false;
+    QObject::connect(&paper, &paper::Paper::ready, [&] { isReady = true; });
+    paper.prepare();
+    ASSERT_TRUE(waitFor([&] { return isReady; }));
+    const auto& seen = view().pages().pages;
+    ASSERT_GT(seen.size(), 2u);
+    EXPECT_EQ(paper.pages().pages, seen); // the very same ones, not others like them
 }
 
 } // namespace
