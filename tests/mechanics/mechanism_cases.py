@@ -4,6 +4,7 @@ import math
 import cases
 from cases import G, Rows, steps
 from integration import solve
+from rope_cases import first
 from vectors import solved
 
 
@@ -83,4 +84,53 @@ def cart_pendulum():
     for t, (x, q, v, w) in zip(at, solve(rate, [0, 0.3, 0, 0], at)):
         rows.put(t, 2, {"track.q": x, "pivot.q": q - 0.3, "pole.x": x - l * math.sin(q)})
         rows.put(t, 20, {"track.dq": v, "pivot.dq": w})
+    return rows
+
+
+def hooke():
+    return Rows(row for row in cases.hooke() if not row[1].endswith(".wy"))
+
+
+def trebuchet():
+    """Arm a, weight b, stone x y: the sling's length and, while the floor bears, the stone's height are conditions."""
+    rows, m, arm, stone = Rows(), 60, 4, 0.5
+    s0 = 0.74
+    start_x, start_y = -1.5 * math.sqrt(1 - s0 * s0), 1.2 - 1.5 * s0
+    angle = math.asin(s0)
+    y0 = [angle, 0.0, start_x + math.sqrt(1.21 - (start_y - 0.06) ** 2), 0.06, 0.0, 0.0, 0.0, 0.0]
+    own = 1.4 + arm * 0.25 + m * 0.25
+
+    def parts(y, floor):
+        """Rates of a, b, x, y and the two forces: along the sling and of the floor."""
+        a, b, x, z, u, v, p, q = y
+        c, s, k = math.cos(a), math.sin(a), m * 0.5 * 0.3
+        dx, dz = x + 1.5 * c, z - (1.2 - 1.5 * s)
+        ra, rp, rq = -1.5 * s * dx + 1.5 * c * dz, dx, dz  # half the rate of the square of the sling
+        ex, ez = p - 1.5 * s * u, q + 1.5 * c * u
+        bend = ex * ex + ez * ez + (-1.5 * c * dx - 1.5 * s * dz) * u * u
+        # The weight's centre: (0.5 cos a + 0.3 sin b, 1.2 + 0.5 sin a - 0.3 cos b).
+        mix = k * (math.sin(b - a))
+        matrix = [[own, mix, 0, 0, -ra, 0], [mix, 0.9 + m * 0.09, 0, 0, 0, 0], [0, 0, stone, 0, -rp, 0], [0, 0, 0, stone, -rq, -1.0],
+                  [ra, 0, rp, rq, 0, 0], [0, 0, 0, 1.0, 0, 0] if floor else [0, 0, 0, 0, 0, 1.0]]
+        turn = k * math.cos(b - a)
+        right = [-turn * v * v + G * c * (arm * 0.5 - m * 0.5), turn * u * u - m * G * 0.3 * math.sin(b), 0, -stone * G, -bend, 0]
+        return solved(matrix, right)
+
+    def rate(floor):
+        return lambda t, y: y[4:] + parts(y, floor)[:4]
+
+    lifts = first(0.05, 0.3, lambda t: parts(solve(rate(True), y0, [t])[0], True)[5] < 0)
+    up = solve(rate(True), y0, [lifts])[0]
+
+    def swung(t):
+        return solve(rate(False), up, [t], start=lifts)[0]
+
+    frees = first(0.48, 0.62, lambda t: swung(t)[6] > 0 and swung(t)[7] < swung(t)[6] * math.tan(math.radians(40)))
+    gone = swung(frees)
+    for t in [0.1, lifts, 0.3, 0.4, 0.5, frees, 0.7, 1.0, 1.4]:
+        y = solve(rate(True), y0, [t])[0] if t <= lifts else swung(min(t, frees))
+        s = max(0, t - frees)
+        rows.put(t, 20, {"stone.x": y[2] + gone[6] * s, "stone.y": y[3] + gone[7] * s - G * s * s / 2})
+        if s == 0:
+            rows.put(t, 5, {"axle.q": y[0] - angle})
     return rows

@@ -79,3 +79,33 @@ def billiards():
         rows.put(t, 2, {"cue.x": -0.8 + v * ahead - v / 5 * s, "cue.z": 0, "red.x": 3 / 5 * v * s, "red.z": -0.05 - math.sqrt(3) / 5 * v * s,
                         "blue.x": 3 / 5 * v * s, "blue.z": 0.05 + math.sqrt(3) / 5 * v * s})
     return rows
+
+
+def bungee():
+    """A fall of the rope's length; then a vibration about the place of rest while the rope pulls, as long again and again."""
+    rows, l, w = Rows(), 12, math.sqrt(120 / 70)
+    falls, sag = math.sqrt(2 * l / G), G / w ** 2
+    v = G * falls
+    size = math.hypot(sag, v / w)
+    pulls = 2 * (math.pi - math.atan2(v / w, sag)) / w  # y + l + sag = size cos(w s - phase), from +sag down and back
+    for t in [1, falls, 2.5, 3, 4, 5, 6, 8, 10, 12]:
+        s = t % (2 * falls + pulls)
+        on = s - falls
+        if 0 <= on <= pulls:
+            y = -l - sag + sag * math.cos(w * on) - v / w * math.sin(w * on)
+        else:
+            s = min(s, 2 * falls + pulls - s)
+            y = -G * s * s / 2
+        rows.put(t, 34, {"jumper.y": y})
+    return rows
+
+
+def orbit():
+    rows, e, a = Rows(), 0.6, 1.0
+    for t in steps(7, 14):
+        mean = 2 * t % (2 * math.pi)
+        angle = mean if mean < math.pi else mean - 0.1
+        for _ in range(60):
+            angle -= (angle - e * math.sin(angle) - mean) / (1 - e * math.cos(angle))
+        rows.put(t, 2, {"comet.x": a * (math.cos(angle) - e), "comet.z": -a * math.sqrt(1 - e * e) * math.sin(angle)})
+    return rows
