@@ -1,0 +1,81 @@
+#!/usr/bin/env python3
+"""Text is dragged out of a document that is read, into one that another program writes.
+
+usage: dragging_test.py PATH-TO-ENSEMBLE [unittest arguments]
+"""
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from person import Person
+from screen import until
+
+ENSEMBLE = os.path.abspath(sys.argv[1])
+
+
+def memo(word):
+    """Full of one word, so that any place in the middle of its page is on a letter."""
+    line = "<PARAGRAPH><TEXT>{" + " ".join([word] * 400) + "}</TEXT></PARAGRAPH>\n"
+    return "DOCUMENT CMEMO\n<CMEMO>\n<SUBJECT>{Words}</SUBJECT>\n<BODY>\n" + line * 2 + "</BODY>\n</CMEMO>\n"
+
+
+class Dragging(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.person = Person(self, self.folder.name, ENSEMBLE, [self.file("source", "dragged")], "1500x1000x24")
+        self.source = self.shown("source", 0)
+        environment = dict(os.environ, **self.person.screen.environment)
+        plugins = os.path.join(os.path.dirname(ENSEMBLE), os.pardir, "test-plugins")
+        environment.update(QT_PLUGIN_PATH=plugins, QT_QPA_GENERIC_PLUGINS="places:" + self.person.places)
+        other = subprocess.Popen([ENSEMBLE, self.file("target", "here")], env=environment, stdin=subprocess.DEVNULL)
+        self.addCleanup(other.wait)
+        self.addCleanup(other.kill)
+        self.target = self.shown("target", 760)
+
+    def file(self, name, word):
+        path = os.path.join(self.folder.name, name + ".ens")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(memo(word))
+        return path
+
+    def bytes(self, name):
+        with open(os.path.join(self.folder.name, name + ".ens"), encoding="utf-8") as file:
+            return file.read()
+
+    def shown(self, name, left):
+        """The title of its window, which stands in its half of the screen."""
+        def named():
+            return next((one for one in self.person.windows() if name in (one.title or "")), None)
+
+        window = until(f"{name} has a window", named)
+        self.person.screen.do("windowsize", window.id, 700, 900, "windowmove", window.id, left, 20)
+        until(f"{name} stands in its half",
+              lambda: b"WIDTH=700" in self.person.screen.output("xdotool", "getwindowgeometry", "--shell", window.id))
+        return window.title
+
+    def placed(self, title):
+        words = self.person.screen.output("xdotool", "getwindowgeometry", "--shell", self.person.window(title).id)
+        values = dict(line.split("=") for line in words.decode().split())
+        return int(values["X"]), int(values["Y"])
+
+    def test_its_words_come_into_the_other_and_stay_where_they_were(self):
+        self.person.press(self.target, "ctrl+e")
+        self.person.press(self.source, "ctrl+a")
+        start = self.person.widget(self.source, "pages").middle
+        end = self.person.widget(self.target, "pages").middle
+        (fromX, fromY), (toX, toY) = self.placed(self.source), self.placed(self.target)
+        self.person.drag(self.source, start, (end[0] + toX - fromX, end[1] + toY - fromY))
+        until("the other document is modified", lambda: self.person.isModified(self.target))
+        self.person.press(self.target, "ctrl+s")
+        until("it is saved", lambda: not self.person.isModified(self.target))
+        self.assertIn("dragged", self.bytes("target"))
+        self.assertIn("here", self.bytes("target"))
+        self.assertEqual(self.bytes("source"), memo("dragged"))
+        self.assertFalse(self.person.isModified(self.source))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *sys.argv[2:]])
