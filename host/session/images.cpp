@@ -118,11 +118,11 @@ bool Images::hasFaults() const {
 // The whole, or a half, a quarter, ... of it: as few as have the pixels that are wanted, so that a
 // view that is zoomed a little decodes nothing.
 QSize Images::decodedSize(QSize whole, QSize wanted) {
+    const auto halfOf = [](QSize size) { return QSize(size.width() / 2, size.height() / 2); };
     QSize size = whole;
-    for (QSize half = size / 2;
-         half.width() >= wanted.width() && half.height() >= wanted.height() && half.width() > 0 &&
-         half.height() > 0;
-         half = size / 2)
+    for (QSize half = halfOf(size);
+         half.width() >= wanted.width() && half.height() >= wanted.height() && !half.isEmpty();
+         half = halfOf(size))
         size = half;
     return size;
 }

@@ -55,6 +55,16 @@ TEST_F(ImagesTest, AFileIsDecodedOnceForAllItsFigures) {
     EXPECT_EQ(images_.decodes(), 1);
 }
 
+// A half of one pixel, rounded, is one pixel again.
+TEST_F(ImagesTest, OneOfASinglePixelIsShownSmallerThanItIs) {
+    for (const QSize size : {QSize(1, 1), QSize(1, 9), QSize(9, 1)}) {
+        const QString name = QStringLiteral("%1x%2.png").arg(size.width()).arg(size.height());
+        writePicture(name, size);
+        EXPECT_EQ(images_.imageNow(name.toStdString(), {1, 1}).size(), size);
+        EXPECT_EQ(images_.imageNow(name.toStdString(), {0, 0}).size(), size);
+    }
+}
+
 TEST_F(ImagesTest, MoreOfItIsDecodedWhenMoreIsNeededAndWhenTheFileChanges) {
     writePicture("a.png", {1600, 1200});
     EXPECT_EQ(imageWhenReady("a.png", {100, 100}).width(), 200);
