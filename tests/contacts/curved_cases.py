@@ -153,6 +153,22 @@ case("ball_leaves_a_cylinder", f"simulator -finish {off + 0.2!r}\n" + contact_ca
      [(slid(0.5), 1, far * math.sin(0.5), "b.x"), (off, 1, far * math.sin(leave), "b.x"),
       (off + 0.2, 2, far * math.sin(leave) + fast * math.cos(leave) * 0.2, "b.x"),
       (off + 0.2, 2, far * math.cos(leave) - fast * math.sin(leave) * 0.2 - G * 0.02, "b.y")])
+# A smooth wheel that slides over the edge of a table turns about it, until it leaves it.
+def pace(angle):
+    return math.sqrt(1 / 0.25 + 2 * G / 0.5 * (1 - math.cos(angle)))
+
+
+at = 0.5
+for i in range(2000):
+    for x, weight in ((-math.sqrt(3 / 5), 5 / 9), (0, 8 / 9), (math.sqrt(3 / 5), 5 / 9)):
+        at += weight / 2 * 0.5 / 2000 / pace((i + 0.5 + x / 2) / 2000 * 0.5)
+case("wheel_over_an_edge", "simulator -finish 0.8\n" + SHAPES + "shape_set table -desc {-sub {-box {2 1 2}}}\nbody table table -fixed 1 -init_pos {-1 -0.5 0}\n"
+     "body b wheel -init_pos {-0.5 0.5 0} -init_dpos {1 0 0} -restitution 0\n" + gravity("b"),
+     [(0.4, 1, -0.1, "b.x"), (at, 1, 0.5 * math.sin(0.5), "b.x"), (at, 1, 0.5 * math.cos(0.5), "b.y")])
+# A cylinder that stands is pushed at its top a little less than tips it: F h < m g r.
+case("drum_stands_pushed", "simulator -finish 10\n" + ground(0.9) + "shape_set drum -desc {-sub {-cylinder {0.3 0.8}}}\n"
+     f"body b drum -init_pos {{0 0.4 0}} -mass 1 -restitution 0 -friction 0.9\nforce -body b -offset {{0 0.4 0}} -x {0.3 / 0.8 * G * 0.99999!r}\n" +
+     gravity("b"), [(10, 0.1, 0, "b.x"), (10, 0.1, 0.4, "b.y")])
 # A wheel across a fixed one rests.
 case("wheels_crossed", "# zero: b.y-1\nsimulator -finish 100\n" + SHAPES + f"body c wheel -fixed 1 -init_rot {turned((0, 1, 0), math.pi / 2)} -friction 0.5\n" +
      "body b wheel -init_pos {0 1 0} -restitution 0 -friction 0.5\n" + gravity("b"), [(100, 0.1, 0, "b.x"), (100, 0.1, 0, "b.z")])

@@ -152,6 +152,17 @@ using geometry::Curved;
 
 constexpr int roundCorners = 64;
 
+// Across u, in the plane of it and an axis of the world: corners from there on lie symmetrically
+// where the scene does.
+Vector startOf(const Vector& u) {
+    int best = 0;
+    for (const int axis : {1, 2})
+        if (std::abs(u[axis]) < std::abs(u[best]) - 1e-9)
+            best = axis;
+    const Vector axis = Vector::Unit(best);
+    return (axis - u * u.dot(axis)).normalized();
+}
+
 // About the axis u of a curved part at its place: where the circle of an end lies.
 struct Axis {
     Vector centre, u, e; // e: across u, the way in which the direction goes
@@ -168,11 +179,11 @@ struct Axis {
     }
     [[nodiscard]] std::vector<Vector> disc(double height, double radius) const {
         std::vector<Vector> corners;
-        const Vector f = u.cross(e);
+        const Vector start = startOf(u), f = u.cross(start);
         for (int i = 0; i < roundCorners; ++i) {
             const double angle = 2 * std::numbers::pi * i / roundCorners;
             corners.push_back(centre + height * u +
-                              radius * (std::cos(angle) * e + std::sin(angle) * f));
+                              radius * (std::cos(angle) * start + std::sin(angle) * f));
         }
         return corners;
     }

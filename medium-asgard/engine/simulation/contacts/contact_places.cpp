@@ -208,8 +208,19 @@ private:
                 continue;
             if (isOne)
                 piece.radius = -piece.radius;
-            addPiece(owner, piece, above);
+            if (isOverFace(piece, above))
+                addPiece(owner, piece, above);
         }
+    }
+    [[nodiscard]] bool isOverFace(const SurfacePiece& piece, bool above) const {
+        const Placed& other = above ? support_ : body_;
+        const auto face = faceTowards(other, above ? touch_.supportPart : touch_.bodyPart,
+                                      above ? touch_.normal : Vector(-touch_.normal));
+        if (!face)
+            return false;
+        const SurfaceGap gap =
+            above ? SurfaceGap{piece, face->plane, false} : SurfaceGap{face->plane, piece, false};
+        return depthIn(*face, localOf(other, nearestOf(gap, body_, support_).contact)) >= 0;
     }
     void addVertex(const Placed& owner, const Vector& vertex, bool above) {
         const Vector& normal = touch_.normal;
@@ -244,8 +255,8 @@ private:
     physics::ContactPlace& place_;
 };
 
-// Where each of the points goes in the plane: the place of the one that stands for it; none of them
-// where they do not lie symmetrically.
+// Where each of the points goes in the plane: the place of the one that stands for it, or, between
+// the outermost two, none; nothing where they do not lie symmetrically.
 std::vector<std::size_t> standing(const std::vector<Vector>& points, const MotionPlane& plane,
                                   double size) {
     const double near = same * size;
@@ -263,9 +274,25 @@ std::vector<std::size_t> standing(const std::vector<Vector>& points, const Motio
         sums[of] += points[i][plane.axis];
         counts[of] += 1;
     }
-    for (std::size_t i = 0; i < points.size(); ++i)
-        if (first[i] == i && !(std::abs(sums[i] / counts[i] - plane.at) <= near))
+    std::size_t low = points.size(), high = low; // furthest along the face's line in the plane
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (first[i] != i)
+            continue;
+        if (!(std::abs(sums[i] / counts[i] - plane.at) <= near))
             return {};
+        const auto isBefore = [&](std::size_t a, std::size_t b) {
+            Vector way = points[b] - points[a];
+            way[plane.axis] = 0;
+            return way[plane.axis == 0 ? 1 : 0] + 0.5 * way[plane.axis == 2 ? 1 : 2] > 0;
+        };
+        if (low == points.size() || isBefore(i, low))
+            low = i;
+        if (high == points.size() || isBefore(high, i))
+            high = i;
+    }
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (first[i] == i && i != low && i != high)
+            first[i] = points.size(); // between them
     return first;
 }
 

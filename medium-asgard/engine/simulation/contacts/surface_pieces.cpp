@@ -18,6 +18,9 @@ using physics::SurfacePiece;
 using Kind = SurfacePiece::Kind;
 
 constexpr double parallel = 1e-6; // sine of an angle between axes
+// Of the tolerance: less than what a point goes beyond its sides (contact_sides.h) before its
+// bodies are looked at again.
+constexpr double beyond = 1e-4;
 
 const Part& partOf(const Placed& owner, std::size_t part) { return owner.shape->parts[part]; }
 
@@ -65,22 +68,6 @@ std::optional<SurfacePiece> pieceOf(const Feature& feature, const Vector& centro
     return std::nullopt;
 }
 
-// How far a point of the owner's frame lies inside the face's border; without border: endless.
-double depthIn(const FlatFace& face, const Vector& point) {
-    if (face.isEndless())
-        return HUGE_VAL;
-    const Vector off = point - face.plane.place;
-    if (face.outline.empty())
-        return face.radius - (off - face.plane.axis * face.plane.axis.dot(off)).norm();
-    double least = HUGE_VAL;
-    for (std::size_t i = 0; i < face.outline.size(); ++i) {
-        const Vector& from = face.outline[i];
-        const Vector edge = face.outline[(i + 1) % face.outline.size()] - from;
-        least = std::min(least, face.plane.axis.cross(edge).normalized().dot(point - from));
-    }
-    return least;
-}
-
 class Pieces {
 public:
     Pieces(const Placed& body, std::size_t bodyPart, const Placed& support, std::size_t supportPart,
@@ -90,12 +77,13 @@ public:
 
     PieceTouch find(const Vector& normal) {
         found_.normal = normal;
-        const auto under = faceTowards(support_, supportPart_, normal);
-        const auto over = faceTowards(body_, bodyPart_, -normal);
-        if (under && !over)
+        if (const auto under = faceTowards(support_, supportPart_, normal))
             onFace(*under, false);
-        else if (over && !under)
+        if (const auto over = faceTowards(body_, bodyPart_, -normal);
+            over && found_.points.empty()) {
+            found_ = {.normal = normal, .points = {}, .isModelled = true};
             onFace(*over, true);
+        }
         if (found_.points.empty()) {
             found_ = {.normal = normal, .points = {}, .isModelled = true};
             onPieces();
@@ -134,7 +122,7 @@ private:
                 continue;
             const Vector foot =
                 ofOwner.rotation.transpose() * Vector(point.at.contact - ofOwner.centre);
-            if (depthIn(face, foot) < -tolerance_)
+            if (depthIn(face, foot) < -beyond * tolerance_)
                 isBeyond = true;
             else
                 keep(point);
@@ -159,9 +147,18 @@ private:
         for (std::size_t i = 0; i < face.outline.size(); ++i) {
             const Vector &from = face.outline[i], &to = face.outline[(i + 1) % face.outline.size()];
             const Vector way = (to - from).normalized();
-            if (way.cross(along).norm() < parallel)
+            const SurfacePiece edge{.kind = Kind::line, .place = (from + to) / 2, .axis = way};
+            if (way.cross(along).norm() < parallel) {
+                const Vector apart = round.state.position - owner.state.position;
+                const Vector at =
+                    owner.state.attitude.conjugate() * Vector(toWorld(round, line.place) + apart);
+                const double in = face.plane.axis.cross(way).dot(at - from);
+                const double length = (to - from).norm();
+                if (in < 0 && in >= -tolerance_)
+                    return isBodys ? sideBySide(edge, length, line, feature.length)
+                                   : sideBySide(line, feature.length, edge, length);
                 continue;
-            const SurfacePiece edge{.kind = Kind::line, .place = from, .axis = way};
+            }
             PiecePoint point =
                 pointOf(isBodys ? SurfaceGap{edge, line, false} : SurfaceGap{line, edge, false});
             if (point.at.normal.dot(found_.normal) < 0) {
@@ -180,16 +177,26 @@ private:
         }
     }
 
+    [[nodiscard]] std::optional<SurfacePiece> bearing(const Placed& owner, std::size_t part,
+                                                      const Vector& direction, double tolerance,
+                                                      double& length) const {
+        const Feature feature = collision::bearingFeature(
+            partOf(owner, part), owner.state.attitude.conjugate() * direction, tolerance);
+        length = feature.length;
+        return pieceOf(feature, owner.record->centroid);
+    }
+
+    // Those of the finest tolerance that are known: what has just left a face is on its edge.
     void onPieces() {
         const Vector& n = found_.normal;
-        const auto bearing = [&](const Placed& owner, std::size_t part, const Vector& direction) {
-            return collision::bearingFeature(
-                partOf(owner, part), owner.state.attitude.conjugate() * direction, tolerance_);
-        };
-        const Feature first = bearing(body_, bodyPart_, -n),
-                      second = bearing(support_, supportPart_, n);
-        const auto body = pieceOf(first, body_.record->centroid),
-                   support = pieceOf(second, support_.record->centroid);
+        std::optional<SurfacePiece> body, support;
+        double first = 0, second = 0; // lengths
+        for (const double part : {10 * beyond, 0.1 * beyond, 1.0}) {
+            body = bearing(body_, bodyPart_, -n, part * tolerance_, first);
+            support = bearing(support_, supportPart_, n, part * tolerance_, second);
+            if (body && support && physics::haveGap(body->kind, support->kind))
+                break;
+        }
         if (!body || !support) {
             found_.isModelled = false;
             return;
@@ -197,7 +204,7 @@ private:
         const bool areLines = body->kind == Kind::line && support->kind == Kind::line;
         if (areLines &&
             toWorld(body_, body->axis).cross(toWorld(support_, support->axis)).norm() < parallel)
-            return sideBySide(first, *body, second, *support);
+            return sideBySide(*body, first, *support, second);
         if (!physics::haveGap(body->kind, support->kind)) {
             found_.isModelled = false;
             return;
@@ -210,21 +217,21 @@ private:
     }
 
     // Of both ends of the common stretch, whosever they are.
-    void sideBySide(const Feature& first, const SurfacePiece& body, const Feature& second,
-                    const SurfacePiece& support) {
+    void sideBySide(const SurfacePiece& body, double first, const SurfacePiece& support,
+                    double second) {
         const Vector middle = ofBody_.rotation * body.place + ofBody_.centre;
         const Vector axis = ofBody_.rotation * body.axis;
         const Vector apart = ofSupport_.rotation * support.place + ofSupport_.centre - middle;
         const double other = axis.dot(apart);
         const bool isAlike = axis.dot(ofSupport_.rotation * support.axis) > 0;
         for (const double end : {-1.0, 1.0}) {
-            const double own = end * first.length / 2, its = other + end * second.length / 2;
+            const double own = end * first / 2, its = other + end * second / 2;
             const bool isOwn = end * own <= end * its;
             if (isOwn) {
                 const Vector place = body.place + own * body.axis;
                 keep(pointOf({pointAt(place, body.radius), support, false}));
             } else {
-                const double way = (isAlike ? end : -end) * second.length / 2;
+                const double way = (isAlike ? end : -end) * second / 2;
                 const Vector place = support.place + way * support.axis;
                 keep(pointOf({body, pointAt(place, support.radius), false}));
             }
@@ -241,6 +248,21 @@ private:
 };
 
 } // namespace
+
+double depthIn(const FlatFace& face, const Vector& point) {
+    if (face.isEndless())
+        return HUGE_VAL;
+    const Vector off = point - face.plane.place;
+    if (face.outline.empty())
+        return face.radius - (off - face.plane.axis * face.plane.axis.dot(off)).norm();
+    double least = HUGE_VAL;
+    for (std::size_t i = 0; i < face.outline.size(); ++i) {
+        const Vector& from = face.outline[i];
+        const Vector edge = face.outline[(i + 1) % face.outline.size()] - from;
+        least = std::min(least, face.plane.axis.cross(edge).normalized().dot(point - from));
+    }
+    return least;
+}
 
 std::optional<FlatFace> faceTowards(const Placed& owner, std::size_t part,
                                     const Vector& direction) {

@@ -44,6 +44,9 @@ struct FlatFace {
 [[nodiscard]] std::optional<FlatFace> faceTowards(const Placed& owner, std::size_t part,
                                                   const Vector& direction);
 
+// How far a point of the owner's frame lies inside the face's border; without border: endless.
+[[nodiscard]] double depthIn(const FlatFace& face, const Vector& point);
+
 // Of a part the pieces of which one lies lowest on each plane; none of a polyhedron.
 [[nodiscard]] std::vector<physics::SurfacePiece> extremesOf(const Placed& owner, std::size_t part);
 

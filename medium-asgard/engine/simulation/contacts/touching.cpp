@@ -191,6 +191,7 @@ private:
             return;
         touch.normal = found.normal;
         using Piece = physics::SurfacePiece::Kind;
+        touch.isModelled = found.points.size() > 1;
         for (const PiecePoint& point : found.points) {
             const physics::SurfaceGap& gap = point.gap;
             const Vector& at = point.at.contact;
@@ -207,15 +208,19 @@ private:
         }
     }
 
-    // Of many corners of a round patch some carry as well.
+    // Of many corners of a round patch some carry as well, from one on that lies along an axis of
+    // the world, as those of a scene in a plane do.
     void thinOut() {
         constexpr std::size_t enough = 16;
         const std::size_t step = touch.corners.size() / enough;
         if (step < 2)
             return;
         std::vector<Corner> kept;
+        const auto first = std::ranges::max_element(
+            touch.corners, {}, [](const Corner& corner) { return corner.point.x(); });
+        const auto start = static_cast<std::size_t>(first - touch.corners.begin());
         for (std::size_t i = 0; i < touch.corners.size(); i += step)
-            kept.push_back(touch.corners[i]);
+            kept.push_back(touch.corners[(start + i) % touch.corners.size()]);
         touch.corners = std::move(kept);
     }
 
