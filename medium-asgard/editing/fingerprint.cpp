@@ -85,9 +85,11 @@ void write(Writer& w, const scene::Body& b) {
           b.friction, b.staticFriction, b.rollingFriction, b.surfaceVelocity, b.fixed,
           b.articulatedBody, b.collisionGroup, b.appearance);
 }
-void write(Writer& w, const scene::Force& f) { w.add(f.body, f.couple, f.offset, f.kind); }
+void write(Writer& w, const scene::Force& f) {
+    w.add(f.body, f.couple, f.offset, f.kind, f.release);
+}
 void write(Writer& w, const scene::Link& l) {
-    w.add(l.name, l.first, l.second, l.tightness, l.damping, l.spring);
+    w.add(l.name, l.first, l.second, l.tightness, l.damping, l.spring, l.release);
 }
 void write(Writer& w, const scene::Joint& j) {
     w.add(j.name, static_cast<int>(j.type), j.body1, j.offset1, j.body2, j.offset2, j.axis, j.axis2,

@@ -60,6 +60,7 @@ constexpr OptionHint forceOptions[] = {
     {"-frame", choice, "whose axes x, y and z are (world)", "world body"},
     {"-trajectory", trajectory, "a trajectory whose value now is the force", ""},
     {"-gravitational", vector, "three numbers: the acceleration that it gives", ""},
+    {"-release", expression, "an expression: the force is gone as soon as it is not 0", ""},
 };
 constexpr OptionHint linkOptions[] = {
     {"-body1", body, "the body that it holds", ""},
@@ -72,6 +73,7 @@ constexpr OptionHint linkOptions[] = {
     {"-trajectory", trajectory, "a trajectory that it holds on to", ""},
     {"-tightness", number, "the force for each unit of distance", ""},
     {"-damping", number, "the force for each unit of velocity; critical by default", ""},
+    {"-release", expression, "an expression: the link is gone as soon as it is not 0", ""},
 };
 constexpr OptionHint springOptions[] = {
     {"-body1", body, "the body that it pulls", ""},
@@ -86,6 +88,7 @@ constexpr OptionHint springOptions[] = {
     {"-rest", number, "the length without a force; by default the length at the start", ""},
     {"-damping", number, "the force for each unit of velocity along it (0)", ""},
     {"-pull_only", flag, "1: it never pushes, as a bungee", ""},
+    {"-release", expression, "an expression: the spring is gone as soon as it is not 0", ""},
 };
 constexpr OptionHint jointOptions[] = {
     {"-type", choice, "what it leaves free",

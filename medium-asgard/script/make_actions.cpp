@@ -53,13 +53,14 @@ std::optional<std::array<scene::Expression, 3>> SceneMaker::components(Arguments
 void SceneMaker::force(Call& call) {
     Arguments arguments(faults_, call, named("the force on body ", "the force", call, "-body"), 1,
                         {"-body", "-torque", "-offset", "-x", "-y", "-z", "-frame", "-trajectory",
-                         "-gravitational"});
+                         "-gravitational", "-release"});
     scene::Force force;
     if (!arguments.attempted("-body"))
         arguments.wrongElement("wants -body with the name of what it acts on");
     force.body = reference(arguments, "-body", Kind::body).value_or("");
     force.couple = arguments.flag("-torque").value_or(false);
     force.offset = arguments.vector("-offset");
+    force.release = expressionOf(arguments, "-release", scene::Reading::release);
 
     scene::ComponentForce components;
     if (const auto frame = arguments.name("-frame", "a frame, world or body")) {
@@ -137,13 +138,14 @@ void SceneMaker::ends(Arguments& arguments, std::string_view what, scene::Link& 
 void SceneMaker::link(Call& call) {
     Arguments arguments(faults_, call, named("the link of body ", "the link", call, "-body1"), 1,
                         {"-body1", "-offset1", "-body2", "-offset2", "-x", "-y", "-z",
-                         "-trajectory", "-tightness", "-damping"});
+                         "-trajectory", "-tightness", "-damping", "-release"});
     scene::Link link;
     ends(arguments, "link", link);
     if (!arguments.attempted("-tightness"))
         arguments.wrongElement("wants -tightness, the stiffness of its spring");
     link.tightness = arguments.number("-tightness", Sign::notNegative).value_or(0);
     link.damping = arguments.number("-damping", Sign::notNegative);
+    link.release = expressionOf(arguments, "-release", scene::Reading::release);
     link.source = call.source;
     made_.scene.links.push_back(std::move(link));
 }
@@ -152,18 +154,19 @@ void SceneMaker::spring(Call& call) {
     scene::Link spring;
     std::size_t first = 1;
     spring.name = optionalName(call, Kind::spring, first);
-    Arguments arguments(faults_, call,
-                        spring.name.empty()
-                            ? named("the spring of body ", "the spring", call, "-body1")
+    Arguments arguments(
+        faults_, call,
+        spring.name.empty() ? named("the spring of body ", "the spring", call, "-body1")
                             : "spring " + quoted(spring.name),
-                        first,
-                        {"-body1", "-offset1", "-body2", "-offset2", "-x", "-y", "-z",
-                         "-trajectory", "-stiffness", "-rest", "-damping", "-pull_only"});
+        first,
+        {"-body1", "-offset1", "-body2", "-offset2", "-x", "-y", "-z", "-trajectory", "-stiffness",
+         "-rest", "-damping", "-pull_only", "-release"});
     ends(arguments, "spring", spring);
     if (!arguments.attempted("-stiffness"))
         arguments.wrongElement("wants -stiffness, its force for each unit of length");
     spring.tightness = arguments.number("-stiffness", Sign::notNegative).value_or(0);
     spring.damping = arguments.number("-damping", Sign::notNegative).value_or(0);
+    spring.release = expressionOf(arguments, "-release", scene::Reading::release);
     spring.spring = scene::SpringLaw{arguments.number("-rest", Sign::notNegative),
                                      arguments.flag("-pull_only").value_or(false)};
     spring.source = call.source;

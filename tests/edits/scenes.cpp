@@ -81,6 +81,7 @@ private:
                     expression(text);
             if (auto* kind = std::get_if<scene::TrajectoryForce>(&force.kind))
                 name(kind->trajectory);
+            expression(force.release);
         }
         for (auto& link : scene_.links) {
             name(link.first.body);
@@ -91,6 +92,7 @@ private:
             else
                 for (auto& text : std::get<scene::PointEnd>(link.second).coordinates)
                     expression(text);
+            expression(link.release);
         }
         for (auto& constraint : scene_.constraints) {
             name(constraint.body);

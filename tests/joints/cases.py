@@ -227,6 +227,19 @@ def released():
     return rows
 
 
+def cut():
+    """A constant force, and free swings until a force or a place is reached; then straight on."""
+    rows, snap, leave = Rows(), math.pi / 12, math.asin(0.6) / 3
+    for t in [0.1, 0.2, 0.25, 0.4, 0.6, 1.0, 2.0]:
+        rows.put(t, 5, {"a.x": t * t if t < 0.5 else 0.25 + (t - 0.5)})
+        rows.put(t, 5, {"b.x": 1 + math.sin(2 * t) / 2 if t < snap else 1.25 + math.sqrt(0.75) * (t - snap)})
+        rows.put(t, 5, {"s.force": 2 * math.sin(2 * t) if t < snap else 0})
+        rows.put(t, 5, {"c.y": math.sin(3 * t) / 3 if t < leave else 0.2 + 0.8 * (t - leave)})
+        lost = (0.125 if t >= snap else 0) + (0.18 if t >= leave else 0)  # with the spring and the link
+        rows.put(t, 5, {"scene.energy": 0.5 * min(2 * t, 1) ** 2 + 1 - lost})
+    return rows
+
+
 def drives():
     """Couple of the arm: I q'' + m g l cos q."""
     rows = Rows()
@@ -538,5 +551,5 @@ def governor():
 
 
 BY_NAME = {case.__name__: case for case in (
-    rod_on_hinge, slider_crank, bricard, torsion_dry, torsion_damped, rod_stop, clutch, rail, released, drives, conical_pendulum, hooke, screw, cylindrical,
+    rod_on_hinge, slider_crank, bricard, torsion_dry, torsion_damped, rod_stop, clutch, rail, released, cut, drives, conical_pendulum, hooke, screw, cylindrical,
     planar, dumbbell, gears, gyroscope, spherical_pendulum, double_pendulum, four_bar, four_bar_tilted, welded, top, governor)}

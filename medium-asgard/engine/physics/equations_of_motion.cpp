@@ -220,7 +220,7 @@ EquationsOfMotion::EquationsOfMotion(const scene::Scene& scene,
         return;
     }
     addContactReadings(set, scene, *scope);
-    ForceReader(g, scene, *scope, faults).read(contributions, links);
+    ForceReader(g, scene, *scope, multipliers, faults).read(contributions, links);
     joints.contribute(contributions);
     ropes.contribute(contributions);
     multipliers.readReleases();

@@ -37,9 +37,9 @@ NodeVector negated(Graph& g, const NodeVector& v) {
 } // namespace
 
 ForceReader::ForceReader(Graph& g, const scene::Scene& scene, Scope& scope,
-                         std::vector<std::string>& faults)
-    : g_(g), scene_(scene), scope_(scope), faults_(faults), bodies_(indexByName(scene.bodies)),
-      trajectories_(indexByName(scene.trajectories)) {}
+                         JointMultipliers& multipliers, std::vector<std::string>& faults)
+    : g_(g), scene_(scene), scope_(scope), multipliers_(multipliers), faults_(faults),
+      bodies_(indexByName(scene.bodies)), trajectories_(indexByName(scene.trajectories)) {}
 
 void ForceReader::read(std::vector<Contribution>& contributions, std::vector<LinkNodes>& links) {
     nameSprings();
@@ -90,6 +90,18 @@ Contribution ForceReader::at(std::size_t body, const Vector& arm, const NodeVect
     return made;
 }
 
+Node ForceReader::strengthOf(const std::optional<scene::Expression>& release, const char* kind,
+                             const std::string& name, std::span<const std::size_t> bodies) {
+    std::vector<std::size_t> moving;
+    for (const std::size_t body : bodies)
+        if (!scene_.bodies[body].fixed)
+            moving.push_back(body);
+    if (!release || moving.empty())
+        return g_.constant(1);
+    multipliers_.begin({.name = name, .moving = moving, .size = 1, .kind = kind}, release);
+    return multipliers_.releasable(g_.constant(1));
+}
+
 // --- forces ---------------------------------------------------------------------------------
 
 NodeVector ForceReader::forceVector(const scene::Force& force, double mass, bool& isInBodyAxes) {
@@ -132,6 +144,11 @@ void ForceReader::readForce(std::size_t index, std::vector<Contribution>& contri
         if (isInBodyAxes && !symbols.isSpinInWorldAxes) // not turned out and back
             made.torque = cross(g_, constant(g_, arm), value);
     }
+    const Node strength =
+        strengthOf(force.release, "force", force.body + ".force" + std::to_string(index + 1),
+                   std::span(&*body, 1));
+    made.force = scaled(g_, strength, made.force);
+    made.torque = scaled(g_, strength, made.torque);
     made.kind = Contribution::Kind::force;
     made.element = index;
     if (std::holds_alternative<scene::ComponentForce>(force.kind))
@@ -301,9 +318,19 @@ void ForceReader::readLink(std::size_t index, std::vector<Contribution>& contrib
     const End a = bodyEnd(link.first, *first), b = secondEnd(link);
     LinkNodes made = geometryOf(link, a, b);
     made.link = index;
+    std::vector<std::size_t> bodies{*first};
+    if (const auto* end = std::get_if<scene::BodyEnd>(&link.second))
+        if (const auto second = bodyNamed(end->body))
+            bodies.push_back(*second);
+    const Node strength = strengthOf(
+        link.release, link.spring ? "spring" : "link",
+        link.name.empty() ? link.first.body + ".link" + std::to_string(index + 1) : link.name,
+        bodies);
     const Law law = lawOf(link, made);
-    const NodeVector& force = law.force;
-    made.energy = law.energy;
+    const NodeVector force = scaled(g_, strength, law.force);
+    made.energy = g_.multiply(strength, law.energy);
+    if (link.spring && !link.name.empty())
+        scope_.setSpring(index, {law.spring.length, g_.multiply(strength, law.spring.force)});
     links.push_back(made);
     const auto contribute = [&](std::size_t body, const scene::BodyEnd& end, const NodeVector& f) {
         Contribution contribution = at(body, scope_.armTo(body, end.offset), f);

@@ -8,9 +8,13 @@
 // Spring: with l = |d| and L its length without a force,
 //     F = -(k (l - L) + c l') d/l      on the first body, -F on the second; with -pull_only 0 while
 //                                      l < L. At l = 0 there is no direction, and no force.
+//
+// From its -release on a force, link or spring is gone: it is multiplied by a multiplier whose
+// condition is that it is 1 (joint_multipliers.h).
 #pragma once
 
 #include "physics/equations_of_motion.h"
+#include "physics/joint_multipliers.h"
 #include "physics/start_values.h"
 
 namespace physics {
@@ -19,7 +23,7 @@ namespace physics {
 class ForceReader {
 public:
     // The quantities of springs go to the scope.
-    ForceReader(Graph& g, const scene::Scene& scene, Scope& scope,
+    ForceReader(Graph& g, const scene::Scene& scene, Scope& scope, JointMultipliers& multipliers,
                 std::vector<std::string>& faults);
 
     void read(std::vector<Contribution>& contributions, std::vector<LinkNodes>& links);
@@ -52,6 +56,9 @@ private:
     [[nodiscard]] double restOf(const scene::Link& link, Node length);
     void readLink(std::size_t index, std::vector<Contribution>& contributions,
                   std::vector<LinkNodes>& links);
+    // 1, and 0 from its release on, of an element that acts on these bodies.
+    [[nodiscard]] Node strengthOf(const std::optional<scene::Expression>& release, const char* kind,
+                                  const std::string& name, std::span<const std::size_t> bodies);
     End bodyEnd(const scene::BodyEnd& end, std::size_t body);
     End secondEnd(const scene::Link& link);
     void findPositionRates();
@@ -63,6 +70,7 @@ private:
     Graph& g_;
     const scene::Scene& scene_;
     Scope& scope_;
+    JointMultipliers& multipliers_;
     std::optional<StartValues> start_;
     std::vector<std::string>& faults_;
     std::unordered_map<std::string, std::size_t> bodies_, trajectories_; // by name

@@ -3,11 +3,14 @@
 #include "expression/tape.h"
 
 #include <algorithm>
+#include <set>
 
 namespace physics {
 
 JointRows::JointRows(const EquationsOfMotion& equations)
-    : equations_(equations), neighbours_(equations.bodies.size()), rows_(equations.bodies.size()) {
+    : equations_(equations), neighbours_(equations.bodies.size()),
+      isMoved_(equations.bodies.size(), 0), rows_(equations.bodies.size()) {
+    findMoved();
     for (std::size_t r = 0; r < equations.jointRows.size(); ++r)
         for (const JointPush& push : equations.jointRows[r].pushes) {
             rows_[push.body].push_back(r);
@@ -17,6 +20,26 @@ JointRows::JointRows(const EquationsOfMotion& equations)
                     known.push_back(other.body);
             }
         }
+}
+
+// Bodies whose velocities read a multiplier.
+void JointRows::findMoved() {
+    const expression::EquationSet& set = equations_.set;
+    std::set<Node> multipliers;
+    for (const expression::Unknown& unknown : set.unknowns)
+        if (unknown.phases.front().condition)
+            multipliers.insert(unknown.symbol);
+    for (std::size_t b = 0; b < equations_.bodies.size() && !multipliers.empty(); ++b) {
+        if (equations_.bodies[b].isFixed)
+            continue;
+        std::vector<Node> rates;
+        for (std::size_t i = 0; i < bodyUnknowns; ++i)
+            for (const expression::Phase& phase :
+                 set.unknowns[equations_.bodies[b].firstUnknown + i].phases)
+                rates.push_back(phase.derivative);
+        isMoved_[b] = std::ranges::any_of(expression::symbolsOf(set.graph, rates),
+                                          [&](Node n) { return multipliers.contains(n); });
+    }
 }
 
 // That are not gone, each once.

@@ -26,12 +26,14 @@ public:
     [[nodiscard]] std::span<const std::size_t> neighbours(std::size_t body) const {
         return neighbours_[body];
     }
-    [[nodiscard]] bool isJoined(std::size_t body) const { return !rows_[body].empty(); }
+    // Multipliers move it.
+    [[nodiscard]] bool isJoined(std::size_t body) const { return isMoved_[body] != 0; }
     // Conditions between these bodies; their parts count places among them.
     [[nodiscard]] std::vector<ImpactRow> rowsAt(std::span<const std::size_t> bodies, double time,
                                                 const Motion& motion) const;
 
 private:
+    void findMoved();
     [[nodiscard]] std::vector<std::size_t> rowsOf(std::span<const std::size_t> bodies,
                                                   const Motion& motion) const;
     [[nodiscard]] std::vector<double> evaluated(std::span<const Node> outputs,
@@ -39,6 +41,7 @@ private:
                                                 const Motion& motion) const;
     const EquationsOfMotion& equations_;
     std::vector<std::vector<std::size_t>> neighbours_; // by body
+    std::vector<char> isMoved_;                        // by body
     std::vector<std::vector<std::size_t>> rows_;       // by body: indices into the equations' rows
 };
 

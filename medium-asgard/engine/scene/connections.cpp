@@ -257,6 +257,7 @@ Connections::Connections(const Scene& scene) {
             collect.expressions(onBody.back(), expressions->components);
         else if (const auto* driven = std::get_if<TrajectoryForce>(&force.kind))
             collect.trajectory(onBody.back(), driven->trajectory);
+        collect.expression(onBody.back(), force.release);
     }
     for (const Link& link : scene.links) {
         first.push_back(collect.body(link.first.body));
@@ -270,6 +271,8 @@ Connections::Connections(const Scene& scene) {
         } else {
             collect.expressions(first.back(), std::get<PointEnd>(link.second).coordinates);
         }
+        for (const std::size_t body : {first.back(), second.back()})
+            collect.expression(body, link.release);
     }
     for (const Constraint& constraint : scene.constraints) {
         constrained.push_back(collect.body(constraint.body));

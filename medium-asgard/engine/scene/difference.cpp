@@ -64,14 +64,15 @@ bool same(const Part& a, const Part& b) {
            same(a.density, b.density);
 }
 bool same(const Force& a, const Force& b) {
-    return a.couple == b.couple && same(a.offset, b.offset) && same(a.kind, b.kind);
+    return a.couple == b.couple && same(a.offset, b.offset) && same(a.kind, b.kind) &&
+           same(a.release, b.release);
 }
 bool same(const SpringLaw& a, const SpringLaw& b) {
     return same(a.rest, b.rest) && a.isPullOnly == b.isPullOnly;
 }
 bool same(const Link& a, const Link& b) {
     return same(a.first, b.first) && same(a.second, b.second) && same(a.tightness, b.tightness) &&
-           same(a.damping, b.damping) && same(a.spring, b.spring);
+           same(a.damping, b.damping) && same(a.spring, b.spring) && same(a.release, b.release);
 }
 bool same(const JointCoordinate& a, const JointCoordinate& b) {
     return same(a.lower, b.lower) && same(a.upper, b.upper) &&

@@ -326,12 +326,14 @@ public:
         if (const auto* kind = std::get_if<ComponentForce>(&force.kind))
             for (std::size_t i = 0; i < 3; ++i)
                 places.push_back({&kind->components[i], &force.source, axes[i]});
+        add(force.source, force.release, "-release", Reading::release);
     }
     void add(const Link& link) {
         if (const auto* point = std::get_if<PointEnd>(&link.second))
             for (std::size_t i = 0; i < 3; ++i)
                 places.push_back(
                     {&point->coordinates[i], &link.source, axes[i], 0, Reading::positions});
+        add(link.source, link.release, "-release", Reading::release);
     }
     void add(const Joint& joint) {
         for (std::size_t i = 0; i < joint.coordinates.size(); ++i) {

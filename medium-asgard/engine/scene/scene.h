@@ -164,6 +164,7 @@ struct Force {
     bool couple = false;          // -torque 1: turns the body, makes no net force
     std::optional<Vector> offset; // body frame, from the reference point; none: the centre of mass
     std::variant<ComponentForce, TrajectoryForce, GravitationalForce> kind;
+    std::optional<Expression> release; // not 0: the force is gone from then on
     Source source;
 };
 
@@ -189,9 +190,10 @@ struct Link {
     std::string name; // of a spring; "" when not given
     BodyEnd first;
     std::variant<BodyEnd, PointEnd, TrajectoryEnd> second;
-    double tightness = 0;            // k; a spring's -stiffness
-    std::optional<double> damping;   // c; none: critical, 2 sqrt(k m); a spring's is always given
-    std::optional<SpringLaw> spring; // none: a link
+    double tightness = 0;              // k; a spring's -stiffness
+    std::optional<double> damping;     // c; none: critical, 2 sqrt(k m); a spring's is always given
+    std::optional<SpringLaw> spring;   // none: a link
+    std::optional<Expression> release; // not 0: it is gone from then on
     Source source;
 };
 

@@ -96,6 +96,14 @@ std::string Lister::namesOf(const std::string& element) const {
             for (const scene::Rope::Point& point : rope.points)
                 if (point.body)
                     names += *point.body + " ";
+    const std::size_t dot = element.find('.');
+    if (dot != std::string::npos) // of a force or link without a name
+        return element.substr(0, dot) + " " + element.substr(dot + 1);
+    for (const scene::Link& link : scene_.links)
+        if (link.name == element) {
+            const auto* second = std::get_if<scene::BodyEnd>(&link.second);
+            names = link.first.body + " " + (second ? second->body + " " : "");
+        }
     return names + element;
 }
 

@@ -115,6 +115,22 @@ UnknownIndex::UnknownIndex(const expression::EquationSet& set) {
                 findMoved(set, *phase.condition, m);
     for (const std::size_t release : releases_)
         followRelease(set, release);
+    const auto isValue = [](const expression::Phase& phase) { // of which no state need be read
+        return phase.condition && !phase.condition->gap && !phase.condition->rate;
+    };
+    std::set<std::size_t> values;
+    for (std::size_t m = 0; m < set.unknowns.size(); ++m)
+        if (std::ranges::all_of(set.unknowns[m].phases, isValue))
+            values.insert(m);
+    for (std::size_t u = 0; u < set.unknowns.size() && !values.empty(); ++u) {
+        std::vector<Node> rates;
+        for (const expression::Phase& phase : set.unknowns[u].phases)
+            if (!phase.given && !phase.condition)
+                rates.push_back(phase.derivative);
+        for (const Node symbol : expression::symbolsOf(set.graph, rates))
+            if (const auto read = of(symbol); read && values.contains(*read))
+                releasesBy_[*read].push_back(u);
+    }
 }
 
 std::span<const std::size_t> UnknownIndex::releasesBy(std::size_t multiplier) const {

@@ -35,7 +35,8 @@ public:
     // Those whose conditions read it, so that they may move it: in order.
     [[nodiscard]] std::span<const std::size_t> multipliersOf(std::size_t unknown) const;
 
-    // Those that release conditions, and that read this multiplier: they are found with it.
+    // Those that read this multiplier and must be found with it, whose history has no value: what
+    // releases conditions, and what a multiplier moves that is a value (no gap, no rate).
     [[nodiscard]] std::span<const std::size_t> releasesBy(std::size_t multiplier) const;
     [[nodiscard]] bool isRelease(std::size_t unknown) const { return releases_.contains(unknown); }
 
@@ -62,10 +63,10 @@ using Reads = std::vector<std::vector<std::size_t>>;
 
 // From all phases after `from` and the one in force then. The four of a quaternion read each other,
 // since they are renormalised together; an unknown that a condition reads also reads its
-// multiplier, which may move it, and a multiplier the releases that read it, since no history has
-// its value. An unknown that stays 0 reads nothing, and nothing reads
-// it. Unknowns that a switch can hold where it is (sliding, component_equations.h) also read all
-// others whose rates have the same switch: what it gives then is one number, which is theirs too.
+// multiplier, which may move it, and a multiplier what must be found with it. An unknown that stays
+// 0 reads nothing, and nothing reads it. Unknowns that a switch can hold where it is (sliding,
+// component_equations.h) also read all others whose rates have the same switch: what it gives then
+// is one number, which is theirs too.
 [[nodiscard]] Reads readsOf(const expression::EquationSet& equations, const UnknownIndex& index,
                             double from, const ZeroStates& zero = {});
 [[nodiscard]] Reads readsOf(const expression::EquationSet& equations, double from,
