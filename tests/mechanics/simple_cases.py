@@ -136,4 +136,5 @@ def ladder():
         a, w = solve(leans, start, [t])[0] if t <= leaves else solve(slides, [a0, w0], [t], start=leaves)[0]
         rows.put(t, 3, {"ladder.x": x(a) if t <= leaves else x(a0) + speed * (t - leaves), "ladder.y": y(a)})
         rows.put(t, 10, {"ladder.wz": -w})
+        rows.put(t, 200, {"head.fx": 10 * drawn(t) if t < leaves else 0})
     return rows

@@ -16,5 +16,8 @@ set x [expr {cos($a) + 0.03*sin($a)}]
 set y [expr {sin($a) + 0.03*cos($a)}]
 body ladder ladder -mass 10 -restitution 0 -init_pos [list $x $y 0] -init_rot [list 0 0 [expr {acos(-1) - $a}]]
 force -body ladder -gravitational {0 -9.81 0}
+contact foot -body1 ladder -body2 floor
+contact head -body1 ladder -body2 wall
 
+plot forces -title "What floor and wall bear" -values {foot.fy head.fx} -labels {floor wall}
 view side -eye {2.6 1.9 5.4} -look {1.05 0.95 0}
