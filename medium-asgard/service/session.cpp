@@ -39,7 +39,7 @@ Session::Session(Platform platform, ipc::MediumChannel& channel)
     : platform_(std::move(platform)), channel_(channel), subdocument_(platform_.tools) {}
 
 void Session::receive(const ipc::MediumChannel::Call& call, Instant now) {
-    now_ = now;
+    at_.now = now;
     if (const auto* told = std::get_if<ipc::Told<ipc::ToMedium>>(&call)) {
         std::visit(
             [this](const auto& message) {
@@ -50,7 +50,7 @@ void Session::receive(const ipc::MediumChannel::Call& call, Instant now) {
         return;
     }
     const auto& asked = std::get<ipc::Asked<ipc::ToMedium>>(call);
-    if (!mode_ && !std::holds_alternative<ipc::Initialize>(asked.call) &&
+    if (!host_.mode && !std::holds_alternative<ipc::Initialize>(asked.call) &&
         !std::holds_alternative<ipc::Ping>(asked.call))
         return channel_.refuse(asked.id,
                                {ipc::ErrorCode::invalidRequest, "initialize comes first"});
@@ -65,8 +65,8 @@ void Session::receive(const ipc::MediumChannel::Call& call, Instant now) {
 }
 
 void Session::attend(Instant now) {
-    now_ = now;
-    due_.reset();
+    at_.now = now;
+    at_.due.reset();
     const Changes changes = subdocument_.update(now);
     if (changes.motion || changes.scene)
         for (auto& [id, subscription] : subscriptions_)
@@ -74,7 +74,7 @@ void Session::attend(Instant now) {
     if (changes.diagnostics && !subdocument_.previewing())
         tellDiagnostics();
     subdocument_.playback.advance(now);
-    shownTime_ = subdocument_.playback.time(now);
+    shown_.time = subdocument_.playback.time(now);
     tellProgress();
     tellGesture();
     answerWaiting();
@@ -87,12 +87,13 @@ void Session::attend(Instant now) {
     if (const auto deadline = subdocument_.deadline())
         dueAt(*deadline);
     if (subdocument_.playback.playing())
-        dueAt(anyVisible() ? std::max(nextFrame_, now + shortestFrame) : now + betweenHiddenTimes);
+        dueAt(anyVisible() ? std::max(pace_.nextFrame, now + shortestFrame)
+                           : now + betweenHiddenTimes);
 }
 
-std::optional<Instant> Session::deadline() const { return due_; }
+std::optional<Instant> Session::deadline() const { return at_.due; }
 
-void Session::dueAt(Instant instant) { due_ = due_ ? std::min(*due_, instant) : instant; }
+void Session::dueAt(Instant instant) { at_.due = at_.due ? std::min(*at_.due, instant) : instant; }
 
 // --- requests that wait -----------------------------------------------------------------------
 
@@ -100,7 +101,7 @@ void Session::dueAt(Instant instant) { due_ = due_ ? std::min(*due_, instant) : 
 bool Session::settled(Instant now) const {
     if (!subdocument_.computing())
         return true;
-    return mode_ != ipc::Mode::batch && subdocument_.readAt() &&
+    return host_.mode != ipc::Mode::batch && subdocument_.readAt() &&
            now >= *subdocument_.readAt() + whileReadingSettles;
 }
 
@@ -109,13 +110,13 @@ bool Session::knownAt(double time, Instant now) const {
     if (!subdocument_.computing())
         return true;
     const auto known = subdocument_.knownUntil();
-    return mode_ != ipc::Mode::batch && known && *known >= time &&
+    return host_.mode != ipc::Mode::batch && known && *known >= time &&
            now >= subdocument_.startedAt() + longEnoughComputed;
 }
 
 void Session::answerWaiting() {
     for (std::size_t i = 0; i < waiting_.size();) {
-        if (!waiting_[i].ready(now_)) {
+        if (!waiting_[i].ready(at_.now)) {
             ++i;
             continue;
         }
@@ -124,49 +125,49 @@ void Session::answerWaiting() {
         answer();
     }
     if (!waiting_.empty())
-        dueAt(now_ + whileReadingSettles);
+        dueAt(at_.now + whileReadingSettles);
 }
 
 // --- what is told -----------------------------------------------------------------------------
 
 void Session::tellDiagnostics() {
     ipc::Diagnostics diagnostics{subdocument_.revision(), subdocument_.diagnostics()};
-    if (toldDiagnostics_ == diagnostics)
+    if (told_.diagnostics == diagnostics)
         return;
     channel_.notify(diagnostics);
-    toldDiagnostics_ = std::move(diagnostics);
+    told_.diagnostics = std::move(diagnostics);
 }
 
 void Session::tellProgress() {
     if (!subdocument_.computing()) {
-        if (progress_)
-            channel_.notify(ipc::ProgressEnd{*progress_, ""});
-        progress_.reset();
+        if (progress_.token)
+            channel_.notify(ipc::ProgressEnd{*progress_.token, ""});
+        progress_.token.reset();
         return;
     }
-    if (!progress_) {
+    if (!progress_.token) {
         const Instant begin = subdocument_.startedAt() + beforeProgress;
-        if (now_ < begin)
+        if (at_.now < begin)
             return dueAt(begin);
-        progress_ = ++lastToken_;
-        channel_.notify(ipc::ProgressBegin{*progress_, "Computing the motion", true});
-        nextProgress_ = now_;
+        progress_.token = ++progress_.lastToken;
+        channel_.notify(ipc::ProgressBegin{*progress_.token, "Computing the motion", true});
+        progress_.next = at_.now;
     }
-    if (now_ >= nextProgress_) {
+    if (at_.now >= progress_.next) {
         const Span& span = subdocument_.playback.span();
-        ipc::ProgressReport report{*progress_, std::nullopt, ""};
+        ipc::ProgressReport report{*progress_.token, std::nullopt, ""};
         if (subdocument_.knownUntil() && span.finish > span.start)
             report.fraction = (span.computed - span.start) / (span.finish - span.start);
         channel_.notify(report);
-        nextProgress_ = now_ + betweenProgress;
+        progress_.next = at_.now + betweenProgress;
     }
-    dueAt(nextProgress_);
+    dueAt(progress_.next);
 }
 
 ipc::TimeChanged Session::timeNow() const {
     const Playback& playback = subdocument_.playback;
     ipc::TimeChanged time;
-    time.time = shownTime_;
+    time.time = shown_.time;
     time.playing = playback.playing();
     time.rate = playback.rate();
     time.loop = playback.loops();
@@ -184,30 +185,30 @@ void Session::tellTime() {
     if (subdocument_.revision() == 0 && !subdocument_.scene() && !subdocument_.readAt())
         return; // nothing was loaded
     const ipc::TimeChanged time = timeNow();
-    const bool urgent = !toldTime_ || !sameButTime(*toldTime_, time);
-    if (!urgent && toldTime_->time == time.time && toldTime_->computed == time.computed)
+    const bool urgent = !told_.time || !sameButTime(*told_.time, time);
+    if (!urgent && told_.time->time == time.time && told_.time->computed == time.computed)
         return;
-    if (!urgent && (now_ < nextTimeTold_ || channel_.congested()))
-        return dueAt(std::max(nextTimeTold_, now_ + shortestFrame));
+    if (!urgent && (at_.now < told_.nextTime || channel_.congested()))
+        return dueAt(std::max(told_.nextTime, at_.now + shortestFrame));
     channel_.notify(time);
-    toldTime_ = time;
-    nextTimeTold_ = now_ + (anyVisible() ? betweenTimes : betweenHiddenTimes);
+    told_.time = time;
+    told_.nextTime = at_.now + (anyVisible() ? betweenTimes : betweenHiddenTimes);
 }
 
 void Session::tellValues() {
     if (!subdocument_.motion() || subscriptions_.empty() || channel_.congested())
         return;
-    if (now_ < nextValuesTold_)
-        return dueAt(nextValuesTold_);
+    if (at_.now < told_.nextValues)
+        return dueAt(told_.nextValues);
     for (auto& [id, subscription] : subscriptions_) {
         if (!subscription.reader)
             subscription.reader.emplace(valuesOf(subscription.expressions));
-        ipc::Values now = subscription.reader->at(shownTime_);
+        ipc::Values now = subscription.reader->at(shown_.time);
         if (subscription.told && sameValues(*subscription.told, now))
             continue;
-        channel_.notify(ipc::ValueChanged{id, shownTime_, now.values, now.faults});
+        channel_.notify(ipc::ValueChanged{id, shown_.time, now.values, now.faults});
         subscription.told = std::move(now);
-        nextValuesTold_ = now_ + betweenValues;
+        told_.nextValues = at_.now + betweenValues;
     }
 }
 
@@ -218,9 +219,9 @@ MenuState Session::menuNow() const {
     state.playing = playback.playing();
     state.loops = playback.loops();
     state.rate = playback.rate();
-    state.drafts = drafts_;
-    state.display = display_;
-    for (const auto& [id, rendition] : renditions_)
+    state.drafts = host_.drafts;
+    state.display = shown_.display;
+    for (const auto& [id, rendition] : shown_.all)
         if (rendition.visible) {
             state.display = rendition.display;
             break;
@@ -230,19 +231,19 @@ MenuState Session::menuNow() const {
 
 void Session::tellMenu() {
     const MenuState state = menuNow();
-    if (!mode_ || toldMenu_ == state)
+    if (!host_.mode || told_.menu == state)
         return;
-    if (toldMenu_)
+    if (told_.menu)
         channel_.notify(ipc::MenuChanged{menuOf(state)});
-    toldMenu_ = state;
+    told_.menu = state;
 }
 
 // How each rendition is seen, once its user lets go.
 void Session::tellStates() {
-    for (auto& [id, rendition] : renditions_) {
+    for (auto& [id, rendition] : shown_.all) {
         if (rendition.beingTurned())
             continue;
-        if (now_ < rendition.calmAt) {
+        if (at_.now < rendition.calmAt) {
             dueAt(rendition.calmAt);
             continue;
         }
@@ -257,12 +258,12 @@ void Session::tellStates() {
 // --- pictures ---------------------------------------------------------------------------------
 
 bool Session::anyVisible() const {
-    return std::ranges::any_of(renditions_, [](const auto& entry) { return entry.second.visible; });
+    return std::ranges::any_of(shown_.all, [](const auto& entry) { return entry.second.visible; });
 }
 
 bool Session::moving(const Rendition& rendition) const {
-    return subdocument_.playback.playing() || now_ < calmAt_ || now_ < rendition.calmAt ||
-           rendition.beingTurned() || handles_.active();
+    return subdocument_.playback.playing() || at_.now < pace_.calmAt ||
+           at_.now < rendition.calmAt || rendition.beingTurned() || gesture_.handles.active();
 }
 
 const scene::Scene& Session::drawnScene() const {
@@ -273,20 +274,21 @@ const scene::Scene& Session::drawnScene() const {
 Look Session::lookOf(Rendition& rendition) const {
     Look look;
     if (rendition.presentation() != Presentation::picture) {
-        const SheetLook sheet = sheets_.lookOf(rendition.presentation(), shownTime_, rendition.row);
+        const SheetLook sheet =
+            sheets_.lookOf(rendition.presentation(), shown_.time, rendition.row);
         look.generation = sheet.generation;
         look.time = sheet.time;
         look.row = sheet.row;
         return look;
     }
     look.generation = subdocument_.generation();
-    look.time = shownTime_;
+    look.time = shown_.time;
     look.display = rendition.display;
     if (!subdocument_.scene())
         look.display.grid = false;
     look.display.samples = moving(rendition) ? movingSamples : stillSamples;
-    look.camera = rendition.camera(shownTime_);
-    look.handles = render::showsHandles(look.display) ? handles_.generation() : 0;
+    look.camera = rendition.camera(shown_.time);
+    look.handles = render::showsHandles(look.display) ? gesture_.handles.generation() : 0;
     return look;
 }
 
@@ -307,7 +309,7 @@ void Session::drawOwed() {
         return;
     const Instant begin = Clock::now();
     bool drawn = false;
-    for (auto& [id, rendition] : renditions_) {
+    for (auto& [id, rendition] : shown_.all) {
         if (!rendition.visible ||
             (!platform_.draw && rendition.presentation() == Presentation::picture))
             continue;
@@ -315,30 +317,30 @@ void Session::drawOwed() {
             continue; // until its plots are there
         rendition.see(drawnScene(), subdocument_.motion(), subdocument_.viewGeneration());
         const Look look = lookOf(rendition);
-        if (const Instant calm = std::max(calmAt_, rendition.calmAt); now_ < calm)
+        if (const Instant calm = std::max(pace_.calmAt, rendition.calmAt); at_.now < calm)
             dueAt(calm);
         if (rendition.shows(look) || !rendition.hasFreeSlot())
             continue;
-        if (now_ < nextFrame_) {
-            dueAt(nextFrame_);
+        if (at_.now < pace_.nextFrame) {
+            dueAt(pace_.nextFrame);
             continue;
         }
         drawn = draw(rendition, look) || drawn;
     }
     if (drawn) {
-        if (!firstFrame_)
-            firstFrame_ = now_;
-        frameCost_ = Clock::now() - begin;
-        nextFrame_ =
-            now_ + std::clamp<Clock::duration>(2 * frameCost_, shortestFrame, longestPause);
+        if (!pace_.firstFrame)
+            pace_.firstFrame = at_.now;
+        pace_.frameCost = Clock::now() - begin;
+        pace_.nextFrame =
+            at_.now + std::clamp<Clock::duration>(2 * pace_.frameCost, shortestFrame, longestPause);
     }
 }
 
 void Session::useSpareTime() {
-    if (!platform_.inSpareTime || !firstFrame_ || subdocument_.playback.playing())
+    if (!platform_.inSpareTime || !pace_.firstFrame || subdocument_.playback.playing())
         return;
-    if (now_ < *firstFrame_ + untilSpareTime)
-        return dueAt(*firstFrame_ + untilSpareTime);
+    if (at_.now < *pace_.firstFrame + untilSpareTime)
+        return dueAt(*pace_.firstFrame + untilSpareTime);
     std::exchange(platform_.inSpareTime, nullptr)();
 }
 
@@ -347,13 +349,13 @@ bool Session::draw(Rendition& rendition, const Look& look) {
     if (rendition.presentation() != Presentation::picture) {
         sheets_.draw(rendition.presentation(), {look.generation, look.time, look.row},
                      rendition.scale(), frame.into);
-        frame.message.time = shownTime_;
+        frame.message.time = shown_.time;
         send(rendition, frame);
         return true;
     }
     render::Drawing drawing = drawingOf(look);
     if (subdocument_.scene())
-        drawing.handles = handles_.handles(subdocument_.scene(), drawing);
+        drawing.handles = gesture_.handles.handles(subdocument_.scene(), drawing);
     if (!platform_.draw(drawing, frame.into)) {
         rendition.acknowledge(frame.message.serial);
         platform_.draw = nullptr;

@@ -50,14 +50,16 @@ public:
 
     [[nodiscard]] Subdocument& subdocument() { return subdocument_; }
     [[nodiscard]] const ValueSource& valueSource() const { return values_; }
-    [[nodiscard]] const std::string& title() const { return title_; } // for windows; may be ""
+    [[nodiscard]] const std::string& title() const { return host_.title; } // for windows; may be ""
     // One change of the text, made in one of the medium's windows: it is the host's to accept. Then
     // it is the text here too, and `done` hears nothing; else why not.
     void propose(const text::Edit& edit, const std::string& label,
                  std::function<void(std::optional<std::string> refusal)> done);
     void tellWindows(const ipc::WindowsChanged& windows);
     void keepWindows(const std::string& state) { channel_.notify(ipc::SessionKeep{state}); }
-    [[nodiscard]] const std::optional<ipc::Mode>& mode() const { return mode_; } // none: not yet
+    [[nodiscard]] const std::optional<ipc::Mode>& mode() const {
+        return host_.mode;
+    } // none: not yet
 
 private:
     template <class Result> using Reply = ipc::Outcome<Result>;
@@ -70,6 +72,46 @@ private:
     struct Waiting {
         std::function<bool(Instant)> ready;
         std::function<void()> answer;
+    };
+
+    // The state that belongs together.
+    struct Host {
+        std::string title; // what the host calls the subdocument
+        std::optional<ipc::Mode> mode;
+        bool drafts = false; // in windows
+    };
+    struct Shown {
+        std::optional<FrameMemory> memory;
+        std::map<ipc::Integer, Rendition> all;
+        render::Display display; // that new renditions start with
+        double time = 0;         // of the pictures and values that are made now
+    };
+    struct Moment {
+        Instant now{}; // of the call that is being served
+        std::optional<Instant> due;
+    };
+    struct Gesture {
+        HandleEditing handles;
+        ipc::Integer in = 0; // the rendition whose handle is held
+        std::string toldWords, refusedWords;
+        std::optional<ipc::Integer> token; // of what is told of it
+    };
+    struct Pace {
+        Instant calmAt{}; // until then the user is moving through time
+        std::optional<Instant> firstFrame;
+        Instant nextFrame{}; // no picture is drawn before
+        Clock::duration frameCost{};
+    };
+    struct Told {
+        std::optional<ipc::TimeChanged> time;
+        Instant nextTime{}, nextValues{};
+        std::optional<MenuState> menu;
+        std::optional<ipc::Diagnostics> diagnostics;
+    };
+    struct Progress {
+        std::optional<ipc::Integer> token; // of what was begun
+        ipc::Integer lastToken = 0;
+        Instant next{};
     };
 
     // --- session_calls.cpp: what the host asks. Those with an id answer by themselves.
@@ -167,35 +209,17 @@ private:
     ipc::MediumChannel& channel_;
     Subdocument subdocument_;
     Sheets sheets_{subdocument_};
-    std::string title_; // what the host calls it
-    std::optional<ipc::Mode> mode_;
-    bool drafts_ = false; // in windows
-    std::optional<FrameMemory> memory_;
-    std::map<ipc::Integer, Rendition> renditions_;
-    render::Display display_; // that new renditions start with
+    Host host_;
+    Shown shown_;
+    Moment at_;
     std::map<ipc::Integer, Subscription> subscriptions_;
     ValueSource values_;
     std::vector<Waiting> waiting_;
-    HandleEditing handles_;
-    ipc::Integer editedIn_ = 0;               // the rendition whose handle is held
-    std::string toldWords_, refusedWords_;    // of a gesture
-    std::optional<ipc::Integer> gestureTold_; // token of what is told of it
+    Gesture gesture_;
+    Pace pace_;
+    Told told_;
+    Progress progress_;
     bool over_ = false;
-
-    Instant now_{};        // of the call that is being served
-    double shownTime_ = 0; // of the pictures and values that are made now
-    std::optional<Instant> due_;
-    Instant calmAt_{}; // until then the user is moving through time
-    std::optional<Instant> firstFrame_;
-    Instant nextFrame_{}; // no picture is drawn before
-    Clock::duration frameCost_{};
-    std::optional<ipc::TimeChanged> toldTime_;
-    Instant nextTimeTold_{}, nextValuesTold_{};
-    std::optional<MenuState> toldMenu_;
-    std::optional<ipc::Diagnostics> toldDiagnostics_;
-    std::optional<ipc::Integer> progress_; // token of what was begun
-    ipc::Integer lastToken_ = 0;
-    Instant nextProgress_{};
 };
 
 } // namespace service

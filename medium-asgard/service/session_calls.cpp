@@ -30,7 +30,7 @@ const ipc::Error unknownRendition = faulty("there is no such rendition");
 // --- the subdocument --------------------------------------------------------------------------
 
 auto Session::serve(const ipc::Initialize& call) -> Reply<ipc::Initialized> {
-    if (mode_)
+    if (host_.mode)
         return ipc::Error{ipc::ErrorCode::invalidRequest, "initialize comes only once"};
     if (call.oldest > protocolVersion || call.newest < protocolVersion) {
         over_ = true;
@@ -40,32 +40,32 @@ auto Session::serve(const ipc::Initialize& call) -> Reply<ipc::Initialized> {
         auto memory = FrameMemory::of(*call.frames);
         if (const auto* sentence = std::get_if<std::string>(&memory))
             return faulty(*sentence);
-        memory_ = std::get<FrameMemory>(memory);
+        shown_.memory = std::get<FrameMemory>(memory);
     }
     if (platform_.confine)
         platform_.confine(call.mode);
-    mode_ = call.mode;
-    toldMenu_ = menuNow();
+    host_.mode = call.mode;
+    told_.menu = menuNow();
     ipc::Initialized answer;
     answer.protocol = protocolVersion;
     answer.name = "Asgard";
     answer.version = platform_.version;
     answer.capabilities = {"time", "parameters", "values", "script", "snapshot", "edit"};
-    answer.menus = menuOf(*toldMenu_);
+    answer.menus = menuOf(*told_.menu);
     return answer;
 }
 
 auto Session::serve(const ipc::SubdocumentLoad& call) -> Reply<ipc::Done> {
-    title_ = call.title;
-    handles_.drop();
-    subdocument_.load(call.text, call.revision, now_);
+    host_.title = call.title;
+    gesture_.handles.drop();
+    subdocument_.load(call.text, call.revision, at_.now);
     return ipc::Done{};
 }
 
 auto Session::serve(const ipc::SubdocumentEdit& call) -> Reply<ipc::Done> {
-    if (const auto sentence = subdocument_.edit(call.edits, call.revision, now_))
+    if (const auto sentence = subdocument_.edit(call.edits, call.revision, at_.now))
         return notPossible(*sentence);
-    handles_.drop();
+    gesture_.handles.drop();
     return ipc::Done{};
 }
 
@@ -77,15 +77,15 @@ void Session::propose(const text::Edit& edit, const std::string& label,
         if (const auto* error = std::get_if<ipc::Error>(&outcome))
             return done(error->message);
         const auto revision = std::get<ipc::Revised>(outcome).revision;
-        const auto sentence = subdocument_.edit({edit}, revision, now_);
+        const auto sentence = subdocument_.edit({edit}, revision, at_.now);
         if (!sentence)
-            handles_.drop();
+            gesture_.handles.drop();
         done(sentence);
     });
 }
 
 void Session::tellWindows(const ipc::WindowsChanged& windows) {
-    drafts_ = windows.drafts;
+    host_.drafts = windows.drafts;
     channel_.notify(windows);
     tellMenu();
 }
@@ -134,11 +134,11 @@ std::optional<ipc::Error> Session::noPicture(Presentation of, ipc::Integer width
 std::optional<std::string> Session::shape(Rendition& rendition,
                                           const ipc::RenditionGeometry& geometry) {
     std::array<std::shared_ptr<const MappedSlot>, 2> slots;
-    if (memory_ && !geometry.slots.empty()) {
+    if (shown_.memory && !geometry.slots.empty()) {
         if (geometry.slots.size() != slots.size())
             return "a rendition has two slots";
         for (std::size_t i = 0; i < slots.size(); ++i) {
-            auto mapped = memory_->map(geometry.slots[i], geometry.width, geometry.height);
+            auto mapped = shown_.memory->map(geometry.slots[i], geometry.width, geometry.height);
             if (const auto* sentence = std::get_if<std::string>(&mapped))
                 return *sentence;
             slots[i] = std::get<std::shared_ptr<const MappedSlot>>(mapped);
@@ -154,23 +154,23 @@ auto Session::serve(const ipc::RenditionCreate& call) -> Reply<ipc::Done> {
         return unknownPresentation;
     if (const auto error = noPicture(*presentation, call.width, call.height))
         return *error;
-    if (renditions_.contains(call.rendition))
+    if (shown_.all.contains(call.rendition))
         return faulty("there is a rendition of that number already");
-    if (renditions_.size() >= mostRenditions)
+    if (shown_.all.size() >= mostRenditions)
         return notPossible("there are " + std::to_string(mostRenditions) + " renditions already");
     Rendition rendition;
-    rendition.display = display_;
+    rendition.display = shown_.display;
     rendition.restore(call.state);
     rendition.toldState = rendition.state();
     if (const auto sentence = shape(rendition, call))
         return faulty(*sentence);
-    renditions_.emplace(call.rendition, std::move(rendition));
+    shown_.all.emplace(call.rendition, std::move(rendition));
     return ipc::Done{};
 }
 
 auto Session::serve(const ipc::RenditionResize& call) -> Reply<ipc::Done> {
-    const auto found = renditions_.find(call.rendition);
-    if (found == renditions_.end())
+    const auto found = shown_.all.find(call.rendition);
+    if (found == shown_.all.end())
         return unknownRendition;
     const auto presentation = presentationNamed(call.presentation);
     if (!presentation)
@@ -183,10 +183,10 @@ auto Session::serve(const ipc::RenditionResize& call) -> Reply<ipc::Done> {
 }
 
 auto Session::serve(const ipc::RenditionDestroy& call) -> Reply<ipc::Done> {
-    if (renditions_.erase(call.rendition) == 0)
+    if (shown_.all.erase(call.rendition) == 0)
         return unknownRendition;
-    if (handles_.active() && editedIn_ == call.rendition)
-        handles_.cancel();
+    if (gesture_.handles.active() && gesture_.in == call.rendition)
+        gesture_.handles.cancel();
     return ipc::Done{};
 }
 
@@ -196,7 +196,7 @@ void Session::serve(const ipc::Id& id, const ipc::RenditionSnapshot& call) {
         return channel_.refuse(id, unknownPresentation);
     if (waiting_.size() >= mostWaiting)
         return channel_.refuse(id, notPossible("too many requests wait for the motion"));
-    const double time = call.time.value_or(subdocument_.playback.time(now_));
+    const double time = call.time.value_or(subdocument_.playback.time(at_.now));
     waiting_.push_back({[this, time, presentation](Instant now) {
                             return knownAt(time, now) && sheets_.upToDate(*presentation);
                         },
@@ -211,14 +211,14 @@ render::Drawing Session::printed(const ipc::RenditionSnapshot& call, double time
     drawing.scene = scene.get();
     drawing.motion = subdocument_.motion();
     drawing.time = time;
-    const auto seen = call.rendition ? renditions_.find(*call.rendition) : renditions_.end();
-    if (seen != renditions_.end()) {
+    const auto seen = call.rendition ? shown_.all.find(*call.rendition) : shown_.all.end();
+    if (seen != shown_.all.end()) {
         seen->second.see(*scene, subdocument_.motion(), subdocument_.viewGeneration());
         drawing.camera = seen->second.camera(time);
         drawing.display = seen->second.display;
     } else {
         drawing.camera = render::cameraOf(*scene, subdocument_.motion(), "", time, size);
-        drawing.display = display_;
+        drawing.display = shown_.display;
     }
     drawing.display.samples = printedSamples;
     return drawing;
@@ -233,15 +233,15 @@ auto Session::take(const ipc::RenditionSnapshot& call) -> Reply<ipc::Taken> {
         return notPossible(faults.empty() ? "no scene was loaded" : faults.front().message);
     }
     const auto& span = subdocument_.playback.span();
-    ipc::Taken taken{
-        std::clamp(call.time.value_or(shownTime_), span.start, std::max(span.start, span.computed)),
-        std::nullopt};
+    ipc::Taken taken{std::clamp(call.time.value_or(shown_.time), span.start,
+                                std::max(span.start, span.computed)),
+                     std::nullopt};
     render::Image image;
     image.size = {static_cast<int>(call.width), static_cast<int>(call.height)};
     std::shared_ptr<const MappedSlot> slot;
     std::vector<std::byte> own;
-    if (memory_ && call.offset && call.stride) {
-        auto mapped = memory_->map({*call.offset, *call.stride}, call.width, call.height);
+    if (shown_.memory && call.offset && call.stride) {
+        auto mapped = shown_.memory->map({*call.offset, *call.stride}, call.width, call.height);
         if (const auto* sentence = std::get_if<std::string>(&mapped))
             return faulty(*sentence);
         slot = std::get<std::shared_ptr<const MappedSlot>>(mapped);
@@ -262,33 +262,33 @@ auto Session::take(const ipc::RenditionSnapshot& call) -> Reply<ipc::Taken> {
 }
 
 void Session::hear(const ipc::RenditionShow& call) {
-    if (const auto found = renditions_.find(call.rendition); found != renditions_.end())
+    if (const auto found = shown_.all.find(call.rendition); found != shown_.all.end())
         found->second.visible = true;
 }
 
 void Session::hear(const ipc::RenditionHide& call) {
-    if (const auto found = renditions_.find(call.rendition); found != renditions_.end())
+    if (const auto found = shown_.all.find(call.rendition); found != shown_.all.end())
         found->second.visible = false;
-    if (handles_.active() && editedIn_ == call.rendition)
-        handles_.finish(); // as when the focus goes: what was seen last is taken
+    if (gesture_.handles.active() && gesture_.in == call.rendition)
+        gesture_.handles.finish(); // as when the focus goes: what was seen last is taken
 }
 
 void Session::hear(const ipc::RenditionAck& call) {
-    if (const auto found = renditions_.find(call.rendition); found != renditions_.end())
+    if (const auto found = shown_.all.find(call.rendition); found != shown_.all.end())
         found->second.acknowledge(call.serial);
 }
 
 void Session::hear(const ipc::RenditionInput& call) {
     if (call.type == ipc::InputType::keyPress || call.type == ipc::InputType::keyRelease) {
         const bool press = call.type == ipc::InputType::keyPress;
-        if (handles_.key(call.key, press))
+        if (gesture_.handles.key(call.key, press))
             return;
         if (!call.modifiers.empty() || !(press ? key(call.key) : usesKey(call.key)))
             channel_.notify(ipc::RenditionUnhandled{call});
         return;
     }
-    const auto found = renditions_.find(call.rendition);
-    if (found == renditions_.end())
+    const auto found = shown_.all.find(call.rendition);
+    if (found == shown_.all.end())
         return;
     Rendition& rendition = found->second;
     if (rendition.presentation() != Presentation::picture)
@@ -298,8 +298,8 @@ void Session::hear(const ipc::RenditionInput& call) {
     if (edit(rendition, call))
         return;
     const bool before = rendition.beingTurned();
-    if (rendition.input(call, subdocument_.playback.time(now_)))
-        rendition.calmAt = now_ + settling;
+    if (rendition.input(call, subdocument_.playback.time(at_.now)))
+        rendition.calmAt = at_.now + settling;
     if (rendition.beingTurned() != before)
         channel_.notify(ipc::RenditionCursor{call.rendition, before ? ipc::CursorShape::arrow
                                                                     : ipc::CursorShape::grabbing});
@@ -320,8 +320,9 @@ void Session::inputToSheet(Rendition& rendition, const ipc::Input& input) {
                   std::ranges::find(input.buttons, ipc::Button::left) != input.buttons.end();
     if (isText || !isHeld)
         return;
-    subdocument_.playback.seek(sheets_.timeAt(input.x, rendition.size(), rendition.scale()), now_);
-    calmAt_ = now_ + settling;
+    subdocument_.playback.seek(sheets_.timeAt(input.x, rendition.size(), rendition.scale()),
+                               at_.now);
+    pace_.calmAt = at_.now + settling;
 }
 
 // --- time -------------------------------------------------------------------------------------
@@ -335,45 +336,45 @@ bool Session::usesKey(const std::string& name) {
 bool Session::key(const std::string& name) {
     Playback& playback = subdocument_.playback;
     if (name == " ")
-        playback.playing() ? playback.pause(now_) : playback.play(now_);
+        playback.playing() ? playback.pause(at_.now) : playback.play(at_.now);
     else if (name == "ArrowLeft" || name == "ArrowRight")
         step(name == "ArrowLeft" ? -1 : 1);
     else if (name == "ArrowDown" || name == "ArrowUp")
         step(name == "ArrowDown" ? -10 : 10);
     else if (name == "Home" || name == "End")
-        playback.seek(name == "Home" ? playback.span().start : playback.span().finish, now_);
+        playback.seek(name == "Home" ? playback.span().start : playback.span().finish, at_.now);
     return usesKey(name);
 }
 
 void Session::step(double pictures) {
     Playback& playback = subdocument_.playback;
-    playback.pause(now_);
-    playback.seek(playback.time(now_) + pictures * playback.rate() / picturesPerSecond, now_);
+    playback.pause(at_.now);
+    playback.seek(playback.time(at_.now) + pictures * playback.rate() / picturesPerSecond, at_.now);
 }
 
 void Session::stop() {
-    subdocument_.playback.pause(now_);
-    subdocument_.playback.seek(subdocument_.playback.span().start, now_);
+    subdocument_.playback.pause(at_.now);
+    subdocument_.playback.seek(subdocument_.playback.span().start, at_.now);
 }
 
 auto Session::serve(const ipc::TimePlay&) -> Reply<ipc::Done> {
-    subdocument_.playback.play(now_);
+    subdocument_.playback.play(at_.now);
     return ipc::Done{};
 }
 
 auto Session::serve(const ipc::TimePause&) -> Reply<ipc::Done> {
-    subdocument_.playback.pause(now_);
+    subdocument_.playback.pause(at_.now);
     return ipc::Done{};
 }
 
 auto Session::serve(const ipc::TimeSeek& call) -> Reply<ipc::Done> {
-    subdocument_.playback.seek(call.time, now_);
-    calmAt_ = now_ + settling;
+    subdocument_.playback.seek(call.time, at_.now);
+    pace_.calmAt = at_.now + settling;
     return ipc::Done{};
 }
 
 auto Session::serve(const ipc::TimeRate& call) -> Reply<ipc::Done> {
-    subdocument_.playback.setRate(call.rate, call.loop, now_);
+    subdocument_.playback.setRate(call.rate, call.loop, at_.now);
     return ipc::Done{};
 }
 
@@ -381,7 +382,7 @@ auto Session::serve(const ipc::TimeRate& call) -> Reply<ipc::Done> {
 
 std::vector<Rendition*> Session::targets(std::optional<ipc::Integer> rendition) {
     std::vector<Rendition*> all, visible;
-    for (auto& [id, candidate] : renditions_) {
+    for (auto& [id, candidate] : shown_.all) {
         if (rendition == id)
             return {&candidate};
         all.push_back(&candidate);
@@ -394,28 +395,28 @@ std::vector<Rendition*> Session::targets(std::optional<ipc::Integer> rendition) 
 auto Session::serve(const ipc::MenuInvoke& call) -> Reply<ipc::Done> {
     Playback& playback = subdocument_.playback;
     if (const auto rate = rateOf(call.id)) {
-        playback.setRate(*rate, playback.loops(), now_);
+        playback.setRate(*rate, playback.loops(), at_.now);
     } else if (bool render::Display::*value = displaySwitch(call.id)) {
         const bool on = !(menuNow().display.*value);
         for (Rendition* rendition : targets(call.rendition))
             rendition->display.*value = on;
-        if (!call.rendition || renditions_.size() <= 1)
-            display_.*value = on;
+        if (!call.rendition || shown_.all.size() <= 1)
+            shown_.display.*value = on;
     } else if (call.id == "play") {
-        playback.play(now_);
+        playback.play(at_.now);
     } else if (call.id == "pause") {
-        playback.pause(now_);
+        playback.pause(at_.now);
     } else if (call.id == "stop") {
         stop();
     } else if (call.id == "step") {
         step(1);
     } else if (call.id == "loop") {
-        playback.setRate(playback.rate(), !playback.loops(), now_);
+        playback.setRate(playback.rate(), !playback.loops(), at_.now);
     } else if (call.id == "reset-view") {
         for (Rendition* rendition : targets(call.rendition))
             rendition->follow("");
     } else if (call.id == "recompute") {
-        subdocument_.recompute(now_);
+        subdocument_.recompute(at_.now);
     } else if (call.id == "open-graphical-viewer" || call.id == "open-language-viewer" ||
                call.id == updateDrafts) {
         if (!platform_.openViewer)
@@ -444,7 +445,7 @@ auto Session::serve(const ipc::ParameterList&) -> Reply<ipc::Parameters> {
 }
 
 void Session::hear(const ipc::ParameterSet& call) {
-    subdocument_.setParameter(call.name, call.value, now_);
+    subdocument_.setParameter(call.name, call.value, at_.now);
 }
 
 auto Session::serve(const ipc::ValueList&) -> Reply<ipc::ValueOffers> {
@@ -455,7 +456,7 @@ auto Session::serve(const ipc::ValueList&) -> Reply<ipc::ValueOffers> {
 void Session::serve(const ipc::Id& id, const ipc::ValueRead& call) {
     if (waiting_.size() >= mostWaiting)
         return channel_.refuse(id, notPossible("too many requests wait for the motion"));
-    const double time = call.time.value_or(subdocument_.playback.time(now_));
+    const double time = call.time.value_or(subdocument_.playback.time(at_.now));
     waiting_.push_back({[this, time](Instant now) { return knownAt(time, now); },
                         [this, id, call] {
                             auto read = values(call.expressions, call.time);
@@ -471,7 +472,7 @@ auto Session::serve(const ipc::ValueSubscribe& call) -> Reply<ipc::Done> {
         return notPossible("there are " + std::to_string(mostSubscriptions) +
                            " subscriptions already");
     subscriptions_[call.id] = Subscription{call.expressions, std::nullopt, std::nullopt};
-    nextValuesTold_ = now_;
+    told_.nextValues = at_.now;
     return ipc::Done{};
 }
 

@@ -81,23 +81,23 @@ auto Session::evaluate(const std::string& script) -> Reply<ipc::Evaluated> {
         if (!command.argument.empty() && !number)
             return error(command.name + " wants a number, not \"" + command.argument + "\"");
         if (command.name == "time" && number)
-            playback.seek(*number, now_);
+            playback.seek(*number, at_.now);
         if (command.name == "rate" && number) {
             if (*number < 1e-6 || *number > 1e6)
                 return error("a rate lies in 1e-6 to 1e6");
-            playback.setRate(*number, playback.loops(), now_);
+            playback.setRate(*number, playback.loops(), at_.now);
         }
         if (command.name == "loop" && number)
-            playback.setRate(playback.rate(), *number != 0, now_);
-        return ipc::Evaluated{command.name == "time"   ? written(playback.time(now_))
+            playback.setRate(playback.rate(), *number != 0, at_.now);
+        return ipc::Evaluated{command.name == "time"   ? written(playback.time(at_.now))
                               : command.name == "rate" ? written(playback.rate())
                                                        : written(playback.loops())};
     }
     if (command.name == "play" || command.name == "pause" || command.name == "stop") {
         if (command.name == "play")
-            playback.play(now_);
+            playback.play(at_.now);
         else if (command.name == "pause")
-            playback.pause(now_);
+            playback.pause(at_.now);
         else
             stop();
         return ipc::Evaluated{""};
@@ -116,7 +116,7 @@ auto Session::evaluate(const std::string& script) -> Reply<ipc::Evaluated> {
             return ipc::Evaluated{names(drawnScene().views)};
         for (const scene::View& view : drawnScene().views)
             if (view.name == command.argument) {
-                for (auto& [id, rendition] : renditions_)
+                for (auto& [id, rendition] : shown_.all)
                     rendition.follow(view.name);
                 return ipc::Evaluated{view.name};
             }
@@ -139,7 +139,7 @@ auto Session::values(const std::vector<std::string>& expressions, std::optional<
     if (!subdocument_.computing() && !subdocument_.upToDate())
         return error("the text is faulty: its last values are those of an older text");
     const ValueReader reader = valuesOf(expressions);
-    const double at = time.value_or(subdocument_.playback.time(now_));
+    const double at = time.value_or(subdocument_.playback.time(at_.now));
     if (at >= motion->start() && at <= motion->computed())
         return reader.at(at);
     return reader.none("there is no motion at " + shown(at) + " s: it is known from " +

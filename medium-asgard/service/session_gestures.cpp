@@ -13,7 +13,7 @@ gestures::Ground Session::ground() {
     };
     return {subdocument_.text(), subdocument_.scene(), subdocument_.motion(),
             [=, this](const std::string& text) {
-                ifCurrent([&] { subdocument_.preview(text, now_); });
+                ifCurrent([&] { subdocument_.preview(text, at_.now); });
             },
             [=, this](const std::string& text, const std::string& label) {
                 ifCurrent([&] { finishGesture(text, label); });
@@ -22,14 +22,14 @@ gestures::Ground Session::ground() {
 
 void Session::finishGesture(const std::string& text, const std::string& label) {
     if (text == subdocument_.text())
-        return subdocument_.endPreview(now_);
+        return subdocument_.endPreview(at_.now);
     const text::Edit edit = text::difference(subdocument_.text(), text);
-    subdocument_.preview(text, now_); // until the host has answered
+    subdocument_.preview(text, at_.now); // until the host has answered
     propose(edit, label, [this](const std::optional<std::string>& refusal) {
         if (!refusal)
             return;
-        subdocument_.endPreview(now_);
-        refusedWords_ = *refusal;
+        subdocument_.endPreview(at_.now);
+        gesture_.refusedWords = *refusal;
     });
 }
 
@@ -37,15 +37,15 @@ bool Session::edit(Rendition& rendition, const ipc::Input& input) {
     using ipc::InputType;
     const Eigen::Vector2d pixels(input.x, input.y);
     const auto button = buttonOf(input.button);
-    if (handles_.active()) {
-        if (input.rendition != editedIn_)
+    if (gesture_.handles.active()) {
+        if (input.rendition != gesture_.in)
             return false;
         if (input.type == InputType::move)
-            handles_.move(pixels);
+            gesture_.handles.move(pixels);
         else if (input.type == InputType::release && button)
-            handles_.release(*button);
+            gesture_.handles.release(*button);
         else if (input.type == InputType::focusOut)
-            handles_.finish();
+            gesture_.handles.finish();
         return input.type != InputType::wheel;
     }
     const bool shifted =
@@ -54,14 +54,14 @@ bool Session::edit(Rendition& rendition, const ipc::Input& input) {
     if (input.type != InputType::press || !button || !shifted || !subdocument_.scene() ||
         !subdocument_.upToDate() || subdocument_.previewing())
         return false;
-    shownTime_ = subdocument_.playback.time(now_);
+    shown_.time = subdocument_.playback.time(at_.now);
     rendition.see(drawnScene(), subdocument_.motion(), subdocument_.viewGeneration());
-    if (!handles_.press(ground(), drawingOf(lookOf(rendition)), rendition.size(), rendition.scale(),
-                        *button, pixels))
+    if (!gesture_.handles.press(ground(), drawingOf(lookOf(rendition)), rendition.size(),
+                                rendition.scale(), *button, pixels))
         return false;
-    toldWords_.clear(); // the same words are said again, of another gesture
-    rendition.holdView(shownTime_);
-    editedIn_ = input.rendition;
+    gesture_.toldWords.clear(); // the same words are said again, of another gesture
+    rendition.holdView(shown_.time);
+    gesture_.in = input.rendition;
     return true;
 }
 
@@ -69,7 +69,7 @@ void Session::tellHint(const Rendition& rendition) {
     const std::string what = render::showsHandles(rendition.display)
                                  ? "Shift-drag changes what is under the pointer"
                                  : "Shift-drag moves a body";
-    const ipc::Integer token = ++lastToken_;
+    const ipc::Integer token = ++progress_.lastToken;
     channel_.notify(ipc::ProgressBegin{token, "Editing", false});
     channel_.notify(ipc::ProgressEnd{token, "Drag turns the view, the wheel scales it  \u00b7  " +
                                                 what + "  \u00b7  Space plays  \u00b7  " +
@@ -78,19 +78,20 @@ void Session::tellHint(const Rendition& rendition) {
 
 // What a drag says of itself goes to the host as the message of something that goes on.
 void Session::tellGesture() {
-    const std::string& words = refusedWords_.empty() ? handles_.words() : refusedWords_;
-    if (words != toldWords_ && !words.empty()) {
-        if (!gestureTold_) {
-            gestureTold_ = ++lastToken_;
-            channel_.notify(ipc::ProgressBegin{*gestureTold_, "Editing", false});
+    const std::string& words =
+        gesture_.refusedWords.empty() ? gesture_.handles.words() : gesture_.refusedWords;
+    if (words != gesture_.toldWords && !words.empty()) {
+        if (!gesture_.token) {
+            gesture_.token = ++progress_.lastToken;
+            channel_.notify(ipc::ProgressBegin{*gesture_.token, "Editing", false});
         }
-        channel_.notify(ipc::ProgressReport{*gestureTold_, std::nullopt, words});
+        channel_.notify(ipc::ProgressReport{*gesture_.token, std::nullopt, words});
     }
-    toldWords_ = words;
-    if (gestureTold_ && !handles_.active()) {
-        channel_.notify(ipc::ProgressEnd{*gestureTold_, words});
-        gestureTold_.reset();
-        refusedWords_.clear();
+    gesture_.toldWords = words;
+    if (gesture_.token && !gesture_.handles.active()) {
+        channel_.notify(ipc::ProgressEnd{*gesture_.token, words});
+        gesture_.token.reset();
+        gesture_.refusedWords.clear();
     }
 }
 
