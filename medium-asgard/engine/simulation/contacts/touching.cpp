@@ -191,11 +191,11 @@ private:
             return;
         touch.normal = found.normal;
         using Piece = physics::SurfacePiece::Kind;
-        touch.isModelled = found.points.size() > 1;
         for (const PiecePoint& point : found.points) {
             const physics::SurfaceGap& gap = point.gap;
             const Vector& at = point.at.contact;
-            if (gap.support.kind == Piece::plane && gap.body.kind == Piece::point) {
+            if (gap.support.kind == Piece::plane && gap.body.kind == Piece::point &&
+                gap.body.radius > 0) {
                 const Vector on =
                     support_.state.position - origin_ + support_.state.attitude * gap.support.place;
                 add(Kind::onSupportPlane, at, point.at.place, on, gap.body.radius);
