@@ -177,6 +177,10 @@ case("let_go_by_load", "# zero: b.z\nsimulator -finish 3\n" + ground(0.5) + "sha
      "body b block -mass 1 -init_pos {0 0.1 0} -friction 0.5 -restitution 0\nbody w block -mass 1 -init_pos {5 3 0}\n"
      "joint holds -type fixed -body1 w -release {on.n > 20}\ncontact on -body1 b -body2 ground\n" + gravity("b", "w") + "force -body b -y {-t*10}\n",
      [(t, 3, 3 - G * max(0, t - (20 - G) / 10) ** 2 / 2, "w.y") for t in (0.5, 1, 1.3, 1.6)])
+# Three dominoes: the first falls, and all lie still at last.
+case("dominoes", "# zero: d0.z\nsimulator -finish 4\n" + ground(0.5) + "shape_set slab -desc {-sub {-box {0.2 2 1}}}\n" +
+     "".join(f"body d{i} slab -init_pos {{{1.2 * i} 1 0}} -friction 0.3 -restitution 0{' -init_drot {0 0 -1.6}' if i == 0 else ''}\n" for i in range(3)) +
+     gravity("d0", "d1", "d2"), [(4, 1, 0, f"d{i}.{q}") for i in range(3) for q in ("dx", "dy", "wz")])
 
 
 def main():

@@ -178,6 +178,12 @@ public:
         return speed(i) <
                -approachThreshold * (scaleOf(lines_[i].first) + scaleOf(lines_[i].second));
     }
+    [[nodiscard]] double fastest(std::span<const std::size_t> approaching) const {
+        double most = 0;
+        for (const std::size_t c : approaching)
+            most = std::max(most, -speed(c));
+        return most;
+    }
     [[nodiscard]] bool canYield(std::size_t i) const { return mobility(i, i) > 0; }
 
     // What a unit impulse along line j adds to the speed along line i.
@@ -346,9 +352,7 @@ private:
 void leaveTheSlow(const Round& round, std::span<const ImpactContact> contacts,
                   std::vector<std::size_t>& approaching) {
     constexpr double atRest = 1e-9, atRestBeside = 1e-2;
-    double fastest = 0;
-    for (const std::size_t c : approaching)
-        fastest = std::max(fastest, -round.speed(c));
+    const double fastest = round.fastest(approaching);
     std::erase_if(approaching, [&](std::size_t c) {
         return !contacts[c].isPressed &&
                -round.speed(c) < (contacts[c].isBeside ? atRestBeside : atRest) * fastest;
@@ -424,8 +428,10 @@ ImpactResult resolveImpact(std::vector<ImpactBody> bodies, std::span<const Impac
 
     // Elastic chains end after about as many rounds as there are pairs of contacts; inelastic ones
     // between walls never end, and what is left is then taken up without bounce.
+    constexpr double isNothing = 1e-12; // of the first approach
     const std::size_t most = 100 + 20 * yielding.size() * yielding.size();
     std::size_t rounds = 0;
+    double first = 0;
     for (; rounds < most; ++rounds) {
         std::vector<std::size_t> approaching;
         for (std::size_t c : yielding)
@@ -435,6 +441,10 @@ ImpactResult resolveImpact(std::vector<ImpactBody> bodies, std::span<const Impac
             continue;
         if (approaching.empty())
             return result;
+        const double fastest = round.fastest(approaching);
+        first = std::max(first, fastest);
+        if (fastest < isNothing * first)
+            break;
         leaveTheSlow(round, contacts, approaching);
         if (!solveTogether(round, contacts, approaching, false, result))
             break;

@@ -1,5 +1,6 @@
 #include "contacts/colliders.h"
 
+#include <tuple>
 #include <utility>
 
 namespace simulation {
@@ -11,6 +12,13 @@ Colliders::Colliders(const scene::Scene& ofScene, const physics::EquationsOfMoti
       records(recordsOf(ofEquations)), resolution(std::move(resolved)), joints(ofEquations) {
     for (std::size_t body = 0; body < records.size(); ++body)
         moving.emplace_back(records[body], shapes[body]);
+}
+
+Pair Colliders::bodyAndSupport(const Pair& pair) const {
+    const auto rank = [this](std::size_t body) {
+        return std::tuple(isFixed(body), !isBall(body), records[body].radius, body);
+    };
+    return rank(pair.second) < rank(pair.first) ? Pair(pair.second, pair.first) : pair;
 }
 
 physics::ContactFriction Colliders::frictionOf(std::size_t body, std::size_t support) const {

@@ -36,6 +36,8 @@ struct Colliders {
         return pairs.restitutionOf(pair.first, pair.second);
     }
 
+    // Of two in a contact that lasts the rounder, then the smaller one is the body.
+    [[nodiscard]] Pair bodyAndSupport(const Pair& pair) const;
     // Coulomb's law of the pair.
     [[nodiscard]] physics::ContactFriction frictionOf(std::size_t body, std::size_t support) const;
 

@@ -170,8 +170,8 @@ SurfaceGap roundGap(const Touch& touch, const physics::GapConstraint& of, const 
 class Landings {
 public:
     Landings(const Touch& touch, const Placed& body, const Placed& support,
-             physics::ContactPlace& place)
-        : touch_(touch), body_(body), support_(support), place_(place) {}
+             const std::optional<MotionPlane>& plane, physics::ContactPlace& place)
+        : touch_(touch), body_(body), support_(support), plane_(plane), place_(place) {}
 
     void add() {
         const SurfaceGap& gap = place_.points[0].gap;
@@ -226,7 +226,9 @@ private:
         const Vector& normal = touch_.normal;
         const Vector at = owner.state.position + owner.state.attitude * vertex;
         for (const ContactPoint& point : place_.points) {
-            const Vector off = nearestOf(point.gap, body_, support_).contact - at;
+            Vector off = nearestOf(point.gap, body_, support_).contact - at;
+            if (plane_)
+                off[plane_->axis] = 0;
             if ((off - normal * normal.dot(off)).norm() <= same * touch_.size)
                 return; // it is that point
         }
@@ -252,6 +254,7 @@ private:
     const Touch& touch_;
     const Placed& body_;
     const Placed& support_;
+    std::optional<MotionPlane> plane_; // in which a point stands for all across it
     physics::ContactPlace& place_;
 };
 
@@ -300,21 +303,17 @@ std::vector<std::size_t> standing(const std::vector<Vector>& points, const Motio
 // a corner is a vertex of the one or the other.
 class Flattening {
 public:
-    Flattening(const MotionPlane& plane, const Vector& corner, const Placed& body,
-               const Placed& support)
-        : plane_(plane), corner_(corner), body_(body), support_(support) {}
+    Flattening(const MotionPlane& plane, const Placed& body, const Placed& support)
+        : plane_(plane), body_(body), support_(support) {}
 
     void flatten(SurfaceGap& gap) const {
         const Vector normal = nearestOf(gap, body_, support_).normal;
         const bool isBodyAcross = cross(gap.body, body_), isAcross = cross(gap.support, support_);
         const bool isSharp = !gap.isOnPlane() && gap.body.radius + gap.support.radius == 0;
-        if (isSharp && isBodyAcross) {
-            gap.body.place = localOf(body_, corner_);
-            gap.support = planeAt(support_, normal);
-        } else if (isSharp && isAcross) {
-            gap.support.place = localOf(support_, corner_);
-            gap.body = planeAt(body_, -normal);
-        }
+        if (isSharp && isBodyAcross)
+            gap.support = planeAt(gap.support.place, support_, normal);
+        else if (isSharp && isAcross)
+            gap.body = planeAt(gap.body.place, body_, -normal);
         put(gap.body, body_);
         put(gap.support, support_);
     }
@@ -331,9 +330,10 @@ private:
         piece.axis = Vector::UnitX();
         return true;
     }
-    [[nodiscard]] SurfacePiece planeAt(const Placed& owner, const Vector& outward) const {
+    [[nodiscard]] static SurfacePiece planeAt(const Vector& place, const Placed& owner,
+                                              const Vector& outward) {
         return {.kind = Kind::plane,
-                .place = localOf(owner, corner_),
+                .place = place,
                 .axis = owner.state.attitude.conjugate() * outward};
     }
     void put(SurfacePiece& piece, const Placed& owner) const {
@@ -349,7 +349,6 @@ private:
     }
 
     const MotionPlane& plane_;
-    const Vector& corner_;
     const Placed& body_;
     const Placed& support_;
 };
@@ -363,10 +362,8 @@ void putInPlane(physics::ContactPlace& place, const std::vector<Vector>& corners
     for (std::size_t i = 0; i < first.size(); ++i) {
         if (first[i] != i)
             continue;
-        Vector corner = corners[i];
-        corner[plane.axis] = plane.at;
         points.push_back(std::move(place.points[i]));
-        Flattening(plane, corner, body, support).flatten(points.back().gap);
+        Flattening(plane, body, support).flatten(points.back().gap);
     }
     place.points = std::move(points);
     place.normal[plane.axis] = 0;
@@ -441,10 +438,10 @@ LastingContact contactOf(const Touch& touch, const Placed& body, const Placed& s
     if (place.points.size() == 1)
         place.centre.reset();
     if (!(touch.isRound && !touch.isCurved) && !isWhole)
-        Landings(touch, body, support, place).add();
+        Landings(touch, body, support, limits.plane, place).add();
     for (ContactPoint& point : place.points)
         if (const double gap = nearestOf(point.gap, body, support).gap;
-            limits.isStart || point.parts || std::abs(gap) <= kept * touch.size)
+            limits.isStart || (point.parts && gap < 0) || std::abs(gap) <= kept * touch.size)
             point.start = gap;
     return found;
 }
@@ -521,6 +518,28 @@ std::vector<LastingContact> lastingContacts(const Placed& body, const Placed& su
         LastingContact contact = contactOf(touch, body, support, limits);
         if (!contact.place.points.empty() || !contact.isModelled)
             found.push_back(std::move(contact));
+    }
+    return found;
+}
+
+std::vector<PointInTouch> pointsInTouch(const Placed& body, const Placed& support, double gap,
+                                        const std::optional<MotionPlane>& plane) {
+    const TouchLimits limits{.gap = gap, .wereInContact = true, .plane = plane};
+    std::vector<PointInTouch> found;
+    for (const Touch& touch : touchesOf(body, support, gap)) {
+        const LastingContact contact = contactOf(touch, body, support, limits);
+        const auto add = [&](const Vector& point, const Vector& normal) {
+            found.push_back({contact.bodyPart, contact.supportPart, point, normal});
+        };
+        if (contact.isModelled)
+            for (const ContactPoint& point : contact.place.points) {
+                const auto near = nearestOf(point.gap, body, support);
+                add(near.contact, near.normal);
+            }
+        else
+            for (const Corner& corner : touch.corners)
+                if (corner.gap <= gap * touch.size)
+                    add(corner.point, touch.normal);
     }
     return found;
 }

@@ -48,6 +48,15 @@ struct TouchLimits {
 [[nodiscard]] std::vector<LastingContact> lastingContacts(const Placed& body, const Placed& support,
                                                           const TouchLimits& limits);
 
+// Where two parts touch now, at whatever speed: as rows would have it.
+struct PointInTouch {
+    std::size_t bodyPart = 0, supportPart = 0;
+    Vector point = Vector::Zero(), normal = Vector::UnitX(); // from the support to the body
+};
+[[nodiscard]] std::vector<PointInTouch> pointsInTouch(const Placed& body, const Placed& support,
+                                                      double gap,
+                                                      const std::optional<MotionPlane>& plane);
+
 // The mean distance of the points of a convex patch from its middle; of two points, of the line.
 struct PatchMiddle {
     Vector centre = Vector::Zero();

@@ -222,5 +222,27 @@ TEST(FrictionRest, WhatIsThrownAcrossASlopeTurnsAndRests) {
         }
 }
 
+// Hops between several contacts end, and so does the rattling of corners: three boxes on each
+// other, each offset, with rebound. The floor is smooth, so that all three may drift.
+TEST(FrictionRest, BoxesThatAreDroppedOnEachOtherLieFlat) {
+    SceneBuilder b(0.8, 1e-5);
+    b.floor();
+    for (int i = 0; i < 3; ++i) {
+        const std::string name = "b" + std::to_string(i);
+        scene::Body& box = b.box(name, {0.1 * (i % 2), 0.6 + 1.1 * i, 0}, {1, 1, 1});
+        box.restitution = 0.2;
+        box.friction = 0.5;
+        b.weight(name);
+    }
+    const Result result = simulate(b.scene);
+    for (std::size_t i = 0; i < 3; ++i) {
+        ASSERT_FALSE(result.motion->stop(1 + i)) << result.motion->stop(1 + i)->sentence;
+        const BodyState then = result.motion->at(1 + i, 0.6), end = result.motion->at(1 + i, 0.8);
+        EXPECT_NEAR(end.position.y(), 0.5 + static_cast<double>(i), 1e-8);
+        EXPECT_LT(end.velocity.norm(), 1e-11);
+        EXPECT_LT(distance(end.position, then.position), 1e-11);
+    }
+}
+
 } // namespace
 } // namespace simulation::testing

@@ -238,19 +238,23 @@ private:
     }
 
     // The gap is along one normal; where a face has all but that gap, its own normal is the
-    // contact's. The support's comes first: it is the larger one, mostly.
+    // contact's. Of two faces the one along which the gap is larger: along the other it may be that
+    // of a vertex beside the face. The support's comes first where both are as good: it is the
+    // larger one, mostly.
     void preferFaces() {
         const auto gapAlong = [this](const Vector& n) {
             return n.dot(first_.world(first_.support(-n)) - second_.world(second_.support(n))) -
                    first_.part->radius - second_.part->radius;
         };
-        for (const Vector& normal :
-             {faceNormal(second_, touch.normal), Vector(-faceNormal(first_, -touch.normal))})
-            if (const double gap = gapAlong(normal); gap >= touch.gap - beside_) {
-                touch.normal = normal;
-                touch.gap = gap;
-                return;
-            }
+        const Vector ofSupport = faceNormal(second_, touch.normal);
+        const Vector ofBody = -faceNormal(first_, -touch.normal);
+        const double alongSupport = gapAlong(ofSupport), alongBody = gapAlong(ofBody);
+        const bool isSupports = alongSupport >= alongBody - asGood * touch.size;
+        const double gap = isSupports ? alongSupport : alongBody;
+        if (gap >= touch.gap - beside_) {
+            touch.normal = isSupports ? ofSupport : ofBody;
+            touch.gap = gap;
+        }
     }
 
     // Places here are relative to the origin, near both.
@@ -404,6 +408,7 @@ private:
         }
     }
 
+    static constexpr double asGood = 1e-9; // of the parts' size: gaps that count as the same
     const Placed& body_;
     const Placed& support_;
     Vector origin_;

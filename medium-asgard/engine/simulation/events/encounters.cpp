@@ -191,15 +191,18 @@ void CollisionSource::refuse(const Instant& at, const Pair& pair, const std::str
 }
 
 // Friction, a support that gives way, a joint, or what rolls on a side or a rim: one equation for
-// each body does not do.
+// each body does not do. What has met a body that gives way may come to lie on it, or under it.
 bool CollisionSource::needsRows(const Instant& at, std::size_t body,
                                 const RestingBodies::States& states) const {
     if (resting_.contacts().isIn(body))
         return true;
+    const bool hasCompany = std::ranges::any_of(search_.partners(body), [&](std::size_t other) {
+        return at.canGiveWay(other) && record_.haveMet(std::minmax(body, other), world_.start);
+    });
     const Placed placed = at.placed(body, states);
     for (const std::size_t other : search_.partners(body)) {
         const physics::ContactFriction friction = world_.frictionOf(body, other);
-        const bool isAsked = friction.sticking > 0 || friction.rolling > 0 ||
+        const bool isAsked = hasCompany || friction.sticking > 0 || friction.rolling > 0 ||
                              at.canGiveWay(other) || resting_.contacts().isIn(other) ||
                              world_.joints.isJoined(body) || world_.pairs.isNamed(body, other);
         if (resting_.hopForEver(body, other, at.time))
@@ -214,7 +217,6 @@ bool CollisionSource::needsRows(const Instant& at, std::size_t body,
     return false;
 }
 
-// Of two the rounder, then the smaller one is the body.
 std::vector<LastingContact> CollisionSource::contactsOf(const Instant& at,
                                                         std::span<const std::size_t> bodies,
                                                         const RestingBodies::States& states) const {
@@ -225,13 +227,7 @@ std::vector<LastingContact> CollisionSource::contactsOf(const Instant& at,
             const Pair pair = std::minmax(body, other);
             if (!seen.insert(pair).second || resting_.hopForEver(body, other, at.time))
                 continue;
-            const auto rank = [&](std::size_t b) {
-                return std::tuple(world_.isFixed(b), !world_.isBall(b), world_.records[b].radius,
-                                  b);
-            };
-            const auto [first, second] = rank(pair.second) < rank(pair.first)
-                                             ? std::pair(pair.second, pair.first)
-                                             : std::pair(pair.first, pair.second);
+            const auto [first, second] = world_.bodyAndSupport(pair);
             const Placed a = at.placed(first, states), b = at.placed(second, states);
             const double speed =
                 a.state.velocity.norm() + b.state.velocity.norm() +

@@ -1,6 +1,7 @@
 #include "events/impact_cluster.h"
 
 #include "collision/contact.h"
+#include "contacts/contact_places.h"
 
 #include <algorithm>
 #include <cmath>
@@ -76,6 +77,8 @@ public:
         const ContactSet& lasting = at.resting.contacts();
         if (friction_.sliding > 0 || (at.canGiveWay(a_) && at.canGiveWay(b_)) || lasting.isIn(a_) ||
             lasting.isIn(b_))
+            arePoints_ = true;
+        if (arePoints_)
             plane_ = at.planeOf(pair);
         if (!friction_.bodySurface.isZero(0) || !friction_.supportSurface.isZero(0))
             surface_ = at.stateOf(a_).attitude * friction_.bodySurface -
@@ -96,6 +99,8 @@ public:
         if (isUnsure && freedom(a_) != freedom(b_))
             return addCorners(isHit);
         const ContactSet& lasting = at_.resting.contacts();
+        if (arePoints_ && (!contacts.empty() || lasting.areIn(a_, b_)))
+            findPoints();
         if (lasting.areIn(a_, b_))
             addLasting(lasting);
         for (const collision::Contact& contact : contacts)
@@ -126,21 +131,25 @@ private:
                                      .friction = friction_.sliding,
                                      .surface = surface_});
     }
+    // As rows have them, which then hold what the blow leaves.
+    void findPoints() {
+        const auto [body, support] = at_.world.bodyAndSupport({a_, b_});
+        points_ = pointsInTouch(at_.placed(body), at_.placed(support), landing_, plane_);
+        if (body == a_)
+            return;
+        for (PointInTouch& point : points_) {
+            std::swap(point.bodyPart, point.supportPart);
+            point.normal = -point.normal;
+        }
+    }
     // Of parts in a contact that lasts each corner that touches: those of the contact, and others
     // that land.
     void addLasting(const ContactSet& lasting) {
-        const double gap = std::min(at_.world.resolution[a_].gap, at_.world.resolution[b_].gap);
-        for (const Touch& touch : touchesOf(at_.placed(a_), at_.placed(b_), gap))
-            if (lasting.areIn(a_, touch.bodyPart, b_, touch.supportPart)) {
-                std::vector<Vector> corners;
-                for (const Corner& corner : touch.corners)
-                    if (corner.gap <= landing_ * touch.size)
-                        corners.push_back(corner.point);
-                for (const Vector& corner : inPlane(corners, plane_, touch.size))
-                    add(corner, flat(touch.normal),
-                        {at_.world.moving[a_].shape().parts[touch.bodyPart].radius,
-                         at_.world.moving[b_].shape().parts[touch.supportPart].radius});
-            }
+        for (const PointInTouch& point : points_)
+            if (lasting.areIn(a_, point.bodyPart, b_, point.supportPart))
+                add(point.point, flat(point.normal),
+                    {at_.world.moving[a_].shape().parts[point.bodyPart].radius,
+                     at_.world.moving[b_].shape().parts[point.supportPart].radius});
     }
     void addCorners(bool isHit) {
         const bool isFirst = freedom(a_) > freedom(b_);
@@ -155,18 +164,31 @@ private:
         add(contact.point, contact.normal,
             {at_.world.moving[a_].shape().parts[contact.firstPart].radius,
              at_.world.moving[b_].shape().parts[contact.secondPart].radius});
-        const std::vector<Vector> corners =
-            inPlane(contact.patch, plane_,
-                    std::min(at_.world.records[a_].radius, at_.world.records[b_].radius));
+        const double size = std::min(at_.world.records[a_].radius, at_.world.records[b_].radius);
+        const std::vector<Vector> corners = inPlane(contact.patch, plane_, size);
         if (corners.size() < contact.patch.size()) {
             cluster_.contacts.back().normal = flat(contact.normal);
             cluster_.contacts.back().point[plane_->axis] = plane_->at;
         }
-        for (const Vector& corner : corners)
-            if (contact.patch.size() > 1) {
-                cluster_.corners.push_back(cluster_.contacts.back());
-                cluster_.corners.back().point = corner;
-                cluster_.contactOf.push_back(cluster_.contacts.size() - 1);
+        if (contact.patch.size() == 1)
+            return asRow(contact, size, cluster_.contacts.back());
+        for (const Vector& corner : corners) {
+            cluster_.corners.push_back(cluster_.contacts.back());
+            cluster_.corners.back().point = corner;
+            asRow(contact, size, cluster_.corners.back());
+            cluster_.contactOf.push_back(cluster_.contacts.size() - 1);
+        }
+    }
+    void asRow(const collision::Contact& contact, double size,
+               physics::ImpactContact& corner) const {
+        constexpr double same = 1e-6;
+        for (const PointInTouch& point : points_)
+            if (point.bodyPart == contact.firstPart && point.supportPart == contact.secondPart &&
+                (point.point - corner.point).norm() <= same * size &&
+                isOneNormal(point.normal, corner.normal)) {
+                corner.point = point.point;
+                corner.normal = flat(point.normal);
+                return;
             }
     }
 
@@ -182,7 +204,9 @@ private:
     const Instant& at_;
     std::size_t a_, b_;
     ImpactCluster& cluster_;
-    std::optional<MotionPlane> plane_;       // of bodies whose contacts last as rows
+    bool arePoints_ = false;           // their contacts last as rows
+    std::vector<PointInTouch> points_; // then
+    std::optional<MotionPlane> plane_;
     static constexpr double landing_ = 1e-8; // of the parts' size: a corner that touches
     physics::ContactFriction friction_;
     Vector surface_ = Vector::Zero();

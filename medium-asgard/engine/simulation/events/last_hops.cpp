@@ -83,10 +83,13 @@ Hop hopOf(const Instant& at, const ImpactCluster& cluster, const ImpactContact& 
 LastHops softenLastHops(const Instant& at, ImpactCluster& cluster,
                         std::span<const ImpactBody> bodies) {
     LastHops last;
+    bool isAnyLow = false, isAnyHigh = false;
     for (std::size_t c = 0; c < cluster.contacts.size(); ++c) {
         const Pair pair = cluster.pairOf(cluster.contacts[c]);
-        if (cluster.contacts[c].restitution == 1 && at.areFreeBalls(pair))
-            continue; // they hop on (side_by_side.h)
+        if (cluster.contacts[c].restitution == 1 && at.areFreeBalls(pair)) {
+            isAnyHigh = true; // they hop on (side_by_side.h)
+            continue;
+        }
         Hop hop = hopOf(at, cluster, cluster.contacts[c], cluster.radii[c], bodies);
         for (std::size_t i = 0; i < cluster.corners.size(); ++i) {
             if (cluster.contactOf[i] != c)
@@ -97,14 +100,23 @@ LastHops softenLastHops(const Instant& at, ImpactCluster& cluster,
             hop.settling = std::max(hop.settling, other.settling);
             hop.height = std::max(hop.height, other.height);
         }
+        isAnyHigh =
+            isAnyHigh || (hop.approaches && !hop.isLow && sinksIn(cluster.contacts[c], bodies));
         if (hop.approaches && hop.isLow) {
             for (const std::size_t body : {pair.first, pair.second})
                 if (at.canGiveWay(body))
                     last.lost.push_back({.time = at.time, .height = hop.height, .body = body});
             last.settling = std::max(last.settling, hop.settling);
             cluster.contacts[c].restitution = 0;
+            isAnyLow = true;
         }
     }
+    if (isAnyLow && !isAnyHigh)
+        for (ImpactContact& contact : cluster.contacts)
+            if (contact.restitution > 0 && contact.restitution < 1) {
+                contact.restitution = 0;
+                contact.isPressed = true;
+            }
     return last;
 }
 

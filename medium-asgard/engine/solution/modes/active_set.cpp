@@ -195,8 +195,8 @@ bool ActiveSet::cross(std::span<const std::size_t> watches, double t, std::span<
     std::vector<std::size_t> candidates, hit;
     for (const std::size_t k : watches) {
         const auto [row, kind] = watches_[k];
-        const bool isEnded =
-            kind == Kind::parted || kind == Kind::invalid || (kind == Kind::gap && isContact(row));
+        const bool isEnded = kind == Kind::parted || kind == Kind::invalid ||
+                             (kind == Kind::gap && isContact(row) && !hasFallenLow(row));
         if (isEnded)
             mode_.kept[row] = Mode::gone;
         else if (kind == Kind::cone || (kind == Kind::turn && hasStopped(row, elapsed, y)))
@@ -205,7 +205,7 @@ bool ActiveSet::cross(std::span<const std::size_t> watches, double t, std::span<
             setSlip(row, multipliers_.slipOf(discs()[row]));
         else
             candidates.push_back(row);
-        if (kind == Kind::gap && !isEnded)
+        if (kind == Kind::gap && !isContact(row))
             hit.push_back(row);
     }
     double fastest = 0;
@@ -299,6 +299,13 @@ void ActiveSet::slip(double fastest, double t, std::span<const double> y) {
         setSlip(disc, multipliers_.slipOf(discs()[disc]));
 }
 
+// It fell from a height that is none: it closes without a blow. A blow would drive what slides in
+// the same island into a hop of its own, without end.
+bool ActiveSet::hasFallenLow(std::size_t row) const {
+    const double rate = multipliers_.rate(row), second = multipliers_.secondRate(row);
+    return second < 0 && rate * rate / (-2 * second) < law(row).resolution;
+}
+
 // With nothing that holds it, it would come back from that height.
 bool ActiveSet::isLow(std::size_t row, double rate) {
     (void)multipliers_.solve();
@@ -348,8 +355,8 @@ bool ActiveSet::hasStopped(std::size_t disc, double elapsed, std::span<const dou
     double second = 0;
     for (const std::size_t row : of.rows)
         second = std::max(second, std::abs(multipliers_.secondRate(row)));
-    const double none = std::max({rateOf * law(of.rows[0]).resolution, ofLost * second * elapsed,
-                                  ofSpeeds * multipliers_.fastest(y)});
+    const double none = std::max({2 * rateOf * law(of.rows[0]).resolution,
+                                  ofLost * second * elapsed, ofSpeeds * multipliers_.fastest(y)});
     return multipliers_.slipOf(of).norm() <= none;
 }
 

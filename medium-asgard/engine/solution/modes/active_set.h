@@ -88,6 +88,7 @@ private:
     void setDisc(std::size_t disc, complementarity::State state);
     void setSlip(std::size_t disc, const Multipliers::InDisc& direction);
     [[nodiscard]] bool isLow(std::size_t row, double rate);
+    [[nodiscard]] bool hasFallenLow(std::size_t row) const;
     [[nodiscard]] bool isCandidate(std::size_t row, double fastest) const;
     [[nodiscard]] bool hasStopped(std::size_t disc, double elapsed, std::span<const double> y);
     [[nodiscard]] bool mayHold(std::size_t disc, std::span<const std::size_t> fallen,
