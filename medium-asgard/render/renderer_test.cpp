@@ -273,14 +273,15 @@ TEST(Handles, ForcesHaveHandlesUnlessTheyChangeOnTheirOwn) {
     scene::Scene scene;
     addBody(scene, sphere(1), {3, 0, 0}, red).mass = 2;
     const std::string body = scene.bodies[0].name;
-    scene.forces.push_back({body, false, std::nullopt, scene::GravitationalForce{{0, -10, 0}}, {}});
+    scene.forces.push_back(
+        {body, false, std::nullopt, scene::GravitationalForce{{0, -10, 0}}, {}, {}});
     scene.forces.push_back({body,
                             false,
                             Vector(0, 1, 0),
                             scene::ComponentForce{{"5", "-10 * " + body + ".mass", "0"}},
                             {}});
     scene.forces.push_back(
-        {body, true, std::nullopt, scene::ComponentForce{{"0", "0", "1+t"}}, {}});
+        {body, true, std::nullopt, scene::ComponentForce{{"0", "0", "1+t"}}, {}, {}});
     Display display;
     display.forceHandles = display.torqueHandles = true;
     const auto motion = simulation::simulate(scene).motion;
