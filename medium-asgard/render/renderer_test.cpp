@@ -279,6 +279,7 @@ TEST(Handles, ForcesHaveHandlesUnlessTheyChangeOnTheirOwn) {
                             false,
                             Vector(0, 1, 0),
                             scene::ComponentForce{{"5", "-10 * " + body + ".mass", "0"}},
+                            {},
                             {}});
     scene.forces.push_back(
         {body, true, std::nullopt, scene::ComponentForce{{"0", "0", "1+t"}}, {}, {}});
