@@ -38,16 +38,16 @@ bool Solver::Implementation::turn(double time, std::span<Turn> turns) {
     return true;
 }
 
-// None: it has none, or has landed.
-Solver::Implementation::Flight* Solver::Implementation::flightOf(const Turn& turn) {
-    const std::uint32_t known = flightOf_.empty() ? 0 : flightOf_[turn.places[0]];
+// None: it has none, or has landed. An unknown that an event added has none.
+Solver::Implementation::Flight* Solver::Implementation::flightOf(std::size_t unknown) {
+    const std::uint32_t known = unknown < flightOf_.size() ? flightOf_[unknown] : 0;
     return known != 0 && flights_[known - 1].isOn ? &flights_[known - 1] : nullptr;
 }
 
 // All of them do, in the plane or on the line on which they were.
 bool Solver::Implementation::fliesOn(std::span<const Turn> turns) {
     for (const Turn& turn : turns) {
-        const Flight* flight = flightOf(turn);
+        const Flight* flight = flightOf(turn.places[0]);
         if (!flight)
             return false;
         for (std::size_t k = 0; k < 3; ++k)
@@ -79,7 +79,7 @@ bool Solver::Implementation::staysInPlane(double time, std::span<Turn> turns) co
 }
 
 bool Solver::Implementation::turn(double time, Turn& turn) {
-    Flight* flight = flightOf(turn);
+    Flight* flight = flightOf(turn.places[0]);
     if (flight) {
         const std::size_t last = flight->history->size() - 1;
         const double origin = flight->history->origin(last);
@@ -200,13 +200,12 @@ void Solver::Implementation::land(std::span<const std::size_t> components) {
         return;
     for (const std::size_t c : components)
         if (components_[c])
-            if (const std::uint32_t flight = flightOf_[components_[c]->unknowns()[0]]; flight != 0)
-                land(flights_[flight - 1]);
+            if (Flight* const flight = flightOf(components_[c]->unknowns()[0]))
+                land(*flight);
 }
 
 void Solver::Implementation::land(Flight& flight) {
-    if (!std::exchange(flight.isOn, false))
-        return;
+    flight.isOn = false;
     const std::size_t last = flight.history->size() - 1;
     const double origin = flight.history->origin(last);
     for (std::size_t i = 0; i < flight.axes.size(); ++i) {

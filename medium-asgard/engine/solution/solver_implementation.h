@@ -95,7 +95,7 @@ private:
         }
     };
     [[nodiscard]] bool turn(double time, std::span<Turn> turns) override;
-    [[nodiscard]] Flight* flightOf(const Turn& turn);
+    [[nodiscard]] Flight* flightOf(std::size_t unknown);
     [[nodiscard]] bool fliesOn(std::span<const Turn> turns);
     [[nodiscard]] bool staysInPlane(double time, std::span<Turn> turns) const;
     [[nodiscard]] bool turn(double time, Turn& turn);
