@@ -101,7 +101,7 @@ public:
     [[nodiscard]] std::vector<Equation> velocities(std::span<const std::size_t> bodies);
     // Of conditions, in the order of addContact(): after velocities().
     [[nodiscard]] std::vector<expression::Phase> conditions();
-    // What a contact that was added does to one of its bodies, which moves.
+    // The force of a contact that was added on one of its bodies, which moves.
     [[nodiscard]] ContactForces forcesOf(const ContactPlace& place,
                                          std::span<const Node> multipliers, std::size_t on);
     // Of other multipliers whose conditions read these bodies' velocities: of joints.

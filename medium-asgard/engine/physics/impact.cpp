@@ -135,7 +135,7 @@ struct Stop {
                    part.angular.dot(bodies[part.body].angularVelocity);
         return sum;
     }
-    // What these velocities add to its speed.
+    // The speed that these velocities add.
     [[nodiscard]] double effectOf(std::span<const Response> given) const {
         double sum = 0;
         for (const ImpactRow::Part& part : row.parts)
@@ -186,7 +186,7 @@ public:
     }
     [[nodiscard]] bool canYield(std::size_t i) const { return mobility(i, i) > 0; }
 
-    // What a unit impulse along line j adds to the speed along line i.
+    // The speed along line i that a unit impulse along line j adds.
     [[nodiscard]] double mobility(std::size_t i, std::size_t j) const {
         double sum = 0;
         for (const Response* a : {&lines_[i].first, &lines_[i].second})
@@ -267,7 +267,7 @@ public:
         if (!joints_.empty())
             joints_.apply(impulse.size * line.effects, bodies_);
     }
-    // What a unit impulse of the other adds to the speed along the one.
+    // The speed along the one that a unit impulse of the other adds.
     [[nodiscard]] double mobility(const Impulse& one, const Impulse& other) const {
         if (one.isStop && other.isStop)
             return mobility(stops_[one.line], stops_[other.line]);

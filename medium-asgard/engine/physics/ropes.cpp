@@ -76,7 +76,7 @@ void RopeReader::tieAngles(std::size_t rope) {
         }
 }
 
-// What is slack at the start is so in the first stretch.
+// A span that is slack at the start is so in the first stretch.
 void RopeReader::contribute(std::size_t rope, std::vector<Contribution>& contributions) {
     const scene::Rope& said = scene_.ropes[rope];
     const RopePath& path = paths_[rope];

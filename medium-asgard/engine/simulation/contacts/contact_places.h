@@ -48,7 +48,7 @@ struct TouchLimits {
 [[nodiscard]] std::vector<LastingContact> lastingContacts(const Placed& body, const Placed& support,
                                                           const TouchLimits& limits);
 
-// Where two parts touch now, at whatever speed: as rows would have it.
+// The points in which two parts touch now, at whatever speed: as rows would have them.
 struct PointInTouch {
     std::size_t bodyPart = 0, supportPart = 0;
     Vector point = Vector::Zero(), normal = Vector::UnitX(); // from the support to the body

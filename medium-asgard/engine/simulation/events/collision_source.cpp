@@ -27,7 +27,7 @@ std::optional<solution::Event> CollisionSource::next(const Histories& histories,
         std::optional<RestingBodies::Change> change;
         if (resting_.isAnyResting())
             change = resting_.firstChange(histories, std::min(next.time, until), until, search_);
-        // What holds to the finish holds at the finish.
+        // A contact that holds to the finish holds at the finish.
         std::optional<ContactSet::Change> ended;
         if (!resting_.contacts().empty())
             ended = resting_.contacts().firstChange(histories, std::min(next.time, until));
@@ -56,7 +56,7 @@ std::optional<solution::Event> CollisionSource::next(const Histories& histories,
     }
 }
 
-// Where its motion has ended.
+// The body stands where its motion has ended.
 void CollisionSource::stand(const Histories& histories, std::size_t body, double time) {
     resting_.forget(body);
     resting_.contacts().forget(body);
@@ -90,7 +90,7 @@ bool CollisionSource::hasMet(const Instant& now, const Pair& pair) const {
     return (now.givesWay(pair.first) || now.givesWay(pair.second)) && record_.haveMet(pair, since);
 }
 
-// What rests looks at who came near it.
+// Resting bodies look at who came near them.
 void CollisionSource::lookAtJoined(double time) {
     for (const std::size_t joined : renewal_.joined)
         for (const std::size_t body : {renewal_.body, joined})

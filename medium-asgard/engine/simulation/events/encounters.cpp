@@ -34,7 +34,7 @@ RestingBodies::States leaving(const Instant& at, std::size_t body, const Rest& r
 
 } // namespace
 
-// What is held goes on, whatever stands there.
+// A held body goes on, whatever stands there.
 CollisionSource::Handled CollisionSource::meetEnded(const Instant& at, const Pair& pair) {
     const bool isFirst = !search_.hasEnded(pair.first);
     const std::size_t body = isFirst ? pair.first : pair.second;
@@ -191,7 +191,7 @@ void CollisionSource::refuse(const Instant& at, const Pair& pair, const std::str
 }
 
 // Friction, a support that gives way, a joint, or what rolls on a side or a rim: one equation for
-// each body does not do. What has met a body that gives way may come to lie on it, or under it.
+// each body does not do. A body that has met one that gives way may come to lie on it, or under it.
 bool CollisionSource::needsRows(const Instant& at, std::size_t body,
                                 const RestingBodies::States& states) const {
     if (resting_.contacts().isIn(body))
@@ -304,7 +304,7 @@ Event CollisionSource::renewContacts(const Instant& at, const Pair& pair) {
     return event;
 }
 
-// Whatever the body touches now and does not part from, it rests on.
+// The body rests on all that it touches now and does not part from.
 bool CollisionSource::settleAlone(const Instant& at, std::size_t body,
                                   const RestingBodies::States& states, Event& event) {
     const Rest rest = at.restOf(body, states);
@@ -341,7 +341,7 @@ std::optional<Event> CollisionSource::press(const Instant& at, const Pair& pair)
     return event.touched.empty() ? std::nullopt : std::optional(event);
 }
 
-// What a body rests on is no longer what it was.
+// The supports of a body are no longer what they were.
 Event CollisionSource::stir(const Instant& at, std::size_t body) {
     Event event{.time = at.time, .touched = {}, .tag = 0};
     outcome_ = {};
@@ -397,7 +397,7 @@ void CollisionSource::noteJam(const Instant& at, const ImpactCluster& cluster,
                         sentences::noRoom(world_, most->first, most->second));
 }
 
-// What would turn if its hold were a hinge.
+// A body that would turn if its hold were a hinge.
 void CollisionSource::noteUnturned(const Instant& at, std::size_t body) {
     if (!world_.isFixed(body) && resting_.turnsFreely(body, at.time) &&
         resting_.heldOf(body, at.time).attitude)

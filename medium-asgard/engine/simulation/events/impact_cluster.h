@@ -1,4 +1,4 @@
-// What touches at one instant, through bodies that can give way: one impact.
+// All contacts of one instant that are connected by bodies that can give way: one impact.
 #pragma once
 
 #include "events/instant.h"

@@ -18,9 +18,9 @@ struct LastHops {
 
 // A hop lower than the rest height is the last: its contact gets a plastic impact, and all the hops
 // that would have followed are over after 2 u / a (1 - e), where u is the first one's speed and a
-// what pushes the bodies together. Where a patch touches, that holds of all its corners: an edge
-// that rocks hops at its ends, and its middle need not approach at all. Where all that hit hop for
-// the last time, what they rest on takes the blow without rebound, too.
+// the acceleration that pushes the bodies together. Of a patch that holds of all its corners: an
+// edge that rocks hops at its ends, and its middle need not approach at all. If all that hit hop
+// for the last time, the contacts at rest beside them take the blow without rebound, too.
 [[nodiscard]] LastHops softenLastHops(const Instant& instant, ImpactCluster& cluster,
                                       std::span<const physics::ImpactBody> bodies);
 

@@ -181,7 +181,7 @@ void ActiveSet::noteOpened(std::span<const State> before, double t, std::span<co
 }
 
 // At the bound itself the laws have both answers; a little ahead, along the rates that led there,
-// they have one. Where that little was too little, it is more the next time.
+// they have one. If that little was too little, it is more the next time.
 bool ActiveSet::cross(std::span<const std::size_t> watches, double t, std::span<double> y,
                       std::span<const double> rates) {
     constexpr double part = 1e-6, more = 100; // of the time since the last event
@@ -467,7 +467,7 @@ void ActiveSet::openUnpressed() {
 
 bool ActiveSet::solveLaws(const Rows& rows) {
     const auto [a, b] = multipliers_.systemOf(rows.rows, Multipliers::Friction::ofSlip);
-    // What may rest does.
+    // The guess: all that may rest does.
     complementarity::Answer rest{.forces = Eigen::VectorXd::Zero(b.size()),
                                  .rates = b,
                                  .states =

@@ -52,7 +52,7 @@ public:
     // The same for a motion that went on: by more than the errors of any steps.
     [[nodiscard]] const std::vector<std::size_t>& farApart() const { return farApart_; }
 
-    // Where all velocities that multipliers push are 0 but for this, they become 0.
+    // All velocities that multipliers push become 0 if they are 0 but for this.
     void rest(double none, std::span<double> y) const;
     // Rates of velocities, where all of these are 0, are 0 if forces cancel but for rounding: what
     // is at rest stays there to the last bit. After solve().
