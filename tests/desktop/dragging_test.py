@@ -4,7 +4,6 @@
 usage: dragging_test.py PATH-TO-ENSEMBLE [unittest arguments]
 """
 import os
-import subprocess
 import sys
 import tempfile
 import unittest
@@ -27,12 +26,7 @@ class Dragging(unittest.TestCase):
         self.addCleanup(self.folder.cleanup)
         self.person = Person(self, self.folder.name, ENSEMBLE, [self.file("source", "dragged")], "1500x1000x24")
         self.source = self.shown("source", 0)
-        environment = dict(os.environ, **self.person.screen.environment)
-        plugins = os.path.join(os.path.dirname(ENSEMBLE), os.pardir, "test-plugins")
-        environment.update(QT_PLUGIN_PATH=plugins, QT_QPA_GENERIC_PLUGINS="places:" + self.person.places)
-        other = subprocess.Popen([ENSEMBLE, self.file("target", "here")], env=environment, stdin=subprocess.DEVNULL)
-        self.addCleanup(other.wait)
-        self.addCleanup(other.kill)
+        self.person.start(ENSEMBLE, [self.file("target", "here")])
         self.target = self.shown("target", 760)
 
     def file(self, name, word):

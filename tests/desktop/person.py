@@ -52,18 +52,23 @@ class Person:
         self.test = test
         self.screen = Screen(folder, size)
         test.addCleanup(self.screen.close)
+        self.places = os.path.join(folder, "places")
+        os.mkdir(self.places)
+        self.program = self.start(program, arguments)
+        self.seen = 0
+        test.addCleanup(self.look, "end")
+
+    def start(self, program, arguments):
+        """A program on this screen, until the test ends."""
         plugins = os.path.join(os.path.dirname(os.path.abspath(program)), os.pardir, "test-plugins")
         if not os.path.exists(os.path.join(plugins, "generic", "libplaces.so")):
             raise FileNotFoundError(f"{plugins}: the target `widget_places` is not built")
-        self.places = os.path.join(folder, "places")
-        os.mkdir(self.places)
-        self.program = subprocess.Popen(
+        started = subprocess.Popen(
             [program, *arguments], stdin=subprocess.DEVNULL,
             env=dict(self.screen.environment, QT_PLUGIN_PATH=plugins, QT_QPA_GENERIC_PLUGINS="places:" + self.places))
-        test.addCleanup(self.program.wait)
-        test.addCleanup(self.program.kill)
-        self.seen = 0
-        test.addCleanup(self.look, "end")
+        self.test.addCleanup(started.wait)
+        self.test.addCleanup(started.kill)
+        return started
 
     # --- what there is to see
     def windows(self, points=()):
