@@ -1,96 +1,19 @@
-// Our engine on the shared scenes: what is timed is split as others' times are. `motion` is the run
-// that is delivered, from its first step on; `with estimate` adds the runs that its error is
-// estimated from; `all` adds equations, partition and code. Reading the text is not in any.
+// Our engine on the shared scenes.
+#include "driver.h"
 #include "equations.h"
 #include "gas.h"
 #include "measurement.h"
 #include "shared_scenes.h"
 #include "truth.h"
 
-#include "script/reader.h"
-#include "simulation/simulation.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <limits>
-#include <optional>
 
 namespace {
 
 using namespace bench;
 using simulation::Motion;
-
-class Driver {
-public:
-    explicit Driver(const Measurement& m) : m_(m) {}
-
-    [[nodiscard]] const Measurement& measurement() const { return m_; }
-    [[nodiscard]] scene::Scene read(const std::string& text) {
-        script::ReadResult reading = reader_.read(text);
-        if (!reading.usable) {
-            std::fprintf(stderr, "bench_asgard: %s\n", reading.diagnostics.at(0).message.c_str());
-            std::exit(1);
-        }
-        return std::move(reading.scene);
-    }
-    // errorOf: of a motion; the name of the scene may have more names with other errors.
-    void run(const std::string& name, const scene::Scene& scene,
-             const std::vector<double>& accuracies,
-             const std::function<double(const Motion&)>& errorOf) const;
-
-private:
-    const Measurement& m_;
-    script::Reader reader_;
-};
-
-bool arrived(const simulation::Result& result) {
-    if (!result.motion || result.motion->computed() < result.motion->finish())
-        return false;
-    for (std::size_t b = 0; b < result.motion->bodies(); ++b)
-        if (result.motion->stop(b))
-            return false;
-    return true;
-}
-
-void Driver::run(const std::string& name, const scene::Scene& scene,
-                 const std::vector<double>& accuracies,
-                 const std::function<double(const Motion&)>& errorOf) const {
-    for (const double accuracy : m_.sweep(accuracies)) {
-        simulation::Options options;
-        options.accuracy = accuracy;
-        simulation::Result result;
-        std::vector<double> moving, estimated;
-        const Time all = m_.timeOf([&] {
-            result = simulate(scene, options);
-            const simulation::Statistics& s = result.statistics;
-            moving.push_back(s.secondsMoving);
-            estimated.push_back(s.seconds - s.secondsSettingUp);
-            return s.seconds;
-        });
-        const auto timeOf = [](std::vector<double>& seconds) {
-            std::ranges::sort(seconds);
-            return Time{.median = seconds[seconds.size() / 2], .least = seconds.front()};
-        };
-        const simulation::Statistics& s = result.statistics;
-        const double error =
-            arrived(result) ? errorOf(*result.motion) : std::numeric_limits<double>::quiet_NaN();
-        std::size_t delivered = 0;
-        for (const auto& component : s.componentList)
-            delivered += component.steps;
-        char note[200];
-        std::snprintf(note, sizeof note,
-                      "%zu evaluations %zu steps %zu delivered %zu collisions %zu bytes "
-                      "estimate %.2g %s",
-                      s.evaluations, s.steps, delivered, s.collisions, s.historyBytes,
-                      s.errorEstimate.value_or(std::numeric_limits<double>::quiet_NaN()),
-                      s.componentList.empty() ? "" : s.componentList.front().method.c_str());
-        m_.add({name, "motion", accuracy, error, timeOf(moving), note});
-        m_.add({name, "with estimate", accuracy, error, timeOf(estimated), note});
-        m_.add({name, "all", accuracy, error, all, note});
-    }
-}
 
 const std::vector<double> usual = {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10};
 

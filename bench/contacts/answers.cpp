@@ -1,0 +1,198 @@
+#include "answers.h"
+
+#include "integrators.h"
+
+#include <cmath>
+#include <cstddef>
+
+namespace bench::contacts {
+namespace {
+
+using Real = long double;
+using Vector = std::array<Real, 2>;
+
+// gbsStep for a number of unknowns that only the scene knows.
+template <class F> void extrapolate(const F& f, Real h, std::vector<Real>& y) {
+    constexpr int columns = 8;
+    static constexpr auto weights = extrapolationWeights<Real, columns>();
+    std::vector<Real> slope0(y.size()), slope(y.size()), before, now(y.size()), sum(y.size(), 0);
+    f(y, slope0);
+    for (int j = 0; j < columns; ++j) {
+        const int substeps = 2 * (j + 1);
+        const Real step = h / Real(substeps);
+        before = y;
+        for (std::size_t i = 0; i < y.size(); ++i)
+            now[i] = y[i] + step * slope0[i];
+        for (int m = 1; m < substeps; ++m) {
+            f(now, slope);
+            for (std::size_t i = 0; i < y.size(); ++i) {
+                const Real next = before[i] + 2 * step * slope[i];
+                before[i] = now[i];
+                now[i] = next;
+            }
+        }
+        for (std::size_t i = 0; i < y.size(); ++i)
+            sum[i] += weights[static_cast<std::size_t>(j)] * now[i];
+    }
+    y = sum;
+}
+
+// The state at each time, by steps of at most `step`.
+template <class F>
+std::vector<std::vector<Real>> along(const F& f, std::vector<Real> y, Real step,
+                                     const std::vector<double>& times) {
+    std::vector<std::vector<Real>> states;
+    Real now = 0;
+    for (const double time : times) {
+        const long steps = std::lround(std::ceil((time - now) / step));
+        const Real h = (time - now) / static_cast<Real>(steps);
+        for (long i = 0; i < steps; ++i)
+            extrapolate(f, h, y);
+        now = time;
+        states.push_back(y);
+    }
+    return states;
+}
+
+struct Matrix {
+    Real xx = 0, xy = 0, yy = 0; // symmetric
+};
+Vector operator*(const Matrix& m, const Vector& v) {
+    return {m.xx * v[0] + m.xy * v[1], m.xy * v[0] + m.yy * v[1]};
+}
+Matrix inverse(const Matrix& m) {
+    const Real d = m.xx * m.yy - m.xy * m.xy;
+    return {m.yy / d, -m.xy / d, m.xx / d};
+}
+// a m a, with symmetric a and m.
+Matrix around(const Matrix& a, const Matrix& m) {
+    const Vector first = a * (m * Vector{a.xx, a.xy}), second = a * (m * Vector{a.xy, a.yy});
+    return {first[0], first[1], second[1]};
+}
+
+// Angles of the rods, then their rates. The forces in the hinges follow from a symmetric system of
+// two unknowns for each hinge, and each hinge meets its neighbours only.
+struct Chain {
+    static constexpr Real length = 1, mass = 1, depth = 0.1L;
+    static constexpr Real inertia = mass / 12 * (length * length + depth * depth);
+
+    std::size_t count;
+
+    void operator()(const std::vector<Real>& y, std::vector<Real>& slope) const {
+        constexpr Real e = 1 / mass, c = length * length / (4 * inertia);
+        std::vector<Vector> along(count), right(count), force(count + 1);
+        std::vector<Matrix> turning(count), pivot(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            along[i] = {std::cos(y[i]), std::sin(y[i])};
+            const auto [x, s] = along[i];
+            turning[i] = {c * s * s, -c * s * x, c * x * x};
+        }
+        const auto next = [&](std::size_t i) { // what the force of hinge i + 1 does at hinge i
+            return Matrix{turning[i].xx - e, turning[i].xy, turning[i].yy - e};
+        };
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto pull = [&](std::size_t rod) {
+                const Real rate = y[count + rod];
+                return rate * rate * length / 2;
+            };
+            pivot[i] = {turning[i].xx + e, turning[i].xy, turning[i].yy + e};
+            right[i] = {-pull(i) * along[i][0], -pull(i) * along[i][1]};
+            if (i == 0) {
+                right[i][1] += Real(standardGravity);
+                continue;
+            }
+            const Matrix &t = turning[i - 1], link = next(i - 1);
+            const Matrix above = inverse(pivot[i - 1]), less = around(link, above);
+            const Vector known = link * (above * right[i - 1]);
+            pivot[i].xx += e + t.xx - less.xx;
+            pivot[i].xy += t.xy - less.xy;
+            pivot[i].yy += e + t.yy - less.yy;
+            for (std::size_t a = 0; a < 2; ++a)
+                right[i][a] -= pull(i - 1) * along[i - 1][a] + known[a];
+        }
+        for (std::size_t i = count; i-- > 0;) {
+            const Vector later = next(i) * force[i + 1];
+            const Vector rest =
+                i + 1 < count ? Vector{right[i][0] - later[0], right[i][1] - later[1]} : right[i];
+            force[i] = inverse(pivot[i]) * rest;
+        }
+        for (std::size_t i = 0; i < count; ++i) {
+            const Vector sum = {force[i][0] + force[i + 1][0], force[i][1] + force[i + 1][1]};
+            slope[i] = y[count + i];
+            slope[count + i] =
+                -length / (2 * inertia) * (along[i][0] * sum[1] - along[i][1] * sum[0]);
+        }
+    }
+};
+
+} // namespace
+
+std::vector<double> tippingAngles(double width, double height, double slope,
+                                  const std::vector<double>& times) {
+    const Real arm = std::hypot(Real(width), Real(height)) / 2;
+    const Real pull = Real(standardGravity) * arm /
+                      ((Real(width) * width + Real(height) * height) / 12 + arm * arm);
+    const auto f = [&](const std::vector<Real>& y, std::vector<Real>& rate) {
+        rate[0] = y[1];
+        rate[1] = pull * std::sin(y[0]);
+    };
+    std::vector<double> angles;
+    const Real start = slope - std::atan2(Real(width), Real(height));
+    for (const auto& state : along(f, {start, 0}, 0.02L, times))
+        angles.push_back(static_cast<double>(state[0]));
+    return angles;
+}
+
+std::vector<std::vector<Place>> chainPlaces(int count, const std::vector<double>& times) {
+    const Chain chain{static_cast<std::size_t>(count)};
+    std::vector<std::vector<Place>> all;
+    for (const auto& state : along(chain, std::vector<Real>(2 * chain.count, 0), 0.02L, times)) {
+        Real x = 0, y = 0;
+        std::vector<Place> places;
+        for (std::size_t i = 0; i < chain.count; ++i) {
+            const Real dx = Chain::length / 2 * std::cos(state[i]),
+                       dy = Chain::length / 2 * std::sin(state[i]);
+            places.push_back({static_cast<double>(x + dx), static_cast<double>(y + dy), 0});
+            x += 2 * dx;
+            y += 2 * dy;
+        }
+        all.push_back(std::move(places));
+    }
+    return all;
+}
+
+SliderCrank::Pose SliderCrank::pose(long double crankAngle) const {
+    const Real c = std::cos(crankAngle), s = std::sin(crankAngle), a = crank, b = rod;
+    Pose pose;
+    pose.rodAngle = -std::asin(a / b * s);
+    const Real rc = std::cos(pose.rodAngle), rs = std::sin(pose.rodAngle);
+    pose.rodRate = -a * c / (b * rc);
+    const auto place = [](Real x, Real y) {
+        return Place{static_cast<double>(x), static_cast<double>(y), 0};
+    };
+    pose.at = {place(a / 2 * c, a / 2 * s), place(a * c + b / 2 * rc, a * s + b / 2 * rs),
+               place(a * c + b * rc, 0)};
+    const Real q = pose.rodRate, rodX = -a * s - b / 2 * rs * q, rodY = a * c + b / 2 * rc * q,
+               piston = -a * s - b * rs * q;
+    pose.velocity = {place(-a / 2 * s, a / 2 * c), place(rodX, rodY), place(piston, 0)};
+    const Real t = thickness;
+    pose.inertia = crankMass * ((a * a + t * t) / 12 + a * a / 4) +
+                   rodMass * ((b * b + t * t) / 12 * q * q + rodX * rodX + rodY * rodY) +
+                   pistonMass * piston * piston;
+    return pose;
+}
+
+std::vector<std::vector<Place>> SliderCrank::places(const std::vector<double>& times) const {
+    const Real twiceEnergy = pose(angle).inertia * rate * rate;
+    const auto f = [&](const std::vector<Real>& y, std::vector<Real>& slope) {
+        slope[0] = std::sqrt(twiceEnergy / pose(y[0]).inertia);
+    };
+    std::vector<std::vector<Place>> all;
+    for (const auto& state : along(f, {Real(angle)}, 0.002L, times)) {
+        const auto at = pose(state[0]).at;
+        all.emplace_back(at.begin(), at.end());
+    }
+    return all;
+}
+
+} // namespace bench::contacts
