@@ -490,6 +490,28 @@ TEST_F(RendererTest, RenderersDoNotDisturbEachOther) {
     EXPECT_EQ(before.bytes, draw().bytes);
 }
 
+// A rope whose ends lie beyond the picture, one of them nearer to the eye, crosses all of it.
+TEST_F(RendererTest, ARopeIsSeenWhoseEndsAreNot) {
+    addBody(scene_, sphere(0.1), {5, 0, 0}, red); // beyond the picture, too
+    scene_.ropes.resize(1);
+    for (const double height : {0.4, -0.3}) {
+        scene::Rope::Point point;
+        point.place = Vector(0, height, 0);
+        scene_.ropes[0].points.push_back(point);
+    }
+    drawing_.camera.scale = 8;
+    const Vector toward = Vector(0.35, 0.13, 0.7).normalized();
+    drawing_.camera.rotation = facing(toward, Vector::UnitY());
+    const Picture picture = draw();
+    for (const int y : {0, 60, 120, 180, 239}) {
+        const int dark = picture.count([&](int x, int row) {
+            return row == y && std::abs(x - 160) <= 3 && picture.red(x, row) < 160;
+        });
+        EXPECT_GE(dark, 1) << y;
+        EXPECT_LE(dark, 3) << y;
+    }
+}
+
 TEST_F(RendererTest, BodiesWithoutAKnownShapeOrPlaceAreLeftOut) {
     addBody(scene_, sphere(0.5), {0, 0, 0}, red).shape = "gone";
     addBody(scene_, sphere(0.5), Vector::Constant(std::nan("")), red);

@@ -118,7 +118,7 @@ uniform mat4 projection;
 uniform vec2 halfSize;                  // of the picture, pixels
 uniform float nearer;                   // moved towards the eye, in depth
 out vec4 tint;
-noperspective out float across;
+out float acrossByDepth;                // linear on screen once divided: gl_FragCoord.w is 1/w
 flat out float halfWidth;
 void main() {
     vec4 a = projection * vec4(from, 1);
@@ -129,8 +129,9 @@ void main() {
     float side = (gl_VertexID & 1) == 0 ? -1.0 : 1.0;
     bool first = gl_VertexID < 2;
     halfWidth = 0.5 * width;
-    across = side * (halfWidth + 1.0);
+    float across = side * (halfWidth + 1.0);
     vec4 p = first ? a : b;
+    acrossByDepth = across * p.w;
     p.xy += vec2(-along.y, along.x) * across / halfSize * p.w;
     p.z -= nearer * p.w;
     tint = first ? colorFrom : colorTo;
@@ -140,10 +141,11 @@ void main() {
 
 inline constexpr const char* lineFragmentShader = R"(#version 330 core
 in vec4 tint;
-noperspective in float across;
+in float acrossByDepth;
 flat in float halfWidth;
 out vec4 pixel;
 void main() {
+    float across = acrossByDepth * gl_FragCoord.w;
     float cover = clamp(halfWidth + 0.5 - abs(across), 0.0, 1.0) * min(2.0 * halfWidth, 1.0);
     if (cover <= 0.0)
         discard;
