@@ -5,6 +5,7 @@
 
 #include <QDialogButtonBox>
 #include <QFileInfo>
+#include <QHBoxLayout>
 #include <QListWidget>
 #include <QPainter>
 #include <QPainterPath>
@@ -106,7 +107,7 @@ QString keyOf(const media::Manifest& manifest, int sample, QSize pixels) {
 
 GalleryDialog::GalleryDialog(media::LiveMedia& media, const media::Manifest& manifest,
                              QWidget* parent)
-    : QDialog(parent), list_(new QListWidget(this)) {
+    : QDialog(parent), list_(new QListWidget(this)), groups_(new QListWidget(this)) {
     setObjectName("gallery");
     setWindowTitle(plain::title(tr("Insert %1").arg(manifest.title)));
     list_->setObjectName("samples");
@@ -123,8 +124,11 @@ GalleryDialog::GalleryDialog(media::LiveMedia& media, const media::Manifest& man
     QPushButton* insert = buttons->button(QDialogButtonBox::Ok);
     insert->setText(tr("&Insert"));
     insert->setEnabled(false);
+    auto* row = new QHBoxLayout;
+    row->addWidget(groups_);
+    row->addWidget(list_, 1);
     auto* column = new QVBoxLayout(this);
-    column->addWidget(list_, 1);
+    column->addLayout(row, 1);
     column->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -132,13 +136,15 @@ GalleryDialog::GalleryDialog(media::LiveMedia& media, const media::Manifest& man
     connect(list_, &QListWidget::itemSelectionChanged, this,
             [this, insert] { insert->setEnabled(chosen() >= 0); });
     fill(manifest);
+    fillGroups(manifest);
     list_->setCurrentRow(0);
     list_->setFocus();
     QStyleOptionViewItem option;
     option.fontMetrics = list_->fontMetrics();
     const QSize one = tile->sizeHint(option, {}) + QSize(5, 5);
     constexpr int columns = 4, rows = 2, edge = 40;
-    resize(columns * one.width() + edge, rows * one.height() + 2 * edge);
+    const int beside = groups_->isHidden() ? 0 : groups_->width() + column->spacing();
+    resize(columns * one.width() + edge + beside, rows * one.height() + 2 * edge);
     askForPictures(media, manifest);
 }
 
@@ -157,6 +163,38 @@ void GalleryDialog::fill(const media::Manifest& manifest) {
                                                   ? sample.title
                                                   : tr("%1: %2").arg(sample.title, sample.about));
     }
+}
+
+void GalleryDialog::fillGroups(const media::Manifest& manifest) {
+    groups_->setObjectName("groups");
+    groups_->setAccessibleName(tr("Groups"));
+    QStringList names;
+    for (const media::Sample& sample : manifest.samples)
+        if (!sample.group.isEmpty() && !names.contains(sample.group))
+            names << sample.group;
+    groups_->addItem(tr("All"));
+    groups_->addItems(names);
+    groups_->setCurrentRow(0);
+    groups_->setFixedWidth(groups_->sizeHintForColumn(0) + 4 * margin);
+    groups_->setVisible(!names.isEmpty());
+    connect(groups_, &QListWidget::currentRowChanged, this,
+            [this, manifest] { showGroup(manifest); });
+}
+
+// A chosen sample stays chosen in a group that has it.
+void GalleryDialog::showGroup(const media::Manifest& manifest) {
+    const QString group = groups_->currentRow() > 0 ? groups_->currentItem()->text() : QString();
+    const auto belongs = [&](int i) {
+        return group.isEmpty() || manifest.samples[i].group == group;
+    };
+    const int count = static_cast<int>(manifest.samples.size());
+    for (int i = 0; i < count; ++i)
+        list_->setRowHidden(i, !belongs(i));
+    if (chosen() >= 0 && belongs(chosen()))
+        return;
+    for (int i = 0; i < count; ++i)
+        if (belongs(i))
+            return list_->setCurrentRow(i);
 }
 
 void GalleryDialog::askForPictures(media::LiveMedia& media, const media::Manifest& manifest) {

@@ -1,4 +1,5 @@
-// A medium's samples to begin with: a grid of pictures, each with a name and a line about it.
+// A medium's samples to begin with: a grid of pictures, each with a name and a line about it, and
+// beside it the groups of samples, where the manifest has some.
 #pragma once
 
 #include "media/live_media.h"
@@ -27,8 +28,11 @@ private:
     void fill(const media::Manifest& manifest);
     void askForPictures(media::LiveMedia& media, const media::Manifest& manifest);
     void show(int sample, const QPixmap& picture);
+    void fillGroups(const media::Manifest& manifest);
+    void showGroup(const media::Manifest& manifest);
 
     QListWidget* list_;
+    QListWidget* groups_; // "All" first
     session::SamplePictures* pictures_ = nullptr;
 };
 

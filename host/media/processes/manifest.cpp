@@ -67,6 +67,8 @@ QString wrongSample(const QJsonValue& samples) {
             return QStringLiteral(
                 "each of \"samples\" must have a \"title\", and a \"file\" in the "
                 "manifest's folder or below it");
+        if (const QJsonValue group = sample["group"]; !group.isUndefined() && !group.isString())
+            return QStringLiteral("the \"group\" of a sample must be a string");
     }
     return {};
 }
@@ -107,7 +109,8 @@ std::optional<Manifest> readManifest(const QByteArray& json, QString& fault) {
     for (const QJsonValue& sample : object["samples"].toArray())
         manifest.samples << Sample{
             sample["file"].toString(), sample["title"].toString(), sample["about"].toString(),
-            sample["time"].isDouble() ? std::optional(sample["time"].toDouble()) : std::nullopt};
+            sample["time"].isDouble() ? std::optional(sample["time"].toDouble()) : std::nullopt,
+            sample["group"].toString()};
     manifest.filesTitle = object["files"]["title"].toString();
     manifest.fileEndings = strings(object["files"]["endings"]);
     return manifest;

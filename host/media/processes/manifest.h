@@ -18,6 +18,7 @@ struct Sample {
     QString title;                // "Pendulum"
     QString about;                // one line
     std::optional<double> time{}; // of its picture, in s
+    QString group{};              // "Vibrations"; "": none
 };
 
 struct Manifest {

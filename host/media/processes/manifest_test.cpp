@@ -44,7 +44,8 @@ TEST(Manifest, FaultsAreSentences) {
 TEST(Manifest, SaysWhatNewOnesBeginWith) {
     const QByteArray more =
         QByteArray(good).replace("}", R"(,"title":"Thing","size":[300,200],"newEditor":"open",
-                "samples":[{"file":"s/a.x","title":"A","about":"An a","time":2},
+                "samples":[{"file":"s/a.x","title":"A","about":"An a","time":2,
+                            "group":"Letters"},
                            {"file":"b.x","title":"B"}],
                 "files":{"title":"Things","endings":["x","y"]}})");
     QString fault;
@@ -57,6 +58,8 @@ TEST(Manifest, SaysWhatNewOnesBeginWith) {
     EXPECT_EQ(manifest->samples[0].about, "An a");
     EXPECT_EQ(manifest->samples[0].time, 2);
     EXPECT_FALSE(manifest->samples[1].time);
+    EXPECT_EQ(manifest->samples[0].group, "Letters");
+    EXPECT_EQ(manifest->samples[1].group, "");
     EXPECT_EQ(manifest->filesTitle, "Things");
     EXPECT_EQ(manifest->fileEndings, QStringList({"x", "y"}));
     Manifest placed = *manifest;
@@ -72,6 +75,8 @@ TEST(Manifest, FaultsOfWhatMayBeLeftOutAreSentences) {
     EXPECT_THAT(faultOf(with(R"("title":3)")), HasSubstr("\"title\" must be a string"));
     EXPECT_THAT(faultOf(with(R"("size":[0,3])")), HasSubstr("\"size\" must be"));
     EXPECT_THAT(faultOf(with(R"("files":{"title":"x"})")), HasSubstr("\"files\" must have"));
+    EXPECT_THAT(faultOf(with(R"("samples":[{"title":"A","file":"a.x","group":4}])")),
+                HasSubstr("\"group\" of a sample must be a string"));
     for (const char* file : {"/etc/passwd", "../a.x", "a/../../b.x", ""})
         EXPECT_THAT(
             faultOf(with(R"("samples":[{"title":"A","file":")" + QByteArray(file) + R"("}])")),
