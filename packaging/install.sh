@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # Installs the Debian packages of packages.txt that are missing: all, or with the argument `run` those that build and
-# run the programs. Asks for root only when one is missing.
+# run the programs; with `peers` those of peers.txt instead. Asks for root only when one is missing.
 set -eu
 cd "$(dirname "$0")"
 missing=()
-drop=
+drop= list=packages.txt
 [ "${1:-}" != run ] || drop=d
-for package in $(sed "/^# To test\$/,\$ { $drop }; s/#.*//" packages.txt); do
+[ "${1:-}" != peers ] || list=peers.txt
+for package in $(sed "/^# To test\$/,\$ { $drop }; s/#.*//" $list); do
     status=$(dpkg-query -W -f='${Status}' "$package" 2>/dev/null || true)
     [ "$status" = "install ok installed" ] || missing+=("$package")
 done

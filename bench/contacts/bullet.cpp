@@ -1,0 +1,135 @@
+// Bullet on the cases of contact and joints, in single and in double precision (two programs of
+// this file): sequential impulses, with the usual 10 rounds for a step and with 200.
+#include "play.h"
+
+#include <btBulletDynamicsCommon.h>
+
+#include <cmath>
+
+namespace {
+
+using namespace bench;
+using namespace bench::contacts;
+
+#ifdef BT_USE_DOUBLE_PRECISION
+const char* const program = "bullet_double";
+#else
+const char* const program = "bullet";
+#endif
+
+btScalar scalar(double value) { return static_cast<btScalar>(value); }
+btVector3 vector(const Place& p) { return {scalar(p[0]), scalar(p[1]), scalar(p[2])}; }
+
+class BulletWorld : public World {
+public:
+    BulletWorld(const Case& scene, double h, int iterations) : scene_(scene), h_(h) {
+        world_.setGravity(vector({0, -scene.gravity, 0}));
+        world_.getSolverInfo().m_numIterations = iterations;
+        if (scene.floor)
+            add(std::make_unique<btStaticPlaneShape>(
+                    vector({-std::sin(scene.slope), std::cos(scene.slope), 0}), scalar(0)),
+                {.name = "floor", .mass = 0});
+        for (const Body& body : scene.bodies)
+            add(shapeOf(body), body);
+        for (const Joint& joint : scene.joints)
+            join(joint);
+    }
+    ~BulletWorld() override {
+        for (const auto& joint : joints_)
+            world_.removeConstraint(joint.get());
+        for (const auto& body : bodies_)
+            world_.removeRigidBody(body.get());
+    }
+    BulletWorld(const BulletWorld&) = delete;
+    BulletWorld& operator=(const BulletWorld&) = delete;
+
+    void advance(double span) override {
+        const long steps = stepsIn(span, h_);
+        for (long i = 0; i < steps; ++i)
+            world_.stepSimulation(scalar(span / static_cast<double>(steps)), 0);
+        count(steps);
+    }
+    [[nodiscard]] Place centre(std::size_t body) const override {
+        const btVector3& p = of(static_cast<int>(body)).getWorldTransform().getOrigin();
+        return {p.x(), p.y(), p.z()};
+    }
+
+private:
+    static std::unique_ptr<btCollisionShape> shapeOf(const Body& body) {
+        if (body.shape == Body::Shape::ball)
+            return std::make_unique<btSphereShape>(scalar(body.size[0]));
+        return std::make_unique<btBoxShape>(vector(body.size) / 2);
+    }
+    void add(std::unique_ptr<btCollisionShape> shape, const Body& body) {
+        btVector3 inertia(0, 0, 0);
+        if (body.mass > 0)
+            inertia = vector(body.inertia());
+        btRigidBody::btRigidBodyConstructionInfo info(scalar(body.mass), nullptr, shape.get(),
+                                                      inertia);
+        info.m_startWorldTransform =
+            btTransform(btQuaternion(vector({0, 0, 1}), scalar(body.angle)), vector(body.at));
+        info.m_friction = scalar(std::sqrt(scene_.friction)); // a pair has the product
+        info.m_restitution = 0;
+        bodies_.push_back(std::make_unique<btRigidBody>(info));
+        btRigidBody& added = *bodies_.back();
+        added.setActivationState(DISABLE_DEACTIVATION);
+        added.setLinearVelocity(vector(body.velocity));
+        added.setAngularVelocity(vector({0, 0, body.spin}));
+        if (scene_.collide)
+            world_.addRigidBody(&added);
+        else
+            world_.addRigidBody(&added, 0, 0);
+        shapes_.push_back(std::move(shape));
+    }
+    [[nodiscard]] btRigidBody& of(int body) const {
+        return *bodies_[static_cast<std::size_t>(body + (scene_.floor ? 1 : 0))];
+    }
+    void join(const Joint& joint) {
+        btRigidBody& one = of(joint.body1);
+        const auto in = [&](const btRigidBody& body) {
+            return body.getWorldTransform().inverse() * vector(joint.at);
+        };
+        const btVector3 axis = vector({0, 0, 1}); // all bodies turn about z
+        if (joint.type == Joint::Type::slider) {
+            auto slider = std::make_unique<btSliderConstraint>(
+                one, btTransform(btQuaternion::getIdentity(), in(one)), true);
+            slider->setLowerLinLimit(1); // above the upper one: free
+            slider->setUpperLinLimit(-1);
+            slider->setLowerAngLimit(0);
+            slider->setUpperAngLimit(0);
+            joints_.push_back(std::move(slider));
+        } else if (joint.body2 < 0) {
+            joints_.push_back(std::make_unique<btHingeConstraint>(one, in(one), axis));
+        } else {
+            btRigidBody& other = of(joint.body2);
+            joints_.push_back(
+                std::make_unique<btHingeConstraint>(one, other, in(one), in(other), axis, axis));
+        }
+        world_.addConstraint(joints_.back().get(), true);
+    }
+
+    const Case& scene_;
+    double h_;
+    btDefaultCollisionConfiguration configuration_;
+    btCollisionDispatcher dispatcher_{&configuration_};
+    btDbvtBroadphase broadPhase_;
+    btSequentialImpulseConstraintSolver solver_;
+    btDiscreteDynamicsWorld world_{&dispatcher_, &broadPhase_, &solver_, &configuration_};
+    std::vector<std::unique_ptr<btCollisionShape>> shapes_;
+    std::vector<std::unique_ptr<btRigidBody>> bodies_;
+    std::vector<std::unique_ptr<btTypedConstraint>> joints_;
+};
+
+Build with(int iterations) {
+    return [iterations](const Case& scene, double h) {
+        return std::make_unique<BulletWorld>(scene, h, iterations);
+    };
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    const Measurement m(program, argc, argv);
+    playAll(m, {{"10 rounds", usualSteps, with(10)}, {"200 rounds", usualSteps, with(200)}});
+    return 0;
+}
