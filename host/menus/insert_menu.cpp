@@ -1,4 +1,5 @@
 #include "menus/insert_menu.h"
+#include "menus/actions.h"
 
 #include "menus/formula_dialog.h"
 #include "menus/link_dialog.h"

@@ -15,7 +15,7 @@ namespace {
 
 QStringList strings(const QJsonValue& value) {
     QStringList result;
-    for (const QJsonValue& item : value.toArray())
+    for (const auto& item : value.toArray())
         if (item.isString())
             result << item.toString();
     return result;
@@ -60,7 +60,7 @@ QString wrongSample(const QJsonValue& samples) {
         return {};
     if (!samples.isArray() || samples.toArray().size() > most)
         return QStringLiteral("\"samples\" must be a list of at most %1").arg(most);
-    for (const QJsonValue& sample : samples.toArray()) {
+    for (const auto& sample : samples.toArray()) {
         const QString file = QDir::cleanPath(sample["file"].toString());
         if (file.isEmpty() || file.startsWith('/') || file.startsWith("..") ||
             sample["title"].toString().isEmpty())
@@ -106,7 +106,7 @@ std::optional<Manifest> readManifest(const QByteArray& json, QString& fault) {
     manifest.newEditor = object["newEditor"].toString();
     if (const QJsonArray size = object["size"].toArray(); size.size() == 2)
         manifest.size = {size[0].toDouble(), size[1].toDouble()};
-    for (const QJsonValue& sample : object["samples"].toArray())
+    for (const auto& sample : object["samples"].toArray())
         manifest.samples << Sample{
             sample["file"].toString(), sample["title"].toString(), sample["about"].toString(),
             sample["time"].isDouble() ? std::optional(sample["time"].toDouble()) : std::nullopt,

@@ -211,6 +211,7 @@ public:
     [[nodiscard]] std::vector<Impulse> impulses(const std::vector<std::size_t>& chosen,
                                                 double restitution) const {
         std::vector<Impulse> found;
+        found.reserve(3 * chosen.size() + stops_.size());
         for (const std::size_t c : chosen)
             found.push_back({c});
         for (std::size_t s = 0; s < stops_.size(); ++s)

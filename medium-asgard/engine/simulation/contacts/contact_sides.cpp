@@ -20,6 +20,7 @@ Vector localOf(const Placed& owner, const Vector& point) {
 
 std::vector<Vector> localOf(const Placed& owner, const std::vector<Vector>& points) {
     std::vector<Vector> local;
+    local.reserve(points.size());
     for (const Vector& point : points)
         local.push_back(localOf(owner, point));
     return local;

@@ -101,7 +101,8 @@ std::vector<std::size_t> unknownsRead(const scene::Scene& scene,
 
 ReadableScene::ReadableScene(const scene::Scene& original, const Options& options) {
     const scene::Scene scene = withParameters(original, options);
-    implementation_ = std::make_unique<Implementation>(physics::EquationsOfMotion(scene));
+    implementation_ = std::make_unique<Implementation>(
+        Implementation{.equations = physics::EquationsOfMotion(scene), .nodes = {}});
     if (implementation_->equations.scope)
         implementation_->nodes = withSceneNodes(implementation_->equations, scene);
 }

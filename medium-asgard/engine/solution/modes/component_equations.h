@@ -143,6 +143,7 @@ public:
 private:
     [[nodiscard]] std::vector<std::size_t> placesOf(const std::vector<std::size_t>& rows) const {
         std::vector<std::size_t> places;
+        places.reserve(rows.size());
         for (const std::size_t row : rows)
             places.push_back(multipliers()[row]);
         return places;
