@@ -60,7 +60,8 @@ QString wrongSample(const QJsonValue& samples) {
         return {};
     if (!samples.isArray() || samples.toArray().size() > most)
         return QStringLiteral("\"samples\" must be a list of at most %1").arg(most);
-    for (const auto& sample : samples.toArray()) {
+    for (const auto& each : samples.toArray()) {
+        const QJsonValue sample = each;
         const QString file = QDir::cleanPath(sample["file"].toString());
         if (file.isEmpty() || file.startsWith('/') || file.startsWith("..") ||
             sample["title"].toString().isEmpty())
@@ -106,11 +107,13 @@ std::optional<Manifest> readManifest(const QByteArray& json, QString& fault) {
     manifest.newEditor = object["newEditor"].toString();
     if (const QJsonArray size = object["size"].toArray(); size.size() == 2)
         manifest.size = {size[0].toDouble(), size[1].toDouble()};
-    for (const auto& sample : object["samples"].toArray())
+    for (const auto& each : object["samples"].toArray()) {
+        const QJsonValue sample = each;
         manifest.samples << Sample{
             sample["file"].toString(), sample["title"].toString(), sample["about"].toString(),
             sample["time"].isDouble() ? std::optional(sample["time"].toDouble()) : std::nullopt,
             sample["group"].toString()};
+    }
     manifest.filesTitle = object["files"]["title"].toString();
     manifest.fileEndings = strings(object["files"]["endings"]);
     return manifest;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 namespace physics {
 
@@ -360,6 +361,17 @@ void leaveTheSlow(const Round& round, std::span<const ImpactContact> contacts,
     });
 }
 
+// A blow without any bounce reaches all contacts without bounce at once: one after the other, the
+// impulses of the later ones would part the earlier ones again.
+void joinInelastic(std::span<const ImpactContact> contacts,
+                   const std::vector<std::size_t>& yielding, std::vector<std::size_t>& chosen) {
+    const auto isInelastic = [&](std::size_t c) { return contacts[c].restitution == 0; };
+    if (!std::ranges::all_of(chosen, isInelastic))
+        return;
+    chosen.clear();
+    std::ranges::copy_if(yielding, std::back_inserter(chosen), isInelastic);
+}
+
 bool takesPart(const Round& round, const ImpactContact& contact, std::size_t c, bool isFirst) {
     if (isFirst && contact.isPressed)
         return true;
@@ -447,6 +459,7 @@ ImpactResult resolveImpact(std::vector<ImpactBody> bodies, std::span<const Impac
         if (fastest < isNothing * first)
             break;
         leaveTheSlow(round, contacts, approaching);
+        joinInelastic(contacts, yielding, approaching);
         if (!solveTogether(round, contacts, approaching, false, result))
             break;
     }

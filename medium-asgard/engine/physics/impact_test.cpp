@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <random>
 
@@ -517,6 +518,29 @@ TEST(Impact, KnowsAStop) {
         EXPECT_NEAR(result.bodies[0].velocity.x(), way < 0 ? 0 : 1.5, 1e-14);
         EXPECT_NEAR(result.bodies[1].velocity.x(), way < 0 ? -1.5 : 0, 1e-14);
     }
+}
+
+// A rod whose left end rests and whose right end hits: each end's impulse drives the other one in.
+TEST(Impact, WithoutBounceReachesAllContactsAtOnce) {
+    ImpactBody rod{.inverseMass = 1, .inverseInertia = 3 * Matrix::Identity()}; // of length 2
+    rod.velocity = {0, -1, 0};
+    rod.angularVelocity = {0, 0, -1};
+    const ImpactBody floor{.inverseMass = 0, .inverseInertia = Matrix::Zero()};
+    std::vector<ImpactContact> ends;
+    for (const double x : {-1.0, 1.0})
+        ends.push_back({.first = 0,
+                        .second = 1,
+                        .point = {x, 0, 0},
+                        .normal = {0, 1, 0},
+                        .restitution = 0,
+                        .isResting = x < 0});
+    const ImpactResult result = resolveImpact({rod, floor}, ends, {});
+    EXPECT_TRUE(result.settled);
+    EXPECT_EQ(std::ranges::count_if(result.impulses,
+                                    [](const auto& given) { return given.impulse > 1e-14; }),
+              2);
+    EXPECT_LT(result.bodies[0].velocity.norm(), 1e-15);
+    EXPECT_LT(result.bodies[0].angularVelocity.norm(), 1e-15);
 }
 
 // Two blocks on a taut rope; the blow drives one of them away from the other, which it pulls along.
