@@ -189,6 +189,51 @@ TEST(Bounds, AStopIsHitAtItsTimesAndHolds) {
         ASSERT_GE(h.value(0, t), -1e-9) << t;
 }
 
+// Into a groove of two walls, cos 0.72 between their normals: a blow at one wall drives the other
+// open. It falls on both at one instant but for rounding, or far aside; there its hops end.
+TEST(Bounds, AGrooveIsHitOnBothWallsAndHolds) {
+    const std::string a = "0.37416573867739417", b = "0.92736184954957035"; // of the normals
+    const auto fallFrom = [&](double x) {
+        const std::string ax = a + "*(m1-m2)", ay = "(" + b + "*(m1+m2)-9.81)";
+        expression::EquationSet set =
+            keeping({{"x", "dx", x, 1}, {"y", "dy", 0.5, 1}, {"dx", ax, 0}, {"dy", ay, 0}},
+                    {{"m1", a + "*x+" + b + "*y", a + "*dx+" + b + "*dy",
+                      a + "*" + ax + "+" + b + "*" + ay},
+                     {"m2", b + "*y-" + a + "*x", b + "*dy-" + a + "*dx",
+                      b + "*" + ay + "-" + a + "*" + ax}});
+        for (std::size_t i = 4; i < 6; ++i) {
+            expression::Condition& condition = *set.unknowns[i].phases[0].condition;
+            condition.low = 0;
+            condition.resolution = 1e-9;
+        }
+        return solved(set, 3, tolerance(1e-6));
+    };
+    for (const double x : {0.0, 1e-13, -1e-10, 1e-4, 0.1}) {
+        const Solver solver = fallFrom(x);
+        const Histories& h = solver.histories();
+        ASSERT_TRUE(h.stops().empty()) << x << ": " << h.stops()[0].sentence;
+        for (const std::size_t i : {0u, 1u})
+            EXPECT_NEAR(h.value(i, 3), 0, 1e-8) << x;
+        for (const std::size_t i : {2u, 3u})
+            EXPECT_NEAR(h.value(i, 3), 0, 1e-8) << x;
+        if (std::abs(x) < 1e-9) { // at once, and not after hops
+            EXPECT_NEAR(h.value(3, std::sqrt(1 / 9.81) + 1e-6), 0, 1e-8) << x;
+        }
+    }
+}
+
+// A stop whose force pulls towards it holds nothing: the sentence names it, and no expression.
+TEST(Bounds, AStopThatCannotHoldIsNamed) {
+    const std::vector<Line> pulled = {{"x", "dx", 1, 1}, {"dx", "-catch-9.81", 0}};
+    const Solver solver = solved(bounded(pulled, {"catch", "x", "dx", "-catch-9.81"}, 0, infinity),
+                                 3, tolerance(1e-6));
+    const auto& stops = solver.histories().stops();
+    ASSERT_FALSE(stops.empty());
+    EXPECT_EQ(stops[0].reason, Stop::Reason::bounds) << stops[0].sentence;
+    EXPECT_NE(stops[0].sentence.find("no forces of catch"), std::string::npos) << stops[0].sentence;
+    EXPECT_EQ(stops[0].sentence.find("expression"), std::string::npos);
+}
+
 // A force 4 sin t against dry friction of 2: it sticks until sin t = 1/2, and slides until its
 // momentum is spent.
 TEST(Bounds, ABrakeHoldsSlipsAndReverses) {

@@ -12,8 +12,8 @@ for {set i 1} {$i <= 5} {incr i} {
     set x [expr {($i - 3) * 0.1}]
     set a [expr {$i == 1 ? -0.5 : 0.0}]
     body ball$i ball -mass 0.2 -init_pos [list [expr {$x + 0.5*sin($a)}] [expr {-0.5*cos($a)}] 0]
-    joint left$i -type distance -body1 ball$i -offset2 [list $x 0 0.2]
-    joint right$i -type distance -body1 ball$i -offset2 [list $x 0 -0.2]
+    rope left$i -points [list [list $x 0 0.2] [list ball$i {0 0 0}]]
+    rope right$i -points [list [list $x 0 -0.2] [list ball$i {0 0 0}]]
     force -body ball$i -gravitational {0 -9.81 0}
 }
 view front -eye {0.7 0.1 2.2} -look {0 -0.28 0}

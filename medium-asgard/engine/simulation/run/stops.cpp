@@ -84,6 +84,8 @@ std::string adviceFor(solution::Stop::Reason reason, bool isBlamed) {
                "or let the motion finish before (-finish)";
     case Reason::decisions:
         return "; replace the jump of the expression by a short, steep slope";
+    case Reason::bounds:
+        return "; ask for another accuracy (-accuracy), or let the motion finish before (-finish)";
     default:
         return "";
     }

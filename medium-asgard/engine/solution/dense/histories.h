@@ -36,6 +36,7 @@ struct Stop {
         stepUnderflow, // error control needs steps below what doubles can resolve
         tooManySteps,  // more steps than Options::maximumSteps
         decisions,     // switching expressions flip without time advancing
+        bounds,        // multipliers reach their bounds again and again, without time advancing
         contradiction, // no multipliers keep their conditions
         algebraicLoop, // held values that are defined by each other
         tooManyEvents, // more events at one instant than Options::maximumEventsAtOnce

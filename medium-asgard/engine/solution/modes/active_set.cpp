@@ -81,6 +81,11 @@ void ActiveSet::watchDisc(std::size_t disc) {
         watches_.push_back({disc, multipliers_.slips(of) ? Kind::turn : Kind::cone});
 }
 
+std::size_t ActiveSet::rowOf(std::size_t watch) const {
+    const auto [row, kind] = watches_[watch];
+    return kind == Kind::cone || kind == Kind::turn ? discs()[row].rows[0] : row;
+}
+
 void ActiveSet::watch(std::span<double> values) {
     if (watches_.empty())
         return;
@@ -211,6 +216,7 @@ bool ActiveSet::cross(std::span<const std::size_t> watches, double t, std::span<
     double fastest = 0;
     bool isDone = false;
     if (!hit.empty()) {
+        addTouching(hit);
         for (const std::size_t row : hit)
             fastest = std::max(fastest, std::abs(multipliers_.rate(row)));
         blow(hit, t, y);
@@ -228,23 +234,38 @@ bool ActiveSet::cross(std::span<const std::size_t> watches, double t, std::span<
     return isDone;
 }
 
-complementarity::Laws ActiveSet::lawsOf(std::span<const std::size_t> rows) const {
+complementarity::Laws ActiveSet::lawsOf(std::span<const std::size_t> rows,
+                                        std::span<const std::size_t> shut) const {
     complementarity::Laws laws;
     for (const std::size_t row : rows)
-        if (law(row).isBounded())
+        if (law(row).isBounded() && !isIn(shut, row))
             complementarity::addUnilateral(laws);
         else
             complementarity::addEquality(laws);
     return laws;
 }
 
-// A stop whose rebound would be lower than its resolution takes the blow without one.
+bool ActiveSet::touches(std::size_t row) const {
+    return isStop(row) && !isContact(row) && mode_.kept[row] != State::inside &&
+           multipliers_.gap(row) <= law(row).resolution;
+}
+
+// Stops that close at one instant, but for rounding, take one blow: one after another they would
+// share it otherwise, and drive each other into hops.
+void ActiveSet::addTouching(std::vector<std::size_t>& hit) const {
+    for (const std::size_t row : bounded_)
+        if (touches(row) && multipliers_.rate(row) < 0 && !isIn(hit, row))
+            hit.push_back(row);
+}
+
+// A stop whose rebound would be lower than its resolution takes the blow without one, and a stop
+// that touches and would be in such a hop is closed.
 void ActiveSet::blow(std::span<const std::size_t> hit, double t, std::span<double> y) {
     std::vector<double> restitutions(mode_.kept.size(), 0);
     for (const std::size_t row : hit)
         restitutions[row] = law(row).restitution;
     const std::vector<double> before(y.begin(), y.end());
-    give(hit, restitutions, t, y);
+    give(hit, {}, restitutions, t, y);
     f_.fill(t, y);
     multipliers_.evaluateGaps();
     bool isAnyLow = false;
@@ -254,10 +275,31 @@ void ActiveSet::blow(std::span<const std::size_t> hit, double t, std::span<doubl
             restitutions[row] = 0;
             isAnyLow = true;
         }
-    if (!isAnyLow)
+    const std::vector<std::size_t> shut = drivenLow(hit, restitutions);
+    if (!isAnyLow && shut.empty())
         return;
     std::ranges::copy(before, y.begin());
-    give(hit, restitutions, t, y);
+    give(hit, shut, restitutions, t, y);
+}
+
+// With the stops that were hit closed: these decide how soon the others come back.
+std::vector<std::size_t> ActiveSet::drivenLow(std::span<const std::size_t> hit,
+                                              std::span<const double> restitutions) {
+    std::vector<std::size_t> driven, low;
+    for (const std::size_t row : bounded_)
+        if (touches(row) && multipliers_.rate(row) > rateOf * law(row).resolution)
+            driven.push_back(row);
+    if (driven.empty())
+        return low;
+    const std::vector<State> before = mode_.kept;
+    for (const std::size_t row : hit)
+        if (restitutions[row] == 0 && !isIn(driven, row))
+            mode_.kept[row] = State::inside;
+    for (const std::size_t row : driven)
+        if (isLow(row, multipliers_.rate(row)))
+            low.push_back(row);
+    mode_.kept = before;
+    return low;
 }
 
 void ActiveSet::setDisc(std::size_t disc, State state) {
@@ -313,16 +355,17 @@ bool ActiveSet::isLow(std::size_t row, double rate) {
     return second < 0 && rate * rate / (-2 * second) < law(row).resolution;
 }
 
-// Newton's law: of what approaches the rate afterwards is -e times that before, or more.
-void ActiveSet::give(std::span<const std::size_t> hit, std::span<const double> restitutions,
-                     double t, std::span<double> y) {
+// Newton's law: of what approaches the rate afterwards is -e times that before, or more. Of `shut`
+// it is 0.
+void ActiveSet::give(std::span<const std::size_t> hit, std::span<const std::size_t> shut,
+                     std::span<const double> restitutions, double t, std::span<double> y) {
     f_.fill(t, y);
     multipliers_.evaluateGaps();
     std::vector<std::size_t> rows;
     for (std::size_t row = 0; row < mode_.kept.size(); ++row) {
         const bool isHeld = mode_.kept[row] == State::inside &&
                             (!law(row).isBounded() ? law(row).isOnSecondRates : isStop(row));
-        if (isHeld || isIn(hit, row))
+        if (isHeld || isIn(hit, row) || isIn(shut, row))
             rows.push_back(row);
     }
     const auto [a, none] = multipliers_.systemOf(rows, Multipliers::Friction::none);
@@ -332,7 +375,7 @@ void ActiveSet::give(std::span<const std::size_t> hit, std::span<const double> r
         const bool isHit = isIn(hit, rows[i]) && rate < 0;
         b[static_cast<Eigen::Index>(i)] = isHit ? (1 + restitutions[rows[i]]) * rate : rate;
     }
-    const auto answer = complementarity::solve(a, b, lawsOf(rows));
+    const auto answer = complementarity::solve(a, b, lawsOf(rows, shut));
     if (answer)
         multipliers_.push(rows, answer->forces, y);
 }

@@ -38,6 +38,8 @@ public:
     void refresh();
     // Functions that end it when they fall below 0, of the mode that was refreshed last.
     [[nodiscard]] std::size_t size() const { return watches_.size(); }
+    // The multiplier of a watch; of friction, the first of its disc.
+    [[nodiscard]] std::size_t rowOf(std::size_t watch) const;
     // At the point of the functions, for which the multipliers are solved.
     void watch(std::span<double> values);
     // The set that follows from the values alone, where some may touch and approach.
@@ -80,10 +82,15 @@ private:
     void watchDisc(std::size_t disc);
     [[nodiscard]] double beyondRounding(double force) const;
     [[nodiscard]] double valueOf(const Watch& watch) const;
-    [[nodiscard]] complementarity::Laws lawsOf(std::span<const std::size_t> rows) const;
+    [[nodiscard]] complementarity::Laws lawsOf(std::span<const std::size_t> rows,
+                                               std::span<const std::size_t> shut) const;
+    [[nodiscard]] bool touches(std::size_t row) const;
+    void addTouching(std::vector<std::size_t>& hit) const;
+    [[nodiscard]] std::vector<std::size_t> drivenLow(std::span<const std::size_t> hit,
+                                                     std::span<const double> restitutions);
     void blow(std::span<const std::size_t> hit, double t, std::span<double> y);
-    void give(std::span<const std::size_t> hit, std::span<const double> restitutions, double t,
-              std::span<double> y);
+    void give(std::span<const std::size_t> hit, std::span<const std::size_t> shut,
+              std::span<const double> restitutions, double t, std::span<double> y);
     void slip(double fastest, double t, std::span<const double> y);
     void setDisc(std::size_t disc, complementarity::State state);
     void setSlip(std::size_t disc, const Multipliers::InDisc& direction);

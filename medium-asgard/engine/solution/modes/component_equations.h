@@ -99,6 +99,10 @@ public:
     [[nodiscard]] std::vector<std::size_t> farApart() const {
         return placesOf(field_.multipliers().farApart());
     }
+    // Places in `unknowns` of multipliers whose bounds are violated.
+    [[nodiscard]] std::vector<std::size_t> boundedOf(const Violation& violation) const {
+        return placesOf(guards_.multipliersOf(violation));
+    }
     void forgetApart() { field_.multipliers().forgetApart(); }
     // A stage of a step that starts on a surface, as from rest where drag is v sqrt(abs(v)), may
     // lie a little beyond it, where the branch that holds has no value. From now on rates() takes

@@ -123,6 +123,13 @@ std::vector<std::size_t> Guards::activeOf(const Violation& violation) const {
     return found;
 }
 
+std::vector<std::size_t> Guards::multipliersOf(const Violation& violation) const {
+    std::vector<std::size_t> found;
+    for (const std::size_t watch : activeOf(violation))
+        found.push_back(active_.rowOf(watch));
+    return found;
+}
+
 // Places among the symbols.
 std::vector<std::size_t> Guards::symbolsOf(const Violation& violation) const {
     std::vector<Node> guards;

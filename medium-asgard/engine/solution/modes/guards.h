@@ -45,6 +45,8 @@ public:
     [[nodiscard]] std::vector<std::size_t> surfacesOf(const Violation& violation) const;
     // Watches of the active set that are violated, as it counts them.
     [[nodiscard]] std::vector<std::size_t> activeOf(const Violation& violation) const;
+    // Multipliers whose bounds are violated.
+    [[nodiscard]] std::vector<std::size_t> multipliersOf(const Violation& violation) const;
     // Directions whose watches are violated.
     [[nodiscard]] std::vector<std::size_t> directionsOf(const Violation& violation) const;
     // Unknowns (places) that the guards of its watches read, and those of other components.

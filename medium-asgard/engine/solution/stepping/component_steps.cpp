@@ -223,6 +223,11 @@ void Component::changeMethodAfterStride() {
 
 void Component::pass(const Violation& violation, bool immediate) {
     const auto giveUp = [&] {
+        if (const auto bounded = equations_->boundedOf(violation); !bounded.empty())
+            return end(Stop::Reason::bounds, bounded,
+                       "contacts, ropes, stops or brakes open, close or slip here without end and "
+                       "no time goes on: no forces of " +
+                           context_.names(bounded) + " were found that hold them as they are");
         const std::vector<std::size_t> flipping = equations_->guards().unknownsOf(violation);
         end(Stop::Reason::decisions, flipping.empty() ? std::vector<std::size_t>{0} : flipping,
             "expressions that switch with " + switchingWith(violation) +
