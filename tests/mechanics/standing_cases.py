@@ -50,6 +50,19 @@ def pyramid():
     return rows
 
 
+def arch():
+    """Each foot bears half the weight: 7 blocks between the radii 0.7 and 1 with plane sides."""
+    rows, step = Rows(), math.pi / 7
+    middle = math.cos(step / 2) * (0.7 + 0.1 * (0.7 + 2 * 1) / (0.7 + 1))  # of a block's weight
+    weight = 7 * (1 - 0.7 ** 2) / 2 * math.sin(step) * 0.4 * 2000 * G
+    for t in [0.5, 1.0, 2.0]:
+        for i in range(7):
+            a = (i + 0.5) * step
+            rows.put(t, 0.7, {f"stone{i}.x": middle * math.cos(a), f"stone{i}.y": middle * math.sin(a)})
+        rows.put(t, 10 * weight, {"left.n": weight / 2, "right.n": weight / 2})
+    return rows
+
+
 def tipping():
     """The tall one turns by a about its lower edge; the low one slides with m v' = F - mu m g."""
     rows, m, inertia = Rows(), 5, 5 * (0.09 + 0.25) / 12 + 5 * (0.15 ** 2 + 0.25 ** 2)

@@ -9,8 +9,9 @@
 //
 // Between events the set is held. A force that reaches a bound, a gap or a rate that reaches 0 ends
 // it (watch()). A gap that closes is a blow: velocities jump by Newton's law, in one solve with all
-// that hangs together. Then the second rates and the laws give the next set (complementarity/), a
-// little ahead of the event: at a bound itself they have two answers.
+// that hangs together. Stops that touch and approach take part in it, and those that would hop
+// lower than their resolution close. Then the second rates and the laws give the next set
+// (complementarity/), a little ahead of the event: at a bound itself they have two answers.
 //
 // A contact (expression/equations.h) opens and slips here, as stops and brakes do. That it closes,
 // has parted, or has lost its place, is told by its mode: then it is gone, and the source of events

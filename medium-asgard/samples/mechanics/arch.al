@@ -1,0 +1,32 @@
+# An arch of seven blocks of stone stands without mortar: each joint is pressed together, under an angle
+# that friction (0.6) holds. Each foot bears half its weight, 3039.1 N.
+
+simulator -finish 2
+
+set blocks 7
+set inner 0.7
+set outer 1.0
+set step [expr {acos(-1) / $blocks}]
+for {set i 0} {$i < $blocks} {incr i} {
+    set points {}
+    # Seen from the middle of the block.
+    set mx [expr {0.85*cos(($i + 0.5)*$step)}]
+    set my [expr {0.85*sin(($i + 0.5)*$step)}]
+    foreach a [list [expr {$i*$step}] [expr {($i + 1)*$step}]] {
+        foreach r [list $inner $outer] {
+            foreach z {-0.2 0.2} {
+                lappend points [list [expr {$r*cos($a) - $mx}] [expr {$r*sin($a) - $my}] $z]
+            }
+        }
+    }
+    shape_set block$i -desc [list -sub [list -points $points]] -color [lindex {tan burlywood} [expr {$i % 2}]]
+    body stone$i block$i -density 2000 -restitution 0 -friction 0.6 -init_pos [list $mx $my 0]
+    force -body stone$i -gravitational {0 -9.81 0}
+}
+shape_set ground -desc {-sub {-box {3 0.1 1.2} -color darkseagreen}}
+body ground ground -fixed 1 -friction 0.6 -init_pos {0 -0.05 0}
+contact left -body1 stone6 -body2 ground
+contact right -body1 stone0 -body2 ground
+
+plot feet -title "What the feet bear, in N" -values {left.n right.n} -labels {left right}
+view front -eye {1 1.1 4} -look {0 0.45 0}
