@@ -127,6 +127,13 @@ def write_rows(file, header, rows):
         writer.writerows(rows)
 
 
+ROW_HEADER = ("program", "scene", "setting", "parameter", "error", "seconds", "least", "note")
+
+
+def row_texts(rows):
+    return [(*r[:3], f"{r.parameter:.6g}", f"{r.error:.3e}", f"{r.seconds:.6e}", f"{r.least:.6e}", r.note) for r in rows]
+
+
 def read_rows(file):
     with open(file, encoding="utf-8") as stream:
         return list(csv.reader(stream))[1:]
@@ -249,8 +256,7 @@ def put(page, name, text):
 def write(source, folder, rows, compared, spans, kind, figures, anew):
     out = os.path.join(source, "docs", "performance")
     os.makedirs(out, exist_ok=True)
-    write_rows(os.path.join(out, "measurements.csv"), ("program", "scene", "setting", "parameter", "error", "seconds", "least", "note"),
-               [(*r[:3], f"{r.parameter:.6g}", f"{r.error:.3e}", f"{r.seconds:.6e}", f"{r.least:.6e}", r.note) for r in rows])
+    write_rows(os.path.join(out, "measurements.csv"), ROW_HEADER, row_texts(rows))
     charts(out, folder, rows, compared, spans, kind)
     seven, eleven = figure_files(out, folder, figures, anew)
     file = os.path.join(source, "docs", "performance.md")

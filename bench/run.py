@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """Charts us against hand-written loops and other engines, on shared scenes, in one run.
 
-usage: run.py [--build DIR] [--scenes S1,S2a,...] [--programs plain,asgard,...] [--budget SECONDS] [--rounds N] [--write]
+usage: run.py [--build DIR] [--scenes S1,S2a,...] [--programs plain,asgard,...] [--budget SECONDS] [--rounds N] [--contacts] [--write]
 
 Configures and builds a release with every driver whose library is installed, runs all of them one after the other, and
 prints, for each scene and error, the cheapest run that came so near: the hand-written loop, us, the best other engine,
 and SUNDIALS. With --write the dissertation's figures and the other goals are measured too, and docs/performance/ and the
 tables of docs/performance.md are written anew. With --build nothing is built: the programs are taken from DIR/bin.
+With --contacts the cases of bench/contacts are measured in place of the shared scenes, and --write writes their table.
 """
 import argparse
 import collections
@@ -16,6 +17,7 @@ import os
 import subprocess
 import sys
 
+import contact_pages
 import figures
 import pages
 
@@ -23,6 +25,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 SOURCE = os.path.dirname(HERE)
 PROGRAMS = ("plain", "asgard", "sundials", "simbody", "mujoco", "dart", "bullet", "bullet_double", "ode")
 ENGINES = PROGRAMS[3:]
+CONTACT_PROGRAMS = ("asgard", "siconos", *ENGINES)
 SPANS = {"S1": 60, "S2a": 5, "S2b": 5, "S3": 10, "S4": 10, "S5": 1, "S6": 1}
 LEVELS = {"S1": (1e-2, 1e-4, 1e-6, 1e-9), "S2a": (1e-2, 1e-4, 1e-6, 1e-9), "S2b": (1e-2, 1e-4, 1e-6, 1e-9),
           "S3": (1e-4,), "S4": (1e-2, 1e-9), "S5": (0,), "S6": (1e-6,)}
@@ -39,7 +42,9 @@ def build():
 
 
 def rows_in(text):
-    return [Row(*fields[:3], *map(float, fields[3:7]), fields[7]) for fields in csv.reader(text.splitlines())]
+    """A library may write lines of its own between the rows."""
+    table = [fields for fields in csv.reader(text.splitlines()) if len(fields) == len(Row._fields)]
+    return [Row(*fields[:3], *map(float, fields[3:7]), fields[7]) for fields in table]
 
 
 def measured(folder, arguments):
@@ -47,7 +52,7 @@ def measured(folder, arguments):
     best = {}
     for number in range(arguments.rounds):
         for program in arguments.programs:
-            path = os.path.join(folder, "bin", "bench_" + program)
+            path = os.path.join(folder, "bin", "bench_" + program + ("_contacts" if arguments.contacts else ""))
             if not os.path.exists(path):
                 if number == 0:
                     print(f"{program}: not built here", file=sys.stderr)
@@ -96,14 +101,16 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build")
     parser.add_argument("--scenes")
-    parser.add_argument("--programs", type=lambda text: text.split(","), default=PROGRAMS)
+    parser.add_argument("--programs", type=lambda text: text.split(","))
     parser.add_argument("--budget", type=float, default=0.2)
     parser.add_argument("--rounds", type=int, default=1)
     parser.add_argument("--rows", help="a file of measurements to read instead of running the programs")
     parser.add_argument("--keep", help="a file of measurements: what is not measured now is taken from there")
     parser.add_argument("--no-figures", action="store_true", help="with --write: leave the dissertation's figures as they are")
+    parser.add_argument("--contacts", action="store_true")
     parser.add_argument("--write", action="store_true")
     arguments = parser.parse_args()
+    arguments.programs = arguments.programs or (CONTACT_PROGRAMS if arguments.contacts else PROGRAMS)
     folder = arguments.build or build()
     if arguments.rows:
         with open(arguments.rows, encoding="utf-8") as file:
@@ -115,6 +122,11 @@ def main():
             kept = rows_in(file.read().split("\n", 1)[1])
         now = {(r.program, r.scene) for r in rows}
         rows += [r for r in kept if (r.program, r.scene) not in now]
+    if arguments.contacts:
+        print(contact_pages.table(rows))
+        if arguments.write:
+            contact_pages.write(SOURCE, folder, rows)
+        return
     compared = list(comparison(rows))
     print(pages.comparison_table(compared, SPANS, kind))
     if arguments.write:

@@ -38,8 +38,10 @@ void play(Driver& driver, const Case& scene) {
         }
         return worstDistance(scene, places);
     };
-    driver.run(scene.name, driver.read(sceneText(scene)), {1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10},
-               errorOf, longest);
+    const std::vector<double> accuracies =
+        scene.bodies.size() < 20 ? std::vector<double>{1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10}
+                                 : std::vector<double>{1e-3, 1e-6};
+    driver.run(scene.name, driver.read(sceneText(scene)), accuracies, errorOf, longest);
 }
 
 } // namespace

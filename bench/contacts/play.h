@@ -38,6 +38,9 @@ struct Way {
     Build build;
 };
 
+// advance() goes on by the same span so many times.
+inline constexpr int piecesOfRun = 100;
+
 inline const std::vector<double> usualSteps = {1.0 / 60,   1.0 / 240, 1.0 / 1000,
                                                1.0 / 4000, 1e-4,      1e-5};
 
