@@ -362,14 +362,15 @@ void leaveTheSlow(const Round& round, std::span<const ImpactContact> contacts,
 }
 
 // A blow without any bounce reaches all contacts without bounce at once: one after the other, the
-// impulses of the later ones would part the earlier ones again.
-void joinInelastic(std::span<const ImpactContact> contacts,
+// impulses of the later ones would part the earlier ones again. False: some contact has a bounce.
+bool joinInelastic(std::span<const ImpactContact> contacts,
                    const std::vector<std::size_t>& yielding, std::vector<std::size_t>& chosen) {
     const auto isInelastic = [&](std::size_t c) { return contacts[c].restitution == 0; };
     if (!std::ranges::all_of(chosen, isInelastic))
-        return;
+        return false;
     chosen.clear();
     std::ranges::copy_if(yielding, std::back_inserter(chosen), isInelastic);
+    return true;
 }
 
 bool takesPart(const Round& round, const ImpactContact& contact, std::size_t c, bool isFirst) {
@@ -412,9 +413,10 @@ bool solveTogether(Round& round, std::span<const ImpactContact> contacts,
         return false;
     const bool isDriven =
         std::ranges::any_of(chosen, [&](std::size_t c) { return !contacts[c].surface.isZero(0); });
-    const bool hasFriction =
-        std::ranges::any_of(chosen, [&](std::size_t c) { return contacts[c].friction > 0; });
-    if (!plastic && !isDriven && hasFriction)
+    const bool mayGain =
+        std::ranges::any_of(chosen, [&](std::size_t c) { return contacts[c].friction > 0; }) &&
+        std::ranges::any_of(chosen, [&](std::size_t c) { return contacts[c].restitution > 0; });
+    if (!plastic && !isDriven && mayGain)
         impulses = withoutGain(round, chosen, std::move(impulses), result);
     for (std::size_t i = 0; i < impulses.size(); ++i)
         if (impulses[i].size != 0)
@@ -445,6 +447,7 @@ ImpactResult resolveImpact(std::vector<ImpactBody> bodies, std::span<const Impac
     const std::size_t most = 100 + 20 * yielding.size() * yielding.size();
     std::size_t rounds = 0;
     double first = 0;
+    bool wasInelastic = false;
     for (; rounds < most; ++rounds) {
         std::vector<std::size_t> approaching;
         for (std::size_t c : yielding)
@@ -459,7 +462,10 @@ ImpactResult resolveImpact(std::vector<ImpactBody> bodies, std::span<const Impac
         if (fastest < isNothing * first)
             break;
         leaveTheSlow(round, contacts, approaching);
-        joinInelastic(contacts, yielding, approaching);
+        const bool isInelastic = joinInelastic(contacts, yielding, approaching);
+        if (isInelastic && wasInelastic)
+            break; // rounding is left
+        wasInelastic = isInelastic;
         if (!solveTogether(round, contacts, approaching, false, result))
             break;
     }
