@@ -194,6 +194,18 @@ case("conveyor_turns_a_ball", "# zero: b.y-0.1\nsimulator -finish 1\n" + ground(
      [(t, 1, 0.3 * G * min(t, gripped) ** 2 / 2 + 2 / 7 * (t - min(t, gripped)), "b.x") for t in (0.05, gripped, 0.5, 1)] +
      [(1, 10, 50 / 7, "b.wz")])
 
+# A car on four wheels rolls down: all of them bear, though three would do.
+c, s = math.cos(0.2), math.sin(0.2)
+wheels = [(f"w{i}", x, z) for i, (x, z) in enumerate(((-0.7, -0.6), (-0.7, 0.6), (0.7, -0.6), (0.7, 0.6)))]
+case("car_down", "".join(f"# zero: {-s!r}*{name}.x+{c!r}*{name}.y-0.1\n" for name, _, _ in wheels) + "simulator -finish 1\n" +
+     contact_cases.FLOOR + f"body ground floor -fixed 1 -init_pos {{{0.5 * s!r} {-0.5 * c!r} 0}} -init_rot {turned((0, 0, 1), 0.2)} -friction 1\n"
+     f"shape_set chassis -desc {{-sub {{-box {{2 0.1 1}}}}}}\nbody b chassis -init_pos {{{-0.2 * s!r} {0.2 * c!r} 0}} "
+     f"-init_rot {turned((0, 0, 1), 0.2)} -mass 10\n" + gravity("b") +
+     "".join(f"body {name} ball -init_pos {{{x * c - 0.1 * s!r} {x * s + 0.1 * c!r} {z}}} -mass 1 -restitution 0 -friction 1\n"
+             f"joint j{name} -type hinge -body1 {name} -offset1 {{0 0 0}} -body2 b\n" + gravity(name) for name, x, z in wheels),
+     [(t, 5, -G * s * 14 / 15.6 * t * t / 2, along(0.2)) for t in (0.2, 0.5, 1)] +
+     [(1, 50, G * s * 14 / 15.6 / 0.1, f"{name}.wz") for name, _, _ in wheels])
+
 
 if __name__ == "__main__":
     contact_cases.main()

@@ -329,12 +329,13 @@ bool CollisionSource::settleAlone(const Instant& at, std::size_t body,
     return true;
 }
 
-// Pushed together without approaching.
+// Pushed together without approaching, with all that touches them: of a stack or of four wheels
+// none is found to carry all before the others are known.
 std::optional<Event> CollisionSource::press(const Instant& at, const Pair& pair) {
     Event event{.time = at.time, .touched = {}, .tag = 0};
     outcome_ = {};
     std::vector<std::size_t> settling;
-    for (const std::size_t body : {pair.first, pair.second})
+    for (const std::size_t body : clusterAt(at, pair).bodies)
         if (at.canGiveWay(body))
             settling.push_back(body);
     settle(at, settling, {}, event);

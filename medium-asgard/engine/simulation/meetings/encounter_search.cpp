@@ -55,7 +55,7 @@ void EncounterSearch::addFixed(std::size_t body) {
 
 EncounterSearch::Next EncounterSearch::next() {
     const Found* const hit = hits_.first();
-    if (hit && hit->time <= ends_.time())
+    if (hit && hit->time < ends_.time()) // who is near is known before they meet
         return {hit->time, true};
     return {ends_.time(), false};
 }
