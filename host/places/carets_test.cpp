@@ -65,6 +65,14 @@ protected:
     Pages pages_;
 };
 
+TEST_F(CaretsTest, TheEndOfALineIsBehindTheFormulaThatEndsIt) {
+    open("<PARAGRAPH><TEXT>{See }</TEXT><FORMULA>{E = m}</FORMULA><TEXT>{}</TEXT></PARAGRAPH>");
+    EXPECT_EQ(movedTo("See", Move::lineEnd, 6), "}</TEX");
+    for (const Move move : {Move::lineEnd, Move::documentEnd})
+        EXPECT_EQ(carets().placeOf(carets().moved(caretBefore("See"), move)),
+                  document_->bytes().rfind("}</TEXT>"));
+}
+
 TEST_F(CaretsTest, EveryPlaceOfATextHasItsCaretWhateverTheBytesOfALetter) {
     open(paragraph("a\\{b\u00E4\u20AC\U0001F600c\\\\d"));
     const std::size_t first = placeBefore("a\\{b");
