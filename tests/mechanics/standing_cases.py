@@ -51,15 +51,26 @@ def pyramid():
 
 
 def arch():
-    """Each foot bears half the weight: 7 blocks between the radii 0.7 and 1 with plane sides."""
-    rows, step = Rows(), math.pi / 7
+    """7 blocks between the radii 0.7 and 1 with plane sides stand still; the lamp swings about its hook, 0.35 above it."""
+    rows, step, start = Rows(), math.pi / 7, 0.5
     middle = math.cos(step / 2) * (0.7 + 0.1 * (0.7 + 2 * 1) / (0.7 + 1))  # of a block's weight
     weight = 7 * (1 - 0.7 ** 2) / 2 * math.sin(step) * 0.4 * 2000 * G
-    for t in [0.5, 1.0, 2.0]:
+    ball, wire = 5000 * 4 / 3 * math.pi * 0.06 ** 3, 5000 * math.pi * 0.005 ** 2 * 0.29
+    turning = ball * (0.4 * 0.06 ** 2 + 0.35 ** 2) + wire * (0.29 ** 2 / 12 + 0.005 ** 2 / 4 + 0.145 ** 2)
+    moment = ball * 0.35 + wire * 0.145
+    long = moment / (ball + wire)
+
+    def rate(_, y):
+        return [y[1], -G * moment / turning * math.sin(y[0])]
+
+    at = steps(2, 8)
+    for t, (a, w) in zip(at, solve(rate, [start, 0], at)):
         for i in range(7):
-            a = (i + 0.5) * step
-            rows.put(t, 0.7, {f"stone{i}.x": middle * math.cos(a), f"stone{i}.y": middle * math.sin(a)})
-        rows.put(t, 10 * weight, {"left.n": weight / 2, "right.n": weight / 2})
+            b = (i + 0.5) * step
+            rows.put(t, 0.7, {f"stone{i}.x": middle * math.cos(b), f"stone{i}.y": middle * math.sin(b)})
+        upwards = rate(t, [a, w])[1] * math.sin(a) + w * w * math.cos(a)
+        rows.put(t, 0.7, {"lamp.x": long * math.sin(a), "lamp.y": 0.7 - long * math.cos(a)})
+        rows.put(t, 10 * weight, {"left.n+right.n": weight + (ball + wire) * G + moment * upwards})
     return rows
 
 

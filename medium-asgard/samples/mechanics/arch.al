@@ -1,5 +1,6 @@
 # An arch of seven blocks of stone stands without mortar: each joint is pressed together, under an angle
-# that friction (0.6) holds. Each foot bears half its weight, 3039.1 N.
+# that friction (0.6) holds. A lamp of 4.6 kg swings on a hook below the keystone, and pulls the feet to and
+# fro: together they bear the arch, 6078.1 N, and what the lamp pulls upwards and downwards. No stone moves.
 
 simulator -finish 2
 
@@ -23,6 +24,12 @@ for {set i 0} {$i < $blocks} {incr i} {
     body stone$i block$i -density 2000 -restitution 0 -friction 0.6 -init_pos [list $mx $my 0]
     force -body stone$i -gravitational {0 -9.81 0}
 }
+# The hook sits in the keystone, just above its lower face, 0.35 from the middle of the ball.
+set swing 0.5
+shape_set lamp -desc {-sub {-sphere 0.06} -sub {-pos {0 0.205 0} -cylinder {0.005 0.29}}} -color gold
+body lamp lamp -density 5000 -init_pos [list [expr {0.35*sin($swing)}] [expr {0.7 - 0.35*cos($swing)}] 0] -init_rot "0 0 $swing"
+force -body lamp -gravitational {0 -9.81 0}
+joint hook -type hinge -body1 stone3 -offset1 {0 -0.15 0} -body2 lamp -axis {0 0 1}
 shape_set ground -desc {-sub {-box {3 0.1 1.2} -color darkseagreen}}
 body ground ground -fixed 1 -friction 0.6 -init_pos {0 -0.05 0}
 contact left -body1 stone6 -body2 ground
