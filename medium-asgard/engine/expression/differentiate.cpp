@@ -5,56 +5,40 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 
 namespace expression {
 
-namespace {
-
-// From the last node to the first: what reads a node comes after it.
-std::vector<Node> reachableOfMany(const Graph& graph, std::span<const Node> roots,
-                                  std::uint32_t last,
-                                  const std::unordered_map<std::uint32_t, Node>& end) {
-    std::vector<bool> seen(last + std::size_t{1});
-    for (const Node n : roots)
-        seen[n.index] = true;
-    std::vector<Node> found;
-    for (std::uint32_t i = last + 1; i-- > 0;) {
-        if (!seen[i])
-            continue;
-        found.push_back(Node{i});
-        if (end.empty() || !end.contains(i))
-            for (const Node argument : graph.arguments(Node{i}))
-                seen[argument.index] = true;
-    }
-    std::ranges::reverse(found);
-    return found;
-}
-
-} // namespace
-
-// An own stack: expressions may be very deep.
+// An own stack: expressions may be very deep. A bit for each node: reading them gives the order.
 std::vector<Node> reachable(const Graph& graph, std::span<const Node> roots,
                             const std::unordered_map<std::uint32_t, Node>& end) {
-    constexpr std::uint32_t small = 4096;
+    constexpr std::uint32_t wide = 64;
     if (roots.empty())
         return {};
     const std::uint32_t last = std::ranges::max(roots).index;
-    if (last < small || roots.size() > small / 64)
-        return reachableOfMany(graph, roots, last, end);
-    NodeMap<bool> seen;
-    std::vector<Node> pending(roots.begin(), roots.end()), found;
+    std::vector<std::uint64_t> seen(last / wide + 1);
+    std::vector<Node> pending;
+    std::size_t count = 0;
+    const auto see = [&](Node n) {
+        const std::uint64_t bit = std::uint64_t{1} << (n.index % wide);
+        if ((seen[n.index / wide] & bit) != 0)
+            return;
+        seen[n.index / wide] |= bit;
+        ++count;
+        if (end.empty() || !end.contains(n.index))
+            pending.push_back(n);
+    };
+    std::ranges::for_each(roots, see);
     while (!pending.empty()) {
-        const Node n = pending.back();
+        const auto arguments = graph.arguments(pending.back());
         pending.pop_back();
-        if (!seen.insert(n, true))
-            continue;
-        found.push_back(n);
-        if (!end.empty() && end.contains(n.index))
-            continue;
-        const auto arguments = graph.arguments(n);
-        pending.insert(pending.end(), arguments.begin(), arguments.end());
+        std::ranges::for_each(arguments, see);
     }
-    std::ranges::sort(found);
+    std::vector<Node> found;
+    found.reserve(count);
+    for (std::uint32_t word = 0; word < seen.size(); ++word)
+        for (std::uint64_t bits = seen[word]; bits != 0; bits &= bits - 1)
+            found.push_back(Node{word * wide + static_cast<std::uint32_t>(std::countr_zero(bits))});
     return found;
 }
 

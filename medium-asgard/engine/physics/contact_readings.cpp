@@ -87,11 +87,7 @@ ContactForces ContactRows::forcesOf(const ContactPlace& place, std::span<const N
     for (const Row& row : rows_) {
         if (std::ranges::find(multipliers, row.multiplier) == multipliers.end())
             continue;
-        NodeVector linear, angular;
-        for (std::size_t i = 0; i < 3; ++i) {
-            linear[i] = differentiate(g_, row.rate, s.velocity[i]);
-            angular[i] = differentiate(g_, row.rate, s.spin[i]);
-        }
+        auto [linear, angular] = byVelocityOf(row.rate, s);
         if (!s.isSpinInWorldAxes)
             angular = s.toWorld(g_, angular);
         forces.force = add(g_, forces.force, scaled(g_, row.multiplier, linear));

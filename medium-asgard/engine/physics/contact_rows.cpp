@@ -56,14 +56,32 @@ Node ContactRows::rateOf(std::size_t unknown) const {
                                  : inForce(set_.unknowns[unknown], time_).derivative;
 }
 
-// d/dt along the motion.
-Node ContactRows::along(Node value) {
-    Node rate = differentiate(g_, value, set_.time);
-    for (const Node symbol : symbolsOf(g_, std::span(&value, 1)))
-        if (const auto unknown = unknownOf_.find(symbol.index); unknown != unknownOf_.end())
-            rate = g_.add(rate,
-                          g_.multiply(differentiate(g_, value, symbol), rateOf(unknown->second)));
-    return rate;
+// d/dt along the motion, of each.
+std::vector<Node> ContactRows::along(std::span<const Node> values) {
+    std::vector<Node> symbols{set_.time}, rates{g_.constant(1)};
+    for (const Node symbol : symbolsOf(g_, values))
+        if (const auto unknown = unknownOf_.find(symbol.index); unknown != unknownOf_.end()) {
+            symbols.push_back(symbol);
+            rates.push_back(rateOf(unknown->second));
+        }
+    std::vector<Node> found;
+    for (const auto& row : gradients(g_, values, symbols)) {
+        Node rate = g_.constant(0);
+        for (const expression::Partial& partial : row)
+            rate = g_.add(rate, g_.multiply(partial.derivative, rates[partial.symbol]));
+        found.push_back(rate);
+    }
+    return found;
+}
+
+ContactRows::Twist ContactRows::byVelocityOf(Node value, const BodySymbols& body) {
+    std::array<Node, 6> symbols{}, found{};
+    std::ranges::copy(body.spin, std::ranges::copy(body.velocity, symbols.begin()).out);
+    found.fill(g_.constant(0));
+    const auto rows = gradients(g_, std::span(&value, 1), symbols);
+    for (const expression::Partial& partial : rows[0])
+        found[partial.symbol] = partial.derivative;
+    return {{found[0], found[1], found[2]}, {found[3], found[4], found[5]}};
 }
 
 // ----------------------------------------------------------------------------------- geometry
@@ -133,13 +151,12 @@ void ContactRows::addRow(const ContactPlace& place, Node multiplier, std::option
         if (motion.isFixed)
             continue;
         const Held held = unyieldingAt(free_, body, time_);
-        Push push{.body = body, .linear = {}, .angular = {}, .multiplier = multiplier};
-        for (std::size_t i = 0; i < 3; ++i) {
-            push.linear[i] = held.position[i] ? g_.constant(0)
-                                              : differentiate(g_, rate, motion.symbols.velocity[i]);
-            push.angular[i] =
-                held.attitude ? g_.constant(0) : differentiate(g_, rate, motion.symbols.spin[i]);
-        }
+        Push push{body, byVelocityOf(rate, motion.symbols), multiplier};
+        for (std::size_t i = 0; i < 3; ++i)
+            if (held.position[i])
+                push.by.linear[i] = g_.constant(0);
+        if (held.attitude)
+            push.by.angular = constant(g_, Vector::Zero());
         pushes_.push_back(push);
     }
 }
@@ -194,7 +211,7 @@ void ContactRows::addNormals(const ContactPlace& place, std::span<const Node> mu
         for (const ContactPoint::Side& side : point.sides)
             condition.valid.push_back(sideOf(side, meeting));
         const Node gap = g_.subtract(meeting.gap, g_.constant(point.start));
-        addRow(place, multipliers[k], gap, along(gap), std::move(condition));
+        addRow(place, multipliers[k], gap, along(std::span(&gap, 1))[0], std::move(condition));
     }
 }
 
@@ -265,8 +282,8 @@ std::vector<ContactRows::Equation> ContactRows::velocities(std::span<const std::
         NodeVector linear = constant(g_, Vector::Zero()), angular = linear;
         for (const Push& push : pushes_)
             if (push.body == body) {
-                linear = add(g_, linear, scaled(g_, push.multiplier, push.linear));
-                angular = add(g_, angular, scaled(g_, push.multiplier, push.angular));
+                linear = add(g_, linear, scaled(g_, push.multiplier, push.by.linear));
+                angular = add(g_, angular, scaled(g_, push.multiplier, push.by.angular));
             }
         const Matrix inverse =
             held.attitude ? Matrix(Matrix::Zero()) : Matrix(motion.mass.inertia.inverse());
@@ -299,12 +316,16 @@ std::vector<ContactRows::Equation> ContactRows::velocities(std::span<const std::
 }
 
 std::vector<Phase> ContactRows::conditions() {
+    std::vector<Node> rates;
+    for (const Row& row : rows_)
+        rates.push_back(row.rate);
+    const std::vector<Node> changing = along(rates);
     std::vector<Phase> phases;
-    for (Row& row : rows_) {
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
         Phase phase;
         phase.from = time_;
-        phase.derivative = along(row.rate);
-        phase.condition = row.condition;
+        phase.derivative = changing[i];
+        phase.condition = rows_[i].condition;
         phases.push_back(std::move(phase));
     }
     return phases;
@@ -328,7 +349,7 @@ std::vector<ContactRows::Equation> ContactRows::others(std::span<const std::size
         if (!isConcerned)
             continue;
         phase.from = time_;
-        phase.derivative = along(*phase.condition->rate);
+        phase.derivative = along(std::span(&*phase.condition->rate, 1))[0];
         Equation equation{.unknown = u, .phase = phase, .later = {}};
         for (const Phase& later : free_.set.unknowns[u].phases)
             if (later.from > time_)

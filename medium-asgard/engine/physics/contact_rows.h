@@ -108,9 +108,12 @@ public:
     [[nodiscard]] std::vector<Equation> others(std::span<const std::size_t> bodies);
 
 private:
-    struct Push { // on one body, along the axes of its unknowns
-        std::size_t body = 0;
+    struct Twist { // along the axes of a body's unknowns
         NodeVector linear, angular;
+    };
+    struct Push { // on one body
+        std::size_t body = 0;
+        Twist by;
         Node multiplier;
     };
     struct Row {
@@ -141,7 +144,8 @@ private:
                     std::span<const Node> multipliers);
     void addRow(const ContactPlace& place, Node multiplier, std::optional<Node> gap, Node rate,
                 expression::Condition condition);
-    [[nodiscard]] Node along(Node value);
+    [[nodiscard]] std::vector<Node> along(std::span<const Node> values);
+    [[nodiscard]] Twist byVelocityOf(Node value, const BodySymbols& body); // the derivatives
     [[nodiscard]] Node rateOf(std::size_t unknown) const;
     [[nodiscard]] const BodySymbols& symbols(std::size_t body) const {
         return free_.bodies[body].symbols;

@@ -200,8 +200,12 @@ bool dividesByLength(const Graph& graph) {
 }
 
 std::vector<Node> lengthsDividedBy(const Graph& graph, std::span<const Node> outputs) {
+    return lengthsDividedByAmong(graph, expression::reachable(graph, outputs));
+}
+
+std::vector<Node> lengthsDividedByAmong(const Graph& graph, std::span<const Node> nodes) {
     std::vector<Node> found;
-    for (const Node n : expression::reachable(graph, outputs))
+    for (const Node n : nodes)
         if (graph.op(n) == Op::divide)
             lengthsIn(graph, graph.arguments(n)[1], found);
     std::ranges::sort(found);

@@ -79,8 +79,9 @@ std::map<Compared, std::vector<std::size_t>> sharersOf(const expression::Equatio
     for (std::size_t place = 0; place < unknowns.size(); ++place) {
         if (zero.contains(unknowns[place]))
             continue;
-        const std::vector<Node> nodes = nodesAfter(equations.unknowns[unknowns[place]], from);
-        for (const Node n : expression::reachable(equations.graph, nodes)) {
+        const std::vector<Node> nodes = expression::reachable(
+            equations.graph, nodesAfter(equations.unknowns[unknowns[place]], from));
+        for (const Node n : nodes) {
             const expression::Op op = equations.graph.op(n);
             if (!expression::isSwitch(op) || op == expression::Op::floor ||
                 op == expression::Op::ceil)
@@ -89,7 +90,8 @@ std::map<Compared, std::vector<std::size_t>> sharersOf(const expression::Equatio
             if (places.empty() || places.back() != place)
                 places.push_back(place);
         }
-        for (const Node length : lengthsDividedBy(equations.graph, nodes)) // friction in a plane
+        for (const Node length :
+             lengthsDividedByAmong(equations.graph, nodes)) // friction in a plane
             sharers[{length, nothing}].push_back(place);
     }
     return sharers;
