@@ -74,6 +74,22 @@ def arch():
     return rows
 
 
+def dominoes():
+    """Until it strikes, the first turns by a about its edge; the last ends flat, and stays."""
+    rows, w, h = Rows(), 0.06, 0.4
+
+    def rate(_, y):
+        return [y[1], G * (h * math.sin(y[0]) - w * math.cos(y[0])) / 2 / ((w * w + h * h) / 3)]
+
+    at = steps(0.43, 4)
+    for t, (a, _) in zip(at, solve(rate, [0.2, 0], at)):
+        s, c = math.sin(a), math.cos(a)
+        rows.put(t, 1.5, {"d0.x": (w - w * c + h * s) / 2, "d0.y": (w * s + h * c) / 2, "d1.x": 0.25})
+    for t in [1.4, 1.6]:
+        rows.put(t, 1.5, {"d5.y": w / 2})
+    return rows
+
+
 def tipping():
     """The tall one turns by a about its lower edge; the low one slides with m v' = F - mu m g."""
     rows, m, inertia = Rows(), 5, 5 * (0.09 + 0.25) / 12 + 5 * (0.15 ** 2 + 0.25 ** 2)

@@ -81,21 +81,34 @@ private:
         return best;
     }
 
-    // A little on the diagonal leads redundant laws to short forces.
+    // A little on the diagonal leads redundant laws to short forces. Where the states do not tell
+    // the forces, as with many bodies at the limit of sticking, the sweeps' own do, if they settle.
     std::optional<Answer> bySweeps() {
         constexpr int most = 4096;
         const Matrix firm = a_ + 1e-10 * Matrix(a_.diagonal().asDiagonal());
         Vector forces = Vector::Zero(b_.size());
         for (int next = 16; work_.sweeps < most; next *= 4) {
-            double change = 0;
-            for (; work_.sweeps < next; ++work_.sweeps)
-                change = sweep(firm, b_, laws_, forces);
+            const double change = sweepOn(firm, next, forces);
             if (auto answer = near(statesOf(firm, b_, laws_, forces), forces))
                 return answer;
-            if (!(change > 1e-15 * forces.cwiseAbs().maxCoeff()) || !forces.allFinite())
-                return std::nullopt;
+            if (!(change > 1e-15 * forces.cwiseAbs().maxCoeff()))
+                break;
+        }
+        for (int next = work_.sweeps + 16; work_.sweeps < most && forces.allFinite(); next *= 2) {
+            sweepOn(a_, next, forces);
+            const Answer swept{forces, a_ * forces + b_, statesOf(a_, b_, laws_, forces)};
+            if (violation(a_, b_, laws_, swept) <= kept)
+                return swept;
         }
         return std::nullopt;
+    }
+
+    // The last change of a force.
+    double sweepOn(const Matrix& a, int upTo, Vector& forces) {
+        double change = 0;
+        for (; work_.sweeps < upTo; ++work_.sweeps)
+            change = sweep(a, b_, laws_, forces);
+        return change;
     }
 
     const Matrix& a_;

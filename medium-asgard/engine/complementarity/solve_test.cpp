@@ -206,5 +206,29 @@ TEST(Solve, RandomHeapsKeepTheirLaws) {
     EXPECT_LE(tries, 3 * tried);
 }
 
+// Three slabs stand on an edge; one foot slides, and the rates of the others are rounding.
+TEST(Solve, RatesThatAreRoundingHinderNoAnswer) {
+    Matrix a = Matrix::Zero(6, 6);
+    const auto put = [&a](Index foot, double normal, double between, double along) {
+        a(foot, foot) = normal;
+        a(foot, 3 + foot) = a(3 + foot, foot) = between;
+        a(3 + foot, 3 + foot) = along;
+    };
+    put(0, 7.5356, -1.6033, 2.4644);
+    put(1, 7.1285, -2.1141, 2.8715);
+    put(2, 7.1286, -2.1140, 2.8714);
+    Laws laws;
+    for (int foot = 0; foot < 3; ++foot)
+        addUnilateral(laws);
+    for (Index foot = 0; foot < 3; ++foot)
+        addFriction(laws, 1, foot, 0.34641);
+    const Vector b =
+        (Vector(6) << -8e-14, -2.576e-11, -1.01e-11, 0.6936, 1.06e-11, 4.16e-12).finished();
+    const auto answer = solve(a, b, laws);
+    ASSERT_TRUE(answer);
+    EXPECT_LE(violation(a, b, laws, *answer), 1e-11);
+    EXPECT_LE(answer->forces.cwiseAbs().maxCoeff(), 1e-10);
+}
+
 } // namespace
 } // namespace complementarity

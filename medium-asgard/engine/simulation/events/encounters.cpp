@@ -149,6 +149,8 @@ std::optional<Event> CollisionSource::meet(const Instant& at, const Pair& pair) 
         record_.addLostHop(hop);
     pressTogether(at, cluster, before);
     const physics::ImpactResult result = resolve(cluster, before);
+    if (!result.settled)
+        return end(at, pair, sentences::unsolved(world_, pair));
     if (result.jammed)
         noteJam(at, cluster, result);
     keepImpulses(at, cluster, result, last.settling);

@@ -86,6 +86,12 @@ std::string noRoom(const Colliders& world, std::size_t body, const std::set<std:
            ": it would bounce between them without end at one instant, and loses its speed there.";
 }
 
+std::string unsolved(const Colliders& world, const Pair& pair) {
+    return "The impact of " + quoted(world, pair.first) + " and " + quoted(world, pair.second) +
+           ", with all that they touch, has impulses that were not found: the motion of these "
+           "bodies ends here.";
+}
+
 std::string noHinge(const Colliders& world, std::size_t body) {
     return "Body " + quoted(world, body) +
            " is held at a place beside its centre of mass, which makes no hinge: what hits it or "

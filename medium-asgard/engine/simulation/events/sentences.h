@@ -24,6 +24,7 @@ namespace simulation::sentences {
 [[nodiscard]] std::string opensAgain(const Colliders& world, std::size_t body);
 [[nodiscard]] std::string restless(const Colliders& world, std::size_t body);
 
+[[nodiscard]] std::string unsolved(const Colliders& world, const Pair& pair);
 // What is noted beside a motion that goes on.
 [[nodiscard]] std::string passThrough(const Colliders& world, const Pair& pair);
 [[nodiscard]] std::string overlap(const Colliders& world, const Pair& pair);
