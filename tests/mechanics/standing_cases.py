@@ -74,6 +74,21 @@ def arch():
     return rows
 
 
+def car():
+    """It settles on its springs before the bump; on the bump a wheel keeps the sum of both radii; behind it, it rides."""
+    rows, stiffness, rate = Rows(), 4000 / 20, 300 / 20 / 2
+    turns, low = math.sqrt(stiffness - rate ** 2), G / stiffness
+    for t in steps(0.4, 4):
+        damped = math.exp(-rate * t) * (math.cos(turns * t) + rate / turns * math.sin(turns * t))
+        rows.put(t, 1, {"chassis.y": 0.35 - low * (1 - damped), "slide_front.q": low * (1 - damped), "slide_rear.q": low * (1 - damped)})
+        rows.put(t, 5, {"chassis.x": 2 * t, "wheel_front.x": 0.4 + 2 * t})
+        rows.put(t, 1, {"wheel_front.y": 0.15, "wheel_rear.y": 0.15})
+    rows.put(0.55, 1, {"hypot(wheel_front.x-1.5,wheel_front.y+0.45)": 0.65})
+    for t in [3.5, 4.0]:
+        rows.put(t, 1, {"wheel_front.y": 0.15, "wheel_rear.y": 0.15, "chassis.y": 0.35 - low})
+    return rows
+
+
 def dominoes():
     """Until it strikes, the first turns by a about its edge; the last ends flat, and stays."""
     rows, w, h = Rows(), 0.06, 0.4
