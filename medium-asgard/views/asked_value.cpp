@@ -59,6 +59,33 @@ std::optional<SizedShape> sizedShapeOf(const scene::Scene& scene, const std::str
         static_cast<std::size_t>(std::ranges::count(scene.bodies, name, &scene::Body::shape))};
 }
 
+// "": a surface can have these, in the order of surfaceWishes().
+QString whyNoSurface(const Values& values, bool hasOwnSticking) {
+    const double restitution = values[0], sliding = values[1], sticking = values[2];
+    if (!(restitution >= 0 && restitution <= 1))
+        return SceneDocument::tr("The restitution is a number from 0 to 1.");
+    if (!(sliding >= 0 && sticking >= 0 && values[3] >= 0))
+        return SceneDocument::tr("Friction is 0 or more.");
+    if (hasOwnSticking && sticking < sliding)
+        return SceneDocument::tr("The static friction is at least the friction.");
+    return {};
+}
+
+std::vector<editing::Wish> surfaceWishes(const scene::Body& body, std::size_t which) {
+    const auto wish = [which](const char* option, double now, double absent) {
+        return editing::Wish{.element = {editing::Kind::body, which},
+                             .option = option,
+                             .path = {},
+                             .values = {now},
+                             .absent = {absent},
+                             .now = {now}};
+    };
+    return {wish("-restitution", body.restitution, scene::Body().restitution),
+            wish("-friction", body.friction, 0),
+            wish("-static_friction", body.staticFriction.value_or(body.friction), body.friction),
+            wish("-rolling_friction", body.rollingFriction, 0)};
+}
+
 } // namespace
 
 AskedValue askedOf(SceneDocument& document, const Shown& of, const render::Handle& handle) {
@@ -122,6 +149,40 @@ std::optional<AskedValue> askedSize(SceneDocument& document, std::size_t body) {
         auto draft = editing::draftOf(scene->shapeSets[which]);
         draft.front().part = editing::withSizes(draft.front().part, values);
         return editing::become(text, scene, which, draft);
+    };
+    return asked;
+}
+
+AskedValue askedSurface(SceneDocument& document, std::size_t body) {
+    const Shown& of = document.shown();
+    const scene::Body& one = of.scene->bodies[body];
+    const auto mapper = mapperOf(document.text(), of);
+    const auto wishes = surfaceWishes(one, body);
+    AskedValue asked;
+    asked.text = document.text();
+    asked.title = SceneDocument::tr("%1: surface").arg(words(one.name));
+    asked.label = SceneDocument::tr("Change the Surface of %1").arg(words(one.name));
+    asked.note = SceneDocument::tr("Two bodies that touch have the smaller restitution, the "
+                                   "geometric mean of the frictions, and the larger rolling "
+                                   "friction, which is a length.");
+    asked.names = {SceneDocument::tr("restitution"), SceneDocument::tr("friction"),
+                   one.staticFriction ? SceneDocument::tr("static friction")
+                                      : SceneDocument::tr("static friction (as friction)"),
+                   SceneDocument::tr("rolling friction")};
+    asked.now = valuesOf(wishes);
+    for (const editing::Wish& wish : wishes)
+        asked.written.push_back(mapper->written(wish).front());
+    asked.answer = [mapper, wishes, now = asked.now,
+                    hasOwn = one.staticFriction.has_value()](const Values& values) {
+        if (const QString why = whyNoSurface(values, hasOwn || values[2] != now[2]);
+            !why.isEmpty()) {
+            editing::Answer answer;
+            answer.reason = why.toStdString();
+            return answer;
+        }
+        auto meant = gestures::withValues(wishes, values);
+        std::erase_if(meant, [](const editing::Wish& wish) { return wish.values == wish.now; });
+        return meant.empty() ? editing::Answer() : mapper->answer(meant);
     };
     return asked;
 }

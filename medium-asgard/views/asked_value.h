@@ -27,6 +27,9 @@ struct AskedValue {
                                  const render::Handle& handle);
 // Of a body whose shape is one sphere (its radius) or one box (its edges); none: of another.
 [[nodiscard]] std::optional<AskedValue> askedSize(SceneDocument& document, std::size_t body);
+// How it bounces, slides and rolls: restitution, friction while it slides and while it sticks, and
+// rolling friction.
+[[nodiscard]] AskedValue askedSurface(SceneDocument& document, std::size_t body);
 // Whether it never moves: 1 or 0.
 [[nodiscard]] AskedValue askedFixed(SceneDocument& document, std::size_t body);
 

@@ -3,7 +3,7 @@
 #include "plain/plain.h"
 #include "views/asked_value.h"
 
-#include <QHBoxLayout>
+#include <QGridLayout>
 #include <QVBoxLayout>
 
 namespace views {
@@ -11,26 +11,28 @@ namespace views {
 BodyPanel::BodyPanel(SceneDocument& document, QWidget* parent)
     : QGroupBox(tr("Body"), parent), document_(document), name_(plain::label()),
       fixed_(new QCheckBox(tr("Fi&xed"))), size_(new QPushButton(tr("Si&ze…"))),
-      shape_(new QPushButton(tr("S&hape…"))) {
+      shape_(new QPushButton(tr("S&hape…"))), surface_(new QPushButton(tr("S&urface…"))) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(10, 6, 10, 8);
     column->setSpacing(4);
-    auto* buttons = new QHBoxLayout;
-    buttons->setSpacing(4);
+    auto* grid = new QGridLayout;
+    grid->setSpacing(4);
     column->addWidget(name_);
-    column->addWidget(fixed_);
-    column->addLayout(buttons);
-    buttons->addWidget(size_);
-    buttons->addWidget(shape_);
+    column->addLayout(grid);
+    grid->addWidget(fixed_, 0, 0);
+    grid->addWidget(surface_, 0, 1);
+    grid->addWidget(size_, 1, 0);
+    grid->addWidget(shape_, 1, 1);
     name_->setObjectName("bodyName");
     fixed_->setObjectName("fixed");
     size_->setObjectName("size");
     shape_->setObjectName("bodyShape");
+    surface_->setObjectName("bodySurface");
     fixed_->setToolTip(tr("It never moves, whatever hits it: a floor, a wall"));
     size_->setToolTip(tr("The radius or the edges of its shape (double click on the body)"));
     shape_->setToolTip(tr("Its shape, in the shape editor"));
-    for (QWidget* one : {static_cast<QWidget*>(fixed_), static_cast<QWidget*>(size_),
-                         static_cast<QWidget*>(shape_)})
+    surface_->setToolTip(tr("How it bounces, slides and rolls: restitution and friction"));
+    for (QWidget* one : std::initializer_list<QWidget*>{fixed_, size_, shape_, surface_})
         one->setFocusPolicy(Qt::TabFocus); // a click leaves the keys to the picture
     connect(fixed_, &QCheckBox::clicked, this, [this](bool on) {
         if (const auto now = body())
@@ -40,6 +42,10 @@ BodyPanel::BodyPanel(SceneDocument& document, QWidget* parent)
     connect(size_, &QPushButton::clicked, this, [this] {
         if (const auto now = body())
             Q_EMIT sizeWanted(*now);
+    });
+    connect(surface_, &QPushButton::clicked, this, [this] {
+        if (const auto now = body())
+            Q_EMIT surfaceWanted(*now);
     });
     connect(shape_, &QPushButton::clicked, this, [this] {
         if (const auto now = body())
@@ -66,8 +72,7 @@ void BodyPanel::refresh() {
     name_->setToolTip(tr("Shift and a click select a body"));
     name_->setForegroundRole(one ? QPalette::WindowText : QPalette::PlaceholderText);
     fixed_->setChecked(one && one->fixed);
-    for (QWidget* each : {static_cast<QWidget*>(fixed_), static_cast<QWidget*>(size_),
-                          static_cast<QWidget*>(shape_)})
+    for (QWidget* each : std::initializer_list<QWidget*>{fixed_, size_, shape_, surface_})
         each->setEnabled(one != nullptr);
 }
 

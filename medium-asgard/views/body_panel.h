@@ -1,4 +1,5 @@
-// The body that is selected, beside the picture: whether it is fixed, and the way to its size.
+// The body that is selected, beside the picture: whether it is fixed, and the ways to its size,
+// shape and surface.
 //
 // Always as high, so that what is below stays where it is.
 #pragma once
@@ -20,10 +21,12 @@ public:
 
     [[nodiscard]] QCheckBox& fixed() { return *fixed_; }
     [[nodiscard]] QPushButton& size() { return *size_; }
+    [[nodiscard]] QPushButton& surface() { return *surface_; }
 
 Q_SIGNALS:
     void fixWanted(std::size_t body, bool fixed);
     void sizeWanted(std::size_t body);
+    void surfaceWanted(std::size_t body);
     void shapeWanted(const QString& name);
 
 private:
@@ -33,7 +36,7 @@ private:
     SceneDocument& document_;
     QLabel* name_;
     QCheckBox* fixed_;
-    QPushButton *size_, *shape_;
+    QPushButton *size_, *shape_, *surface_;
 };
 
 } // namespace views

@@ -84,6 +84,8 @@ void Building::body() {
     const scene::Body& one = scene().bodies[index];
     menu_.addAction(QObject::tr("&Size…"), &display_,
                     [&display, index] { display.editing().openSize(index); });
+    menu_.addAction(QObject::tr("S&urface…"), &display_,
+                    [&display, index] { display.editing().openSurface(index); });
     QAction* fixed = menu_.addAction(QObject::tr("Fi&xed"), &display_, [&display, index](bool on) {
         display.editing().setFixed(index, on);
     });

@@ -367,6 +367,7 @@ void GraphicalViewer::connectBody() {
     PictureEditing& editing = display_->editing();
     connect(&panel_->body(), &BodyPanel::fixWanted, &editing, &PictureEditing::setFixed);
     connect(&panel_->body(), &BodyPanel::sizeWanted, &editing, &PictureEditing::openSize);
+    connect(&panel_->body(), &BodyPanel::surfaceWanted, &editing, &PictureEditing::openSurface);
     const auto open = [this](const QString& name) { windows_.openShapeEditor(name); };
     connect(&panel_->body(), &BodyPanel::shapeWanted, this, open);
     connect(&editing, &PictureEditing::shapeWanted, this, open);

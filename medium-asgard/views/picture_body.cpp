@@ -1,4 +1,5 @@
-// What is asked of a body in a picture besides its handles: its size, and whether it is fixed.
+// What is asked of a body in a picture besides its handles: its size, its surface, and whether it
+// is fixed.
 #include "views/picture_editing.h"
 #include "views/scene_display.h"
 
@@ -25,6 +26,13 @@ void PictureEditing::openSize(std::size_t body) {
         openEntry(std::move(*size), positionOf(body)->place);
     else
         Q_EMIT shapeWanted(QString::fromStdString(document_.shown().scene->bodies[body].shape));
+}
+
+void PictureEditing::openSurface(std::size_t body) {
+    if (body >= document_.shown().scene->bodies.size() || !mayChange())
+        return;
+    document_.select({{editing::Kind::body, body}});
+    openEntry(askedSurface(document_, body), positionOf(body)->place);
 }
 
 void PictureEditing::setFixed(std::size_t body, bool fixed) {

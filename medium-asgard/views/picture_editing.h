@@ -68,6 +68,7 @@ public:
     // editor; whether it never moves.
     void openSize(std::size_t body);
     void setFixed(std::size_t body, bool fixed);
+    void openSurface(std::size_t body); // its restitution and frictions
 
 Q_SIGNALS:
     void changed();

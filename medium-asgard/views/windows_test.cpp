@@ -174,6 +174,41 @@ TEST_F(WindowsTest, ADoubleClickOnABodyAsksForItsSize) {
     EXPECT_EQ(text(), wanted);
 }
 
+TEST_F(WindowsTest, FrictionAndRestitutionAreAskedFor) {
+    open(flooring);
+    EXPECT_FALSE(body().surface().isEnabled());
+    editor.document().select({{editing::Kind::body, 0}});
+    body().surface().click();
+    ValueEntry* entry = display().editing().entry();
+    ASSERT_TRUE(entry);
+    ASSERT_EQ(entry->fields().size(), 4U);
+    EXPECT_EQ(entry->fields()[0]->text(), "1");
+    const auto type = [&](std::size_t field, const char* text) {
+        entry->fields()[field]->selectAll();
+        QTest::keyClicks(entry->fields()[field], text);
+    };
+    type(1, "0.5");
+    type(2, "0.4");
+    EXPECT_THAT(entry->saying().toStdString(), HasSubstr("at least the friction"));
+    type(2, "0.6");
+    QTest::keyClick(entry->fields()[2], Qt::Key_Return);
+    ASSERT_TRUE(settle(editor.document()));
+    EXPECT_EQ(text(),
+              flooring.substr(0, flooring.size() - 1) + " -friction 0.5 -static_friction 0.6\n");
+    EXPECT_EQ(undone(), "Change the Surface of floor");
+    action(*menuOf(0), "Surface")->trigger();
+    entry = display().editing().entry();
+    type(0, "1.5");
+    EXPECT_THAT(entry->saying().toStdString(), HasSubstr("from 0 to 1"));
+    type(0, "0");
+    QTest::keyClick(entry->fields()[0], Qt::Key_Return);
+    ASSERT_TRUE(settle(editor.document()));
+    EXPECT_THAT(text(), HasSubstr("-restitution 0"));
+    editor.document().undo();
+    editor.document().undo();
+    EXPECT_EQ(text(), flooring);
+}
+
 TEST_F(WindowsTest, TheSizeOfAnotherShapeIsInTheShapeEditor) {
     open("shape_set two -desc {-sub {-sphere 0.5} -sub {-pos {1 0 0} -sphere 0.5}}\nbody b two\n");
     editor.document().select({{editing::Kind::body, 0}});
