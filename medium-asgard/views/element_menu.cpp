@@ -2,6 +2,7 @@
 
 #include "gestures/handle_meaning.h"
 #include "plain/plain.h"
+#include "scene/joint_types.h"
 #include "views/create_menu.h"
 #include "views/scene_display.h"
 
@@ -19,6 +20,63 @@ namespace {
 
 constexpr double reach = 14; // pixels, as of a drag
 
+struct Charted {
+    QString label;
+    std::string expression;
+};
+
+// What one charts of an element; none of one without a name.
+std::vector<Charted> chartsOf(const scene::Scene& scene, const Element& element) {
+    const std::string name = editing::nameOf(scene, element);
+    const auto of = [&name](const std::string& quantity) { return name + "." + quantity; };
+    const auto length = [&of](const char* x, const char* y, const char* z) {
+        return "hypot(" + of(x) + ", " + of(y) + ", " + of(z) + ")";
+    };
+    std::vector<Charted> charts;
+    if (name.empty())
+        return charts;
+    switch (element.kind) {
+    case Kind::body:
+        charts = {{QObject::tr("&x"), of("x")},
+                  {QObject::tr("&y"), of("y")},
+                  {QObject::tr("&z"), of("z")},
+                  {QObject::tr("&Speed"), length("dx", "dy", "dz")}};
+        break;
+    case Kind::joint: {
+        const scene::Joint& joint = scene.joints[element.index];
+        const auto& coordinates = scene::traitsOf(joint.type).coordinates;
+        for (std::size_t i = 0; i < coordinates.size(); ++i) {
+            const std::string which = scene::coordinateSuffix(joint.type, i);
+            const QString shown = QString::fromStdString(which);
+            const bool isAngle = coordinates[i] == scene::CoordinateKind::angle;
+            charts.push_back({isAngle ? QObject::tr("&Angle %1").arg(shown)
+                                      : QObject::tr("&Distance %1").arg(shown),
+                              of("q" + which)});
+            charts.push_back({QObject::tr("&Rate %1").arg(shown), of("dq" + which)});
+            const scene::JointCoordinate& own = joint.coordinates[i];
+            if (own.motor || own.speed || own.position)
+                charts.push_back({QObject::tr("&Motor %1").arg(shown), of("motor" + which)});
+        }
+        charts.push_back({QObject::tr("&Force"), length("fx", "fy", "fz")});
+        charts.push_back({QObject::tr("C&ouple"), length("tx", "ty", "tz")});
+        break;
+    }
+    case Kind::link:
+        if (scene.links[element.index].spring)
+            charts = {{QObject::tr("&Length"), of("length")}, {QObject::tr("&Force"), of("force")}};
+        break;
+    case Kind::rope:
+        charts = {{QObject::tr("&Tension"), of("tension")}};
+        break;
+    case Kind::contact:
+        charts = {{QObject::tr("&Normal force"), of("n")}, {QObject::tr("&Slip"), of("slip")}};
+        break;
+    default:
+        break;
+    }
+    return charts;
+}
+
 class Building {
 public:
     Building(QMenu& menu, SceneDocument& document, SceneDisplay& display, const MenuPlace& place,
@@ -33,6 +91,7 @@ private:
     void values();
     void body();
     void trajectory();
+    void charts();
     void addPlots();
     // A Create command whose first click is here.
     void create(QMenu* menu, const QString& label, std::function<Recipe()> recipe);
@@ -135,6 +194,7 @@ void Building::element() {
         body();
     if (element.kind == Kind::trajectory)
         trajectory();
+    charts();
     menu_.addSeparator();
     menu_.addAction(QObject::tr("Show in the Te&xt"), &display_, [show = windows_.showText] {
         show(); // it is selected, and so is its command
@@ -145,6 +205,18 @@ void Building::element() {
     if (isPoint)
         menu_.addAction(QObject::tr("&Delete the Trajectory"), &display_,
                         [&display = display_, element] { display.editing().remove({element}); });
+}
+
+void Building::charts() {
+    const std::vector<Charted> all = chartsOf(scene(), *place_.element);
+    if (all.empty())
+        return;
+    QMenu* menu = menu_.addMenu(QObject::tr("New C&hart of"));
+    for (const Charted& one : all)
+        menu->addAction(plain::ours(one.label), &display_,
+                        [&display = display_, expression = one.expression] {
+                            display.creating().start(newPlot(expression));
+                        });
 }
 
 // What is charted is no part of a picture; here it can be got at all the same.

@@ -371,18 +371,21 @@ Recipe newParameter(const std::string& name, const std::string& value, const std
 }
 
 Recipe newPlot(const std::string& expression) {
-    return {QObject::tr("New Plot"),
-            {},
-            [=](const std::string& text, const scene::Scene& scene, const std::vector<Indicated>&) {
-                NewElement plot{Kind::plot,
-                                editing::unusedName(text, scene, Kind::plot, "plot"),
-                                {"-values", "{{" + expression + "}}"},
-                                {}};
-                for (std::size_t i = 0; i < scene.bodies.size(); ++i)
-                    if (expression.find(scene.bodies[i].name + ".") != std::string::npos)
-                        plot.behind.push_back({Kind::body, i});
-                return std::vector{plot};
-            }};
+    return {
+        QObject::tr("New Plot"),
+        {},
+        [=](const std::string& text, const scene::Scene& scene, const std::vector<Indicated>&) {
+            NewElement plot{Kind::plot,
+                            editing::unusedName(text, scene, Kind::plot, "plot"),
+                            {"-values", "{{" + expression + "}}"},
+                            {}};
+            for (const Kind kind : {Kind::body, Kind::link, Kind::joint, Kind::rope, Kind::contact})
+                for (std::size_t i = 0; editing::sourceOf(scene, {kind, i}); ++i)
+                    if (const std::string name = editing::nameOf(scene, {kind, i});
+                        !name.empty() && expression.find(name + ".") != std::string::npos)
+                        plot.behind.push_back({kind, i});
+            return std::vector{plot};
+        }};
 }
 
 Recipe keptView(const render::Camera& camera, double resolution) {

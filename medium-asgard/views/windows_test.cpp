@@ -461,6 +461,28 @@ TEST_F(WindowsTest, AMenuStaysWhileItsBodyDoes) {
     EXPECT_FALSE(of->isVisible());
 }
 
+TEST_F(WindowsTest, AJointIsChartedByOneClick) {
+    const std::string pendulum =
+        "shape_set s -desc {-sub {-sphere 0.1}}\n"
+        "body bob s -mass 1 -init_pos {1 0 0}\n"
+        "joint pivot -type hinge -body1 bob -offset1 {-1 0 0} -axis {0 0 1}\n";
+    open(pendulum);
+    menu = elementMenu(editor.document(), display(),
+                       {{}, editing::Element{editing::Kind::joint, 0}, {}}, {});
+    QMenu* charts = action(*menu, "New Chart")->menu();
+    ASSERT_EQ(charts->actions().size(), 4);
+    charts->actions()[0]->trigger();
+    ASSERT_TRUE(settle(editor.document()));
+    EXPECT_EQ(text(), pendulum + "\nplot plot1 -values {{pivot.q}}\n");
+    charts->actions()[2]->trigger();
+    ASSERT_TRUE(settle(editor.document()));
+    EXPECT_THAT(text(), HasSubstr("{{hypot(pivot.fx, pivot.fy, pivot.fz)}}"));
+    ASSERT_EQ(editor.document().shown().scene->plots.size(), 2U);
+    editor.document().undo();
+    editor.document().undo();
+    EXPECT_EQ(text(), pendulum);
+}
+
 // --- no crash --------------------------------------------------------------------------------
 
 TEST_F(WindowsTest, AViewerGoesWithItsOpenMenu) {
