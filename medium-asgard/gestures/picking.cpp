@@ -42,6 +42,20 @@ std::optional<std::size_t> handleAt(const render::HandleSet& set, const Sight& s
     return nearest;
 }
 
+std::optional<render::Handle> jointAt(const render::Drawing& drawing, const Sight& sight,
+                                      const Eigen::Vector2d& pixels, double reach) {
+    if (!drawing.display.joints || drawing.scene->joints.empty())
+        return std::nullopt;
+    render::Display signs;
+    signs.jointHandles = true;
+    render::HandleSet set = render::Handles(*drawing.scene, drawing.motion).at(drawing.time, signs);
+    std::erase_if(set.handles, [](const render::Handle& handle) {
+        return handle.kind != render::HandleKind::jointPoint;
+    });
+    const auto found = handleAt(set, sight, pixels, reach);
+    return found ? std::optional(set.handles[*found]) : std::nullopt;
+}
+
 std::optional<Picked> bodyAt(const render::Drawing& drawing, const Sight& sight,
                              const Eigen::Vector2d& pixels, std::optional<std::size_t> but) {
     const Line line = lineOfSight(sight, pixels);

@@ -37,6 +37,11 @@ struct Line { // from the eye
 [[nodiscard]] std::optional<std::size_t> handleAt(const render::HandleSet& set, const Sight& sight,
                                                   const Eigen::Vector2d& pixels, double reach);
 
+// The joint whose sign is there: the handle of its point, which need not be shown.
+[[nodiscard]] std::optional<render::Handle> jointAt(const render::Drawing& drawing,
+                                                    const Sight& sight,
+                                                    const Eigen::Vector2d& pixels, double reach);
+
 struct Picked {
     std::size_t body = 0;
     Vector point; // world, on its surface

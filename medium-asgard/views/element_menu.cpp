@@ -280,6 +280,9 @@ MenuPlace menuPlaceAt(SceneDocument& document, SceneDisplay& display, const QPoi
     if (const auto handle = gestures::handleAt(set, sight, pixels, near)) {
         place.handle = set.handles[*handle];
         place.element = gestures::elementOf(*place.handle);
+    } else if (const auto joint = gestures::jointAt(display.drawing(), sight, pixels, near)) {
+        place.handle = joint;
+        place.element = gestures::elementOf(*joint);
     } else if (const auto body = gestures::bodyAt(display.drawing(), sight, pixels)) {
         place.element = Element{Kind::body, body->body};
         const auto& start = document.shown().scene->bodies[body->body].initialPosition;

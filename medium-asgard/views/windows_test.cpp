@@ -467,8 +467,9 @@ TEST_F(WindowsTest, AJointIsChartedByOneClick) {
         "body bob s -mass 1 -init_pos {1 0 0}\n"
         "joint pivot -type hinge -body1 bob -offset1 {-1 0 0} -axis {0 0 1}\n";
     open(pendulum);
-    menu = elementMenu(editor.document(), display(),
-                       {{}, editing::Element{editing::Kind::joint, 0}, {}}, {});
+    const MenuPlace sign = menuPlaceAt(editor.document(), display(), pixels({0.02, 0, 0}));
+    EXPECT_EQ(sign.element, (editing::Element{editing::Kind::joint, 0}));
+    menu = elementMenu(editor.document(), display(), sign, {});
     QMenu* charts = action(*menu, "New Chart")->menu();
     ASSERT_EQ(charts->actions().size(), 4);
     charts->actions()[0]->trigger();
