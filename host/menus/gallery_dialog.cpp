@@ -11,6 +11,7 @@
 #include <QPainterPath>
 #include <QPixmapCache>
 #include <QPushButton>
+#include <QScreen>
 #include <QStyledItemDelegate>
 #include <QVBoxLayout>
 
@@ -144,7 +145,9 @@ GalleryDialog::GalleryDialog(media::LiveMedia& media, const media::Manifest& man
     const QSize one = tile->sizeHint(option, {}) + QSize(5, 5);
     constexpr int columns = 4, rows = 2, edge = 40;
     const int beside = groups_->isHidden() ? 0 : groups_->width() + column->spacing();
-    resize(columns * one.width() + edge + beside, rows * one.height() + 2 * edge);
+    const QSize wanted(columns * one.width() + edge + beside, rows * one.height() + 2 * edge);
+    const QSize frame(edge / 2, 2 * edge); // of the window
+    resize(wanted.boundedTo(screen()->availableSize() - frame));
     askForPictures(media, manifest);
 }
 

@@ -4,6 +4,7 @@
 
 #include <QApplication>
 #include <QListWidget>
+#include <QScreen>
 
 namespace menus {
 namespace {
@@ -62,6 +63,14 @@ TEST_F(GalleryTest, WithoutGroupsThereIsNoListOfThem) {
     open();
     EXPECT_TRUE(groups_->isHidden());
     EXPECT_EQ(shown(), "ABCD");
+}
+
+TEST_F(GalleryTest, ItFitsIntoItsScreen) {
+    open();
+    const QSize room = dialog_->screen()->availableSize();
+    ASSERT_LT(room.width(), 900); // of the platform of tests, where four columns do not fit
+    EXPECT_LT(dialog_->width(), room.width());
+    EXPECT_LT(dialog_->height(), room.height());
 }
 
 } // namespace
