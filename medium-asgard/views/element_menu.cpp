@@ -25,7 +25,7 @@ struct Charted {
     std::string expression;
 };
 
-// What one charts of an element; none of one without a name.
+// The quantities of an element that are worth a chart; none of one without a name.
 std::vector<Charted> chartsOf(const scene::Scene& scene, const Element& element) {
     const std::string name = editing::nameOf(scene, element);
     const auto of = [&name](const std::string& quantity) { return name + "." + quantity; };

@@ -1,5 +1,5 @@
-// What is asked of a body in a picture besides its handles: its size, its surface, and whether it
-// is fixed.
+// A picture asks for a body's size and surface, and whether it is fixed: it has no handles of
+// these.
 #include "views/picture_editing.h"
 #include "views/scene_display.h"
 
