@@ -35,5 +35,5 @@ body ground ground -fixed 1 -friction 0.6 -init_pos {0 -0.05 0}
 contact left -body1 stone6 -body2 ground
 contact right -body1 stone0 -body2 ground
 
-plot feet -title "What the feet bear, in N" -values {left.n right.n} -labels {left right}
+plot feet -title "Load on the feet, in N" -values {left.n right.n} -labels {left right}
 view front -eye {1 1.1 4} -look {0 0.45 0}

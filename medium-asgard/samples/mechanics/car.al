@@ -27,4 +27,4 @@ foreach body {chassis hub_rear wheel_rear hub_front wheel_front} {
 }
 
 plot heights -title "Heights above the ride" -values {chassis.y-0.30095 wheel_front.y-0.15} -labels {chassis wheel}
-view follows -eye {1.6 1.8 5} -look {1.6 0.15 0}
+view side -eye {1.6 1.8 5} -look {1.6 0.15 0}

@@ -18,5 +18,5 @@ for {set i 0} {$i < 6} {incr i} {
     force -body d$i -gravitational {0 -9.81 0}
 }
 
-plot energy -title "Height of the centres, in m" -values {d0.y d2.y d5.y} -labels {first third last}
+plot heights -title "Heights of the centres, in m" -values {d0.y d2.y d5.y} -labels {first third last}
 view front -eye {0.8 0.8 3.3} -look {0.8 0.12 0}

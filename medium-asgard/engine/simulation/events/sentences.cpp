@@ -87,9 +87,8 @@ std::string noRoom(const Colliders& world, std::size_t body, const std::set<std:
 }
 
 std::string unsolved(const Colliders& world, const Pair& pair) {
-    return "The impact of " + quoted(world, pair.first) + " and " + quoted(world, pair.second) +
-           ", with all that they touch, has impulses that were not found: the motion of these "
-           "bodies ends here.";
+    return "The impulses of the blow between " + quoted(world, pair.first) + " and " +
+           quoted(world, pair.second) + " were not found: their motion ends here.";
 }
 
 std::string noHinge(const Colliders& world, std::size_t body) {

@@ -200,10 +200,10 @@ bool dividesByLength(const Graph& graph) {
 }
 
 std::vector<Node> lengthsDividedBy(const Graph& graph, std::span<const Node> outputs) {
-    return lengthsDividedByAmong(graph, expression::reachable(graph, outputs));
+    return lengthsInQuotients(graph, expression::reachable(graph, outputs));
 }
 
-std::vector<Node> lengthsDividedByAmong(const Graph& graph, std::span<const Node> nodes) {
+std::vector<Node> lengthsInQuotients(const Graph& graph, std::span<const Node> nodes) {
     std::vector<Node> found;
     for (const Node n : nodes)
         if (graph.op(n) == Op::divide)

@@ -46,9 +46,9 @@ struct Direction {
 // Lengths by which some of these are divided, in order of index.
 [[nodiscard]] std::vector<expression::Node>
 lengthsDividedBy(const expression::Graph& graph, std::span<const expression::Node> outputs);
-// The same, of nodes that were reached before.
+// Lengths by which the nodes themselves are divided, without a look at their arguments.
 [[nodiscard]] std::vector<expression::Node>
-lengthsDividedByAmong(const expression::Graph& graph, std::span<const expression::Node> nodes);
+lengthsInQuotients(const expression::Graph& graph, std::span<const expression::Node> nodes);
 
 // None: it is no length of parts that are 0 together. `isNumber` tells symbols that are numbers.
 // New nodes go into the graph.

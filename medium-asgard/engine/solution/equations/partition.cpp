@@ -90,8 +90,7 @@ std::map<Compared, std::vector<std::size_t>> sharersOf(const expression::Equatio
             if (places.empty() || places.back() != place)
                 places.push_back(place);
         }
-        for (const Node length :
-             lengthsDividedByAmong(equations.graph, nodes)) // friction in a plane
+        for (const Node length : lengthsInQuotients(equations.graph, nodes)) // friction in a plane
             sharers[{length, nothing}].push_back(place);
     }
     return sharers;
