@@ -10,8 +10,6 @@ using complementarity::State;
 
 namespace {
 
-constexpr double isNone = 1e-13; // of 1, of what is left of a scaled condition that others make
-
 Eigen::Index indexOf(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
 } // namespace
@@ -22,33 +20,30 @@ bool Multipliers::evaluate(Friction friction) {
     const std::size_t entries = conditions.matrix.size();
     second_.resize(entries + size());
     f_.evaluate(conditions.second, second_);
-    full_.setZero(indexOf(size()), indexOf(size()));
-    for (std::size_t k = 0; k < entries; ++k)
-        full_(conditions.matrix[k].row, conditions.matrix[k].column) = second_[k];
     rest_ = Eigen::Map<const Eigen::VectorXd>(second_.data() + entries, indexOf(size()));
-    own_ = full_.diagonal();
+    friction_.clear();
     if (friction == Friction::ofSlip)
-        addFriction();
-    return full_.allFinite() && rest_.allFinite();
+        findFriction();
+    double zero = 0; // no number as soon as one of them is not finite
+    for (const double x : second_)
+        zero += 0 * x;
+    return zero == 0;
 }
 
 // A normal force brings with it the friction of a contact that slips:  f = -coefficient N d.
-void Multipliers::addFriction() {
+void Multipliers::findFriction() {
     const std::vector<BoundModel::Disc>& discs = f_.bound()->discs;
-    bool isEvaluated = false;
     for (std::size_t k = 0; k < discs.size(); ++k) {
         const BoundModel::Disc& disc = discs[k];
         if (!slips(disc) || disc.sliding == 0)
             continue;
-        if (!isEvaluated)
+        if (friction_.empty()) {
             evaluateGaps();
-        isEvaluated = true;
+            friction_.assign(size(), 0);
+        }
         const InDisc direction = directionOf(k);
-        Eigen::VectorXd column = Eigen::VectorXd::Zero(indexOf(size()));
         for (std::size_t i = 0; i < disc.rows.size(); ++i)
-            column -= disc.sliding * direction[indexOf(i)] * full_.col(indexOf(disc.rows[i]));
-        for (const std::size_t normal : disc.normals)
-            full_.col(indexOf(normal)) += column;
+            friction_[disc.rows[i]] = -disc.sliding * direction[indexOf(i)];
     }
 }
 
@@ -90,52 +85,11 @@ double Multipliers::leewayOf(const BoundModel::Disc& disc) const {
     return disc.sticking * normal - std::sqrt(square);
 }
 
-// Without a heap allocation once it was called for as many.
 bool Multipliers::factorise(Friction friction) {
     if (!evaluate(friction))
         return false;
-    active_.clear();
-    for (std::size_t row = 0; row < size(); ++row)
-        if (mode_.kept[row] == State::inside)
-            active_.push_back(row);
-    const Eigen::Index n = indexOf(active_.size());
-    if (n == 0)
-        return true;
-    scale_.resize(n);
-    matrix_.resize(n, n);
-    for (Eigen::Index i = 0; i < n; ++i) {
-        const Eigen::Index row = indexOf(active_[static_cast<std::size_t>(i)]);
-        const double own = std::abs(own_[row]);
-        scale_[i] = own > 0 ? 1 / std::sqrt(own) : 1;
-    }
-    for (Eigen::Index j = 0; j < n; ++j)
-        for (Eigen::Index i = 0; i < n; ++i)
-            matrix_(i, j) = scale_[i] * scale_[j] *
-                            full_(indexOf(active_[static_cast<std::size_t>(i)]),
-                                  indexOf(active_[static_cast<std::size_t>(j)]));
-    lu_.compute(matrix_);
-    isRegular_ = true;
-    for (Eigen::Index i = 0; i < n; ++i)
-        isRegular_ = isRegular_ && std::abs(lu_.matrixLU()(i, i)) > isNone;
-    if (!isRegular_) {
-        least_.setThreshold(isNone);
-        least_.compute(matrix_);
-    }
+    held_.factorise(std::span(second_).first(model_.conditions().matrix.size()), friction_);
     return true;
-}
-
-// The shortest m = S y of those with  A y = right,  A scaled by S: the shortest y, and of what
-// leaves A y as it is the part that shortens m.
-Eigen::VectorXd Multipliers::leastSolution() const {
-    Eigen::VectorXd y = least_.solve(right_);
-    const Eigen::Index free = y.size() - least_.rank();
-    if (free == 0)
-        return y;
-    const Eigen::MatrixXd idle =
-        least_.colsPermutation() * Eigen::MatrixXd(least_.matrixZ().transpose().rightCols(free));
-    const Eigen::MatrixXd forces = scale_.asDiagonal() * idle;
-    y -= idle * forces.colPivHouseholderQr().solve(scale_.cwiseProduct(y));
-    return y;
 }
 
 double Multipliers::bound(std::size_t row) const {
@@ -143,43 +97,29 @@ double Multipliers::bound(std::size_t row) const {
         return 0;
     const BoundModel::Law& law = f_.bound()->laws[row];
     if (law.disc)
-        return 0; // it follows normal forces: addFriction()
+        return 0; // it follows normal forces: putFriction()
     return mode_.kept[row] == State::high ? law.high : law.low;
 }
 
-void Multipliers::solve(Eigen::Ref<Eigen::VectorXd> rates) {
-    const Eigen::Index n = indexOf(active_.size());
-    right_.resize(n);
-    answer_.resize(n);
-    for (Eigen::Index i = 0; i < n; ++i)
-        right_[i] = -scale_[i] * rates[indexOf(active_[static_cast<std::size_t>(i)])];
-    if (n > 0 && isRegular_)
-        answer_ = lu_.solve(right_);
-    else if (n > 0)
-        answer_ = leastSolution();
-    rates.setZero();
-    for (Eigen::Index i = 0; i < n; ++i)
-        rates[indexOf(active_[static_cast<std::size_t>(i)])] = scale_[i] * answer_[i];
-}
+void Multipliers::solve(Eigen::Ref<Eigen::VectorXd> rates) { held_.solve(rates); }
 
-bool Multipliers::isSolved(const Eigen::VectorXd& m, const Eigen::VectorXd& wanted) {
+// The last solution keeps all conditions that hold.
+bool Multipliers::isSolved() {
     constexpr double rounding = 1e-7;
-    if (isRegular_ || active_.empty())
+    if (held_.isRegular() || held_.rows().empty())
         return true;
-    const Eigen::VectorXd scaled = Eigen::VectorXd(m(active_)).cwiseQuotient(scale_);
-    const Eigen::VectorXd right = scale_.cwiseProduct(Eigen::VectorXd(wanted(active_)));
-    const Eigen::VectorXd errors = (matrix_ * scaled + right).cwiseAbs();
-    const double most = rounding * std::max(right.cwiseAbs().maxCoeff(), 1e-100);
+    const Eigen::VectorXd errors = held_.left().cwiseAbs();
+    const double most = rounding * std::max(held_.right().cwiseAbs().maxCoeff(), 1e-100);
     contradictory_.clear();
-    for (std::size_t i = 0; i < active_.size(); ++i)
+    for (std::size_t i = 0; i < held_.rows().size(); ++i)
         if (!(errors[indexOf(i)] <= most))
-            contradictory_.push_back(active_[i]);
+            contradictory_.push_back(held_.rows()[i]);
     return contradictory_.empty();
 }
 
 void Multipliers::findApart() {
     constexpr double few = 1e3, many = 1e7; // of the resolution
-    for (const std::size_t row : active_) {
+    for (const std::size_t row : held_.rows()) {
         const BoundModel::Law& law = f_.bound()->laws[row];
         const double gap = law.isBounded() ? 0 : std::abs(gaps_[row]);
         for (const auto& [most, list] : {std::pair(few, &apart_), std::pair(many, &farApart_)})
@@ -192,17 +132,28 @@ void Multipliers::findApart() {
 // resolution in the unit of time and than rounding of the velocities.
 void Multipliers::findContradictory(std::span<const double> y) {
     constexpr double rounding = 1e-9;
-    if (isRegular_ || active_.empty())
+    if (held_.isRegular() || held_.rows().empty())
         return;
     double fastest = 0;
     for (const ComponentModel::Entry& push : model_.conditions().pushes)
         fastest = std::max(fastest, std::abs(y[push.row]));
-    const Eigen::VectorXd left = (matrix_ * answer_ - right_).cwiseQuotient(scale_);
-    for (std::size_t i = 0; i < active_.size(); ++i) {
-        const double most = std::max(f_.bound()->laws[active_[i]].resolution, rounding * fastest);
-        if (std::abs(left[indexOf(i)]) > most)
-            contradictory_.push_back(active_[i]);
+    const Eigen::VectorXd left = held_.left();
+    for (std::size_t i = 0; i < held_.rows().size(); ++i) {
+        const std::size_t row = held_.rows()[i];
+        const double most = std::max(f_.bound()->laws[row].resolution, rounding * fastest);
+        if (std::abs(left[indexOf(i)] / held_.scale(i)) > most)
+            contradictory_.push_back(row);
     }
+}
+
+// To second rates, of what stands at a bound.
+void Multipliers::addBounds() {
+    if (held_.rows().size() == size())
+        return;
+    const auto& matrix = model_.conditions().matrix;
+    for (std::size_t k = 0; k < matrix.size(); ++k)
+        if (mode_.kept[matrix[k].column] != State::inside)
+            rest_[matrix[k].row] += bound(matrix[k].column) * second_[k];
 }
 
 bool Multipliers::solve() {
@@ -210,13 +161,10 @@ bool Multipliers::solve() {
         return true;
     if (!factorise(Friction::ofSlip))
         return false;
-    if (active_.size() < size())
-        for (std::size_t row = 0; row < size(); ++row)
-            if (mode_.kept[row] != State::inside && bound(row) != 0)
-                rest_ += bound(row) * full_.col(indexOf(row));
+    addBounds();
     found_ = rest_;
     solve(found_);
-    const bool isKept = found_.allFinite() && isSolved(found_, rest_);
+    const bool isKept = found_.allFinite() && isSolved();
     for (std::size_t row = 0; row < size(); ++row)
         f_.in()[f_.in().size() - size() + row] =
             mode_.kept[row] == State::inside ? found_[indexOf(row)] : bound(row);
@@ -226,46 +174,64 @@ bool Multipliers::solve() {
 
 // Of discs that slip.
 void Multipliers::putFriction() {
-    const std::vector<BoundModel::Disc>& discs = f_.bound()->discs;
-    for (std::size_t k = 0; k < discs.size(); ++k) {
-        const BoundModel::Disc& disc = discs[k];
+    if (friction_.empty())
+        return;
+    for (const BoundModel::Disc& disc : f_.bound()->discs) {
         if (!slips(disc) || disc.sliding == 0)
             continue;
         double normal = 0;
         for (const std::size_t row : disc.normals)
             normal += values()[row];
-        const InDisc direction = directionOf(k);
-        for (std::size_t i = 0; i < disc.rows.size(); ++i)
-            f_.in()[f_.in().size() - size() + disc.rows[i]] =
-                -disc.sliding * normal * direction[indexOf(i)];
+        for (const std::size_t row : disc.rows)
+            f_.in()[f_.in().size() - size() + row] = friction_[row] * normal;
     }
 }
 
 double Multipliers::secondRate(std::size_t row) const {
-    double rate = rest_[indexOf(row)]; // with what stands at bounds
-    for (std::size_t k = 0; k < size(); ++k)
-        if (mode_.kept[k] == State::inside)
-            rate += full_(indexOf(row), indexOf(k)) * values()[k];
+    const auto& matrix = model_.conditions().matrix; // in the order of rows
+    const std::size_t entries = matrix.size();
+    double rate = second_[entries + row];
+    for (auto entry = std::ranges::lower_bound(matrix, row, {}, &ComponentModel::Entry::row);
+         entry != matrix.end() && entry->row == row; ++entry)
+        rate += second_[static_cast<std::size_t>(entry - matrix.begin())] * values()[entry->column];
     return rate;
 }
 
 Multipliers::System Multipliers::systemOf(std::span<const std::size_t> rows, Friction friction) {
     (void)evaluate(friction);
-    const std::vector<std::size_t> chosen(rows.begin(), rows.end());
-    Eigen::VectorXd rest = rest_;
-    for (std::size_t row = 0; row < size(); ++row) {
-        if (std::ranges::find(rows, row) != rows.end())
+    const auto& matrix = model_.conditions().matrix;
+    constexpr Eigen::Index none = -1;
+    std::vector<Eigen::Index> placeOf(size(), none);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        placeOf[rows[i]] = indexOf(i);
+    std::vector<double> others(size(), 0); // values of those that are not among the rows
+    for (std::size_t row = 0; row < size(); ++row)
+        if (placeOf[row] == none && mode_.kept[row] != State::inside)
+            others[row] = bound(row);
+    for (std::size_t k = 0; k < matrix.size(); ++k)
+        if (const auto [row, column] = matrix[k]; row == column && placeOf[row] == none &&
+                                                  mode_.kept[row] == State::inside &&
+                                                  !f_.bound()->laws[row].isOnSecondRates)
+            others[row] = -rest_[indexOf(row)] / second_[k];
+    System system{Eigen::MatrixXd::Zero(indexOf(rows.size()), indexOf(rows.size())),
+                  Eigen::VectorXd(indexOf(rows.size()))};
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        system.rest[indexOf(i)] = rest_[indexOf(rows[i])];
+    for (std::size_t k = 0; k < matrix.size(); ++k) {
+        const Eigen::Index row = placeOf[matrix[k].row], column = placeOf[matrix[k].column];
+        if (row == none)
             continue;
-        const Eigen::Index i = indexOf(row);
-        double value = 0;
-        if (mode_.kept[row] != State::inside)
-            value = bound(row);
-        else if (!f_.bound()->laws[row].isOnSecondRates)
-            value = -rest_[i] / full_(i, i);
-        if (value != 0)
-            rest += value * full_.col(i);
+        if (column != none)
+            system.matrix(row, column) += second_[k];
+        else if (others[matrix[k].column] != 0)
+            system.rest[row] += others[matrix[k].column] * second_[k];
+        if (const double of = friction_.empty() ? 0 : friction_[matrix[k].column]; of != 0)
+            for (const std::size_t normal :
+                 f_.bound()->discs[*f_.bound()->laws[matrix[k].column].disc].normals)
+                if (placeOf[normal] != none)
+                    system.matrix(row, placeOf[normal]) += of * second_[k];
     }
-    return {full_(chosen, chosen), rest(chosen)};
+    return system;
 }
 
 void Multipliers::push(std::span<const std::size_t> rows, const Eigen::VectorXd& impulses,
@@ -326,50 +292,73 @@ void Multipliers::move(std::span<const ComponentModel::Entry> entries, std::size
         y[entries[k].row] += moves_[first + k] * by(entries[k].column);
 }
 
-// Answers with the largest gap that there was.
-double Multipliers::moveOntoGaps(double t, std::span<double> y) {
-    const ComponentModel::Conditions& conditions = model_.conditions();
-    f_.fill(t, y);
-    evaluateGaps();
-    if (!factorise(Friction::none))
-        return 0;
+// The largest over the resolution of its condition; one without any is of a thing of size 1.
+double Multipliers::largestGap() const {
+    constexpr double ofSizeOne = 1e-9;
     double largest = 0;
-    for (const std::size_t row : active_)
-        largest = std::max(largest, std::abs(gaps_[row]));
-    if (largest == 0)
-        return 0;
-    Eigen::VectorXd by = Eigen::Map<const Eigen::VectorXd>(gaps_.data(), indexOf(size()));
-    solve(by);
-    evaluateMoves();
-    if (by.allFinite())
-        move(conditions.shifts, conditions.pushes.size(), by, y);
+    for (const std::size_t row : held_.rows()) {
+        const double resolution = f_.bound()->laws[row].resolution;
+        const double gap = std::abs(gaps_[row]) / (resolution > 0 ? resolution : ofSizeOne);
+        if (!(gap <= largest)) // no number stays
+            largest = gap;
+    }
     return largest;
 }
 
-void Multipliers::project(double t, std::span<double> y) {
+bool Multipliers::factoriseForMoves() {
+    if (!factorise(Friction::none))
+        return false;
+    evaluateMoves();
+    return true;
+}
+
+// Newton's method, with the matrix of before where that lets gaps shrink fast enough. At its end
+// gaps and their rates are those of the states, and so is the matrix but for what a move by a
+// resolution changes. False: there is none.
+bool Multipliers::moveOntoGaps(double t, std::span<double> y) {
     constexpr int most = 8;
+    constexpr double rounding = 1e-6, near = 1; // of resolutions
+    constexpr double slow = 1e-3;
+    f_.fill(t, y);
+    evaluateGaps();
+    if (!factoriseForMoves())
+        return false;
+    findApart();
+    double last = std::numeric_limits<double>::infinity();
+    bool isFar = false;
+    for (int round = 0; round < most; ++round) { // until rounding lets it shrink no more
+        const double gap = largestGap();
+        if (gap <= rounding || !(gap < 0.5 * last))
+            break;
+        if (isFar && gap > slow * last) {
+            if (!factoriseForMoves())
+                return false;
+            isFar = false;
+        }
+        isFar = isFar || gap > near;
+        found_ = Eigen::Map<const Eigen::VectorXd>(gaps_.data(), indexOf(size()));
+        solve(found_);
+        if (!found_.allFinite())
+            break;
+        move(model_.conditions().shifts, model_.conditions().pushes.size(), found_, y);
+        last = gap;
+        f_.fill(t, y);
+        evaluateGaps();
+    }
+    return !isFar || factoriseForMoves();
+}
+
+void Multipliers::project(double t, std::span<double> y) {
     if (size() == 0)
         return;
     contradictory_.clear();
-    double last = std::numeric_limits<double>::infinity();
-    for (int round = 0; round < most; ++round) { // until rounding lets it shrink no more
-        const double gap = moveOntoGaps(t, y);
-        if (round == 0)
-            findApart();
-        if (gap == 0 || !(gap < 0.5 * last))
-            break;
-        last = gap;
-    }
-    f_.fill(t, y);
-    evaluateGaps();
-    if (!factorise(Friction::none))
+    if (!moveOntoGaps(t, y))
         return;
-    Eigen::VectorXd by = Eigen::Map<const Eigen::VectorXd>(gaps_.data() + size(), indexOf(size()));
-    solve(by);
+    found_ = Eigen::Map<const Eigen::VectorXd>(gaps_.data() + size(), indexOf(size()));
+    solve(found_);
     findContradictory(y);
-    evaluateMoves();
-    if (by.allFinite())
-        move(model_.conditions().pushes, 0, by, y);
+    if (found_.allFinite())
+        move(model_.conditions().pushes, 0, found_, y);
 }
 
 } // namespace solution

@@ -2,9 +2,8 @@
 //
 //     A m = -b     so that all second rates  g'' = A m + b  are 0.
 //
-// A = J M^-1 J' for joints between bodies. Rows are scaled by the roots of A's diagonal. Where
-// conditions are redundant, as the joints of a plane mechanism in space, the shortest m is taken; a
-// condition that nothing can keep, as a joint between two bodies that are held, has no solution.
+// A = J M^-1 J' for joints between bodies. held_conditions.h solves for m; a condition that nothing
+// can keep, as a joint between two bodies that are held, has no solution.
 //
 // Places and velocities drift off their conditions by the errors of steps. project() moves them
 // back by what the multipliers push, the least way in the metric of the kinetic energy (Hairer and
@@ -12,12 +11,11 @@
 // rounding is left, then velocities.
 #pragma once
 
+#include "modes/held_conditions.h"
 #include "modes/mode.h"
 #include "modes/model_functions.h"
 
 #include <Eigen/Core>
-#include <Eigen/LU>
-#include <Eigen/QR>
 
 #include <span>
 #include <vector>
@@ -28,7 +26,8 @@ class Multipliers {
 public:
     // `mode` outlives them, and says which conditions hold.
     Multipliers(ModelFunctions& functions, const Mode& mode)
-        : f_(functions), model_(modelOf(*functions.bound())), mode_(mode) {}
+        : f_(functions), model_(modelOf(*functions.bound())), mode_(mode),
+          held_(model_, *functions.bound(), mode) {}
 
     [[nodiscard]] std::size_t size() const { return model_.multipliers(); }
     // Puts them into the point of the functions, on the branches of the mode. False: none keep the
@@ -98,29 +97,29 @@ public:
 
 private:
     [[nodiscard]] bool evaluate(Friction friction);
-    void addFriction();
+    void findFriction();
     void putFriction();
     [[nodiscard]] bool factorise(Friction friction);
+    [[nodiscard]] bool factoriseForMoves();
     [[nodiscard]] double bound(std::size_t row) const;
-    [[nodiscard]] Eigen::VectorXd leastSolution() const;
-    [[nodiscard]] bool isSolved(const Eigen::VectorXd& m, const Eigen::VectorXd& wanted);
+    void addBounds();
+    [[nodiscard]] bool isSolved();
     void findApart();
     void findContradictory(std::span<const double> y);
     void move(std::span<const ComponentModel::Entry> entries, std::size_t first,
               const Eigen::VectorXd& by, std::span<double> y) const;
     void evaluateMoves();
-    [[nodiscard]] double moveOntoGaps(double t, std::span<double> y);
+    [[nodiscard]] double largestGap() const;
+    [[nodiscard]] bool moveOntoGaps(double t, std::span<double> y);
 
     ModelFunctions& f_;
     const ComponentModel& model_;
     const Mode& mode_;
+    HeldConditions held_;
     std::vector<double> second_, gaps_, moves_;
-    Eigen::MatrixXd full_, matrix_; // of all conditions; of those that hold, scaled
-    Eigen::VectorXd rest_, own_, scale_, right_, answer_, found_; // own: A's diagonal
-    std::vector<std::size_t> active_, apart_, farApart_, contradictory_;
-    Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> least_;
-    bool isRegular_ = true;
+    std::vector<double> friction_; // by row, where discs slip: its force for a normal force of 1
+    Eigen::VectorXd rest_, found_; // second rates without the multipliers that hold; by row
+    std::vector<std::size_t> apart_, farApart_, contradictory_;
 };
 
 } // namespace solution

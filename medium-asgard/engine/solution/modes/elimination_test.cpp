@@ -1,0 +1,141 @@
+#include "modes/elimination.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+
+#include <random>
+
+using solution::Elimination;
+
+namespace {
+
+// A = J J' + 1 of conditions that each move a few of `bodies`.
+class Mechanism {
+public:
+    void join(std::vector<int> bodies, int conditions) {
+        for (int i = 0; i < conditions; ++i)
+            moved_.push_back(bodies);
+    }
+    [[nodiscard]] std::size_t size() const { return moved_.size(); }
+    [[nodiscard]] std::vector<Elimination::Place> places() const {
+        std::vector<Elimination::Place> places;
+        for (std::uint32_t i = 0; i < moved_.size(); ++i)
+            for (std::uint32_t j = 0; j < moved_.size(); ++j)
+                if (std::ranges::any_of(moved_[i], [&](int body) {
+                        return std::ranges::find(moved_[j], body) != moved_[j].end();
+                    }))
+                    places.push_back({i, j});
+        return places;
+    }
+    // By random numbers, scaled.
+    [[nodiscard]] Eigen::MatrixXd matrix(std::mt19937& random) const {
+        std::normal_distribution<double> number;
+        const auto n = static_cast<Eigen::Index>(moved_.size());
+        Eigen::MatrixXd j = Eigen::MatrixXd::Zero(n, 6 * 1000);
+        for (Eigen::Index i = 0; i < n; ++i)
+            for (const int body : moved_[static_cast<std::size_t>(i)])
+                for (int k = 0; k < 6; ++k)
+                    j(i, 6 * body + k) = number(random);
+        const Eigen::MatrixXd a = j * j.transpose();
+        const Eigen::VectorXd scale = a.diagonal().cwiseSqrt().cwiseInverse();
+        return scale.asDiagonal() * a * scale.asDiagonal();
+    }
+
+private:
+    std::vector<std::vector<int>> moved_; // by condition
+};
+
+void put(const Mechanism& mechanism, const Eigen::MatrixXd& matrix, Elimination& elimination) {
+    std::ranges::fill(elimination.values(), 0);
+    for (const Elimination::Place place : mechanism.places())
+        elimination.values()[elimination.indexOf(place)] = matrix(place.row, place.column);
+}
+
+double errorOf(const Mechanism& mechanism, unsigned seed) {
+    std::mt19937 random(seed);
+    const Eigen::MatrixXd matrix = mechanism.matrix(random);
+    Elimination elimination;
+    EXPECT_TRUE(elimination.plan(mechanism.size(), mechanism.places(), 1e9));
+    put(mechanism, matrix, elimination);
+    EXPECT_TRUE(elimination.factorise());
+    const Eigen::VectorXd wanted = Eigen::VectorXd::LinSpaced(matrix.rows(), -1, 2);
+    Eigen::VectorXd x = wanted;
+    elimination.solve({x.data(), mechanism.size()});
+    return (matrix * x - wanted).cwiseAbs().maxCoeff() / x.cwiseAbs().maxCoeff();
+}
+
+Mechanism chain(int joints, int conditions) {
+    Mechanism chain;
+    for (int i = 0; i < joints; ++i)
+        chain.join(i == 0 ? std::vector{0} : std::vector{i - 1, i}, conditions);
+    return chain;
+}
+
+} // namespace
+
+TEST(Elimination, SolvesTreesAndLoops) {
+    Mechanism tree, ring = chain(12, 2);
+    for (int i = 1; i < 40; ++i)
+        tree.join({(i - 1) / 3, i}, 1 + i % 3); // each body carries three
+    ring.join({0, 11}, 2);
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        EXPECT_LT(errorOf(chain(30, 2), seed), 1e-12);
+        EXPECT_LT(errorOf(tree, seed), 1e-12);
+        EXPECT_LT(errorOf(ring, seed), 1e-12);
+    }
+}
+
+// The work is in proportion to the joints: of a planar hinge within the chain 3^2 + 2^2.
+TEST(Elimination, AChainCostsInProportionToItsJoints) {
+    for (const std::size_t joints : {2U, 20U, 200U}) {
+        Elimination elimination;
+        const Mechanism planar = chain(static_cast<int>(joints), 2);
+        ASSERT_TRUE(elimination.plan(planar.size(), planar.places(), 1e9));
+        EXPECT_EQ(elimination.multiplications(), 13 * (joints - 1) + 1);
+        const Mechanism spatial = chain(static_cast<int>(joints), 5);
+        ASSERT_TRUE(elimination.plan(spatial.size(), spatial.places(), 1e9));
+        EXPECT_EQ(elimination.multiplications(), 255 * (joints - 1) + 30);
+    }
+}
+
+// A tree whose root carries all others: its conditions are the last, whatever their numbers.
+TEST(Elimination, AStarStartsWithItsLeaves) {
+    Mechanism star;
+    star.join({0}, 2);
+    for (int i = 1; i <= 50; ++i) {
+        star.join({0, i}, 2);
+        star.join({i, 50 + i}, 2);
+    }
+    Elimination elimination;
+    ASSERT_TRUE(elimination.plan(star.size(), star.places(), 1e9));
+    EXPECT_GE(elimination.multiplications(), 50 * 13u);
+    EXPECT_FALSE(elimination.plan(star.size(), star.places(), 1000));
+}
+
+TEST(Elimination, RefusesWhatMayBeSingular) {
+    Mechanism twice;
+    twice.join({0, 1}, 2);
+    Elimination elimination;
+    ASSERT_TRUE(elimination.plan(2, twice.places(), 1e9));
+    put(twice, Eigen::Matrix2d{{1, 1}, {1, 1}}, elimination);
+    EXPECT_FALSE(elimination.factorise());
+    put(twice, Eigen::Matrix2d{{1, 1}, {1, 1 + 1e-12}}, elimination);
+    EXPECT_FALSE(elimination.factorise());
+}
+
+// As friction that slips may make it.
+TEST(Elimination, RefusesWhatNeedsASearchForPivots) {
+    Mechanism pair;
+    pair.join({0, 1}, 2);
+    Elimination elimination;
+    ASSERT_TRUE(elimination.plan(2, pair.places(), 1e9));
+    put(pair, Eigen::Matrix2d{{1e-5, 1}, {1, 1e-5}}, elimination);
+    EXPECT_FALSE(elimination.factorise());
+    put(pair, Eigen::Matrix2d{{1, 2}, {-2, 1}}, elimination);
+    EXPECT_TRUE(elimination.factorise());
+    std::vector<double> x{5, 0};
+    elimination.solve(x);
+    EXPECT_NEAR(x[0], 1, 1e-15);
+    EXPECT_NEAR(x[1], 2, 1e-15);
+}

@@ -1,0 +1,89 @@
+// The conditions that hold in a mode (component_model.h, Conditions) as a system of equations at
+// one point:
+//
+//     A m = -b
+//
+// Rows and columns are scaled by the roots of A's diagonal. Where a condition reads few others, as
+// in a tree of joints, A is eliminated as a sparse matrix (elimination.h); where it reads most, or
+// where elimination needs a search for pivots, as a dense one. Where conditions are redundant, as
+// the joints of a plane mechanism in space, the shortest m is taken.
+//
+// What is chosen depends on the mode and on the numbers at the point alone: the same point has the
+// same answer, whatever was asked before.
+#pragma once
+
+#include "equations/bound_model.h"
+#include "modes/elimination.h"
+#include "modes/mode.h"
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+#include <Eigen/QR>
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace solution {
+
+class HeldConditions {
+public:
+    // `mode` outlives them, and says which conditions hold.
+    HeldConditions(const ComponentModel& model, const BoundModel& bound, const Mode& mode)
+        : conditions_(model.conditions()), bound_(bound), mode_(mode) {}
+
+    // `matrix`: values of Conditions::matrix. `friction`: of each row of friction that slips, its
+    // force where the normal forces of its disc are 1 together; empty: none slips. Without a heap
+    // allocation where the same conditions hold as before.
+    void factorise(std::span<const double> matrix, std::span<const double> friction);
+    [[nodiscard]] const std::vector<std::size_t>& rows() const { return plan_.rows; }
+    // Of conditions with these rates the m that keep them; 0 of others than those that hold.
+    void solve(Eigen::Ref<Eigen::VectorXd> rates);
+    // Conditions are not redundant.
+    [[nodiscard]] bool isRegular() const { return way_ != Way::least; }
+    // Where they are, what the last solution left of rates, by row(), scaled; the rates; a scale.
+    [[nodiscard]] Eigen::VectorXd left() const { return matrix_ * answer_ - right_; }
+    [[nodiscard]] const Eigen::VectorXd& right() const { return right_; }
+    [[nodiscard]] double scale(std::size_t i) const { return scale_[static_cast<Eigen::Index>(i)]; }
+
+    // Multiplications of a factorization, of those that are not dense.
+    [[nodiscard]] std::optional<std::size_t> multiplications() const {
+        return plan_.isSparse ? std::optional(elimination_.multiplications()) : std::nullopt;
+    }
+
+private:
+    struct Term { // of the matrix: an entry of Conditions::matrix
+        std::size_t entry = 0;
+        Elimination::Place place = {};
+        Elimination::Index index = 0; // in the elimination
+        std::size_t friction = 0;     // and times that row's
+    };
+    struct Plan {
+        std::vector<std::size_t> rows;
+        std::vector<std::size_t> slipping; // discs
+        std::vector<Term> terms, ofFriction;
+        bool isSparse = false;
+        bool isMade = false;
+    };
+    enum class Way { sparse, dense, least };
+
+    void makePlan(std::vector<std::size_t> slipping);
+    void findScales(std::span<const double> matrix);
+    template <class Put>
+    void assemble(std::span<const double> matrix, std::span<const double> friction,
+                  const Put& put) const;
+    [[nodiscard]] Eigen::VectorXd leastSolution() const;
+
+    const ComponentModel::Conditions& conditions_;
+    const BoundModel& bound_;
+    const Mode& mode_;
+    Plan plan_;
+    Way way_ = Way::dense;
+    Elimination elimination_;
+    Eigen::MatrixXd matrix_; // scaled, where it is not eliminated as a sparse one
+    Eigen::VectorXd scale_, right_, answer_;
+    Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> least_;
+};
+
+} // namespace solution
