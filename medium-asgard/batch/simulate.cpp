@@ -8,6 +8,7 @@
 #include "motion/known_span.h"
 #include "reports/instants.h"
 #include "run/budget.h"
+#include "scene/names.h"
 #include "terminal/terminal.h"
 
 #include <algorithm>
@@ -155,11 +156,13 @@ int simulateCommand(script::Reader& reader, const SimulateArguments& arguments) 
     if (arguments.memory)
         simulation::setMostBytes(static_cast<std::size_t>(*arguments.memory * 1e6));
     const auto begin = std::chrono::steady_clock::now();
-    const auto opened = openScene(reader, arguments.scene, arguments.set);
+    auto opened = openScene(reader, arguments.scene, arguments.set);
     const std::chrono::duration<double> reading = std::chrono::steady_clock::now() - begin;
     if (const auto* refusal = std::get_if<Refusal>(&opened))
         return refuse(*refusal);
-    const auto& [scene, values] = std::get<OpenScene>(opened);
+    auto& [scene, values] = std::get<OpenScene>(opened);
+    if (arguments.quantities)
+        scene::countTurns(scene.reading.scene, quantitiesIn(*arguments.quantities));
     const scene::Simulator& simulator = scene.reading.scene.simulator;
     const double finish = arguments.finish.value_or(simulator.finish);
     if (finish < simulator.start)

@@ -52,16 +52,27 @@ public:
         std::size_t longest = 0;
         double length = 0;
     };
-    [[nodiscard]] Line line() const {
+    // `isOff`: off the wheels between points round which it would go the long way.
+    [[nodiscard]] Line line(bool isOff = false) const {
         Line line;
         const std::size_t count = places_.size(), spans = rope_.isClosed ? count : count - 1;
         std::vector<Span> all;
         for (std::size_t i = 0; i < spans; ++i)
             all.push_back(spanOf(places_[i], places_[(i + 1) % count]));
+        std::vector<bool> offs(count, false);
+        for (std::size_t i = 1; isOff && !rope_.isClosed && i + 1 < count; ++i) {
+            const Vector &before = all[i - 1].direction, &after = all[i].direction;
+            const double turn = places_[i].radius * places_[i].axis.dot(before.cross(after));
+            offs[i] = turn < 0 && places_[i - 1].radius == 0 && places_[i + 1].radius == 0;
+        }
         if (!rope_.isClosed)
             addWound(line, places_.front(), all.front().direction);
         double longest = -1;
         for (std::size_t i = 0; i < spans; ++i) {
+            if (offs[i])
+                continue;
+            if (offs[(i + 1) % count])
+                all[i].to = all[i + 1].to;
             const double free = (all[i].to - all[i].from).norm();
             line.corners.push_back(all[i].from);
             if (free > longest) {
@@ -71,7 +82,7 @@ public:
             line.length += free;
             line.corners.push_back(all[i].to);
             const std::size_t next = (i + 1) % count;
-            if (i + 1 < spans || rope_.isClosed)
+            if ((i + 1 < spans || rope_.isClosed) && !offs[next])
                 line.length +=
                     addArc(line, places_[next], all[i].direction, all[(i + 1) % spans].direction);
         }
@@ -165,6 +176,8 @@ public:
         if (!std::ranges::all_of(line.corners, [](const Vector& c) { return c.allFinite(); }))
             return std::nullopt;
         const double length = rope.length.value_or(Route(rope, *start).line().length);
+        if (line.length > (1 + slack) * length)
+            line = route.line(true);
         const double longer = length - line.length;
         if (route.hasDrum())
             return line.corners;

@@ -20,6 +20,9 @@ void SceneMaker::checkExpressions() {
                 answer.message = fault->message;
                 answer.suggestion = fault->suggestion;
             } else {
+                if (const auto* body = std::get_if<scene::BodyName>(&found))
+                    if (scene::isTurn(body->quantity))
+                        made_.scene.bodies[body->body].countsTurns = true;
                 answer.node = graph.symbol(name);
             }
             return answer;

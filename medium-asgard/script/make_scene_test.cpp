@@ -34,6 +34,14 @@ TEST(Body, HasItsDefaults) {
     EXPECT_FALSE(body.fixed);
 }
 
+TEST(Body, CountsTurnsThatAnExpressionReads) {
+    const Scene scene = read("body a s\nbody b s\nbody c s\nforce -body a -x b.rz\n"
+                             "plot p -values {c.rx a.wx}");
+    EXPECT_FALSE(scene.bodies[0].countsTurns);
+    EXPECT_TRUE(scene.bodies[1].countsTurns);
+    EXPECT_TRUE(scene.bodies[2].countsTurns);
+}
+
 TEST(Body, TakesARotationVectorOrAQuaternion) {
     const Scene scene = read("body a s -init_rot {0 0 1.5}\nbody b s -init_rot {3 0 0 4}\n"
                              "body c s -init_rot {0 0 0}\nbody d s -init_rot {1e200 0 0 1e200}");

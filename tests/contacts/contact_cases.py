@@ -177,6 +177,12 @@ case("let_go_by_load", "# zero: b.z\nsimulator -finish 3\n" + ground(0.5) + "sha
      "body b block -mass 1 -init_pos {0 0.1 0} -friction 0.5 -restitution 0\nbody w block -mass 1 -init_pos {5 3 0}\n"
      "joint holds -type fixed -body1 w -release {on.n > 20}\ncontact on -body1 b -body2 ground\n" + gravity("b", "w") + "force -body b -y {-t*10}\n",
      [(t, 3, 3 - G * max(0, t - (20 - G) / 10) ** 2 / 2, "w.y") for t in (0.5, 1, 1.3, 1.6)])
+# A man in a lift, whose drive has three functions of the time.
+case("lift", "# zero: man.x\nsimulator -finish 6\nshape_set cabin -desc {-sub {-pos {0 -0.05 0} -box {2 0.1 2}}}\n"
+     "shape_set man -desc {-sub {-box {0.5 1.8 0.4}}}\nbody cabin cabin -mass 400\n"
+     "joint shaft -type slider -body1 cabin -axis {0 1 0} -speed {t < 2 ? t : t < 4 ? 2 : 6 - t}\n"
+     "body man man -mass 80 -restitution 0 -init_pos {0 0.9 0}\ncontact feet -body1 man -body2 cabin\n" + gravity("man", "cabin"),
+     [(t, 1000, 80 * (G + a), "feet.fy") for t, a in ((1, 1), (3, 0), (5, -1))] + [(6, 10, 8.9, "man.y"), (6, 10, 0, "cabin.dy")])
 # Three dominoes: the first falls, and all lie still at last.
 case("dominoes", "# zero: d0.z\nsimulator -finish 4\n" + ground(0.5) + "shape_set slab -desc {-sub {-box {0.2 2 1}}}\n" +
      "".join(f"body d{i} slab -init_pos {{{1.2 * i} 1 0}} -friction 0.3 -restitution 0{' -init_drot {0 0 -1.6}' if i == 0 else ''}\n" for i in range(3)) +

@@ -354,6 +354,23 @@ def gears():
     return rows
 
 
+def turns():
+    """A torsion pendulum,  rz = 10 sin 2t. A free top: its axis e goes round L with |L| / I1, and  w = L / I1 + n (1 - I3 / I1) e."""
+    rows, L, n = Rows(), (1.0, 0.0, 6.0), 3.0
+    length = math.hypot(L[0], L[2])
+    u = [x / length for x in L]
+    along = u[2]  # of e = z at the start
+    across = [-along * x for x in u]
+    across[2] += 1
+    third = [u[1] * across[2] - u[2] * across[1], u[2] * across[0] - u[0] * across[2], u[0] * across[1] - u[1] * across[0]]
+    for t in steps(10, 10):
+        s, c = math.sin(length * t) / length, (1 - math.cos(length * t)) / length
+        sums = [L[i] * t - n * (along * u[i] * t + across[i] * s + third[i] * c) for i in range(3)]
+        rows.put(t, 40, {"wheel.rz": 10 * math.sin(2 * t), "top.rx": sums[0], "top.ry": sums[1], "top.rz": sums[2],
+                         "ball.rx": 0.5 * t, "ball.ry": -2 * t, "ball.rz": 0})
+    return rows
+
+
 def gyroscope():
     """The axle turns the spin of 40 and the place of the wheel by 2 rad/s."""
     rows = Rows()
@@ -552,4 +569,4 @@ def governor():
 
 BY_NAME = {case.__name__: case for case in (
     rod_on_hinge, slider_crank, bricard, torsion_dry, torsion_damped, rod_stop, clutch, rail, released, cut, drives, conical_pendulum, hooke, screw, cylindrical,
-    planar, dumbbell, gears, gyroscope, spherical_pendulum, double_pendulum, four_bar, four_bar_tilted, welded, top, governor)}
+    planar, dumbbell, gears, turns, gyroscope, spherical_pendulum, double_pendulum, four_bar, four_bar_tilted, welded, top, governor)}

@@ -136,6 +136,52 @@ def rope_peg():
     return rows
 
 
+def rope_galileo():
+    """A string of 1 m from the origin that meets a peg of radius R at (R, -0.5): before,  a'' = -g sin a;  on the peg, as rope_peg,
+    with l = 1 - 0.5 - R a. It touches where the string hangs down. The rest follows by the symmetry of the swing in time."""
+    rows, radius = Rows(), 0.01
+
+    def free(_, y):
+        return [y[1], -G * math.sin(y[0])]
+
+    def wound(_, y):
+        return [y[1], (radius * y[1] ** 2 - G * math.sin(y[0])) / (0.5 - radius * y[0])]
+
+    def first(rate, start, reached):  # the time at which reached(state) >= 0, by Newton's method on the rate of a
+        t = 0.5
+        for _ in range(40):
+            y = solve(rate, start, [t])[0]
+            t -= reached(y) / rate(0, y)[reached.of]
+        return t
+
+    def down(y):
+        return y[0]
+    down.of = 0
+
+    def turned(y):
+        return y[1]
+    turned.of = 1
+    begin = [-math.atan2(0.6, 0.8), 0.0]
+    touch = first(free, begin, down)
+    speed = solve(free, begin, [touch])[0][1]
+    # The string that lies on the peg is vertical: its bob is 1 m below the pivot, and turns about the peg from there.
+    turn = first(wound, [0.0, speed * 1 / 0.5], turned)
+    for t in (0.2, 0.4, touch - 0.01, touch + 0.1, touch + turn, touch + 2 * turn - 0.1, touch + 2 * turn + 0.1, 2 * touch + 2 * turn,
+              3 * touch + 2 * turn + 0.2, 3.4):
+        s = t % (2 * touch + 2 * turn)
+        s = s if s <= touch + turn else 2 * touch + 2 * turn - s
+        if s <= touch:
+            a = solve(free, begin, [s])[0][0]
+            place = (math.sin(a), -math.cos(a))
+        else:
+            a = solve(wound, [0.0, speed / 0.5], [s - touch])[0][0]
+            l = 0.5 - radius * a
+            place = (radius - radius * math.cos(a) + l * math.sin(a), -0.5 - radius * math.sin(a) - l * math.cos(a))
+        rows.put(t, 20, {"b.x": place[0], "b.y": place[1]})
+        rows.put(t, 200, {"scene.energy": -0.8 * G})
+    return rows
+
+
 def rope_yoyo():
     """A yo-yo that swings: l' = R (a' - w),  (m R^2 + I) w' = -R m (l a'^2 + g cos a),  l a'' = R a'^2 - g sin a - 2 l' a'."""
     rows, at, radius, inertia = Rows(), steps(2, 10), 0.1, 0.04
@@ -277,5 +323,5 @@ def rope_corner():
     return rows
 
 
-CASES = (rope_drop, rope_slack, rope_atwood, rope_swinging, rope_peg, rope_yoyo, rope_winch, rope_belt, rope_snaps,
+CASES = (rope_drop, rope_slack, rope_atwood, rope_swinging, rope_peg, rope_galileo, rope_yoyo, rope_winch, rope_belt, rope_snaps,
          hit_stop, coupled_brakes, weak_servo, speed_jump, rope_corner)

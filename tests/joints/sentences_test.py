@@ -30,7 +30,8 @@ CASES = (
     ("rope r -points {{a} {0 1 0}} -length 1",
      ':4:1: error: rope "r": its -length is 0.118 under what it measures at the start'),
     ("body w rod -fixed 1 -init_pos {0 3 0}\nbody b rod -mass 1 -inertia {1 1 1} -init_pos {0.1 2 0} -init_dpos {6 0 0}\n"
-     "force -body b -gravitational {0 -9.81 0}\nrope r -points {{-1 3 0} {w {0 0 0} 0.1} {b}}",
+     "body v rod -fixed 1 -init_pos {-2 3 0}\nforce -body b -gravitational {0 -9.81 0}\n"
+     "rope r -points {{-2.1 2 0} {v {0 0 0} 0.1} {w {0 0 0} 0.1} {b}}",
      'warning: rope "r": it would lift off the wheel of body "w" at t = '),
     (PIN + "-limits {-1 1} -release {a.x}", ':4:76: error: -release of joint "pin": it wants a comparison, as {t > 2}'),
     ("joint pin -type ball -body1 a -offset1 {-0.5 0 0} -offset2 {0 1 0}",

@@ -351,9 +351,14 @@ std::vector<ContactRows::Equation> ContactRows::others(std::span<const std::size
         phase.from = time_;
         phase.derivative = along(std::span(&*phase.condition->rate, 1))[0];
         Equation equation{.unknown = u, .phase = phase, .later = {}};
-        for (const Phase& later : free_.set.unknowns[u].phases)
-            if (later.from > time_)
-                equation.later.push_back(later);
+        // Of a drive whose function changes later the bodies are in contact then, too.
+        for (Phase later : free_.set.unknowns[u].phases) {
+            if (!(later.from > time_))
+                continue;
+            if (later.condition && later.condition->rate)
+                later.derivative = along(std::span(&*later.condition->rate, 1))[0];
+            equation.later.push_back(std::move(later));
+        }
         equations.push_back(std::move(equation));
     }
     return equations;

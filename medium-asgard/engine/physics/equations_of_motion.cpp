@@ -214,6 +214,11 @@ EquationsOfMotion::EquationsOfMotion(const scene::Scene& scene,
     scope.emplace(g, scene, std::move(masses), std::move(symbols));
     JointMultipliers multipliers(g, scene, *scope, bodies, faults);
     JointReader joints(g, scene, *scope, bodies, multipliers, faults);
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+        if (const auto& turns = scope->turns(b); turns && !bodies[b].isFixed)
+            for (std::size_t i = 0; i < 3; ++i)
+                multipliers.addAngle((*turns)[i], bodies[b].symbols.worldSpin(g)[i],
+                                     bodies[b].mass.radius, b);
     RopeReader ropes(g, scene, *scope, bodies, multipliers, faults);
     if (!faults.empty()) {
         scope.reset();

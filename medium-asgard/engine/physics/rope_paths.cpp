@@ -11,7 +11,7 @@ namespace physics {
 namespace {
 
 constexpr double offPlane = 1e-6; // of the rope's size
-constexpr double straight = 1e-9; // of the sine of a turn
+constexpr double noTurn = 1e-9;   // of the sine of a turn
 constexpr double blunt = 1e-9;    // of the rope's size: two points in one place have a direction
 
 std::string faultOf(const scene::Rope& rope) { return "rope \"" + rope.name + "\": "; }
@@ -115,7 +115,7 @@ void RopePaths::orient(const scene::Rope& rope, RopePath& path) {
         const Vector before = (at - placeOf(path.points[(i + count - 1) % count])).normalized(),
                      after = (placeOf(path.points[(i + 1) % count]) - at).normalized();
         const double turn = directionOf(point, point.axis).dot(before.cross(after));
-        if (std::abs(turn) > straight)
+        if (std::abs(turn) > noTurn)
             point.radius *= signOf(turn);
     }
 }
@@ -206,8 +206,28 @@ void RopePaths::findFrames(const scene::Rope& rope, RopePath& path) {
         const Vector axis = directionOf(point, point.axis);
         const double turn = std::atan2(axis.dot(before.cross(after)), before.dot(after));
         const double angle = signOf(point.radius) * turn;
-        point.wrapped = angle < -straight ? angle + 2 * std::numbers::pi : std::max(angle, 0.0);
+        point.wrapped = angle < -noTurn ? angle + 2 * std::numbers::pi : std::max(angle, 0.0);
+        const bool isBetweenPoints = path.points[(i + count - 1) % count].radius == 0 &&
+                                     path.points[(i + 1) % count].radius == 0;
+        const bool changes = g_.op(*point.in) == Op::symbol || g_.op(*point.out) == Op::symbol;
+        if (rope.isClosed || !isBetweenPoints || !changes)
+            continue;
+        point.slid = g_.symbol(rope.name + ".slid" + std::to_string(i));
+        if (angle < -noTurn && isTooShort(rope, path))
+            point.wrapped = angle;
     }
+}
+
+// Its length does not reach around its wheels as they are wrapped.
+bool RopePaths::isTooShort(const scene::Rope& rope, const RopePath& path) {
+    if (!rope.length)
+        return false;
+    double measured = 0;
+    for (const RopeSpan& span : path.spans)
+        measured += startOf(path, span.from, span.to).first;
+    for (const RopePoint& point : path.points)
+        measured += std::abs(point.radius) * point.wrapped;
+    return *rope.length < measured - offPlane * path.size;
 }
 
 RopePaths::Plane RopePaths::planeOf(const RopePath& path, const RopeSpan& span, std::size_t end,
@@ -237,7 +257,12 @@ Jet RopePaths::lengthOf(const RopePath& path, const RopeSpan& span, const Along&
         return planeOf(path, span, 0, along).length;
     if (path.points[span.to].radius != 0)
         return planeOf(path, span, 1, along).length;
-    const JetVector d = points_.apart(path.points[span.to], path.points[span.from], along);
+    return straight(path, span.from, span.to, along);
+}
+
+Jet RopePaths::straight(const RopePath& path, std::size_t from, std::size_t to,
+                        const Along& along) {
+    const JetVector d = points_.apart(path.points[to], path.points[from], along);
     const double least = blunt * path.size;
     return root(g_, sum(g_, product(g_, d, d), constantJet(g_, least * least)));
 }
@@ -278,7 +303,26 @@ Jet RopePaths::tie(std::size_t rope, std::size_t span, std::size_t end, const Al
     return {g_.multiply(size, gap), g_.multiply(size, g_.subtract(moved, turned)), {}};
 }
 
-Jet RopePaths::gap(std::size_t rope, std::size_t stretch, double material, const Along& along) {
+// The angle by which the rope is wrapped around a wheel; under 0 it is off.
+Node RopePaths::wrapOf(const RopePoint& wheel) {
+    const Node turned =
+        g_.multiply(g_.constant(signOf(wheel.radius)), g_.subtract(*wheel.out, *wheel.in));
+    return g_.add(g_.constant(wheel.wrapped), turned);
+}
+
+Node RopePaths::isOffBefore(std::size_t rope, std::size_t stretch) {
+    const RopePath& path = paths_[rope];
+    const RopePoint& wheel = path.points[path.spans[path.stretches[stretch].first].from];
+    return wheel.slid ? g_.apply(Op::less, wrapOf(wheel), g_.constant(0)) : g_.constant(0);
+}
+
+Jet RopePaths::chosen(Node condition, const Jet& a, const Jet& b) {
+    return {g_.apply(Op::select, condition, a.value, b.value),
+            g_.apply(Op::select, condition, a.rate, b.rate),
+            g_.apply(Op::select, condition, a.second, b.second)};
+}
+
+Jet RopePaths::ownGap(std::size_t rope, std::size_t stretch, double material, const Along& along) {
     const RopePath& path = paths_[rope];
     const auto& [first, behind] = path.stretches[stretch];
     Jet gap = constantJet(g_, material);
@@ -293,6 +337,75 @@ Jet RopePaths::gap(std::size_t rope, std::size_t stretch, double material, const
         }
     }
     return gap;
+}
+
+const std::optional<Node>& RopePaths::slidBefore(std::size_t rope, std::size_t stretch) const {
+    const RopePath& path = paths_[rope];
+    return path.points[path.spans[path.stretches[stretch].first].from].slid;
+}
+
+// 0 where the stretch behind the wheel, which is off, has no slack: that is before it.
+Jet RopePaths::slidTie(std::size_t rope, std::size_t stretch, double material, const Along& along) {
+    const Node slid = *slidBefore(rope, stretch), isOff = isOffBefore(rope, stretch);
+    const Node multiplier = ties_.at(slid.index);
+    const Node gap = g_.add(ownGap(rope, stretch, material, along).value, slid);
+    return {g_.apply(Op::select, isOff, gap, g_.constant(0)), multiplier, {}};
+}
+
+// The stretch behind the wheel keeps the gap that it has while the rope is off: that slides past.
+Jet RopePaths::slid(std::size_t rope, std::size_t stretch, const Along& along) {
+    const std::optional<Node>& slid = slidBefore(rope, stretch);
+    if (!slid)
+        return constantJet(g_, 0);
+    const Jet sliding = scaled(g_, -1, ownGap(rope, stretch, 0, along));
+    Jet jet = chosen(isOffBefore(rope, stretch), sliding, constantJet(g_, 0));
+    jet.value = *slid;
+    if (const auto tie = ties_.find(slid->index); along.set && tie != ties_.end())
+        jet.second = g_.add(jet.second, tie->second);
+    return jet;
+}
+
+Node RopePaths::slidRate(std::size_t rope, std::size_t stretch) {
+    return slid(rope, stretch, {}).rate;
+}
+
+// What a straight span past the wheel before a stretch saves: l + l + |r| angle - straight.
+Jet RopePaths::joining(std::size_t rope, std::size_t stretch, const Along& along) {
+    const RopePath& path = paths_[rope];
+    const std::size_t behind = path.stretches[stretch].first;
+    const RopeSpan &before = path.spans[behind - 1], &after = path.spans[behind];
+    const RopePoint& wheel = path.points[after.from];
+    Jet saved = sum(g_, lengthOf(path, before, along), lengthOf(path, after, along));
+    saved = difference(g_, saved, straight(path, before.from, after.to, along));
+    saved = sum(g_, saved, scaled(g_, -wheel.radius, angle(rope, behind - 1, 1, along)));
+    saved = sum(g_, saved, scaled(g_, wheel.radius, angle(rope, behind, 0, along)));
+    return sum(g_, saved, constantJet(g_, std::abs(wheel.radius) * wheel.wrapped));
+}
+
+bool RopePaths::isStill(std::size_t rope, std::size_t stretch) {
+    return g_.isConstant(ownGap(rope, stretch, 0, {}).rate, 0);
+}
+
+// With what is joined to it behind wheels that are off. A stretch between what is fixed is taut.
+Jet RopePaths::wholeGap(std::size_t rope, std::size_t stretch, std::span<const double> material,
+                        const Along& along) {
+    Jet own = sum(g_, ownGap(rope, stretch, material[stretch], along), slid(rope, stretch, along));
+    const std::size_t next = stretch + 1;
+    if (next == paths_[rope].stretches.size())
+        return own;
+    own = difference(g_, own, slid(rope, next, along));
+    const Node isOff = isOffBefore(rope, next);
+    if (g_.op(isOff) == Op::constant)
+        return own;
+    const Jet joined = sum(g_, wholeGap(rope, next, material, along), joining(rope, next, along));
+    return chosen(isOff, sum(g_, own, joined), isStill(rope, stretch) ? constantJet(g_, 0) : own);
+}
+
+Jet RopePaths::gap(std::size_t rope, std::size_t stretch, std::span<const double> material,
+                   const Along& along) {
+    const Jet whole = wholeGap(rope, stretch, material, along);
+    const Node isOff = isOffBefore(rope, stretch);
+    return g_.op(isOff) == Op::constant ? whole : chosen(isOff, constantJet(g_, 0), whole);
 }
 
 double RopePaths::startOf(std::size_t rope, std::size_t stretch) {
@@ -317,6 +430,10 @@ Node RopePaths::length(std::size_t rope) {
         all =
             g_.add(all, g_.multiply(g_.constant(point.radius), g_.subtract(*point.out, *point.in)));
     }
+    for (std::size_t s = 1; s < path.stretches.size(); ++s)
+        if (const Node isOff = isOffBefore(rope, s); g_.op(isOff) != Op::constant)
+            all = g_.subtract(
+                all, g_.apply(Op::select, isOff, joining(rope, s, {}).value, g_.constant(0)));
     return all;
 }
 

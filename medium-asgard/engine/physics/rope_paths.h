@@ -8,6 +8,12 @@
 //     d = l u + D left(u),   D = r_b - r_a,     l = sqrt(|d|^2 - D^2),   u = (l d - D left(d)) /
 //     |d|^2.
 //
+// A wheel between two points lets the rope off where its wrapped angle falls to 0, and takes it
+// again there. While it is off, the two stretches beside it are one with a straight span between
+// the points, and the rope slides past the wheel: `slid` counts how much, so that what then lies on
+// either side of the wheel is known when the rope touches it again.
+// LIMIT: a wheel beside another wheel keeps its rope.
+//
 // Wrapped rope does not slip: with q the angle of u in the wheel's own frame, a span gains
 // r_b dq_b - r_a dq_a of rope. What a span has less its length is its gap; its rate is
 // - u . (velocities of the wheels' material where it touches them), as of a rod between them.
@@ -21,8 +27,10 @@ namespace physics {
 struct RopePoint : CarriedPoint {
     double radius = 0;             // signed; 0: no wheel
     Vector axis = Vector::UnitZ(); // of a wheel, along the body's axes
-    double wrapped = 0;            // angle of a wheel between two spans at the start
-    std::optional<Node> in, out;   // angles of the spans before and behind, where they are wheels
+    // Angle of a wheel between two spans at the start; under 0 the rope is off it.
+    double wrapped = 0;
+    std::optional<Node> slid;    // of a wheel that may let the rope off: an unknown
+    std::optional<Node> in, out; // angles of the spans before and behind, where they are wheels
 };
 
 struct RopeSpan {
@@ -54,9 +62,21 @@ public:
 
     [[nodiscard]] const RopePath& operator[](std::size_t rope) const { return paths_[rope]; }
     [[nodiscard]] std::size_t size() const { return paths_.size(); }
-    // What is left of a stretch of that much rope: negative where its ends are too far apart.
-    [[nodiscard]] Jet gap(std::size_t rope, std::size_t stretch, double material,
+    // What is left of a stretch, of which each has so much rope: negative where its ends are too
+    // far apart. Behind a wheel that is off the stretch belongs to the one before it: 0.
+    [[nodiscard]] Jet gap(std::size_t rope, std::size_t stretch, std::span<const double> material,
                           const Along& along);
+    // Whether the rope is off the wheel before a stretch: 0 or 1.
+    [[nodiscard]] Node isOffBefore(std::size_t rope, std::size_t stretch);
+    // Nothing moves its ends.
+    [[nodiscard]] bool isStill(std::size_t rope, std::size_t stretch);
+    // The rate of what has slid past the wheel before a stretch, where it may; and what keeps that
+    // with the places, as for angles.
+    [[nodiscard]] Node slidRate(std::size_t rope, std::size_t stretch);
+    [[nodiscard]] Jet slidTie(std::size_t rope, std::size_t stretch, double material,
+                              const Along& along);
+    [[nodiscard]] const std::optional<Node>& slidBefore(std::size_t rope,
+                                                        std::size_t stretch) const;
     // The angle at an end of a span, which is an unknown.
     [[nodiscard]] Jet angle(std::size_t rope, std::size_t span, std::size_t end,
                             const Along& along);
@@ -77,6 +97,7 @@ private:
     void findFrames(const scene::Rope& rope, RopePath& path);
     void checkWheel(const scene::Rope& rope, const RopePath& path, std::size_t wheel,
                     std::size_t neighbour);
+    [[nodiscard]] bool isTooShort(const scene::Rope& rope, const RopePath& path);
     void divide(const scene::Rope& rope, RopePath& path) const;
     [[nodiscard]] Vector placeOf(const CarriedPoint& point);
     [[nodiscard]] Vector directionOf(const CarriedPoint& point, const Vector& v);
@@ -85,6 +106,16 @@ private:
     [[nodiscard]] Plane planeOf(const RopePath& path, const RopeSpan& span, std::size_t end,
                                 const Along& along);
     [[nodiscard]] Jet lengthOf(const RopePath& path, const RopeSpan& span, const Along& along);
+    [[nodiscard]] Jet straight(const RopePath& path, std::size_t from, std::size_t to,
+                               const Along& along);
+    [[nodiscard]] Node wrapOf(const RopePoint& wheel);
+    [[nodiscard]] Jet ownGap(std::size_t rope, std::size_t stretch, double material,
+                             const Along& along);
+    [[nodiscard]] Jet slid(std::size_t rope, std::size_t stretch, const Along& along);
+    [[nodiscard]] Jet joining(std::size_t rope, std::size_t stretch, const Along& along);
+    [[nodiscard]] Jet wholeGap(std::size_t rope, std::size_t stretch,
+                               std::span<const double> material, const Along& along);
+    [[nodiscard]] Jet chosen(Node condition, const Jet& a, const Jet& b);
 
     Graph& g_;
     const Scope& scope_;

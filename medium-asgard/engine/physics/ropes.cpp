@@ -22,6 +22,9 @@ RopeReader::RopeReader(Graph& g, const scene::Scene& scene, Scope& scope,
                     multipliers_.addAngle(angle, paths_.angle(r, k, end, {}).rate,
                                           std::abs(wheel.radius), path.moving.front());
             }
+        for (std::size_t s = 0; s < path.stretches.size(); ++s)
+            if (const auto& slid = paths_.slidBefore(r, s))
+                multipliers_.addAngle(*slid, paths_.slidRate(r, s), 1, path.moving.front());
         nodes_.push_back(
             {paths_.length(r), std::vector<Node>(path.stretches.size(), g_.constant(0))});
     }
@@ -39,7 +42,7 @@ std::vector<RopeWrap> RopeReader::wraps(const expression::EquationSet& set) cons
     };
     for (std::size_t r = 0; r < paths_.size(); ++r)
         for (const RopePoint& point : paths_[r].points) {
-            if (!point.in || !point.out)
+            if (!point.in || !point.out || point.slid)
                 continue;
             const RopeWrap wrap{.rope = scene_.ropes[r].name,
                                 .body = point.body ? bodies_[*point.body].name : "",
@@ -61,7 +64,7 @@ void RopeReader::contribute(std::vector<Contribution>& contributions) {
 }
 
 // Angles that are unknowns of their own are kept with the places.
-void RopeReader::tieAngles(std::size_t rope) {
+void RopeReader::tieAngles(std::size_t rope, std::span<const double> material) {
     for (std::size_t k = 0; k < paths_[rope].spans.size(); ++k)
         for (const std::size_t end : {0U, 1U}) {
             const Node angle = paths_[rope].spans[k].ends[end].angle;
@@ -74,6 +77,17 @@ void RopeReader::tieAngles(std::size_t rope) {
             multipliers_.tie(angle, multiplier);
             paths_.setTie(angle, multiplier);
         }
+    for (std::size_t s = 0; s < paths_[rope].stretches.size(); ++s) {
+        const auto slid = paths_.slidBefore(rope, s);
+        if (!slid || !multipliers_.needsTie(*slid))
+            continue;
+        const Node multiplier = multipliers_.add([this, rope, s,
+                                                  of = material[s]](const Along& along) {
+            return JointCondition{paths_.slidTie(rope, s, of, along), JointCondition::Order::first};
+        });
+        multipliers_.tie(*slid, multiplier);
+        paths_.setTie(*slid, multiplier);
+    }
 }
 
 // A span that is slack at the start is so in the first stretch.
@@ -81,7 +95,6 @@ void RopeReader::contribute(std::size_t rope, std::vector<Contribution>& contrib
     const scene::Rope& said = scene_.ropes[rope];
     const RopePath& path = paths_[rope];
     multipliers_.begin({said.name, path.moving, path.size, "rope"}, said.release);
-    tieAngles(rope);
     std::vector<double> material;
     double measured = 0;
     for (std::size_t s = 0; s < path.stretches.size(); ++s) {
@@ -92,12 +105,13 @@ void RopeReader::contribute(std::size_t rope, std::vector<Contribution>& contrib
         measured += std::abs(point.radius) * point.wrapped;
     if (said.length)
         material.front() += *said.length - measured;
+    tieAngles(rope, material);
     Contribution from;
     from.kind = Contribution::Kind::rope;
     from.element = rope;
     for (std::size_t s = 0; s < path.stretches.size(); ++s) {
-        const auto gap = [this, rope, s, of = material[s]](const Along& along) {
-            return paths_.gap(rope, s, of, along);
+        const auto gap = [this, rope, s, material](const Along& along) {
+            return paths_.gap(rope, s, material, along);
         };
         const Node tension = multipliers_.add(
             [gap](const Along& along) { return JointCondition{.jet = gap(along)}; },
@@ -106,6 +120,20 @@ void RopeReader::contribute(std::size_t rope, std::vector<Contribution>& contrib
         nodes_[rope].tension[s] = tension;
         multipliers_.push(contributions, from, gap({}).rate, tension);
     }
+    nameTensions(rope);
+}
+
+// Past a wheel that is off the tension is that before it. A stretch between what is fixed is pulled
+// as the one behind it.
+void RopeReader::nameTensions(std::size_t rope) {
+    std::vector<Node>& tension = nodes_[rope].tension;
+    for (std::size_t s = tension.size() - 1; s-- > 0;)
+        if (paths_.isStill(rope, s)) {
+            const Node isOff = paths_.isOffBefore(rope, s + 1);
+            tension[s] = g_.apply(Op::select, isOff, tension[s], tension[s + 1]);
+        }
+    for (std::size_t s = 1; s < tension.size(); ++s)
+        tension[s] = g_.apply(Op::select, paths_.isOffBefore(rope, s), tension[s - 1], tension[s]);
 }
 
 } // namespace physics

@@ -3,8 +3,8 @@
 // Each stretch between wheels or ends has its own: gap >= 0 (rope_paths.h), tension >= 0, one of
 // both 0. Becoming taut is an impact of all that hangs together.
 //
-// LIMIT: a rope keeps to its wheels; where the wrapped angle falls under 0 it does not lift off,
-// which a note of the run tells.
+// LIMIT: a rope keeps to a wheel beside another wheel; where the wrapped angle falls under 0 it
+// does not lift off, which a note of the run tells.
 //
 // Contract: docs/scene-language.md, "Ropes".
 #pragma once
@@ -29,7 +29,9 @@ public:
 
 private:
     void contribute(std::size_t rope, std::vector<Contribution>& contributions);
-    void tieAngles(std::size_t rope);
+    void nameTensions(std::size_t rope);
+    // And what slides past wheels.
+    void tieAngles(std::size_t rope, std::span<const double> material);
 
     Graph& g_;
     const scene::Scene& scene_;

@@ -10,6 +10,14 @@ using scene::BodyQuantity;
 Scope::Scope(Graph& g, const scene::Scene& scene, std::vector<BodyMass> masses,
              std::vector<BodySymbols> bodies)
     : names_(scene), time_(g.symbol("t")), masses_(std::move(masses)), bodies_(std::move(bodies)) {
+    for (const scene::Body& body : scene.bodies)
+        if (body.fixed)
+            turns_.emplace_back(constant(g, Vector::Zero()));
+        else if (body.countsTurns)
+            turns_.emplace_back(NodeVector{g.symbol(body.name + ".rx"), g.symbol(body.name + ".ry"),
+                                           g.symbol(body.name + ".rz")});
+        else
+            turns_.emplace_back();
     for (const scene::Parameter& parameter : scene.parameters)
         parameters_.push_back(parameter.value);
     for (const scene::Trajectory& trajectory : scene.trajectories) {
@@ -85,6 +93,11 @@ expression::Meaning Scope::meaning(Graph& g, std::string_view name, std::span<co
         return {std::nullopt, fault->message, fault->suggestion};
     if (const auto* parameter = std::get_if<scene::ParameterName>(&named))
         return {g.constant(parameters_[parameter->parameter]), "", ""};
+    if (const auto* body = std::get_if<scene::BodyName>(&named);
+        body && scene::isTurn(body->quantity) && !turns_[body->body])
+        return {std::nullopt,
+                std::string(name) + " is not counted, since the scene does not read it",
+                "a plot of the scene that reads it lets it be counted"};
     if (const auto* body = std::get_if<scene::BodyName>(&named))
         return {bodyQuantity(g, *body, arguments), "", ""};
     if (const auto* quantity = std::get_if<scene::SceneName>(&named))
@@ -127,7 +140,9 @@ Node Scope::bodyQuantity(Graph& g, const scene::BodyName& name,
         return body.velocity[after(BodyQuantity::dx)];
     if (name.quantity < BodyQuantity::qw)
         return body.worldSpin(g)[after(BodyQuantity::wx)];
-    if (name.quantity < BodyQuantity::mass)
+    if (scene::isTurn(name.quantity))
+        return (*turns_[name.body])[after(BodyQuantity::rx)];
+    if (name.quantity < BodyQuantity::rx)
         return body.attitude[after(BodyQuantity::qw)];
     if (name.quantity == BodyQuantity::mass)
         return g.constant(mass.mass);

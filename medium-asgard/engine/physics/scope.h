@@ -69,6 +69,8 @@ public:
 
     [[nodiscard]] Node time() const { return time_; }
     [[nodiscard]] const BodySymbols& body(std::size_t i) const { return bodies_[i]; }
+    // The integrals of its angular velocity, world axes; none: no expression reads them.
+    [[nodiscard]] const std::optional<NodeVector>& turns(std::size_t i) const { return turns_[i]; }
     [[nodiscard]] const BodyMass& mass(std::size_t i) const { return masses_[i]; }
     [[nodiscard]] const ScopeTrajectory& trajectory(std::size_t i) const {
         return trajectories_[i];
@@ -115,6 +117,7 @@ private:
     std::vector<double> parameters_;
     std::vector<BodyMass> masses_;
     std::vector<BodySymbols> bodies_;
+    std::vector<std::optional<NodeVector>> turns_; // none: they are not counted
     std::vector<ScopeTrajectory> trajectories_;
     std::unordered_map<std::uint32_t, std::vector<std::size_t>> choices_; // whose value or rate
     std::vector<JointNodes> joints_;

@@ -124,7 +124,7 @@ bool same(const Body& a, const Body& b) {
            same(a.restitution, b.restitution) && same(a.friction, b.friction) &&
            same(a.staticFriction, b.staticFriction) && same(a.rollingFriction, b.rollingFriction) &&
            same(a.surfaceVelocity, b.surfaceVelocity) && a.fixed == b.fixed &&
-           a.collisionGroup == b.collisionGroup;
+           a.countsTurns == b.countsTurns && a.collisionGroup == b.collisionGroup;
 }
 template <typename Value, std::size_t n>
 bool same(const std::array<Value, n>& a, const std::array<Value, n>& b) {

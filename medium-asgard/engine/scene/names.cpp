@@ -71,8 +71,9 @@ Named findSceneQuantity(std::string_view name, Reading reading) {
 
 const std::vector<std::string>& bodyQuantityNames() {
     static const std::vector<std::string> names{
-        "x",    "y",   "z",   "dx",  "dy",  "dz",  "wx",  "wy", "wz", "qw", "qx",  "qy",  "qz",
-        "mass", "ixx", "iyy", "izz", "ixy", "ixz", "iyz", "px", "py", "pz", "pdx", "pdy", "pdz"};
+        "x",   "y",   "z",   "dx", "dy", "dz", "wx",   "wy",  "wz",  "qw",
+        "qx",  "qy",  "qz",  "rx", "ry", "rz", "mass", "ixx", "iyy", "izz",
+        "ixy", "ixz", "iyz", "px", "py", "pz", "pdx",  "pdy", "pdz"};
     return names;
 }
 
@@ -216,8 +217,9 @@ Named Names::findOfBody(std::string_view name, std::size_t body, std::string_vie
         const std::string near = nearestName(quantity, bodyQuantityNames());
         const std::string owner = full.substr(0, full.size() - quantity.size());
         return NameFault{"a body has no quantity " + quoted(quantity),
-                         near.empty() ? "there are x y z dx dy dz wx wy wz qw qx qy qz mass, ..."
-                                      : didYouMean(owner + near)};
+                         near.empty()
+                             ? "there are x y z dx dy dz wx wy wz rx ry rz qw qx qy qz mass, ..."
+                             : didYouMean(owner + near)};
     }
     const bool isPoint = *index >= firstCall;
     if (isPoint && !arguments)
@@ -392,6 +394,24 @@ std::vector<ExpressionPlace> expressionsOf(const Scene& scene) {
     std::ranges::for_each(scene.views, [&](const View& v) { collector.add(v); });
     std::ranges::for_each(scene.plots, [&](const Plot& p) { collector.add(p); });
     return std::move(collector.places);
+}
+
+void countTurns(Scene& scene, const std::vector<std::string>& expressions) {
+    const Names names(scene);
+    expression::Graph graph;
+    for (const std::string& text : expressions) {
+        const expression::Names meaning = [&](expression::Graph& g, std::string_view name,
+                                              std::span<const expression::Node>,
+                                              bool isCall) -> expression::Meaning {
+            const Named named = names.find(
+                name, isCall ? std::optional<std::size_t>(3) : std::nullopt, Reading::quantities);
+            const auto* body = std::get_if<BodyName>(&named);
+            if (body && isTurn(body->quantity))
+                scene.bodies[body->body].countsTurns = true;
+            return {g.symbol(name), "", ""};
+        };
+        (void)expression::parse(graph, text, meaning);
+    }
 }
 
 std::vector<ExpressionFault> checkExpressions(const Scene& scene) {

@@ -30,6 +30,9 @@ enum class BodyQuantity {
     qx,
     qy,
     qz,
+    rx, // integrals of wx, wy, wz from the start: in a plane the angle turned, not wrapped
+    ry,
+    rz,
     mass,
     ixx,
     iyy,
@@ -48,6 +51,9 @@ enum class BodyQuantity {
 // In the order of BodyQuantity, of SpringQuantity.
 [[nodiscard]] const std::vector<std::string>& bodyQuantityNames();
 [[nodiscard]] const std::vector<std::string>& springQuantityNames();
+[[nodiscard]] inline bool isTurn(BodyQuantity q) {
+    return q >= BodyQuantity::rx && q <= BodyQuantity::rz;
+}
 
 enum class SpringQuantity { length, force };
 
@@ -171,6 +177,9 @@ struct ExpressionFault {
     std::size_t from = 0, to = 0;
     std::string message, suggestion;
 };
+
+// Bodies of which one of these expressions reads a turn count it from now on.
+void countTurns(Scene& scene, const std::vector<std::string>& expressions);
 
 // All faults, one for each wrong expression, in the order of expressionsOf().
 [[nodiscard]] std::vector<ExpressionFault> checkExpressions(const Scene& scene);

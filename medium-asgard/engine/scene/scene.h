@@ -138,6 +138,7 @@ struct Body {
     double rollingFriction = 0;              // a length: couple over normal force
     Vector surfaceVelocity = Vector::Zero(); // of its surface along itself, body frame: a conveyor
     bool fixed = false;
+    bool countsTurns = false;    // an expression reads B.rx, B.ry or B.rz: they are integrated
     std::string articulatedBody; // -artbody, "" when not given
     std::optional<int> collisionGroup;
     Appearance appearance;

@@ -51,12 +51,14 @@ public:
                 addConditions(parts[p]);
                 addContacts(p);
             }
+        dropPassedOn();
         std::ranges::stable_sort(found_, {}, &ListedInstant::time);
         return std::move(found_);
     }
 
 private:
     void addImpacts();
+    void dropPassedOn();
     void addConditions(const ComputedMotion::Part& part);
     void addCondition(const ComputedMotion::Part& part, std::size_t row);
     void addContacts(std::size_t part);
@@ -85,6 +87,17 @@ void Lister::addImpacts() {
         impulses[{impact.time, std::minmax(impact.first, impact.second)}] += impact.impulse;
     for (const auto& [at, impulse] : impulses)
         found_.push_back({at.first, "impact", namesOf(at.second), impulse});
+}
+
+// A rope that lifts off a wheel or touches it again is neither slack nor taut of late: one of its
+// spans passes its tension on to the next.
+void Lister::dropPassedOn() {
+    const auto isPassedOn = [this](const ListedInstant& instant) {
+        const bool isTaut = instant.kind == "taut";
+        return (isTaut || instant.kind == "slack") &&
+               seen_.contains({instant.time, isTaut ? "slack" : "taut", instant.names});
+    };
+    std::erase_if(found_, isPassedOn);
 }
 
 std::string Lister::namesOf(const std::string& element) const {

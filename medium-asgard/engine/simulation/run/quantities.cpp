@@ -208,6 +208,10 @@ std::vector<double> Quantities::Implementation::inputsAt(double time) const {
                                  : motion->readingOf(read.body, read.reading, time));
             continue;
         }
+        if (read.unknown >= physics::bodyUnknowns + record.more.size()) { // of an older scene
+            inputs.push_back(std::numeric_limits<double>::quiet_NaN());
+            continue;
+        }
         const std::size_t unknown = read.unknown < physics::bodyUnknowns
                                         ? record.firstUnknown + read.unknown
                                         : record.more[read.unknown - physics::bodyUnknowns];
