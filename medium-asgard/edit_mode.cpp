@@ -4,7 +4,7 @@
 #include "service/menu.h"
 #include "terminal/terminal.h"
 #include "text/difference.h"
-#include "views/editor.h"
+#include "viewers/editor.h"
 
 #include <QApplication>
 #include <QMainWindow>

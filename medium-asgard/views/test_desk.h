@@ -3,18 +3,18 @@
 // Pictures are made but for their pixels: handles are real.
 #pragma once
 
+#include "language/language_viewer.h"
+#include "language/number_drag.h"
 #include "script/evaluator.h"
 #include "script/interpreter.h"
 #include "script/verdict.h"
+#include "shapes/shape_editor.h"
 #include "text/characters.h"
-#include "views/graphical_viewer.h"
-#include "views/language_viewer.h"
-#include "views/number_drag.h"
-#include "views/parameters_panel.h"
-#include "views/shape_editor.h"
+#include "trajectories/trajectory_editor.h"
+#include "viewers/graphical_viewer.h"
+#include "viewers/parameters_panel.h"
 #include "views/test_undo_model.h"
 #include "views/test_workshop.h"
-#include "views/trajectory_editor.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // A language viewer in a test, and what is done with it.
 #pragma once
 
-#include "views/editor.h"
-#include "views/number_drag.h"
-#include "views/scene_editor.h"
+#include "language/number_drag.h"
+#include "language/scene_editor.h"
+#include "viewers/editor.h"
 #include "views/test_workshop.h"
 
 #include <gtest/gtest.h>

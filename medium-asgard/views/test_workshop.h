@@ -1,10 +1,10 @@
 // Tools that the tests of this folder share: an application, a reader, and motion known exactly.
 #pragma once
 
+#include "picture/scene_display.h"
 #include "render/test_scenes.h"
 #include "script/reader.h"
-#include "views/scene_display.h"
-#include "views/scene_document.h"
+#include "workbench/scene_document.h"
 
 #include <QApplication>
 #include <QElapsedTimer>

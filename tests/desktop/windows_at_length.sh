@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # 100,000 random keys and moves of pointer and windows in all windows of a scene, at the device scales 1, 2 and 3,
-# for no end and no assertion (medium-asgard/views/window_fuzz_test.cpp); ./test does 15,000. In pieces, each with a
+# for no end and no assertion (medium-asgard/views/viewers/window_fuzz_test.cpp); ./test does 15,000. In pieces, each with a
 # seed of its own, so that what has ended counts: a line for each, and failures in full.
 #
 #     tests/desktop/windows_at_length.sh build/release/bin/window_fuzz_test [SEED [PIECES]]

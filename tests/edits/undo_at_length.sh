@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # 100,000 random sequences of edits, undo and redo in six windows, and a million interleaved edits, against a model
-# (medium-asgard/views/random_undo_test.cpp); ./test runs a hundredth. In pieces, each with a seed of its own, so that
+# (medium-asgard/views/viewers/random_undo_test.cpp); ./test runs a hundredth. In pieces, each with a seed of its own, so that
 # several can run beside each other and what has ended counts: a line for each, and failures in full.
 #
-#     tests/edits/undo_at_length.sh build/release/bin/views_test [SEED [PIECES]]
+#     tests/edits/undo_at_length.sh build/release/bin/viewers_test [SEED [PIECES]]
 #
 # PIECES: of twenty, from that seed on; all of them otherwise. About twenty processor seconds each.
 set -u

@@ -16,8 +16,8 @@ from lint import files, read, report
 FOLDERS = (os.path.join("host", "menus"), os.path.join("host", "window"), os.path.join("host", "panes"),
            os.path.join("host", "source"), os.path.join("host", "navigation"), os.path.join("host", "controls"), os.path.join("medium-asgard", "views"))
 # The manuals are markup of our own, from the programs' resources.
-MARKUP = {os.path.join("host", "window", "manual.cpp"), os.path.join("medium-asgard", "views", "manual_window.cpp"),
-          os.path.join("medium-asgard", "views", "manual.cpp")}
+MARKUP = {os.path.join("host", "window", "manual.cpp"), os.path.join("medium-asgard", "views", "frame", "manual_window.cpp"),
+          os.path.join("medium-asgard", "views", "frame", "manual.cpp")}
 
 NEVER = re.compile(r"""\bnew\ QLabel\b | \bQLabel\( | \bQLabel\ \w+[;({]
     | \bnew\ QMessageBox\b | \bQMessageBox\ \w+[;({] | \bQMessageBox::(about|critical|information|question|warning)\(

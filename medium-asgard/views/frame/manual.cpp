@@ -1,0 +1,44 @@
+#include "frame/manual.h"
+
+#include "frame/manual_window.h"
+
+#include <QAction>
+#include <QFile>
+#include <QMainWindow>
+#include <QMenu>
+#include <QMenuBar>
+#include <QPointer>
+#include <QTimer>
+
+namespace views {
+
+namespace {
+
+QString read(const QString& name) {
+    QFile file(QStringLiteral(":/manual/") + name);
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+} // namespace
+
+void showManual(const QString& chapter) {
+    static QPointer<ManualWindow> manual;
+    if (!manual)
+        manual = new ManualWindow(read(QStringLiteral("editing.md")) + QStringLiteral("\n\n") +
+                                  read(QStringLiteral("scene-language.md")));
+    manual->show();
+    manual->raise();
+    manual->activateWindow();
+    if (!chapter.isEmpty()) // once it is laid out
+        QTimer::singleShot(0, manual, [chapter] { manual->goTo(chapter); });
+}
+
+QMenu* addHelpMenu(QMainWindow* window, const QString& chapter) {
+    QMenu* help = window->menuBar()->addMenu(QObject::tr("&Help"));
+    help->addAction(QObject::tr("&Keys and Buttons"), QKeySequence(Qt::Key_F1), window,
+                    [chapter] { showManual(chapter); });
+    help->addAction(QObject::tr("&Manual"), window, [] { showManual(); });
+    return help;
+}
+
+} // namespace views

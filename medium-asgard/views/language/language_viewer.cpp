@@ -1,0 +1,476 @@
+#include "language/language_viewer.h"
+
+#include "editing/changes.h"
+#include "frame/manual.h"
+#include "language/completer.h"
+#include "language/element_marks.h"
+#include "language/elision.h"
+#include "language/fault_marks.h"
+#include "language/find_bar.h"
+#include "language/language_keys.h"
+#include "language/notice_bar.h"
+#include "language/number_drag.h"
+#include "language/scene_lexer.h"
+#include "plain/plain.h"
+
+#include <QCloseEvent>
+#include <QHBoxLayout>
+#include <QInputDialog>
+#include <QListWidget>
+#include <QMenuBar>
+#include <QPushButton>
+#include <QSplitter>
+#include <QTimer>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <utility>
+
+namespace views {
+
+LanguageViewer::LanguageViewer(SceneDocument& document, Windows windows, int number)
+    : document_(document), windows_(std::move(windows)), number_(number), editor_(new SceneEditor),
+      messages_(new QListWidget), faults_(std::make_unique<FaultMarks>(*editor_, *messages_)),
+      elision_(std::make_unique<Elision>(*editor_)),
+      draft_(std::make_unique<Draft>(*editor_, document_)),
+      elements_(std::make_unique<ElementMarks>(*editor_, document_, *draft_)),
+      numbers_(std::make_unique<NumberDrag>(*editor_, document_, *draft_)),
+      completer_(std::make_unique<Completer>(*editor_, document_)),
+      notice_(new NoticeBar(*editor_, *draft_)), told_(new ToldBar),
+      findBar_(new FindBar(*editor_)) {
+    setAttribute(Qt::WA_DeleteOnClose);
+    setObjectName(QStringLiteral("languageViewer%1").arg(number_));
+    editor_->setObjectName("text");
+    messages_->setObjectName("messages");
+    told_->setObjectName("told");
+    editor_->setAccessibleName(tr("Text of the scene"));
+    editor_->installEventFilter(this);
+    auto* whole = new QWidget;
+    auto* column = new QVBoxLayout(whole);
+    column->setContentsMargins(8, 8, 8, 8);
+    column->setSpacing(8);
+    auto* splitter = new QSplitter(Qt::Vertical);
+    splitter->addWidget(editor_);
+    splitter->addWidget(messages_);
+    splitter->setStretchFactor(0, 1);
+    splitter->setCollapsible(0, false);
+    splitter->setSizes({420, 90});
+    column->addWidget(told_);
+    column->addWidget(notice_);
+    column->addWidget(splitter, 1);
+    column->addWidget(findBar_);
+    column->addWidget(buildButtons());
+    setCentralWidget(whole);
+    buildMenus();
+    connectParts();
+    faults_->expect(true); // one who opens a faulty text sees where
+    showDiagnostics();
+    followed();
+    updateTitle();
+    editor_->setFocus();
+    resize(680, 640);
+}
+
+LanguageViewer::~LanguageViewer() {
+    // Nobody hears of what goes with the window.
+    editor_->forgetTools();
+    editor_->disconnect();
+    draft_->disconnect();
+}
+
+void LanguageViewer::connectParts() {
+    const auto show = [this](scene::Range range) { select(range.from, range.to); };
+    connect(faults_.get(), &FaultMarks::wanted, this, show);
+    connect(faults_.get(), &FaultMarks::appeared, this, &LanguageViewer::showFault);
+    connect(notice_, &NoticeBar::wanted, this, show);
+    connect(findBar_, &FindBar::wanted, this, [this](scene::Range range) {
+        elision_->reveal(range);
+        editor_->select(range);
+    });
+    // What is selected in a picture is shown, and the caret stays where one writes.
+    connect(elements_.get(), &ElementMarks::wanted, this,
+            [this](scene::Range range) { editor_->reveal(range); });
+    connect(draft_.get(), &Draft::changed, this, [this] {
+        if (draft_->edited()) {
+            faults_->hideNotes();
+            faults_->expect(false);
+        }
+        updateTitle();
+        showState();
+    });
+    connect(draft_.get(), &Draft::followed, this, &LanguageViewer::followed);
+    connect(&document_, &SceneDocument::diagnosticsChanged, this, &LanguageViewer::showDiagnostics);
+    connect(&document_, &SceneDocument::sceneChanged, this, &LanguageViewer::tellChanges);
+    connect(&document_, &SceneDocument::sceneChanged, this, &LanguageViewer::showDiagnostics);
+    connect(&document_, &SceneDocument::workChanged, this, [this] {
+        if (document_.work() == Work::none)
+            faults_->expect(false);
+        showState();
+    });
+    connect(&document_, &SceneDocument::opened, this, [this] { faults_->expect(true); });
+    connect(&document_, &SceneDocument::nameChanged, this, &LanguageViewer::updateTitle);
+}
+
+QWidget* LanguageViewer::buildButtons() {
+    auto* buttons = new QWidget;
+    auto* row = new QHBoxLayout(buttons);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(8);
+    updateButton_ = new QPushButton(tr("&Update"));
+    updateButton_->setObjectName("update");
+    saveButton_ = new QPushButton(tr("&Save"));
+    saveButton_->setObjectName("save");
+    saveButton_->setToolTip(tr("Update, and write the file (Ctrl+S)"));
+    saveButton_->setVisible(static_cast<bool>(windows_.save));
+    revertButton_ = new QPushButton(tr("&Revert"));
+    revertButton_->setObjectName("revert");
+    revertButton_->setToolTip(document_.hasHost()
+                                  ? tr("Drop the draft: back to the document's text (Ctrl+Shift+R)")
+                                  : tr("Back to the text that was saved last, in every view "
+                                       "(Ctrl+Shift+R)"));
+    auto* dismiss = new QPushButton(tr("&Dismiss"));
+    dismiss->setObjectName("dismiss");
+    dismiss->setToolTip(tr("Close this viewer (Ctrl+W)"));
+    state_ = plain::label();
+    state_->setObjectName("state");
+    state_->setAccessibleName(tr("State of the text"));
+    state_->setForegroundRole(QPalette::PlaceholderText);
+    for (QPushButton* button : {updateButton_, saveButton_, revertButton_})
+        row->addWidget(button);
+    row->addSpacing(8);
+    row->addWidget(state_, 1);
+    row->addWidget(dismiss);
+    connect(updateButton_, &QPushButton::clicked, this, &LanguageViewer::updateDocument);
+    connect(saveButton_, &QPushButton::clicked, this, &LanguageViewer::save);
+    connect(revertButton_, &QPushButton::clicked, this, &LanguageViewer::revert);
+    connect(dismiss, &QPushButton::clicked, this, &QWidget::close);
+    return buttons;
+}
+
+void LanguageViewer::buildMenus() {
+    QMenu* file = menuBar()->addMenu(tr("&File"));
+    file->addAction(tr("New &Graphical Viewer"), QKeySequence(Qt::CTRL | Qt::Key_N), this,
+                    [this] { windows_.openGraphicalViewer(); });
+    file->addAction(tr("New &Language Viewer"), QKeySequence(Qt::CTRL | Qt::Key_L), this,
+                    [this] { windows_.openLanguageViewer(); });
+    file->addSeparator();
+    file->addAction(tr("&Update"), QKeySequence(Qt::CTRL | Qt::Key_Return), this,
+                    &LanguageViewer::updateDocument);
+    if (windows_.save)
+        file->addAction(tr("&Save"), QKeySequence::Save, this, &LanguageViewer::save);
+    else // the document's file is written by its own window
+        file->actions().back()->setShortcuts(
+            {QKeySequence(Qt::CTRL | Qt::Key_Return), QKeySequence::Save});
+    file->addAction(tr("&Revert"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_R), this,
+                    &LanguageViewer::revert);
+    file->addAction(tr("&Dismiss"), QKeySequence::Close, this, &QWidget::close);
+    buildEditMenu();
+    buildViewMenu();
+    QMenu* help = menuBar()->addMenu(tr("&Help"));
+    help->addAction(tr("&Keys of This Window"), QKeySequence(Qt::Key_F1), this,
+                    &LanguageViewer::showKeys);
+    help->addAction(tr("&Manual"), this, [] { showManual(QStringLiteral("Elements")); });
+}
+
+void LanguageViewer::buildEditMenu() {
+    QMenu* edit = menuBar()->addMenu(tr("&Edit"));
+    QAction* undo = edit->addAction(tr("&Undo"), QKeySequence::Undo, this, &LanguageViewer::undo);
+    QAction* redo = edit->addAction(tr("&Redo"), QKeySequence::Redo, this, &LanguageViewer::redo);
+    connect(edit, &QMenu::aboutToShow, this, [this, undo, redo] {
+        undo->setText(typingIsUndone() ? tr("&Undo Typing")
+                                       : tr("&Undo %1").arg(plain::caption(document_.undoLabel())));
+        redo->setText(draft_->canRedo()
+                          ? tr("&Redo Typing")
+                          : tr("&Redo %1").arg(plain::caption(document_.redoLabel())));
+        undo->setEnabled(typingIsUndone() || document_.canUndo());
+        redo->setEnabled(draft_->canRedo() || (!draft_->edited() && document_.canRedo()));
+    });
+    connect(edit, &QMenu::aboutToHide, this, [undo, redo] { // their keys work at any time
+        undo->setEnabled(true);
+        redo->setEnabled(true);
+    });
+    edit->addSeparator();
+    edit->addAction(tr("Cu&t"), QKeySequence::Cut, this, [this] {
+        elision_->releaseSelected();
+        editor_->cut();
+    });
+    edit->addAction(tr("&Copy"), QKeySequence::Copy, editor_, &QsciScintilla::copy);
+    edit->addAction(tr("&Paste"), QKeySequence::Paste, this, [this] {
+        elision_->releaseSelected();
+        editor_->paste();
+    });
+    edit->addSeparator();
+    edit->addAction(tr("&Find…"), QKeySequence::Find, this, [this] { findBar_->open(false); });
+    edit->addAction(tr("Find and R&eplace…"), QKeySequence(Qt::CTRL | Qt::Key_H), this,
+                    [this] { findBar_->open(true); });
+    edit->addAction(tr("Find &Next"), QKeySequence(Qt::Key_F3), this,
+                    [this] { findBar_->findNext(); });
+    edit->addAction(tr("Find Pre&vious"), QKeySequence(Qt::SHIFT | Qt::Key_F3), this,
+                    [this] { findBar_->findNext(false); });
+    edit->addSeparator();
+    edit->addAction(tr("C&omplete"), QKeySequence(Qt::CTRL | Qt::Key_Space), this,
+                    [this] { completer_->ask(); });
+    QMenu* conflicts = edit->addMenu(tr("Con&flicts"));
+    conflicts->addAction(tr("&Next"), QKeySequence(Qt::Key_F7), notice_, &NoticeBar::nextConflict);
+    conflicts->addAction(tr("&Keep Mine"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_M), notice_,
+                         &NoticeBar::keepMine);
+    conflicts->addAction(tr("&Take the Scene's"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_T),
+                         notice_, &NoticeBar::takeTheirs);
+    edit->addAction(tr("&Drop the Draft"), this, &LanguageViewer::dropDraft);
+}
+
+void LanguageViewer::buildViewMenu() {
+    QMenu* view = menuBar()->addMenu(tr("&View"));
+    view->addAction(tr("Show or Hide the &Points Here"), QKeySequence(Qt::CTRL | Qt::Key_E), this,
+                    [this] { elision_->toggle(editor_->caret()); });
+    view->addAction(tr("&Show All Points"), elision_.get(), &Elision::openAll);
+    view->addAction(tr("&Hide All Points"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E),
+                    elision_.get(), &Elision::hideAll);
+    view->addSeparator();
+    view->addAction(tr("&Next Message"), QKeySequence(Qt::Key_F8), this,
+                    [this] { faults_->next(); });
+    view->addAction(tr("&Previous Message"), QKeySequence(Qt::SHIFT | Qt::Key_F8), this,
+                    [this] { faults_->next(false); });
+    view->addAction(tr("&Go to Line…"), QKeySequence(Qt::CTRL | Qt::Key_G), this,
+                    &LanguageViewer::goToLine);
+    view->addSeparator();
+    view->addAction(tr("&Larger"), QKeySequence::ZoomIn, editor_, [this] { editor_->zoomIn(); });
+    view->addAction(tr("S&maller"), QKeySequence::ZoomOut, editor_, [this] { editor_->zoomOut(); });
+    view->addAction(tr("As It &Was"), QKeySequence(Qt::CTRL | Qt::Key_0), editor_,
+                    [this] { editor_->zoomTo(0); });
+}
+
+// --- the draft and the document --------------------------------------------------------------
+
+std::string LanguageViewer::draft() const { return editor_->bytes(); }
+
+bool LanguageViewer::hasDraft() const { return draft_->edited(); }
+
+const std::string& LanguageViewer::draftBase() const { return draft_->base(); }
+
+void LanguageViewer::restoreDraft(const std::string& base, const std::string& text) {
+    draft_->restore(base, text);
+}
+
+void LanguageViewer::tell(const QString& sentence) { told_->tell(sentence); }
+
+SceneEditor& LanguageViewer::editor() { return *editor_; }
+
+bool LanguageViewer::updateDocument() {
+    numbers_->finish();
+    if (!draft_->conflicts().empty()) {
+        notice_->insist();
+        return false;
+    }
+    if (draft_->edited())
+        updating_.emplace(document_.shownText(), document_.shown().scene);
+    draft_->submit();
+    showDiagnostics();
+    faults_->expect(true);
+    return true;
+}
+
+void LanguageViewer::save() {
+    const bool any = draft_->edited() || document_.isModified();
+    if (any && updateDocument())
+        windows_.save();
+}
+
+void LanguageViewer::revert() {
+    if (!document_.hasHost()) {
+        draft_->drop();
+        document_.setText(document_.savedText(), tr("Revert"));
+    }
+    dropDraft();
+}
+
+void LanguageViewer::dropDraft() {
+    draft_->drop();
+    showDiagnostics();
+}
+
+// While there is a draft, undo takes back what was typed; else the scene's last change.
+bool LanguageViewer::typingIsUndone() const { return draft_->canUndo(); }
+
+void LanguageViewer::undo() {
+    numbers_->finish();
+    if (typingIsUndone())
+        draft_->undo();
+    else if (!draft_->edited())
+        document_.undo();
+}
+
+void LanguageViewer::redo() {
+    numbers_->finish();
+    if (draft_->canRedo())
+        draft_->redo();
+    else if (!draft_->edited())
+        document_.redo();
+}
+
+void LanguageViewer::followed() {
+    elision_->refresh();
+    const int digits = static_cast<int>(QString::number(editor_->lines()).size());
+    editor_->setMarginWidth(0, QString(std::max(3, digits) + 1, QLatin1Char('9')));
+}
+
+// --- what is shown -----------------------------------------------------------------------------
+
+void LanguageViewer::select(std::size_t from, std::size_t to) {
+    elision_->reveal({from, to});
+    editor_->select({from, to});
+    editor_->setFocus();
+}
+
+bool LanguageViewer::find(const QString& what, bool forward) {
+    return findBar_->find(what, forward);
+}
+
+void LanguageViewer::showDiagnostics() {
+    faults_->show(document_.diagnostics(), !draft_->edited());
+    showState();
+}
+
+// The caret stays where one writes. Its place is known when all marks and the window's parts are.
+void LanguageViewer::showFault(scene::Range range) {
+    QTimer::singleShot(0, editor_, [this, range] {
+        elision_->reveal(range);
+        editor_->reveal(range);
+    });
+}
+
+void LanguageViewer::showState() {
+    const auto errors = std::ranges::count_if(document_.diagnostics(), [](const auto& fault) {
+        return fault.severity == scene::Severity::error;
+    });
+    const QString text =
+        draft_->edited()                    ? tr("Draft: the scene has it after Update")
+        : document_.work() == Work::reading ? tr("Reading…")
+        : errors > 0 && !document_.sceneIsCurrent()
+            ? (errors == 1 ? tr("1 error: the last good scene is shown")
+                           : tr("%1 errors: the last good scene is shown").arg(errors))
+        : errors > 0         ? tr("The motion has faults")
+        : updated_.isEmpty() ? tr("The scene's text")
+                             : updated_;
+    state_->setText(text);
+}
+
+// Elements that an Update added, modified and removed (dissertation 4.2.2).
+void LanguageViewer::tellChanges() {
+    updated_.clear();
+    const auto before = std::exchange(updating_, std::nullopt);
+    if (!before || !document_.sceneIsCurrent())
+        return;
+    // LIMIT: of long texts, where it would hold up the window, it is not counted.
+    constexpr std::size_t quick = 500'000; // bytes
+    if (document_.text().size() > quick) {
+        updated_ = tr("Updated");
+        return;
+    }
+    const editing::Changes changes = editing::changesBetween(
+        {before->first, *before->second}, {document_.text(), *document_.shown().scene});
+    QStringList parts;
+    const auto add = [&](std::size_t count, const QString& what) {
+        if (count > 0)
+            parts += tr("%1 %2").arg(count).arg(what);
+    };
+    add(changes.added.size(), tr("added"));
+    add(static_cast<std::size_t>(std::ranges::count_if(
+            changes.kept, [](const editing::Kept& one) { return one.modified; })),
+        tr("modified"));
+    add(changes.removed.size(), tr("removed"));
+    updated_ = parts.isEmpty() ? tr("Updated: no element changed")
+                               : tr("Updated: %1").arg(parts.join(QStringLiteral(", ")));
+}
+
+void LanguageViewer::updateTitle() {
+    const QString viewer =
+        number_ == 1 ? tr("Language Viewer") : tr("Language Viewer %1").arg(number_);
+    setWindowTitle(tr("%1[*] – %2").arg(plain::title(document_.name()), viewer));
+    const bool edited = draft_->edited();
+    setWindowModified(edited || (!document_.hasHost() && document_.isModified()));
+    const bool disputed = !draft_->conflicts().empty();
+    updateButton_->setEnabled(edited && !disputed);
+    updateButton_->setDefault(edited && !disputed);
+    updateButton_->setToolTip(
+        plain::ours(disputed ? tr("Another view changed the same places. First choose, above the "
+                                  "text, which change stays")
+                             : tr("Make this the scene's text, in every view (Ctrl+Return)")));
+    saveButton_->setEnabled((edited && !disputed) || (!edited && document_.isModified()));
+    revertButton_->setEnabled(edited || (!document_.hasHost() && document_.isModified()));
+    Q_EMIT draftChanged();
+}
+
+void LanguageViewer::goToLine() {
+    bool chosen = false;
+    const int line = QInputDialog::getInt(
+        this, tr("Go to Line"), plain::ours(tr("Line (1 to %1):").arg(editor_->lines())),
+        editor_->lineOf(editor_->caret()) + 1, 1, editor_->lines(), 1, &chosen);
+    if (!chosen)
+        return;
+    const auto at = static_cast<std::size_t>(editor_->positionFromLineIndex(line - 1, 0));
+    select(at, at);
+}
+
+void LanguageViewer::showKeys() {
+    plain::Message box(QMessageBox::NoIcon, tr("Keys of the Language Viewer"), {},
+                       QMessageBox::Close, this);
+    box.setMarkup(languageKeys());
+    box.exec();
+}
+
+// --- events ------------------------------------------------------------------------------------
+
+bool LanguageViewer::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::KeyPress && findBar_->isVisible() &&
+        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape && !editor_->isListActive()) {
+        findBar_->close();
+        return true;
+    }
+    // Scintilla has shortcuts of its own for what the menus do; the menus shall have them.
+    if (watched == editor_ && event->type() == QEvent::ShortcutOverride) {
+        const QKeySequence pressed(static_cast<QKeyEvent*>(event)->keyCombination());
+        for (const QAction* action : findChildren<QAction*>())
+            if (action->shortcuts().contains(pressed)) {
+                event->ignore();
+                return true;
+            }
+    }
+    return QMainWindow::eventFilter(watched, event);
+}
+
+bool LanguageViewer::settleDraft() {
+    numbers_->finish();
+    if (!draft_->edited())
+        return true;
+    const bool disputed = !draft_->conflicts().empty();
+    plain::Message box(QMessageBox::Question, document_.name(),
+                       tr("The draft in this viewer was not made the scene's text."),
+                       QMessageBox::NoButton, this);
+    if (disputed)
+        box.setSecondText(tr("Another view has changed some of the same places."));
+    QPushButton* update = box.addButton(disputed ? tr("&Update, Keeping Mine") : tr("&Update"),
+                                        QMessageBox::AcceptRole);
+    QPushButton* drop = box.addButton(tr("&Drop the Draft"), QMessageBox::DestructiveRole);
+    box.addButton(QMessageBox::Cancel);
+    box.setDefaultButton(update);
+    box.exec();
+    if (box.clickedButton() == update) {
+        draft_->keepAllMine();
+        updateDocument();
+    } else if (box.clickedButton() == drop)
+        dropDraft();
+    else
+        return false;
+    return true;
+}
+
+void LanguageViewer::closeEvent(QCloseEvent* event) { event->setAccepted(settleDraft()); }
+
+void LanguageViewer::changeEvent(QEvent* event) {
+    QMainWindow::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange)
+        editor_->adaptToPalette();
+}
+
+} // namespace views

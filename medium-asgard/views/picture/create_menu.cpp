@@ -1,0 +1,153 @@
+#include "picture/create_menu.h"
+
+#include "editing/shape_library.h"
+#include "picture/scene_display.h"
+#include "plain/plain.h"
+#include "plots/plot_dialog.h"
+#include "script/numbers.h"
+
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QLineEdit>
+#include <QMenu>
+#include <QPushButton>
+
+namespace views {
+
+namespace {
+
+void askForParameter(SceneDocument& document, SceneDisplay& display) {
+    QDialog dialog(&display);
+    dialog.setWindowTitle(QObject::tr("New Parameter"));
+    auto* form = new QFormLayout(&dialog);
+    auto* name = new QLineEdit(QString::fromStdString(editing::unusedName(
+        document.text(), *document.shown().scene, editing::Kind::parameter, "p")));
+    auto* value = new QLineEdit(QStringLiteral("1"));
+    auto* minimum = new QLineEdit(QStringLiteral("0"));
+    auto* maximum = new QLineEdit(QStringLiteral("2"));
+    form->addRow(QObject::tr("&Name"), name);
+    form->addRow(QObject::tr("&Value"), value);
+    form->addRow(QObject::tr("From"), minimum);
+    form->addRow(QObject::tr("To"), maximum);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
+    form->addRow(buttons);
+    const auto number = [](const QLineEdit* field) {
+        return script::decimalNumber(field->text().toStdString());
+    };
+    const auto check = [=, scene = document.shown().scene] {
+        const auto now = number(value), least = number(minimum), most = number(maximum);
+        buttons->button(QDialogButtonBox::Ok)
+            ->setEnabled(editing::isFreeName(*scene, name->text().toStdString()) && now && least &&
+                         most && *least <= *now && *now <= *most);
+    };
+    for (QLineEdit* field : {name, value, minimum, maximum})
+        QObject::connect(field, &QLineEdit::textChanged, &dialog, check);
+    QObject::connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
+    QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
+    check();
+    if (dialog.exec() == QDialog::Accepted)
+        display.creating().start(newParameter(
+            name->text().toStdString(), value->text().trimmed().toStdString(),
+            minimum->text().trimmed().toStdString(), maximum->text().trimmed().toStdString()));
+}
+
+void askForPlot(SceneDocument& document, SceneDisplay& display) {
+    PlotDialog dialog(document.shown().scene, &display);
+    if (dialog.exec() == QDialog::Accepted)
+        display.creating().start(newPlot(dialog.expression().toStdString()));
+}
+
+void fillBodies(QMenu* menu, SceneDocument& document, SceneDisplay& display) {
+    menu->clear();
+    menu->addAction(QObject::tr("New &Sphere"), &display,
+                    [&display] { display.creating().start(newBody(BasicShape::sphere)); });
+    menu->addAction(QObject::tr("New &Box"), &display,
+                    [&display] { display.creating().start(newBody(BasicShape::box)); });
+    const std::pair<QString, const char*> round[] = {{QObject::tr("New &Wheel"), "Wheel"},
+                                                     {QObject::tr("New &Capsule"), "Capsule"},
+                                                     {QObject::tr("New C&one"), "Cone"},
+                                                     {QObject::tr("New &Floor"), "Floor"}};
+    for (const auto& [label, name] : round)
+        menu->addAction(plain::ours(label), &display,
+                        [&display, &shape = editing::libraryShape(name)] {
+                            display.creating().start(newBody(shape));
+                        });
+    QMenu* library = menu->addMenu(QObject::tr("New from the &Library"));
+    for (const editing::LibraryShape& shape : editing::shapeLibrary())
+        library->addAction(plain::caption(QString::fromStdString(shape.name)), &display,
+                           [&display, &shape] { display.creating().start(newBody(shape)); });
+    menu->addSeparator(); // what grows stands below: the rest stays where the hand knows it
+    for (const scene::ShapeSet& set : document.shown().scene->shapeSets)
+        menu->addAction(plain::caption(QString::fromStdString(set.name)), &display,
+                        [&display, name = set.name] { display.creating().start(newBody(name)); });
+}
+
+} // namespace
+
+Recipe newWeight(SceneDisplay& display) {
+    return newWeight(
+        display.arrowLength(false), [&display](std::size_t body) { return display.massOf(body); },
+        usualGravity(*display.drawing().scene));
+}
+
+void buildCreateMenu(QMenu* menu, SceneDocument& document, SceneDisplay& display) {
+    QMenu* bodies = menu->addMenu(QObject::tr("&Body"));
+    QObject::connect(menu, &QMenu::aboutToShow, bodies,
+                     [bodies, &document, &display] { fillBodies(bodies, document, display); });
+    fillBodies(bodies, document, display);
+    const auto add = [&](QMenu* to, const QString& label, std::function<Recipe()> recipe) {
+        to->addAction(plain::ours(label), &display, [&display, recipe = std::move(recipe)] {
+            display.creating().start(recipe());
+        });
+    };
+    QMenu* forces = menu->addMenu(QObject::tr("&Force"));
+    add(forces, QObject::tr("&Constant"),
+        [&display] { return newForce(false, display.arrowLength(false)); });
+    add(forces, QObject::tr("&Gravitational"), [&display] { return newWeight(display); });
+    add(forces, QObject::tr("Gravity for &All Bodies"),
+        [&display] { return weightForAll(usualGravity(*display.drawing().scene)); });
+    add(forces, QObject::tr("By a &Trajectory"), [] { return newTrajectoryForce(false); });
+    QMenu* torques = menu->addMenu(QObject::tr("&Torque"));
+    add(torques, QObject::tr("&Constant"),
+        [&display] { return newForce(true, display.arrowLength(true)); });
+    add(torques, QObject::tr("By a &Trajectory"), [] { return newTrajectoryForce(true); });
+    QMenu* joints = menu->addMenu(QObject::tr("Jo&int"));
+    const auto joint = [&](const QString& label, const QString& tip, scene::JointType type) {
+        add(joints, label, [type] { return newJoint(type); });
+        joints->actions().back()->setToolTip(plain::tip(tip));
+    };
+    joints->setToolTipsVisible(true);
+    joint(QObject::tr("&Hinge"), QObject::tr("It turns about one axis: a pendulum, a door"),
+          scene::JointType::hinge);
+    joint(QObject::tr("&Slider"), QObject::tr("It slides along one line: a drawer, a piston"),
+          scene::JointType::slider);
+    joint(QObject::tr("&Ball"), QObject::tr("It turns any way about one point: a shoulder"),
+          scene::JointType::ball);
+    joint(QObject::tr("&Fixed"), QObject::tr("Two bodies move as one"), scene::JointType::fixed);
+    joint(QObject::tr("&Distance"), QObject::tr("A massless rod between two points"),
+          scene::JointType::distance);
+    add(menu, QObject::tr("&Rope"), newRope);
+    menu->actions().back()->setToolTip(
+        plain::tip(QObject::tr("It pulls and never pushes, through points and around wheels")));
+    QMenu* links = menu->addMenu(QObject::tr("&Link"));
+    links->setToolTipsVisible(true);
+    links->menuAction()->setToolTip(plain::tip(
+        QObject::tr("A stiff spring, which gives a little. A hinge, a rail or a rod is a joint")));
+    add(links, QObject::tr("Body to &Body"), [] { return newLink(Wanted::body); });
+    add(links, QObject::tr("Body to &Point"), [] { return newLink(Wanted::point); });
+    add(links, QObject::tr("Body to &Trajectory"), [] { return newLink(Wanted::trajectory); });
+    QMenu* lights = menu->addMenu(QObject::tr("Light &Source"));
+    add(lights, QObject::tr("&Directional"), [] { return newLight(false); });
+    add(lights, QObject::tr("&Point"), [] { return newLight(true); });
+    menu->addSeparator();
+    add(menu, QObject::tr("Tra&jectory"), newTrajectory);
+    add(menu, QObject::tr("&Attach Trajectory"), attachTrajectory);
+    menu->addSeparator();
+    menu->addAction(QObject::tr("&Parameter…"), &display,
+                    [&document, &display] { askForParameter(document, display); });
+    menu->addAction(QObject::tr("Pl&ot…"), &display,
+                    [&document, &display] { askForPlot(document, display); });
+}
+
+} // namespace views

@@ -1,0 +1,16 @@
+// The Create menu of a graphical viewer (dissertation 4.1.2 to 4.1.8), and what of it needs a
+// small dialog.
+#pragma once
+
+#include "workbench/scene_document.h"
+
+class QMenu;
+
+namespace views {
+
+class SceneDisplay;
+
+// Filled anew each time it opens: it lists the scene's shapes. All three live as long as the menu.
+void buildCreateMenu(QMenu* menu, SceneDocument& document, SceneDisplay& display);
+
+} // namespace views

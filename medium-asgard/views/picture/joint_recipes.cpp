@@ -1,0 +1,151 @@
+// Create > Joint: the body that moves, then the place of the joint on another body or the ground.
+// Create > Rope: the body to which it is tied, then its other points.
+#include "picture/recipe_words.h"
+
+#include "scene/joint_types.h"
+
+#include <QObject>
+
+namespace views {
+
+namespace {
+
+using editing::Kind;
+using editing::NewElement;
+using scene::JointType;
+
+QString labelOf(JointType type) {
+    switch (type) {
+    case JointType::hinge:
+        return QObject::tr("New Hinge");
+    case JointType::slider:
+        return QObject::tr("New Slider");
+    case JointType::ball:
+        return QObject::tr("New Ball Joint");
+    case JointType::fixed:
+        return QObject::tr("New Fixed Joint");
+    default:
+        return QObject::tr("New Distance");
+    }
+}
+
+std::vector<Step> stepsOf(JointType type) {
+    const bool isDistance = type == JointType::distance;
+    Step first{Wanted::body,
+               isDistance ? QObject::tr("Click where the rod is fastened on a body.")
+                          : QObject::tr("Click on the body that is to be held."),
+               ""};
+    first.whole = !isDistance;
+    first.deep = isDistance;
+    const Step second{Wanted::hold,
+                      isDistance
+                          ? QObject::tr("Click where its other end is: on another body, or beside "
+                                        "all of them on the ground.")
+                          : QObject::tr("Click where the joint is: on another body, which it is "
+                                        "joined to, or where there is none, for the ground."),
+                      ""};
+    std::vector<Step> steps{first, second};
+    if (type == JointType::slider)
+        steps.push_back({Wanted::point, QObject::tr("Click where it slides to."),
+                         QObject::tr("Return: along x.")});
+    return steps;
+}
+
+// The axis of the world that points at the viewer most.
+Vector acrossThePicture(const Vector& sight) {
+    Eigen::Index axis = 0;
+    sight.cwiseAbs().maxCoeff(&axis);
+    return Vector::Unit(axis);
+}
+
+// "-axis {0 0 1}" in the frame of body 1; nothing for z, which is a hinge's own.
+void addAxis(NewElement& joint, JointType type, const std::vector<Indicated>& shown) {
+    constexpr double steady = 1e-3;
+    if (type != JointType::hinge && type != JointType::slider)
+        return;
+    Vector axis = acrossThePicture(shown[0].sight);
+    if (type == JointType::slider) {
+        const Vector way = shown[2].point - shown[1].point;
+        axis = shown[2].given && way.norm() > 0 ? alongAxis(way).normalized() : Vector::UnitX();
+    }
+    const Vector own = shown[0].attitude.conjugate() * axis;
+    if (type == JointType::slider || (own - Vector::UnitZ()).norm() > steady)
+        joint.words.insert(joint.words.end(), {"-axis", listed(own, steady)});
+}
+
+} // namespace
+
+Recipe newJoint(JointType type) {
+    Recipe recipe;
+    recipe.label = labelOf(type);
+    recipe.steps = stepsOf(type);
+    recipe.make = [type](const std::string& text, const scene::Scene& scene,
+                         const std::vector<Indicated>& shown) {
+        const std::string word(scene::traitsOf(type).name);
+        const Indicated &first = shown[0], &second = shown[1];
+        const std::string stem = type == JointType::distance ? "rod" : word;
+        NewElement joint{Kind::joint,
+                         editing::unusedName(text, scene, Kind::joint, stem),
+                         {"-type", word, "-body1", scene.bodies[*first.body].name},
+                         {{Kind::body, *first.body}}};
+        const auto add = [&](const char* option, const Vector& place, double resolution) {
+            joint.words.insert(joint.words.end(), {option, listed(place, resolution)});
+        };
+        const bool isDistance = type == JointType::distance;
+        if (isDistance && !first.atCenter)
+            add("-offset1", first.onBody, first.resolution);
+        if (!isDistance)
+            add("-offset1", second.onFirst, second.resolution);
+        if (second.body) {
+            joint.words.insert(joint.words.end(), {"-body2", scene.bodies[*second.body].name});
+            joint.behind.push_back({Kind::body, *second.body});
+        }
+        if (isDistance && !(second.body && second.atCenter))
+            add("-offset2", second.body ? second.onBody : second.point, second.resolution);
+        addAxis(joint, type, shown);
+        return std::vector{joint};
+    };
+    recipe.handles = &render::Display::jointHandles;
+    return recipe;
+}
+
+Recipe newRope() {
+    Recipe recipe;
+    recipe.label = QObject::tr("New Rope");
+    Step first{Wanted::body, QObject::tr("Click where the rope is tied to a body."), ""};
+    first.deep = true;
+    Step next{Wanted::hold,
+              QObject::tr("Click where it goes: on another body, or beside all of them on the "
+                          "ground."),
+              QObject::tr("Return: the last one was its end.")};
+    next.repeats = true;
+    recipe.steps = {first, next};
+    recipe.otherwise = QObject::tr("A rope has two ends.");
+    recipe.make = [](const std::string& text, const scene::Scene& scene,
+                     const std::vector<Indicated>& shown) {
+        std::vector<NewElement> made;
+        NewElement rope{Kind::rope, editing::unusedName(text, scene, Kind::rope, "rope"), {}, {}};
+        std::string points;
+        std::size_t count = 0;
+        for (const Indicated& one : shown) {
+            if (!one.given)
+                continue;
+            points += count++ == 0 ? "" : " ";
+            if (!one.body) {
+                points += listed(one.point, one.resolution);
+                continue;
+            }
+            const std::string& body = scene.bodies[*one.body].name;
+            points += one.atCenter ? "{" + body + "}"
+                                   : "{" + body + " " + listed(one.onBody, one.resolution) + "}";
+            rope.behind.push_back({Kind::body, *one.body});
+        }
+        rope.words = {"-points", "{" + points + "}"};
+        if (count > 1)
+            made.push_back(rope);
+        return made;
+    };
+    return recipe;
+}
+
+} // namespace views

@@ -1,0 +1,57 @@
+// A picture asks for a body's size and surface, and whether it is fixed: it has no handles of
+// these.
+#include "picture/picture_editing.h"
+#include "picture/scene_display.h"
+
+namespace views {
+
+bool PictureEditing::openBodyAt(const QPointF& position) {
+    const auto body =
+        gestures::bodyAt(display_.drawing(), display_.sight(), display_.inPixels(position));
+    if (!body)
+        return false;
+    say({});
+    if (drag_) // the first of the two clicks began it
+        drag_->cancel();
+    drag_.reset();
+    openSize(body->body);
+    return true;
+}
+
+void PictureEditing::openSize(std::size_t body) {
+    if (body >= document_.shown().scene->bodies.size() || !mayChange())
+        return;
+    document_.select({{editing::Kind::body, body}});
+    if (auto size = askedSize(document_, body))
+        openEntry(std::move(*size), positionOf(body)->place);
+    else
+        Q_EMIT shapeWanted(QString::fromStdString(document_.shown().scene->bodies[body].shape));
+}
+
+void PictureEditing::openSurface(std::size_t body) {
+    if (body >= document_.shown().scene->bodies.size() || !mayChange())
+        return;
+    document_.select({{editing::Kind::body, body}});
+    openEntry(askedSurface(document_, body), positionOf(body)->place);
+}
+
+void PictureEditing::setFixed(std::size_t body, bool fixed) {
+    if (body >= document_.shown().scene->bodies.size() || !mayChange())
+        return;
+    const scene::Body& one = document_.shown().scene->bodies[body];
+    if (one.fixed == fixed)
+        return;
+    if (const QString why = whyNotFixed(*document_.shown().scene, body); !why.isEmpty())
+        return say(why);
+    AskedValue asked = askedFixed(document_, body);
+    const double value = fixed ? 1 : 0;
+    const editing::Answer answer = asked.answer({value});
+    if (answer.possible())
+        return document_.setText(text::applied(asked.text, answer.edits), asked.label);
+    editing::Wish wish; // what makes it so is said, and what can be done
+    wish.values = {value};
+    openEntry(std::move(asked), positionOf(body)->place);
+    entry_->propose({wish});
+}
+
+} // namespace views

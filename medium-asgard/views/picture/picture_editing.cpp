@@ -1,0 +1,512 @@
+#include "picture/picture_editing.h"
+
+#include "editing/deletion.h"
+#include "gestures/handle_meaning.h"
+#include "picture/scene_display.h"
+#include "picture/value_entry.h"
+#include "plain/plain.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+
+#include <algorithm>
+#include <utility>
+
+namespace views {
+
+namespace {
+
+constexpr double keyStep = 6; // pixels, for a press of a key
+
+render::CameraControl::Button cameraButton(Qt::MouseButton button) {
+    using Button = render::CameraControl::Button;
+    return button == Qt::LeftButton     ? Button::left
+           : button == Qt::MiddleButton ? Button::middle
+                                        : Button::right;
+}
+
+} // namespace
+
+PictureEditing::PictureEditing(SceneDocument& document, SceneDisplay& display)
+    : document_(document), display_(display) {
+    connect(&document_, &SceneDocument::selectionChanged, this, &PictureEditing::followSelection);
+    connect(&document_, &SceneDocument::sceneChanged, this, [this] {
+        if (const auto expected = std::exchange(expected_, std::nullopt))
+            document_.select({*expected});
+    });
+}
+
+PictureEditing::~PictureEditing() = default;
+
+std::optional<render::Handle> PictureEditing::handleUnder(const QPointF& position) const {
+    const render::HandleSet& set = display_.handles();
+    const auto index = gestures::handleAt(set, display_.sight(), display_.inPixels(position),
+                                          gestures::handleReach * display_.devicePixelRatioF());
+    return index ? std::optional(set.handles[*index]) : std::nullopt;
+}
+
+void PictureEditing::begin(const render::Handle& handle,
+                           const std::optional<Eigen::Vector2d>& pixels) {
+    delete entry_;
+    display_.keepCamera(); // the picture stays while what is in it moves
+    since_ = document_.revision();
+    drag_ = std::make_unique<gestures::HandleDrag>(document_.ground(), display_.sight(), handle,
+                                                   pixels);
+    mark(handle);
+    byKeys_ = !pixels;
+    Q_EMIT changed();
+}
+
+void PictureEditing::take(const gestures::Grasp& grasp, const Eigen::Vector2d& pixels) {
+    using What = gestures::Grasp::What;
+    if (grasp.what == What::drag || grasp.what == What::roll) {
+        begin(grasp.handle, pixels);
+        if (grasp.what == What::roll)
+            drag_->setRolls();
+        return;
+    }
+    mark(grasp.handle);
+    if (grasp.what == What::removePoint) {
+        if (!removePoint(grasp.handle))
+            deleteMarked();
+        return;
+    }
+    display_.keepCamera();
+    since_ = document_.revision();
+    newPoint_ =
+        std::make_unique<gestures::NewPoint>(document_.ground(), display_.sight(), grasp.handle);
+    Q_EMIT changed();
+}
+
+void PictureEditing::selectPathAt(const Eigen::Vector2d& pixels) {
+    const render::Drawing drawing = display_.drawing();
+    const auto path =
+        drawing.display.trajectories
+            ? gestures::trajectoryAt(*drawing.scene, display_.sight(), pixels,
+                                     gestures::handleReach * display_.devicePixelRatioF())
+            : std::nullopt;
+    if (path)
+        document_.select({{editing::Kind::trajectory, *path}});
+    else
+        document_.select({});
+}
+
+bool PictureEditing::mayChange() {
+    const QString fault = document_.whyNotCurrent();
+    if (!fault.isEmpty())
+        say(fault);
+    return fault.isEmpty();
+}
+
+bool PictureEditing::press(QMouseEvent& event) {
+    if (dragging())
+        return true;
+    say({});
+    const bool shifted = event.modifiers() & Qt::ShiftModifier;
+    if (!shifted)
+        return false;
+    if (!mayChange())
+        return true;
+    button_ = event.button();
+    const Eigen::Vector2d pixels = display_.inPixels(event.position());
+    const auto grasp = gestures::graspAt(display_.drawing(), display_.handles(), display_.sight(),
+                                         cameraButton(button_), pixels,
+                                         gestures::handleReach * display_.devicePixelRatioF());
+    if (grasp)
+        take(*grasp, pixels);
+    else
+        selectPathAt(pixels);
+    return true;
+}
+
+std::optional<Asked> PictureEditing::asked() const {
+    if (drag_)
+        return Asked{since_, drag_->answer()};
+    if (newPoint_)
+        return Asked{since_, newPoint_->answer()};
+    return std::nullopt;
+}
+
+bool PictureEditing::letGo() {
+    if (!dragging() || document_.mayGoOn(since_))
+        return false;
+    drag_.reset();
+    newPoint_.reset();
+    say(SceneDocument::overtaken());
+    Q_EMIT changed();
+    return true;
+}
+
+bool PictureEditing::move(QMouseEvent& event) {
+    if (letGo())
+        return true;
+    if (newPoint_) {
+        newPoint_->move(display_.inPixels(event.position()));
+        Q_EMIT changed();
+        return true;
+    }
+    if (!drag_ || byKeys_)
+        return drag_ != nullptr;
+    drag_->move(display_.inPixels(event.position()));
+    Q_EMIT changed();
+    return true;
+}
+
+bool PictureEditing::release(QMouseEvent& event) {
+    if (letGo())
+        return true;
+    if (newPoint_ && event.button() == button_) {
+        newPoint_->finish();
+        newPoint_.reset();
+        Q_EMIT changed();
+        return true;
+    }
+    if (!drag_ || byKeys_ || event.button() != button_)
+        return drag_ != nullptr;
+    const std::unique_ptr<gestures::HandleDrag> drag = std::move(drag_);
+    drag->finish();
+    Q_EMIT changed();
+    if (drag->moved() && !drag->answer().offers.empty())
+        offerOthers(*drag);
+    return true;
+}
+
+bool PictureEditing::doubleClick(QMouseEvent& event) {
+    const auto handle =
+        event.button() == Qt::LeftButton ? handleUnder(event.position()) : std::nullopt;
+    if (!handle)
+        return event.button() == Qt::LeftButton && openBodyAt(event.position());
+    say({});
+    if (!mayChange())
+        return true;
+    if (drag_)
+        drag_->cancel();
+    drag_.reset();
+    mark(*handle);
+    openEntry();
+    return true;
+}
+
+void PictureEditing::finish() {
+    letGo();
+    if (newPoint_) {
+        std::exchange(newPoint_, nullptr)->finish();
+        Q_EMIT changed();
+    }
+    if (!drag_)
+        return;
+    const std::unique_ptr<gestures::HandleDrag> drag = std::move(drag_);
+    drag->finish();
+    Q_EMIT changed();
+    if (byKeys_ && !drag->answer().offers.empty())
+        offerOthers(*drag);
+}
+
+// It cannot be moved as it stands: what could be done instead, and what would that change?
+void PictureEditing::offerOthers(const gestures::HandleDrag& drag) {
+    if (document_.text() != drag.text())
+        return; // it was changed elsewhere meanwhile
+    delete entry_;
+    entry_ = new ValueEntry(
+        document_, askedOf(document_, {drag.ground().scene, drag.ground().motion}, drag.handle()),
+        &display_);
+    entry_->propose(drag.wishes());
+    entry_->openAt(display_.fromPixels(display_.sight().pixels(drag.place())).toPoint());
+    Q_EMIT changed();
+}
+
+// --- keys ------------------------------------------------------------------------------------
+
+void PictureEditing::mark(const render::Handle& handle) {
+    mark_ = {handle.kind, handle.element, handle.part};
+    document_.select({gestures::elementOf(handle)});
+}
+
+void PictureEditing::choose(render::HandleKind kind, std::size_t element, std::size_t part) {
+    render::Handle handle;
+    handle.kind = kind;
+    handle.element = element;
+    handle.part = part;
+    mark(handle);
+    Q_EMIT changed();
+}
+
+// What another view selects is marked here too.
+void PictureEditing::followSelection() {
+    const auto& selected = document_.selected();
+    render::Handle handle;
+    if (mark_) {
+        handle.kind = mark_->kind;
+        handle.element = mark_->element;
+    }
+    const bool among =
+        mark_ && std::ranges::find(selected, gestures::elementOf(handle)) != selected.end();
+    if (!among && !drag_) {
+        mark_.reset();
+        if (!selected.empty())
+            markElement(selected.front());
+    }
+    Q_EMIT changed();
+}
+
+std::optional<render::Handle> PictureEditing::marked() const {
+    if (mark_)
+        for (const render::Handle& handle : display_.handles().handles)
+            if (handle.kind == mark_->kind && handle.element == mark_->element &&
+                handle.part == mark_->part)
+                return handle;
+    // A body is there without its handle.
+    return mark_ && mark_->kind == render::HandleKind::position ? positionOf(mark_->element)
+                                                                : std::nullopt;
+}
+
+std::optional<render::Handle> PictureEditing::positionOf(std::size_t body) const {
+    const auto& bodies = document_.shown().scene->bodies;
+    if (body >= bodies.size())
+        return std::nullopt;
+    render::Handle handle;
+    handle.element = body;
+    handle.base = handle.place = bodies[body].initialPosition;
+    return handle;
+}
+
+void PictureEditing::markNext(int step) {
+    std::vector<render::Handle> all;
+    std::size_t at = 0;
+    const auto now = marked();
+    for (const render::Handle& handle : display_.handles().handles) {
+        if (!handle.movable)
+            continue;
+        if (now && handle.kind == now->kind && handle.element == now->element &&
+            handle.part == now->part)
+            at = all.size();
+        all.push_back(handle);
+    }
+    if (all.empty()) // no handles are shown: from body to body
+        for (std::size_t i = 0; const auto body = positionOf(i); ++i) {
+            if (now && now->kind == body->kind && now->element == i)
+                at = i;
+            all.push_back(*body);
+        }
+    if (all.empty())
+        return;
+    const auto count = all.size();
+    mark(all[now ? (at + count + static_cast<std::size_t>(step + static_cast<int>(count))) % count
+                 : 0]);
+    Q_EMIT changed();
+}
+
+bool PictureEditing::dragKey(QKeyEvent& event) {
+    if (letGo())
+        return true;
+    const double step = keyStep * display_.devicePixelRatioF();
+    switch (event.key()) {
+    case Qt::Key_Escape:
+        drag_->cancel();
+        drag_.reset();
+        break;
+    case Qt::Key_Z:
+    case Qt::Key_X:
+        drag_->push(event.key() == Qt::Key_Z ? step : -step);
+        break;
+    case Qt::Key_A:
+        drag_->setFree(true);
+        break;
+    case Qt::Key_Left:
+        drag_->nudge({-step, 0});
+        break;
+    case Qt::Key_Right:
+        drag_->nudge({step, 0});
+        break;
+    case Qt::Key_Up:
+        drag_->nudge({0, -step});
+        break;
+    case Qt::Key_Down:
+        drag_->nudge({0, step});
+        break;
+    default:
+        return false;
+    }
+    Q_EMIT changed();
+    return true;
+}
+
+bool PictureEditing::keyPress(QKeyEvent& event) {
+    if (newPoint_ && event.key() == Qt::Key_Escape) {
+        newPoint_->cancel();
+        newPoint_.reset();
+        Q_EMIT changed();
+    }
+    if (newPoint_)
+        return true;
+    if (drag_)
+        return dragKey(event) || !byKeys_;
+    say({});
+    const bool shifted = event.modifiers() == Qt::ShiftModifier;
+    if (event.key() == Qt::Key_H && (shifted || event.modifiers() == Qt::NoModifier)) {
+        markNext(shifted ? -1 : 1);
+        return true;
+    }
+    const int key = event.key();
+    if (key == Qt::Key_Delete || key == Qt::Key_Backspace) {
+        deleteMarked();
+        return true;
+    }
+    const auto handle = marked();
+    if (!handle || !document_.sceneIsCurrent())
+        return false;
+    if (key == Qt::Key_Insert && handle->kind == render::HandleKind::trajectoryPoint) {
+        addPointAfterMarked();
+        return true;
+    }
+    if (key == Qt::Key_Return || key == Qt::Key_Enter) {
+        openEntry();
+        return true;
+    }
+    const bool arrow =
+        key == Qt::Key_Left || key == Qt::Key_Right || key == Qt::Key_Up || key == Qt::Key_Down;
+    if (!(shifted && arrow) && key != Qt::Key_Z && key != Qt::Key_X)
+        return false;
+    begin(*handle, std::nullopt);
+    return dragKey(event);
+}
+
+void PictureEditing::keyRelease(QKeyEvent& event) {
+    if (!drag_ || event.isAutoRepeat())
+        return;
+    if (event.key() == Qt::Key_A)
+        drag_->setFree(false);
+    const bool pushing = (event.key() == Qt::Key_Z || event.key() == Qt::Key_X) &&
+                         !(event.modifiers() & Qt::ShiftModifier);
+    if (byKeys_ && (event.key() == Qt::Key_Shift || pushing))
+        finish();
+}
+
+// --- taking out -----------------------------------------------------------------------------
+
+void PictureEditing::say(const QString& sentence, bool isFault) {
+    if (sentence == said_ && isFault == saidFault_)
+        return;
+    said_ = sentence;
+    saidFault_ = isFault;
+    Q_EMIT changed();
+}
+
+void PictureEditing::markElement(const editing::Element& element) {
+    using editing::Kind;
+    using render::HandleKind;
+    mark_.reset();
+    const auto& scene = *document_.shown().scene;
+    if (element.kind == Kind::body)
+        mark_ = {HandleKind::position, element.index, 0};
+    else if (element.kind == Kind::force)
+        mark_ = {HandleKind::forceHead, element.index, 0};
+    else if (element.kind == Kind::link)
+        mark_ = {HandleKind::linkEnd, element.index, 0};
+    else if (element.kind == Kind::joint)
+        mark_ = {HandleKind::jointPoint, element.index, 0};
+    else if (element.kind == Kind::light)
+        mark_ = {HandleKind::lightPlace, element.index, 0};
+    else if (element.kind == Kind::trajectory)
+        mark_ = {HandleKind::trajectoryPoint, element.index, 0};
+    if (element.kind == Kind::force && element.index < scene.forces.size() &&
+        scene.forces[element.index].couple)
+        mark_->kind = HandleKind::torqueHead;
+}
+
+void PictureEditing::take(const text::Edits& edits, const QString& label) {
+    mark_.reset();
+    document_.setText(text::applied(document_.text(), edits), label);
+    Q_EMIT changed();
+}
+
+// The last but one goes with the whole trajectory: false, nothing was done.
+bool PictureEditing::removePoint(const render::Handle& handle) {
+    const editing::TrajectoryEdits edits(document_.text(), document_.shown().scene, handle.element);
+    const std::size_t point = gestures::pointOf(edits, handle);
+    const editing::Answer answer = edits.remove(point);
+    const auto onCurve =
+        std::ranges::count_if(edits.points(), [](const auto& one) { return one.onCurve; });
+    if (answer.possible())
+        take(answer.edits, tr("Remove a point"));
+    else if (edits.points()[point].onCurve && onCurve <= 2)
+        return false;
+    else
+        say(QString::fromStdString(answer.reason));
+    return true;
+}
+
+void PictureEditing::deleteMarked() {
+    const auto handle = marked();
+    if (!handle) // selected, and not to be seen
+        return remove(document_.selected());
+    if (!mayChange())
+        return;
+    const editing::Element element = gestures::elementOf(*handle);
+    const bool onPath = handle->kind == render::HandleKind::trajectoryPoint;
+    if (onPath && removePoint(*handle))
+        return;
+    std::vector<editing::Element> elements = document_.selected();
+    if (std::ranges::find(elements, element) == elements.end())
+        elements = {element};
+    remove(std::move(elements));
+}
+
+void PictureEditing::addPointAfterMarked() {
+    const auto handle = marked();
+    if (!handle || handle->kind != render::HandleKind::trajectoryPoint ||
+        !document_.sceneIsCurrent())
+        return;
+    gestures::NewPoint point(document_.ground(), display_.sight(), *handle);
+    point.after();
+    if (!point.answer().possible())
+        say(QString::fromStdString(point.words()));
+    point.finish();
+}
+
+void PictureEditing::remove(std::vector<editing::Element> elements) {
+    if (elements.empty() || !mayChange())
+        return;
+    const scene::Scene& scene = *document_.shown().scene;
+    const editing::Element element = elements.front();
+    const auto deletion = editing::deletionOf(document_.text(), scene, elements);
+    if (!deletion.possible())
+        return say(QString::fromStdString(deletion.reason));
+    const QString name = elements.size() == 1
+                             ? QString::fromStdString(editing::describe(scene, element))
+                             : tr("%1 elements").arg(elements.size());
+    QString question = tr("Delete %1 and all that depends on it?").arg(name);
+    for (const editing::Element& one : deletion.along)
+        question += "\n    " + QString::fromStdString(editing::describe(scene, one));
+    const auto since = document_.revision();
+    if (!deletion.along.empty()) {
+        const bool taken =
+            confirm_
+                ? confirm_(question)
+                : plain::Message::ask(QMessageBox::Question, &display_, tr("Delete"), question,
+                                      QMessageBox::Yes | QMessageBox::Cancel) == QMessageBox::Yes;
+        if (!taken)
+            return;
+        if (document_.revision() != since) // by the host, while the question stood
+            return say(tr("The text was changed meanwhile: nothing is deleted."));
+    }
+    take(deletion.edits, tr("Delete %1").arg(name));
+}
+
+// --- exact values ----------------------------------------------------------------------------
+
+void PictureEditing::openEntry() {
+    const auto handle = marked();
+    if (!handle || !mayChange())
+        return;
+    openEntry(askedOf(document_, document_.shown(), *handle), handle->place);
+}
+
+void PictureEditing::openEntry(AskedValue asked, const geometry::Vector& place) {
+    delete entry_;
+    entry_ = new ValueEntry(document_, std::move(asked), &display_);
+    entry_->openAt(display_.fromPixels(display_.sight().pixels(place)).toPoint());
+    Q_EMIT changed();
+}
+
+} // namespace views

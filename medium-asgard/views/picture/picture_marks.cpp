@@ -1,0 +1,127 @@
+// What is painted over a picture: labels, what is selected, what is said.
+#include "gestures/handle_meaning.h"
+#include "picture/picture_editing.h"
+#include "picture/scene_display.h"
+
+#include <QPainter>
+
+namespace views {
+
+namespace {
+
+QColor toColor(const scene::Color& c) { return QColor::fromRgbF(c.red, c.green, c.blue); }
+
+} // namespace
+
+QString PictureEditing::words() const {
+    return QString::fromStdString(drag_       ? drag_->words()
+                                  : newPoint_ ? newPoint_->words()
+                                              : std::string());
+}
+
+// A dashed frame about each body that is selected, a ring about the handles of the others.
+void PictureEditing::paintSelection(QPainter& painter) const {
+    painter.setPen(QPen(QColor(20, 90, 200, 200), 1.3, Qt::DashLine));
+    painter.setBrush(Qt::NoBrush);
+    const render::Drawing drawing = display_.drawing();
+    const gestures::Sight sight = display_.sight();
+    // LIMIT: of a crowd not all are framed: it would take longer than one wants to wait, and more
+    // frames than one can tell apart.
+    constexpr std::size_t most = 300;
+    std::size_t framed = 0;
+    for (const editing::Element& element : document_.selected()) {
+        if (++framed > most)
+            break;
+        for (const render::Handle& handle : display_.drawnHandles().handles)
+            if (element.kind != editing::Kind::body && gestures::elementOf(handle) == element)
+                painter.drawEllipse(display_.fromPixels(sight.pixels(handle.place)), 9, 9);
+        if (element.kind != editing::Kind::body || element.index >= drawing.scene->bodies.size())
+            continue;
+        const geometry::Pose pose =
+            render::poseOf(*drawing.scene, drawing.motion.get(), element.index, drawing.time);
+        QRectF frame;
+        for (const render::Ball& ball :
+             render::outlineOf(*drawing.scene, drawing.scene->bodies[element.index])) {
+            const Vector center = pose.toWorld(ball.center);
+            const double radius =
+                ball.radius / sight.pixelLength(center) / display_.devicePixelRatioF() + 4;
+            const QPointF at = display_.fromPixels(sight.pixels(center));
+            frame |= QRectF(at - QPointF(radius, radius), QSizeF(2 * radius, 2 * radius));
+        }
+        painter.drawRoundedRect(frame, 5, 5);
+    }
+}
+
+void PictureEditing::paintLabels(QPainter& painter) const {
+    QFont font = painter.font();
+    font.setPointSizeF(font.pointSizeF() * 0.9);
+    painter.setFont(font);
+    for (const render::Handle& handle : display_.drawnHandles().handles) {
+        if (handle.label.empty() || (handle.kind == render::HandleKind::spin && !handle.isArrow()))
+            continue;
+        const QPointF at = display_.fromPixels(display_.sight().pixels(handle.place));
+        const QString text = QString::fromStdString(handle.label);
+        const QRectF box = painter.boundingRect(QRectF(at + QPointF(9, -20), QSizeF(1, 1)),
+                                                Qt::AlignLeft | Qt::TextDontClip, text);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(QColor(255, 255, 255, 190));
+        painter.drawRoundedRect(box.adjusted(-3, -1, 3, 1), 3, 3);
+        painter.setPen(toColor(render::colorOf(handle.kind)).darker(160));
+        painter.drawText(box, Qt::AlignLeft | Qt::TextDontClip, text);
+    }
+}
+
+void PictureEditing::paintWords(QPainter& painter, const QString& words, bool possible) const {
+    if (words.isEmpty())
+        return;
+    const QRect space = display_.rect().adjusted(display_.width() / 3, 10, -12, -10);
+    const QRect needed = painter.boundingRect(space, Qt::AlignRight | Qt::TextWordWrap, words);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(255, 255, 255, 225));
+    painter.drawRoundedRect(needed.adjusted(-8, -4, 8, 4), 4, 4);
+    painter.setPen(possible ? QColor(30, 35, 45) : QColor(170, 30, 20));
+    painter.drawText(space, Qt::AlignRight | Qt::TextWordWrap, words);
+}
+
+// At the lower left: what moves is an older scene's.
+void PictureEditing::paintStale(QPainter& painter) const {
+    if (!document_.motionIsStale())
+        return;
+    const QString words = document_.waitsToBeAsked()
+                              ? tr("Stale motion: F5 computes that of the scene as it is")
+                              : tr("Stale motion: computing…");
+    const QRect space = display_.rect().adjusted(12, 10, -12, -10);
+    const QRect needed = painter.boundingRect(space, Qt::AlignLeft | Qt::AlignBottom, words);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(255, 236, 190, 235));
+    painter.drawRoundedRect(needed.adjusted(-8, -4, 8, 4), 4, 4);
+    painter.setPen(QColor(110, 70, 0));
+    painter.drawText(space, Qt::AlignLeft | Qt::AlignBottom, words);
+}
+
+void PictureEditing::paint(QPainter& painter) const {
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintStale(painter);
+    paintSelection(painter);
+    paintLabels(painter);
+    const bool possible = !drag_ || drag_->answer().possible();
+    const auto handle = marked();
+    if (drag_ || (handle && display_.hasFocus())) {
+        const Vector place = drag_ ? drag_->place() : handle->place;
+        painter.setPen(QPen(possible ? QColor(20, 90, 200) : QColor(190, 40, 30), 2));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawEllipse(display_.fromPixels(display_.sight().pixels(place)), 11, 11);
+    }
+    if (newPoint_) {
+        painter.setPen(QPen(QColor(20, 90, 200), 2));
+        painter.drawEllipse(display_.fromPixels(display_.sight().pixels(newPoint_->place())), 8, 8);
+    }
+    if (dragging())
+        paintWords(painter, words(), possible && (drag_ || newPoint_->answer().possible()));
+    else if (!said_.isEmpty())
+        paintWords(painter, said_, !saidFault_);
+    else
+        paintWords(painter, display_.pointing().words(), true);
+}
+
+} // namespace views

@@ -1,0 +1,267 @@
+#include "picture/picture_thread.h"
+
+#include "gestures/picking.h"
+#include "render/framing.h"
+#include "render/view.h"
+
+#include <utility>
+
+namespace views {
+
+namespace {
+
+constexpr int lastKind = static_cast<int>(render::HandleKind::trajectoryPoint);
+
+// The kinds of handles that a display shows, but for lights: they stand far from everything.
+unsigned kindsOf(const render::Display& display) {
+    unsigned kinds = 0;
+    for (int kind = 0; kind <= lastKind; ++kind)
+        if (const auto one = static_cast<render::HandleKind>(kind);
+            one != render::HandleKind::lightPlace && one != render::HandleKind::lightDirection &&
+            render::shows(display, one))
+            kinds |= 1U << kind;
+    return kinds;
+}
+
+// All of the motion, and the handles at its start, which one wants to get at.
+render::Camera framed(render::Handles& handles, const PictureWish& wish) {
+    render::Extent extent = render::extentOf(*wish.shown.scene, wish.shown.motion.get());
+    const unsigned kinds = kindsOf(wish.framing);
+    if (kinds != 0) {
+        const double start =
+            wish.shown.motion ? wish.shown.motion->start() : wish.shown.scene->simulator.start;
+        for (const render::Handle& handle : handles.at(start, wish.framing).handles)
+            if ((kinds & 1U << static_cast<unsigned>(handle.kind)) != 0)
+                extent.balls.push_back({handle.place, 0});
+    }
+    return render::fitted(extent, render::bestAttitude(extent), wish.size);
+}
+
+} // namespace
+
+// One for all windows: they show the same scene mostly.
+class PictureThread::Studio {
+public:
+    explicit Studio(bool paints) : paints_(paints) {}
+    [[nodiscard]] Picture draw(Window window, const PictureWish& wish);
+    void forget(Window window) { kept_.erase(window); }
+
+private:
+    struct Kept { // of one window, while its scene, motion and size stay
+        Shown of;
+        render::Size size;
+        std::unique_ptr<render::Handles> handles;
+        std::optional<render::SceneView> view;
+        std::string viewName;
+        std::optional<render::Camera> framed;
+        unsigned framedWith = 0; // the kinds of handles
+    };
+    [[nodiscard]] Kept& kept(Window window, const PictureWish& wish);
+    [[nodiscard]] static render::Camera cameraOf(Kept& kept, const PictureWish& wish);
+    void paint(Picture& picture);
+
+    bool paints_;
+    std::map<Window, Kept> kept_;
+    std::unique_ptr<render::Renderer> renderer_;
+    QString noRenderer_;
+};
+
+PictureThread::Studio::Kept& PictureThread::Studio::kept(Window window, const PictureWish& wish) {
+    if (!kept_.contains(window)) // another viewer tries again
+        noRenderer_.clear();
+    Kept& kept = kept_[window];
+    const bool same = kept.handles && kept.of.scene == wish.shown.scene &&
+                      kept.of.motion == wish.shown.motion && kept.size == wish.size;
+    if (!same) {
+        kept.handles.reset(); // it reads the scene
+        kept = {wish.shown, wish.size, nullptr, std::nullopt, {}, std::nullopt};
+        kept.handles = std::make_unique<render::Handles>(*kept.of.scene, kept.of.motion);
+    }
+    return kept;
+}
+
+render::Camera PictureThread::Studio::cameraOf(Kept& kept, const PictureWish& wish) {
+    const scene::Scene& scene = *wish.shown.scene;
+    switch (wish.from) {
+    case SeenFrom::camera:
+        break;
+    case SeenFrom::framed:
+        if (!kept.framed || kept.framedWith != kindsOf(wish.framing)) {
+            kept.framed = framed(*kept.handles, wish);
+            kept.framedWith = kindsOf(wish.framing);
+        }
+        return *kept.framed;
+    case SeenFrom::turned:
+        return render::fitted(render::extentOf(scene, wish.shown.motion.get()),
+                              wish.camera.rotation, wish.size);
+    case SeenFrom::view:
+        if (!kept.view || kept.viewName != wish.view) {
+            kept.view.emplace(scene, wish.shown.motion, wish.view, wish.size);
+            kept.viewName = wish.view;
+        }
+        return kept.view->at(wish.time);
+    }
+    return wish.camera;
+}
+
+void PictureThread::Studio::paint(Picture& picture) {
+    if (!renderer_ && noRenderer_.isEmpty()) {
+        auto made = render::Renderer::create();
+        if (auto* renderer = std::get_if<std::unique_ptr<render::Renderer>>(&made))
+            renderer_ = std::move(*renderer);
+        else
+            noRenderer_ = QString::fromStdString(std::get<std::string>(made));
+    }
+    picture.fault = noRenderer_;
+    if (!renderer_)
+        return;
+    const PictureWish& wish = picture.of;
+    QImage image(wish.size.width, wish.size.height, QImage::Format_RGB32);
+    render::Drawing drawing = {wish.shown.scene.get(), wish.shown.motion, wish.time, picture.camera,
+                               wish.display};
+    if (render::showsHandles(wish.display)) // not owned: it lives in the picture
+        drawing.handles = {std::shared_ptr<const void>(), &picture.handles};
+    const render::Image into{
+        {reinterpret_cast<std::byte*>(image.bits()), static_cast<std::size_t>(image.sizeInBytes())},
+        static_cast<std::size_t>(image.bytesPerLine()),
+        wish.size};
+    if (renderer_->draw(drawing, into)) {
+        image.setDevicePixelRatio(wish.pixelRatio);
+        picture.image = std::move(image);
+    } else {
+        renderer_.reset();
+        noRenderer_ = picture.fault =
+            QObject::tr("The graphics context was lost. Open another viewer.");
+    }
+}
+
+Picture PictureThread::Studio::draw(Window window, const PictureWish& wish) {
+    const auto began = std::chrono::steady_clock::now();
+    Kept& all = kept(window, wish);
+    Picture picture;
+    picture.of = wish;
+    picture.camera = cameraOf(all, wish);
+    if (render::showsHandles(wish.display))
+        picture.handles = all.handles->at(wish.time, wish.display);
+    picture.forceArrow = all.handles->arrowLength(render::HandleKind::forceHead);
+    picture.torqueArrow = all.handles->arrowLength(render::HandleKind::torqueHead);
+    if (paints_)
+        paint(picture);
+    picture.lasted = std::chrono::steady_clock::now() - began;
+    return picture;
+}
+
+// ---------------------------------------------------------------------------------------------
+
+PictureThread::PictureThread(bool paints) : paints_(paints), thread_([this] { run(); }) {}
+
+PictureThread::~PictureThread() {
+    {
+        const std::lock_guard lock(mutex_);
+        stop_ = true;
+    }
+    wished_.notify_one();
+    thread_.join();
+}
+
+void PictureThread::open(Window window, std::function<void()> ready) {
+    const std::lock_guard lock(mutex_);
+    desks_[window].ready = std::move(ready);
+}
+
+void PictureThread::forget(Window window) {
+    const std::lock_guard lock(mutex_);
+    desks_.erase(window);
+    gone_.push_back(window);
+    wished_.notify_one();
+}
+
+void PictureThread::draw(Window window, PictureWish wish) {
+    {
+        const std::lock_guard lock(mutex_);
+        Desk& desk = desks_[window];
+        if (!desk.wish)
+            desk.turn = ++turn_;
+        desk.wish = std::move(wish);
+    }
+    wished_.notify_one();
+}
+
+PictureThread::PicturePointer PictureThread::last(Window window) {
+    const std::lock_guard lock(mutex_);
+    const auto desk = desks_.find(window);
+    return desk == desks_.end() ? nullptr : desk->second.last;
+}
+
+void PictureThread::drop(PicturePointer picture) {
+    {
+        const std::lock_guard lock(mutex_);
+        dropped_.push_back(std::move(picture));
+    }
+    wished_.notify_one();
+}
+
+void PictureThread::wait(Window window, unsigned serial, std::chrono::milliseconds most) {
+    std::unique_lock lock(mutex_);
+    drawn_.wait_for(lock, most, [&] {
+        const auto desk = desks_.find(window);
+        return desk == desks_.end() ||
+               (desk->second.last && desk->second.last->of.serial >= serial);
+    });
+}
+
+PictureThread::Desk* PictureThread::next(Window& window) {
+    Desk* first = nullptr;
+    for (auto& [one, desk] : desks_)
+        if (desk.wish && (!first || desk.turn < first->turn)) {
+            first = &desk;
+            window = one;
+        }
+    return first;
+}
+
+void PictureThread::run() {
+    Studio studio(paints_); // its graphics belong to this thread
+    std::unique_lock lock(mutex_);
+    Window window = nullptr;
+    while (true) {
+        wished_.wait(lock, [&] {
+            return stop_ || !gone_.empty() || !dropped_.empty() || toPrepare_ || next(window);
+        });
+        if (stop_)
+            return;
+        if (auto dropped = std::exchange(dropped_, {}); !dropped.empty()) {
+            lock.unlock();
+            dropped.clear();
+            lock.lock();
+        }
+        for (const Window gone : std::exchange(gone_, {}))
+            studio.forget(gone);
+        if (!next(window)) {
+            if (const auto scene = std::exchange(toPrepare_, nullptr)) {
+                lock.unlock();
+                gestures::prepareShapes(*scene);
+                lock.lock();
+            }
+            continue;
+        }
+        const PictureWish wish = *std::exchange(next(window)->wish, std::nullopt);
+        lock.unlock();
+        PicturePointer picture = std::make_shared<const Picture>(studio.draw(window, wish));
+        lock.lock();
+        const auto desk = desks_.find(window);
+        if (desk == desks_.end())
+            continue;
+        if (!desk->second.last || desk->second.last->of.shown.scene != picture->of.shown.scene)
+            toPrepare_ = picture->of.shown.scene;
+        std::swap(desk->second.last, picture);
+        drawn_.notify_all();
+        if (desk->second.ready)
+            desk->second.ready();
+        lock.unlock();
+        picture.reset(); // an old motion may be large: not where a window waits
+        lock.lock();
+    }
+}
+
+} // namespace views

@@ -1,0 +1,100 @@
+// Draws pictures on a thread of its own: however heavy a scene is, no window waits for it.
+//
+// Each window has at most one wish that is not begun; a newer one replaces it. Windows wait for a
+// picture only as long as nobody notices, so that what is quick is drawn at once; what is not comes
+// when it is ready, and until then the last one stays. With a picture comes what was found out for
+// it: where it is seen from, and where the handles stand.
+#pragma once
+
+#include "render/handles.h"
+#include "render/renderer.h"
+#include "workbench/scene_document.h"
+
+#include <QImage>
+
+#include <condition_variable>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+namespace views {
+
+enum class SeenFrom : std::uint8_t {
+    camera,
+    framed, // so that all of the motion is seen
+    turned, // the same, with the camera's attitude
+    view,   // as the scene's view of that name says
+};
+
+struct PictureWish {
+    unsigned serial = 0; // of one window's wishes
+    Shown shown;
+    double time = 0;
+    render::Display display;
+    render::Size size;
+    double pixelRatio = 1; // pixels of the picture for one of the window's
+    SeenFrom from = SeenFrom::framed;
+    render::Camera camera;
+    std::string view;
+    render::Display framing = {}; // whose handles are to be in the frame, too
+};
+
+struct Picture {
+    PictureWish of;
+    render::Camera camera;
+    QImage image; // none: see `fault`
+    QString fault;
+    render::HandleSet handles; // that the display shows
+    double forceArrow = 1, torqueArrow = 1;
+    std::chrono::duration<double> lasted{}; // making it
+};
+
+class PictureThread {
+public:
+    using PicturePointer = std::shared_ptr<const Picture>;
+    using Window = const void*;
+
+    // Without paint a picture has all but its image.
+    explicit PictureThread(bool paints = true);
+    ~PictureThread();
+    PictureThread(const PictureThread&) = delete;
+    PictureThread& operator=(const PictureThread&) = delete;
+
+    // `ready` is called on this thread, once for each picture, until forget().
+    void open(Window window, std::function<void()> ready);
+    void forget(Window window);
+    void draw(Window window, PictureWish wish);
+    // The last one that was drawn; null: none yet.
+    [[nodiscard]] PicturePointer last(Window window);
+    // Takes a picture that nobody shows any more: its motion may be large, and freeing that long.
+    void drop(PicturePointer picture);
+    // Until that wish, or a newer one, is drawn.
+    void wait(Window window, unsigned serial, std::chrono::milliseconds most);
+
+private:
+    struct Desk { // of one window
+        std::function<void()> ready;
+        std::optional<PictureWish> wish;
+        PicturePointer last;
+        unsigned turn = 0; // the window that waits longest is next
+    };
+    class Studio; // what belongs to the thread
+
+    void run();
+    [[nodiscard]] Desk* next(Window& window);
+
+    std::mutex mutex_;
+    std::condition_variable wished_, drawn_;
+    // Of the scene that was drawn last shapes are made to be pointed at, when there is time.
+    std::shared_ptr<const scene::Scene> toPrepare_;
+    std::map<Window, Desk> desks_;
+    std::vector<Window> gone_;
+    std::vector<PicturePointer> dropped_;
+    unsigned turn_ = 0;
+    bool paints_;
+    bool stop_ = false;
+    std::thread thread_;
+};
+
+} // namespace views

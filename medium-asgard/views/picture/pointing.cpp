@@ -1,0 +1,151 @@
+#include "picture/pointing.h"
+
+#include "gestures/grasp.h"
+#include "gestures/handle_meaning.h"
+#include "picture/scene_display.h"
+
+#include <QPainter>
+
+namespace views {
+
+Pointing::Pointing(SceneDocument& document, SceneDisplay& display)
+    : document_(document), display_(display) {
+    rest_.setSingleShot(true);
+    rest_.setInterval(40);
+    connect(&rest_, &QTimer::timeout, this, &Pointing::rest);
+    // What was under the pointer may be gone, or another one.
+    for (const auto signal : {&SceneDocument::sceneChanged, &SceneDocument::motionChanged})
+        connect(&document_, signal, this, &Pointing::follow);
+}
+
+void Pointing::moveTo(const QPointF& position, Qt::KeyboardModifiers keys) {
+    position_ = position;
+    keys_ = keys;
+    look();
+    rest_.start();
+}
+
+void Pointing::leave() {
+    position_.reset();
+    look();
+}
+
+void Pointing::setKeys(Qt::KeyboardModifiers keys) {
+    keys_ = keys;
+    showCursor();
+}
+
+// Handles are few and told apart by their place; they light up at once.
+void Pointing::look() {
+    const auto before = std::pair(subject_, words_);
+    const bool wasBody = body_ || path_;
+    handle_.reset();
+    body_ = path_ = false;
+    subject_.clear();
+    words_.clear();
+    const render::HandleSet& set = display_.knownHandles();
+    const auto index =
+        position_ ? gestures::handleAt(set, display_.sight(), display_.inPixels(*position_),
+                                       gestures::handleReach * display_.devicePixelRatioF())
+                  : std::nullopt;
+    if (index) {
+        handle_ = set.handles[*index];
+        const scene::Scene& scene = *document_.shown().scene;
+        const auto wishes = gestures::wishesFor(
+            scene, *handle_, handle_->place, display_.sight().pixelLength(handle_->place), false);
+        subject_ = QString::fromStdString(gestures::nameOf(scene, *handle_));
+        words_ = QString::fromStdString(gestures::subjectOf(scene, *handle_) + ": " +
+                                        gestures::quantityOf(scene, *handle_) + " " +
+                                        gestures::valuesOf(wishes));
+    }
+    showCursor();
+    if (before != std::pair(subject_, words_) || wasBody)
+        Q_EMIT changed();
+}
+
+void Pointing::rest() {
+    look();
+    // LIMIT: in a crowd bodies are not named by pointing: finding one takes longer than a movement.
+    constexpr std::size_t crowd = 2000;
+    const render::Drawing drawing = display_.drawing();
+    if (!position_ || handle_ || drawing.scene->bodies.size() > crowd)
+        return;
+    const Eigen::Vector2d pixels = display_.inPixels(*position_);
+    if (const auto picked = gestures::bodyAt(drawing, display_.sight(), pixels)) {
+        body_ = true;
+        subject_ = QString::fromStdString(drawing.scene->bodies[picked->body].name);
+    } else if (drawing.display.trajectories) {
+        const auto path =
+            gestures::trajectoryAt(*drawing.scene, display_.sight(), pixels,
+                                   gestures::handleReach * display_.devicePixelRatioF());
+        path_ = path.has_value();
+        if (path)
+            subject_ = QString::fromStdString(drawing.scene->trajectories[*path].name);
+    }
+    showCursor();
+    if (body_ || path_)
+        Q_EMIT changed();
+}
+
+void Pointing::showCursor() {
+    const bool shifted = keys_ & Qt::ShiftModifier;
+    if (display_.creating().active())
+        display_.setCursor(Qt::CrossCursor);
+    else if (shifted && (handle_ || body_))
+        display_.setCursor(Qt::SizeAllCursor);
+    else if (handle_)
+        display_.setCursor(Qt::PointingHandCursor);
+    else
+        display_.unsetCursor();
+}
+
+QString Pointing::heldHint() const {
+    const auto held = display_.editing().marked();
+    const QString all = tr("z, x: away and nearer  ·  Escape: as it was");
+    return held && held->kind == render::HandleKind::linkEnd
+               ? tr("The end stays on its body; with a it goes anywhere  ·  %1").arg(all)
+               : all;
+}
+
+QString Pointing::hint() const {
+    if (display_.creating().active())
+        return tr("A drag still turns the view  ·  Escape: nothing is created");
+    if (display_.editing().dragging())
+        return heldHint();
+    const QString menu = tr("right button: menu");
+    if (handle_ && handle_->kind == render::HandleKind::trajectoryPoint)
+        return tr("Shift-drag moves %1  ·  Shift-middle: a new point  ·  Shift-right removes it  · "
+                  " "
+                  "double click: exact place  ·  %2")
+            .arg(subject_, menu);
+    if (handle_)
+        return tr("Shift-drag changes %1  ·  double click: exact value  ·  %2").arg(subject_, menu);
+    if (body_)
+        return tr("Shift-drag moves %1  ·  Shift-middle turns it  ·  Shift-click selects it  ·  "
+                  "double click: size  ·  %2")
+            .arg(subject_, menu);
+    if (path_)
+        return tr("Shift-click selects %1  ·  %2").arg(subject_, menu);
+    if (document_.shown().scene->bodies.empty())
+        return tr("Nothing here yet: the menu Create, or the right button, makes a body");
+    return tr("Drag turns the view, the middle button moves it, the wheel scales it  ·  %1")
+        .arg(menu);
+}
+
+QString Pointing::advice() const {
+    return handle_ ? tr("This moves the view. Shift-drag changes %1.").arg(subject_) : QString();
+}
+
+void Pointing::paint(QPainter& painter) const {
+    if (!handle_)
+        return;
+    const scene::Color& color = render::colorOf(handle_->kind);
+    const QPointF place = display_.fromPixels(display_.sight().pixels(handle_->place));
+    QColor ink = QColor::fromRgbF(color.red, color.green, color.blue);
+    painter.setPen(QPen(ink.darker(130), 1.5));
+    ink.setAlphaF(0.25F);
+    painter.setBrush(ink);
+    painter.drawEllipse(place, 11, 11);
+}
+
+} // namespace views

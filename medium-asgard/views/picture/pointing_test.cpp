@@ -1,0 +1,109 @@
+// What pointing says, at the window's foot and in the picture.
+#include "viewers/editor.h"
+#include "views/test_workshop.h"
+
+#include <QLabel>
+
+#include <gmock/gmock.h>
+
+namespace views {
+namespace {
+
+using geometry::Vector;
+using ::testing::HasSubstr;
+
+const std::string thrown = "simulator -finish 2\n"
+                           "shape_set s -desc {-sub {-sphere 0.5}}\n"
+                           "body ball s -init_pos {-1 0 0} -init_dpos {3 0 0}\n";
+
+class PointingTest : public testing::Test {
+protected:
+    static void SetUpTestSuite() { theApplication(); }
+    void SetUp() override {
+        editor.document().setText(thrown, "Edit");
+        ASSERT_TRUE(settle(editor.document()));
+        viewer = editor.openGraphicalViewer();
+        display().lookAlong(Vector::UnitZ());
+        viewer->findChild<StatusPanel*>()->show(&render::Display::velocityHandles);
+        display().grab();
+        head = display().fromPixels(display().sight().pixels({2, 0, 0})).toPoint();
+        empty = QPoint(8, display().height() - 8);
+    }
+    SceneDisplay& display() { return viewer->display(); }
+    std::string hint() {
+        QCoreApplication::processEvents();
+        for (const QLabel* label : viewer->findChildren<QLabel*>())
+            if (label->accessibleName() == "What the buttons do here")
+                return label->text().toStdString();
+        return "no such line";
+    }
+    void pointAt(QPoint place) {
+        QMouseEvent move(QEvent::MouseMove, place, display().mapToGlobal(place), Qt::NoButton,
+                         Qt::NoButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(&display(), &move);
+    }
+
+    TestWorkshop made;
+    Editor editor{made.workshop()};
+    GraphicalViewer* viewer = nullptr;
+    QPoint head, empty;
+};
+
+TEST_F(PointingTest, AHandleSaysWhatMovesIt) {
+    pointAt(head);
+    EXPECT_THAT(hint(), HasSubstr("Shift-drag changes the velocity of ball"));
+    EXPECT_THAT(display().pointing().words().toStdString(), HasSubstr("ball: velocity 3.0"));
+    EXPECT_EQ(display().cursor().shape(), Qt::PointingHandCursor);
+    display().pointing().setKeys(Qt::ShiftModifier);
+    EXPECT_EQ(display().cursor().shape(), Qt::SizeAllCursor);
+    pointAt(empty);
+    EXPECT_THAT(hint(), HasSubstr("Drag turns the view"));
+    EXPECT_EQ(display().pointing().words(), "");
+    EXPECT_EQ(display().cursor().shape(), Qt::ArrowCursor);
+}
+
+TEST_F(PointingTest, ItLightsUp) {
+    pointAt(empty);
+    const QImage before = display().grab().toImage();
+    pointAt(head);
+    EXPECT_NE(display().grab().toImage().copy(QRect(head - QPoint(15, 15), QSize(30, 30))),
+              before.copy(QRect(head - QPoint(15, 15), QSize(30, 30))));
+}
+
+TEST_F(PointingTest, ABodySaysWhatMovesIt) {
+    pointAt(display().fromPixels(display().sight().pixels({-1, 0.3, 0})).toPoint());
+    EXPECT_TRUE(waitFor([&] { return hint().find("Shift-drag moves ball") != std::string::npos; }))
+        << hint();
+}
+
+TEST_F(PointingTest, AnUnshiftedDragThatBeganOnAHandleSaysWhatWouldMoveIt) {
+    pointAt(head);
+    QTest::mousePress(&display(), Qt::LeftButton, {}, head);
+    QMouseEvent move(QEvent::MouseMove, head + QPoint(20, 5),
+                     display().mapToGlobal(head + QPoint(20, 5)), Qt::NoButton, Qt::LeftButton,
+                     Qt::NoModifier);
+    QCoreApplication::sendEvent(&display(), &move);
+    QTest::mouseRelease(&display(), Qt::LeftButton, {}, head + QPoint(20, 5));
+    EXPECT_EQ(display().editing().said().toStdString(),
+              "This moves the view. Shift-drag changes the velocity of ball.");
+    EXPECT_EQ(editor.document().text(), thrown);
+    QTest::mouseClick(&display(), Qt::LeftButton, {}, empty);
+    EXPECT_EQ(display().editing().said(), "");
+}
+
+TEST_F(PointingTest, WhatIsNoLongerThereIsNotNamed) {
+    pointAt(head);
+    render::Camera camera = display().camera();
+    camera.position += Vector(0.5, 0, 0);
+    display().setCamera(camera);
+    EXPECT_TRUE(waitFor([&] { return display().pointing().words().isEmpty(); }));
+}
+
+TEST_F(PointingTest, AnEmptySceneSaysHowToBegin) {
+    editor.document().setText("", "Edit");
+    ASSERT_TRUE(settle(editor.document()));
+    EXPECT_THAT(hint(), HasSubstr("the menu Create"));
+}
+
+} // namespace
+} // namespace views

@@ -1,0 +1,406 @@
+#include "picture/recipes.h"
+
+#include "editing/number_text.h"
+#include "editing/shape_edit.h"
+#include "picture/recipe_words.h"
+
+#include <QObject>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <set>
+
+namespace views {
+
+using editing::Element;
+using editing::Kind;
+using editing::NewElement;
+
+namespace {
+
+Step body(const QString& prompt) { return {Wanted::body, prompt, ""}; }
+
+Step wholeBody(const QString& prompt) {
+    Step step = body(prompt);
+    step.whole = true;
+    return step;
+}
+
+// Where on its body something acts; nothing at its centre of mass, which is what is meant then.
+void addOffset(NewElement& element, const char* option, const Indicated& shown) {
+    if (shown.atCenter)
+        return;
+    element.words.insert(element.words.end(), {option, listed(shown.onBody, shown.resolution)});
+}
+
+std::string bodyName(const scene::Scene& scene, const Indicated& shown) {
+    return scene.bodies[*shown.body].name;
+}
+
+void addComponents(NewElement& element, const Vector& v, double resolution) {
+    constexpr const char* options[] = {"-x", "-y", "-z"};
+    for (int i = 0; i < 3; ++i)
+        element.words.insert(
+            element.words.end(),
+            {options[i], editing::numberText(v[i], editing::decimalStep(resolution))});
+}
+
+double tightnessOf(const scene::Scene& scene) {
+    const auto last = std::find_if(scene.links.rbegin(), scene.links.rend(),
+                                   [](const scene::Link& link) { return !link.spring; });
+    return last == scene.links.rend() ? 100 : last->tightness;
+}
+
+// A trajectory that was shown, or a new one that begins at that place.
+struct Path {
+    std::string name;
+    std::vector<Element> behind;
+    std::vector<NewElement> made;
+};
+
+Path pathFrom(const std::string& text, const scene::Scene& scene, const Indicated& shown,
+              const Vector& place, const Vector& way, double resolution) {
+    if (shown.trajectory) {
+        const std::size_t index = *shown.trajectory;
+        return {scene.trajectories[index].name, {{Kind::trajectory, index}}, {}};
+    }
+    Path path;
+    path.name = editing::unusedName(text, scene, Kind::trajectory, "path");
+    const double finish = scene.simulator.finish, start = scene.simulator.start;
+    const auto point = [&](double time, const Vector& at) {
+        const std::string places = listed(at, resolution);
+        return "{" + editing::numberText(time, 0) + " " + places.substr(1);
+    };
+    path.made.push_back(
+        {Kind::trajectory,
+         path.name,
+         {"-points", "{" + point(start, place) + " " + point(finish, place + way) + "}"},
+         {}});
+    return path;
+}
+
+} // namespace
+
+Recipe newBody(const std::string& shape) {
+    return {QObject::tr("New Body"),
+            {{Wanted::point, QObject::tr("Click where the new body shall be."),
+              QObject::tr("Return puts it at the origin.")}},
+            [shape](const std::string& text, const scene::Scene& scene,
+                    const std::vector<Indicated>& shown) {
+                NewElement body{Kind::body,
+                                editing::unusedName(text, scene, Kind::body, shape),
+                                {"-init_pos", listed(shown[0].point, shown[0].resolution)},
+                                {},
+                                shape};
+                for (std::size_t i = 0; i < scene.shapeSets.size(); ++i)
+                    if (scene.shapeSets[i].name == shape)
+                        body.behind.push_back({Kind::shapeSet, i});
+                return std::vector{body};
+            },
+            &render::Display::positionHandles};
+}
+
+namespace {
+
+Recipe newBody(const std::string& stem, const std::string& description, bool isFixed = false) {
+    Recipe recipe = views::newBody(std::string());
+    recipe.make = [stem, description, isFixed](const std::string& text, const scene::Scene& scene,
+                                               const std::vector<Indicated>& shown) {
+        const std::string shape = editing::unusedName(text, scene, Kind::shapeSet, stem);
+        const NewElement set{Kind::shapeSet, shape, {"-desc", description}, {}};
+        NewElement body{Kind::body,
+                        editing::unusedName(text, scene, Kind::body, "body", {shape}),
+                        {"-init_pos", listed(shown[0].point, shown[0].resolution)},
+                        {},
+                        shape};
+        if (isFixed)
+            body.words.insert(body.words.end(), {"-fixed", "1"});
+        return std::vector{set, body};
+    };
+    return recipe;
+}
+
+} // namespace
+
+Recipe newBody(BasicShape basic) {
+    return basic == BasicShape::sphere ? newBody("ball", "{-sub {-sphere 0.5}}")
+                                       : newBody("block", "{-sub {-box {1 1 1}}}");
+}
+
+Recipe newBody(const editing::LibraryShape& shape) {
+    std::string stem; // "thandle" of "T-handle"
+    for (const char c : shape.name)
+        if (std::isalpha(static_cast<unsigned char>(c)) != 0)
+            stem += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    const bool isFixed = std::ranges::any_of(shape.parts, [](const scene::Part& part) {
+        return std::holds_alternative<scene::PlaneShape>(part.shape);
+    });
+    return newBody(stem, editing::descriptionText(shape.parts), isFixed);
+}
+
+Recipe newForce(bool couple, double perUnit) {
+    Recipe recipe;
+    recipe.label = couple ? QObject::tr("New Torque") : QObject::tr("New Force");
+    recipe.steps = {couple ? wholeBody(QObject::tr("Click on the body that it turns."))
+                           : body(QObject::tr("Click where it acts on a body.")),
+                    {Wanted::point,
+                     couple ? QObject::tr("Click where the head of its axis shall be.")
+                            : QObject::tr("Click where the head of its arrow shall be."),
+                     couple ? QObject::tr("Return: 1 about z.")
+                            : QObject::tr("Return: 1 downwards, along -y.")}};
+    recipe.make = [couple, perUnit](const std::string&, const scene::Scene& scene,
+                                    const std::vector<Indicated>& shown) {
+        NewElement force{Kind::force, "", {}, {{Kind::body, *shown[0].body}}};
+        if (couple)
+            force.words = {"-torque", "1"};
+        force.words.insert(force.words.end(), {"-body", bodyName(scene, shown[0])});
+        const Vector unit = couple ? Vector(0, 0, 1) : Vector(0, -1, 0);
+        addComponents(force,
+                      shown[1].given ? Vector((shown[1].point - shown[0].point) / perUnit) : unit,
+                      shown[1].given ? shown[1].resolution / perUnit : 1);
+        if (!couple)
+            addOffset(force, "-offset", shown[0]);
+        return std::vector{force};
+    };
+    recipe.handles = couple ? &render::Display::torqueHandles : &render::Display::forceHandles;
+    return recipe;
+}
+
+Recipe newWeight(double perUnit, std::function<double(std::size_t)> massOf, const Vector& usual) {
+    const bool down = usual.x() == 0 && usual.z() == 0 && usual.y() < 0;
+    const QString value =
+        QString::fromStdString(down ? editing::numberText(-usual.y(), 0) : listed(usual, 0));
+    Recipe recipe;
+    recipe.label = QObject::tr("New Gravitational Force");
+    recipe.steps = {wholeBody(QObject::tr("Click on the body that has weight.")),
+                    {Wanted::point, QObject::tr("Click where the head of its arrow shall be."),
+                     down ? QObject::tr("Return: %1 downwards, along -y.").arg(value)
+                          : QObject::tr("Return: %1, as others have it.").arg(value)}};
+    recipe.make = [perUnit, massOf = std::move(massOf),
+                   usual](const std::string&, const scene::Scene& scene,
+                          const std::vector<Indicated>& shown) {
+        Vector acceleration = usual;
+        double resolution = 0;
+        if (shown[1].given) { // its arrow is that of the force
+            const double length = perUnit * massOf(*shown[0].body);
+            acceleration = alongAxis((shown[1].point - shown[0].point) / length);
+            resolution = shown[1].resolution / length;
+        }
+        return std::vector{NewElement{Kind::force,
+                                      "",
+                                      {"-body", bodyName(scene, shown[0]), "-gravitational",
+                                       listed(acceleration, resolution)},
+                                      {{Kind::body, *shown[0].body}}}};
+    };
+    recipe.handles = &render::Display::forceHandles;
+    return recipe;
+}
+
+Recipe weightForAll(const Vector& acceleration) {
+    Recipe recipe;
+    recipe.label = QObject::tr("Gravity for All Bodies");
+    recipe.make = [acceleration](const std::string&, const scene::Scene& scene,
+                                 const std::vector<Indicated>&) {
+        std::set<std::string> heavy;
+        for (const scene::Force& force : scene.forces)
+            if (!force.couple && std::holds_alternative<scene::GravitationalForce>(force.kind))
+                heavy.insert(force.body);
+        std::vector<NewElement> made;
+        for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+            const scene::Body& body = scene.bodies[i];
+            if (!body.fixed && !heavy.contains(body.name))
+                made.push_back({Kind::force,
+                                "",
+                                {"-body", body.name, "-gravitational", listed(acceleration, 0)},
+                                {{Kind::body, i}}});
+        }
+        return made;
+    };
+    recipe.otherwise = QObject::tr("Every body that is not fixed has a weight already.");
+    recipe.handles = &render::Display::forceHandles;
+    return recipe;
+}
+
+Vector usualGravity(const scene::Scene& scene) {
+    Vector usual(0, -9.81, 0);
+    for (const scene::Force& force : scene.forces)
+        if (const auto* weight = std::get_if<scene::GravitationalForce>(&force.kind);
+            weight && weight->acceleration != Vector::Zero())
+            usual = weight->acceleration;
+    return usual;
+}
+
+Recipe newTrajectoryForce(bool couple) {
+    return {couple ? QObject::tr("New Torque by a Trajectory")
+                   : QObject::tr("New Force by a Trajectory"),
+            {body(QObject::tr("Click on the body that it acts on.")),
+             {Wanted::trajectory, QObject::tr("Click on the trajectory that gives its value."),
+              QObject::tr("Return makes a new one.")}},
+            [couple](const std::string& text, const scene::Scene& scene,
+                     const std::vector<Indicated>& shown) {
+                Path path = pathFrom(text, scene, shown[1], Vector(0, -1, 0), Vector(0, 0, 0), 1);
+                NewElement force{Kind::force, "", {}, std::move(path.behind)};
+                if (couple)
+                    force.words = {"-torque", "1"};
+                force.words.insert(force.words.end(),
+                                   {"-body", bodyName(scene, shown[0]), "-trajectory", path.name});
+                force.behind.push_back({Kind::body, *shown[0].body});
+                path.made.push_back(force);
+                return path.made;
+            },
+            couple ? &render::Display::torqueHandles : &render::Display::forceHandles};
+}
+
+Recipe newLink(Wanted second) {
+    Recipe recipe;
+    recipe.label = QObject::tr("New Link");
+    const QString what = second == Wanted::body ? QObject::tr("Click on the body at its other end.")
+                         : second == Wanted::point
+                             ? QObject::tr("Click on the point that it is tied to.")
+                             : QObject::tr("Click on the trajectory that leads it.");
+    recipe.steps = {
+        body(QObject::tr("Click where the link is fastened on a body.")),
+        {second, what,
+         second == Wanted::trajectory ? QObject::tr("Return makes a new one.") : QString()}};
+    recipe.make = [second](const std::string& text, const scene::Scene& scene,
+                           const std::vector<Indicated>& shown) {
+        NewElement link{
+            Kind::link, "", {"-body1", bodyName(scene, shown[0])}, {{Kind::body, *shown[0].body}}};
+        std::vector<NewElement> made;
+        addOffset(link, "-offset1", shown[0]);
+        if (second == Wanted::body) {
+            link.words.insert(link.words.end(), {"-body2", bodyName(scene, shown[1])});
+            addOffset(link, "-offset2", shown[1]);
+            link.behind.push_back({Kind::body, *shown[1].body});
+        } else if (second == Wanted::point) {
+            addComponents(link, shown[1].point, shown[1].resolution);
+        } else {
+            Path path = pathFrom(text, scene, shown[1], shown[0].point, Vector(1, 0, 0),
+                                 shown[0].resolution);
+            link.words.insert(link.words.end(), {"-trajectory", path.name});
+            link.behind.insert(link.behind.end(), path.behind.begin(), path.behind.end());
+            made = path.made;
+        }
+        link.words.insert(link.words.end(),
+                          {"-tightness", editing::numberText(tightnessOf(scene), 0)});
+        made.push_back(link);
+        return made;
+    };
+    recipe.handles = &render::Display::linkHandles;
+    return recipe;
+}
+
+Recipe newLight(bool point) {
+    return {QObject::tr("New Light"),
+            {{Wanted::point,
+              (point ? QObject::tr("Click where the light shall stand.")
+                     : QObject::tr("Click where the light comes from.")) +
+                  " " + QObject::tr("A scene's own lights replace the usual one."),
+              ""}},
+            [point](const std::string& text, const scene::Scene& scene,
+                    const std::vector<Indicated>& shown) {
+                NewElement light{Kind::light,
+                                 editing::unusedName(text, scene, Kind::light, "light"),
+                                 {"-pos", listed(shown[0].point, shown[0].resolution)},
+                                 {}};
+                if (!point)
+                    light.words.insert(light.words.end(), {"-direction", "{0 -1 0}"});
+                return std::vector{light};
+            },
+            &render::Display::lightHandles};
+}
+
+Recipe newTrajectory() {
+    return {QObject::tr("New Trajectory"),
+            {{Wanted::point, QObject::tr("Click on its points, one after another."),
+              QObject::tr("Return ends it."), true}},
+            [](const std::string& text, const scene::Scene& scene,
+               const std::vector<Indicated>& shown) -> std::vector<NewElement> {
+                std::vector<Indicated> points;
+                std::ranges::copy_if(shown, std::back_inserter(points), &Indicated::given);
+                if (points.size() < 2)
+                    return {};
+                // Over the whole motion, evenly.
+                const double start = scene.simulator.start;
+                const double length = scene.simulator.finish - start;
+                std::string list;
+                for (std::size_t i = 0; i < points.size(); ++i) {
+                    const double share =
+                        static_cast<double>(i) / static_cast<double>(points.size() - 1);
+                    list += (i == 0 ? "{{" : " {") +
+                            editing::numberText(start + share * length, 1e-3 * length) + " " +
+                            listed(points[i].point, points[i].resolution).substr(1);
+                }
+                return {NewElement{Kind::trajectory,
+                                   editing::unusedName(text, scene, Kind::trajectory, "path"),
+                                   {"-points", list + "}"},
+                                   {}}};
+            },
+            &render::Display::trajectories};
+}
+
+Recipe attachTrajectory() {
+    return {QObject::tr("Attach Trajectory"),
+            {body(QObject::tr("Click on the body that is to be led.")),
+             {Wanted::trajectory, QObject::tr("Click on the trajectory that leads it."),
+              QObject::tr("Return makes a new one.")}},
+            [](const std::string& text, const scene::Scene& scene,
+               const std::vector<Indicated>& shown) {
+                const scene::Body& led = scene.bodies[*shown[0].body];
+                Path path = pathFrom(text, scene, shown[1], led.initialPosition, Vector(1, 0, 0),
+                                     shown[0].resolution);
+                NewElement held{
+                    Kind::constraint, "", {led.name, "-pos", path.name}, std::move(path.behind)};
+                held.behind.push_back({Kind::body, *shown[0].body});
+                path.made.push_back(held);
+                return path.made;
+            },
+            &render::Display::trajectories};
+}
+
+Recipe newParameter(const std::string& name, const std::string& value, const std::string& minimum,
+                    const std::string& maximum) {
+    return {
+        QObject::tr("New Parameter"),
+        {},
+        [=](const std::string&, const scene::Scene&, const std::vector<Indicated>&) {
+            return std::vector{NewElement{
+                Kind::parameter, name, {"-value", value, "-min", minimum, "-max", maximum}, {}}};
+        }};
+}
+
+Recipe newPlot(const std::string& expression) {
+    return {
+        QObject::tr("New Plot"),
+        {},
+        [=](const std::string& text, const scene::Scene& scene, const std::vector<Indicated>&) {
+            NewElement plot{Kind::plot,
+                            editing::unusedName(text, scene, Kind::plot, "plot"),
+                            {"-values", "{{" + expression + "}}"},
+                            {}};
+            for (const Kind kind : {Kind::body, Kind::link, Kind::joint, Kind::rope, Kind::contact})
+                for (std::size_t i = 0; editing::sourceOf(scene, {kind, i}); ++i)
+                    if (const std::string name = editing::nameOf(scene, {kind, i});
+                        !name.empty() && expression.find(name + ".") != std::string::npos)
+                        plot.behind.push_back({kind, i});
+            return std::vector{plot};
+        }};
+}
+
+Recipe keptView(const render::Camera& camera, double resolution) {
+    return {QObject::tr("Keep This View"),
+            {},
+            [=](const std::string& text, const scene::Scene& scene, const std::vector<Indicated>&) {
+                return std::vector{
+                    NewElement{Kind::view,
+                               editing::unusedName(text, scene, Kind::view, "view"),
+                               {"-pos", listed(camera.position, 1e-3), "-rot",
+                                listed(geometry::toRotationVector(camera.rotation), 1e-4), "-scale",
+                                editing::numberText(camera.scale, 1e-4 * camera.scale), "-center",
+                                listed(camera.center, resolution)},
+                               {}}};
+            }};
+}
+
+} // namespace views

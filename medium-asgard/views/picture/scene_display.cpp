@@ -1,0 +1,516 @@
+#include "picture/scene_display.h"
+
+#include "render/extent.h"
+#include "render/framing.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace views {
+
+namespace {
+
+using Button = render::CameraControl::Button;
+
+// Long enough for most pictures, and shorter than what one notices.
+std::chrono::milliseconds patience{12};
+
+std::optional<Button> buttonOf(Qt::MouseButton button) {
+    switch (button) {
+    case Qt::LeftButton:
+        return Button::left;
+    case Qt::MiddleButton:
+        return Button::middle;
+    case Qt::RightButton:
+        return Button::right;
+    default:
+        return std::nullopt;
+    }
+}
+
+} // namespace
+
+SceneDisplay::SceneDisplay(SceneDocument& document, std::shared_ptr<PictureThread> pictures,
+                           QWidget* parent)
+    : QWidget(parent), document_(document), pictures_(std::move(pictures)),
+      editing_(document, *this), creating_(document, *this), pointing_(document, *this) {
+    pictures_->open(this, [this] {
+        QMetaObject::invokeMethod(this, &SceneDisplay::ready, Qt::QueuedConnection);
+    });
+    setFocusPolicy(Qt::StrongFocus);
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    setMouseTracking(true);
+    setAccessibleName(tr("Scene"));
+    setAccessibleDescription(tr("Picture of the scene. Drag with the left button to turn it, the "
+                                "middle one to move it, the right one to scale or roll it."));
+    settle_.setSingleShot(true);
+    settle_.setInterval(180);
+    connect(&settle_, &QTimer::timeout, this, [this] { redraw(false); });
+    connect(&document_, &SceneDocument::sceneChanged, this, &SceneDisplay::sceneChanged);
+    connect(&document_, &SceneDocument::motionChanged, this, &SceneDisplay::motionChanged);
+    connect(&document_, &SceneDocument::workChanged, this, [this] { update(); });
+    connect(&creating_, &Creating::changed, this, [this] { update(); });
+    connect(&creating_, &Creating::refused, &editing_,
+            [this](const QString& why) { editing_.say(why); });
+    connect(&editing_, &PictureEditing::changed, this, [this] {
+        Q_EMIT handleDragged();
+        update();
+    });
+    connect(&pointing_, &Pointing::changed, this, [this] { update(); });
+    connect(this, &SceneDisplay::cameraChanged, &pointing_, &Pointing::follow);
+    sceneChanged();
+}
+
+SceneDisplay::~SceneDisplay() { pictures_->forget(this); }
+
+void SceneDisplay::setPatience(std::chrono::milliseconds most) { patience = most; }
+
+render::Size SceneDisplay::pixelSize() const {
+    const QSizeF size = QSizeF(this->size()) * devicePixelRatioF();
+    return {std::max(1, static_cast<int>(std::lround(size.width()))),
+            std::max(1, static_cast<int>(std::lround(size.height())))};
+}
+
+Eigen::Vector2d SceneDisplay::inPixels(const QPointF& position) const {
+    return Eigen::Vector2d(position.x(), position.y()) * devicePixelRatioF();
+}
+
+QPointF SceneDisplay::fromPixels(const Eigen::Vector2d& pixels) const {
+    return QPointF(pixels.x(), pixels.y()) / devicePixelRatioF();
+}
+
+QPointF SceneDisplay::placeOf(double x, double y, double z) const {
+    return fromPixels(sight().pixels({x, y, z}));
+}
+
+void SceneDisplay::redraw(bool moving) {
+    moving_ = moving;
+    isOld_ = true;
+    if (moving)
+        settle_.start();
+    update();
+}
+
+void SceneDisplay::ask() {
+    if (!isOld_)
+        return;
+    isOld_ = false;
+    PictureWish wish;
+    wish.serial = ++wished_;
+    wish.shown = document_.shown();
+    wish.time = time_;
+    wish.display = display_;
+    wish.display.samples = moving_ ? 1 : 4;
+    wish.size = pixelSize();
+    wish.pixelRatio = devicePixelRatioF();
+    wish.camera = control_.camera();
+    wish.view = followed_.toStdString();
+    wish.framing = framing_;
+    wish.from = !followed_.isEmpty() ? SeenFrom::view
+                : framesItself_      ? SeenFrom::framed
+                : turned_            ? SeenFrom::turned
+                                     : SeenFrom::camera;
+    pictures_->draw(this, std::move(wish));
+}
+
+void SceneDisplay::take() {
+    auto last = pictures_->last(this);
+    if (!last || last == picture_)
+        return;
+    // Where it is seen from, unless that was changed meanwhile: then another one is on its way, and
+    // what is pointed at stays where it is seen.
+    const PictureWish& of = last->of;
+    const bool follows = of.from == SeenFrom::view && of.view == followed_.toStdString();
+    const bool frames = of.from == SeenFrom::framed && followed_.isEmpty() && framesItself_;
+    const bool turns = of.from == SeenFrom::turned && turned_;
+    if (picture_ &&
+        ((of.from == SeenFrom::framed && !frames) || (of.from == SeenFrom::turned && !turns)))
+        return;
+    if (auto old = std::exchange(picture_, std::move(last)))
+        pictures_->drop(std::move(old));
+    if (!follows && !frames && !turns)
+        return;
+    if (picture_->of.serial == wished_)
+        turned_ = false;
+    control_.set(picture_->camera);
+    Q_EMIT cameraChanged();
+}
+
+void SceneDisplay::bringUpToDate() {
+    ask();
+    const bool isHeavy = picture_ && picture_->lasted > 2 * patience;
+    if (waitedFor_ != wished_ && !isHeavy) { // once for each: many may ask before it comes
+        waitedFor_ = wished_;
+        pictures_->wait(this, wished_, patience);
+    }
+    take();
+}
+
+void SceneDisplay::ready() {
+    take();
+    update();
+}
+
+void SceneDisplay::setTime(double time, bool moving) {
+    if (time == time_)
+        return;
+    time_ = time;
+    pointing_.follow(); // a force's arrow moves
+    redraw(moving);
+}
+
+void SceneDisplay::setDisplay(const render::Display& display) {
+    display_ = display;
+    redraw(false);
+}
+
+void SceneDisplay::sceneChanged() {
+    const auto& views = document_.shown().scene->views;
+    const bool known = std::any_of(views.begin(), views.end(), [&](const auto& v) {
+        return QString::fromStdString(v.name) == followed_;
+    });
+    // A scene with views opens in its first one.
+    if (framesItself_ && !known && !views.empty())
+        followView(QString::fromStdString(views.front().name));
+    else if (!followed_.isEmpty() && !known)
+        followView({});
+    motionChanged();
+}
+
+// While a handle is dragged pictures are many: each is coarse, and the last one fine.
+void SceneDisplay::motionChanged() { redraw(moving_ || editing_.dragging()); }
+
+void SceneDisplay::movedByUser() {
+    framesItself_ = turned_ = false;
+    if (!followed_.isEmpty())
+        followView({});
+    Q_EMIT cameraChanged();
+    redraw(true);
+}
+
+void SceneDisplay::setCamera(const render::Camera& camera) {
+    control_.set(camera);
+    movedByUser();
+}
+
+void SceneDisplay::frameAll() {
+    followView({});
+    framesItself_ = true;
+    framing_ = display_; // switching handles on later moves nothing
+    redraw(false);
+}
+
+void SceneDisplay::lookAlong(const geometry::Vector& toward) {
+    bringUpToDate();
+    const geometry::Vector up = render::upOf(*document_.shown().scene);
+    // Down on the ground, or up at it: what was in front is at the bottom.
+    const double along = toward.dot(up);
+    geometry::Vector upright = up;
+    if (std::abs(along) > 0.99)
+        upright =
+            std::abs(up.z()) < 0.5 ? geometry::Vector(0, 0, -along) : geometry::Vector(0, along, 0);
+    render::Camera camera = control_.camera();
+    camera.rotation = render::facing(toward, upright);
+    const bool wasFraming = framesItself_;
+    setCamera(camera);
+    turned_ = wasFraming;
+    redraw(false);
+}
+
+void SceneDisplay::levelHorizon() {
+    bringUpToDate();
+    render::Camera camera = control_.camera();
+    const geometry::Vector up = render::upOf(*document_.shown().scene);
+    const geometry::Vector toward = camera.rotation.conjugate() * geometry::Vector::UnitZ();
+    if (std::abs(toward.dot(up)) > 0.999)
+        return editing_.say(tr("Straight from above, or from below, no horizon is seen."));
+    const geometry::Quaternion level = render::facing(toward, up);
+    camera.position = level * (camera.rotation.conjugate() * camera.position);
+    camera.rotation = level;
+    const bool wasFraming = framesItself_;
+    setCamera(camera);
+    turned_ = wasFraming;
+    redraw(false);
+}
+
+void SceneDisplay::followView(const QString& name) {
+    if (name != followed_) {
+        followed_ = name;
+        lastView_ = name.isEmpty() ? lastView_ : name;
+        Q_EMIT viewFollowed();
+    }
+    redraw(false);
+}
+
+render::Drawing SceneDisplay::drawing() const {
+    return {document_.shown().scene.get(), document_.shown().motion, time_, control_.camera(),
+            display_};
+}
+
+const render::HandleSet& SceneDisplay::handles() {
+    if (render::showsHandles(display_))
+        bringUpToDate();
+    return knownHandles();
+}
+
+const render::HandleSet& SceneDisplay::knownHandles() const {
+    static const render::HandleSet none;
+    return picture_ && render::showsHandles(display_) &&
+                   picture_->of.shown.scene == document_.shown().scene
+               ? picture_->handles
+               : none;
+}
+
+const render::HandleSet& SceneDisplay::drawnHandles() const {
+    static const render::HandleSet none;
+    return picture_ ? picture_->handles : none;
+}
+
+double SceneDisplay::arrowLength(bool couple) {
+    bringUpToDate();
+    if (!picture_)
+        return 1;
+    return couple ? picture_->torqueArrow : picture_->forceArrow;
+}
+
+void SceneDisplay::keepCamera() {
+    if ((!framesItself_ && !turned_) || !picture_)
+        return;
+    framesItself_ = turned_ = false;
+    if (!showsNewest()) // what is on its way may be seen from elsewhere
+        redraw(false);
+}
+
+std::vector<geometry::Vector> SceneDisplay::verticesAndHandles() {
+    const Shown& shown = document_.shown();
+    std::vector<geometry::Vector> points;
+    for (std::size_t i = 0; i < shown.scene->bodies.size(); ++i) {
+        const geometry::Pose pose = render::poseOf(*shown.scene, shown.motion.get(), i, time_);
+        for (const render::Ball& ball : render::outlineOf(*shown.scene, shown.scene->bodies[i]))
+            points.push_back(pose.toWorld(ball.center));
+    }
+    for (const render::Handle& handle : handles().handles)
+        points.push_back(handle.place);
+    return points;
+}
+
+void SceneDisplay::centerAt(const QPointF& position) {
+    const render::Camera& camera = control_.camera();
+    const Eigen::Vector2d pixels = inPixels(position);
+    double nearest = 8 * devicePixelRatioF();
+    double front = -std::numeric_limits<double>::infinity(), back = -front;
+    std::optional<geometry::Vector> taken;
+    for (const geometry::Vector& point : verticesAndHandles()) {
+        const double z =
+            (camera.rotation * (point - camera.center)).z() * camera.scale + camera.position.z();
+        front = std::max(front, z);
+        back = std::min(back, z);
+        const double distance = (render::toPixels(camera, pixelSize(), point) - pixels).norm();
+        if (distance < nearest) {
+            nearest = distance;
+            taken = point;
+        }
+    }
+    const double middle = front >= back ? (front + back) / 2 : 0;
+    setCamera(render::turningAbout(
+        camera, taken ? *taken : render::toWorld(camera, pixelSize(), pixels, middle)));
+}
+
+double SceneDisplay::massOf(std::size_t body) const {
+    const Shown& shown = document_.shown();
+    if (body < shown.scene->bodies.size() && shown.scene->bodies[body].mass)
+        return *shown.scene->bodies[body].mass;
+    const bool known = shown.motion && body < shown.motion->bodies();
+    const double mass = known ? shown.motion->mass(body) : 1;
+    return std::isfinite(mass) && mass > 0 ? mass : 1;
+}
+
+void SceneDisplay::mousePressEvent(QMouseEvent* event) {
+    if (!control_.active())
+        pressed_ = event->position();
+    const auto button = buttonOf(event->button());
+    bringUpToDate();
+    if (!button)
+        event->ignore();
+    else if (creating_.active() && *button == Button::left) {
+        control_.press(*button, inPixels(event->position()), pixelSize());
+    } else if (!editing_.press(*event))
+        control_.press(*button, inPixels(event->position()), pixelSize());
+}
+
+void SceneDisplay::mouseMoveEvent(QMouseEvent* event) {
+    constexpr double still = 4; // pixels: not yet a drag
+    if (!control_.active() && !editing_.dragging()) {
+        pointing_.moveTo(event->position(), event->modifiers());
+        creating_.hover(event->position());
+    } else if (control_.active() && !pointing_.advice().isEmpty() &&
+               (event->position() - pressed_).manhattanLength() >= still)
+        editing_.say(pointing_.advice(), false);
+    if (creating_.active() && control_.active() &&
+        (event->position() - pressed_).manhattanLength() < still)
+        return;
+    if (!editing_.move(*event) && control_.active() &&
+        control_.move(inPixels(event->position()), pixelSize()))
+        movedByUser();
+}
+
+void SceneDisplay::mouseReleaseEvent(QMouseEvent* event) {
+    constexpr double still = 4;
+    if (creating_.active() && event->button() == Qt::LeftButton) {
+        if ((event->position() - pressed_).manhattanLength() < still)
+            creating_.click(event->position());
+    } else if (!editing_.release(*event) && control_.active() &&
+               event->button() == Qt::RightButton &&
+               (event->position() - pressed_).manhattanLength() < still) {
+        control_.release();
+        Q_EMIT menuWanted(menuPlaceAt(document_, *this, event->position()));
+        return;
+    }
+    control_.release();
+    pointing_.moveTo(event->position(), event->modifiers());
+}
+
+void SceneDisplay::leaveEvent(QEvent* event) {
+    pointing_.leave();
+    QWidget::leaveEvent(event);
+}
+
+void SceneDisplay::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (creating_.active() || !editing_.doubleClick(*event))
+        mousePressEvent(event);
+}
+
+// While a handle is dragged its keys are no shortcuts.
+bool SceneDisplay::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride && (editing_.dragging() || creating_.active())) {
+        event->accept();
+        return true;
+    }
+    return QWidget::event(event);
+}
+
+void SceneDisplay::wheelEvent(QWheelEvent* event) {
+    bringUpToDate();
+    control_.wheel(inPixels(event->position()), event->angleDelta().y() / 120.0, pixelSize());
+    movedByUser();
+    event->accept();
+}
+
+void SceneDisplay::keyPressEvent(QKeyEvent* event) {
+    bringUpToDate();
+    pointing_.setKeys(event->modifiers() |
+                      (event->key() == Qt::Key_Shift ? Qt::ShiftModifier : Qt::NoModifier));
+    if (creating_.key(*event) || editing_.keyPress(*event))
+        return;
+    if (turnKey(*event))
+        return;
+    const auto marked = editing_.marked();
+    const QPointF pointer = mapFromGlobal(QPointF(QCursor::pos()));
+    if (event->key() == Qt::Key_C && event->modifiers() == Qt::NoModifier)
+        centerAt(rect().contains(pointer.toPoint()) || !marked
+                     ? pointer
+                     : fromPixels(sight().pixels(marked->place)));
+    else
+        QWidget::keyPressEvent(event);
+}
+
+// The right button has its menu when it is let go where it was pressed; this is the keyboard's.
+void SceneDisplay::contextMenuEvent(QContextMenuEvent* event) {
+    if (event->reason() == QContextMenuEvent::Keyboard && !creating_.active())
+        Q_EMIT menuWanted(menuPlaceOfSelection(document_, *this));
+    event->accept();
+}
+
+// What the buttons do with the view: Alt and the arrows turn it, with Page Up and Page Down roll
+// it, Ctrl and the arrows move it, plus and minus scale it.
+bool SceneDisplay::turnKey(const QKeyEvent& event) {
+    const bool alt = event.modifiers() == Qt::AltModifier;
+    const bool control = event.modifiers() == Qt::ControlModifier;
+    constexpr double angle = 5 * M_PI / 180, way = 0.06;
+    render::Camera camera = control_.camera();
+    const auto turn = [&](const geometry::Vector& axis, double by) {
+        camera.rotation =
+            (geometry::Quaternion(Eigen::AngleAxisd(by, axis)) * camera.rotation).normalized();
+    };
+    const auto across = [&](double x, double y) {
+        if (alt)
+            turn(geometry::Vector(-y, x, 0), angle);
+        else
+            camera.position += way * geometry::Vector(x, y, 0);
+        return alt || control;
+    };
+    bool is = false;
+    switch (event.key()) {
+    case Qt::Key_Left:
+        is = across(-1, 0);
+        break;
+    case Qt::Key_Right:
+        is = across(1, 0);
+        break;
+    case Qt::Key_Up:
+        is = across(0, 1);
+        break;
+    case Qt::Key_Down:
+        is = across(0, -1);
+        break;
+    case Qt::Key_PageUp:
+    case Qt::Key_PageDown:
+        turn(geometry::Vector::UnitZ(), event.key() == Qt::Key_PageUp ? angle : -angle);
+        is = alt;
+        break;
+    case Qt::Key_Plus:
+    case Qt::Key_Equal:
+    case Qt::Key_Minus:
+        camera.scale *= event.key() == Qt::Key_Minus ? 1 / 1.1 : 1.1;
+        is = !alt && !control;
+        break;
+    default:
+        break;
+    }
+    if (is)
+        setCamera(camera);
+    return is;
+}
+
+void SceneDisplay::keyReleaseEvent(QKeyEvent* event) {
+    editing_.keyRelease(*event);
+    if (event->key() == Qt::Key_Shift)
+        pointing_.setKeys(event->modifiers() & ~Qt::ShiftModifier);
+    QWidget::keyReleaseEvent(event);
+}
+
+void SceneDisplay::focusOutEvent(QFocusEvent* event) {
+    editing_.finish();
+    update();
+    QWidget::focusOutEvent(event);
+}
+
+void SceneDisplay::resizeEvent(QResizeEvent*) { isOld_ = true; }
+
+void SceneDisplay::paintEvent(QPaintEvent*) {
+    bringUpToDate();
+    QPainter painter(this);
+    if (picture_ && !picture_->fault.isEmpty()) {
+        painter.fillRect(rect(), palette().base());
+        painter.setPen(palette().color(QPalette::Text));
+        painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap,
+                         picture_->fault);
+        return;
+    }
+    const QImage image = picture_ ? picture_->image : QImage();
+    if (image.isNull() || image.deviceIndependentSize().toSize() != size())
+        painter.fillRect(rect(), Qt::white);
+    painter.drawImage(QPointF(0, 0), image);
+    pointing_.paint(painter);
+    editing_.paint(painter);
+    creating_.paint(painter);
+}
+
+} // namespace views

@@ -1,0 +1,143 @@
+// The picture of a scene in a window, and how the pointer and keys move its viewpoint.
+//
+// An ordinary widget that paints the renderer's image: no window system's OpenGL is needed, and
+// tests without a display see the same pixels. Pictures come from a thread (picture_thread.h); a
+// scene that takes long to draw holds nothing up. Unshifted buttons move the view
+// (render/camera.h), `c` puts the centre of rotation under the pointer (dissertation 4.1.7). Until
+// the user moves it, the view frames the whole motion by itself. While something moves, pictures
+// are drawn quickly; at rest, finely.
+#pragma once
+
+#include "gestures/picking.h"
+#include "picture/creating.h"
+#include "picture/element_menu.h"
+#include "picture/picture_editing.h"
+#include "picture/picture_thread.h"
+#include "picture/pointing.h"
+#include "workbench/scene_document.h"
+
+#include <QImage>
+#include <QTimer>
+#include <QWidget>
+
+#include <memory>
+#include <optional>
+
+namespace views {
+
+class SceneDisplay : public QWidget {
+    Q_OBJECT
+public:
+    // Shows the document's scene.
+    SceneDisplay(SceneDocument& document, std::shared_ptr<PictureThread> pictures,
+                 QWidget* parent = nullptr);
+    ~SceneDisplay() override;
+
+    // How long a window waits for a picture before it goes on without.
+    static void setPatience(std::chrono::milliseconds patience);
+
+    void setTime(double time, bool moving);
+    [[nodiscard]] double time() const { return time_; }
+
+    void setDisplay(const render::Display& display);
+    [[nodiscard]] const render::Display& display() const { return display_; }
+
+    [[nodiscard]] const render::Camera& camera() const { return control_.camera(); }
+    void setCamera(const render::Camera& camera); // the user's own from now on
+    void frameAll();
+    void lookAlong(const geometry::Vector& toward); // keeps what is in the middle
+    void levelHorizon(); // rolls the picture until what is upright in the world is so in it
+    // The scene's view of that name; "" leaves it where it is.
+    void followView(const QString& name);
+    [[nodiscard]] const QString& followedView() const { return followed_; }
+    [[nodiscard]] const QString& lastView() const { return lastView_; } // that was followed
+    // The centre of rotation becomes the vertex or handle near the pixel, else what is at
+    // mid-depth.
+    void centerAt(const QPointF& position);
+
+    // --- for those who edit in it
+    [[nodiscard]] PictureEditing& editing() { return editing_; }
+    [[nodiscard]] Creating& creating() { return creating_; }
+    [[nodiscard]] Pointing& pointing() { return pointing_; }
+    // How long the arrow of a force, or a torque, of 1 is drawn.
+    [[nodiscard]] double arrowLength(bool couple);
+    [[nodiscard]] double massOf(std::size_t body) const; // 1 while it is not known
+    [[nodiscard]] QString words() const { return editing_.words(); }
+    // The handles that the display shows of the scene at this time; as of the last picture, where a
+    // newer one takes long, and none of another scene.
+    [[nodiscard]] const render::HandleSet& handles();
+    // The picture is the one that was wished for last.
+    [[nodiscard]] bool showsNewest() const {
+        return !isOld_ && picture_ && picture_->of.serial == wished_;
+    }
+    // The things to see in the picture as it is.
+    [[nodiscard]] const render::HandleSet& drawnHandles() const;
+    // The same, as far as it is of the scene that is shown.
+    [[nodiscard]] const render::HandleSet& knownHandles() const;
+    [[nodiscard]] render::Drawing drawing() const;
+    [[nodiscard]] gestures::Sight sight() const { return {control_.camera(), pixelSize()}; }
+    [[nodiscard]] Eigen::Vector2d inPixels(const QPointF& position) const;
+    [[nodiscard]] QPointF fromPixels(const Eigen::Vector2d& pixels) const;
+    // The place of a point of the world, in the widget.
+    [[nodiscard]] Q_INVOKABLE QPointF placeOf(double x, double y, double z) const;
+    void keepCamera(); // it does not frame the scene by itself any more
+
+    [[nodiscard]] QSize sizeHint() const override { return {640, 480}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {160, 120}; }
+
+Q_SIGNALS:
+    void cameraChanged();
+    void handleDragged(); // its words changed
+    void viewFollowed();  // another named view, or none any more
+    void menuWanted(const MenuPlace& place);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    bool event(QEvent* event) override;
+
+private:
+    [[nodiscard]] render::Size pixelSize() const;
+    void sceneChanged();
+    void motionChanged();
+    // The newest wish is asked for, and waited for as long as there is patience.
+    void bringUpToDate();
+    void ask();
+    void take();
+    void ready(); // the thread has drawn a picture
+    void movedByUser();
+    void redraw(bool moving);
+    bool turnKey(const QKeyEvent& event);
+    [[nodiscard]] std::vector<geometry::Vector> verticesAndHandles();
+
+    SceneDocument& document_;
+    std::shared_ptr<PictureThread> pictures_;
+    PictureThread::PicturePointer picture_; // the last one, maybe of something older
+    render::CameraControl control_;
+    render::Display display_;
+    double time_ = 0;
+    bool framesItself_ = true;
+    render::Display framing_; // whose handles it frames, too
+    QString followed_, lastView_;
+    PictureEditing editing_;
+    Creating creating_;
+    Pointing pointing_;
+    QPointF pressed_;     // where the button was
+    bool turned_ = false; // framed anew, with the attitude as it is
+    unsigned wished_ = 0, waitedFor_ = 0;
+    bool isOld_ = true; // what is shown is not what was wished for last
+    bool moving_ = false;
+    QTimer settle_; // then the fine picture is drawn
+};
+
+} // namespace views

@@ -1,0 +1,58 @@
+#include "plots/chart_axes.h"
+
+#include "charts/scale.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+#include <QPalette>
+
+#include <algorithm>
+#include <cmath>
+
+namespace views {
+
+void paintAxes(QPainter& painter, const ChartAxes& axes, const QPalette& palette) {
+    const QRectF& a = axes.area;
+    const QFontMetricsF metrics(painter.font());
+    const auto setLine = [&](bool isStrong) {
+        QColor line = palette.color(QPalette::WindowText);
+        line.setAlpha(isStrong ? 90 : 28);
+        painter.setPen(line);
+    };
+    const auto write = [&](const QPointF& at, const QString& label) {
+        QColor text = palette.color(QPalette::WindowText);
+        text.setAlpha(170);
+        painter.setPen(text);
+        painter.drawText(at, label);
+    };
+    const double span = axes.to - axes.from, height = axes.high - axes.low;
+    for (const double time :
+         charts::multiplesOf(charts::roundStep(span * 70 / a.width()), axes.from, axes.to)) {
+        const double x = axes.place(time, axes.low).x();
+        setLine(false);
+        painter.drawLine(QPointF(x, a.top()), QPointF(x, a.bottom()));
+        const QString label = QString::number(time, 'g', 6);
+        write({x - metrics.horizontalAdvance(label) / 2, a.bottom() + 4 + metrics.ascent()}, label);
+    }
+    const double step = charts::roundStep(height * 30 / a.height());
+    // Values that differ in their last digits only are written by what they are above a round one.
+    constexpr int widest = 8; // digits
+    const double size = std::max(std::abs(axes.low), std::abs(axes.high));
+    const double round = 10 * charts::roundStep(height);
+    const double base =
+        charts::digitsFor(size, step) > widest ? std::floor(axes.low / round) * round : 0;
+    if (base != 0)
+        write({2, a.top() - 4}, QString::number(base, 'g', charts::digitsFor(base, round)) + " +");
+    for (const double value : charts::multiplesOf(step, axes.low, axes.high)) {
+        const double y = axes.place(axes.from, value).y();
+        setLine(value == 0);
+        painter.drawLine(QPointF(a.left(), y), QPointF(a.right(), y));
+        const double above = std::abs(value - base) < step / 2 ? 0 : value - base;
+        const QString label =
+            QString::number(above, 'g', base != 0 ? 4 : charts::digitsFor(value, step));
+        write({a.left() - 6 - metrics.horizontalAdvance(label), y + metrics.ascent() / 2 - 1},
+              label);
+    }
+}
+
+} // namespace views

@@ -1,0 +1,163 @@
+#include "plots/plot_chart.h"
+
+#include "charts/scale.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+
+#include <algorithm>
+#include <cmath>
+
+namespace views {
+
+namespace {
+
+constexpr double leftSpace = 64, rightSpace = 16, bottomSpace = 24;
+
+// With the digits that a thousandth of the range needs.
+QString number(double value, double range) {
+    return QString::number(value, 'g', charts::digitsFor(value, range / 1000));
+}
+
+} // namespace
+
+QPen PlotChart::penOf(std::size_t curve, double width) const {
+    constexpr Qt::PenStyle lines[] = {Qt::SolidLine, Qt::DashLine, Qt::DotLine, Qt::DashDotLine};
+    const charts::Curve& one = plot_.curves[curve];
+    const QColor color =
+        QColor::fromRgbF(static_cast<float>(one.color.red), static_cast<float>(one.color.green),
+                         static_cast<float>(one.color.blue));
+    return {color, width, lines[static_cast<std::size_t>(one.stroke)]};
+}
+
+PlotChart::PlotChart() {
+    setMouseTracking(true);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+}
+
+void PlotChart::setPlot(charts::Plot plot, double start, double finish) {
+    plot_ = std::move(plot);
+    start_ = start;
+    finish_ = finish > start ? finish : start + 1;
+    range_ = charts::rangeOf(plot_);
+    setAccessibleName(tr("%1 against time").arg(QString::fromStdString(plot_.title)));
+    update();
+}
+
+QRectF PlotChart::area() const {
+    const double top = 2.2 * fontMetrics().height();
+    return {leftSpace, top, std::max(1.0, width() - leftSpace - rightSpace),
+            std::max(1.0, height() - top - bottomSpace)};
+}
+
+ChartAxes PlotChart::axes() const { return {area(), start_, finish_, range_.low, range_.high}; }
+
+QPointF PlotChart::placeOf(double time, double value) const { return axes().place(time, value); }
+
+std::optional<std::size_t> PlotChart::sampleAt(const QPointF& position) const {
+    const QRectF a = area();
+    if (plot_.times.empty() || position.x() < a.left() || position.x() > a.right())
+        return std::nullopt;
+    const double time = start_ + (position.x() - a.left()) / a.width() * (finish_ - start_);
+    const auto after = std::ranges::lower_bound(plot_.times, time);
+    auto at = static_cast<std::size_t>(after - plot_.times.begin());
+    if (at == plot_.times.size() || (at > 0 && time - plot_.times[at - 1] < plot_.times[at] - time))
+        --at;
+    return at;
+}
+
+QString PlotChart::readingAt(const QPointF& position) const {
+    const auto at = sampleAt(position);
+    if (!at)
+        return {};
+    QString words = tr("t = %1 s").arg(number(plot_.times[*at], finish_ - start_));
+    for (const charts::Curve& curve : plot_.curves)
+        words += QStringLiteral("   %1 = %2")
+                     .arg(QString::fromStdString(curve.label),
+                          number(curve.values[*at], range_.high - range_.low));
+    return words;
+}
+
+void PlotChart::mouseMoveEvent(QMouseEvent* event) {
+    pointer_ = event->position();
+    update();
+}
+
+void PlotChart::leaveEvent(QEvent*) {
+    pointer_.reset();
+    update();
+}
+
+void PlotChart::paintAxes(QPainter& painter) const { views::paintAxes(painter, axes(), palette()); }
+
+void PlotChart::paintCurves(QPainter& painter) const {
+    painter.setClipRect(area().adjusted(-1, -1, 1, 1));
+    painter.setBrush(Qt::NoBrush);
+    const auto now = pointer_ ? sampleAt(*pointer_) : std::nullopt;
+    for (std::size_t i = 0; i < plot_.curves.size(); ++i) {
+        const std::vector<double>& values = plot_.curves[i].values;
+        QPainterPath path;
+        bool joined = false;
+        for (std::size_t k = 0; k < values.size(); ++k) {
+            if (!std::isfinite(values[k])) {
+                joined = false;
+                continue;
+            }
+            const QPointF place = placeOf(plot_.times[k], values[k]);
+            if (joined)
+                path.lineTo(place);
+            else
+                path.moveTo(place);
+            joined = true;
+        }
+        painter.setPen(penOf(i, 1.8));
+        painter.drawPath(path);
+        if (now && std::isfinite(values[*now]))
+            painter.drawEllipse(placeOf(plot_.times[*now], values[*now]), 3.5, 3.5);
+    }
+    painter.setClipping(false);
+}
+
+// The title, and what the curves are; with the pointer over them what they are worth.
+void PlotChart::paintTitle(QPainter& painter) const {
+    const double line = 4 + fontMetrics().ascent();
+    QFont bold = font();
+    bold.setBold(true);
+    painter.setFont(bold);
+    painter.setPen(palette().color(QPalette::WindowText));
+    const QString title = QString::fromStdString(plot_.title);
+    painter.drawText(QPointF(leftSpace, line), title);
+    const double behind = leftSpace + QFontMetricsF(bold).horizontalAdvance(title) + 20;
+    painter.setFont(font());
+    const QString reading = pointer_ ? readingAt(*pointer_) : QString();
+    if (!reading.isEmpty()) {
+        painter.drawText(QPointF(behind, line), reading);
+        return;
+    }
+    double x = behind;
+    for (std::size_t i = 0; i < plot_.curves.size(); ++i) {
+        painter.setPen(penOf(i, 2.5));
+        painter.drawLine(QPointF(x, line - 4), QPointF(x + 22, line - 4));
+        painter.setPen(palette().color(QPalette::WindowText));
+        const QString label = QString::fromStdString(plot_.curves[i].label);
+        painter.drawText(QPointF(x + 27, line), label);
+        x += 44 + fontMetrics().horizontalAdvance(label);
+    }
+}
+
+void PlotChart::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.fillRect(rect(), palette().base());
+    paintTitle(painter);
+    if (!plot_.fault.empty()) {
+        painter.drawText(area(), Qt::AlignCenter | Qt::TextWordWrap,
+                         QString::fromStdString(plot_.fault));
+        return;
+    }
+    paintAxes(painter);
+    paintCurves(painter);
+}
+
+} // namespace views

@@ -1,0 +1,107 @@
+#include "plots/plot_dialog.h"
+
+#include "plain/plain.h"
+#include "scene/names.h"
+
+#include <QDialogButtonBox>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QVBoxLayout>
+
+namespace views {
+
+namespace {
+
+// What expressions can name, and nothing else: shapes are large.
+scene::Scene namesOf(const scene::Scene& scene) {
+    scene::Scene names;
+    for (const scene::Body& body : scene.bodies)
+        names.bodies.emplace_back().name = body.name;
+    for (const scene::Link& link : scene.links) {
+        scene::Link& named = names.links.emplace_back();
+        named.name = link.name;
+        named.spring = link.spring;
+    }
+    for (const scene::Joint& joint : scene.joints) {
+        scene::Joint& named = names.joints.emplace_back();
+        named.name = joint.name;
+        named.type = joint.type;
+    }
+    for (const scene::Gear& gear : scene.gears)
+        names.gears.emplace_back().name = gear.name;
+    for (const scene::Rope& rope : scene.ropes) {
+        scene::Rope& named = names.ropes.emplace_back();
+        named.name = rope.name;
+        named.points = rope.points;
+        named.isClosed = rope.isClosed;
+    }
+    for (const scene::Contact& contact : scene.contacts)
+        names.contacts.emplace_back().name = contact.name;
+    for (const scene::Trajectory& trajectory : scene.trajectories)
+        names.trajectories.emplace_back().name = trajectory.name;
+    for (const scene::Parameter& parameter : scene.parameters)
+        names.parameters.emplace_back().name = parameter.name;
+    return names;
+}
+
+} // namespace
+
+QString faultOfPlotted(const scene::Scene& scene, const QString& expression) {
+    // A bracket that is not closed would take the rest of the text with it; expressions have none.
+    static const QRegularExpression foreign(QStringLiteral("[{}\\[\\]\"\\\\$;#\n]"));
+    if (expression.contains(foreign))
+        return PlotDialog::tr(
+            "An expression has no braces, brackets, quotes, backslashes, $, # and semicolons.");
+    scene::Scene asked = namesOf(scene);
+    scene::Plot& plot = asked.plots.emplace_back();
+    plot.name = "plot";
+    plot.values = {expression.toStdString()};
+    const auto faults = scene::checkExpressions(asked);
+    if (faults.empty())
+        return {};
+    const scene::ExpressionFault& fault = faults.front();
+    QString words = QString::fromStdString(fault.message);
+    if (!fault.suggestion.empty())
+        words += " (" + QString::fromStdString(fault.suggestion) + ")";
+    return words;
+}
+
+PlotDialog::PlotDialog(std::shared_ptr<const scene::Scene> scene, QWidget* parent)
+    : QDialog(parent), scene_(std::move(scene)), field_(new QLineEdit), fault_(plain::label()) {
+    setObjectName("newPlot");
+    field_->setObjectName("expression");
+    setWindowTitle(tr("New Plot"));
+    auto* column = new QVBoxLayout(this);
+    auto* asks = plain::label(tr("&Expression to chart against time:"));
+    asks->setBuddy(field_);
+    const auto& bodies = scene_->bodies;
+    field_->setText(bodies.empty() ? QStringLiteral("t")
+                                   : QString::fromStdString(bodies[0].name + ".y"));
+    field_->selectAll();
+    fault_->setWordWrap(true);
+    fault_->setStyleSheet(QStringLiteral("color: #aa1e14"));
+    fault_->setMinimumHeight(2 * fault_->fontMetrics().height()); // what is below stays
+    fault_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
+    column->addWidget(asks);
+    column->addWidget(field_);
+    column->addWidget(fault_);
+    column->addWidget(buttons);
+    connect(field_, &QLineEdit::textChanged, fault_, &QLabel::clear); // not while one types
+    connect(buttons, &QDialogButtonBox::accepted, this, &PlotDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    setMinimumWidth(420);
+}
+
+QString PlotDialog::expression() const { return field_->text().trimmed(); }
+
+void PlotDialog::accept() {
+    const QString fault = expression().isEmpty() ? tr("An expression, please: b1.y, t, a + b.")
+                                                 : faultOfPlotted(*scene_, expression());
+    fault_->setText(fault);
+    if (fault.isEmpty())
+        QDialog::accept();
+}
+
+} // namespace views

@@ -1,0 +1,102 @@
+// What a `plot` says is to be seen, and follows the motion.
+#include "plots/plot_dialog.h"
+#include "plots/plots_window.h"
+#include "viewers/editor.h"
+#include "views/test_workshop.h"
+
+#include <gtest/gtest.h>
+
+namespace views {
+namespace {
+
+const std::string flying = "simulator -finish 2\n"
+                           "shape_set s -desc {-sub {-sphere 0.5}}\n"
+                           "body b s -init_pos {1 5 0} -init_dpos {3 0 0}\n"
+                           "plot p -values {b.x {b.y + 1}} -labels {way height} -title Flight\n";
+
+class PlotsTest : public testing::Test {
+protected:
+    static void SetUpTestSuite() { theApplication(); }
+    void show(const std::string& text) {
+        editor.document().setText(text, "Edit");
+        ASSERT_TRUE(settle(editor.document()));
+    }
+    static Workshop workshop() { // values are read from the engine's own motion
+        static TestWorkshop made;
+        Workshop workshop = made.workshop();
+        workshop.simulate = [](const auto& scene, const auto& options, const auto& observer) {
+            return simulation::simulate(*scene, options, observer);
+        };
+        return workshop;
+    }
+    Editor editor{workshop()};
+};
+
+TEST_F(PlotsTest, EachQuantityIsACurveOverTheWholeMotion) {
+    show(flying);
+    PlotsWindow* window = editor.openPlots();
+    ASSERT_TRUE(waitFor([&] {
+        return window->charts().size() == 1 && !window->charts()[0]->plot().times.empty();
+    }));
+    const charts::Plot& plot = window->charts()[0]->plot();
+    EXPECT_EQ(plot.title, "Flight");
+    EXPECT_EQ(plot.curves[0].label, "way");
+    EXPECT_EQ(plot.times.back(), 2);
+    EXPECT_NEAR(plot.curves[0].values.back(), 1 + 3 * 2, 1e-12);
+    EXPECT_NEAR(plot.curves[1].values.front(), 6, 1e-12);
+    PlotChart& chart = *window->charts()[0];
+    EXPECT_EQ(chart.readingAt(chart.placeOf(1, 4)), "t = 1 s   way = 4   height = 6");
+    EXPECT_EQ(chart.readingAt(QPointF(0, 0)), "");
+    const QImage before = chart.grab().toImage();
+    show(flying + "plot q -values scene.px\n");
+    ASSERT_TRUE(waitFor([&] { return window->charts().size() == 2; }));
+    QString slower = QString::fromStdString(flying).replace("{3 0 0}", "{-1 0 0}");
+    show(slower.toStdString());
+    ASSERT_TRUE(waitFor([&] {
+        return window->charts().size() == 1 &&
+               window->charts()[0]->plot().curves[0].values.back() == -1;
+    }));
+    EXPECT_NE(window->charts()[0]->grab().toImage(), before);
+}
+
+TEST_F(PlotsTest, APlotThatIsCreatedIsShown) {
+    show(flying);
+    GraphicalViewer* viewer = editor.openGraphicalViewer();
+    viewer->display().creating().start(newPlot("b.y"));
+    ASSERT_TRUE(settle(editor.document()));
+    PlotsWindow* window = nullptr;
+    for (QWidget* one : QApplication::topLevelWidgets())
+        if (auto* plots = qobject_cast<PlotsWindow*>(one); plots && plots->isVisible())
+            window = plots;
+    ASSERT_NE(window, nullptr);
+    EXPECT_TRUE(waitFor([&] { return window->charts().size() == 2; }));
+}
+
+TEST_F(PlotsTest, CoordinatesAndForcesOfJointsCanBePlotted) {
+    show("shape_set s -desc {-sub {-sphere 0.5}}\nbody b s\n"
+         "joint pin -type hinge -body1 b -offset1 {0 1 0}\n");
+    const scene::Scene& scene = *editor.document().shown().scene;
+    EXPECT_EQ(faultOfPlotted(scene, "pin.q + pin.dq * pin.fx").toStdString(), "");
+    EXPECT_NE(faultOfPlotted(scene, "pin.q2").toStdString(), "");
+}
+
+TEST_F(PlotsTest, WhatCannotBeReadSaysWhyAndWithoutPlotsNothingIsLeft) {
+    show(flying);
+    PlotsWindow* window = editor.openPlots();
+    ASSERT_TRUE(waitFor([&] { return window->charts().size() == 1; }));
+    show("shape_set s -desc {-sub {-sphere 0.5}}\nbody b s\n");
+    EXPECT_TRUE(waitFor([&] { return window->charts().empty(); }));
+    PlotChart chart;
+    chart.resize(400, 200);
+    charts::Plot plot;
+    plot.title = "p";
+    chart.setPlot(plot, 0, 1);
+    const QImage empty = chart.grab().toImage();
+    plot.fault = "There is no body a.";
+    chart.setPlot(plot, 0, 1);
+    EXPECT_NE(chart.grab().toImage(), empty);
+    EXPECT_EQ(chart.readingAt(chart.placeOf(0.5, 0)), "");
+}
+
+} // namespace
+} // namespace views

@@ -1,0 +1,33 @@
+// The plots of a scene, each a chart of its quantities against time, in step with the motion.
+#pragma once
+
+#include "charts/plot_sampler.h"
+#include "plots/plot_chart.h"
+#include "workbench/scene_document.h"
+
+#include <QMainWindow>
+
+class QLabel;
+class QVBoxLayout;
+
+namespace views {
+
+class PlotsWindow : public QMainWindow {
+    Q_OBJECT
+public:
+    explicit PlotsWindow(SceneDocument& document);
+    [[nodiscard]] const std::vector<PlotChart*>& charts() const { return charts_; }
+
+private:
+    void ask();        // for what is shown now
+    void makeCharts(); // of its plots, still without values
+    void take(const charts::PlotSampler::Wish& of, std::vector<charts::Plot> plots);
+
+    SceneDocument& document_;
+    QVBoxLayout* column_;
+    QLabel* none_;
+    std::vector<PlotChart*> charts_;
+    charts::PlotSampler sampler_; // the first to go
+};
+
+} // namespace views

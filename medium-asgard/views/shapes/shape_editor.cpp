@@ -1,0 +1,406 @@
+#include "shapes/shape_editor.h"
+
+#include "editing/shape_library.h"
+#include "editing/shape_points.h"
+#include "frame/manual.h"
+#include "frame/names_box.h"
+#include "frame/undo_actions.h"
+#include "plain/plain.h"
+#include "shapes/shape_fields.h"
+#include "shapes/shape_import.h"
+#include "shapes/shape_names.h"
+#include "shapes/shape_panel.h"
+
+#include <QCloseEvent>
+#include <QColorDialog>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QInputDialog>
+#include <QKeyEvent>
+#include <QMenu>
+#include <QMenuBar>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace views {
+
+using editing::DraftPart;
+using geometry::Vector;
+
+ShapeEditor::ShapeEditor(SceneDocument& document)
+    : document_(document), names_(new QComboBox), display_(new ShapeDisplay),
+      panel_(new ShapePanel), fields_(new ShapeFields), words_(plain::label()) {
+    setAttribute(Qt::WA_DeleteOnClose);
+    setObjectName("shapeEditor");
+    display_->setObjectName("shape");
+    auto* whole = new QWidget;
+    auto* column = new QVBoxLayout(whole);
+    column->setContentsMargins(12, 10, 12, 10);
+    auto* top = new QHBoxLayout;
+    buildTop(top);
+    column->addLayout(top);
+    auto* middle = new QHBoxLayout;
+    middle->addWidget(display_, 1);
+    middle->addWidget(panel_);
+    column->addLayout(middle, 1);
+    column->addWidget(fields_);
+    words_->setWordWrap(true);
+    words_->setMinimumHeight(2 * words_->fontMetrics().height());
+    words_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    words_->setObjectName("hint");
+    words_->setAccessibleName(tr("Hint"));
+    column->addWidget(words_);
+    setCentralWidget(whole);
+    buildMenus();
+    connectDisplay();
+    connectPanel();
+    connect(names_, &QComboBox::currentTextChanged, this, &ShapeEditor::followScene);
+    connect(&document_, &SceneDocument::sceneChanged, this, &ShapeEditor::followScene);
+    // Until it is read, a text with no faults is shown as what was made of it.
+    connect(&document_, &SceneDocument::diagnosticsChanged, this, [this] {
+        if (document_.hasErrors() || document_.sceneIsCurrent())
+            followScene();
+    });
+    const auto name = [this] {
+        setWindowTitle(tr("%1[*] – Shape Editor").arg(plain::title(document_.name())));
+        setWindowModified(!document_.hasHost() && document_.isModified());
+    };
+    connect(&document_, &SceneDocument::nameChanged, this, name);
+    name();
+    followScene();
+    display_->setFocus();
+    resize(860, 680);
+}
+
+void ShapeEditor::buildTop(QHBoxLayout* row) {
+    names_->setObjectName("shapes");
+    names_->setAccessibleName(tr("Shape"));
+    names_->setMinimumContentsLength(12);
+    names_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    auto* fresh = new QToolButton;
+    fresh->setObjectName("newShape");
+    fresh->setText(tr("New…"));
+    fresh->setToolTip(tr("A new shape (Ctrl+N)"));
+    connect(fresh, &QToolButton::clicked, this, &ShapeEditor::askForNewShape);
+    auto* import = new QToolButton;
+    import->setObjectName("import");
+    import->setText(tr("Import…"));
+    import->setToolTip(tr("A new shape from an STL or OBJ file (Ctrl+I)"));
+    connect(import, &QToolButton::clicked, this, &ShapeEditor::askToImport);
+    rename_ = new QToolButton;
+    rename_->setObjectName("rename");
+    rename_->setText(tr("Rename…"));
+    rename_->setToolTip(tr("Another name, here and where the shape is used (F2)"));
+    connect(rename_, &QToolButton::clicked, this, &ShapeEditor::askForName);
+    row->addWidget(names_);
+    row->addWidget(fresh);
+    row->addWidget(import);
+    row->addWidget(rename_);
+    row->addStretch();
+}
+
+void ShapeEditor::buildMenus() {
+    QMenu* file = menuBar()->addMenu(tr("&File"));
+    file->addAction(tr("&New Shape…"), QKeySequence::New, this, &ShapeEditor::askForNewShape);
+    file->addAction(tr("&Import…"), QKeySequence(Qt::CTRL | Qt::Key_I), this,
+                    &ShapeEditor::askToImport);
+    file->addAction(tr("&Rename Shape…"), QKeySequence(Qt::Key_F2), this, &ShapeEditor::askForName);
+    file->addSeparator();
+    file->addAction(tr("&Close"), QKeySequence::Close, this, &QWidget::close);
+    QMenu* edit = menuBar()->addMenu(tr("&Edit"));
+    addUndoActions(edit, document_);
+    edit->addSeparator();
+    edit->addAction(tr("&Add Vertex"), QKeySequence(Qt::Key_Insert), this,
+                    &ShapeEditor::addPointByKey);
+    removePoint_ =
+        edit->addAction(tr("Delete &Vertex"), QKeySequence(Qt::Key_Delete), this, [this] {
+            if (display_->chosenPart() && display_->chosenPoint())
+                removePoint(*display_->chosenPart(), *display_->chosenPoint());
+        });
+    removePart_ = edit->addAction(tr("Delete &Part"), QKeySequence(Qt::SHIFT | Qt::Key_Delete),
+                                  this, &ShapeEditor::removePart);
+    edit->addAction(tr("Convex &Hull"), QKeySequence(Qt::CTRL | Qt::Key_H), this,
+                    [this] { dropInnerPoints(false); });
+    edit->addSeparator();
+    edit->addAction(tr("Ne&xt Vertex"), QKeySequence(Qt::Key_PageDown), this,
+                    [this] { chooseNext(1); });
+    edit->addAction(tr("P&revious Vertex"), QKeySequence(Qt::Key_PageUp), this,
+                    [this] { chooseNext(-1); });
+    QMenu* view = menuBar()->addMenu(tr("&View"));
+    view->addAction(tr("&Frame All"), QKeySequence(Qt::Key_F), display_, &ShapeDisplay::frame);
+    view->addSeparator();
+    const std::tuple<QString, Vector, int> sides[] = {
+        {tr("Along &z: the Plane x y"), Vector::UnitZ(), Qt::Key_3},
+        {tr("Along &x: the Plane y z"), Vector::UnitX(), Qt::Key_1},
+        {tr("Along &y: the Plane x z"), Vector::UnitY(), Qt::Key_2}};
+    for (const auto& [text, toward, key] : sides)
+        view->addAction(plain::ours(text), QKeySequence(key), display_,
+                        [this, side = toward] { display_->lookAlong(side); });
+    addHelpMenu(this, QStringLiteral("Shapes"));
+}
+
+void ShapeEditor::connectDisplay() {
+    display_->installEventFilter(this);
+    connect(display_, &ShapeDisplay::chosen, this, [this](std::size_t part, std::size_t point) {
+        choose(part, point);
+        tell({});
+    });
+    connect(display_, &ShapeDisplay::dragged, this, &ShapeEditor::drag);
+    connect(display_, &ShapeDisplay::released, this, [this] { finish(tr("Move Vertex")); });
+    connect(display_, &ShapeDisplay::cancelled, this, &ShapeEditor::cancel);
+    connect(display_, &ShapeDisplay::addWanted, this, &ShapeEditor::addPoint);
+    connect(display_, &ShapeDisplay::removeWanted, this, &ShapeEditor::removePoint);
+}
+
+void ShapeEditor::connectPanel() {
+    connect(panel_, &ShapePanel::chosen, this, [this](std::size_t part) {
+        if (display_->chosenPart() != part)
+            choose(part);
+    });
+    connect(panel_, &ShapePanel::addWanted, this, &ShapeEditor::addParts);
+    connect(panel_, &ShapePanel::hullWanted, this, [this] { dropInnerPoints(false); });
+    connect(panel_, &ShapePanel::colourWanted, this, &ShapeEditor::askForColour);
+    connect(panel_, &ShapePanel::removeWanted, this, &ShapeEditor::removePart);
+    connect(panel_, &ShapePanel::gridChanged, display_, &ShapeDisplay::setGrid);
+    connect(fields_, &ShapeFields::placeTaken, this, &ShapeEditor::movePoint);
+    connect(fields_, &ShapeFields::sizesTaken, this, &ShapeEditor::resizePart);
+    connect(fields_, &ShapeFields::refused, this, [this](const QString& why) {
+        tell(why, true);
+        showFields();
+    });
+}
+
+// --- what is shown -----------------------------------------------------------------------------
+
+QString ShapeEditor::shape() const { return names_->currentText(); }
+
+QString ShapeEditor::words() const { return words_->text(); }
+
+std::optional<std::size_t> ShapeEditor::index() const {
+    return indexNamed(document_.shown().scene->shapeSets, names_->currentText());
+}
+
+std::vector<scene::Part> ShapeEditor::parts() const {
+    std::vector<scene::Part> parts;
+    for (const DraftPart& one : draft_)
+        parts.push_back(one.part);
+    return parts;
+}
+
+void ShapeEditor::showShape(const QString& name) {
+    if (const int row = names_->findText(name); row >= 0)
+        names_->setCurrentIndex(row);
+    else
+        wantedName_ = name;
+}
+
+void ShapeEditor::fillNames() {
+    fill(*names_, namesOf(document_.shown().scene->shapeSets), wantedName_);
+    if (names_->currentText() == wantedName_)
+        wantedName_.clear();
+}
+
+void ShapeEditor::followScene() {
+    if (gesture_)
+        return; // its own steps; what it ends with is followed
+    fillNames();
+    const bool another = shownName_ != names_->currentText();
+    if (another) {
+        nudges_.clear();
+        leaveShape(std::exchange(shownName_, names_->currentText()));
+    }
+    const auto here = index();
+    const bool hadNone = !panel_->isEnabled();
+    for (QWidget* one : std::initializer_list<QWidget*>{names_, panel_, fields_, rename_})
+        one->setEnabled(here.has_value());
+    draft_ = here ? editing::draftOf(document_.shown().scene->shapeSets[*here])
+                  : std::vector<DraftPart>();
+    showDraft(another);
+    if (another)
+        choose(draft_.empty() ? std::nullopt : std::optional<std::size_t>(0));
+    if (wantedPart_ && *wantedPart_ < draft_.size() && document_.sceneIsCurrent())
+        choose(std::exchange(wantedPart_, std::nullopt));
+    if (!here)
+        tell(tr("This scene has no shapes yet. New makes one."));
+    else if (words_->text().isEmpty() || hadNone)
+        tell({});
+    if (document_.hasErrors())
+        nudges_.clear(); // whoever mends them does not expect a vertex to move
+    if (!document_.sceneIsCurrent())
+        return;
+    if (untilCurrent_)
+        tell({});
+    if (!nudges_.empty())
+        makeNudges();
+    if (closing_)
+        close();
+}
+
+void ShapeEditor::showDraft(bool another) {
+    display_->setParts(parts(), another);
+    panel_->setParts(parts(), display_->chosenPart());
+    showFields();
+}
+
+void ShapeEditor::choose(std::optional<std::size_t> part, std::optional<std::size_t> point) {
+    display_->choose(part, point);
+    panel_->choose(display_->chosenPart());
+    showFields();
+}
+
+void ShapeEditor::showFields() {
+    const auto part = display_->chosenPart();
+    removePart_->setEnabled(part.has_value());
+    removePoint_->setEnabled(display_->chosenPoint().has_value());
+    fields_->showNumbers(part ? &draft_[*part].part : nullptr, display_->chosenPlace());
+}
+
+void ShapeEditor::tell(const QString& words, bool isFault) {
+    untilCurrent_ = false;
+    words_->setForegroundRole(isFault ? QPalette::WindowText : QPalette::PlaceholderText);
+    words_->setText(
+        words.isEmpty()
+            ? tr("With Shift the left button drags a vertex, the middle one adds one to the chosen "
+                 "part, the right one deletes one. Page Up and Page Down go from vertex to vertex, "
+                 "the arrow keys move it. White vertices lie inside; they go when the shape is "
+                 "left.")
+            : words);
+}
+
+// --- by keys -----------------------------------------------------------------------------------
+
+void ShapeEditor::chooseNext(int direction) {
+    std::vector<std::pair<std::size_t, std::size_t>> all;
+    for (std::size_t i = 0; i < draft_.size(); ++i)
+        for (std::size_t k = 0; k < editing::pointsOf(draft_[i].part).size(); ++k)
+            all.emplace_back(i, k);
+    if (all.empty())
+        return;
+    const auto part = display_->chosenPart(), point = display_->chosenPoint();
+    const auto count = static_cast<std::ptrdiff_t>(all.size());
+    std::ptrdiff_t at = direction > 0 ? 0 : count - 1;
+    if (part) {
+        const auto here = std::ranges::find(all, std::pair(*part, point.value_or(0)));
+        at = here - all.begin() + (point ? direction : 0);
+    }
+    const auto& [nextPart, nextPoint] = all[static_cast<std::size_t>((at + count) % count)];
+    choose(nextPart, nextPoint);
+}
+
+bool ShapeEditor::eventFilter(QObject* watched, QEvent* event) {
+    if (watched != display_ || event->type() != QEvent::KeyPress)
+        return QMainWindow::eventFilter(watched, event);
+    // Along the axes that are seen best to the right and upwards; with Control along the third.
+    const auto* keys = static_cast<QKeyEvent*>(event);
+    const bool third = keys->modifiers() & Qt::ControlModifier;
+    const double many = keys->modifiers() & Qt::ShiftModifier ? 10 : 1;
+    switch (keys->key()) {
+    case Qt::Key_Left:
+        nudge(-many * display_->screenAxis(third ? 2 : 0));
+        return true;
+    case Qt::Key_Right:
+        nudge(many * display_->screenAxis(third ? 2 : 0));
+        return true;
+    case Qt::Key_Up:
+        nudge(many * display_->screenAxis(third ? 2 : 1));
+        return true;
+    case Qt::Key_Down:
+        nudge(-many * display_->screenAxis(third ? 2 : 1));
+        return true;
+    default:
+        return QMainWindow::eventFilter(watched, event);
+    }
+}
+
+// --- shapes ------------------------------------------------------------------------------------
+
+QString ShapeEditor::newShape(const QString& name) {
+    QString fault =
+        makeShape(document_, name, {editing::tetrahedron(1)}, tr("New Shape %1").arg(name));
+    if (fault.isEmpty())
+        wantedName_ = name;
+    return fault;
+}
+
+QString ShapeEditor::renameShape(const QString& name) {
+    const auto here = index();
+    const QString before = names_->currentText();
+    if (name == before || !here)
+        return {};
+    QString fault = views::renameShape(document_, *here, name);
+    if (!fault.isEmpty())
+        return fault;
+    if (edited_.erase(before) > 0)
+        edited_.insert(name);
+    shownName_ = wantedName_ = name;
+    return {};
+}
+
+void ShapeEditor::askForNewShape() {
+    bool ok = false;
+    const QString name = QInputDialog::getText(this, tr("New Shape"), tr("Name of the shape:"),
+                                               QLineEdit::Normal, unusedShapeName(document_), &ok);
+    if (!ok)
+        return;
+    if (const QString fault = newShape(name.trimmed()); !fault.isEmpty())
+        plain::Message::tell(QMessageBox::Warning, this, tr("New Shape"), fault);
+}
+
+void ShapeEditor::askToImport() {
+    if (ShapeImport* dialog = importShape(document_, this))
+        connect(dialog, &ShapeImport::imported, this, &ShapeEditor::showShape);
+}
+
+void ShapeEditor::askForName() {
+    if (!index())
+        return;
+    bool ok = false;
+    const QString name = QInputDialog::getText(this, tr("Rename Shape"), tr("Name of the shape:"),
+                                               QLineEdit::Normal, names_->currentText(), &ok);
+    if (!ok)
+        return;
+    if (const QString fault = renameShape(name.trimmed()); !fault.isEmpty())
+        plain::Message::tell(QMessageBox::Warning, this, tr("Rename Shape"), fault);
+}
+
+void ShapeEditor::askForColour() {
+    const auto part = display_->chosenPart();
+    if (!part)
+        return;
+    const auto now = draft_[*part].part.appearance.color.value_or(scene::Color{});
+    const QColor chosen = QColorDialog::getColor(QColor::fromRgbF(static_cast<float>(now.red),
+                                                                  static_cast<float>(now.green),
+                                                                  static_cast<float>(now.blue)),
+                                                 this, tr("Colour of the Part"));
+    if (chosen.isValid() && part == display_->chosenPart())
+        setColour(*part,
+                  scene::Color{decimal(chosen.redF(), 0.001), decimal(chosen.greenF(), 0.001),
+                               decimal(chosen.blueF(), 0.001)});
+}
+
+void ShapeEditor::showEvent(QShowEvent* event) {
+    closing_ = false; // it is wanted again
+    QMainWindow::showEvent(event);
+}
+
+void ShapeEditor::settle() {
+    if (isVisible())
+        leaveShape(shownName_);
+}
+
+void ShapeEditor::closeEvent(QCloseEvent* event) {
+    cancel();
+    const bool waits = edited_.contains(shownName_) && !document_.sceneIsCurrent() &&
+                       !document_.hasErrors() && !closing_;
+    closing_ = true;
+    if (waits) { // for what was just done to be read
+        hide();
+        return event->ignore();
+    }
+    leaveShape(shownName_);
+    event->accept();
+}
+
+} // namespace views

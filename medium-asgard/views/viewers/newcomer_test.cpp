@@ -1,0 +1,170 @@
+// What a new user stumbled over in the windows.
+#include "language/scene_editor.h"
+#include "viewers/control_panel.h"
+#include "viewers/editor.h"
+#include "views/test_workshop.h"
+
+#include <QAction>
+#include <QSlider>
+#include <QTemporaryDir>
+
+#include <gmock/gmock.h>
+
+namespace views {
+namespace {
+
+using geometry::Vector;
+
+class NewcomerTest : public testing::Test {
+protected:
+    static void SetUpTestSuite() { theApplication(); }
+    void open(const std::string& text) {
+        editor.document().setText(text, "Edit");
+        ASSERT_TRUE(settle(editor.document()));
+    }
+    static QAction* action(QWidget& window, const QString& beginsWith) {
+        for (QAction* one : window.findChildren<QAction*>())
+            if (one->text().remove('&').startsWith(beginsWith))
+                return one;
+        return nullptr;
+    }
+
+    TestWorkshop made;
+    Editor editor{made.workshop()};
+};
+
+TEST_F(NewcomerTest, FrameAllShowsTheHandlesToo) {
+    open("simulator -finish 1\nshape_set s -desc {-sub {-sphere 0.5}}\n"
+         "body a s -init_dpos {0.4 0 0}\nbody b s -init_dpos {0 9 0} -init_pos {20 0 0}\n"
+         "body c s -init_dpos {0 0.1 0} -init_pos {-2 0 0}\n");
+    GraphicalViewer* viewer = editor.openGraphicalViewer();
+    SceneDisplay& display = viewer->display();
+    display.frameAll();
+    display.grab();
+    const double alone = display.camera().scale;
+    viewer->findChild<StatusPanel*>()->show(&render::Display::lightHandles);
+    viewer->findChild<StatusPanel*>()->show(&render::Display::spinHandles);
+    viewer->findChild<StatusPanel*>()->show(&render::Display::velocityHandles);
+    display.grab();
+    EXPECT_EQ(display.camera().scale, alone); // a switch moves nothing
+    display.frameAll();
+    display.grab();
+    ASSERT_FALSE(display.handles().handles.empty());
+    for (const render::Handle& handle : display.handles().handles) {
+        const QPointF place = display.fromPixels(display.sight().pixels(handle.place));
+        EXPECT_TRUE(QRectF(display.rect()).contains(place)) << place.x() << " " << place.y();
+    }
+}
+
+TEST_F(NewcomerTest, ANewSceneIsSeenFromItsStart) {
+    open(ballScene);
+    GraphicalViewer* viewer = editor.openGraphicalViewer();
+    viewer->playback().seek(1.5);
+    render::Camera far = viewer->display().camera();
+    far.center = Vector(1000, 0, 0);
+    viewer->display().setCamera(far);
+    editor.document().reset();
+    ASSERT_TRUE(settle(editor.document()));
+    viewer->display().grab();
+    EXPECT_EQ(viewer->playback().time(), 0);
+    EXPECT_LT(viewer->display().camera().center.norm(), 10);
+}
+
+TEST_F(NewcomerTest, UndoIsNamedInEveryWindow) {
+    open(ballScene);
+    GraphicalViewer* viewer = editor.openGraphicalViewer();
+    EXPECT_EQ(action(*viewer, "Undo")->text(), "&Undo Edit");
+    const int since = editor.document().revision();
+    editor.document().preview(ballScene + "# a", since);
+    editor.document().finishPreview(ballScene + "# a", "Drag", since);
+    EXPECT_EQ(action(*viewer, "Undo")->text(), "&Undo Drag");
+    EXPECT_EQ(action(*editor.openControlPanel(), "Undo")->text(), "&Undo Drag");
+}
+
+TEST_F(NewcomerTest, TheEndingOfAnExportsNameSaysWhatItIs) {
+    open(ballScene);
+    const QTemporaryDir folder;
+    editor.openControlPanel()->exports().write(folder.filePath("a.CSV"), ExportFormat::png);
+    EXPECT_TRUE(waitFor([&] { return QFileInfo(folder.filePath("a.CSV")).size() > 100; }));
+    EXPECT_EQ(formatOf("now.png", ExportFormat::table), ExportFormat::png);
+    EXPECT_EQ(formatOf("film", ExportFormat::film), ExportFormat::film);
+}
+
+TEST_F(NewcomerTest, ADoubleClickOnANumberTakesAllOfIt) {
+    open("shape_set s -desc {-sub {-sphere 0.5}}\nbody b s -init_pos {-12.25 3e-2 0}\n");
+    LanguageViewer* viewer = editor.openLanguageViewer();
+    auto& text = static_cast<SceneEditor&>(viewer->editor());
+    for (const char* number : {"-12.25", "3e-2", "0.5"}) {
+        const std::size_t at = text.bytes().find(number) + 2;
+        QTest::mouseDClick(text.viewport(), Qt::LeftButton, {},
+                           text.rectOf(at).center() + QPoint(2, 0));
+        const scene::Range taken = text.selection();
+        EXPECT_EQ(text.bytes().substr(taken.from, taken.to - taken.from), number);
+    }
+}
+
+TEST_F(NewcomerTest, WhatIsSelectedElsewhereIsShownFromTheBeginningOfItsLine) {
+    open("shape_set s -desc {-sub {-sphere 0.5}}\nbody b s" + std::string(300, ' ') +
+         "-init_pos {1 2 3}\n");
+    LanguageViewer* viewer = editor.openLanguageViewer();
+    auto& text = static_cast<SceneEditor&>(viewer->editor());
+    text.grab();
+    editor.document().select({{editing::Kind::body, 0}});
+    text.grab();
+    EXPECT_EQ(text.SendScintilla(QsciScintillaBase::SCI_GETXOFFSET), 0);
+}
+
+TEST_F(NewcomerTest, TakingTheScenesWordsLosesNone) {
+    const std::string line = "parameter push -value 0.35 -min 0 -max 1\n";
+    open(line);
+    LanguageViewer* viewer = editor.openLanguageViewer();
+    viewer->editor().setText("parameter push -value 0.0.777min 0 -max 1 ;# mine\n");
+    editor.document().setText("parameter push -value 0.577 -min 0 -max 1\n", "Drag");
+    action(*viewer, "Take the Scene's")->trigger();
+    EXPECT_EQ(viewer->draft(), "parameter push -value 0.577 -min 0 -max 1 ;# mine\n");
+}
+
+TEST_F(NewcomerTest, ADragOfASliderLeavesTheKeysToThePicture) {
+    open("parameter push -value 0.35 -min 0 -max 1\n" + ballScene);
+    int sliders = 0;
+    for (const QSlider* slider : editor.openGraphicalViewer()->findChildren<QSlider*>())
+        if (slider->accessibleName() == "push") {
+            EXPECT_EQ(slider->focusPolicy(), Qt::TabFocus);
+            ++sliders;
+        }
+    EXPECT_EQ(sliders, 1);
+}
+
+TEST_F(NewcomerTest, UnderADocumentSavingADraftUpdatesTheScene) {
+    HostLink link;
+    link.changed = [](const text::Edit&, const QString&) {};
+    editor.document().setHostLink(link);
+    const auto keys = action(*editor.openLanguageViewer(), "Update")->shortcuts();
+    EXPECT_TRUE(keys.contains(QKeySequence(QKeySequence::Save)));
+}
+
+TEST_F(NewcomerTest, ANewWindowLiesWhereItIsSeenAndHidesNothingWhole) {
+    open(ballScene);
+    GraphicalViewer* first = editor.openGraphicalViewer();
+    first->move(60, 50);
+    first->activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(first, longestWait));
+    const GraphicalViewer* second = editor.openGraphicalViewer();
+    EXPECT_NE(second->pos(), first->pos());
+    EXPECT_GE(second->pos().y(), second->screen()->availableGeometry().top());
+    EXPECT_NE(second->pos(), QPoint(0, 0));
+}
+
+// As where everything is twice as large. No window of this process is active under a document.
+TEST_F(NewcomerTest, ANewWindowIsNotLargerThanItsScreen) {
+    open(ballScene);
+    const QList<QMainWindow*> all{editor.openGraphicalViewer(), editor.openLanguageViewer()};
+    for (const QMainWindow* window : all) {
+        const QSize room = window->screen()->availableGeometry().size();
+        EXPECT_LT(window->width(), room.width()) << window->windowTitle().toStdString();
+        EXPECT_LT(window->height(), room.height()) << window->windowTitle().toStdString();
+    }
+}
+
+} // namespace
+} // namespace views

@@ -1,0 +1,218 @@
+#include "viewers/status_panel.h"
+#include "motion/known_span.h"
+
+#include "motion/known_span.h"
+#include "plain/plain.h"
+#include "render/handles.h"
+#include "viewers/parameters_panel.h"
+
+#include <QFormLayout>
+#include <QGridLayout>
+#include <QGroupBox>
+#include <QPainter>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace views {
+
+QString timeText(double time, double length) {
+    // A thousandth of the motion is worth a digit, and never less than a millisecond of a second.
+    const int digits =
+        length > 0 ? std::clamp(static_cast<int>(3 - std::floor(std::log10(length))), 0, 9) : 3;
+    return QString::number(time, 'f', digits) + QStringLiteral(" s");
+}
+
+namespace {
+
+QLabel* addRow(QFormLayout* form, const QString& label, const QString& tip) {
+    auto* value = plain::label();
+    value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    value->setToolTip(plain::tip(tip));
+    value->setAccessibleName(label);
+    auto* before = plain::label(label);
+    before->setForegroundRole(QPalette::PlaceholderText);
+    before->setToolTip(plain::tip(tip));
+    form->addRow(before, value);
+    return value;
+}
+
+// The handle as it looks in the picture.
+QIcon ballIcon(const scene::Color& color) {
+    QPixmap pixmap(28, 28);
+    pixmap.setDevicePixelRatio(2);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QColor c = QColor::fromRgbF(color.red, color.green, color.blue);
+    painter.setPen(c.darker(150));
+    painter.setBrush(c);
+    painter.drawEllipse(QRectF(2, 2, 10, 10));
+    return pixmap;
+}
+
+} // namespace
+
+StatusPanel::StatusPanel(SceneDocument& document, Playback& playback,
+                         const render::Display& display, QWidget* parent)
+    : QWidget(parent), document_(document), playback_(playback), display_(display) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(8);
+    auto* status = new QGroupBox(tr("Motion"));
+    auto* form = new QFormLayout(status);
+    form->setContentsMargins(10, 6, 10, 8);
+    form->setVerticalSpacing(4);
+    time_ = addRow(form, tr("Time"), tr("The moment that is shown"));
+    computed_ = addRow(form, tr("Computed"), tr("How far the motion is computed"));
+    accuracy_ = addRow(form, tr("Error"),
+                       tr("The largest error in position that the computation estimates, over the "
+                          "size of the scene"));
+    predictable_ =
+        addRow(form, tr("Reliable"),
+               tr("From then on the smallest disturbance changes the motion wholly, or a body has "
+                  "stopped"));
+    impacts_ = addRow(form, tr("Collisions"), tr("How many so far"));
+    state_ = plain::label();
+    state_->setWordWrap(true);
+    state_->setMinimumHeight(2 * state_->fontMetrics().height()); // what is below stays
+    state_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    state_->setAccessibleName(tr("State"));
+    form->addRow(state_);
+    column->addWidget(status);
+    body_ = new BodyPanel(document_);
+    column->addWidget(body_);
+    column->addWidget(new ParametersPanel(document_));
+    addSwitches(display);
+    column->addStretch();
+    setFixedWidth(190);
+    connect(&playback_, &Playback::timeChanged, this, &StatusPanel::showTime);
+    connect(&playback_, &Playback::stateChanged, this, &StatusPanel::showMotion);
+    connect(&document_, &SceneDocument::motionChanged, this, &StatusPanel::showMotion);
+    connect(&document_, &SceneDocument::workChanged, this, &StatusPanel::showMotion);
+    connect(&document_, &SceneDocument::diagnosticsChanged, this, &StatusPanel::showMotion);
+    showMotion();
+}
+
+void StatusPanel::addSwitches(const render::Display& display) {
+    auto* group = new QGroupBox(tr("Show"));
+    auto* grid = new QGridLayout(group); // two beside each other
+    grid->setContentsMargins(10, 6, 10, 8);
+    grid->setVerticalSpacing(3);
+    QVBoxLayout* column = nullptr;
+    bool areHandles = false;
+    const auto add = [&](const QString& label, const QString& tip, bool render::Display::*what) {
+        auto* box = new QCheckBox(plain::ours(label));
+        box->setToolTip(plain::tip(tip));
+        box->setChecked(display.*what);
+        box->setFocusPolicy(Qt::TabFocus); // a click leaves the keys to the picture
+        const int place = static_cast<int>(switches_.size());
+        if (column)
+            column->addWidget(box);
+        else
+            grid->addWidget(box, place / 2, place % 2);
+        switches_.push_back({box, what, areHandles});
+        connect(box, &QCheckBox::toggled, this, [this, what](bool on) {
+            display_.*what = on;
+            Q_EMIT displayChanged(display_);
+        });
+    };
+    using render::Display;
+    add(tr("&Trails"), tr("The paths of the centres of mass up to now"), &Display::trails);
+    add(tr("Joints"), tr("Hinges, sliders and the like, with their range"), &Display::joints);
+    add(tr("&Ground"), tr("A grid under the scene, and shadows"), &Display::grid);
+    add(tr("&Axes"), tr("The world's axes: x red, y green, z blue"), &Display::axes);
+    add(tr("&Wireframe"), tr("Edges only"), &Display::wireframe);
+    layout()->addWidget(group);
+    group = new QGroupBox(tr("Handles"));
+    areHandles = true;
+    group->setToolTip(tr("Balls that are dragged with Shift and the left button; a double click "
+                         "asks for the exact value"));
+    column = new QVBoxLayout(group);
+    column->setContentsMargins(10, 6, 10, 8);
+    column->setSpacing(2);
+    using render::HandleKind;
+    const struct {
+        QString label, tip;
+        bool Display::*what;
+        HandleKind kind;
+    } kinds[] = {
+        {tr("&Positions"), tr("Where bodies start"), &Display::positionHandles,
+         HandleKind::position},
+        {tr("Ori&entations"), tr("How bodies are turned at the start"),
+         &Display::orientationHandles, HandleKind::orientation},
+        {tr("Ve&locities"), tr("Velocities at the start"), &Display::velocityHandles,
+         HandleKind::velocity},
+        {tr("Angular velocities"), tr("Turning at the start: about the arrow, by the right hand"),
+         &Display::spinHandles, HandleKind::spin},
+        {tr("F&orces"), tr("As they are now"), &Display::forceHandles, HandleKind::forceHead},
+        {tr("Tor&ques"), tr("About the arrow, by the right hand"), &Display::torqueHandles,
+         HandleKind::torqueHead},
+        {tr("Lin&ks"), tr("Their two ends"), &Display::linkHandles, HandleKind::linkEnd},
+        {tr("Joints"), tr("Their points and axes"), &Display::jointHandles, HandleKind::jointPoint},
+        {tr("L&ights"), tr("Where they stand and shine"), &Display::lightHandles,
+         HandleKind::lightPlace},
+        {tr("Tra&jectories"), tr("Their paths and points"), &Display::trajectories,
+         HandleKind::trajectoryPoint},
+    };
+    for (const auto& kind : kinds) {
+        add(kind.label, kind.tip, kind.what);
+        switches_.back().box->setIcon(ballIcon(render::colorOf(kind.kind)));
+    }
+    layout()->addWidget(group);
+}
+
+void StatusPanel::show(bool render::Display::*what) {
+    for (const Switch& one : switches_)
+        if (one.what == what)
+            one.box->setChecked(true);
+}
+
+void StatusPanel::showTime() {
+    time_->setText(timeText(playback_.time(), playback_.finish() - playback_.start()));
+    std::size_t count = 0;
+    if (const auto& motion = document_.shown().motion)
+        for (const simulation::Impact& impact : motion->impacts())
+            count += impact.time <= playback_.time() ? 1 : 0;
+    impacts_->setText(QString::number(count));
+}
+
+void StatusPanel::showMotion() {
+    showTime();
+    const auto& motion = document_.shown().motion;
+    const double length = playback_.finish() - playback_.start();
+    const simulation::KnownSpan known = motion ? simulation::knownSpan(*motion)
+                                               : simulation::KnownSpan{playback_.computed(), {}, 0};
+    const bool whole = known.stopped == 0 && known.computed >= playback_.finish();
+    computed_->setText(whole ? tr("all %1").arg(timeText(length, length))
+                             : tr("to %1").arg(timeText(known.computed, length)));
+    computed_->setToolTip(plain::tip(
+        known.stopped > 0 ? tr("Bodies that stop before the end: %1. The first of them stops "
+                               "there; a language viewer says why")
+                                .arg(known.stopped)
+                          : tr("How far the motion is computed")));
+    const auto error = motion ? motion->errorEstimate() : std::nullopt;
+    accuracy_->setText(error ? QStringLiteral("≤ ") + QString::number(*error, 'g', 2)
+                             : QStringLiteral("–"));
+    predictable_->setText(!motion ? QStringLiteral("–")
+                          : known.reliableUntil
+                              ? tr("to %1").arg(timeText(*known.reliableUntil, length))
+                              : tr("throughout"));
+    if (document_.work() == Work::reading)
+        state_->setText(tr("Reading the scene…"));
+    else if (document_.work() == Work::simulating)
+        state_->setText(document_.motionIsStale()
+                            ? tr("Computing the motion… what is shown is stale.")
+                            : tr("Computing the motion…"));
+    else if (document_.hasErrors())
+        state_->setText(document_.sceneIsCurrent()
+                            ? tr("The motion has faults: see a language viewer.")
+                            : tr("The text has errors. This is the last good scene."));
+    else if (document_.waitsToBeAsked())
+        state_->setText(tr("The motion is stale: it is that of an older scene. F5 computes it."));
+    else
+        state_->setText({});
+}
+
+} // namespace views

@@ -1,0 +1,52 @@
+// The area beside a viewer's picture: where the motion stands, and what is shown.
+#pragma once
+
+#include "render/renderer.h"
+#include "viewers/body_panel.h"
+#include "workbench/playback.h"
+#include "workbench/scene_document.h"
+
+#include <QCheckBox>
+#include <QLabel>
+#include <QWidget>
+
+namespace views {
+
+// "2.413 s", with as many digits as the length of the motion makes sense of.
+[[nodiscard]] QString timeText(double time, double length);
+
+class StatusPanel : public QWidget {
+    Q_OBJECT
+public:
+    StatusPanel(SceneDocument& document, Playback& playback, const render::Display& display,
+                QWidget* parent = nullptr);
+
+    // The switches of what is shown; the viewer's menu has the same.
+    struct Switch {
+        QCheckBox* box;
+        bool render::Display::*what;
+        bool isHandle = false;
+    };
+    [[nodiscard]] const std::vector<Switch>& switches() const { return switches_; }
+    [[nodiscard]] BodyPanel& body() { return *body_; }
+
+    // Switches it on.
+    void show(bool render::Display::*what);
+
+Q_SIGNALS:
+    void displayChanged(const render::Display& display);
+
+private:
+    void addSwitches(const render::Display& display);
+    void showTime();
+    void showMotion();
+
+    SceneDocument& document_;
+    Playback& playback_;
+    render::Display display_;
+    BodyPanel* body_;
+    QLabel *time_, *computed_, *accuracy_, *predictable_, *impacts_, *state_;
+    std::vector<Switch> switches_;
+};
+
+} // namespace views
