@@ -1,4 +1,5 @@
-// System calls for tests of what saves: the nth fails.
+// System calls for tests of what saves: the nth fails. To remove a file and to list a folder never
+// fail here: what a failed save leaves behind could not be tested else.
 #pragma once
 
 #include "files/file_system.h"
@@ -59,7 +60,7 @@ public:
         return fails() ? nullptr : FileSystem::realpath(path, resolved);
     }
 
-private:
+protected:
     bool fails() {
         if (++calls != nth_)
             return false;
@@ -67,6 +68,8 @@ private:
         errno = error_;
         return true;
     }
+
+private:
     int nth_, error_;
 };
 

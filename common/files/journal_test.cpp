@@ -4,9 +4,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
+#include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <filesystem>
 #include <random>
 
 #include <sys/wait.h>
@@ -183,28 +186,97 @@ TEST_F(JournalTest, LocksAndPartsOfKilledProcessesGo) {
     EXPECT_THAT(names(), IsEmpty());
 }
 
-TEST_F(JournalTest, AnyCallMayFailWhileItIsKept) {
-    for (int nth = 1;; ++nth) {
-        FailingFiles files(nth, ENOSPC);
-        auto place = Place::claim(files, journal());
-        if (auto* held = std::get_if<std::unique_ptr<Place>>(&place)) {
-            const std::string before = (*held)->keep({.text = "one"});
-            const std::string after = (*held)->keep({.text = "two"});
-            const auto kept =
-                decoded(readFile(FileSystem::real(), (*held)->path(), longestKept).bytes);
-            if (before.empty() || after.empty()) {
-                ASSERT_TRUE(std::holds_alternative<Kept>(kept)) << nth;
-                ASSERT_TRUE(!after.empty() || std::get<Kept>(kept).text == "two") << nth;
-            }
-            (*held)->remove();
-        } else {
-            ASSERT_FALSE(std::get<std::string>(place).empty());
-        }
-        place = std::string();
-        if (!files.failed)
-            break;
-        ASSERT_LT(nth, 1000);
+const std::vector<int> errors = {EIO, EINTR, ENOENT};
+
+// To remove a file and to list a folder may fail, too.
+class FailingJournal : public FailingFiles {
+public:
+    using FailingFiles::FailingFiles;
+    int unlink(const char* path) override { return fails() ? -1 : FileSystem::unlink(path); }
+    std::vector<std::string> names(const std::string& folder) override {
+        return fails() ? std::vector<std::string>() : FileSystem::names(folder);
     }
+};
+
+// Does it with each call failing in turn, by each error, until no call is left to fail.
+template <class Act> void withEachCallFailing(int atLeast, const Act& act) {
+    int injected = 0;
+    for (const int error : errors)
+        for (int nth = 1;; ++nth) {
+            FailingJournal files(nth, error);
+            const std::string where = "call " + std::to_string(nth) + ": " + reasonOf(error);
+            act(files, where);
+            if (testing::Test::HasFatalFailure())
+                return;
+            if (!files.failed)
+                break;
+            ++injected;
+            ASSERT_LT(nth, 1000);
+        }
+    EXPECT_GT(injected, atLeast);
+}
+
+TEST_F(JournalTest, AnyCallMayFailWhileItIsKept) {
+    withEachCallFailing(80, [&](FileSystem& files, const std::string& where) {
+        auto place = Place::claim(files, journal());
+        auto* held = std::get_if<std::unique_ptr<Place>>(&place);
+        if (held == nullptr) {
+            ASSERT_FALSE(std::get<std::string>(place).empty()) << where;
+            return;
+        }
+        const std::string before = (*held)->keep({.text = "one"});
+        const std::string after = (*held)->keep({.text = "two"});
+        const auto kept = decoded(readFile(FileSystem::real(), (*held)->path(), longestKept).bytes);
+        if (before.empty() || after.empty()) {
+            ASSERT_TRUE(std::holds_alternative<Kept>(kept)) << where;
+            ASSERT_TRUE(!after.empty() || std::get<Kept>(kept).text == "two") << where;
+        }
+        static_cast<void>(::unlink((*held)->path().c_str()));
+    });
+}
+
+// A text that was left is offered then, or is there for the next look; a damaged one stays, too.
+TEST_F(JournalTest, AnyCallMayFailWhileItIsLookedFor) {
+    const std::string file = home_.put("a.ens", "the text");
+    withEachCallFailing(80, [&](FileSystem& files, const std::string& where) {
+        std::filesystem::remove_all(journal());
+        keepAndDie({sample(), {.file = {file, {}}, .text = "the text"}});
+        const std::string damaged = encoded(sample()).substr(0, 60);
+        home_.put("state/ensemble/unsaved/0-0.kept", damaged);
+        const bool isOffered = [&] {
+            const AllLeft all = leftBehind(files, journal());
+            return std::ranges::any_of(all.texts,
+                                       [](const auto& one) { return one.kept == sample(); });
+        }();
+        const AllLeft all = left();
+        ASSERT_THAT(all.texts, SizeIs(1)) << where << ", offered before: " << isOffered;
+        ASSERT_EQ(all.texts[0].kept, sample()) << where;
+        ASSERT_EQ(home_.content("state/ensemble/unsaved/0-0.kept.damaged"), damaged) << where;
+    });
+}
+
+// A text that was offered and is written on is replaced by its newest version, and never lost.
+TEST_F(JournalTest, AnyCallMayFailWhileARecoveredTextIsWrittenOn) {
+    withEachCallFailing(60, [&](FileSystem& files, const std::string& where) {
+        std::filesystem::remove_all(journal());
+        keepAndDie({sample()});
+        AllLeft all = leftBehind(files, journal());
+        if (all.texts.empty())
+            return;
+        std::atomic<int> told = 0;
+        {
+            JournalWriter writer(files, journal(), [&](const std::string&) { ++told; });
+            writer.adopt(std::move(all.texts[0].place));
+            writer.keep({.text = "written on"});
+            writer.finish();
+        }
+        all = left();
+        ASSERT_THAT(all.texts, SizeIs(1)) << where;
+        if (told == 0)
+            ASSERT_EQ(all.texts[0].kept.text, "written on") << where;
+        else
+            ASSERT_TRUE(all.texts[0].kept == sample() || all.texts[0].kept.text == "written on");
+    });
 }
 
 // --- the writer -------------------------------------------------------------------------------

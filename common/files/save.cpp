@@ -128,14 +128,23 @@ private:
         // From here on `temporary_` is the old file.
         if (!isKnown(temporary_, known)) {
             if (files_.exchange(temporary_.c_str(), path_.c_str()) != 0)
-                return fail("another program has just written it, and its text is in " +
-                                nameOf(temporary_),
-                            errno);
+                return keepTheirs();
             return refuse(refusal);
         }
         if (files_.rename(temporary_.c_str(), (path_ + std::string(backupEnding)).c_str()) != 0)
             static_cast<void>(files_.unlink(temporary_.c_str()));
         return true;
+    }
+
+    // What another program wrote cannot get its name back. It becomes the backup: a part of a save
+    // would be removed one day.
+    bool keepTheirs() {
+        const int error = errno;
+        const std::string backup = path_ + std::string(backupEnding);
+        const bool moved = files_.rename(temporary_.c_str(), backup.c_str()) == 0;
+        return fail("another program has just written it, and its text is in " +
+                        nameOf(moved ? backup : temporary_),
+                    error);
     }
 
     // Of our programs one at a time exchanges a file of a folder and reads it back. Nobody waits

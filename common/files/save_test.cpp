@@ -209,5 +209,32 @@ TEST(Save, WhatAnotherProgramWritesMeanwhileIsNotLost) {
     EXPECT_GT(overtaken, 2);
 }
 
+// Another program writes the file before the exchange, which cannot be taken back.
+class StuckExchange : public FileSystem {
+public:
+    int exchange(const char* one, const char* other) override {
+        if (++count_ > 1) {
+            errno = EIO;
+            return -1;
+        }
+        std::ofstream(other, std::ios::binary) << "another's";
+        return FileSystem::exchange(one, other);
+    }
+
+private:
+    int count_ = 0;
+};
+
+TEST(Save, TheirTextIsTheBackupWhereItCannotGetItsNameBack) {
+    const Folder folder;
+    KnownFile known = read(folder.put("a.al", oldBytes));
+    StuckExchange files;
+    const SaveResult result = saveFile(files, known.path, newBytes, known);
+    EXPECT_FALSE(result);
+    EXPECT_THAT(result.sentence, testing::HasSubstr("its text is in a.al~"));
+    EXPECT_EQ(folder.content("a.al~"), "another's");
+    EXPECT_THAT(folder.names(), ElementsAre("a.al", "a.al~"));
+}
+
 } // namespace
 } // namespace files
