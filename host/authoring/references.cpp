@@ -42,15 +42,22 @@ const Grammar* grammarOf(const Manuscript& manuscript, NodeId element) {
     return around == noNode ? nullptr : manuscript.grammars.of(tree.name(around));
 }
 
-// Of the letters that end there, without a point: "eq" of "by eq. ".
-QString lastWord(const QString& line) {
+// Of the letters that end there: "eq" of "by eq. ", which has a point behind it.
+struct LastWord {
+    QString word;
+    bool hasPoint = false;
+};
+
+LastWord lastWord(const QString& line) {
+    LastWord last;
     qsizetype end = line.size();
-    while (end > 0 && (line[end - 1].isSpace() || line[end - 1] == '.'))
-        --end;
+    for (; end > 0 && (line[end - 1].isSpace() || line[end - 1] == '.'); --end)
+        last.hasPoint = last.hasPoint || line[end - 1] == '.';
     qsizetype from = end;
     while (from > 0 && line[from - 1].isLetter())
         --from;
-    return line.mid(from, end - from);
+    last.word = line.mid(from, end - from);
+    return last;
 }
 
 } // namespace
@@ -122,10 +129,12 @@ std::string referredAs(const Manuscript& manuscript, NodeId target) {
 ReferBy fittingAt(const Manuscript& manuscript, std::size_t place, NodeId target) {
     const QString kind = QString::fromStdString(referredAs(manuscript, target));
     const manuscript::LineText line(manuscript, place);
-    const QString word = lastWord(line.letters().left(line.place()));
+    const auto [word, hasPoint] = lastWord(line.letters().left(line.place()));
     constexpr qsizetype least = 2;
-    const auto begins = [&](const QString& one) {
-        return one.size() >= least && kind.startsWith(one, Qt::CaseInsensitive);
+    // A point behind the whole word ends a sentence.
+    const auto begins = [&, hasPoint = hasPoint](const QString& one) {
+        return one.size() >= least && kind.startsWith(one, Qt::CaseInsensitive) &&
+               !(hasPoint && one.size() == kind.size());
     };
     const bool isPlural = word.endsWith('s', Qt::CaseInsensitive) && begins(word.chopped(1));
     return begins(word) || isPlural ? ReferBy::number : ReferBy::kindAndNumber;

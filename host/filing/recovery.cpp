@@ -14,14 +14,16 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("filing::Recovery", text); }
 
-QString nameOf(const files::Kept& kept) {
+QString nameOf(const files::Kept& kept, const QString& title) {
     const QString path = QFile::decodeName(kept.file.path.c_str());
-    return path.isEmpty() ? tr("A document without a name") : QFileInfo(path).fileName();
+    if (!path.isEmpty())
+        return QFileInfo(path).fileName();
+    return title.isEmpty() ? tr("A document without a name") : tr("“%1”").arg(title);
 }
 
 } // namespace
 
-QString questionAbout(const files::Kept& kept, const QDateTime& now) {
+QString questionAbout(const files::Kept& kept, const QString& title, const QDateTime& now) {
     const QDateTime at = QDateTime::fromSecsSinceEpoch(kept.at).toLocalTime();
     const QLocale locale;
     const QString time = at.toString(QStringLiteral("HH:mm"));
@@ -29,7 +31,7 @@ QString questionAbout(const files::Kept& kept, const QDateTime& now) {
                              ? tr("at %1").arg(time)
                              : tr("on %1 at %2").arg(locale.toString(at.date()), time);
     return tr("%1 was not saved before Ensemble stopped %2. Open the recovered text?")
-        .arg(nameOf(kept), when);
+        .arg(nameOf(kept, title), when);
 }
 
 QString adviceAbout(const files::Kept& kept) {
@@ -54,10 +56,10 @@ QString adviceAbout(const files::Kept& kept) {
     return advice;
 }
 
-Answer askAbout(QWidget* over, const files::Kept& kept) {
+Answer askAbout(QWidget* over, const files::Kept& kept, const QString& title) {
     plain::Message box(QMessageBox::Question, tr("Recover"),
-                       questionAbout(kept, QDateTime::currentDateTime()), QMessageBox::NoButton,
-                       over);
+                       questionAbout(kept, title, QDateTime::currentDateTime()),
+                       QMessageBox::NoButton, over);
     box.setObjectName(QStringLiteral("recover"));
     box.setSecondText(adviceAbout(kept));
     box.setToolTip(plain::tip(QFile::decodeName(kept.file.path.c_str())));

@@ -152,10 +152,13 @@ void FormulaDialog::paintEvent(QPaintEvent* event) {
     painter.drawRect(rect().adjusted(0, 0, -1, -1));
 }
 
-void FormulaDialog::offerValues(std::function<QString(QWidget* parent)> ask) {
+void FormulaDialog::offerValues(std::function<QString(QWidget* parent)> ask,
+                                const QString& refused) {
     auto* button = new QPushButton(tr("&Value of a Figure..."), this);
     button->setObjectName("value");
     button->setAutoDefault(false);
+    button->setEnabled(refused.isEmpty());
+    button->setToolTip(plain::tip(refused));
     places_->addWidget(button);
     connect(button, &QPushButton::clicked, this, [this, ask = std::move(ask)] {
         if (const QString chosen = ask(this); !chosen.isEmpty())

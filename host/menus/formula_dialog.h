@@ -32,8 +32,9 @@ public:
 
     [[nodiscard]] QString source() const;
     [[nodiscard]] Place place() const;
-    // A button that asks for a value of a figure: source of a formula, "" when none was chosen.
-    void offerValues(std::function<QString(QWidget* parent)> ask);
+    // A button that asks for a value of a figure: source of a formula, "" when none was chosen. It
+    // is grey where none can be had; its tip says why.
+    void offerValues(std::function<QString(QWidget* parent)> ask, const QString& refused);
 
 protected:
     bool eventFilter(QObject* watched,

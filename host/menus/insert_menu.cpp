@@ -65,13 +65,23 @@ CommandMenu::Command contents(schemas::ContainerRole of) {
     };
 }
 
-// Of any figure: whether one may stand at the caret.
-authoring::Result valueOfFirst(const Manuscript& in, Selection at) {
+QString noFigure() {
+    return InsertMenu::tr("No figure here has values to show: insert one first.");
+}
+
+sgml::NodeId firstFigure(const Manuscript& in) {
     for (const document::SubdocumentId id : in.document.subdocuments())
         if (const document::Subdocument* of = in.document.subdocument(id); of->hasText)
-            return authoring::insertValue(in, at, of->element, {.of = {}, .expression = "t"});
-    return authoring::Refusal{
-        InsertMenu::tr("There is no figure whose value could be shown: insert one first.")};
+            return of->element;
+    return sgml::noNode;
+}
+
+// Of any figure: whether one may stand at the caret.
+authoring::Result valueOfFirst(const Manuscript& in, Selection at) {
+    const sgml::NodeId figure = firstFigure(in);
+    if (figure == sgml::noNode)
+        return authoring::Refusal{noFigure()};
+    return authoring::insertValue(in, at, figure, {.of = {}, .expression = "t"});
 }
 
 } // namespace
@@ -220,7 +230,7 @@ void InsertMenu::askForFormula(sgml::NodeId element) {
     }
     sgml::NodeId figure = sgml::noNode; // whose value came in, and that may need an ID
     FormulaDialog dialog(source, place, parentWidget());
-    dialog.offerValues([&](QWidget* parent) -> QString {
+    const auto valueChosen = [&](QWidget* parent) -> QString {
         std::vector<ValuedFigure> figures = this->figures();
         if (figure != sgml::noNode) // LIMIT: a formula gives an ID to one figure
             std::erase_if(figures, [&](const ValuedFigure& one) {
@@ -236,7 +246,8 @@ void InsertMenu::askForFormula(sgml::NodeId element) {
         const std::string options = document::spelledOptions(wanted->use);
         return QString::fromStdString("\\value" + (options.empty() ? "" : "[" + options + "]") +
                                       "{" + id + "}{" + wanted->use.expression + "}");
-    });
+    };
+    dialog.offerValues(valueChosen, firstFigure(now) == sgml::noNode ? noFigure() : QString());
     if (const std::optional<QRectF> at =
             element == sgml::noNode ? view().text().caretRect() : view().placeOfFormula(element))
         dialog.standBy(
@@ -273,7 +284,7 @@ std::optional<InsertMenu::ChosenValue> InsertMenu::chosenValue(std::vector<Value
                                                                const document::ValueUse& now,
                                                                QWidget* parent) {
     if (figures.empty()) {
-        Q_EMIT view().writing().refused(tr("No figure here has a medium that tells values."));
+        Q_EMIT view().writing().refused(noFigure());
         return std::nullopt;
     }
     const Manuscript in = view().writing().manuscript();

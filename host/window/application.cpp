@@ -4,6 +4,7 @@
 #include "controls/indicators.h"
 #include "filing/choosing.h"
 #include "filing/recovery.h"
+#include "model/model.h"
 #include "plain/plain.h"
 #include "terminal/terminal.h"
 
@@ -149,6 +150,16 @@ DocumentWindow* Application::addWindow(std::shared_ptr<session::OpenDocument> do
 
 // --- what was not saved ------------------------------------------------------------------------
 
+namespace {
+
+QString titleOf(const std::string& text, const schemas::Schemas& schemas) {
+    const document::Document document(text);
+    const auto& presentation = schemas.presentation(document.className());
+    return QString::fromStdString(model::buildModel(document, presentation, schemas).title);
+}
+
+} // namespace
+
 void Application::offerRecovered() {
     files::AllLeft all = files::leftBehind(files::FileSystem::real(), journal_);
     const auto over = [this]() -> QWidget* {
@@ -157,7 +168,9 @@ void Application::offerRecovered() {
     for (const std::string& fault : all.faults)
         filing::tell(over(), QString::fromStdString(fault));
     for (files::LeftBehind& left : all.texts) {
-        const filing::Answer answer = filing::askAbout(over(), left.kept);
+        const QString title =
+            left.kept.file.path.empty() ? titleOf(left.kept.text, schemas_) : QString();
+        const filing::Answer answer = filing::askAbout(over(), left.kept, title);
         if (answer == filing::Answer::discard)
             left.place->remove();
         if (answer == filing::Answer::open)
@@ -181,6 +194,7 @@ DocumentWindow* Application::recover(files::LeftBehind left) {
     DocumentWindow* made = addWindow(std::make_shared<session::OpenDocument>(
         document::Document::recover(kept.file, kept.text), schemas_, media_));
     made->document().unsaved()->adopt(std::move(left));
+    made->view().setWriting(true); // somebody was writing in it
     return made;
 }
 

@@ -149,6 +149,7 @@ TEST_F(RecoveryTest, WhatWasNotSavedIsOfferedAndOpensAsOneChange) {
     document::Document& of = window->document().document();
     EXPECT_EQ(bytes(*window), edited_);
     EXPECT_TRUE(of.isModified());
+    EXPECT_TRUE(window->view().isWriting()); // as whoever changed it
     EXPECT_EQ(fileContent(), saved_);
     EXPECT_TRUE(waitFor([&] { // the empty memo that nobody touched has gone
         return QApplication::topLevelWidgets().count(window) == 1 &&
@@ -288,6 +289,22 @@ TEST_F(RecoveryTest, ATextWithoutAFileIsOfferedToo) {
     EXPECT_THAT(asked[0].toStdString(), HasSubstr("It has no file yet."));
 }
 
+TEST_F(RecoveryTest, ATextWithoutAFileIsNamedByItsTitle) {
+    {
+        Application program({}, journal());
+        DocumentWindow* window = program.openNew();
+        document::Document& of = window->document().document();
+        const std::size_t at = of.bytes().find("</SUBJECT>");
+        ASSERT_NE(at, std::string::npos);
+        const std::size_t from = of.bytes().rfind("<SUBJECT", at);
+        of.edit({{{from, at}, "<SUBJECT>{Clocks}"}}, "Edit");
+    }
+    Application program({}, journal());
+    const QStringList asked = offer(program, "&Open");
+    ASSERT_THAT(asked, SizeIs(1));
+    EXPECT_THAT(asked[0].toStdString(), HasSubstr("“Clocks” was not saved before"));
+}
+
 TEST_F(RecoveryTest, WhatCannotBeReadIsSaidAndHoldsUpNothing) {
     editAndEnd();
     for (const QString& name : kept())
@@ -307,9 +324,9 @@ TEST_F(RecoveryTest, WhatCannotBeReadIsSaidAndHoldsUpNothing) {
 TEST(RecoveryQuestion, SaysTheDayWhenItIsAnother) {
     const QDateTime at(QDate(2026, 3, 5), QTime(14, 3));
     const files::Kept kept{.file = {"/a/b.ens", {}}, .at = at.toSecsSinceEpoch()};
-    EXPECT_EQ(filing::questionAbout(kept, at.addSecs(3600)),
+    EXPECT_EQ(filing::questionAbout(kept, {}, at.addSecs(3600)),
               "b.ens was not saved before Ensemble stopped at 14:03. Open the recovered text?");
-    EXPECT_THAT(filing::questionAbout(kept, at.addDays(1)).toStdString(),
+    EXPECT_THAT(filing::questionAbout(kept, {}, at.addDays(1)).toStdString(),
                 testing::MatchesRegex("b.ens was not saved before Ensemble stopped on .*2026 at "
                                       "14:03. Open the recovered text\\?"));
 }

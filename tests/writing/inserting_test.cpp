@@ -92,6 +92,7 @@ TEST_F(WritingTest, AReferenceBehindTheWordForItsTargetShowsTheNumberAlone) {
     EXPECT_THAT(referred("From eq. ", 0), HasSubstr("From eq. (1)"));
     EXPECT_THAT(referred("From ", 0), HasSubstr("From Equation\u00A01"));
     EXPECT_THAT(referred("In Tables ", 1), HasSubstr("In Tables 1"));
+    EXPECT_THAT(referred("Here is a table. ", 1), HasSubstr("Here is a table. Table\u00A01"));
     EXPECT_THAT(referred("In figure ", 1), HasSubstr("In figure Table\u00A01"));
     EXPECT_THAT(body(), HasSubstr("<REF TO=\"table-1\"></REF>"));
     // Whatever fits, the author chooses, also of one that is there.

@@ -43,7 +43,8 @@ public:
     [[nodiscard]] const render::Display& display() const { return display_; }
 
     [[nodiscard]] const render::Camera& camera() const { return control_.camera(); }
-    void setCamera(const render::Camera& camera); // the user's own from now on
+    void setCamera(const render::Camera& camera);                     // the user's own from now on
+    [[nodiscard]] bool framesItself() const { return framesItself_; } // nobody has moved it yet
     void frameAll();
     void lookAlong(const geometry::Vector& toward); // keeps what is in the middle
     void levelHorizon(); // rolls the picture until what is upright in the world is so in it

@@ -147,6 +147,24 @@ TEST_F(ViewersTest, DraggingTurnsTheViewAndFrameAllBringsItBack) {
     EXPECT_TRUE(viewer->display().camera().rotation.isApprox(framed.rotation));
 }
 
+// Its window may have another size by then, or was told of before its first picture.
+TEST_F(ViewersTest, AViewerThatOpensAgainFramesTheSceneUnlessSomebodyMovedItsView) {
+    GraphicalViewer* viewer = editor.openGraphicalViewer();
+    viewer->display().grab();
+    const std::string framing = editor.windowsState();
+    render::Camera camera = viewer->display().camera();
+    camera.scale *= 3;
+    viewer->display().setCamera(camera);
+    const std::string moved = editor.windowsState();
+    const auto again = [&](const std::string& state) {
+        editor.restoreWindows(state, {});
+        return editor.graphicalViewers().back();
+    };
+    EXPECT_TRUE(again(framing)->display().framesItself());
+    EXPECT_FALSE(again(moved)->display().framesItself());
+    EXPECT_EQ(again(moved)->display().camera().scale, camera.scale);
+}
+
 TEST_F(ViewersTest, ShiftedButtonsDoNotMoveTheView) {
     GraphicalViewer* viewer = editor.openGraphicalViewer();
     viewer->display().grab();

@@ -61,7 +61,8 @@ QJsonObject written(LanguageViewer& viewer, bool withDraft) {
 QJsonObject written(GraphicalViewer& viewer) {
     QJsonObject window = windowOf("picture", viewer);
     window["time"] = viewer.playback().time();
-    window["camera"] = written(viewer.display().camera());
+    if (!viewer.display().framesItself())
+        window["camera"] = written(viewer.display().camera());
     window["view"] = viewer.display().followedView();
     return window;
 }
