@@ -53,8 +53,9 @@ void PagePlan::begin(const GroupStart& first) {
         }
         const Strip& strip = group.strips.front();
         places.push_back(group.start.at);
-        portions.push_back({group.height + notesOf(group), strip.before, group.strips.back().after,
-                            costOf(strip)});
+        const double onTop = strip.beginsDocument() ? strip.before : 0;
+        portions.push_back({onTop + group.height + notesOf(group), strip.before,
+                            group.strips.back().after, costOf(strip)});
         height += group.height;
     }
     const std::size_t next = secondPage(portions, goesOn, pageHeight_);

@@ -187,8 +187,10 @@ Paginator::Stage Paginator::readGroup() {
 }
 
 double Paginator::gapBefore(const Strip& strip) const {
-    if (atTop())
-        return strip.firstOfBlock ? basis_->frames.above(strip.block) : 0;
+    if (atTop() && !strip.firstOfBlock)
+        return 0;
+    if (atTop() && !strip.beginsDocument())
+        return basis_->frames.above(strip.block);
     return std::max(filling_.after, strip.before);
 }
 

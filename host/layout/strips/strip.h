@@ -62,6 +62,8 @@ struct Strip {
     bool mayFloat = false; // begins a figure, which may stand at the top of the next page
     bool firstOfBlock = false, lastOfBlock = false;
     std::size_t block = 0; // index into the model's blocks; of a table's rows all the same
+    // Then the space before it counts at the top of its page, too.
+    [[nodiscard]] bool beginsDocument() const { return firstOfBlock && block == 0; }
     std::vector<Piece> pieces;
     std::vector<std::shared_ptr<const model::Footnote>> footnotes;
     std::shared_ptr<Cells> cells; // instead of pieces: too tall for a page; taken in parts
