@@ -15,6 +15,7 @@ namespace {
 constexpr double atRest = 1e-12;  // of the rates that enter, what counts as none
 constexpr double slow = 1e-8;     // of the velocities: a contact neither approaches nor parts
 constexpr double noForce = 1e-11; // of the largest, between bodies in contact
+constexpr double noLength = 1e-4; // of a resolution, which is 1e-9 of a size
 constexpr double rateOf = 1e-3;   // of a resolution, in the unit of time
 
 double shortest(double t) { return 1e-12 * std::max(1e-6, std::abs(t)); }
@@ -98,11 +99,14 @@ void ActiveSet::watch(std::span<double> values) {
         values[k] = valueOf(watches_[k]);
 }
 
-// A force that is 0 but for rounding has a constant value: what trembles about 0 ends nothing.
-double ActiveSet::beyondRounding(double force) const {
-    const double none = noForce * largest_;
-    return force >= -none ? std::max(force, none) : force;
-}
+namespace {
+
+// What is 0 but for rounding has a constant value: what trembles about 0 ends nothing.
+double beyond(double none, double value) { return value >= -none ? std::max(value, none) : value; }
+
+} // namespace
+
+double ActiveSet::beyondRounding(double force) const { return beyond(noForce * largest_, force); }
 
 double ActiveSet::valueOf(const Watch& watch) const {
     const auto [row, kind] = watch;
@@ -116,13 +120,14 @@ double ActiveSet::valueOf(const Watch& watch) const {
         return along + rateOf * law(discs()[row].rows[0]).resolution;
     }
     case Kind::gap:
-        return multipliers_.gap(row) -
-               (isContact(row) ? opened_[row] - rateOf * law(row).resolution : 0) +
-               (mode_.touches[row] != 0 ? law(row).resolution : 0);
+        return beyond(noLength * law(row).resolution,
+                      multipliers_.gap(row) -
+                          (isContact(row) ? opened_[row] - rateOf * law(row).resolution : 0) +
+                          (mode_.touches[row] != 0 ? law(row).resolution : 0));
     case Kind::parted:
-        return *law(row).leaving - multipliers_.gap(row);
+        return beyond(noLength * law(row).resolution, *law(row).leaving - multipliers_.gap(row));
     case Kind::invalid:
-        return multipliers_.validity(row);
+        return beyond(noLength * law(row).resolution, multipliers_.validity(row));
     case Kind::least:
         return beyondRounding(multipliers_.values()[row] - law(row).low);
     case Kind::most:
