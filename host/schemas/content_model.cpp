@@ -161,50 +161,52 @@ bool matches(const ContentModel::Symbol& symbol, std::string_view child) {
     return symbol.name == child || symbol.name == "ANY" || (symbol.name == "TEXT" && child.empty());
 }
 
-} // namespace
+// The positions where one may be, and those behind one child more.
+struct Walk {
+    std::vector<std::uint16_t> here{0}, next{};
+    std::vector<bool> seen{};
 
-ContentModel::Verdict ContentModel::check(const std::vector<std::string_view>& children) const {
-    std::vector<std::uint16_t> here{0}, next;
-    std::vector<bool> seen(symbols_.size());
-    const auto mayEnd = [&] {
-        return std::any_of(here.begin(), here.end(),
-                           [&](std::uint16_t position) { return final_[position]; });
-    };
-    for (std::size_t i = 0; i < children.size(); ++i) {
+    void look(const std::vector<ContentModel::Symbol>& symbols, std::string_view child) {
         next.clear();
-        seen.assign(symbols_.size(), false);
+        seen.assign(symbols.size(), false);
         for (const std::uint16_t position : here)
-            for (const std::uint16_t candidate : symbols_[position].next)
-                if (!seen[candidate] && matches(symbols_[candidate], children[i])) {
+            for (const std::uint16_t candidate : symbols[position].next)
+                if (!seen[candidate] && matches(symbols[candidate], child)) {
                     seen[candidate] = true;
                     next.push_back(candidate);
                 }
-        if (next.empty())
-            return {.wrong = i, .incomplete = false, .expected = expectedAfter(here, mayEnd())};
-        here.swap(next);
+    }
+};
+
+} // namespace
+
+ContentModel::Verdict ContentModel::check(const std::vector<std::string_view>& children) const {
+    Walk walk;
+    const auto mayEnd = [&] {
+        return std::any_of(walk.here.begin(), walk.here.end(),
+                           [&](std::uint16_t position) { return final_[position]; });
+    };
+    for (std::size_t i = 0; i < children.size(); ++i) {
+        walk.look(symbols_, children[i]);
+        if (walk.next.empty())
+            return {
+                .wrong = i, .incomplete = false, .expected = expectedAfter(walk.here, mayEnd())};
+        walk.here.swap(walk.next);
     }
     const bool complete = mayEnd();
     return {.wrong = children.size(),
             .incomplete = !complete,
-            .expected = expectedAfter(here, complete)};
+            .expected = expectedAfter(walk.here, complete)};
 }
 
 std::vector<std::uint16_t> ContentModel::reached(const std::vector<std::string_view>& children,
                                                  std::size_t count) const {
-    std::vector<std::uint16_t> here{0}, next;
-    std::vector<bool> seen;
+    Walk walk;
     for (std::size_t i = 0; i < count; ++i) {
-        next.clear();
-        seen.assign(symbols_.size(), false);
-        for (const std::uint16_t position : here)
-            for (const std::uint16_t candidate : symbols_[position].next)
-                if (!seen[candidate] && matches(symbols_[candidate], children[i])) {
-                    seen[candidate] = true;
-                    next.push_back(candidate);
-                }
-        here.swap(next);
+        walk.look(symbols_, children[i]);
+        walk.here.swap(walk.next);
     }
-    return here;
+    return walk.here;
 }
 
 std::vector<bool> ContentModel::goesOn(const std::vector<std::string_view>& children,

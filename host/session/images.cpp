@@ -49,7 +49,9 @@ QString Images::pathOf(const std::string& source, QString& fault) const {
     const QString name = QString::fromStdString(source);
     const QDir folder(folder_);
     const QString path = QFileInfo(folder.filePath(name)).canonicalFilePath();
-    if (path.isEmpty())
+    if (name.isEmpty())
+        fault = tr("This image names no file.");
+    else if (path.isEmpty())
         fault = tr("There is no picture %1.").arg(name);
     else if (!path.startsWith(folder.canonicalPath() + '/'))
         fault = tr("The picture %1 is not in the document's folder or below, and is not read.")

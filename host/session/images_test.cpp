@@ -95,6 +95,7 @@ TEST_F(ImagesTest, WhatIsTooLargeUnknownDamagedOrMissingIsSaid) {
     ASSERT_TRUE(large.resize(Images::mostBytes + 1)); // takes no room on the disk
     EXPECT_THAT(faultOf("large.png"), HasSubstr("longer than 64 MiB"));
     EXPECT_THAT(faultOf("no.png"), HasSubstr("There is no picture no.png"));
+    EXPECT_THAT(faultOf(""), HasSubstr("names no file"));
     write("text.png", QByteArray("no picture"));
     EXPECT_THAT(faultOf("text.png"), HasSubstr("no picture that is known"));
     write("drawing.svg",

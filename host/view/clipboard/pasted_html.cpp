@@ -23,14 +23,33 @@ protected:
     QVariant loadResource(int, const QUrl&) override { return {}; }
 };
 
+// Of a class's elements; "": it has none.
+struct Names {
+    std::string paragraph, heading, section, list, item, cell, row, table, verbatim;
+    std::string emphasis, strong, code, link; // in a line
+};
+
+Names namesOf(const manuscript::Grammar& grammar) {
+    const auto named = [&](auto what) { return std::string(grammar.named(what)); };
+    return {.paragraph = named(ContainerRole::paragraph),
+            .heading = named(ContainerRole::heading),
+            .section = named(ContainerRole::section),
+            .list = named(ContainerRole::list),
+            .item = named(ContainerRole::item),
+            .cell = named(Display::cell),
+            .row = named(Display::row),
+            .table = named(Display::table),
+            .verbatim = named(Display::verbatim),
+            .emphasis = named(ContainerRole::emphasis),
+            .strong = named(ContainerRole::strong),
+            .code = named(ContainerRole::code),
+            .link = named(Display::link)};
+}
+
 class Reducer {
 public:
     explicit Reducer(const manuscript::Grammar& grammar)
-        : grammar_(grammar), paragraph_(named(ContainerRole::paragraph)),
-          heading_(named(ContainerRole::heading)), section_(named(ContainerRole::section)),
-          list_(named(ContainerRole::list)), item_(named(ContainerRole::item)),
-          cell_(grammar.named(Display::cell)), row_(grammar.named(Display::row)),
-          table_(grammar.named(Display::table)), verbatim_(grammar.named(Display::verbatim)) {}
+        : grammar_(grammar), names_(namesOf(grammar)) {}
 
     std::string reduced(const QTextDocument& html) {
         addFrame(*html.rootFrame());
@@ -40,9 +59,6 @@ public:
     }
 
 private:
-    [[nodiscard]] std::string named(ContainerRole role) const {
-        return std::string(grammar_.named(role));
-    }
     void begin(const std::string& name, const std::string& attributes = {}) {
         out_ += "<" + name + attributes + ">";
     }
@@ -61,28 +77,29 @@ private:
 
     void addTable(const QTextTable& table) {
         endLists(0);
-        const bool has = !table_.empty() && !row_.empty() && !cell_.empty() && !isInTable_;
+        const bool has =
+            !names_.table.empty() && !names_.row.empty() && !names_.cell.empty() && !isInTable_;
         isInTable_ = true;
         if (has)
-            begin(table_);
+            begin(names_.table);
         for (int r = 0; r < table.rows(); ++r) {
             if (has)
-                begin(row_);
+                begin(names_.row);
             for (int c = 0; c < table.columns(); ++c) {
                 const QTextTableCell cell = table.cellAt(r, c);
                 if (has)
-                    begin(cell_);
+                    begin(names_.cell);
                 // One that spans several places stands in the first.
                 if (cell.row() == r && cell.column() == c)
                     addCell(cell, has);
                 if (has)
-                    end(cell_);
+                    end(names_.cell);
             }
             if (has)
-                end(row_);
+                end(names_.row);
         }
         if (has)
-            end(table_);
+            end(names_.table);
         isInTable_ = false;
     }
 
@@ -102,7 +119,8 @@ private:
     }
 
     void addBlock(const QTextBlock& block) {
-        const QTextList* list = list_.empty() || item_.empty() ? nullptr : block.textList();
+        const QTextList* list =
+            names_.list.empty() || names_.item.empty() ? nullptr : block.textList();
         if (list) {
             addItem(block, *list);
             return;
@@ -110,35 +128,35 @@ private:
         endLists(0);
         if (block.text().trimmed().isEmpty())
             return;
-        if (!verbatim_.empty() && block.blockFormat().nonBreakableLines()) {
+        if (!names_.verbatim.empty() && block.blockFormat().nonBreakableLines()) {
             addVerbatim(block);
             return;
         }
         isBehindVerbatim_ = false;
         const int level = block.blockFormat().headingLevel();
-        if (level > 0 && !isInTable_ && !section_.empty() && !heading_.empty()) {
+        if (level > 0 && !isInTable_ && !names_.section.empty() && !names_.heading.empty()) {
             endSections(level - 1);
-            begin(section_);
+            begin(names_.section);
             sections_.push_back(level);
-            begin(heading_);
+            begin(names_.heading);
             isInHeading_ = true;
             addLine(block);
             isInHeading_ = false;
-            end(heading_);
+            end(names_.heading);
             return;
         }
-        begin(paragraph_);
+        begin(names_.paragraph);
         addLine(block);
-        end(paragraph_);
+        end(names_.paragraph);
     }
 
     // Lines that follow each other are one piece.
     void addVerbatim(const QTextBlock& block) {
-        const std::string close = "}</" + verbatim_ + ">";
+        const std::string close = "}</" + names_.verbatim + ">";
         if (isBehindVerbatim_ && out_.ends_with(close))
             out_.resize(out_.size() - close.size());
         else
-            out_ += "<" + verbatim_ + ">{";
+            out_ += "<" + names_.verbatim + ">{";
         if (!out_.ends_with('{'))
             out_ += '\n';
         out_ += sgml::escaped(textOf(block.text())) + close;
@@ -151,36 +169,36 @@ private:
         if (lists_.size() == depth && lists_.back() != &list)
             endLists(depth - 1);
         if (lists_.size() == depth)
-            end(item_); // the one before
+            end(names_.item); // the one before
         while (lists_.size() < depth) {
-            begin(list_, lists_.size() + 1 == depth ? kindOf(list) : std::string());
+            begin(names_.list, lists_.size() + 1 == depth ? kindOf(list) : std::string());
             lists_.push_back(&list);
-            begin(item_);
+            begin(names_.item);
         }
-        if (out_.ends_with("</" + item_ + ">"))
-            begin(item_);
+        if (out_.ends_with("</" + names_.item + ">"))
+            begin(names_.item);
         // Only a list may follow in the item.
-        begin(paragraph_);
+        begin(names_.paragraph);
         addLine(block);
-        end(paragraph_);
+        end(names_.paragraph);
     }
     [[nodiscard]] std::string kindOf(const QTextList& list) const {
         const auto style = list.format().style();
         const bool isNumbered = style <= QTextListFormat::ListDecimal;
-        const auto& kinds = grammar_.variants(list_);
+        const auto& kinds = grammar_.variants(names_.list);
         return isNumbered && !kinds.empty()
                    ? " " + sgml::attributeText(kinds.front().attribute, kinds.front().value)
                    : std::string();
     }
     void endLists(std::size_t depth) {
         for (; lists_.size() > depth; lists_.pop_back()) {
-            end(item_);
-            end(list_);
+            end(names_.item);
+            end(names_.list);
         }
     }
     void endSections(int level) {
         for (; !sections_.empty() && sections_.back() > level; sections_.pop_back())
-            end(section_);
+            end(names_.section);
     }
 
     // Letters with their emphasis, in the same order of elements.
@@ -199,13 +217,11 @@ private:
                 around.push_back(name);
             };
             const QString target = format.anchorHref();
-            wrap(!target.isEmpty() && !target.startsWith('#'),
-                 std::string(grammar_.named(Display::link)),
+            wrap(!target.isEmpty() && !target.startsWith('#'), names_.link,
                  " " + sgml::attributeText("TO", target.toStdString()));
-            wrap(format.fontWeight() > QFont::Medium && !isInHeading_,
-                 named(ContainerRole::strong));
-            wrap(format.fontItalic(), named(ContainerRole::emphasis));
-            wrap(format.fontFixedPitch(), named(ContainerRole::code));
+            wrap(format.fontWeight() > QFont::Medium && !isInHeading_, names_.strong);
+            wrap(format.fontItalic(), names_.emphasis);
+            wrap(format.fontFixedPitch(), names_.code);
             const std::string letters = textOf(fragment.text());
             // Beside other elements text stands in one of its own.
             out_ += around.empty() ? sgml::elementText("TEXT", letters)
@@ -222,7 +238,7 @@ private:
     }
 
     const manuscript::Grammar& grammar_;
-    const std::string paragraph_, heading_, section_, list_, item_, cell_, row_, table_, verbatim_;
+    const Names names_;
     std::string out_;
     std::vector<const QTextList*> lists_; // that are open
     std::vector<int> sections_;           // levels of those that are open
