@@ -58,11 +58,14 @@ Wish attitude(const scene::Scene& scene, const Handle& handle, const Vector& pla
     return wish;
 }
 
-Wish ofPoint(const scene::Scene& scene, const Handle& handle, const Vector& place, double length) {
+// By the trajectory's value: of a force's its arrow, else the place.
+Wish ofPoint(const scene::Scene& scene, const Handle& handle, const Vector& at, double pixel) {
+    const Vector place = handle.valueAt(at), now = handle.valueAt(handle.place);
+    const double length = pixel / handle.perUnit;
     const scene::Trajectory& trajectory = scene.trajectories[handle.element];
     if (trajectory.points.empty()) {
         const auto points = editing::controlPointsOf(trajectory.curves);
-        Wish wish = one(handle, "-bezier", place, handle.place, length);
+        Wish wish = one(handle, "-bezier", place, now, length);
         if (points.empty()) // a trajectory without any: its option as a whole
             return wish;
         const editing::ControlPoint& point = points[std::min(handle.part, points.size() - 1)];
@@ -71,7 +74,7 @@ Wish ofPoint(const scene::Scene& scene, const Handle& handle, const Vector& plac
         wish.path = {point.curve, 2 + point.index};
         return wish;
     }
-    Wish wish = one(handle, "-points", place, handle.place, length);
+    Wish wish = one(handle, "-points", place, now, length);
     wish.path = {handle.part};
     const double time = trajectory.points[handle.part].first;
     wish.values.insert(wish.values.begin(), time);

@@ -58,7 +58,8 @@ std::size_t partOf(const scene::Trajectory& trajectory, std::size_t point) {
 
 NewPoint::NewPoint(Ground ground, const Sight& sight, const render::Handle& from)
     : ground_(std::move(ground)), edits_(ground_.text, ground_.scene, from.element), sight_(sight),
-      from_(pointOf(edits_, from)), trajectory_(from.element), place_(from.place) {}
+      handle_(from), from_(pointOf(edits_, from)), trajectory_(from.element),
+      place_(from.valueAt(from.place)) {}
 
 double NewPoint::timeTowards(bool later) const {
     const auto& points = edits_.points();
@@ -79,14 +80,15 @@ void NewPoint::update() {
 
 void NewPoint::move(const Eigen::Vector2d& pixels) {
     const auto& points = edits_.points();
-    const Vector from = points[from_].place;
+    const Vector from = handle_.placeOf(points[from_].place);
     if (!later_) {
         const Eigen::Vector2d way = pixels - sight_.pixels(from);
         if (way.norm() < 5)
             return;
         const auto along = [&](bool later) -> double {
             const Eigen::Vector2d toward =
-                sight_.pixels(points[neighbour(points, from_, later)].place) - sight_.pixels(from);
+                sight_.pixels(handle_.placeOf(points[neighbour(points, from_, later)].place)) -
+                sight_.pixels(from);
             return toward.norm() > 0 ? way.dot(toward) / toward.norm() : 0;
         };
         const bool first = neighbour(points, from_, false) == from_;
@@ -98,8 +100,8 @@ void NewPoint::move(const Eigen::Vector2d& pixels) {
                                : along(true) >= along(false);
         time_ = timeTowards(*later_);
     }
-    const Vector place = sight_.beside(pixels, from);
-    const double step = editing::decimalStep(sight_.pixelLength(from));
+    const Vector place = handle_.valueAt(sight_.beside(pixels, from));
+    const double step = editing::decimalStep(sight_.pixelLength(from) / handle_.perUnit);
     for (int i = 0; i < 3; ++i)
         place_[i] = editing::roundedTo(place[i], step);
     update();

@@ -26,7 +26,7 @@ public:
     void finish();
     void cancel();
     [[nodiscard]] std::string words() const;
-    [[nodiscard]] const geometry::Vector& place() const { return place_; }
+    [[nodiscard]] geometry::Vector place() const { return handle_.placeOf(place_); } // world
     [[nodiscard]] const editing::Answer& answer() const { return answer_; }
 
 private:
@@ -36,8 +36,9 @@ private:
     Ground ground_;
     editing::TrajectoryEdits edits_;
     Sight sight_;
+    render::Handle handle_; // of the point that it is drawn out of
     std::size_t from_, trajectory_;
-    geometry::Vector place_;
+    geometry::Vector place_; // the trajectory's value
     double time_ = 0;
     std::optional<bool> later_; // once the direction is clear
     editing::Answer answer_;

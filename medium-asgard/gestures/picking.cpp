@@ -1,5 +1,7 @@
 #include "gestures/picking.h"
 
+#include "render/handle_layout.h"
+
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -21,7 +23,7 @@ double Sight::pixelLength(const Vector& world) const {
 
 Line lineOfSight(const Sight& sight, const Eigen::Vector2d& pixels) {
     const Vector near =
-        render::toWorld(sight.camera, sight.size, pixels, 0.99 * render::eyeDistance);
+        render::toWorld(sight.camera, sight.size, pixels, 0.99 * render::eyeOf(sight.camera));
     return {near, (render::toWorld(sight.camera, sight.size, pixels, 0) - near).normalized()};
 }
 
@@ -31,7 +33,7 @@ std::optional<std::size_t> handleAt(const render::HandleSet& set, const Sight& s
     double least = reach;
     for (std::size_t i = 0; i < set.handles.size(); ++i) {
         const render::Handle& handle = set.handles[i];
-        const double distance = (sight.pixels(handle.place) - pixels).norm();
+        const double distance = (render::standOf(handle, sight.camera, sight.size) - pixels).norm();
         const bool onTop = nearest && distance <= least + 0.5 &&
                            radiusOf(handle.kind) < radiusOf(set.handles[*nearest].kind);
         if (handle.movable && distance <= reach && (distance < least || onTop || !nearest)) {
@@ -48,7 +50,10 @@ std::optional<render::Handle> jointAt(const render::Drawing& drawing, const Sigh
         return std::nullopt;
     render::Display signs;
     signs.jointHandles = true;
-    render::HandleSet set = render::Handles(*drawing.scene, drawing.motion).at(drawing.time, signs);
+    render::HandleSet set = render::Handles(*drawing.scene, drawing.motion)
+                                .at(drawing.time, signs, sight.camera, sight.size);
+    for (render::Handle& handle : set.handles) // a sign is where it is
+        handle.aside.setZero();
     std::erase_if(set.handles, [](const render::Handle& handle) {
         return handle.kind != render::HandleKind::jointPoint;
     });

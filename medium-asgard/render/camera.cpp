@@ -16,9 +16,9 @@ double pixelsPerUnit(Size size) { return 0.5 * std::min(size.width, size.height)
 Eigen::Vector2d middle(Size size) { return {0.5 * size.width, 0.5 * size.height}; }
 
 // Where a pixel's line of sight meets a plane of constant view z.
-Vector toView(Size size, const Eigen::Vector2d& pixels, double viewZ) {
+Vector toView(const Camera& camera, Size size, const Eigen::Vector2d& pixels, double viewZ) {
     const Eigen::Vector2d onScreen = (pixels - middle(size)) / pixelsPerUnit(size);
-    const double nearness = (eyeDistance - viewZ) / eyeDistance;
+    const double nearness = camera.orthographic ? 1 : (eyeDistance - viewZ) / eyeDistance;
     return {onScreen.x() * nearness, -onScreen.y() * nearness, viewZ};
 }
 
@@ -32,15 +32,19 @@ Vector onVirtualSphere(Size size, const Eigen::Vector2d& pixels) {
 
 } // namespace
 
+double enlargement(const Camera& camera, double viewZ) {
+    return camera.orthographic ? 1 : eyeDistance / std::max(eyeDistance - viewZ, nearest);
+}
+
 Eigen::Vector2d toPixels(const Camera& camera, Size size, const Vector& world) {
     const Vector view =
         camera.scale * (camera.rotation * (world - camera.center)) + camera.position;
-    const double toward = eyeDistance / std::max(eyeDistance - view.z(), nearest);
-    return middle(size) + pixelsPerUnit(size) * toward * Eigen::Vector2d(view.x(), -view.y());
+    return middle(size) + pixelsPerUnit(size) * enlargement(camera, view.z()) *
+                              Eigen::Vector2d(view.x(), -view.y());
 }
 
 Vector toWorld(const Camera& camera, Size size, const Eigen::Vector2d& pixels, double viewZ) {
-    const Vector view = toView(size, pixels, viewZ) - camera.position;
+    const Vector view = toView(camera, size, pixels, viewZ) - camera.position;
     return camera.rotation.conjugate() * (view / camera.scale) + camera.center;
 }
 
@@ -85,8 +89,8 @@ bool CameraControl::move(Eigen::Vector2d pixels, Size size) {
     }
     case Button::middle:
         // In the plane through the centre of rotation, so that what one holds stays under the hand.
-        camera_.position +=
-            toView(size, pixels, camera_.position.z()) - toView(size, from, camera_.position.z());
+        camera_.position += toView(camera_, size, pixels, camera_.position.z()) -
+                            toView(camera_, size, from, camera_.position.z());
         return true;
     case Button::right:
         return scaleOrRoll(from, pixels, size);
@@ -116,7 +120,7 @@ bool CameraControl::scaleOrRoll(Eigen::Vector2d from, Eigen::Vector2d to, Size s
 void CameraControl::wheel(Eigen::Vector2d pixels, double notches, Size size) {
     const double factor = std::exp(0.15 * notches);
     // The point of the centre's plane under the pointer stays where it is.
-    const Vector held = toView(size, pixels, camera_.position.z());
+    const Vector held = toView(camera_, size, pixels, camera_.position.z());
     camera_.scale *= factor;
     camera_.position = held + factor * (camera_.position - held);
 }

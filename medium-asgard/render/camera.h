@@ -2,8 +2,8 @@
 //
 // A point p of the world is seen at view = scale * R(rotation) * (p - center) + position, the
 // screen's x right, y up, z towards the viewer (dissertation 4.1.7; scene language, `view`).
-// The picture shows view coordinates -1..1 over its shorter side, in perspective about the plane
-// view z = 0, where lengths are exact.
+// The picture shows view coordinates -1..1 over its shorter side: in perspective about the plane
+// view z = 0, where lengths are exact, or orthographic, where all lengths across are.
 #pragma once
 
 #include "geometry/pose.h"
@@ -23,6 +23,7 @@ struct Camera {
     Quaternion rotation = Quaternion::Identity(); // world to view
     double scale = 1;                             // view units per world unit
     Vector position = Vector::Zero();             // view units: pan
+    bool orthographic = false;                    // parallel lines of sight
 };
 
 struct Size {
@@ -30,8 +31,17 @@ struct Size {
     bool operator==(const Size&) const = default;
 };
 
-// The eye stands on the view's z axis, this far in front of the plane z = 0.
+// The eye of a perspective picture stands on the view's z axis, this far in front of z = 0.
 inline constexpr double eyeDistance = 5;
+
+// Where the lines of sight come together, on the view's z axis. That of an orthographic picture is
+// so far away that they are parallel to a millionth.
+[[nodiscard]] inline double eyeOf(const Camera& camera) {
+    return camera.orthographic ? 1e6 * eyeDistance : eyeDistance;
+}
+
+// How much larger than at z = 0 a length is seen at another view depth.
+[[nodiscard]] double enlargement(const Camera& camera, double viewZ);
 
 // Radius of the sphere that the pointer turns, view units.
 inline constexpr double virtualSphere = 0.85;

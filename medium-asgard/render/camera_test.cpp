@@ -35,6 +35,19 @@ TEST(Camera, WhatIsNearerIsLarger) {
     EXPECT_NEAR(near, 25 * eyeDistance / (eyeDistance - 1), 1e-9);
 }
 
+TEST(Camera, AnOrthographicPictureShowsEqualLengthsEqually) {
+    Camera camera;
+    camera.orthographic = true;
+    const Size size{100, 100};
+    for (const double z : {-20.0, -1.0, 0.0, 4.0, 30.0})
+        EXPECT_NEAR(toPixels(camera, size, Vector(0.5, 0.2, z)).x(), 75, 1e-9) << z;
+    camera.rotation = geometry::fromRotationVector({0.3, -0.5, 0.1});
+    for (const double z : {-3.0, 0.0, 8.0}) {
+        const Vector world = toWorld(camera, size, {12, 77}, z);
+        EXPECT_LT((toPixels(camera, size, world) - Pixels(12, 77)).norm(), 1e-9);
+    }
+}
+
 TEST(Camera, PixelsLeadBackToTheWorld) {
     std::mt19937 random(1);
     std::uniform_real_distribution<double> across(0, 600);

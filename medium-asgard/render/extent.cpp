@@ -8,6 +8,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <limits>
 
 namespace render {
 
@@ -345,11 +346,40 @@ std::optional<Vector> againstGravity(const scene::Scene& scene) {
     return Vector(Vector::Unit(winner / 2)) * (winner % 2 == 0 ? 1.0 : -1.0);
 }
 
-Extent extentOf(const scene::Scene& scene, const simulation::Motion* motion) {
+namespace {
+
+Extent directionsOf(const scene::Scene& scene) {
     Extent extent;
     const std::optional<Vector> up = againstGravity(scene);
     extent.up = up.value_or(Vector::UnitY());
     extent.ground = up ? *up : tableNormal(scene).value_or(extent.up);
+    return extent;
+}
+
+// What follows from the balls.
+void settle(Extent& extent) {
+    if (extent.box.isEmpty())
+        keep(extent, {Vector::Zero(), 1});
+    extent.size = std::max(extent.box.sizes().maxCoeff(), 1e-9);
+    extent.lowest = extent.box.center().dot(extent.ground) -
+                    extent.box.sizes().dot(extent.ground.cwiseAbs()) / 2;
+}
+
+double lowestOfFixed(const scene::Scene& scene, const Survey& survey, const Extent& extent) {
+    double lowest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < survey.paths.size(); ++i)
+        if (scene.bodies[i].fixed && !extent.moves[i] && !survey.paths[i].poses.empty())
+            for (const Ball& ball : survey.outlines[i])
+                lowest = std::min(
+                    lowest, survey.paths[i].poses.front().toWorld(ball.center).dot(extent.ground) -
+                                ball.radius);
+    return lowest;
+}
+
+} // namespace
+
+Extent extentOf(const scene::Scene& scene, const simulation::Motion* motion) {
+    Extent extent = directionsOf(scene);
     const Survey survey = surveyOf(scene, motion);
     bool anyMoves = false;
     for (const Path& path : survey.paths) {
@@ -377,12 +407,49 @@ Extent extentOf(const scene::Scene& scene, const simulation::Motion* motion) {
         keep(extent, {anchor, 0});
     for (const Vector& anchor : ropeAnchorsOf(scene))
         keep(extent, {anchor, 0});
-    if (extent.box.isEmpty())
-        keep(extent, {Vector::Zero(), 1});
-    extent.size = std::max(extent.box.sizes().maxCoeff(), 1e-9);
+    settle(extent);
     extent.planeNormal = flatAlong(survey.paths, extent.moves, extent.up);
-    extent.lowest = extent.box.center().dot(extent.ground) -
-                    extent.box.sizes().dot(extent.ground.cwiseAbs()) / 2;
+    extent.lowestStands =
+        lowestOfFixed(scene, survey, extent) <= extent.lowest + 1e-3 * extent.size;
+    return extent;
+}
+
+Extent extentAt(const scene::Scene& scene, const simulation::Motion* motion, double time,
+                const std::vector<std::size_t>& bodies) {
+    Extent extent = directionsOf(scene);
+    std::vector<std::size_t> all = bodies;
+    if (all.empty())
+        for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+            all.push_back(i);
+    const auto poseNow = [&](std::size_t i) { return poseOf(scene, motion, i, time); };
+    for (const std::size_t i : all)
+        if (i < scene.bodies.size() && finite(poseNow(i)))
+            for (const Ball& ball : outlineOf(scene, scene.bodies[i]))
+                keep(extent, {poseNow(i).toWorld(ball.center), ball.radius});
+    for (const std::size_t i : all)
+        if (i < scene.bodies.size() && finite(poseNow(i)))
+            keepPlanes(extent, scene, scene.bodies[i], poseNow(i));
+    settle(extent);
+    return extent;
+}
+
+Extent extentOfAll(const scene::Scene& scene, const simulation::Motion* motion) {
+    constexpr double much = 4;
+    Extent extent = extentOf(scene, motion);
+    const double size = extent.size;
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        if (extent.moves[i])
+            continue;
+        const geometry::Pose pose = poseOf(scene, motion, i, 0);
+        Box whole;
+        for (const Ball& ball : outlineOf(scene, scene.bodies[i]))
+            whole.extend(around({pose.toWorld(ball.center), ball.radius}));
+        if (whole.isEmpty() || whole.sizes().maxCoeff() > much * size)
+            continue;
+        for (const Ball& ball : outlineOf(scene, scene.bodies[i]))
+            keep(extent, {pose.toWorld(ball.center), ball.radius});
+    }
+    settle(extent);
     return extent;
 }
 

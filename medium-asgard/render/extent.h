@@ -28,6 +28,7 @@ struct Extent {
     Vector up = Vector::UnitY();
     Vector ground = Vector::UnitY();   // normal of what things stand on: up, where anything falls
     double lowest = 0;                 // along the ground's normal
+    bool lowestStands = false;         // what reaches there is fixed
     double size = 1;                   // longest edge of the box
     std::optional<Vector> planeNormal; // the axis that the motion is flat along
 };
@@ -49,5 +50,15 @@ struct Extent {
 [[nodiscard]] std::optional<Vector> againstGravity(const scene::Scene& scene);
 
 [[nodiscard]] Extent extentOf(const scene::Scene& scene, const simulation::Motion* motion);
+
+// What is to be in the picture at that time: of those bodies, or of all when none are given, fixed
+// ones included. Half spaces have no size: their place near the others counts. Empty scenes have
+// the extent of a ball of radius 1.
+[[nodiscard]] Extent extentAt(const scene::Scene& scene, const simulation::Motion* motion,
+                              double time, const std::vector<std::size_t>& bodies = {});
+
+// The whole motion and all of the fixed bodies, but of those that are much larger than it what lies
+// near it.
+[[nodiscard]] Extent extentOfAll(const scene::Scene& scene, const simulation::Motion* motion);
 
 } // namespace render

@@ -12,7 +12,7 @@ Frame::Frame(const Drawing& drawing, Size size)
       linear_(drawing.camera.scale * drawing.camera.rotation.toRotationMatrix()) {}
 
 double Frame::pixels(double viewLength, double viewZ) const {
-    const double toward = eyeDistance / std::max(eyeDistance - viewZ, 0.02);
+    const double toward = enlargement(camera_, std::min(viewZ, eyeDistance - 0.02));
     return viewLength * toward * 0.5 * std::min(size_.width, size_.height);
 }
 
@@ -23,11 +23,20 @@ float Frame::stroke(double width) const {
 
 std::array<float, 16> Frame::projection(double nearestZ, double furthestZ) const {
     const double shorter = std::min(size_.width, size_.height);
+    std::array<float, 16> m{};
+    if (camera_.orthographic) {
+        const double deep = std::max(nearestZ - furthestZ, 1e-3);
+        m[0] = static_cast<float>(shorter / size_.width);
+        m[5] = static_cast<float>(-shorter / size_.height);
+        m[10] = static_cast<float>(-2 / deep);
+        m[14] = static_cast<float>((nearestZ + furthestZ) / deep);
+        m[15] = 1;
+        return m;
+    }
     const double near = std::max(eyeDistance - nearestZ, 0.02);
     const double far = std::max(eyeDistance - furthestZ, near * 1.001);
     const double a = (far + near) / (far - near), b = -2 * far * near / (far - near);
     // With the distance from the eye d = D - z: clip z = a d + b, clip w = d.
-    std::array<float, 16> m{};
     m[0] = static_cast<float>(eyeDistance * shorter / size_.width);
     m[5] = static_cast<float>(-eyeDistance * shorter / size_.height);
     m[10] = static_cast<float>(-a);
@@ -41,7 +50,7 @@ double linearLight(double encoded) {
     return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
-std::vector<Light> lightsOf(const scene::Scene& scene, const Frame& frame) {
+std::vector<Light> lightsOf(const scene::Scene& scene, const Vector& toSun, const Frame& frame) {
     std::vector<Light> lights;
     for (const scene::LightSource& source : scene.lights) {
         if (lights.size() == mostLights)
@@ -60,11 +69,23 @@ std::vector<Light> lightsOf(const scene::Scene& scene, const Frame& frame) {
         lights.push_back(light);
     }
     if (lights.empty()) {
-        // Into the screen, over the viewer's left shoulder: faces that meet differ in brightness.
-        lights.push_back(
-            {Vector(-0.36, 0.50, 0.80).normalized(), false, Eigen::Vector3f::Constant(0.75F)});
+        lights.push_back({frame.directionInView(toSun), false, {0.70F, 0.68F, 0.64F}});
+        // Faces that the sun does not reach differ in brightness, too.
+        lights.push_back({Vector(0.45, 0.25, 0.86).normalized(), false, {0.15F, 0.16F, 0.18F}});
     }
     return lights;
+}
+
+int shadowedOf(const std::vector<Light>& lights) {
+    const auto far = std::ranges::find(lights, false, &Light::isPoint);
+    return far == lights.end() ? 0 : static_cast<int>(far - lights.begin());
+}
+
+std::array<float, 16> LightSight::columns() const {
+    std::array<float, 16> columns;
+    for (std::size_t i = 0; i < columns.size(); ++i)
+        columns[i] = static_cast<float>(matrix(static_cast<int>(i % 4), static_cast<int>(i / 4)));
+    return columns;
 }
 
 } // namespace render

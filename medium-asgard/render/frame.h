@@ -18,6 +18,8 @@ public:
     [[nodiscard]] Vector directionInView(const Vector& world) const {
         return camera_.rotation * world;
     }
+    // View: where the lines of sight come together (render/camera.h).
+    [[nodiscard]] Vector eye() const { return {0, 0, eyeOf(camera_)}; }
 
     // How long a length at that view depth is on screen.
     [[nodiscard]] double pixels(double viewLength, double viewZ) const;
@@ -49,7 +51,24 @@ struct Light {
     Eigen::Vector3f color = Eigen::Vector3f::Ones(); // linear
 };
 
-// The scene's lights in view coordinates, at most `mostLights`; the default one when it has none.
-[[nodiscard]] std::vector<Light> lightsOf(const scene::Scene& scene, const Frame& frame);
+// The scene's lights in view coordinates, at most `mostLights`. One without any has the sun, in the
+// direction given (world), and a little light from beside the eye.
+[[nodiscard]] std::vector<Light> lightsOf(const scene::Scene& scene, const Vector& toSun,
+                                          const Frame& frame);
+
+// The light that throws shadows: the first that shines from afar, else the first.
+[[nodiscard]] int shadowedOf(const std::vector<Light>& lights);
+
+// How a light sees the view (shadow_map.h).
+struct LightSight {
+    Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity(); // to its clip space
+    double texel = 0;    // view length of a texel of its map, where it is largest
+    double softness = 0; // of a shadow's rim, as a part of the map's width
+    [[nodiscard]] std::array<float, 16> columns() const;
+    // Where in the map a point of the view is: x, y and depth from -1 to 1.
+    [[nodiscard]] Vector toMap(const Vector& view) const {
+        return (matrix * view.homogeneous()).hnormalized();
+    }
+};
 
 } // namespace render

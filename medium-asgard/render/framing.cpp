@@ -17,16 +17,16 @@ Eigen::Vector2d halfExtent(Size size) {
 
 // A ball at (x, y, z) about the centre, radius r, seen at scale s, reaches on screen to
 // s (|x| + r) D / (D - s z); that is within m when s <= m D / ((|x| + r) D + m z).
-double fittingScale(const std::vector<Ball>& seen, const Vector& center, Size size) {
+double fittingScale(const std::vector<Ball>& seen, const Vector& center, Size size, double eye) {
     const Eigen::Vector2d m = filled * halfExtent(size);
     double scale = std::numeric_limits<double>::infinity();
     for (const Ball& ball : seen) {
         const Vector p = ball.center - center;
         for (int axis = 0; axis < 2; ++axis) {
             const double needed =
-                (std::abs(p[axis]) + ball.radius) * eyeDistance + m[axis] * (p.z() + ball.radius);
+                (std::abs(p[axis]) + ball.radius) * eye + m[axis] * (p.z() + ball.radius);
             if (needed > 0)
-                scale = std::min(scale, m[axis] * eyeDistance / needed);
+                scale = std::min(scale, m[axis] * eye / needed);
         }
     }
     return std::isfinite(scale) ? scale : 1;
@@ -40,11 +40,11 @@ std::vector<Ball> turned(const Extent& extent, const Quaternion& attitude) {
 }
 
 // The point of the same depth whose picture is in the middle of all pictures of the balls.
-Vector recentred(const std::vector<Ball>& seen, const Vector& center, double scale) {
+Vector recentred(const std::vector<Ball>& seen, const Vector& center, double scale, double eye) {
     Eigen::AlignedBox2d onScreen;
     for (const Ball& ball : seen) {
         const Vector p = scale * (ball.center - center);
-        const double nearness = eyeDistance / std::max(eyeDistance - p.z(), 0.05);
+        const double nearness = eye / std::max(eye - p.z(), 0.05);
         const double r = scale * ball.radius * nearness;
         const Eigen::Vector2d q = p.head<2>() * nearness;
         onScreen.extend(Eigen::Vector2d(q.array() - r));
@@ -70,13 +70,22 @@ Quaternion bestAttitude(const Extent& extent) {
     return facing(toward, extent.up);
 }
 
-Camera fittedAbout(const Extent& extent, const Quaternion& attitude, const Vector& center,
-                   Size size) {
-    return {center, attitude, fittingScale(turned(extent, attitude), attitude * center, size),
-            Vector::Zero()};
+Vector sunOf(const Extent& extent) {
+    const Vector toward = bestAttitude(extent).conjugate() * Vector::UnitZ();
+    const Vector front = (toward - toward.dot(extent.up) * extent.up).normalized();
+    const Vector left = front.cross(extent.up);
+    return (0.42 * left + 0.80 * extent.up + 0.50 * front).normalized();
 }
 
-Camera fitted(const Extent& extent, const Quaternion& attitude, Size size) {
+Camera fittedAbout(const Extent& extent, const Quaternion& attitude, const Vector& center,
+                   Size size, bool orthographic) {
+    Camera camera{center, attitude, 1, Vector::Zero(), orthographic};
+    camera.scale = fittingScale(turned(extent, attitude), attitude * center, size, eyeOf(camera));
+    return camera;
+}
+
+Camera fitted(const Extent& extent, const Quaternion& attitude, Size size, bool orthographic) {
+    const double eye = eyeOf({.orthographic = orthographic});
     const std::vector<Ball> seen = turned(extent, attitude);
     Eigen::AlignedBox3d box;
     for (const Ball& ball : seen) {
@@ -86,9 +95,9 @@ Camera fitted(const Extent& extent, const Quaternion& attitude, Size size) {
     Vector center = box.center();
     // Perspective makes what is nearer larger: centre and scale settle in a few rounds.
     for (int round = 0; round < 4; ++round)
-        center = recentred(seen, center, fittingScale(seen, center, size));
-    return {attitude.conjugate() * center, attitude, fittingScale(seen, center, size),
-            Vector::Zero()};
+        center = recentred(seen, center, fittingScale(seen, center, size, eye), eye);
+    return {attitude.conjugate() * center, attitude, fittingScale(seen, center, size, eye),
+            Vector::Zero(), orthographic};
 }
 
 Camera framed(const scene::Scene& scene, const simulation::MotionPointer& motion, Size size) {

@@ -11,10 +11,14 @@ namespace render {
 [[nodiscard]] Quaternion bestAttitude(const Extent& extent);
 
 // The camera of that attitude in which all balls fill the picture but for a margin.
-[[nodiscard]] Camera fitted(const Extent& extent, const Quaternion& attitude, Size size);
+[[nodiscard]] Camera fitted(const Extent& extent, const Quaternion& attitude, Size size,
+                            bool orthographic = false);
 
 // The same about a given centre: it stays in the middle, only the scale is fitted.
 [[nodiscard]] Camera fittedAbout(const Extent& extent, const Quaternion& attitude,
-                                 const Vector& center, Size size);
+                                 const Vector& center, Size size, bool orthographic = false);
+
+// The world's direction towards the sun: over the left shoulder of whoever looks from there.
+[[nodiscard]] Vector sunOf(const Extent& extent);
 
 } // namespace render

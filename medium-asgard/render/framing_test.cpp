@@ -146,6 +146,66 @@ TEST(Framed, ASceneWithoutMotionOrBodiesIsFramedToo) {
     EXPECT_LT((camera.center - Vector(50, 60, 70)).norm(), 1);
 }
 
+// The silhouette of all balls just fills the picture, in either projection.
+TEST(Framed, AnOrthographicPictureIsFilledToo) {
+    scene::Scene scene;
+    addBody(scene, box({4, 1, 2}), {7, 0, 0}, {});
+    const Extent extent = extentOf(scene, nullptr);
+    const Size size{640, 480};
+    for (const bool orthographic : {false, true}) {
+        const Camera camera =
+            fitted(extent, facing({0.5, 0.4, 1}, Vector::UnitY()), size, orthographic);
+        EXPECT_EQ(camera.orthographic, orthographic);
+        Eigen::AlignedBox2d seen;
+        for (const Ball& ball : extent.balls)
+            seen.extend(toPixels(camera, size, ball.center));
+        EXPECT_NEAR(seen.sizes().x(), 0.88 * 640, 1) << orthographic;
+        EXPECT_NEAR(seen.center().x(), 320, 1);
+        EXPECT_NEAR(seen.center().y(), 240, 1);
+    }
+}
+
+TEST(Framed, NowIsWhatStandsThereNowFixedBodiesIncluded) {
+    scene::Scene scene;
+    addBody(scene, sphere(1), {0, 0, 0}, {});
+    addBody(scene, box({2, 2, 2}), {-20, 0, 0}, {}).fixed = true;
+    scene::Part half;
+    half.shape = scene::PlaneShape{};
+    addBody(scene, half, {0, -1, 0}, {}).fixed = true;
+    const auto stands = [](double x, double y) {
+        return [x, y](double) { return placed({x, y, 0}); };
+    };
+    const auto motion = std::make_shared<GivenMotion>(
+        10, std::vector<GivenMotion::Law>{[](double t) {
+                                              return placed({t, 0, 0});
+                                          },
+                                          stands(-20, 0), stands(0, -1)});
+    const Extent now = extentAt(scene, motion.get(), 5);
+    EXPECT_NEAR(now.box.max().x(), 6, 1e-9);
+    EXPECT_NEAR(now.box.min().x(), -21, 1e-9);
+    const Extent ball = extentAt(scene, motion.get(), 5, {0});
+    EXPECT_NEAR(ball.box.min().x(), 4, 1e-9);
+    EXPECT_NEAR(ball.size, 2, 1e-9);
+    // A half space alone has no size.
+    EXPECT_NEAR(extentAt(scene, motion.get(), 5, {2}).size, 2, 1e-9);
+    // All of the motion: the box that stands apart, too, which the picture at first leaves out.
+    EXPECT_GT(extentOf(scene, motion.get()).box.min().x(), -10);
+    EXPECT_NEAR(extentOfAll(scene, motion.get()).box.min().x(), -21, 1e-9);
+    EXPECT_NEAR(extentOfAll(scene, motion.get()).box.max().x(), 11, 1e-9);
+}
+
+TEST(Framed, TheSunComesOverTheLeftShoulder) {
+    for (const Vector& up : {Vector(0, 1, 0), Vector(0, 0, 1)}) {
+        Extent extent;
+        extent.up = up;
+        const Vector inView = bestAttitude(extent) * sunOf(extent);
+        EXPECT_LT(inView.x(), -0.2);
+        EXPECT_GT(inView.y(), 0.4);
+        EXPECT_GT(inView.z(), 0.4);
+        EXPECT_NEAR(inView.norm(), 1, 1e-12);
+    }
+}
+
 TEST(Framed, BodiesThatGetNowhereAtAllAreSkipped) {
     scene::Scene scene;
     addBody(scene, sphere(1), {0, 0, 0}, {});

@@ -1,20 +1,13 @@
 #include "render/ground.h"
 
+#include "render/shaders.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace render {
 
 namespace {
-
-// The largest of 1, 2, 5 times a power of ten that is not above x.
-double roundLength(double x) {
-    const double power = std::pow(10, std::floor(std::log10(x)));
-    for (double factor : {5.0, 2.0})
-        if (factor * power <= x)
-            return factor * power;
-    return power;
-}
 
 // Area of the mesh's level upward faces that stand highest, and their height.
 struct Top {
@@ -43,71 +36,86 @@ Top topOf(const Solid& solid, const Mesh& mesh, const Vector& up) {
 
 } // namespace
 
-Plane groundOf(const Extent& extent, const Frame& frame) {
-    const Vector up = frame.directionInView(extent.ground);
-    const double rise = extent.lowest - extent.box.center().dot(extent.ground);
-    return {up, frame.toView(extent.box.center()).dot(up) + frame.camera().scale * rise};
-}
+namespace {
 
-std::optional<Floor> floorOf(std::span<const Solid> solids, const Extent& extent,
-                             const Frame& frame, Solids& meshes) {
+// The height in the world of the largest level face that never moves, if it is large enough to be
+// a floor.
+std::optional<double> floorHeight(std::span<const Solid> solids, const Extent& extent,
+                                  const Frame& frame, Solids& meshes) {
     const Vector up = frame.directionInView(extent.ground);
-    const double enough = std::pow(0.3 * extent.size * frame.camera().scale, 2);
-    std::optional<Floor> floor;
-    double largest = enough;
-    for (std::size_t i = 0; i < solids.size(); ++i) {
-        const Solid& solid = solids[i];
+    std::optional<double> height;
+    double largest = std::pow(0.3 * extent.size * frame.camera().scale, 2);
+    for (const Solid& solid : solids) {
         if (extent.moves[solid.body] ||
             std::holds_alternative<scene::SphereShape>(solid.part->shape))
             continue;
         const Top top = topOf(solid, meshes.meshOf(solid, frame), up);
         if (top.area > largest) {
             largest = top.area;
-            floor = Floor{i, {up, top.height}};
+            height = top.height;
         }
     }
-    return floor;
+    if (!height)
+        return std::nullopt;
+    const Vector middle = extent.box.center();
+    return middle.dot(extent.ground) +
+           (*height - frame.toView(middle).dot(up)) / frame.camera().scale;
 }
 
-void addGrid(Lines& lines, const Extent& extent, const Frame& frame, double strength) {
-    const Vector up = extent.ground;
-    const Vector u = std::abs(up.x()) > 0.5 ? Vector(Vector::UnitY()) : Vector(Vector::UnitX());
-    const Vector v = up.cross(u);
-    const double cell = roundLength(extent.size / 5);
-    const Vector below = extent.box.center() + (extent.lowest - extent.box.center().dot(up)) * up;
-    // Lines stand at whole multiples of the cell, so that lengths can be read off.
-    const double footU = std::round(below.dot(u) / cell), footV = std::round(below.dot(v) / cell);
-    const double across =
-        std::max(extent.box.sizes().dot(u.cwiseAbs()), extent.box.sizes().dot(v.cwiseAbs()));
-    const int reach = std::clamp(static_cast<int>(std::ceil(0.85 * across / cell)) + 3, 4, 14);
-    const auto place = [&](double i, double j) {
-        return frame.toView(below.dot(up) * up + (footU + i) * cell * u + (footV + j) * cell * v);
-    };
-    // Seen at a slant the lines crowd: they fade, and are gone when the ground is seen edge-on.
-    const Plane ground = groundOf(extent, frame);
-    const double rise = std::abs(eyeDistance * ground.normal.z() - ground.offset) / eyeDistance;
-    const double slant = std::clamp((rise - 0.02) / 0.12, 0.0, 1.0);
-    if (slant == 0)
+} // namespace
+
+double groundHeight(const Extent& extent) {
+    if (extent.lowestStands)
+        return extent.lowest;
+    const double step = roundBelow(extent.size / 8);
+    return step * std::floor(extent.lowest / step + 0.02);
+}
+
+Ground groundOf(std::span<const Solid> solids, const Extent& extent, const Frame& frame,
+                Solids& meshes) {
+    const auto floor = floorHeight(solids, extent, frame, meshes);
+    return {groundPlane(extent.ground, floor.value_or(groundHeight(extent))), floor.has_value()};
+}
+
+GroundShadow::~GroundShadow() { gl_.DeleteVertexArrays(1, &array_); }
+
+std::string GroundShadow::build() {
+    gl_.GenVertexArrays(1, &array_);
+    return program_.build(groundVertexShader, {shadowFunctions, groundFragmentShader});
+}
+
+void GroundShadow::show(const GroundPlane& ground, const Light& light, const LightSight& sight,
+                        const Frame& frame, const float* projection, float strength) const {
+    const Vector up = frame.directionInView(ground.up), foot = frame.toView(ground.place(0, 0));
+    if (up.dot(frame.eye() - foot) <= 0)
         return;
-    const auto alpha = [&](double i, double j) {
-        const double d = std::hypot(i, j) / reach;
-        return static_cast<float>(0.5 * strength * slant * std::max(0.0, 1 - d * d));
-    };
-    for (int line = -reach; line <= reach; ++line)
-        for (int along = -reach; along < reach; ++along) {
-            const bool tenth = std::llround(footU + line) % 5 == 0;
-            const bool otherTenth = std::llround(footV + line) % 5 == 0;
-            const float a = alpha(line, along), b = alpha(line, along + 1);
-            if (a <= 0 && b <= 0)
-                continue;
-            const Eigen::Vector3f grey(0.58F, 0.61F, 0.66F);
-            const auto ink = [&](bool strong) {
-                return Ink{grey, strong ? a * 1.3F : a, frame.stroke(0.9)};
-            };
-            lines.add(place(line, along), place(line, along + 1), ink(tenth), tenth ? b * 1.3F : b);
-            lines.add(place(along, line), place(along + 1, line), ink(otherTenth),
-                      otherTenth ? b * 1.3F : b);
-        }
+    // The map's four corners along their rays to the ground.
+    const Eigen::Matrix4d back = sight.matrix.inverse();
+    std::array<float, 12> corners;
+    for (int i = 0; i < 4; ++i) {
+        const double x = i % 2 == 0 ? -1 : 1, y = i < 2 ? -1 : 1;
+        const Vector from = (back * Eigen::Vector4d(x, y, -1, 1)).hnormalized();
+        const Vector way = (back * Eigen::Vector4d(x, y, 1, 1)).hnormalized() - from;
+        const double falls = -way.dot(up);
+        if (falls < 1e-3 * way.norm())
+            return; // LIMIT: light that comes level, or from below, throws no shadow on the ground
+        const Vector hit = from + way * ((from - foot).dot(up) / falls);
+        for (int k = 0; k < 3; ++k)
+            corners[static_cast<std::size_t>(3 * i + k)] = static_cast<float>(hit[k]);
+    }
+    const Vector toLight =
+        light.isPoint ? Vector((light.place - foot).normalized()) : Vector(light.place);
+    const Eigen::Vector3f towards = toLight.cast<float>();
+    program_.use();
+    gl_.UniformMatrix4fv(program_.place("projection"), 1, GL_FALSE, projection);
+    gl_.Uniform3fv(program_.place("corner"), 4, corners.data());
+    gl_.Uniform3fv(program_.place("toLight"), 1, towards.data());
+    gl_.Uniform4f(program_.place("ink"), 0.06F, 0.07F, 0.10F, strength);
+    program_.giveShadow(sight);
+    gl_.BindVertexArray(array_);
+    gl_.Disable(GL_CULL_FACE);
+    gl_.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    gl_.Enable(GL_CULL_FACE);
 }
 
 } // namespace render

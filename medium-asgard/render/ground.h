@@ -1,30 +1,47 @@
-// The ground of a scene: a discreet grid under everything, and the plane of shadows.
+// What a scene stands on, and the shadows on it.
 //
-// Shadows fall straight down, on the grid's plane or, where a scene has a floor of its own (a
-// large level face of something that never moves), on that.
+// A scene's own floor (a large level face of something that never moves) bears the grid. Without
+// one the ground lies under everything, at a round height, so that it stays where it is while one
+// edits; it is not seen itself, but shadows fall on it.
 #pragma once
 
 #include "render/extent.h"
 #include "render/frame.h"
-#include "render/lines.h"
+#include "render/grid.h"
+#include "render/program.h"
 #include "render/solids.h"
 
 #include <optional>
+#include <span>
 
 namespace render {
 
-// The plane under everything.
-[[nodiscard]] Plane groundOf(const Extent& extent, const Frame& frame);
-
-// The largest level face that never moves, if it is large enough to be a floor.
-struct Floor {
-    std::size_t solid; // index into the solids given
-    Plane plane;
+struct Ground {
+    GroundPlane plane;
+    bool isFloor = false; // of the scene
 };
-[[nodiscard]] std::optional<Floor> floorOf(std::span<const Solid> solids, const Extent& extent,
-                                           const Frame& frame, Solids& meshes);
+[[nodiscard]] Ground groundOf(std::span<const Solid> solids, const Extent& extent,
+                              const Frame& frame, Solids& meshes);
 
-// A grid on the ground, its cell a round length, fading towards its rim.
-void addGrid(Lines& lines, const Extent& extent, const Frame& frame, double strength);
+// Under everything, a little lower where that is not round; under what is fixed exactly.
+[[nodiscard]] double groundHeight(const Extent& extent);
+
+class GroundShadow {
+public:
+    explicit GroundShadow(const Gl& gl) : gl_(gl), program_(gl) {}
+    ~GroundShadow();
+    GroundShadow(const GroundShadow&) = delete;
+    GroundShadow& operator=(const GroundShadow&) = delete;
+
+    [[nodiscard]] std::string build();
+    // The shadow map is bound; nothing where the ground is seen from below.
+    void show(const GroundPlane& ground, const Light& light, const LightSight& sight,
+              const Frame& frame, const float* projection, float strength) const;
+
+private:
+    const Gl& gl_;
+    Program program_;
+    GLuint array_ = 0;
+};
 
 } // namespace render

@@ -1,4 +1,7 @@
 // Which handles a scene has, and where they stand.
+#include "render/framing.h"
+#include "render/grid.h"
+#include "render/handle_layout.h"
 #include "render/handles.h"
 #include "render/joint_places.h"
 #include "scene/joint_types.h"
@@ -11,11 +14,10 @@ namespace render {
 
 namespace {
 
-// The power of ten that makes the longest arrow a good part of the scene, and none longer than it.
-double scaleFor(double longest, double sceneSize) {
-    if (!(longest > 0) || !std::isfinite(longest) || !(sceneSize > 0))
-        return 1;
-    return std::pow(10, std::floor(std::log10(0.7 * sceneSize / longest)));
+// The round scale that makes the longest arrow a good part of the picture's shorter half.
+double scaleFor(double longest) {
+    constexpr double good = 0.65; // view units
+    return longest > 0 && std::isfinite(longest) ? roundBelow(good / longest) : roundBelow(good);
 }
 
 std::string number(double value, const char* unit) {
@@ -46,8 +48,10 @@ std::array<std::string, 3> valuesOf(const std::string& trajectory) {
 Handles::Handles(const scene::Scene& scene, simulation::MotionPointer motion)
     : scene_(scene), motion_(std::move(motion)), extent_(extentOf(scene, motion_.get())),
       names_(scene) {
-    for (std::size_t i = 0; i < scene_.bodies.size(); ++i)
+    for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
         bodies_.emplace(scene_.bodies[i].name, i);
+        reaches_.push_back(reachOf(scene_, scene_.bodies[i]));
+    }
     setScales();
 }
 
@@ -85,11 +89,12 @@ std::optional<Vector> Handles::constant(const std::array<std::string, 3>& texts)
 // Arrows that never change are as long as they are; the others are measured at the start only, so
 // that playing does not change the scale.
 void Handles::setScales() {
-    velocityScale_ = velocityTime(scene_, extent_.size);
-    double spin = 0, force = 0, torque = 0;
+    double velocity = 0, spin = 0, force = 0, torque = 0;
     for (const scene::Body& body : scene_.bodies)
-        if (!body.fixed)
+        if (!body.fixed) {
+            velocity = std::max(velocity, body.initialVelocity.norm());
             spin = std::max(spin, body.initialAngularVelocity.norm());
+        }
     for (const scene::Force& one : scene_.forces) {
         const std::size_t body = indexOf(one.body);
         std::optional<Vector> value;
@@ -99,12 +104,19 @@ void Handles::setScales() {
                         : std::nullopt;
         else if (const auto* components = componentsOf(one))
             value = constant(*components);
+        double& longest = one.couple ? torque : force;
         if (value)
-            (one.couple ? torque : force) = std::max(one.couple ? torque : force, value->norm());
+            longest = std::max(longest, value->norm());
+        if (const auto* path = std::get_if<scene::TrajectoryForce>(&one.kind))
+            for (const scene::Trajectory& trajectory : scene_.trajectories)
+                if (trajectory.name == path->trajectory)
+                    for (const Vector& along : pathOf(trajectory))
+                        longest = std::max(longest, along.norm());
     }
-    spinScale_ = scaleFor(spin, extent_.size);
-    forceScale_ = scaleFor(force, extent_.size);
-    torqueScale_ = scaleFor(torque, extent_.size);
+    velocityScale_ = scaleFor(velocity);
+    spinScale_ = scaleFor(spin);
+    forceScale_ = scaleFor(force);
+    torqueScale_ = scaleFor(torque);
 }
 
 std::optional<Vector> Handles::now(const std::array<std::string, 3>& texts, double time) {
@@ -151,42 +163,46 @@ void Handles::addBody(HandleSet& set, std::size_t index, const Display& display)
     const scene::Body& body = scene_.bodies[index];
     const Vector reference = body.initialPosition;
     const geometry::Pose start{reference, body.initialAttitude};
+    const std::size_t first = set.handles.size();
     if (display.positionHandles)
         set.handles.push_back({HandleKind::position, index, 0, reference, reference});
     if (display.orientationHandles) {
-        const double reach = 1.15 * reachOf(scene_, body);
+        const double reach = 1.15 * reaches_[index];
         for (std::size_t axis : {0U, 1U})
             set.handles.push_back({HandleKind::orientation, index, axis, reference,
                                    start.toWorld(reach * Vector::Unit(static_cast<int>(axis))),
                                    reach, start});
     }
-    if (body.fixed)
-        return;
     const Vector center = pointOn(index, std::nullopt, start);
-    if (display.velocityHandles)
+    const double perVelocity = velocityScale_ * viewUnit_, perSpin = spinScale_ * viewUnit_;
+    if (display.velocityHandles && !body.fixed)
         set.handles.push_back({HandleKind::velocity, index, 0, center,
-                               center + velocityScale_ * body.initialVelocity, velocityScale_});
-    if (display.spinHandles)
+                               center + perVelocity * body.initialVelocity, perVelocity});
+    if (display.spinHandles && !body.fixed)
         set.handles.push_back({HandleKind::spin,
                                index,
                                0,
                                center,
-                               center + spinScale_ * body.initialAngularVelocity,
-                               spinScale_,
+                               center + perSpin * body.initialAngularVelocity,
+                               perSpin,
                                {},
                                true,
                                number(body.initialAngularVelocity.norm(), "rad/s")});
+    for (std::size_t i = first; i < set.handles.size(); ++i)
+        set.handles[i].clear = reaches_[index];
 }
 
 void Handles::addForces(HandleSet& set, double time, const Display& display) {
     for (std::size_t i = 0; i < scene_.forces.size(); ++i) {
         const scene::Force& force = scene_.forces[i];
         const std::size_t body = indexOf(force.body);
-        if (!(force.couple ? display.torqueHandles : display.forceHandles) ||
-            body == scene_.bodies.size())
+        const auto* path = std::get_if<scene::TrajectoryForce>(&force.kind);
+        const bool shown = (force.couple ? display.torqueHandles : display.forceHandles) ||
+                           (display.trajectories && path);
+        if (!shown || body == scene_.bodies.size())
             continue;
         const geometry::Pose pose = poseOf(scene_, motion_.get(), body, time);
-        const double scale = force.couple ? torqueScale_ : forceScale_;
+        const double scale = viewUnit_ * (force.couple ? torqueScale_ : forceScale_);
         Handle head{force.couple ? HandleKind::torqueHead : HandleKind::forceHead, i};
         head.perUnit = scale;
         std::optional<Vector> value;
@@ -198,7 +214,7 @@ void Handles::addForces(HandleSet& set, double time, const Display& display) {
                 head.frame.attitude = pose.attitude;
             head.movable = constant(components->components).has_value();
             value = now(components->components, time);
-        } else if (const auto* path = std::get_if<scene::TrajectoryForce>(&force.kind)) {
+        } else if (path) {
             head.movable = false;
             value = now(valuesOf(path->trajectory), time);
         }
@@ -209,6 +225,8 @@ void Handles::addForces(HandleSet& set, double time, const Display& display) {
         set.handles.push_back({force.couple ? HandleKind::torqueBase : HandleKind::forceBase, i, 0,
                                head.base, head.base, 1, pose});
         set.handles.push_back(head);
+        for (Handle* one : {&set.handles.end()[-2], &set.handles.back()})
+            one->clear = reaches_[body] + (head.base - pose.position).norm();
     }
 }
 
@@ -220,6 +238,7 @@ void Handles::addLinks(HandleSet& set, double time) {
             const geometry::Pose pose = poseOf(scene_, motion_.get(), body, time);
             Vector place = pointOn(body, end.offset, pose);
             set.handles.push_back({HandleKind::linkEnd, i, part, place, place, 1, pose});
+            set.handles.back().clear = reaches_[body] + (place - pose.position).norm();
             return place;
         };
         if (indexOf(link.first.body) == scene_.bodies.size())
@@ -291,39 +310,73 @@ void Handles::addLights(HandleSet& set) const {
     }
 }
 
-void Handles::addTrajectories(HandleSet& set) const {
-    for (std::size_t i = 0; i < scene_.trajectories.size(); ++i) {
-        const scene::Trajectory& trajectory = scene_.trajectories[i];
-        set.lines.push_back({HandleKind::trajectoryPoint, i, pathOf(trajectory)});
-        std::size_t part = 0;
-        const auto add = [&](const Vector& place, const std::string& label) {
-            set.handles.push_back(
-                {HandleKind::trajectoryPoint, i, part++, place, place, 1, {}, true, label});
-        };
-        for (const auto& [time, place] : trajectory.points)
-            add(place, number(time, "s"));
-        if (!trajectory.points.empty())
-            continue;
-        for (std::size_t c = 0; c < trajectory.curves.size(); ++c) {
-            const scene::BezierCurve& curve = trajectory.curves[c];
-            const std::size_t last = curve.control.size() - 1;
-            // Where one curve ends as the next begins there is one point.
-            const bool continues = c > 0 && trajectory.curves[c - 1].to == curve.from &&
-                                   trajectory.curves[c - 1].control.size() > 1 && last > 0 &&
-                                   trajectory.curves[c - 1].control.back() == curve.control[0];
-            for (std::size_t j = continues ? 1 : 0; j <= last; ++j)
-                add(curve.control[j], j == 0      ? number(curve.from, "s")
-                                      : j == last ? number(curve.to, "s")
-                                                  : "");
-        }
+const scene::Force* Handles::forceAlong(const scene::Trajectory& trajectory) const {
+    const auto follows = [&](const scene::Link& link) {
+        const auto* end = std::get_if<scene::TrajectoryEnd>(&link.second);
+        return end && end->trajectory == trajectory.name;
+    };
+    if (std::ranges::any_of(scene_.links, follows) ||
+        std::ranges::find(scene_.constraints, trajectory.name, &scene::Constraint::trajectory) !=
+            scene_.constraints.end())
+        return nullptr;
+    const auto force = std::ranges::find_if(scene_.forces, [&](const scene::Force& one) {
+        const auto* kind = std::get_if<scene::TrajectoryForce>(&one.kind);
+        return kind && kind->trajectory == trajectory.name;
+    });
+    return force == scene_.forces.end() || indexOf(force->body) == scene_.bodies.size() ? nullptr
+                                                                                        : &*force;
+}
+
+// `like`: what all of its points have in common.
+void Handles::addPoints(HandleSet& set, std::size_t index, const Handle& like) const {
+    const scene::Trajectory& trajectory = scene_.trajectories[index];
+    std::size_t part = 0;
+    const auto add = [&](const Vector& value, const std::string& label) {
+        Handle point = like;
+        point.part = part++;
+        point.place = like.placeOf(value);
+        point.base = like.clear > 0 ? like.frame.position : point.place;
+        point.label = label;
+        set.handles.push_back(point);
+    };
+    for (const auto& [time, value] : trajectory.points)
+        add(value, number(time, "s"));
+    if (!trajectory.points.empty())
+        return;
+    for (std::size_t c = 0; c < trajectory.curves.size(); ++c) {
+        const scene::BezierCurve& curve = trajectory.curves[c];
+        const std::size_t last = curve.control.size() - 1;
+        // Where one curve ends as the next begins there is one point.
+        const bool continues = c > 0 && trajectory.curves[c - 1].to == curve.from &&
+                               trajectory.curves[c - 1].control.size() > 1 && last > 0 &&
+                               trajectory.curves[c - 1].control.back() == curve.control[0];
+        for (std::size_t j = continues ? 1 : 0; j <= last; ++j)
+            add(curve.control[j], j == 0      ? number(curve.from, "s")
+                                  : j == last ? number(curve.to, "s")
+                                              : "");
     }
 }
 
-double Handles::arrowLength(HandleKind kind) const {
-    const bool couple = kind == HandleKind::torqueHead;
-    const bool some = std::ranges::any_of(
-        scene_.forces, [&](const scene::Force& force) { return force.couple == couple; });
-    return some ? (couple ? torqueScale_ : forceScale_) : scaleFor(1, extent_.size);
+// The values of a force are arrows from where it acts now, no path in space.
+void Handles::addTrajectories(HandleSet& set, double time) const {
+    for (std::size_t i = 0; i < scene_.trajectories.size(); ++i) {
+        const scene::Trajectory& trajectory = scene_.trajectories[i];
+        Handle like{HandleKind::trajectoryPoint, i};
+        if (const scene::Force* force = forceAlong(trajectory)) {
+            const std::size_t body = indexOf(force->body);
+            const geometry::Pose pose = poseOf(scene_, motion_.get(), body, time);
+            like.frame.position = pointOn(body, force->offset, pose);
+            like.perUnit = viewUnit_ * (force->couple ? torqueScale_ : forceScale_);
+            like.clear = reaches_[body] + (like.frame.position - pose.position).norm();
+        } else {
+            set.lines.push_back({HandleKind::trajectoryPoint, i, pathOf(trajectory)});
+        }
+        addPoints(set, i, like);
+    }
+}
+
+double Handles::arrowLength(HandleKind kind, const Camera& camera) const {
+    return (kind == HandleKind::torqueHead ? torqueScale_ : forceScale_) / camera.scale;
 }
 
 static thread_local std::size_t computed = 0;
@@ -331,12 +384,18 @@ static thread_local std::size_t computed = 0;
 std::size_t Handles::setsComputed() { return computed; }
 
 HandleSet Handles::at(double time, const Display& display) {
+    const Size size;
+    return at(time, display, fitted(extent_, bestAttitude(extent_), size), size);
+}
+
+HandleSet Handles::at(double time, const Display& display, const Camera& camera, Size size) {
     ++computed;
+    viewUnit_ = 1 / camera.scale;
     HandleSet set;
     known_ = false;
     for (std::size_t i = 0; i < scene_.bodies.size(); ++i)
         addBody(set, i, display);
-    if (display.forceHandles || display.torqueHandles)
+    if (display.forceHandles || display.torqueHandles || display.trajectories)
         addForces(set, time, display);
     if (display.linkHandles)
         addLinks(set, time);
@@ -345,7 +404,9 @@ HandleSet Handles::at(double time, const Display& display) {
     if (display.lightHandles)
         addLights(set);
     if (display.trajectories)
-        addTrajectories(set);
+        addTrajectories(set, time);
+    keepInside(set, camera, size);
+    spread(set, camera, size);
     return set;
 }
 

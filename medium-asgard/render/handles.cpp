@@ -93,15 +93,8 @@ bool showsHandles(const Display& display) {
            display.trajectories;
 }
 
-double velocityTime(const scene::Scene& scene, double sceneSize) {
-    double fastest = 0;
-    for (const scene::Body& body : scene.bodies)
-        if (!body.fixed)
-            fastest = std::max(fastest, body.initialVelocity.norm());
-    double time = 1;
-    while (fastest * time > sceneSize)
-        time /= 10;
-    return time;
+bool isJoint(HandleKind kind) {
+    return kind == HandleKind::jointPoint || kind == HandleKind::jointAxis;
 }
 
 std::optional<double> constantValue(const scene::Scene& scene, const simulation::Motion* motion,

@@ -1,10 +1,14 @@
 // The handles that a graphical viewer shows.
 //
-// A handle is a small ball of constant size on screen, its colour says of what kind it is
+// A handle is a small disc of constant size on screen, its colour says of what kind it is
 // (dissertation 4.1.3). Some stand at the head of an arrow: a velocity's, an angular velocity's, a
 // force's, a torque's, a light's direction. Handles of initial values stand where bodies start,
 // those of forces where bodies are now. A force that changes on its own is drawn at its value now
 // and has no handle (4.1.5).
+//
+// Arrows of values have a steady scale on the screen: zooming does not change their length. One
+// that would leave the picture is shortened, so that its head can be reached; handles that would
+// cover each other stand side by side (handle_layout.h).
 #pragma once
 
 #include "render/extent.h"
@@ -34,7 +38,9 @@ enum class HandleKind : std::uint8_t {
     jointPoint, // part: 0; 1: of a distance, its second
     lightPlace,
     lightDirection,
-    trajectoryPoint, // part: which of -points, or of -bezier's control points (editing/)
+    // part: which of -points, or of -bezier's control points (editing/). Of a trajectory that only
+    // a force or torque follows: the head of an arrow, as forces have them.
+    trajectoryPoint,
 };
 
 struct Handle {
@@ -44,10 +50,22 @@ struct Handle {
     Vector base = Vector::Zero();  // world: foot of the arrow; the same as `place` for mere places
     Vector place = Vector::Zero(); // world
     double perUnit = 1;            // length of the arrow for a value of 1
-    geometry::Pose frame = {};     // in which the text gives places and directions
-    bool movable = true;           // false: only shown
-    std::string label = {};        // what stands beside it
+    // In which the text gives places and directions; of a trajectory's point its position is the
+    // place of the value 0.
+    geometry::Pose frame = {};
+    bool movable = true;    // false: only shown
+    std::string label = {}; // what stands beside it
+    double clear = 0;       // world: how far its own body reaches about it, which does not hide it
+    Eigen::Vector2d aside = Eigen::Vector2d::Zero(); // pixels: where it stands beside its place
+    bool cut = false;                                // its arrow is shortened
     [[nodiscard]] bool isArrow() const { return base != place; }
+    // Of a trajectory's point: its value, and the place of one.
+    [[nodiscard]] Vector valueAt(const Vector& world) const {
+        return (world - frame.position) / perUnit;
+    }
+    [[nodiscard]] Vector placeOf(const Vector& value) const {
+        return frame.position + perUnit * value;
+    }
 };
 
 // A line that belongs to handles: a link, a trajectory.
@@ -71,9 +89,8 @@ struct HandleSet {
 [[nodiscard]] bool shows(const Display& display, HandleKind kind);
 [[nodiscard]] bool showsHandles(const Display& display);
 
-// The time in which a velocity's arrow is covered: 1, or the power of ten that keeps the longest
-// arrow shorter than the scene.
-[[nodiscard]] double velocityTime(const scene::Scene& scene, double sceneSize);
+// Of kinds whose handles stand over everything, as the signs of joints do.
+[[nodiscard]] bool isJoint(HandleKind kind);
 
 // The value of an expression of numbers, parameters and masses; none: it changes, or is not known.
 [[nodiscard]] std::optional<double> constantValue(const scene::Scene& scene,
@@ -94,12 +111,16 @@ public:
     // Keeps both; the scene must live as long.
     Handles(const scene::Scene& scene, simulation::MotionPointer motion);
 
-    // Of the kinds that the display shows; bodies that are fixed have no velocities.
+    // Of the kinds that the display shows, as that camera sees them; bodies that are fixed have no
+    // velocities.
+    [[nodiscard]] HandleSet at(double time, const Display& display, const Camera& camera,
+                               Size size);
+    // The same where nobody looks: arrows are as long as a picture of the whole motion has them.
     [[nodiscard]] HandleSet at(double time, const Display& display);
     // How many sets this thread has computed, each from all elements.
     [[nodiscard]] static std::size_t setsComputed();
     // How long the arrow of a force, or a torque, of 1 is or would be.
-    [[nodiscard]] double arrowLength(HandleKind kind) const;
+    [[nodiscard]] double arrowLength(HandleKind kind, const Camera& camera) const;
 
 private:
     void addBody(HandleSet& set, std::size_t index, const Display& display) const;
@@ -107,7 +128,10 @@ private:
     void addLinks(HandleSet& set, double time);
     void addJoints(HandleSet& set, double time) const;
     void addLights(HandleSet& set) const;
-    void addTrajectories(HandleSet& set) const;
+    void addTrajectories(HandleSet& set, double time) const;
+    void addPoints(HandleSet& set, std::size_t trajectory, const Handle& like) const;
+    // The force that alone follows it.
+    [[nodiscard]] const scene::Force* forceAlong(const scene::Trajectory& trajectory) const;
     void setScales();
     [[nodiscard]] double massOf(std::size_t body) const;
     [[nodiscard]] std::size_t indexOf(const std::string& body) const;
@@ -124,7 +148,10 @@ private:
     std::unordered_map<std::string, std::size_t> bodies_;
     // The values of expressions that do not change; none: they do.
     std::unordered_map<std::string, std::optional<double>> constants_;
+    // View units for a value of 1.
     double velocityScale_ = 1, spinScale_ = 1, forceScale_ = 1, torqueScale_ = 1;
+    double viewUnit_ = 1;         // world length of a view unit, of the set that is being made
+    std::vector<double> reaches_; // of the bodies
     // The expressions of forces and links that change, in the order in which they are asked for.
     std::vector<std::string> changing_;
     std::optional<simulation::Quantities> quantities_;

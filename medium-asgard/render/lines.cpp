@@ -1,6 +1,5 @@
 #include "render/lines.h"
 
-#include "render/camera.h"
 #include "render/shaders.h"
 
 #include <cstddef>
@@ -13,7 +12,7 @@ Lines::~Lines() {
 }
 
 std::string Lines::build() {
-    if (std::string fault = program_.build(lineVertexShader, lineFragmentShader); !fault.empty())
+    if (std::string fault = program_.build(lineVertexShader, {lineFragmentShader}); !fault.empty())
         return fault;
     gl_.GenVertexArrays(1, &array_);
     gl_.GenBuffers(1, &buffer_);
@@ -26,7 +25,7 @@ std::string Lines::build() {
                       {3, offsetof(Segment, to)},
                       {4, offsetof(Segment, colorFrom)},
                       {4, offsetof(Segment, colorTo)},
-                      {1, offsetof(Segment, width)}};
+                      {2, offsetof(Segment, width)}};
     for (GLuint i = 0; i < 5; ++i) {
         gl_.EnableVertexAttribArray(i);
         gl_.VertexAttribPointer(i, attributes[i].count, GL_FLOAT, GL_FALSE, sizeof(Segment),
@@ -36,8 +35,15 @@ std::string Lines::build() {
     return "";
 }
 
+void Lines::begin(const Frame& frame, const std::array<float, 16>& projection) {
+    projection_ = projection;
+    halfSize_ = frame.halfSize();
+    limit_ = frame.eye().z() - 0.02;
+    segments_.clear();
+}
+
 void Lines::add(Eigen::Vector3d from, Eigen::Vector3d to, const Ink& ink, float alphaTo) {
-    const double limit = eyeDistance - 0.02;
+    const double limit = limit_;
     if (from.z() > limit && to.z() > limit)
         return;
     if (from.z() > limit)
@@ -52,23 +58,30 @@ void Lines::add(Eigen::Vector3d from, Eigen::Vector3d to, const Ink& ink, float 
     }
     s.colorFrom[3] = ink.alpha;
     s.colorTo[3] = alphaTo;
-    s.width = ink.width;
+    s.width[0] = s.width[1] = ink.width;
     segments_.push_back(s);
 }
 
-void Lines::draw(const float* projection, const Eigen::Vector2f& halfSize, float nearer) {
+void Lines::addPointed(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Ink& ink) {
+    const std::size_t before = segments_.size();
+    add(from, to, ink);
+    if (segments_.size() > before)
+        segments_.back().width[1] = 0;
+}
+
+void Lines::show(float nearer, float opacity) const {
     if (segments_.empty())
         return;
     program_.use();
-    gl_.UniformMatrix4fv(program_.place("projection"), 1, GL_FALSE, projection);
-    gl_.Uniform2f(program_.place("halfSize"), halfSize.x(), halfSize.y());
+    gl_.UniformMatrix4fv(program_.place("projection"), 1, GL_FALSE, projection_.data());
+    gl_.Uniform2f(program_.place("halfSize"), halfSize_.x(), halfSize_.y());
     gl_.Uniform1f(program_.place("nearer"), nearer);
+    gl_.Uniform1f(program_.place("opacity"), opacity);
     gl_.BindVertexArray(array_);
     gl_.BindBuffer(GL_ARRAY_BUFFER, buffer_);
     gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(segments_.size() * sizeof(Segment)),
                    segments_.data(), GL_STREAM_DRAW);
     gl_.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(segments_.size()));
-    segments_.clear();
 }
 
 } // namespace render

@@ -1,5 +1,8 @@
 #include "render/overlay.h"
 
+#include "render/stroke_text.h"
+#include "render/triad.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,9 +14,9 @@ namespace {
 // solid's own frame, with the eye at e and the normal n at x on the surface: n.(e - x) = 0.
 class Contour {
 public:
-    Contour(Lines& lines, const Solid& solid, int parts, const Ink& ink)
+    Contour(Lines& lines, const Solid& solid, const Vector& eye, int parts, const Ink& ink)
         : lines_(lines), solid_(solid), parts_(parts), ink_(ink),
-          eye_(solid.linear.inverse() * (Vector(0, 0, eyeDistance) - solid.place)) {}
+          eye_(solid.linear.inverse() * (eye - solid.place)) {}
 
     void operator()(const scene::CylinderShape& c) const { addSides(c.radius, c.height); }
     void operator()(const scene::CapsuleShape& c) const {
@@ -73,8 +76,8 @@ private:
     Vector eye_;
 };
 
-void addContour(Lines& lines, const Solid& solid, int parts, const Ink& ink) {
-    std::visit(Contour(lines, solid, parts, ink), solid.part->shape);
+void addContour(Lines& lines, const Solid& solid, const Frame& frame, int parts, const Ink& ink) {
+    std::visit(Contour(lines, solid, frame.eye(), parts, ink), solid.part->shape);
 }
 
 bool isSphere(const Solid& solid) {
@@ -106,8 +109,8 @@ int circleParts(double radiusInPixels) {
 }
 
 // The outline of a ball as the eye sees it: the circle where lines of sight touch it.
-void addOutline(Lines& lines, const Solid& solid, int parts, const Ink& ink) {
-    const Vector toEye = Vector(0, 0, eyeDistance) - solid.place;
+void addOutline(Lines& lines, const Solid& solid, const Frame& frame, int parts, const Ink& ink) {
+    const Vector toEye = frame.eye() - solid.place;
     const double distance = toEye.norm(), r = solid.radius;
     if (distance <= r)
         return;
@@ -125,12 +128,12 @@ void addEdges(Lines& lines, const Solid& solid, const Mesh& mesh, const Frame& f
         return;
     const float alpha = solid.alpha * static_cast<float>(std::min(1.0, size / 16));
     if (isSphere(solid)) {
-        addOutline(lines, solid, circleParts(frame.pixels(solid.radius, solid.middle.z())),
+        addOutline(lines, solid, frame, circleParts(frame.pixels(solid.radius, solid.middle.z())),
                    rim(solid, frame, 1.0, 0.6F * alpha));
         return;
     }
     const Ink ink = rim(solid, frame, 1.1, 0.75F * alpha);
-    addContour(lines, solid, circleParts(frame.pixels(solid.radius, solid.middle.z())), ink);
+    addContour(lines, solid, frame, circleParts(frame.pixels(solid.radius, solid.middle.z())), ink);
     for (const auto& [from, to] : mesh.edges)
         lines.add(solid.toView(from), solid.toView(to), ink);
 }
@@ -138,13 +141,14 @@ void addEdges(Lines& lines, const Solid& solid, const Mesh& mesh, const Frame& f
 void addWireframe(Lines& lines, const Solid& solid, const Mesh& mesh, const Frame& frame) {
     const Ink ink = rim(solid, frame, 1.2, 0.9F);
     if (!isSphere(solid)) {
-        addContour(lines, solid, circleParts(frame.pixels(solid.radius, solid.middle.z())), ink);
+        addContour(lines, solid, frame, circleParts(frame.pixels(solid.radius, solid.middle.z())),
+                   ink);
         for (const auto& [from, to] : mesh.edges)
             lines.add(solid.toView(from), solid.toView(to), ink);
         return;
     }
     const int parts = circleParts(frame.pixels(solid.radius, solid.middle.z()));
-    addOutline(lines, solid, parts, ink);
+    addOutline(lines, solid, frame, parts, ink);
     Ink faint = ink;
     faint.alpha = 0.4F;
     for (int axis = 0; axis < 3; ++axis)
@@ -154,26 +158,33 @@ void addWireframe(Lines& lines, const Solid& solid, const Mesh& mesh, const Fram
 
 void addArrow(Lines& lines, const Frame& frame, const Vector& from, const Vector& to,
               const Ink& ink) {
-    const Vector a = frame.toView(from), b = frame.toView(to);
-    lines.add(a, b, ink);
+    addArrowInView(lines, frame, frame.toView(from), frame.toView(to), ink);
+}
+
+void addArrowInView(Lines& lines, const Frame& frame, const Vector& a, const Vector& b,
+                    const Ink& ink) {
     const double length = (b - a).norm();
     const double perPixel = 1 / std::max(frame.pixels(1, b.z()), 1e-12);
-    const double head = std::min(0.4 * length, 4.5 * ink.width * perPixel);
+    const double head = std::min(0.45 * length, 6.5 * ink.width * perPixel);
     if (head <= 0)
         return;
-    // Four barbs about the shaft, so that it is an arrow from any side.
-    const Vector along = (b - a) / length, u = along.unitOrthogonal(), v = along.cross(u);
-    for (const Vector& side : {u, v, Vector(-u), Vector(-v)})
-        lines.add(b - head * (along - 0.42 * side), b, ink);
+    const Vector neck = b - head / length * (b - a);
+    lines.add(a, neck, ink);
+    Ink filled = ink;
+    filled.width = std::min(4.2F * ink.width, static_cast<float>(0.9 * head / perPixel));
+    lines.addPointed(neck, b, filled);
 }
 
 void addAxes(Lines& lines, const Extent& extent, const Frame& frame) {
-    const double length = 0.5 * extent.size;
-    const Eigen::Vector3f colors[] = {
-        {0.80F, 0.16F, 0.14F}, {0.10F, 0.55F, 0.16F}, {0.12F, 0.32F, 0.80F}};
-    for (int axis = 0; axis < 3; ++axis)
-        addArrow(lines, frame, Vector::Zero(), length * Vector::Unit(axis),
-                 {colors[axis], 0.95F, frame.stroke(1.6)});
+    const double length = 0.5 * extent.size, height = frame.stroke(11);
+    for (int axis = 0; axis < 3; ++axis) {
+        const Vector head = length * Vector::Unit(axis);
+        const Ink ink{axisColor(axis), 0.95F, frame.stroke(1.7)};
+        addArrow(lines, frame, Vector::Zero(), head, ink);
+        const char name[] = {"xyz"[axis], '\0'};
+        addText(lines, frame, frame.toView(1.04 * head), {0.9 * height, 0}, name, height,
+                Anchor::middle, ink);
+    }
 }
 
 } // namespace render

@@ -21,7 +21,9 @@ void addWireframe(Lines& lines, const Solid& solid, const Mesh& mesh, const Fram
 // The world's axes at the origin, x red, y green, z blue, with heads.
 void addAxes(Lines& lines, const Extent& extent, const Frame& frame);
 
-// A straight arrow with a head, world coordinates.
+// A straight arrow with a filled head: between points of the world, or of the view.
+void addArrowInView(Lines& lines, const Frame& frame, const Vector& from, const Vector& to,
+                    const Ink& ink);
 void addArrow(Lines& lines, const Frame& frame, const Vector& from, const Vector& to,
               const Ink& ink);
 

@@ -4,8 +4,8 @@ namespace render {
 
 namespace {
 
-std::string compile(const Gl& gl, GLuint shader, const char* source) {
-    gl.ShaderSource(shader, 1, &source, nullptr);
+std::string compile(const Gl& gl, GLuint shader, const std::vector<const char*>& sources) {
+    gl.ShaderSource(shader, static_cast<GLsizei>(sources.size()), sources.data(), nullptr);
     gl.CompileShader(shader);
     GLint done = 0;
     gl.GetShaderiv(shader, GL_COMPILE_STATUS, &done);
@@ -22,13 +22,22 @@ std::string compile(const Gl& gl, GLuint shader, const char* source) {
 
 Program::~Program() { gl_.DeleteProgram(program_); }
 
-std::string Program::build(const char* vertexSource, const char* fragmentSource) {
+void Program::giveShadow(const LightSight& sight) const {
+    const std::array<float, 16> matrix = sight.columns();
+    gl_.UniformMatrix4fv(place("toMap"), 1, GL_FALSE, matrix.data());
+    gl_.Uniform1f(place("texel"), static_cast<float>(sight.texel));
+    gl_.Uniform1f(place("softness"), static_cast<float>(sight.softness));
+    gl_.Uniform1i(place("shadowMap"), 0);
+}
+
+std::string Program::build(const char* vertexSource,
+                           const std::vector<const char*>& fragmentSources) {
     const GLuint vertex = gl_.CreateShader(GL_VERTEX_SHADER);
     const GLuint fragment = gl_.CreateShader(GL_FRAGMENT_SHADER);
     program_ = gl_.CreateProgram();
-    std::string fault = compile(gl_, vertex, vertexSource);
+    std::string fault = compile(gl_, vertex, {vertexSource});
     if (fault.empty())
-        fault = compile(gl_, fragment, fragmentSource);
+        fault = compile(gl_, fragment, fragmentSources);
     if (fault.empty()) {
         gl_.AttachShader(program_, vertex);
         gl_.AttachShader(program_, fragment);

@@ -1,6 +1,7 @@
 // A linked shader program.
 #pragma once
 
+#include "render/frame.h"
 #include "render/gl.h"
 
 #include <string>
@@ -16,8 +17,11 @@ public:
     Program& operator=(const Program&) = delete;
 
     // "" or what the driver's compiler said.
-    [[nodiscard]] std::string build(const char* vertexSource, const char* fragmentSource);
+    [[nodiscard]] std::string build(const char* vertexSource,
+                                    const std::vector<const char*>& fragmentSources);
     void use() const { gl_.UseProgram(program_); }
+    // The uniforms of a program with shadowFunctions (shaders.h); the map is texture 0.
+    void giveShadow(const LightSight& sight) const;
     [[nodiscard]] GLint place(const char* uniform) const {
         return gl_.GetUniformLocation(program_, uniform);
     }

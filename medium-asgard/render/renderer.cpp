@@ -1,21 +1,30 @@
 #include "render/renderer.h"
 
+#include "render/backdrop.h"
 #include "render/coils.h"
+#include "render/contact_forces.h"
 #include "render/context.h"
+#include "render/discs.h"
+#include "render/framing.h"
 #include "render/ground.h"
+#include "render/handle_marks.h"
 #include "render/handles.h"
 #include "render/joint_places.h"
 #include "render/joint_signs.h"
 #include "render/overlay.h"
 #include "render/rope_lines.h"
+#include "render/shadow_map.h"
 #include "render/solids.h"
 #include "render/target.h"
 #include "render/trails.h"
+#include "render/triad.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace render {
+
+using Projection = std::array<float, 16>;
 
 struct Renderer::Implementation {
     std::unique_ptr<Context> context;
@@ -23,8 +32,14 @@ struct Renderer::Implementation {
     std::unique_ptr<Target> target;
     std::unique_ptr<Solids> solids;
     std::unique_ptr<Lines> lines;
+    std::unique_ptr<Discs> discs;
+    std::unique_ptr<Backdrop> backdrop;
+    std::unique_ptr<ShadowMap> shadows;
+    std::unique_ptr<GroundShadow> groundShadow;
+    bool isSoftware = true; // no graphics processor
     Trails trails;
     Coils coils;
+    ContactForces contactForces;
 
     // The extent of the motion that was drawn last.
     std::weak_ptr<const simulation::Motion> extentOfMotion;
@@ -36,16 +51,27 @@ struct Renderer::Implementation {
         if (context && context->makeCurrent()) {
             solids.reset();
             lines.reset();
+            discs.reset();
+            backdrop.reset();
+            shadows.reset();
+            groundShadow.reset();
             target.reset();
         }
     }
 
     [[nodiscard]] std::string build();
     void follow(const Drawing& drawing);
-    void paint(const Drawing& drawing, const Frame& frame);
-    void paintGround(std::span<const Solid> opaque, const Frame& frame, const float* projection);
-    void paintJoints(const Drawing& drawing, const Frame& frame, const float* projection);
-    void paintHandles(const Drawing& drawing, const Frame& frame, const float* projection);
+    void clear(const Drawing& drawing, const Frame& frame);
+    [[nodiscard]] std::optional<LightSight> mapShadows(const Drawing& drawing, const Frame& frame,
+                                                       std::span<const Solid> opaque,
+                                                       const Light& light, double nearest,
+                                                       double furthest);
+    [[nodiscard]] bool paint(const Drawing& drawing, const Frame& frame);
+    void paintJoints(const Drawing& drawing, const Frame& frame, const Projection& projection);
+    void paintHandles(const Drawing& drawing, const Frame& frame, const Projection& projection,
+                      bool joints);
+    void paintContacts(const Drawing& drawing, const Frame& frame);
+    void paintMarks(const Drawing& drawing, const Frame& frame, const Projection& projection);
 };
 
 namespace {
@@ -57,12 +83,17 @@ bool sameOutlines(const std::vector<scene::Body>& a, const std::vector<scene::Bo
     });
 }
 
-// View z of what is nearest to the eye and of what is furthest away: all solids and the scene.
+// View z of what is nearest to the eye and of what is furthest away: all solids and the scene, and
+// in a studio the grid as far as it is seen.
 std::pair<double, double> depthRange(std::span<const Solid> solids, const Extent& extent,
-                                     const Frame& frame) {
+                                     const Frame& frame, bool studio) {
     const double size = frame.camera().scale * extent.size;
     const double middle = frame.toView(extent.box.center()).z();
     double nearest = middle + size, furthest = middle - 2 * size;
+    if (studio) {
+        nearest = std::max(nearest, eyeDistance);
+        furthest = std::min(furthest, -40.0);
+    }
     for (const Solid& solid : solids) {
         nearest = std::max(nearest, solid.middle.z() + solid.radius);
         furthest = std::min(furthest, solid.middle.z() - solid.radius);
@@ -86,7 +117,15 @@ std::string Renderer::Implementation::build() {
     target = std::make_unique<Target>(gl);
     solids = std::make_unique<Solids>(gl);
     lines = std::make_unique<Lines>(gl);
-    for (const std::string& fault : {solids->build(), lines->build()})
+    discs = std::make_unique<Discs>(gl);
+    backdrop = std::make_unique<Backdrop>(gl);
+    shadows = std::make_unique<ShadowMap>(gl);
+    groundShadow = std::make_unique<GroundShadow>(gl);
+    const auto* name = reinterpret_cast<const char*>(gl.GetString(GL_RENDERER));
+    isSoftware = name == nullptr || std::string_view(name).starts_with("llvmpipe") ||
+                 std::string_view(name).starts_with("softpipe");
+    for (const std::string& fault : {solids->build(), lines->build(), discs->build(),
+                                     backdrop->build(), groundShadow->build()})
         if (!fault.empty())
             return "The graphics driver refuses a shader: " + fault;
     return "";
@@ -109,35 +148,44 @@ void Renderer::Implementation::follow(const Drawing& drawing) {
         trails.follow(drawing, extent);
 }
 
-// The grid under the scene, and the bodies' shadows on it or on the scene's own floor.
-void Renderer::Implementation::paintGround(std::span<const Solid> opaque, const Frame& frame,
-                                           const float* projection) {
-    const std::optional<Floor> floor = floorOf(opaque, extent, frame, *solids);
-    const Plane plane = floor ? floor->plane : groundOf(extent, frame);
-    gl.DepthMask(GL_FALSE);
-    if (!opaque.empty() && eyeDistance * plane.normal.z() > plane.offset) {
-        gl.Enable(GL_STENCIL_TEST);
-        if (floor) {
-            gl.StencilFunc(GL_ALWAYS, 1, 0xFF);
-            gl.StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
-            gl.Enable(GL_POLYGON_OFFSET_FILL);
-            solids->drawFacesOn(opaque[floor->solid], frame, plane);
-            gl.Disable(GL_POLYGON_OFFSET_FILL);
-        }
-        // Each pixel of the ground is darkened once, whatever lies over it.
-        gl.StencilFunc(GL_EQUAL, floor ? 1 : 0, 0xFF);
-        gl.StencilOp(GL_KEEP, GL_KEEP, GL_INCR);
-        solids->drawShadows(opaque, frame, plane, 0.5 * extent.size * frame.camera().scale);
-        gl.Disable(GL_STENCIL_TEST);
+void Renderer::Implementation::clear(const Drawing& drawing, const Frame& frame) {
+    const Display& display = drawing.display;
+    const scene::Color& c = display.background;
+    gl.ClearColor(static_cast<float>(c.red), static_cast<float>(c.green),
+                  static_cast<float>(c.blue), 1);
+    if (!display.studio) {
+        gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        return;
     }
-    addGrid(*lines, extent, frame, floor ? 0.55 : 1);
-    lines->draw(projection, frame.halfSize(), 0);
-    gl.DepthMask(GL_TRUE);
+    gl.Clear(GL_DEPTH_BUFFER_BIT);
+    backdrop->show(frame, frame.directionInView(extent.ground), isDark(c));
+}
+
+// Of a picture that moves, drawn in software, one sample is taken from a small map.
+std::optional<LightSight> Renderer::Implementation::mapShadows(const Drawing& drawing,
+                                                               const Frame& frame,
+                                                               std::span<const Solid> opaque,
+                                                               const Light& light, double nearest,
+                                                               double furthest) {
+    const int shorter = std::min(frame.size().width, frame.size().height);
+    const bool quick = isSoftware && drawing.display.samples <= 1;
+    int texels = 256;
+    while (texels < (quick ? shorter / 2 : isSoftware ? shorter : 2 * shorter) && texels < 2048)
+        texels *= 2;
+    const std::vector<Solid> throwing = throwingShadows(opaque);
+    auto sight = sightOf(light, throwing, visibleRoom(frame, nearest, furthest), texels);
+    if (!sight || !shadows->begin(texels))
+        return std::nullopt;
+    sight->softness = quick ? 0 : std::max(1.6 / texels, 0.004);
+    solids->drawDepths(throwing, frame, sight->columns(), 1); // a shadow needs no fine outline
+    shadows->end();
+    return sight;
 }
 
 // Over the bodies, with a rim of the background's colour, so that they are seen on any body.
 void Renderer::Implementation::paintJoints(const Drawing& drawing, const Frame& frame,
-                                           const float* projection) {
+                                           const Projection& projection) {
+    lines->begin(frame, projection);
     const JointSigns signs = jointSignsOf(drawing, extent, frame);
     const scene::Color &ink = jointColor, &paper = drawing.display.background;
     gl.Clear(GL_DEPTH_BUFFER_BIT);
@@ -148,7 +196,7 @@ void Renderer::Implementation::paintJoints(const Drawing& drawing, const Frame& 
                        Ink{Eigen::Vector3d(c.red, c.green, c.blue).cast<float>(),
                            opacity * one.alphaFrom, one.width + wider},
                        opacity * one.alphaTo);
-        lines->draw(projection, frame.halfSize(), 0);
+        lines->draw(0);
     };
     add(paper, 0.6F, frame.stroke(2));
     add(ink, 1, 0);
@@ -158,66 +206,81 @@ void Renderer::Implementation::paintJoints(const Drawing& drawing, const Frame& 
     for (const Solid& solid : signs.solids)
         if (!std::holds_alternative<scene::HullShape>(solid.part->shape)) // a pin's sides are round
             addEdges(*lines, solid, solids->meshOf(solid, frame), frame);
-    lines->draw(projection, frame.halfSize(), 2e-5F);
+    lines->draw(2e-5F);
     gl.DepthMask(GL_TRUE);
 }
 
+// Faint where bodies hide them; only its own body hides no handle.
 void Renderer::Implementation::paintHandles(const Drawing& drawing, const Frame& frame,
-                                            const float* projection) {
-    static const scene::Part ball{scene::SphereShape{1}, Vector::Zero(), Vector::Zero(), {}};
+                                            const Projection& projection, bool joints) {
     const HandleSet made =
         drawing.handles ? HandleSet{}
-                        : Handles(*drawing.scene, drawing.motion).at(drawing.time, drawing.display);
-    const HandleSet& set = drawing.handles ? *drawing.handles : made;
-    const auto inkOf = [&](HandleKind kind, double width) {
-        const scene::Color c = colorOf(kind);
-        return Ink{0.8F * Eigen::Vector3d(c.red, c.green, c.blue).cast<float>(), 0.9F,
-                   frame.stroke(width)};
-    };
-    gl.Clear(GL_DEPTH_BUFFER_BIT);
-    for (const HandleLine& line : set.lines)
-        for (std::size_t i = 0; i + 1 < line.points.size(); ++i)
-            lines->add(frame.toView(line.points[i]), frame.toView(line.points[i + 1]),
-                       inkOf(line.kind, 1.5));
-    for (const Handle& handle : set.handles)
-        if (handle.isArrow())
-            addArrow(*lines, frame, handle.base, handle.place,
-                     inkOf(handle.kind, handle.kind == HandleKind::orientation ? 1.2 : 2));
-    lines->draw(projection, frame.halfSize(), 0);
-    for (int kind = 0; kind <= static_cast<int>(HandleKind::trajectoryPoint); ++kind) {
-        gl.Clear(GL_DEPTH_BUFFER_BIT); // nothing hides a handle but one of its own kind
-        std::vector<Solid> balls;
-        for (const Handle& handle : set.handles) {
-            if (handle.kind != static_cast<HandleKind>(kind) || !handle.movable)
-                continue;
-            const scene::Color c = colorOf(handle.kind);
-            Solid solid;
-            solid.part = &ball;
-            solid.place = solid.middle = frame.toView(handle.place);
-            solid.radius = frame.stroke(radiusOf(handle.kind)) /
-                           std::max(frame.pixels(1, solid.place.z()), 1e-12);
-            solid.linear = solid.radius * Eigen::Matrix3d::Identity();
-            solid.color = Eigen::Vector3d(c.red, c.green, c.blue).cast<float>();
-            solid.shininess = 0.5F;
-            balls.push_back(solid);
-        }
-        solids->drawOpaque(balls, frame);
-    }
+                        : Handles(*drawing.scene, drawing.motion)
+                              .at(drawing.time, drawing.display, frame.camera(), frame.size());
+    const std::vector<Disc> marks = addHandles(*lines, drawing.handles ? *drawing.handles : made,
+                                               frame, drawing.display.background, joints);
+    gl.DepthMask(GL_FALSE);
+    gl.DepthFunc(GL_GREATER);
+    lines->show(0, 0.3F);
+    discs->show(marks, frame, projection, 0.3F);
+    gl.DepthFunc(GL_LEQUAL);
+    lines->draw(0);
+    discs->show(marks, frame, projection);
+    gl.DepthMask(GL_TRUE);
 }
 
-void Renderer::Implementation::paint(const Drawing& drawing, const Frame& frame) {
+// Seen through the bodies, faintly: they begin where these touch.
+void Renderer::Implementation::paintContacts(const Drawing& drawing, const Frame& frame) {
+    const std::vector<ContactForce> forces =
+        contactForces.at(*drawing.scene, drawing.motion, drawing.time);
+    addContactForces(*lines, forces, *drawing.scene, contactForces.scale(), frame, drawing.display);
+    gl.DepthMask(GL_FALSE);
+    gl.DepthFunc(GL_GREATER);
+    lines->show(0, 0.6F);
+    gl.DepthFunc(GL_LEQUAL);
+    lines->draw(0);
+    gl.DepthMask(GL_TRUE);
+}
+
+void Renderer::Implementation::paintMarks(const Drawing& drawing, const Frame& frame,
+                                          const Projection& projection) {
+    gl.Clear(GL_DEPTH_BUFFER_BIT);
+    if (drawing.display.rotationCenter) {
+        const bool dark = isDark(drawing.display.background);
+        const Eigen::Vector4f ink =
+            dark ? Eigen::Vector4f(1, 1, 1, 0.85F) : Eigen::Vector4f(0.12F, 0.14F, 0.18F, 0.85F);
+        const Eigen::Vector4f clear(ink.x(), ink.y(), ink.z(), 0);
+        const Vector place = frame.toView(frame.camera().center);
+        discs->show({{place, clear, ink, frame.stroke(9), frame.stroke(1.4)},
+                     {place, ink, ink, frame.stroke(2.2), 0}},
+                    frame, projection);
+    }
+    if (drawing.display.triad)
+        showTriad(*lines, *discs, frame, drawing.display.background);
+}
+
+bool Renderer::Implementation::paint(const Drawing& drawing, const Frame& frame) {
     const Display& display = drawing.display;
     const std::vector<Solid> all = solidsOf(drawing, extent, frame);
     const auto firstTransparent =
         std::find_if(all.begin(), all.end(), [](const Solid& s) { return s.alpha < 1; });
     const std::span<const Solid> opaque(all.begin(), firstTransparent);
     const std::span<const Solid> transparent(firstTransparent, all.end());
-    const auto [nearest, furthest] = depthRange(all, extent, frame);
-    const std::array<float, 16> projection = frame.projection(nearest, furthest);
+    const auto [nearest, furthest] = depthRange(all, extent, frame, display.studio);
+    const Projection projection = frame.projection(nearest, furthest);
+    const std::vector<Light> lights = lightsOf(*drawing.scene, sunOf(extent), frame);
+    const Light& shadowing = lights[static_cast<std::size_t>(shadowedOf(lights))];
     const float lift = 2e-5F;
 
-    solids->begin(frame, lightsOf(*drawing.scene, frame), frame.directionInView(extent.up),
-                  projection.data());
+    std::optional<LightSight> sight;
+    if (display.shadows && !display.wireframe)
+        sight = mapShadows(drawing, frame, opaque, shadowing, nearest, furthest);
+    if (!target->prepare(frame.size(), display.samples))
+        return false;
+    gl.Viewport(0, 0, frame.size().width, frame.size().height);
+    clear(drawing, frame);
+    lines->begin(frame, projection);
+    solids->begin(frame, lights, frame.directionInView(extent.up), projection.data(), sight);
     if (display.wireframe) {
         for (const Solid& solid : all)
             addWireframe(*lines, solid, solids->meshOf(solid, frame), frame);
@@ -227,10 +290,15 @@ void Renderer::Implementation::paint(const Drawing& drawing, const Frame& frame)
         gl.Disable(GL_POLYGON_OFFSET_FILL);
     }
     gl.Enable(GL_BLEND);
-    if (display.grid)
-        paintGround(display.wireframe ? std::span<const Solid>{} : opaque, frame,
-                    projection.data());
     gl.DepthMask(GL_FALSE);
+    if (display.grid) {
+        const Ground ground = groundOf(all, extent, frame, *solids);
+        if (sight && !ground.isFloor)
+            groundShadow->show(ground.plane, shadowing, *sight, frame, projection.data(),
+                               isDark(display.background) ? 0.45F : 0.28F);
+        addGrid(*lines, ground.plane, extent, frame, display, ground.isFloor ? 0.7 : 1);
+        lines->draw(lift);
+    }
     if (!display.wireframe)
         for (const Solid& solid : opaque)
             addEdges(*lines, solid, solids->meshOf(solid, frame), frame);
@@ -240,19 +308,26 @@ void Renderer::Implementation::paint(const Drawing& drawing, const Frame& frame)
     addRopes(*lines, drawing, extent, frame);
     if (display.axes)
         addAxes(*lines, extent, frame);
-    lines->draw(projection.data(), frame.halfSize(), lift);
+    lines->draw(lift);
     if (!display.wireframe)
         for (const Solid& solid : transparent) {
             solids->drawTransparent(solid, frame);
             addEdges(*lines, solid, solids->meshOf(solid, frame), frame);
-            lines->draw(projection.data(), frame.halfSize(), lift);
+            lines->draw(lift);
         }
     gl.DepthMask(GL_TRUE);
-    if (display.joints && !drawing.scene->joints.empty())
-        paintJoints(drawing, frame, projection.data());
+    if (display.contactForces || display.frictionCones)
+        paintContacts(drawing, frame);
     if (showsHandles(display))
-        paintHandles(drawing, frame, projection.data());
+        paintHandles(drawing, frame, projection, false);
+    if (display.joints && !drawing.scene->joints.empty())
+        paintJoints(drawing, frame, projection);
+    if (display.jointHandles)
+        paintHandles(drawing, frame, projection, true);
+    if (display.triad || display.rotationCenter)
+        paintMarks(drawing, frame, projection);
     gl.Disable(GL_BLEND);
+    return true;
 }
 
 Renderer::Renderer() : implementation_(std::make_unique<Implementation>()) {}
@@ -277,11 +352,9 @@ bool Renderer::draw(const Drawing& drawing, const Image& into) {
         into.stride >= 4U * static_cast<unsigned>(size.width) &&
         into.pixels.size() >= into.stride * static_cast<std::size_t>(size.height - 1) +
                                   4U * static_cast<unsigned>(size.width);
-    if (!fits || drawing.scene == nullptr || !my.context->makeCurrent() ||
-        !my.target->prepare(size, drawing.display.samples))
+    if (!fits || drawing.scene == nullptr || !my.context->makeCurrent())
         return false;
     const Gl& gl = my.gl;
-    gl.Viewport(0, 0, size.width, size.height);
     gl.FrontFace(GL_CW); // the picture is drawn upside down
     gl.CullFace(GL_BACK);
     gl.Enable(GL_DEPTH_TEST);
@@ -289,12 +362,9 @@ bool Renderer::draw(const Drawing& drawing, const Image& into) {
     gl.DepthMask(GL_TRUE);
     gl.PolygonOffset(1, 1);
     gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE);
-    const scene::Color& c = drawing.display.background;
-    gl.ClearColor(static_cast<float>(c.red), static_cast<float>(c.green),
-                  static_cast<float>(c.blue), 1);
-    gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     my.follow(drawing);
-    my.paint(drawing, Frame(drawing, size));
+    if (!my.paint(drawing, Frame(drawing, size)))
+        return false;
     my.target->read(into);
     return gl.GetError() == GL_NO_ERROR;
 }

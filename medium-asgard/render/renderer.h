@@ -17,9 +17,17 @@ namespace render {
 struct Display {
     bool wireframe = false;
     bool axes = false;
-    bool grid = true;   // ground grid
-    bool trails = true; // paths of the centres of mass up to now
-    bool joints = true; // their signs (joint_signs.h)
+    bool grid = true;    // on the ground, standing still (grid.h)
+    bool shadows = true; // bodies shade the ground and each other
+    // A horizon behind everything, light or dark as the background; the grid reaches to it, with
+    // numbers and coloured axes. Otherwise the picture lies on a page of the background's colour.
+    bool studio = false;
+    bool triad = false;         // in the corner (triad.h)
+    bool contactForces = false; // arrows (contact_forces.h)
+    bool frictionCones = false;
+    bool rotationCenter = false; // the point that the view turns about
+    bool trails = true;          // paths of the centres of mass up to now
+    bool joints = true;          // their signs (joint_signs.h)
     // Handles, by what they move.
     bool positionHandles = false;
     bool orientationHandles = false;

@@ -1,7 +1,9 @@
 #include "render/coils.h"
+#include "render/contact_forces.h"
 #include "render/handles.h"
 #include "render/renderer.h"
 #include "render/test_scenes.h"
+#include "render/triad.h"
 
 #include <gtest/gtest.h>
 
@@ -170,9 +172,9 @@ TEST_F(RendererTest, FacesAreFlatAndDifferInBrightness) {
         return picture.red(static_cast<int>(p.x()), static_cast<int>(p.y()));
     };
     const int top = shade({0, 0.5, 0}), front = shade({0, 0, 0.5}), left = shade({-0.5, 0, 0});
-    // The default light comes over the viewer's left shoulder.
-    EXPECT_GT(top, left + 8);
-    EXPECT_GT(left, front + 8);
+    // The sun comes over the left shoulder of whoever looks from the front.
+    EXPECT_GT(top, front + 8);
+    EXPECT_GT(front, left + 8);
     EXPECT_NEAR(shade({0.2, 0.5, 0.2}), top, 6);
     EXPECT_NEAR(shade({0.2, 0.2, 0.5}), front, 6);
 }
@@ -261,11 +263,14 @@ TEST_F(RendererTest, HandlesLieOnTopAndShowTheVelocity) {
                picture.green(x, y) > picture.blue(x, y);
     };
     EXPECT_TRUE(orange(160, 120));
-    EXPECT_GT(picture.green(160 + 108, 120), picture.red(160 + 108, 120) + 20);
+    // 0.5 view units for 1: the round scale that makes the longest arrow a good part of the
+    // picture.
+    const int head = 160 + 54;
+    EXPECT_GT(picture.green(head, 120), picture.red(head, 120) + 20);
     scene_.bodies[0].fixed = true; // then it has a place to be moved to, and no velocity
     const Picture fixed = draw();
     EXPECT_TRUE(fixed.red(160, 120) > fixed.blue(160, 120) + 60);
-    EXPECT_LE(fixed.green(160 + 108, 120), fixed.red(160 + 108, 120) + 20);
+    EXPECT_LE(fixed.green(head, 120), fixed.red(head, 120) + 20);
 }
 
 // A body of mass 2 under its weight, a push that never changes and one that does.
@@ -447,12 +452,190 @@ TEST_F(RendererTest, LimitsAreSeenAndAJointThatWasReleasedIsNot) {
     EXPECT_EQ(signPixels(draw()), 0);
 }
 
-TEST(Handles, ArrowsOfFastBodiesAreScaledByAPowerOfTen) {
+TEST(Handles, ArrowsHaveASteadyScaleOfTheScreen) {
     scene::Scene scene;
-    addBody(scene, sphere(1), {0, 0, 0}, red).initialVelocity = {3, 0, 0};
-    EXPECT_EQ(velocityTime(scene, 10), 1);
-    scene.bodies[0].initialVelocity = {300, 0, 0};
-    EXPECT_NEAR(velocityTime(scene, 10), 0.01, 1e-15);
+    addBody(scene, sphere(1), {0, 0, 0}, red).initialVelocity = {300, 0, 0};
+    Display display;
+    display.velocityHandles = true;
+    Handles handles(scene, nullptr);
+    const Size size{640, 480};
+    std::vector<double> lengths;
+    for (const double scale : {0.1, 0.2, 0.5}) {
+        const Camera camera{Vector::Zero(), Quaternion::Identity(), scale, Vector::Zero()};
+        const Handle one = handles.at(0, display, camera, size).handles.at(0);
+        EXPECT_NEAR(((one.place - one.base) / one.perUnit - Vector(300, 0, 0)).norm(), 0, 1e-9);
+        lengths.push_back(
+            (toPixels(camera, size, one.place) - toPixels(camera, size, one.base)).norm());
+    }
+    EXPECT_NEAR(lengths[0], lengths[1], 1e-6);
+    EXPECT_NEAR(lengths[0], lengths[2], 1e-6);
+    EXPECT_GT(lengths[0], 60);
+    EXPECT_LT(lengths[0], 240);
+}
+
+// What a force follows is no path in space: its values are arrows from where it acts.
+TEST(Handles, TheTrajectoryOfAForceIsItsArrows) {
+    scene::Scene scene;
+    addBody(scene, sphere(0.1), {3, 0, 0}, red);
+    scene::Trajectory path;
+    path.name = "push";
+    path.points = {{0, Vector(0, 0, 0)}, {0.5, Vector(0, 40, 0)}};
+    path.curves = {{0, 0.5, {Vector(0, 0, 0), Vector(0, 40, 0)}}};
+    scene.trajectories.push_back(path);
+    scene.forces.push_back(
+        {scene.bodies[0].name, false, std::nullopt, scene::TrajectoryForce{"push"}, {}, {}});
+    Display display;
+    display.trajectories = true;
+    const HandleSet set = Handles(scene, nullptr).at(0, display);
+    EXPECT_TRUE(set.lines.empty());
+    ASSERT_EQ(set.handles.size(), 2U);
+    EXPECT_EQ(set.handles[1].base, Vector(3, 0, 0));
+    EXPECT_LT((set.handles[1].valueAt(set.handles[1].place) - Vector(0, 40, 0)).norm(), 1e-9);
+    EXPECT_TRUE(set.handles[1].movable);
+    // What bodies follow is one.
+    scene.constraints.push_back({scene.bodies[0].name, scene::Held::position, "push", {}, {}, {}});
+    EXPECT_EQ(Handles(scene, nullptr).at(0, display).lines.size(), 1U);
+}
+
+TEST_F(RendererTest, BodiesShadeWhatIsBehindThemFromTheSun) {
+    addBody(scene_, box({3, 0.1, 3}), {0, -0.5, 0}, {0.8, 0.8, 0.8}).fixed = true;
+    addBody(scene_, box({0.4, 0.4, 0.4}), {0, 0.2, 0}, red);
+    drawing_.camera.rotation = geometry::fromRotationVector(Vector(0.9, 0, 0));
+    drawing_.camera.scale = 0.6;
+    drawing_.display.shadows = false;
+    for (const int samples : {1, 4}) {
+        drawing_.display.samples = samples;
+        drawing_.display.shadows = false;
+        const Picture bare = draw();
+        drawing_.display.shadows = true;
+        const Picture shaded = draw();
+        const int dark =
+            shaded.count([&](int x, int y) { return shaded.red(x, y) < bare.red(x, y) - 20; });
+        const int light =
+            shaded.count([&](int x, int y) { return shaded.red(x, y) > bare.red(x, y) + 2; });
+        EXPECT_GT(dark, 150) << samples;
+        EXPECT_LT(dark, 2500) << samples;
+        EXPECT_EQ(light, 0) << samples;
+        // Nothing shades itself: the lit faces of the box are as they were.
+        const Eigen::Vector2d top = toPixels(drawing_.camera, shaded.size, {0, 0.4, 0});
+        const int x = static_cast<int>(top.x()), y = static_cast<int>(top.y());
+        EXPECT_EQ(shaded.at(x, y), bare.at(x, y)) << samples;
+    }
+}
+
+TEST_F(RendererTest, ShadowsFallOnTheGroundOfASceneWithoutAFloor) {
+    addBody(scene_, sphere(0.3), {0, 0.3, 0}, red);
+    drawing_.camera.rotation = geometry::fromRotationVector(Vector(0.7, 0, 0));
+    drawing_.camera.scale = 0.7;
+    drawing_.display.grid = true;
+    drawing_.display.shadows = false;
+    const Picture bare = draw();
+    drawing_.display.shadows = true;
+    const Picture shaded = draw();
+    EXPECT_GT(shaded.count([&](int x, int y) { return shaded.red(x, y) < bare.red(x, y) - 20; }),
+              100);
+}
+
+TEST_F(RendererTest, AStudioHasASkyAndAHorizonLightOrDark) {
+    addBody(scene_, sphere(0.1), {0, 0, 0}, red);
+    drawing_.display.studio = true;
+    drawing_.camera.rotation = geometry::fromRotationVector(Vector(-0.1, 0, 0));
+    const Picture light = draw();
+    EXPECT_GT(light.red(20, 20), 180);
+    EXPECT_GT(light.blue(20, 5), light.red(20, 5) + 8); // the sky is bluer than the ground
+    EXPECT_LT(light.blue(20, 235), light.red(20, 235) + 8);
+    drawing_.display.background = {0.1, 0.1, 0.1};
+    const Picture dark = draw();
+    EXPECT_LT(dark.green(20, 20), 90);
+    EXPECT_LT(dark.green(20, 235), 60);
+    EXPECT_EQ(draw().bytes, dark.bytes);
+}
+
+// The grid stands still in the world: the same lines are seen wherever the view's middle is.
+TEST_F(RendererTest, TheGridStaysWhereItIsWhenTheViewMoves) {
+    addBody(scene_, sphere(0.05), {0, 0, 0}, red);
+    drawing_.display.grid = drawing_.display.studio = true;
+    drawing_.camera.rotation = geometry::fromRotationVector(Vector(M_PI / 2, 0, 0)); // from above
+    drawing_.camera.orthographic = true;
+    const Picture before = draw();
+    drawing_.camera.position = {0.5, 0, 0}; // 60 pixels
+    const Picture after = draw();
+    int same = 0, lines = 0;
+    for (int x = 80; x < 240; ++x) {
+        const bool line = before.red(x, 30) < before.red(x + 1, 30) - 4;
+        lines += line ? 1 : 0;
+        same += line && after.red(x + 60, 30) < after.red(x + 61, 30) - 4 ? 1 : 0;
+    }
+    EXPECT_GT(lines, 3);
+    EXPECT_GE(same, lines - 1);
+}
+
+TEST_F(RendererTest, HandlesBehindABodyAreFaint) {
+    addBody(scene_, sphere(0.1), {0, 0, -1}, green);
+    addBody(scene_, box({1, 1, 0.1}), {0, 0, 0.5}, {0.2, 0.2, 0.25});
+    drawing_.display.positionHandles = true;
+    const Picture hidden = draw();
+    const Eigen::Vector2d place = toPixels(drawing_.camera, hidden.size, {0, 0, -1});
+    const int x = static_cast<int>(place.x()), y = static_cast<int>(place.y());
+    // The box's own handle is over it, the ball's shines through.
+    scene_.bodies[1].initialPosition = {0.3, 0.3, 0.5};
+    const Picture faint = draw();
+    EXPECT_GT(faint.red(x, y), faint.blue(x, y) + 15);
+    EXPECT_LT(faint.red(x, y), 200);
+    scene_.bodies[1].initialPosition = {3, 0, 0.5};
+    EXPECT_GT(draw().red(x, y), 225);
+}
+
+TEST_F(RendererTest, TheTriadAndTheCentreOfRotationAreMarks) {
+    EXPECT_EQ(draw().drawn(), 0);
+    drawing_.display.triad = true;
+    const Picture triad = draw();
+    const Eigen::Vector2d middle = triadMiddle(triad.size);
+    const double reach = triadReach(triad.size);
+    EXPECT_GT(triad.drawn(), 100);
+    EXPECT_EQ(triad.count([&](int x, int y) {
+        return triad.at(x, y) != 0xFFFFFF &&
+               (Eigen::Vector2d(x, y) - middle).cwiseAbs().maxCoeff() > reach + 1;
+    }),
+              0);
+    drawing_.display.triad = false;
+    drawing_.display.rotationCenter = true;
+    const Picture center = draw();
+    EXPECT_LT(center.red(160, 120), 120);
+    EXPECT_EQ(center.count([&](int x, int y) {
+        return center.at(x, y) != 0xFFFFFF && std::hypot(x - 160, y - 120) > 12;
+    }),
+              0);
+}
+
+// A box that rests on a floor: its weight, upwards, within the cone of friction.
+TEST(ContactForces, AreReadOfContactsThatTheSceneDoesNotName) {
+    scene::Scene scene;
+    scene::Body& floor = addBody(scene, box({4, 0.2, 4}), {0, -0.1, 0}, red);
+    floor.fixed = true;
+    floor.friction = 0.5;
+    scene::Body& block = addBody(scene, box({0.4, 0.4, 0.4}), {0.3, 0.2, 0}, blue);
+    block.mass = 2;
+    block.friction = 0.5;
+    block.restitution = 0;
+    for (scene::Body& body : scene.bodies)
+        body.restitution = 0;
+    scene.forces.push_back({scene.bodies[1].name,
+                            false,
+                            std::nullopt,
+                            scene::GravitationalForce{{0, -10, 0}},
+                            {},
+                            {}});
+    scene.simulator.finish = 1;
+    const auto motion = simulation::simulate(scene).motion;
+    ASSERT_NE(motion, nullptr);
+    ContactForces forces;
+    const auto seen = forces.at(scene, motion, 0.5);
+    ASSERT_EQ(seen.size(), 1U);
+    EXPECT_LT((seen[0].force - Vector(0, -20, 0)).norm(), 1e-3); // on the floor, the first
+    EXPECT_LT((seen[0].normal - Vector(0, -1, 0)).norm(), 1e-6);
+    EXPECT_NEAR(seen[0].friction, 0.5, 1e-12);
+    EXPECT_NEAR(seen[0].point.y(), 0, 1e-6);
 }
 
 TEST_F(RendererTest, MoreSamplesThanThereAreAreClamped) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 
 namespace render {
 
@@ -114,7 +115,7 @@ std::vector<Solid> solidsOf(const Drawing& drawing, const Extent& extent, const 
     std::erase_if(solids, [](const Solid& s) { return s.alpha <= 0; });
     const auto firstTransparent = std::stable_partition(
         solids.begin(), solids.end(), [](const Solid& s) { return s.alpha >= 1; });
-    const Vector eye(0, 0, eyeDistance);
+    const Vector eye = frame.eye();
     std::stable_sort(firstTransparent, solids.end(), [&](const Solid& a, const Solid& b) {
         return (a.middle - eye).squaredNorm() > (b.middle - eye).squaredNorm();
     });
@@ -129,16 +130,17 @@ Solids::~Solids() {
 
 std::string Solids::build() {
     gl_.GenBuffers(1, &instances_);
-    return program_.build(solidVertexShader, solidFragmentShader);
+    std::string fault = program_.build(solidVertexShader, {shadowFunctions, solidFragmentShader});
+    return fault.empty() ? depths_.build(solidVertexShader, {depthFragmentShader}) : fault;
 }
 
-void Solids::begin(const Frame&, const std::vector<Light>& lights, const Vector& upInView,
-                   const float* projection) {
+void Solids::begin(const Frame& frame, const std::vector<Light>& lights, const Vector& upInView,
+                   const float* projection, const std::optional<LightSight>& sight) {
     ++picture_;
     forgetUnused();
     program_.use();
     gl_.UniformMatrix4fv(program_.place("projection"), 1, GL_FALSE, projection);
-    gl_.Uniform1f(program_.place("eye"), static_cast<float>(eyeDistance));
+    gl_.Uniform1f(program_.place("eye"), static_cast<float>(frame.eye().z()));
     const Eigen::Vector3f up = upInView.cast<float>();
     gl_.Uniform3fv(program_.place("up"), 1, up.data());
     float places[4 * mostLights]{}, colors[3 * mostLights]{};
@@ -153,7 +155,9 @@ void Solids::begin(const Frame&, const std::vector<Light>& lights, const Vector&
     gl_.Uniform1i(program_.place("lights"), static_cast<GLint>(lights.size()));
     gl_.Uniform4fv(program_.place("lightPlace"), mostLights, places);
     gl_.Uniform3fv(program_.place("lightColor"), mostLights, colors);
-    setPass(Pass::surface, {});
+    gl_.Uniform1i(program_.place("shadowed"), sight ? shadowedOf(lights) : -1);
+    if (sight)
+        program_.giveShadow(*sight);
 }
 
 const Mesh& Solids::meshOf(const Solid& solid, const Frame& frame) {
@@ -302,7 +306,8 @@ void Solids::drawInstances(Stored& stored, const std::vector<Instance>& instance
                               GL_UNSIGNED_INT, nullptr, static_cast<GLsizei>(instances.size()));
 }
 
-void Solids::drawGrouped(std::span<const Solid> solids, const Frame& frame, int coarser) {
+void Solids::drawGrouped(const Program& program, std::span<const Solid> solids, const Frame& frame,
+                         int coarser) {
     std::vector<std::pair<Stored*, std::vector<Instance>>> groups; // in order of first use
     std::map<const Stored*, std::size_t> places;
     for (const Solid& solid : solids) {
@@ -312,14 +317,14 @@ void Solids::drawGrouped(std::span<const Solid> solids, const Frame& frame, int 
             groups.emplace_back(&mesh, std::vector<Instance>{});
         groups[place->second].second.push_back(instanceOf(solid));
     }
-    program_.use();
+    program.use();
     for (auto& [mesh, instances] : groups)
         drawInstances(*mesh, instances);
 }
 
 void Solids::drawOpaque(std::span<const Solid> solids, const Frame& frame) {
     gl_.Enable(GL_CULL_FACE);
-    drawGrouped(solids, frame);
+    drawGrouped(program_, solids, frame);
 }
 
 void Solids::drawTransparent(const Solid& solid, const Frame& frame) {
@@ -333,31 +338,12 @@ void Solids::drawTransparent(const Solid& solid, const Frame& frame) {
     gl_.CullFace(GL_BACK);
 }
 
-void Solids::setPass(Pass pass, const Plane& plane) {
-    program_.use();
-    gl_.Uniform1i(program_.place("pass"), static_cast<GLint>(pass));
-    gl_.Uniform4f(program_.place("ground"), static_cast<float>(plane.normal.x()),
-                  static_cast<float>(plane.normal.y()), static_cast<float>(plane.normal.z()),
-                  static_cast<float>(plane.offset));
-}
-
-void Solids::drawShadows(std::span<const Solid> solids, const Frame& frame, const Plane& plane,
-                         double reach) {
-    setPass(Pass::shadow, plane);
-    gl_.Uniform1f(program_.place("reach"), static_cast<float>(reach));
-    // What faces down would only cover the same pixels again; a shadow needs no fine outline.
+void Solids::drawDepths(std::span<const Solid> solids, const Frame& frame,
+                        const std::array<float, 16>& matrix, int coarser) {
+    depths_.use();
+    gl_.UniformMatrix4fv(depths_.place("projection"), 1, GL_FALSE, matrix.data());
     gl_.Enable(GL_CULL_FACE);
-    drawGrouped(solids, frame, 1);
-    setPass(Pass::surface, plane);
-}
-
-void Solids::drawFacesOn(const Solid& solid, const Frame& frame, const Plane& plane) {
-    setPass(Pass::facesOn, plane);
-    gl_.Uniform1f(program_.place("reach"), static_cast<float>(solid.radius));
-    gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    drawGrouped({&solid, 1}, frame);
-    gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    setPass(Pass::surface, plane);
+    drawGrouped(depths_, solids, frame, coarser);
 }
 
 } // namespace render

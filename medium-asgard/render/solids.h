@@ -8,6 +8,8 @@
 
 #include <map>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -36,15 +38,9 @@ struct Solid {
 [[nodiscard]] std::vector<Solid> solidsOf(const Drawing& drawing, const Extent& extent,
                                           const Frame& frame);
 
-// Points x of the view with normal . x = offset.
-struct Plane {
-    Vector normal = Vector::UnitY();
-    double offset = 0;
-};
-
 class Solids {
 public:
-    explicit Solids(const Gl& gl) : gl_(gl), program_(gl) {}
+    explicit Solids(const Gl& gl) : gl_(gl), program_(gl), depths_(gl) {}
     ~Solids();
     Solids(const Solids&) = delete;
     Solids& operator=(const Solids&) = delete;
@@ -54,16 +50,16 @@ public:
     // The mesh of a solid, as fine as its size in the picture needs.
     [[nodiscard]] const Mesh& meshOf(const Solid& solid, const Frame& frame);
 
+    // Light comes through the shadow map that is bound, as `sight` says; none: there are no
+    // shadows.
     void begin(const Frame& frame, const std::vector<Light>& lights, const Vector& upInView,
-               const float* projection);
+               const float* projection, const std::optional<LightSight>& sight);
     void drawOpaque(std::span<const Solid> solids, const Frame& frame);
     // One solid, its back faces before its front faces.
     void drawTransparent(const Solid& solid, const Frame& frame);
-    // The solids above a plane of the view, laid flat on it, fading to a third at height `reach`.
-    void drawShadows(std::span<const Solid> solids, const Frame& frame, const Plane& plane,
-                     double reach);
-    // Only the faces of a solid that lie in the plane, without colour: marks the stencil.
-    void drawFacesOn(const Solid& solid, const Frame& frame, const Plane& plane);
+    // Only their depths, through that matrix to clip space; `coarser`: levels of their meshes.
+    void drawDepths(std::span<const Solid> solids, const Frame& frame,
+                    const std::array<float, 16>& matrix, int coarser);
 
 private:
     struct Instance {
@@ -74,20 +70,19 @@ private:
         GLuint array = 0, vertices = 0, indices = 0;
         unsigned used = 0; // the last picture that needed it
     };
-    enum class Pass : std::uint8_t { surface, shadow, facesOn }; // numbered as in the shader
-    using Key = std::vector<double>;                             // what the mesh depends on
+    using Key = std::vector<double>; // what the mesh depends on
 
     Stored& stored(const Solid& solid, const Frame& frame, int coarser = 0);
-    void setPass(Pass pass, const Plane& plane);
     void upload(Stored& stored);
     void release(Stored& stored);
     void forgetUnused();
     void drawInstances(Stored& stored, const std::vector<Instance>& instances);
     static Instance instanceOf(const Solid& solid);
-    void drawGrouped(std::span<const Solid> solids, const Frame& frame, int coarser = 0);
+    void drawGrouped(const Program& program, std::span<const Solid> solids, const Frame& frame,
+                     int coarser = 0);
 
     const Gl& gl_;
-    Program program_;
+    Program program_, depths_;
     GLuint instances_ = 0;
     std::map<Key, std::unique_ptr<Stored>> meshes_;
     unsigned picture_ = 0;

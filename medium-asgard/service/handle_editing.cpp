@@ -19,20 +19,21 @@ bool same(const render::Handle& a, const render::Handle& b) {
 
 std::shared_ptr<const render::HandleSet>
 HandleEditing::handles(const std::shared_ptr<const scene::Scene>& scene,
-                       const render::Drawing& drawing) {
+                       const render::Drawing& drawing, render::Size size) {
     if (!render::showsHandles(drawing.display))
         return nullptr;
     if (!prepared_ || prepared_->scene != scene || prepared_->motion != drawing.motion)
         prepared_.reset(
             new Prepared{scene, drawing.motion, render::Handles(*scene, drawing.motion)});
-    auto set =
-        std::make_shared<render::HandleSet>(prepared_->handles.at(drawing.time, drawing.display));
+    auto set = std::make_shared<render::HandleSet>(
+        prepared_->handles.at(drawing.time, drawing.display, drawing.camera, size));
     if (drag_) {
         const auto held = std::ranges::find_if(
             set->handles, [&](const render::Handle& one) { return same(one, drag_->handle()); });
         if (held != set->handles.end() && drag_->answer().possible()) {
             held->base = held->isArrow() ? held->base : drag_->place();
             held->place = drag_->place();
+            held->aside.setZero(); // under the pointer
         }
     }
     return set;
@@ -44,7 +45,7 @@ bool HandleEditing::press(gestures::Ground ground, const render::Drawing& drawin
     using What = gestures::Grasp::What;
     if (active())
         return false;
-    const auto set = handles(ground.scene, drawing);
+    const auto set = handles(ground.scene, drawing, size);
     const gestures::Sight sight{drawing.camera, size};
     // Bodies are there without handles too.
     const auto grasp = gestures::graspAt(drawing, set ? *set : render::HandleSet(), sight, button,

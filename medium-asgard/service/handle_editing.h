@@ -37,7 +37,8 @@ public:
 
     // The handles that a picture shows; none: its display has none.
     [[nodiscard]] std::shared_ptr<const render::HandleSet>
-    handles(const std::shared_ptr<const scene::Scene>& scene, const render::Drawing& drawing);
+    handles(const std::shared_ptr<const scene::Scene>& scene, const render::Drawing& drawing,
+            render::Size size);
 
 private:
     void remove(const gestures::Ground& ground, const render::Handle& handle);

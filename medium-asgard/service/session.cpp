@@ -355,7 +355,7 @@ bool Session::draw(Rendition& rendition, const Look& look) {
     }
     render::Drawing drawing = drawingOf(look);
     if (subdocument_.scene())
-        drawing.handles = gesture_.handles.handles(subdocument_.scene(), drawing);
+        drawing.handles = gesture_.handles.handles(subdocument_.scene(), drawing, frame.into.size);
     if (!platform_.draw(drawing, frame.into)) {
         rendition.acknowledge(frame.message.serial);
         platform_.draw = nullptr;

@@ -142,9 +142,9 @@ Picture PictureThread::Studio::draw(Window window, const PictureWish& wish) {
     picture.of = wish;
     picture.camera = cameraOf(all, wish);
     if (render::showsHandles(wish.display))
-        picture.handles = all.handles->at(wish.time, wish.display);
-    picture.forceArrow = all.handles->arrowLength(render::HandleKind::forceHead);
-    picture.torqueArrow = all.handles->arrowLength(render::HandleKind::torqueHead);
+        picture.handles = all.handles->at(wish.time, wish.display, picture.camera, wish.size);
+    picture.forceArrow = all.handles->arrowLength(render::HandleKind::forceHead, picture.camera);
+    picture.torqueArrow = all.handles->arrowLength(render::HandleKind::torqueHead, picture.camera);
     if (paints_)
         paint(picture);
     picture.lasted = std::chrono::steady_clock::now() - began;
