@@ -51,7 +51,8 @@ public:
         return drawing;
     }
     [[nodiscard]] render::HandleSet handles() const {
-        return render::Handles(*scene_, nullptr).at(0, drawing().display);
+        return render::Handles(*scene_, nullptr)
+            .at(0, drawing().display, sight().camera, sight().size);
     }
     [[nodiscard]] Handle handle(HandleKind kind, std::size_t part = 0) const {
         for (const Handle& one : handles().handles)
@@ -101,6 +102,18 @@ TEST(Gestures, CoordinatesThatAreNotDraggedKeepTheirDigits) {
     curves.drag(curves.handle(HandleKind::trajectoryPoint, 3), {0.5, 0.25, 0.12345});
     EXPECT_EQ(curves.text(), "trajectory T -bezier {{0 1 {-1 0 0.12345} {-0.5 0.1 0.2} "
                              "{0.1 0.45 0.3} {0.5 0.25 0.12345}}}\n");
+}
+
+// The arrow's head of a force's trajectory is dragged to where the arrow has that value.
+TEST(Gestures, TheTrajectoryOfAForceIsDraggedByItsArrows) {
+    const std::string before = ball + "body b1 ball -init_pos {1 0 0}\n";
+    Stage stage(before + "trajectory push -points {{0 0 0 0} {1 0 40 0}}\n"
+                         "force -body b1 -trajectory push\n");
+    const Handle head = stage.handle(HandleKind::trajectoryPoint, 1);
+    EXPECT_LT((head.valueAt(head.place) - Vector(0, 40, 0)).norm(), 1e-9);
+    stage.drag(head, head.placeOf({0, 20, 0}));
+    EXPECT_EQ(stage.text(), before + "trajectory push -points {{0 0 0 0} {1 0 20 0}}\n"
+                                     "force -body b1 -trajectory push\n");
 }
 
 TEST(Gestures, ADragIsPreviewsAndOneTextWithALabel) {
@@ -194,7 +207,8 @@ TEST(Gestures, AnAxisAndBothEndsOfADistanceAreDragged) {
 TEST(Gestures, ButtonsTakeHoldOfHandlesBodiesAndPoints) {
     const Stage stage(ball + "body b1 ball -init_pos {-1 0 0} -init_dpos {0 0.8 0}\n"
                              "trajectory T -points {{0 1 0 0} {1 1 1 0}}\n");
-    EXPECT_EQ(stage.grasp(Button::left, {-1, 0.8, 0})->handle.kind, HandleKind::velocity);
+    EXPECT_EQ(stage.grasp(Button::left, stage.handle(HandleKind::velocity).place)->handle.kind,
+              HandleKind::velocity);
     EXPECT_EQ(stage.grasp(Button::left, {-1, 0, 0})->handle.kind, HandleKind::position);
     // Beside the handles: the body itself.
     EXPECT_EQ(stage.grasp(Button::left, {-1.3, 0, 0})->handle.kind, HandleKind::position);

@@ -16,7 +16,8 @@ Eigen::Vector3f shade(const scene::Color& c) {
 Vector lifted(const Frame& frame, const Vector& view, double by) {
     const Vector toEye = frame.eye() - view;
     const double distance = toEye.norm();
-    return view + toEye * (std::min(by, 0.9 * distance) / std::max(distance, 1e-12));
+    // LIMIT: one whose body reaches almost to the eye may be hidden by it.
+    return view + toEye * (std::min(by, 0.8 * distance) / std::max(distance, 1e-12));
 }
 
 Vector moved(const Frame& frame, const Vector& view, const Eigen::Vector2d& pixels) {
@@ -29,9 +30,8 @@ Vector moved(const Frame& frame, const Vector& view, const Eigen::Vector2d& pixe
 std::vector<Disc> addHandles(Lines& lines, const HandleSet& set, const Frame& frame,
                              const scene::Color& paper, bool joints) {
     const Eigen::Vector3f rim = shade(paper);
-    const double always = 1e3; // over everything
     const auto lift = [&](const Handle& handle) {
-        return isJoint(handle.kind) ? always : 1.02 * handle.clear * frame.camera().scale;
+        return 1.02 * handle.clear * frame.camera().scale;
     };
     for (const HandleLine& line : set.lines)
         for (std::size_t i = 0; !joints && i + 1 < line.points.size(); ++i)

@@ -277,7 +277,7 @@ void Handles::addJoints(HandleSet& set, double time) const {
         const JointEnd &first = place->ends[0], &second = place->ends[1];
         if (scene::traitsOf(joint.type).hasAxis) {
             const double length = joint.axis.norm() > 0 ? joint.axis.norm() : 1;
-            const double perUnit = 0.15 * extent_.size / length;
+            const double perUnit = 0.25 * viewUnit_ / length;
             const Vector head =
                 first.point + perUnit * length * first.carried(place->axis).normalized();
             set.handles.push_back(
@@ -303,7 +303,7 @@ void Handles::addLights(HandleSet& set) const {
                 : Vector(extent_.box.center() - 0.7 * extent_.size / length * direction));
         set.handles.push_back({HandleKind::lightPlace, i, 0, place, place});
         if (length > 0) {
-            const double perUnit = 0.25 * extent_.size / length;
+            const double perUnit = 0.3 * viewUnit_ / length;
             set.handles.push_back(
                 {HandleKind::lightDirection, i, 0, place, place + perUnit * direction, perUnit});
         }

@@ -83,17 +83,12 @@ bool sameOutlines(const std::vector<scene::Body>& a, const std::vector<scene::Bo
     });
 }
 
-// View z of what is nearest to the eye and of what is furthest away: all solids and the scene, and
-// in a studio the grid as far as it is seen.
+// View z of what is nearest to the eye and of what is furthest away: all solids and the scene.
 std::pair<double, double> depthRange(std::span<const Solid> solids, const Extent& extent,
-                                     const Frame& frame, bool studio) {
+                                     const Frame& frame) {
     const double size = frame.camera().scale * extent.size;
     const double middle = frame.toView(extent.box.center()).z();
     double nearest = middle + size, furthest = middle - 2 * size;
-    if (studio) {
-        nearest = std::max(nearest, eyeDistance);
-        furthest = std::min(furthest, -40.0);
-    }
     for (const Solid& solid : solids) {
         nearest = std::max(nearest, solid.middle.z() + solid.radius);
         furthest = std::min(furthest, solid.middle.z() - solid.radius);
@@ -266,8 +261,12 @@ bool Renderer::Implementation::paint(const Drawing& drawing, const Frame& frame)
         std::find_if(all.begin(), all.end(), [](const Solid& s) { return s.alpha < 1; });
     const std::span<const Solid> opaque(all.begin(), firstTransparent);
     const std::span<const Solid> transparent(firstTransparent, all.end());
-    const auto [nearest, furthest] = depthRange(all, extent, frame, display.studio);
-    const Projection projection = frame.projection(nearest, furthest);
+    const auto [nearest, furthest] = depthRange(all, extent, frame);
+    // Grids reach further, and handles may stand before everything.
+    const bool isDeep = display.studio || showsHandles(display);
+    const Projection projection =
+        isDeep ? frame.projection(std::max(nearest, eyeDistance - 0.5), std::min(furthest, -40.0))
+               : frame.projection(nearest, furthest);
     const std::vector<Light> lights = lightsOf(*drawing.scene, sunOf(extent), frame);
     const Light& shadowing = lights[static_cast<std::size_t>(shadowedOf(lights))];
     const float lift = 2e-5F;

@@ -27,6 +27,9 @@ constexpr Switch switches[] = {
     {"grid", "Grid", &render::Display::grid},
     {"trails", "Trails", &render::Display::trails},
     {"joints", "Joints", &render::Display::joints},
+    {"shadows", "Shadows", &render::Display::shadows},
+    {"contact-forces", "Contact Forces", &render::Display::contactForces},
+    {"friction-cones", "Friction Cones", &render::Display::frictionCones},
 };
 
 std::string number(double value) {

@@ -9,13 +9,13 @@ namespace {
 
 bool same(const render::Camera& a, const render::Camera& b) {
     return a.center == b.center && a.rotation.coeffs() == b.rotation.coeffs() &&
-           a.scale == b.scale && a.position == b.position;
+           a.scale == b.scale && a.position == b.position && a.orthographic == b.orthographic;
 }
 
-constexpr const char* stateFormat = "asgard-3";
-// A state of before has as many switches as there were.
-constexpr const char* olderFormat = "asgard-2";
-constexpr std::ptrdiff_t olderSwitches = 13;
+constexpr const char* stateFormat = "asgard-4";
+// States of before have as many switches as there were.
+constexpr std::pair<const char*, std::ptrdiff_t> olderFormats[] = {{"asgard-2", 13},
+                                                                   {"asgard-3", 15}};
 constexpr bool render::Display::*displaySwitches[] = {&render::Display::wireframe,
                                                       &render::Display::axes,
                                                       &render::Display::grid,
@@ -30,7 +30,10 @@ constexpr bool render::Display::*displaySwitches[] = {&render::Display::wirefram
                                                       &render::Display::lightHandles,
                                                       &render::Display::trajectories,
                                                       &render::Display::joints,
-                                                      &render::Display::jointHandles};
+                                                      &render::Display::jointHandles,
+                                                      &render::Display::shadows,
+                                                      &render::Display::contactForces,
+                                                      &render::Display::frictionCones};
 
 bool same(const render::Display& a, const render::Display& b) {
     return a.background == b.background &&
@@ -132,7 +135,10 @@ void Rendition::restore(const std::string& state) {
     render::Camera camera;
     bool turned = false;
     words >> format;
-    const auto count = format == olderFormat ? olderSwitches : std::ssize(displaySwitches);
+    const auto older =
+        std::ranges::find(olderFormats, format, &std::pair<const char*, std::ptrdiff_t>::first);
+    const bool isOlder = older != std::end(olderFormats);
+    const auto count = isOlder ? older->second : std::ssize(displaySwitches);
     for (std::ptrdiff_t i = 0; i < count; ++i)
         words >> shown.*displaySwitches[i];
     words >> turned;
@@ -142,7 +148,7 @@ void Rendition::restore(const std::string& state) {
         auto& q = camera.rotation;
         words >> q.w() >> q.x() >> q.y() >> q.z() >> camera.scale;
     }
-    if (!words || (format != stateFormat && format != olderFormat) || !sound(camera))
+    if (!words || (format != stateFormat && !isOlder) || !sound(camera))
         return;
     words.ignore(1);
     std::getline(words, view);

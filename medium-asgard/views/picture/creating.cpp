@@ -96,6 +96,7 @@ std::optional<Indicated> Creating::indicated(const QPointF& position) {
             shown_.empty() || !shown_.back().given ? sight.camera.center : shown_.back().point;
         found.point = sight.beside(pixels, depth);
         found.resolution = sight.pixelLength(found.point);
+        found.sight = sight.camera.rotation.conjugate() * Vector::UnitZ();
         return found;
     }
     const auto picked = gestures::bodyAt(drawing, sight, pixels);

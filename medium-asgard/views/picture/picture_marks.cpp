@@ -2,6 +2,7 @@
 #include "gestures/handle_meaning.h"
 #include "picture/picture_editing.h"
 #include "picture/scene_display.h"
+#include "render/handle_layout.h"
 
 #include <QPainter>
 
@@ -21,7 +22,9 @@ QString PictureEditing::words() const {
 
 // A dashed frame about each body that is selected, a ring about the handles of the others.
 void PictureEditing::paintSelection(QPainter& painter) const {
-    painter.setPen(QPen(QColor(20, 90, 200, 200), 1.3, Qt::DashLine));
+    const bool dark = display_.palette().color(QPalette::Base).lightness() < 128;
+    painter.setPen(
+        QPen(dark ? QColor(110, 170, 255, 230) : QColor(20, 90, 200, 200), 1.3, Qt::DashLine));
     painter.setBrush(Qt::NoBrush);
     const render::Drawing drawing = display_.drawing();
     const gestures::Sight sight = display_.sight();
@@ -34,7 +37,8 @@ void PictureEditing::paintSelection(QPainter& painter) const {
             break;
         for (const render::Handle& handle : display_.drawnHandles().handles)
             if (element.kind != editing::Kind::body && gestures::elementOf(handle) == element)
-                painter.drawEllipse(display_.fromPixels(sight.pixels(handle.place)), 9, 9);
+                painter.drawEllipse(
+                    display_.fromPixels(render::standOf(handle, sight.camera, sight.size)), 9, 9);
         if (element.kind != editing::Kind::body || element.index >= drawing.scene->bodies.size())
             continue;
         const geometry::Pose pose =
@@ -56,18 +60,37 @@ void PictureEditing::paintLabels(QPainter& painter) const {
     QFont font = painter.font();
     font.setPointSizeF(font.pointSizeF() * 0.9);
     painter.setFont(font);
+    const gestures::Sight sight = display_.sight();
+    std::vector<const render::Handle*> labelled;
+    std::vector<render::LabelWish> wishes;
     for (const render::Handle& handle : display_.drawnHandles().handles) {
         if (handle.label.empty() || (handle.kind == render::HandleKind::spin && !handle.isArrow()))
             continue;
-        const QPointF at = display_.fromPixels(display_.sight().pixels(handle.place));
-        const QString text = QString::fromStdString(handle.label);
-        const QRectF box = painter.boundingRect(QRectF(at + QPointF(9, -20), QSizeF(1, 1)),
-                                                Qt::AlignLeft | Qt::TextDontClip, text);
+        const QPointF at = display_.fromPixels(render::standOf(handle, sight.camera, sight.size));
+        const QSizeF size = painter
+                                .boundingRect(QRectF(0, 0, 1, 1), Qt::AlignLeft | Qt::TextDontClip,
+                                              QString::fromStdString(handle.label))
+                                .size() +
+                            QSizeF(6, 2);
+        labelled.push_back(&handle);
+        wishes.push_back({{at.x(), at.y()}, {size.width(), size.height()}});
+    }
+    const Eigen::AlignedBox2d picture(Eigen::Vector2d(0, 0),
+                                      Eigen::Vector2d(display_.width(), display_.height()));
+    const auto boxes = render::placedLabels(wishes, picture, 7);
+    QColor paper = display_.palette().color(QPalette::Base);
+    const bool dark = paper.lightness() < 128;
+    paper.setAlpha(200);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        const QRectF box(QPointF(boxes[i].min().x(), boxes[i].min().y()),
+                         QPointF(boxes[i].max().x(), boxes[i].max().y()));
         painter.setPen(Qt::NoPen);
-        painter.setBrush(QColor(255, 255, 255, 190));
-        painter.drawRoundedRect(box.adjusted(-3, -1, 3, 1), 3, 3);
-        painter.setPen(toColor(render::colorOf(handle.kind)).darker(160));
-        painter.drawText(box, Qt::AlignLeft | Qt::TextDontClip, text);
+        painter.setBrush(paper);
+        painter.drawRoundedRect(box, 3, 3);
+        const QColor ink = toColor(render::colorOf(labelled[i]->kind));
+        painter.setPen(dark ? ink.lighter(140) : ink.darker(160));
+        painter.drawText(box, Qt::AlignCenter | Qt::TextDontClip,
+                         QString::fromStdString(labelled[i]->label));
     }
 }
 
@@ -77,9 +100,14 @@ void PictureEditing::paintWords(QPainter& painter, const QString& words, bool po
     const QRect space = display_.rect().adjusted(display_.width() / 3, 10, -12, -10);
     const QRect needed = painter.boundingRect(space, Qt::AlignRight | Qt::TextWordWrap, words);
     painter.setPen(Qt::NoPen);
-    painter.setBrush(QColor(255, 255, 255, 225));
+    QColor paper = display_.palette().color(QPalette::Base);
+    const bool dark = paper.lightness() < 128;
+    paper.setAlpha(225);
+    painter.setBrush(paper);
     painter.drawRoundedRect(needed.adjusted(-8, -4, 8, 4), 4, 4);
-    painter.setPen(possible ? QColor(30, 35, 45) : QColor(170, 30, 20));
+    painter.setPen(possible ? display_.palette().color(QPalette::Text)
+                   : dark   ? QColor(255, 130, 120)
+                            : QColor(170, 30, 20));
     painter.drawText(space, Qt::AlignRight | Qt::TextWordWrap, words);
 }
 

@@ -34,7 +34,8 @@ render::Camera framed(render::Handles& handles, const PictureWish& wish) {
             if ((kinds & 1U << static_cast<unsigned>(handle.kind)) != 0)
                 extent.balls.push_back({handle.place, 0});
     }
-    return render::fitted(extent, render::bestAttitude(extent), wish.size);
+    return render::fitted(extent, render::bestAttitude(extent), wish.size,
+                          wish.camera.orthographic);
 }
 
 } // namespace
@@ -86,14 +87,15 @@ render::Camera PictureThread::Studio::cameraOf(Kept& kept, const PictureWish& wi
     case SeenFrom::camera:
         break;
     case SeenFrom::framed:
-        if (!kept.framed || kept.framedWith != kindsOf(wish.framing)) {
+        if (!kept.framed || kept.framedWith != kindsOf(wish.framing) ||
+            kept.framed->orthographic != wish.camera.orthographic) {
             kept.framed = framed(*kept.handles, wish);
             kept.framedWith = kindsOf(wish.framing);
         }
         return *kept.framed;
     case SeenFrom::turned:
         return render::fitted(render::extentOf(scene, wish.shown.motion.get()),
-                              wish.camera.rotation, wish.size);
+                              wish.camera.rotation, wish.size, wish.camera.orthographic);
     case SeenFrom::view:
         if (!kept.view || kept.viewName != wish.view) {
             kept.view.emplace(scene, wish.shown.motion, wish.view, wish.size);
@@ -141,6 +143,7 @@ Picture PictureThread::Studio::draw(Window window, const PictureWish& wish) {
     Picture picture;
     picture.of = wish;
     picture.camera = cameraOf(all, wish);
+    picture.camera.orthographic = wish.camera.orthographic; // scenes' views do not say
     if (render::showsHandles(wish.display))
         picture.handles = all.handles->at(wish.time, wish.display, picture.camera, wish.size);
     picture.forceArrow = all.handles->arrowLength(render::HandleKind::forceHead, picture.camera);

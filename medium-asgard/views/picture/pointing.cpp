@@ -3,6 +3,7 @@
 #include "gestures/grasp.h"
 #include "gestures/handle_meaning.h"
 #include "picture/scene_display.h"
+#include "render/handle_layout.h"
 
 #include <QPainter>
 
@@ -93,7 +94,7 @@ void Pointing::showCursor() {
         display_.setCursor(Qt::CrossCursor);
     else if (shifted && (handle_ || body_))
         display_.setCursor(Qt::SizeAllCursor);
-    else if (handle_)
+    else if (handle_ || (position_ && !display_.triadEndAt(*position_).isEmpty()))
         display_.setCursor(Qt::PointingHandCursor);
     else
         display_.unsetCursor();
@@ -113,6 +114,8 @@ QString Pointing::hint() const {
     if (display_.editing().dragging())
         return heldHint();
     const QString menu = tr("right button: menu");
+    if (const QString end = position_ ? display_.triadEndAt(*position_) : QString(); !end.isEmpty())
+        return tr("A click looks along %1").arg(end);
     if (handle_ && handle_->kind == render::HandleKind::trajectoryPoint)
         return tr("Shift-drag moves %1  ·  Shift-middle: a new point  ·  Shift-right removes it  · "
                   " "
@@ -140,7 +143,8 @@ void Pointing::paint(QPainter& painter) const {
     if (!handle_)
         return;
     const scene::Color& color = render::colorOf(handle_->kind);
-    const QPointF place = display_.fromPixels(display_.sight().pixels(handle_->place));
+    const gestures::Sight sight = display_.sight();
+    const QPointF place = display_.fromPixels(render::standOf(*handle_, sight.camera, sight.size));
     QColor ink = QColor::fromRgbF(color.red, color.green, color.blue);
     painter.setPen(QPen(ink.darker(130), 1.5));
     ink.setAlphaF(0.25F);

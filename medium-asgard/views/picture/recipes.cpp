@@ -3,6 +3,7 @@
 #include "editing/number_text.h"
 #include "editing/shape_edit.h"
 #include "picture/recipe_words.h"
+#include "render/extent.h"
 
 #include <QObject>
 
@@ -291,6 +292,13 @@ Recipe newLink(Wanted second) {
     return recipe;
 }
 
+// On the middle of the scene, and into the picture: it lights the sides that one sees.
+static Vector firstDirection(const scene::Scene& scene, const Indicated& place) {
+    const Vector way = render::extentOf(scene, nullptr).box.center() - place.point;
+    const Vector onto = way.norm() > 1e-9 ? Vector(way.normalized()) : Vector(0, -1, 0);
+    return (0.8 * onto - place.sight).normalized();
+}
+
 Recipe newLight(bool point) {
     return {QObject::tr("New Light"),
             {{Wanted::point,
@@ -305,7 +313,9 @@ Recipe newLight(bool point) {
                                  {"-pos", listed(shown[0].point, shown[0].resolution)},
                                  {}};
                 if (!point)
-                    light.words.insert(light.words.end(), {"-direction", "{0 -1 0}"});
+                    light.words.insert(
+                        light.words.end(),
+                        {"-direction", listed(firstDirection(scene, shown[0]), 0.1)});
                 return std::vector{light};
             },
             &render::Display::lightHandles};

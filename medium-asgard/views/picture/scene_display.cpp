@@ -2,6 +2,7 @@
 
 #include "render/extent.h"
 #include "render/framing.h"
+#include "render/triad.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -21,6 +22,9 @@ using Button = render::CameraControl::Button;
 
 // Long enough for most pictures, and shorter than what one notices.
 std::chrono::milliseconds patience{12};
+
+// While something moves a picture with shadows may take that long: 20 of them a second.
+constexpr std::chrono::milliseconds smooth{50};
 
 std::optional<Button> buttonOf(Qt::MouseButton button) {
     switch (button) {
@@ -44,6 +48,7 @@ SceneDisplay::SceneDisplay(SceneDocument& document, std::shared_ptr<PictureThrea
     pictures_->open(this, [this] {
         QMetaObject::invokeMethod(this, &SceneDisplay::ready, Qt::QueuedConnection);
     });
+    display_.studio = display_.triad = true;
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_OpaquePaintEvent);
     setMouseTracking(true);
@@ -108,6 +113,10 @@ void SceneDisplay::ask() {
     wish.time = time_;
     wish.display = display_;
     wish.display.samples = moving_ ? 1 : 4;
+    const QColor paper = palette().color(QPalette::Base);
+    wish.display.background = {paper.redF(), paper.greenF(), paper.blueF()};
+    wish.display.rotationCenter = control_.active() && moving_;
+    wish.display.shadows = display_.shadows && !(moving_ && isHeavy_);
     wish.size = pixelSize();
     wish.pixelRatio = devicePixelRatioF();
     wish.camera = control_.camera();
@@ -135,6 +144,9 @@ void SceneDisplay::take() {
         return;
     if (auto old = std::exchange(picture_, std::move(last)))
         pictures_->drop(std::move(old));
+    // Once it was seen to be slow; a scene with other bodies is tried again.
+    if (of.display.shadows && of.display.samples == 1 && picture_->lasted > smooth)
+        isHeavy_ = true;
     if (!follows && !frames && !turns)
         return;
     if (picture_->of.serial == wished_)
@@ -172,6 +184,8 @@ void SceneDisplay::setDisplay(const render::Display& display) {
 }
 
 void SceneDisplay::sceneChanged() {
+    isHeavy_ = isHeavy_ && picture_ &&
+               picture_->of.shown.scene->bodies.size() == document_.shown().scene->bodies.size();
     const auto& views = document_.shown().scene->views;
     const bool known = std::any_of(views.begin(), views.end(), [&](const auto& v) {
         return QString::fromStdString(v.name) == followed_;
@@ -205,6 +219,66 @@ void SceneDisplay::frameAll() {
     framesItself_ = true;
     framing_ = display_; // switching handles on later moves nothing
     redraw(false);
+}
+
+void SceneDisplay::setOrthographic(bool orthographic) {
+    bringUpToDate();
+    render::Camera camera = control_.camera();
+    camera.orthographic = orthographic;
+    control_.set(camera); // what it frames by itself it frames anew
+    Q_EMIT cameraChanged();
+    redraw(false);
+}
+
+void SceneDisplay::frame(const render::Extent& extent) {
+    const render::Camera& camera = control_.camera();
+    setCamera(render::fitted(extent, camera.rotation, pixelSize(), camera.orthographic));
+    redraw(false);
+}
+
+void SceneDisplay::frameNow() {
+    bringUpToDate();
+    const Shown& shown = document_.shown();
+    frame(render::extentAt(*shown.scene, shown.motion.get(), time_));
+}
+
+void SceneDisplay::frameSelected() {
+    bringUpToDate();
+    const Shown& shown = document_.shown();
+    std::vector<std::size_t> bodies;
+    for (const editing::Element& element : document_.selected())
+        if (element.kind == editing::Kind::body)
+            bodies.push_back(element.index);
+    frame(render::extentAt(*shown.scene, shown.motion.get(), time_, bodies));
+}
+
+void SceneDisplay::frameMotion() {
+    bringUpToDate();
+    const Shown& shown = document_.shown();
+    frame(render::extentOfAll(*shown.scene, shown.motion.get()));
+}
+
+QString SceneDisplay::triadEndAt(const QPointF& position) const {
+    if (!display_.triad)
+        return {};
+    const auto end = render::triadDirectionAt(control_.camera(), pixelSize(), inPixels(position));
+    if (!end)
+        return {};
+    Eigen::Index axis = 0;
+    end->cwiseAbs().maxCoeff(&axis);
+    const QChar name = QLatin1Char("xyz"[axis]);
+    return (*end)[axis] > 0 ? QString(name) : tr("against %1").arg(name);
+}
+
+bool SceneDisplay::clickTriad(const QMouseEvent& event) {
+    if (!display_.triad || event.button() != Qt::LeftButton ||
+        event.modifiers() != Qt::NoModifier || control_.active() || creating_.active())
+        return false;
+    const auto end =
+        render::triadDirectionAt(control_.camera(), pixelSize(), inPixels(event.position()));
+    if (end)
+        lookAlong(*end);
+    return end.has_value();
 }
 
 void SceneDisplay::lookAlong(const geometry::Vector& toward) {
@@ -339,7 +413,8 @@ void SceneDisplay::mousePressEvent(QMouseEvent* event) {
     bringUpToDate();
     if (!button)
         event->ignore();
-    else if (creating_.active() && *button == Button::left) {
+    else if (clickTriad(*event)) {
+    } else if (creating_.active() && *button == Button::left) {
         control_.press(*button, inPixels(event->position()), pixelSize());
     } else if (!editing_.press(*event))
         control_.press(*button, inPixels(event->position()), pixelSize());
@@ -374,6 +449,8 @@ void SceneDisplay::mouseReleaseEvent(QMouseEvent* event) {
         return;
     }
     control_.release();
+    if (moving_) // without the mark of the centre of rotation
+        redraw(true);
     pointing_.moveTo(event->position(), event->modifiers());
 }
 
@@ -389,6 +466,8 @@ void SceneDisplay::mouseDoubleClickEvent(QMouseEvent* event) {
 
 // While a handle is dragged its keys are no shortcuts.
 bool SceneDisplay::event(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange)
+        redraw(false);
     if (event->type() == QEvent::ShortcutOverride && (editing_.dragging() || creating_.active())) {
         event->accept();
         return true;
@@ -506,7 +585,7 @@ void SceneDisplay::paintEvent(QPaintEvent*) {
     }
     const QImage image = picture_ ? picture_->image : QImage();
     if (image.isNull() || image.deviceIndependentSize().toSize() != size())
-        painter.fillRect(rect(), Qt::white);
+        painter.fillRect(rect(), palette().base());
     painter.drawImage(QPointF(0, 0), image);
     pointing_.paint(painter);
     editing_.paint(painter);

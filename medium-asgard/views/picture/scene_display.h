@@ -14,6 +14,7 @@
 #include "picture/picture_editing.h"
 #include "picture/picture_thread.h"
 #include "picture/pointing.h"
+#include "render/extent.h"
 #include "workbench/scene_document.h"
 
 #include <QImage>
@@ -45,7 +46,13 @@ public:
     [[nodiscard]] const render::Camera& camera() const { return control_.camera(); }
     void setCamera(const render::Camera& camera);                     // the user's own from now on
     [[nodiscard]] bool framesItself() const { return framesItself_; } // nobody has moved it yet
+    void setOrthographic(bool orthographic);
     void frameAll();
+    // Frames what stands there at this time, the selected bodies (none: all), or the whole motion;
+    // fixed bodies included, from the direction that is seen.
+    void frameNow();
+    void frameSelected();
+    void frameMotion();
     void lookAlong(const geometry::Vector& toward); // keeps what is in the middle
     void levelHorizon(); // rolls the picture until what is upright in the world is so in it
     // The scene's view of that name; "" leaves it where it is.
@@ -76,6 +83,8 @@ public:
     // The same, as far as it is of the scene that is shown.
     [[nodiscard]] const render::HandleSet& knownHandles() const;
     [[nodiscard]] render::Drawing drawing() const;
+    // The direction of the triad's end there, as words: "x", "against y"; "": none is there.
+    [[nodiscard]] QString triadEndAt(const QPointF& position) const;
     [[nodiscard]] gestures::Sight sight() const { return {control_.camera(), pixelSize()}; }
     [[nodiscard]] Eigen::Vector2d inPixels(const QPointF& position) const;
     [[nodiscard]] QPointF fromPixels(const Eigen::Vector2d& pixels) const;
@@ -118,6 +127,8 @@ private:
     void ready(); // the thread has drawn a picture
     void movedByUser();
     void redraw(bool moving);
+    void frame(const render::Extent& extent);
+    bool clickTriad(const QMouseEvent& event);
     bool turnKey(const QKeyEvent& event);
     [[nodiscard]] std::vector<geometry::Vector> verticesAndHandles();
 
@@ -138,7 +149,8 @@ private:
     unsigned wished_ = 0, waitedFor_ = 0;
     bool isOld_ = true; // what is shown is not what was wished for last
     bool moving_ = false;
-    QTimer settle_; // then the fine picture is drawn
+    bool isHeavy_ = false; // with shadows it would not move smoothly
+    QTimer settle_;        // then the fine picture is drawn
 };
 
 } // namespace views

@@ -266,6 +266,14 @@ void GraphicalViewer::buildViewMenu() {
     QMenu* view = menuBar()->addMenu(tr("&View"));
     view->addAction(tr("&Frame All"), QKeySequence(Qt::Key_F), this,
                     [this] { display_->frameAll(); });
+    view->addAction(tr("Frame the &Motion, From Here"), this, [this] { display_->frameMotion(); });
+    view->addAction(tr("Frame &Now"), QKeySequence(Qt::Key_N), this,
+                    [this] { display_->frameNow(); });
+    view->addAction(tr("Frame &Selected"), QKeySequence(Qt::SHIFT | Qt::Key_F), this,
+                    [this] { display_->frameSelected(); });
+    QAction* parallel = view->addAction(tr("&Orthographic"), QKeySequence(Qt::Key_O), this,
+                                        [this](bool on) { display_->setOrthographic(on); });
+    parallel->setCheckable(true);
     viewsMenu_ = view->addMenu(tr("&Views of the Scene"));
     view->addSeparator();
     const struct {

@@ -121,13 +121,20 @@ void StatusPanel::addSwitches(const render::Display& display) {
     using render::Display;
     add(tr("&Trails"), tr("The paths of the centres of mass up to now"), &Display::trails);
     add(tr("Joints"), tr("Hinges, sliders and the like, with their range"), &Display::joints);
-    add(tr("&Ground"), tr("A grid under the scene, and shadows"), &Display::grid);
+    add(tr("&Grid"), tr("On the ground, at round coordinates of the world"), &Display::grid);
+    add(tr("S&hadows"),
+        tr("Bodies shade the ground and each other; while a large scene moves they are left out"),
+        &Display::shadows);
     add(tr("&Axes"), tr("The world's axes: x red, y green, z blue"), &Display::axes);
     add(tr("&Wireframe"), tr("Edges only"), &Display::wireframe);
+    add(tr("Contacts"), tr("The forces with which bodies press on each other"),
+        &Display::contactForces);
+    add(tr("Cones"), tr("Friction cones: while the force is inside, the contact sticks"),
+        &Display::frictionCones);
     layout()->addWidget(group);
     group = new QGroupBox(tr("Handles"));
     areHandles = true;
-    group->setToolTip(tr("Balls that are dragged with Shift and the left button; a double click "
+    group->setToolTip(tr("Discs that are dragged with Shift and the left button; a double click "
                          "asks for the exact value"));
     column = new QVBoxLayout(group);
     column->setContentsMargins(10, 6, 10, 8);

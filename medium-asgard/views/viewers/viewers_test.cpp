@@ -1,5 +1,6 @@
 #include "language/scene_editor.h"
 #include "language/scintilla.h"
+#include "render/triad.h"
 #include "viewers/control_panel.h"
 #include "viewers/editor.h"
 #include "views/test_workshop.h"
@@ -28,8 +29,11 @@ protected:
         ASSERT_TRUE(settle(editor.document()));
     }
 
-    // What the picture shows: pixels that are not background.
+    // What the picture shows: pixels that are not background, on a bare page.
     static int drawn(GraphicalViewer& viewer) {
+        render::Display page = viewer.display().display();
+        page.studio = page.triad = false;
+        viewer.display().setDisplay(page);
         const QImage image = viewer.display().grab().toImage();
         int count = 0;
         for (int y = 0; y < image.height(); ++y)
@@ -163,6 +167,47 @@ TEST_F(ViewersTest, AViewerThatOpensAgainFramesTheSceneUnlessSomebodyMovedItsVie
     EXPECT_TRUE(again(framing)->display().framesItself());
     EXPECT_FALSE(again(moved)->display().framesItself());
     EXPECT_EQ(again(moved)->display().camera().scale, camera.scale);
+}
+
+TEST_F(ViewersTest, AClickOnTheTriadLooksAlongItsAxis) {
+    GraphicalViewer* viewer = editor.openGraphicalViewer();
+    SceneDisplay& display = viewer->display();
+    display.lookAlong({0.4, 0.3, 1});
+    display.grab();
+    const render::Size size{display.width(), display.height()};
+    for (const render::TriadEnd& end : render::triadOf(display.camera(), size))
+        if (end.axis == 0 && !end.against) {
+            const QPointF place(end.place.x(), end.place.y());
+            EXPECT_EQ(display.triadEndAt(place), "x");
+            QTest::mouseClick(&display, Qt::LeftButton, Qt::NoModifier, place.toPoint());
+        }
+    const geometry::Vector toward =
+        display.camera().rotation.conjugate() * geometry::Vector::UnitZ();
+    EXPECT_LT((toward - geometry::Vector::UnitX()).norm(), 1e-9);
+    EXPECT_TRUE(display.triadEndAt({300, 200}).isEmpty());
+}
+
+TEST_F(ViewersTest, FramesWhatIsThereNowFromTheSameDirection) {
+    GraphicalViewer* viewer = editor.openGraphicalViewer();
+    SceneDisplay& display = viewer->display();
+    display.grab();
+    display.setOrthographic(true);
+    EXPECT_TRUE(display.framesItself()); // anew, in the other projection
+    display.grab();
+    EXPECT_TRUE(display.camera().orthographic);
+    const render::Camera motion = display.camera();
+    display.frameNow();
+    EXPECT_TRUE(display.camera().rotation.isApprox(motion.rotation));
+    EXPECT_TRUE(display.camera().orthographic);
+    EXPECT_GT(display.camera().scale, motion.scale); // the ball alone, not its flight
+    const geometry::Vector ball = editor.document().shown().scene->bodies[0].initialPosition;
+    EXPECT_LT((display.camera().center - ball).norm(), 0.2);
+    const double one = display.camera().scale;
+    display.frameMotion();
+    EXPECT_LT(display.camera().scale, one);
+    editor.document().select({{editing::Kind::body, 0}});
+    display.frameSelected();
+    EXPECT_NEAR(display.camera().scale, one, 1e-9);
 }
 
 TEST_F(ViewersTest, ShiftedButtonsDoNotMoveTheView) {
