@@ -215,7 +215,8 @@ TEST_F(PictureEditingTest, AnOrientationIsDraggedOnASphereInTheTextsOwnForm) {
 TEST_F(PictureEditingTest, VelocitiesHaveTheirOwnScales) {
     open(ball + "body b1 ball -init_dpos {1 0 0} -init_drot {0 2 0}\n",
          {&render::Display::velocityHandles, &render::Display::spinHandles});
-    drag(pixels({1, 0, 0}), pixels({1, 0.5, 0}));
+    const render::Handle head = handle(render::HandleKind::velocity);
+    drag(pixels(head.place), pixels(head.place + head.perUnit * Vector(0, 0.5, 0)));
     EXPECT_NEAR(scene().bodies[0].initialVelocity.y(), 0.5, 0.02);
     const render::Handle spin = handle(render::HandleKind::spin);
     EXPECT_EQ(spin.label, "2 rad/s");

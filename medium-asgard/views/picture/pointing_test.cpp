@@ -26,7 +26,9 @@ protected:
         display().lookAlong(Vector::UnitZ());
         viewer->findChild<StatusPanel*>()->show(&render::Display::velocityHandles);
         display().grab();
-        head = display().fromPixels(display().sight().pixels({2, 0, 0})).toPoint();
+        for (const render::Handle& handle : display().handles().handles)
+            if (handle.kind == render::HandleKind::velocity)
+                head = display().fromPixels(display().sight().pixels(handle.place)).toPoint();
         empty = QPoint(8, display().height() - 8);
     }
     SceneDisplay& display() { return viewer->display(); }
