@@ -40,6 +40,7 @@ void addSimulate(CLI::App& app, batch::SimulateArguments& a) {
     c.add_flag("--whole", a.whole, "solve the scene as one component");
     c.add_flag("--no-events", a.noEvents, "finish each component before the next");
     c.add_option("--threads", a.threads, "how many components are computed at a time");
+    c.add_flag("--verbose", a.verbose, "say how accurate the motion is, as is always done");
     c.add_option("--memory", a.memory,
                  "MB of history that each of the compared runs may keep (80)");
     c.add_option("--set", a.set, "NAME=VALUE of a parameter")->take_all()->allow_extra_args(false);
@@ -86,6 +87,13 @@ void addRender(CLI::App& app, batch::RenderArguments& a) {
     c.add_option("--output", a.output, "FRAME.png, FRAME.ppm or DIR/")->required();
 }
 
+void addAssemble(CLI::App& app, batch::AssembleArguments& a) {
+    CLI::App& c = *app.add_subcommand(
+        "assemble", "Move bodies so that their joints close, and write that into the scene's text");
+    c.add_option("SCENE", a.scene, "the scene's file, - for standard input")->required();
+    c.add_option("--output", a.output, "file for the new text, - for standard output");
+}
+
 // Named in the contract, part of a later version: whatever follows them is taken and not looked at.
 CLI::App* addLater(CLI::App& app, const std::string& name, const std::string& what) {
     CLI::App* c = app.add_subcommand(name, what + " (not in this version)");
@@ -105,12 +113,14 @@ int run(int argc, char** argv, script::Reader& reader) {
     batch::ExplainArguments explain;
     batch::StudyArguments study;
     batch::CheckArguments check;
+    batch::AssembleArguments assemble;
     batch::RenderArguments render;
     addSimulate(app, simulate);
     addStudy(app, study);
     app.add_subcommand("check", "Tell every fault of a scene")
         ->add_option("SCENE", check.scene, "the scene's file, - for standard input")
         ->required();
+    addAssemble(app, assemble);
     addRender(app, render);
     addExplain(app, explain);
     const CLI::App* later[] = {addLater(app, "export", "Write a scene for other programs")};
@@ -134,6 +144,8 @@ int run(int argc, char** argv, script::Reader& reader) {
         return batch::studyCommand(reader, study);
     if (app.got_subcommand("check"))
         return batch::checkCommand(reader, check);
+    if (app.got_subcommand("assemble"))
+        return batch::assembleCommand(reader, assemble);
     if (app.got_subcommand("render"))
         return batch::renderCommand(reader, render);
     if (medium)

@@ -1,4 +1,5 @@
-// The commands of `asgard` that open no window: simulate, explain, study, check, render
+// The commands of `asgard` that open no window: simulate, explain, study, check,
+// assemble, render
 // (docs/command-line.md).
 //
 // Each takes its arguments as they were written and returns the exit code: 0, 1 when the work
@@ -25,6 +26,7 @@ struct SimulateArguments {
     std::string method;
     std::optional<double> fixedStep;
     bool whole = false, noEvents = false;
+    bool verbose = false;         // the line about the accuracy is written without it, too
     std::optional<int> threads;   // none: as many as the machine has cores
     std::optional<double> memory; // MB that may be kept of a run
     std::vector<std::string> set;
@@ -47,6 +49,11 @@ struct StudyArguments {
     std::vector<std::string> set;
 };
 
+struct AssembleArguments {
+    std::string scene;
+    std::optional<std::string> output; // none: the scene's own file
+};
+
 struct CheckArguments {
     std::string scene;
 };
@@ -63,6 +70,7 @@ struct RenderArguments {
 [[nodiscard]] int studyCommand(script::Reader& reader, const StudyArguments& arguments);
 [[nodiscard]] int simulateCommand(script::Reader& reader, const SimulateArguments& arguments);
 [[nodiscard]] int explainCommand(script::Reader& reader, const ExplainArguments& arguments);
+[[nodiscard]] int assembleCommand(script::Reader& reader, const AssembleArguments& arguments);
 [[nodiscard]] int checkCommand(script::Reader& reader, const CheckArguments& arguments);
 [[nodiscard]] int renderCommand(script::Reader& reader, const RenderArguments& arguments);
 

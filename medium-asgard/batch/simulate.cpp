@@ -2,6 +2,7 @@
 #include "batch/command.h"
 #include "batch/input.h"
 #include "batch/output.h"
+#include "batch/soft_links.h"
 #include "batch/statistics.h"
 #include "batch/table.h"
 #include "batch/waiting.h"
@@ -104,13 +105,18 @@ void tellAccuracy(const SimulateArguments& arguments, const scene::Scene& scene,
         (reached == result.motion->start() && result.motion->finish() > reached))
         return; // nothing moves
     const scene::Simulator& simulator = scene.simulator;
+    const double accuracy = arguments.accuracy.value_or(simulator.accuracy);
     const std::string line =
         accuracyLine({.start = result.motion->start(),
                       .reached = reached,
-                      .accuracy = arguments.accuracy.value_or(simulator.accuracy),
+                      .accuracy = accuracy,
                       .method = arguments.method.empty() ? simulator.method : arguments.method,
                       .fixedStep = arguments.fixedStep.value_or(0)},
                      result.statistics);
+    const double size = result.statistics.movingSize.value_or(0);
+    if (const std::string soft = softLinkLine(scene, result.motion, accuracy * size);
+        size > 0 && !soft.empty())
+        terminal::complain("asgard: " + soft);
     if (!line.empty())
         terminal::complain("asgard: " + line);
 }

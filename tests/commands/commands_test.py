@@ -207,6 +207,27 @@ class Commands(unittest.TestCase):
         said = self.told(code=0)
         self.assertEqual(said, "asgard: accurate to rounding over 10 s, asked 1e-4\n")
 
+    def test_a_link_that_stretched_is_named_with_the_joint_that_would_not(self):
+        scene = self.file("soft.al", "simulator -finish 2\nshape_set rod -desc {-sub {-box {1 0.1 0.1}}}\nbody a rod -init_pos {0.5 0 0}\n"
+                          "link -body1 a -offset1 {-0.5 0 0} -x 0 -y 0 -z 0 -tightness 200\nforce -body a -gravitational {0 -9.81 0}\n")
+        said = self.run_asgard("simulate", scene, "--csv", os.devnull).stderr
+        self.assertRegex(said, r'^asgard: the link of body "a" \(line 4\) stretched by 0\.00[0-9]+ m; if it is meant as a hinge, '
+                               r"a joint does not stretch: joint NAME -type ball -body1 a -offset1 {-0\.5 0 0}\n")
+
+    def test_joints_are_closed_in_the_text(self):
+        scene = self.file("open.al", "shape_set rod -desc {-sub {-box {1 0.1 0.1}}}\nset high 0.2 ;# kept\n"
+                          "body a rod -init_pos [list 0.5 $high 0]\njoint pin -type hinge -body1 a -offset1 {-0.5 0 0} -offset2 {0 0 0}\n")
+        self.assertIn("miss each other by 0.2", self.run_asgard("simulate", scene, "--csv", os.devnull).stderr)
+        ran = self.run_asgard("assemble", scene)
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+        with open(scene, encoding="utf-8") as file:
+            text = file.read()
+        self.assertRegex(text, r"set high [0-9.e-]+ ;# kept\nbody a rod -init_pos \[list [0-9.]+ \$high 0\]")
+        self.assertTrue(os.path.exists(scene + "~"))
+        ran = self.run_asgard("simulate", scene, "--csv", os.devnull, "--verbose")
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+        self.assertIn("all joints are closed", self.run_asgard("assemble", scene).stderr)
+
     def test_a_motion_says_in_one_line_up_to_when_it_is_accurate(self):
         chaos = ("-29.43*sin(a.x) - 9.81*sin(a.x-2*b.x) - 2*sin(a.x-b.x)*(b.dx^2+a.dx^2*cos(a.x-b.x))",
                  "2*sin(a.x-b.x)*(2*a.dx^2+19.62*cos(a.x)+b.dx^2*cos(a.x-b.x))")

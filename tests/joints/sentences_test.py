@@ -23,6 +23,10 @@ CASES = (
     (HELD + "trajectory w -points {{1 0 1 0} {2 1 1 0}}\nconstrain h -pos w\n" + PIN + "-body2 h",
      "Stopped at t = 1: what begins here wants the bodies of pin elsewhere at once"),
     (PIN + "-position {0.1*t}\nbody b rod -init_pos {0 5 0}", ""),
+    ("body v rod -mass 10 -inertia {1 1 1} -ct 1 -init_pos {10 0 0}\nbody w rod -mass 10 -inertia {1 1 1} -ct 1 -init_pos {11 0 0}\n"
+     "body k rod -mass 2 -ct 1 -init_pos {10.8 0 0.1}\njoint h1 -type hinge -body1 v -motor 2\njoint h2 -type hinge -body1 w\n"
+     "joint c1 -type hinge -body1 k -offset1 {-0.5 0 0} -body2 v\njoint c2 -type hinge -body1 k -offset1 {0.5 0 0} -body2 w\n"
+     "force -body k -gravitational {0 -9.81 0}", "the joints stand in a singular position, as a flat linkage does"),
     ("joint u -type universal -body1 a -axis {1 0 0} -axis2 {1 0 0}",
      ':4:1: error: joint "u": -axis and -axis2 are parallel, and a universal joint wants two directions'),
     ("joint p -type planar -body1 a -axis {0 0 1} -axis2 {0 0 -2}",

@@ -187,7 +187,7 @@ std::array<double, bodyUnknowns> BodyMotion::unknownsOf(const BodyValues& v) con
 
 EquationsOfMotion::EquationsOfMotion(const scene::Scene& scene,
                                      const std::function<void()>& meanwhile,
-                                     scene::ShapeReader* shapes) {
+                                     scene::ShapeReader* shapes, Start start) {
     const auto pause = [&meanwhile](std::size_t done) {
         if (done % 64 == 63 && meanwhile)
             meanwhile();
@@ -249,7 +249,7 @@ EquationsOfMotion::EquationsOfMotion(const scene::Scene& scene,
         for (const HoldSegment& segment : segments)
             times.insert(segment.from);
     }
-    jointRows = multipliers.addUnknowns(set, owners, notes);
+    jointRows = multipliers.addUnknowns(set, owners, notes, start == Start::closes);
     ropeWraps = ropes.wraps(set);
     contactReaders = multipliers.contactReaders();
     times.erase(-std::numeric_limits<double>::infinity());

@@ -112,9 +112,11 @@ struct ContactReader {
 struct EquationsOfMotion {
     // Of many bodies it takes a while: `meanwhile` is called now and then, and may throw to end it.
     // `shapes`: of this scene, where they are wanted for more than masses; may be null.
+    // mayMiss: joints that their bodies miss at the start, too, for those who close them.
+    enum class Start { closes, mayMiss };
     explicit EquationsOfMotion(const scene::Scene& scene,
                                const std::function<void()>& meanwhile = {},
-                               scene::ShapeReader* shapes = nullptr);
+                               scene::ShapeReader* shapes = nullptr, Start start = Start::closes);
 
     expression::EquationSet set;
     std::vector<BodyMotion> bodies; // as Scene::bodies

@@ -286,7 +286,8 @@ void JointMultipliers::addUnknown(expression::EquationSet& set, const Kept& kept
 
 std::vector<JointRow> JointMultipliers::addUnknowns(expression::EquationSet& set,
                                                     std::vector<std::size_t>& owners,
-                                                    std::vector<std::string>& notes) {
+                                                    std::vector<std::string>& notes,
+                                                    bool checksStart) {
     for (const Angle& angle : angles_) {
         addUnknown(set, angle);
         owners.push_back(angle.owner);
@@ -310,7 +311,7 @@ std::vector<JointRow> JointMultipliers::addUnknowns(expression::EquationSet& set
         addUnknown(set, kept);
         owners.push_back(kept.element.moving.front());
     }
-    if (first < set.unknowns.size())
+    if (checksStart && first < set.unknowns.size())
         checkStart(set, first, notes);
     for (JointRow& row : rows_)
         row.multiplier += first;
@@ -382,7 +383,7 @@ void JointMultipliers::tell(const std::string& where, double gap, double rate,
     if (!(gap <= startResolution * size)) {
         std::snprintf(text, sizeof text,
                       "its bodies miss each other by %.4g at the start; place them so that the "
-                      "joint closes",
+                      "joint closes, or let \"asgard assemble SCENE\" place them",
                       gap);
         faults_.push_back(where + text);
     } else if (!(rate <= startResolution * speed)) {

@@ -70,7 +70,8 @@ public:
     // the conditions that joints put on velocities.
     [[nodiscard]] std::vector<JointRow> addUnknowns(expression::EquationSet& set,
                                                     std::vector<std::size_t>& owners,
-                                                    std::vector<std::string>& notes);
+                                                    std::vector<std::string>& notes,
+                                                    bool checksStart = true);
     // Of these unknowns, once they are there.
     [[nodiscard]] const std::vector<ContactReader>& contactReaders() const {
         return contactReaders_;

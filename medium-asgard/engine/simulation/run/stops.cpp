@@ -91,6 +91,16 @@ std::string adviceFor(solution::Stop::Reason reason, bool isBlamed) {
     }
 }
 
+// Joints that contradict each other where nothing is held and nothing driven: a flat linkage.
+bool areSingular(const scene::Scene& scene) {
+    const auto isDriven = [](const scene::Joint& joint) {
+        return std::ranges::any_of(joint.coordinates, [](const scene::JointCoordinate& c) {
+            return c.speed || c.position;
+        });
+    };
+    return scene.constraints.empty() && std::ranges::none_of(scene.joints, isDriven);
+}
+
 struct Why {
     std::string reason; // no time in it
     std::optional<Stop::Culprit> culprit = {};
@@ -101,6 +111,10 @@ Why whyOf(const Problem& problem, const physics::Suspects& suspects,
           const solution::Stop& stop) {
     using Reason = solution::Stop::Reason;
     std::string reason = stop.sentence;
+    if (stop.reason == Reason::contradiction && areSingular(problem.scene))
+        reason = reason.substr(0, reason.find(", which")) +
+                 ": the joints stand in a singular position, as a flat linkage does, from which "
+                 "they can move in two ways; let them start a little beside it";
     std::vector<physics::Blame> blames;
     if (stop.reason == Reason::notFinite || stop.reason == Reason::overflow ||
         stop.reason == Reason::stepUnderflow || stop.reason == Reason::notConverged) {

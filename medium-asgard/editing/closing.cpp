@@ -1,0 +1,83 @@
+#include "editing/closing.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+namespace editing {
+namespace {
+
+using geometry::Quaternion;
+using geometry::Vector;
+
+std::vector<double> listOf(const Vector& v) { return {v.x(), v.y(), v.z()}; }
+
+// As an author writes them: to 14 digits of the largest.
+std::vector<double> rounded(std::vector<double> values) {
+    double largest = 0;
+    for (const double value : values)
+        largest = std::max(largest, std::abs(value));
+    if (!(largest > 0))
+        return values;
+    const int decimals = std::max(0, 13 - static_cast<int>(std::floor(std::log10(largest))));
+    for (double& value : values) {
+        char text[400];
+        std::snprintf(text, sizeof text, "%.*f", decimals, value);
+        value = std::strtod(text, nullptr) + 0.0; // no -0
+    }
+    return values;
+}
+
+Wish positionOf(std::size_t body, const Vector& place) {
+    return {.element = {Kind::body, body},
+            .option = "-init_pos",
+            .path = {},
+            .values = rounded(listOf(place)),
+            .absent = {0, 0, 0},
+            .offers = false};
+}
+
+Wish rotationOf(const Mapper& mapper, std::size_t body, const Quaternion& attitude) {
+    Wish wish{.element = {Kind::body, body},
+              .option = "-init_rot",
+              .path = {},
+              .values = {},
+              .absent = {0, 0, 0},
+              .offers = false};
+    const Eigen::AngleAxisd turn(attitude);
+    wish.values = listOf(turn.angle() * turn.axis());
+    if (mapper.count(wish) == 4) {
+        wish.absent = {1, 0, 0, 0};
+        wish.values = {attitude.w(), attitude.x(), attitude.y(), attitude.z()};
+    }
+    wish.values = rounded(wish.values);
+    return wish;
+}
+
+} // namespace
+
+Closing closingEdits(const Mapper& mapper, const scene::Scene& scene,
+                     const std::vector<NewPlace>& places) {
+    Closing closing;
+    for (const NewPlace& place : places) {
+        std::vector<Wish> wishes{positionOf(place.body, place.pose.position)};
+        if (place.turns)
+            wishes.push_back(rotationOf(mapper, place.body, place.pose.attitude));
+        const Answer answer = mapper.answer(wishes);
+        if (!answer.possible())
+            return {{}, answer.reason, answer.cause};
+        for (const text::Edit& edit : answer.edits)
+            if (!text::join(closing.edits, edit))
+                return {{},
+                        "the place of body \"" + scene.bodies[place.body].name +
+                            "\" comes from numbers that place another body, too",
+                        scene.bodies[place.body].source.command};
+    }
+    text::putInOrder(closing.edits);
+    return closing;
+}
+
+} // namespace editing

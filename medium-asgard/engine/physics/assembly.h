@@ -1,0 +1,38 @@
+// Closes the joints of a scene by the smallest movement of its free bodies.
+//
+// With the gaps g of joints, gears and ropes that are too short, as functions of the places of
+// bodies, Newton's method with the least step,
+//
+//     dy = - W J' (J W J')^+ g,
+//
+// closes them; W counts a turn as an arc of the body's radius. From there the movement as a whole
+// is made smaller along the directions that open no joint, as long as that shortens it. Bodies that
+// are fixed, or that a trajectory holds at the start, stay. A joint whose -offset2 is not given
+// stays as the text has it.
+//
+// Contract: docs/scene-language.md, "Joints".
+#pragma once
+
+#include "geometry/pose.h"
+#include "scene/scene.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace physics {
+
+struct Assembly {
+    struct Moved {
+        std::size_t body = 0; // of the scene
+        geometry::Pose pose;  // of its reference point
+        double by = 0;        // the larger of the way of its centre and the arc of its turn
+        bool turns = false;
+    };
+    std::vector<Moved> moved; // those that move at all
+    std::string reason;       // why the joints do not close; "": they do
+};
+
+[[nodiscard]] Assembly assembled(const scene::Scene& scene);
+
+} // namespace physics
