@@ -183,6 +183,14 @@ case("lift", "# zero: man.x\nsimulator -finish 6\nshape_set cabin -desc {-sub {-
      "joint shaft -type slider -body1 cabin -axis {0 1 0} -speed {t < 2 ? t : t < 4 ? 2 : 6 - t}\n"
      "body man man -mass 80 -restitution 0 -init_pos {0 0.9 0}\ncontact feet -body1 man -body2 cabin\n" + gravity("man", "cabin"),
      [(t, 1000, 80 * (G + a), "feet.fy") for t, a in ((1, 1), (3, 0), (5, -1))] + [(6, 10, 8.9, "man.y"), (6, 10, 0, "cabin.dy")])
+# A pawl narrower than the wheel falls on it and stays, while the wheel turns on:  I w' = 5 - w  with I = m r^2 / 2.
+case("pawl", "# zero: wheel.x\nsimulator -finish 1\nshape_set wheel -desc {-sub {-rot {1.5707963267948966 0 0} -cylinder {0.4 0.1}}}\n"
+     "shape_set pawl -desc {-sub {-box {0.6 0.05 0.08}}}\nbody wheel wheel -mass 5 -restitution 0\n"
+     "joint axle -type hinge -body1 wheel -offset1 {0 0 0} -motor 5 -damping 1\n"
+     "body pawl pawl -mass 0.2 -restitution 0 -init_pos {0.3 0.65 0} -init_rot {0 0 -0.3}\n"
+     "joint pin -type hinge -body1 pawl -offset1 {0.3 0 0}\n" + gravity("pawl"),
+     [(t, 5, 5 * (1 - math.exp(-t / 0.4)), "axle.dq") for t in (0.1, 0.5, 1)] + [(t, 1, 0, "pin.dq") for t in (0.5, 1)] +
+     [(1, 1, 0.4, "hypot(pawl.px(-0.3,-0.025,0), pawl.py(-0.3,-0.025,0))")])
 # Three dominoes: the first falls, and all lie still at last.
 case("dominoes", "# zero: d0.z\nsimulator -finish 4\n" + ground(0.5) + "shape_set slab -desc {-sub {-box {0.2 2 1}}}\n" +
      "".join(f"body d{i} slab -init_pos {{{1.2 * i} 1 0}} -friction 0.3 -restitution 0{' -init_drot {0 0 -1.6}' if i == 0 else ''}\n" for i in range(3)) +

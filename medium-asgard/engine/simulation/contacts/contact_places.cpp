@@ -364,6 +364,12 @@ void putInPlane(physics::ContactPlace& place, const std::vector<Vector>& corners
             continue;
         points.push_back(std::move(place.points[i]));
         Flattening(plane, body, support).flatten(points.back().gap);
+        // An edge's end stands for the edge: how far it reaches across the plane does not change.
+        std::erase_if(points.back().sides, [&](const ContactPoint::Side& side) {
+            const Placed& owner = side.body == body.index ? body : support;
+            const Vector inward = owner.state.attitude * side.inward;
+            return side.radial == 0 && std::abs(inward[plane.axis]) >= 1 - same;
+        });
     }
     place.points = std::move(points);
     place.normal[plane.axis] = 0;
