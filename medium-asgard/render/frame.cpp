@@ -69,9 +69,7 @@ std::vector<Light> lightsOf(const scene::Scene& scene, const Vector& toSun, cons
         lights.push_back(light);
     }
     if (lights.empty()) {
-        lights.push_back({frame.directionInView(toSun), false, {0.70F, 0.68F, 0.64F}});
-        // Faces that the sun does not reach differ in brightness, too.
-        lights.push_back({Vector(0.45, 0.25, 0.86).normalized(), false, {0.15F, 0.16F, 0.18F}});
+        lights.push_back({frame.directionInView(toSun), false, {0.70F, 0.68F, 0.64F}, true});
     }
     return lights;
 }

@@ -49,10 +49,11 @@ struct Light {
     Vector place = Vector::UnitZ(); // view: unit direction towards it, or where it stands
     bool isPoint = false;
     Eigen::Vector3f color = Eigen::Vector3f::Ones(); // linear
+    bool isSun = false; // the default one: a little light from beside the eye belongs to it
 };
 
 // The scene's lights in view coordinates, at most `mostLights`. One without any has the sun, in the
-// direction given (world), and a little light from beside the eye.
+// direction given (world).
 [[nodiscard]] std::vector<Light> lightsOf(const scene::Scene& scene, const Vector& toSun,
                                           const Frame& frame);
 
@@ -64,6 +65,7 @@ struct LightSight {
     Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity(); // to its clip space
     double texel = 0;    // view length of a texel of its map, where it is largest
     double softness = 0; // of a shadow's rim, as a part of the map's width
+    int samples = 1;     // of the map for each pixel, at most 8
     [[nodiscard]] std::array<float, 16> columns() const;
     // Where in the map a point of the view is: x, y and depth from -1 to 1.
     [[nodiscard]] Vector toMap(const Vector& view) const {

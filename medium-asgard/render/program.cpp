@@ -27,6 +27,7 @@ void Program::giveShadow(const LightSight& sight) const {
     gl_.UniformMatrix4fv(place("toMap"), 1, GL_FALSE, matrix.data());
     gl_.Uniform1f(place("texel"), static_cast<float>(sight.texel));
     gl_.Uniform1f(place("softness"), static_cast<float>(sight.softness));
+    gl_.Uniform1i(place("samples"), sight.samples);
     gl_.Uniform1i(place("shadowMap"), 0);
 }
 

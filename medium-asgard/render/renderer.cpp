@@ -171,7 +171,8 @@ std::optional<LightSight> Renderer::Implementation::mapShadows(const Drawing& dr
     auto sight = sightOf(light, throwing, visibleRoom(frame, nearest, furthest), texels);
     if (!sight || !shadows->begin(texels))
         return std::nullopt;
-    sight->softness = quick ? 0 : std::max(1.6 / texels, 0.004);
+    sight->softness = std::max(1.6 / texels, 0.004);
+    sight->samples = quick ? 1 : isSoftware ? 4 : 8;
     solids->drawDepths(throwing, frame, sight->columns(), 1); // a shadow needs no fine outline
     shadows->end();
     return sight;

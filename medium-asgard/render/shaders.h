@@ -17,19 +17,21 @@ inline constexpr const char* shadowFunctions = R"(#version 330 core
 uniform sampler2DShadow shadowMap;
 uniform mat4 toMap;                     // view to the light's clip space
 uniform float texel;                    // of the map, view length
-uniform float softness;                 // of the map: radius of the disc; 0: one sample
-const vec2 disc[6] = vec2[6](vec2(0.28, 0.19), vec2(-0.42, 0.55), vec2(-0.62, -0.38),
-                             vec2(0.12, -0.78), vec2(0.86, -0.30), vec2(0.48, 0.82));
+uniform float softness;                 // of the map: radius of the disc
+uniform int samples;                    // in the disc, or one in its middle
+const vec2 disc[8] = vec2[8](vec2(-0.72, 0.42), vec2(0.60, -0.55), vec2(0.45, 0.72),
+                             vec2(-0.48, -0.68), vec2(0.10, 0.14), vec2(0.95, 0.15),
+                             vec2(-0.98, -0.12), vec2(0.02, -0.98));
 float litAt(vec3 place) {
     vec4 q = toMap * vec4(place, 1);
     vec3 m = 0.5 * q.xyz / q.w + 0.5;
     m.z = min(m.z, 1.0);
-    if (softness == 0.0)
+    if (samples == 1)
         return texture(shadowMap, m);
     float sum = 0.0;
-    for (int i = 0; i < 6; ++i)
+    for (int i = 0; i < samples; ++i)
         sum += texture(shadowMap, vec3(m.xy + softness * disc[i], m.z));
-    return sum / 6.0;
+    return sum / float(samples);
 }
 )";
 
@@ -68,6 +70,7 @@ uniform vec3 up;
 uniform float eye;                      // distance of the eye from view z = 0
 uniform int lights;
 uniform int shadowed;                   // the light of the map; -1: none
+uniform vec3 beside;                    // light from beside the eye, without gloss
 uniform vec4 lightPlace[8];             // w 0: unit direction towards it; 1: where it stands
 uniform vec3 lightColor[8];
 out vec4 pixel;
@@ -85,6 +88,7 @@ void main() {
     // A little light from everywhere, more from above: no face is black, and no two faces alike.
     float sky = 0.5 + 0.5 * dot(n, up);
     vec3 diffuse = mix(vec3(0.17, 0.165, 0.16), vec3(0.40, 0.42, 0.45), sky);
+    diffuse += beside * max(dot(n, vec3(0.449, 0.249, 0.858)), 0.0);
     vec3 gloss = vec3(0);
     float power = mix(6.0, 160.0, surface.x * surface.x);
     for (int i = 0; i < lights; ++i) {

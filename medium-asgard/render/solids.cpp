@@ -155,6 +155,9 @@ void Solids::begin(const Frame& frame, const std::vector<Light>& lights, const V
     gl_.Uniform1i(program_.place("lights"), static_cast<GLint>(lights.size()));
     gl_.Uniform4fv(program_.place("lightPlace"), mostLights, places);
     gl_.Uniform3fv(program_.place("lightColor"), mostLights, colors);
+    // Faces that the sun does not reach differ in brightness, too.
+    const float beside = std::ranges::any_of(lights, &Light::isSun) ? 0.16F : 0.0F;
+    gl_.Uniform3f(program_.place("beside"), beside, beside, 1.1F * beside);
     gl_.Uniform1i(program_.place("shadowed"), sight ? shadowedOf(lights) : -1);
     if (sight)
         program_.giveShadow(*sight);

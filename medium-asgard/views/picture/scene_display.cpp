@@ -115,7 +115,7 @@ void SceneDisplay::ask() {
     wish.display.samples = moving_ ? 1 : 4;
     const QColor paper = palette().color(QPalette::Base);
     wish.display.background = {paper.redF(), paper.greenF(), paper.blueF()};
-    wish.display.rotationCenter = control_.active() && moving_;
+    wish.display.rotationCenter = turning_;
     wish.display.shadows = display_.shadows && !(moving_ && isHeavy_);
     wish.size = pixelSize();
     wish.pixelRatio = devicePixelRatioF();
@@ -432,8 +432,10 @@ void SceneDisplay::mouseMoveEvent(QMouseEvent* event) {
         (event->position() - pressed_).manhattanLength() < still)
         return;
     if (!editing_.move(*event) && control_.active() &&
-        control_.move(inPixels(event->position()), pixelSize()))
+        control_.move(inPixels(event->position()), pixelSize())) {
+        turning_ = true;
         movedByUser();
+    }
 }
 
 void SceneDisplay::mouseReleaseEvent(QMouseEvent* event) {
@@ -449,7 +451,7 @@ void SceneDisplay::mouseReleaseEvent(QMouseEvent* event) {
         return;
     }
     control_.release();
-    if (moving_) // without the mark of the centre of rotation
+    if (std::exchange(turning_, false))
         redraw(true);
     pointing_.moveTo(event->position(), event->modifiers());
 }

@@ -149,6 +149,7 @@ private:
     unsigned wished_ = 0, waitedFor_ = 0;
     bool isOld_ = true; // what is shown is not what was wished for last
     bool moving_ = false;
+    bool turning_ = false; // a drag has moved the view: it shows its centre of rotation
     bool isHeavy_ = false; // with shadows it would not move smoothly
     QTimer settle_;        // then the fine picture is drawn
 };
