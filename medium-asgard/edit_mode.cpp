@@ -81,7 +81,8 @@ public:
             for (views::LanguageViewer* viewer : editor_.languageViewers())
                 viewer->updateDocument();
         else if (entry == "open-graphical-viewer")
-            raise(editor_.openGraphicalViewer());
+            raise(editor_.graphicalViewers().isEmpty() ? editor_.openMainWindow()
+                                                       : editor_.openGraphicalViewer());
         else
             raise(editor_.openLanguageViewer());
         return std::nullopt;
@@ -176,8 +177,8 @@ private:
             proposed_ && !document().isPreview() && document().text() != proposedText_;
         const bool drafts = waits || std::any_of(texts.begin(), texts.end(),
                                                  [](const auto* one) { return one->hasDraft(); });
-        const ipc::WindowsChanged now{
-            static_cast<ipc::Integer>(texts.size() + editor_.graphicalViewers().size()), drafts};
+        const ipc::WindowsChanged now{static_cast<ipc::Integer>(editor_.viewerWindows().size()),
+                                      drafts};
         if (now == told_)
             return;
         told_ = now;
@@ -269,6 +270,8 @@ void serveWithWindows(Connection& connection, Windows*& windows) {
     char* argv[] = {name, nullptr};
     plain::printQtMessages("asgard", plain::QtMessages::all);
     QApplication application(argc, argv);
+    QApplication::setOrganizationName(QStringLiteral("asgard")); // whose settings have the panes
+    QApplication::setApplicationName(QStringLiteral("asgard"));
     QApplication::setApplicationDisplayName(QStringLiteral("Asgard"));
     QApplication::setQuitOnLastWindowClosed(false); // the renditions in the document go on
     EditMode mode(connection);

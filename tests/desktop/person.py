@@ -240,13 +240,22 @@ class Author(Person):
         with open(self.file, "wb") as file:
             file.write(text)
         super().__init__(test, folder, asgard, [self.file])
-        for name in ("languageViewer1", "graphicalViewer1", "controlPanel"):
-            self.window(name)
+        self.widget("graphicalViewer1", "text")
+
+    def giveKeysTo(self, name):
+        """The text or the picture has the keyboard then."""
+        def given():
+            if any(one.focus and one.name == name for one in self.window("graphicalViewer1").widgets):
+                return True
+            self.press("graphicalViewer1", "F6")
+            return False
+
+        until(f"{name} has the keyboard", given)
 
     def saved(self):
         def written():
-            if self.isModified("languageViewer1"):
-                self.press("languageViewer1", "ctrl+s")
+            if self.isModified("graphicalViewer1"):
+                self.press("graphicalViewer1", "ctrl+s")
                 return False
             return True
 
@@ -261,11 +270,13 @@ class Author(Person):
     def append(self, pattern, text):
         """Writes at the end of the line that has it, and updates the scene."""
         line = self.saved()[:self.says(pattern).start()].count("\n") + 1
-        self.press("languageViewer1", "ctrl+g")
+        self.giveKeysTo("text")
+        self.press("graphicalViewer1", "ctrl+g")
         self.answer("Go to Line", str(line))
-        self.press("languageViewer1", "End")
+        self.press("graphicalViewer1", "End")
         self.type(text)
-        self.press("languageViewer1", "ctrl+Return")
+        self.press("graphicalViewer1", "ctrl+Return")
+        self.giveKeysTo("scene")
 
     def exactly(self, element, *values):
         """Types the exact values of what is marked, which is of that element."""

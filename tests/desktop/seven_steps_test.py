@@ -137,12 +137,14 @@ class SevenSteps(unittest.TestCase):
         author.look("thrown")
 
     def giveTime(self, author):
-        author.press("languageViewer1", "ctrl+Home")
+        author.giveKeysTo("text")
+        author.press(VIEWER, "ctrl+Home")
         author.type("simulator -finish 5")
         author.screen.do("key", "Return")
-        author.press("languageViewer1", "ctrl+Return")
+        author.press(VIEWER, "ctrl+Return")
         author.says(r"\Asimulator -finish 5\n")
-        author.clickOn("controlPanel", "simulate")
+        author.giveKeysTo("scene")
+        author.press(VIEWER, "F5")
         author.look("simulated")
 
     def play(self, author):

@@ -17,7 +17,8 @@ FOLDERS = (os.path.join("host", "menus"), os.path.join("host", "window"), os.pat
            os.path.join("host", "source"), os.path.join("host", "navigation"), os.path.join("host", "controls"), os.path.join("medium-asgard", "views"))
 # The manuals are markup of our own, from the programs' resources.
 MARKUP = {os.path.join("host", "window", "manual.cpp"), os.path.join("medium-asgard", "views", "frame", "manual_window.cpp"),
-          os.path.join("medium-asgard", "views", "frame", "manual.cpp")}
+          os.path.join("medium-asgard", "views", "frame", "manual.cpp"),
+          os.path.join("medium-asgard", "views", "frame", "help_page.cpp")}
 
 NEVER = re.compile(r"""\bnew\ QLabel\b | \bQLabel\( | \bQLabel\ \w+[;({]
     | \bnew\ QMessageBox\b | \bQMessageBox\ \w+[;({] | \bQMessageBox::(about|critical|information|question|warning)\(

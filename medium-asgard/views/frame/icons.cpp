@@ -47,14 +47,168 @@ QPainterPath filled(Icon which) {
         triangle(path, 8.5, 12.5, 3);
         path.translate(0, -4);
         break;
-    case Icon::frameAll:
+    case Icon::undo:
+    case Icon::redo: // the head of the arrow
+        path.moveTo(2.2, 6.2);
+        path.lineTo(7, 2.6);
+        path.lineTo(7, 9.8);
+        path.closeSubpath();
+        break;
+    default:
         break;
     }
     return path;
 }
 
+// What a command makes, or acts on.
+QPainterPath accented(Icon which) {
+    QPainterPath path;
+    switch (which) {
+    case Icon::body:
+        path.addEllipse(QPointF(8, 8), 5.2, 5.2);
+        break;
+    case Icon::force:
+        path.moveTo(8, 14.6);
+        path.lineTo(4.2, 9);
+        path.lineTo(11.8, 9);
+        path.closeSubpath();
+        break;
+    case Icon::joint:
+        path.addEllipse(QPointF(8, 8), 2.6, 2.6);
+        break;
+    case Icon::link:
+        path.addEllipse(QPointF(3, 13), 1.8, 1.8);
+        path.addEllipse(QPointF(13, 3), 1.8, 1.8);
+        break;
+    case Icon::rope:
+        path.addEllipse(QPointF(8, 5.6), 3.6, 3.6);
+        break;
+    case Icon::save:
+        path.addRect(5, 9, 6, 5);
+        break;
+    case Icon::newScene:
+        path.addEllipse(QPointF(7.6, 9), 2.2, 2.2);
+        break;
+    default:
+        break;
+    }
+    return path;
+}
+
+void sheet(QPainterPath& path) {
+    path.moveTo(9.5, 2);
+    path.lineTo(3.5, 2);
+    path.lineTo(3.5, 14);
+    path.lineTo(12.5, 14);
+    path.lineTo(12.5, 5);
+    path.lineTo(9.5, 2);
+    path.lineTo(9.5, 5);
+    path.lineTo(12.5, 5);
+}
+
+void folder(QPainterPath& path) {
+    path.moveTo(2, 13);
+    path.lineTo(2, 3.5);
+    path.lineTo(6, 3.5);
+    path.lineTo(7.5, 5.5);
+    path.lineTo(12.5, 5.5);
+    path.lineTo(12.5, 7.5);
+    path.moveTo(2, 13);
+    path.lineTo(4.4, 7.5);
+    path.lineTo(14.8, 7.5);
+    path.lineTo(12.4, 13);
+    path.lineTo(2, 13);
+}
+
+void disk(QPainterPath& path) {
+    path.moveTo(2.5, 2.5);
+    path.lineTo(11.5, 2.5);
+    path.lineTo(13.5, 4.5);
+    path.lineTo(13.5, 13.5);
+    path.lineTo(2.5, 13.5);
+    path.closeSubpath();
+    path.moveTo(5.5, 2.5);
+    path.lineTo(5.5, 5.5);
+    path.lineTo(10, 5.5);
+    path.lineTo(10, 2.5);
+}
+
+void spring(QPainterPath& path) {
+    path.moveTo(4.4, 11.6);
+    for (const QPointF point :
+         {QPointF(5.2, 10.8), QPointF(5, 7.8), QPointF(8.2, 11), QPointF(7.8, 5), QPointF(11, 8.2),
+          QPointF(10.8, 5.2), QPointF(11.6, 4.4)})
+        path.lineTo(point);
+}
+
+void lines(QPainterPath& path) {
+    constexpr double ends[] = {13.5, 9.5, 12, 7.5};
+    for (int i = 0; i < 4; ++i) {
+        path.moveTo(2.5, 3.5 + 3 * i);
+        path.lineTo(ends[i], 3.5 + 3 * i);
+    }
+}
+
 QPainterPath stroked(Icon which) {
     QPainterPath path;
+    switch (which) {
+    case Icon::newScene:
+        sheet(path);
+        return path;
+    case Icon::open:
+        folder(path);
+        return path;
+    case Icon::save:
+        disk(path);
+        return path;
+    case Icon::undo:
+    case Icon::redo:
+        path.moveTo(6, 6.2);
+        path.cubicTo(11, 6.2, 13.4, 8.4, 13.4, 13.4);
+        return path;
+    case Icon::force:
+        path.moveTo(8, 1.5);
+        path.lineTo(8, 9.2);
+        return path;
+    case Icon::joint: // two arms about a pin
+        path.moveTo(8, 8);
+        path.lineTo(2, 13.5);
+        path.moveTo(8, 8);
+        path.lineTo(14, 13.5);
+        path.moveTo(3, 2.5);
+        path.lineTo(13, 2.5);
+        path.moveTo(8, 2.5);
+        path.lineTo(8, 5);
+        return path;
+    case Icon::link:
+        spring(path);
+        return path;
+    case Icon::rope:
+        path.moveTo(4.4, 14.5);
+        path.lineTo(4.4, 5.6);
+        path.arcTo(4.4, 2, 7.2, 7.2, 180, -180);
+        path.lineTo(11.6, 11);
+        return path;
+    case Icon::text:
+        lines(path);
+        return path;
+    case Icon::plots:
+        path.moveTo(2.5, 2);
+        path.lineTo(2.5, 13.5);
+        path.lineTo(14, 13.5);
+        path.moveTo(4, 10.5);
+        path.cubicTo(7, 0, 9, 15, 13.5, 4);
+        return path;
+    case Icon::help:
+        path.moveTo(5, 5.4);
+        path.cubicTo(5, 1, 11.4, 1, 11.2, 5.2);
+        path.cubicTo(11, 7.6, 8, 7.4, 8, 10.4);
+        path.moveTo(8, 12.4);
+        path.lineTo(8, 14);
+        return path;
+    default:
+        break;
+    }
     if (which == Icon::loop) {
         path.arcMoveTo(3, 4, 10, 9, 105);
         path.arcTo(3, 4, 10, 9, 105, 290);
@@ -84,13 +238,17 @@ public:
         painter->setRenderHint(QPainter::Antialiasing);
         painter->translate(rect.topLeft());
         painter->scale(rect.width() / 16.0, rect.height() / 16.0);
-        if (which_ == Icon::first || which_ == Icon::stepBack) {
+        if (which_ == Icon::first || which_ == Icon::stepBack || which_ == Icon::redo) {
             painter->translate(16, 0);
             painter->scale(-1, 1);
         }
+        QColor accent(0xE0, 0x6A, 0x3A); // seen on light and on dark
+        if (mode == QIcon::Disabled)
+            accent = color;
+        const QPen pen(color, 1.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
+        painter->strokePath(stroked(which_), pen);
+        painter->fillPath(accented(which_), accent);
         painter->fillPath(filled(which_), color);
-        painter->strokePath(stroked(which_),
-                            QPen(color, 1.5, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
         painter->restore();
     }
     QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {

@@ -1,4 +1,5 @@
-// The viewers' icons, drawn in the palette's own colours, sharp at any scale.
+// The icons of windows, drawn by one pen: lines in the palette's own colour, and one other colour
+// for the thing that a command makes. Sharp at any scale.
 #pragma once
 
 #include <QIcon>
@@ -6,7 +7,30 @@
 
 namespace views {
 
-enum class Icon { first, stepBack, play, pause, stop, stepForward, last, loop, frameAll };
+enum class Icon {
+    first,
+    stepBack,
+    play,
+    pause,
+    stop,
+    stepForward,
+    last,
+    loop,
+    frameAll,
+    newScene,
+    open,
+    save,
+    undo,
+    redo,
+    body,
+    force,
+    joint,
+    link,
+    rope,
+    text,
+    plots,
+    help
+};
 
 [[nodiscard]] QIcon icon(Icon which, const QPalette& palette);
 

@@ -108,7 +108,7 @@ ManualWindow::ManualWindow(const QString& markdown)
 
 void ManualWindow::buildMenus() {
     QMenu* file = menuBar()->addMenu(tr("&File"));
-    file->addAction(tr("&Close"), QKeySequence::Close, this, &QWidget::close);
+    file->addAction(tr("&Close"), QKeySequence(Qt::CTRL | Qt::Key_W), this, &QWidget::close);
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
     edit->addAction(tr("&Find"), QKeySequence::Find, this, [this] {
         search_->setFocus();

@@ -1,5 +1,7 @@
 #include "frame/session_actions.h"
 
+#include "plain/plain.h"
+
 #include <QAction>
 #include <QMainWindow>
 #include <QMenu>
@@ -19,27 +21,73 @@ QMenu* fileMenuOf(QMainWindow& window) {
     return file;
 }
 
-bool hasKey(const QMenu& menu, const QKeySequence& key) {
-    for (const QAction* action : menu.actions())
+QAction* withKey(const QMenu& menu, const QKeySequence& key) {
+    for (QAction* action : menu.actions())
         if (action->shortcuts().contains(key))
-            return true;
-    return false;
+            return action;
+    return nullptr;
+}
+
+// Entries of a menu before the ones that it has.
+class Inserted {
+public:
+    Inserted(QMainWindow& window, QMenu& menu, QAction* before)
+        : window_(window), menu_(menu), before_(before) {}
+
+    QAction* add(const QString& label, const QKeySequence& key, const std::function<void()>& does) {
+        auto* action = new QAction(plain::ours(label), &window_);
+        action->setShortcut(key);
+        QObject::connect(action, &QAction::triggered, &window_, does);
+        menu_.insertAction(before_, action);
+        return action;
+    }
+    void add(QAction* action) { menu_.insertAction(before_, action); }
+    void add(QMenu* menu) { menu_.insertMenu(before_, menu); }
+    void separate() { menu_.insertSeparator(before_); }
+
+private:
+    QMainWindow& window_;
+    QMenu& menu_;
+    QAction* before_;
+};
+
+void addFileActions(QMainWindow& window, QMenu& file, const Session& session) {
+    QAction* ownSave = withKey(file, QKeySequence::Save); // which saves what the window holds, too
+    if (ownSave)
+        file.removeAction(ownSave);
+    Inserted first(window, file, file.actions().value(0));
+    first.add(QObject::tr("&New Scene"), QKeySequence::New, session.newScene)
+        ->setObjectName("newScene");
+    first.add(QObject::tr("&Open…"), QKeySequence::Open, session.open)->setObjectName("open");
+    auto* recent = new QMenu(QObject::tr("Open &Recent"), &file);
+    session.fillRecent(recent);
+    first.add(recent);
+    if (session.firstPage)
+        first.add(QObject::tr("S&amples…"), {}, session.firstPage);
+    first.separate();
+    if (ownSave)
+        first.add(ownSave);
+    else
+        first.add(QObject::tr("&Save"), QKeySequence::Save, session.save)->setObjectName("save");
+    first.add(QObject::tr("Save &As…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S),
+              session.saveAs);
+    first.add(QObject::tr("&Export…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E),
+              session.exports);
+    first.separate();
 }
 
 } // namespace
 
 void addSessionActions(QMainWindow& window, const Session& session) {
     QMenu* file = fileMenuOf(window);
-    const QKeySequence close(QKeySequence::Close), quit(Qt::CTRL | Qt::Key_Q);
-    if (!hasKey(*file, close) && !hasKey(*file, quit)) // the control panel's end is all's
-        file->addAction(QObject::tr("&Close"), close, &window, &QWidget::close);
-    if (!session.quit || hasKey(*file, quit))
-        return;
-    auto* scene = new QAction(QObject::tr("Ne&w Scene"), &window);
-    scene->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N));
-    QObject::connect(scene, &QAction::triggered, &window, session.newScene);
-    file->insertAction(file->actions().value(0), scene);
-    file->addAction(QObject::tr("&Quit"), quit, &window, session.quit);
+    if (session.quit)
+        addFileActions(window, *file, session);
+    if (!withKey(*file, QKeySequence(Qt::CTRL | Qt::Key_W)))
+        file->addAction(QObject::tr("&Close"), QKeySequence(Qt::CTRL | Qt::Key_W), &window,
+                        &QWidget::close);
+    if (session.quit)
+        file->addAction(QObject::tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), &window,
+                        session.quit);
 }
 
 void closeByEscape(QMainWindow& window) {

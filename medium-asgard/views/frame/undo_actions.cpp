@@ -8,11 +8,19 @@
 
 namespace views {
 
-void addUndoActions(QMenu* menu, SceneDocument& document) {
-    QAction* undo = menu->addAction(SceneDocument::tr("&Undo"), QKeySequence::Undo, &document,
-                                    &SceneDocument::undo);
-    QAction* redo = menu->addAction(SceneDocument::tr("&Redo"), QKeySequence::Redo, &document,
-                                    &SceneDocument::redo);
+UndoActions addUndoActions(QMenu* menu, SceneDocument& document,
+                           std::function<bool(bool redo)> typing) {
+    const auto add = [&](const QString& label, QKeySequence::StandardKey key, bool redo) {
+        return menu->addAction(plain::ours(label), key, &document, [&document, typing, redo] {
+            if (typing && typing(redo))
+                return;
+            redo ? document.redo() : document.undo();
+        });
+    };
+    QAction* undo = add(SceneDocument::tr("&Undo"), QKeySequence::Undo, false);
+    QAction* redo = add(SceneDocument::tr("&Redo"), QKeySequence::Redo, true);
+    undo->setObjectName("undo");
+    redo->setObjectName("redo");
     const auto show = [undo, redo, &document] {
         const auto named = [](const QString& what, const QString& label) {
             return label.isEmpty() ? what : what + QLatin1Char(' ') + plain::caption(label);
@@ -24,6 +32,7 @@ void addUndoActions(QMenu* menu, SceneDocument& document) {
     };
     QObject::connect(&document, &SceneDocument::nameChanged, menu, show);
     show();
+    return {undo, redo};
 }
 
 } // namespace views

@@ -7,7 +7,6 @@
 #include "language/elision.h"
 #include "language/fault_marks.h"
 #include "language/find_bar.h"
-#include "language/language_keys.h"
 #include "language/notice_bar.h"
 #include "language/number_drag.h"
 #include "language/scene_lexer.h"
@@ -28,9 +27,24 @@
 
 namespace views {
 
-LanguageViewer::LanguageViewer(SceneDocument& document, Windows windows, int number)
-    : document_(document), windows_(std::move(windows)), number_(number), editor_(new SceneEditor),
-      messages_(new QListWidget), faults_(std::make_unique<FaultMarks>(*editor_, *messages_)),
+namespace {
+
+// A key of the window that holds the text; a letter or an arrow is typed.
+bool isCommandOf(const QWidget& window, const QKeyEvent& event) {
+    const bool isTyped = !(event.modifiers() & (Qt::ControlModifier | Qt::AltModifier)) &&
+                         (event.key() < Qt::Key_F1 || event.key() > Qt::Key_F35);
+    const QKeySequence pressed(event.keyCombination());
+    return !isTyped && std::ranges::any_of(window.findChildren<QAction*>(), [&](QAction* action) {
+        return action->shortcuts().contains(pressed);
+    });
+}
+
+} // namespace
+
+LanguageViewer::LanguageViewer(SceneDocument& document, Windows windows, int number, Place place)
+    : document_(document), windows_(std::move(windows)), number_(number), place_(place),
+      editor_(new SceneEditor), messages_(new QListWidget),
+      faults_(std::make_unique<FaultMarks>(*editor_, *messages_)),
       elision_(std::make_unique<Elision>(*editor_)),
       draft_(std::make_unique<Draft>(*editor_, document_)),
       elements_(std::make_unique<ElementMarks>(*editor_, document_, *draft_)),
@@ -38,7 +52,7 @@ LanguageViewer::LanguageViewer(SceneDocument& document, Windows windows, int num
       completer_(std::make_unique<Completer>(*editor_, document_)),
       notice_(new NoticeBar(*editor_, *draft_)), told_(new ToldBar),
       findBar_(new FindBar(*editor_)) {
-    setAttribute(Qt::WA_DeleteOnClose);
+    setAttribute(Qt::WA_DeleteOnClose, !isPane());
     setObjectName(QStringLiteral("languageViewer%1").arg(number_));
     editor_->setObjectName("text");
     messages_->setObjectName("messages");
@@ -47,8 +61,9 @@ LanguageViewer::LanguageViewer(SceneDocument& document, Windows windows, int num
     editor_->installEventFilter(this);
     auto* whole = new QWidget;
     auto* column = new QVBoxLayout(whole);
-    column->setContentsMargins(8, 8, 8, 8);
-    column->setSpacing(8);
+    const int margin = isPane() ? 4 : 8;
+    column->setContentsMargins(margin, margin, margin, margin);
+    column->setSpacing(margin);
     auto* splitter = new QSplitter(Qt::Vertical);
     splitter->addWidget(editor_);
     splitter->addWidget(messages_);
@@ -67,7 +82,10 @@ LanguageViewer::LanguageViewer(SceneDocument& document, Windows windows, int num
     showDiagnostics();
     followed();
     updateTitle();
-    editor_->setFocus();
+    if (isPane())
+        menuBar()->hide();
+    else
+        editor_->setFocus();
     resize(680, 640);
 }
 
@@ -140,6 +158,9 @@ QWidget* LanguageViewer::buildButtons() {
     row->addSpacing(8);
     row->addWidget(state_, 1);
     row->addWidget(dismiss);
+    dismiss->setVisible(!isPane());
+    if (isPane()) // which may be narrow
+        state_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     connect(updateButton_, &QPushButton::clicked, this, &LanguageViewer::updateDocument);
     connect(saveButton_, &QPushButton::clicked, this, &LanguageViewer::save);
     connect(revertButton_, &QPushButton::clicked, this, &LanguageViewer::revert);
@@ -148,12 +169,14 @@ QWidget* LanguageViewer::buildButtons() {
 }
 
 void LanguageViewer::buildMenus() {
-    QMenu* file = menuBar()->addMenu(tr("&File"));
-    file->addAction(tr("New &Graphical Viewer"), QKeySequence(Qt::CTRL | Qt::Key_N), this,
-                    [this] { windows_.openGraphicalViewer(); });
-    file->addAction(tr("New &Language Viewer"), QKeySequence(Qt::CTRL | Qt::Key_L), this,
-                    [this] { windows_.openLanguageViewer(); });
-    file->addSeparator();
+    QMenu* file = menuBar()->addMenu(isPane() ? tr("&Draft") : tr("&File"));
+    if (!isPane()) {
+        file->addAction(tr("New &Graphical Viewer"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N),
+                        this, [this] { windows_.openGraphicalViewer(); });
+        file->addAction(tr("New &Language Viewer"), QKeySequence(Qt::CTRL | Qt::Key_L), this,
+                        [this] { windows_.openLanguageViewer(); });
+        file->addSeparator();
+    }
     file->addAction(tr("&Update"), QKeySequence(Qt::CTRL | Qt::Key_Return), this,
                     &LanguageViewer::updateDocument);
     if (windows_.save)
@@ -163,13 +186,15 @@ void LanguageViewer::buildMenus() {
             {QKeySequence(Qt::CTRL | Qt::Key_Return), QKeySequence::Save});
     file->addAction(tr("&Revert"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_R), this,
                     &LanguageViewer::revert);
-    file->addAction(tr("&Dismiss"), QKeySequence::Close, this, &QWidget::close);
+    if (!isPane())
+        file->addAction(tr("&Dismiss"), QKeySequence(Qt::CTRL | Qt::Key_W), this, &QWidget::close);
     buildEditMenu();
     buildViewMenu();
-    QMenu* help = menuBar()->addMenu(tr("&Help"));
-    help->addAction(tr("&Keys of This Window"), QKeySequence(Qt::Key_F1), this,
-                    &LanguageViewer::showKeys);
-    help->addAction(tr("&Manual"), this, [] { showManual(QStringLiteral("Elements")); });
+    if (!isPane())
+        addHelpMenu(this, QStringLiteral("The text"));
+    else
+        for (QAction* action : findChildren<QAction*>()) // the window's keys go on, and paneKey()
+            action->setShortcutContext(Qt::WidgetShortcut);
 }
 
 void LanguageViewer::buildEditMenu() {
@@ -199,6 +224,8 @@ void LanguageViewer::buildEditMenu() {
         elision_->releaseSelected();
         editor_->paste();
     });
+    edit->addAction(tr("Select &All"), QKeySequence::SelectAll, this,
+                    [this] { editor_->selectAll(); });
     edit->addSeparator();
     edit->addAction(tr("&Find…"), QKeySequence::Find, this, [this] { findBar_->open(false); });
     edit->addAction(tr("Find and R&eplace…"), QKeySequence(Qt::CTRL | Qt::Key_H), this,
@@ -221,11 +248,11 @@ void LanguageViewer::buildEditMenu() {
 
 void LanguageViewer::buildViewMenu() {
     QMenu* view = menuBar()->addMenu(tr("&View"));
-    view->addAction(tr("Show or Hide the &Points Here"), QKeySequence(Qt::CTRL | Qt::Key_E), this,
+    view->addAction(tr("Show or Hide the &Points Here"), QKeySequence(Qt::Key_F9), this,
                     [this] { elision_->toggle(editor_->caret()); });
     view->addAction(tr("&Show All Points"), elision_.get(), &Elision::openAll);
-    view->addAction(tr("&Hide All Points"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E),
-                    elision_.get(), &Elision::hideAll);
+    view->addAction(tr("&Hide All Points"), QKeySequence(Qt::SHIFT | Qt::Key_F9), elision_.get(),
+                    &Elision::hideAll);
     view->addSeparator();
     view->addAction(tr("&Next Message"), QKeySequence(Qt::Key_F8), this,
                     [this] { faults_->next(); });
@@ -412,13 +439,6 @@ void LanguageViewer::goToLine() {
     select(at, at);
 }
 
-void LanguageViewer::showKeys() {
-    plain::Message box(QMessageBox::NoIcon, tr("Keys of the Language Viewer"), {},
-                       QMessageBox::Close, this);
-    box.setMarkup(languageKeys());
-    box.exec();
-}
-
 // --- events ------------------------------------------------------------------------------------
 
 bool LanguageViewer::eventFilter(QObject* watched, QEvent* event) {
@@ -428,15 +448,43 @@ bool LanguageViewer::eventFilter(QObject* watched, QEvent* event) {
         return true;
     }
     // Scintilla has shortcuts of its own for what the menus do; the menus shall have them.
-    if (watched == editor_ && event->type() == QEvent::ShortcutOverride) {
-        const QKeySequence pressed(static_cast<QKeyEvent*>(event)->keyCombination());
-        for (const QAction* action : findChildren<QAction*>())
-            if (action->shortcuts().contains(pressed)) {
-                event->ignore();
-                return true;
-            }
+    if (watched == editor_ && event->type() == QEvent::PaletteChange)
+        editor_->adaptToPalette();
+    if (watched == editor_ && isPane() && paneKey(*event))
+        return true;
+    if (watched == editor_ && event->type() == QEvent::ShortcutOverride &&
+        (isPane() ? isCommandOf(*window(), static_cast<QKeyEvent&>(*event))
+                  : commandOf(static_cast<QKeyEvent&>(*event)) != nullptr)) {
+        event->ignore();
+        return true;
     }
     return QMainWindow::eventFilter(watched, event);
+}
+
+QAction* LanguageViewer::commandOf(const QKeyEvent& event) const {
+    const QKeySequence pressed(event.keyCombination());
+    for (QAction* action : findChildren<QAction*>())
+        if (action->shortcuts().contains(pressed))
+            return action;
+    return nullptr;
+}
+
+// In a pane, a key that both this text and the window have is the text's while it has the keyboard.
+bool LanguageViewer::paneKey(QEvent& event) {
+    const bool asks = event.type() == QEvent::ShortcutOverride;
+    if (!asks && event.type() != QEvent::KeyPress)
+        return false;
+    QAction* command = commandOf(static_cast<QKeyEvent&>(event));
+    if (!command)
+        return false;
+    event.accept();
+    if (!asks)
+        command->trigger();
+    return true;
+}
+
+bool LanguageViewer::event(QEvent* event) {
+    return (isPane() && paneKey(*event)) || QMainWindow::event(event);
 }
 
 bool LanguageViewer::settleDraft() {
@@ -465,12 +513,8 @@ bool LanguageViewer::settleDraft() {
     return true;
 }
 
-void LanguageViewer::closeEvent(QCloseEvent* event) { event->setAccepted(settleDraft()); }
-
-void LanguageViewer::changeEvent(QEvent* event) {
-    QMainWindow::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange)
-        editor_->adaptToPalette();
+void LanguageViewer::closeEvent(QCloseEvent* event) {
+    event->setAccepted(settleDraft() && (!windows_.mayClose || windows_.mayClose(*this)));
 }
 
 } // namespace views

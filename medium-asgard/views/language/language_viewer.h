@@ -31,15 +31,22 @@ class ToldBar;
 class LanguageViewer : public QMainWindow {
     Q_OBJECT
 public:
-    LanguageViewer(SceneDocument& document, Windows windows, int number);
+    // In a window of its own, or in a pane of another, whose menus then have its menus and whose
+    // keys it takes while it has the keyboard.
+    enum class Place { window, pane };
+    LanguageViewer(SceneDocument& document, Windows windows, int number,
+                   Place place = Place::window);
     ~LanguageViewer() override;
 
+    [[nodiscard]] bool isPane() const { return place_ == Place::pane; }
     [[nodiscard]] std::string draft() const;
     // Someone typed since the draft was last the document's text.
     [[nodiscard]] bool hasDraft() const;
     [[nodiscard]] const std::string& draftBase() const; // the document's text that it is one of
     // A draft of a process that ended, upon the document's text of then.
     void restoreDraft(const std::string& base, const std::string& text);
+    void undo(); // what was typed; without a draft, the scene's last change
+    void redo();
     void tell(const QString& sentence); // above the text, until it was read
     [[nodiscard]] SceneEditor& editor();
     [[nodiscard]] NumberDrag& numbers() { return *numbers_; }
@@ -61,8 +68,8 @@ Q_SIGNALS:
     void draftChanged(); // hasDraft() may be another
 
 protected:
+    bool event(QEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
-    void changeEvent(QEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
@@ -79,14 +86,14 @@ private:
     void save();
     void followed();
     [[nodiscard]] bool typingIsUndone() const;
-    void undo();
-    void redo();
+    [[nodiscard]] QAction* commandOf(const QKeyEvent& event) const;
+    bool paneKey(QEvent& event);
     void goToLine();
-    void showKeys();
 
     SceneDocument& document_;
     Windows windows_;
     int number_;
+    Place place_;
     SceneEditor* editor_;
     QListWidget* messages_;
     // Taken down before the editor, which they attach to.

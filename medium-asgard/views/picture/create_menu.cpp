@@ -93,6 +93,7 @@ Recipe newWeight(SceneDisplay& display) {
 
 void buildCreateMenu(QMenu* menu, SceneDocument& document, SceneDisplay& display) {
     QMenu* bodies = menu->addMenu(QObject::tr("&Body"));
+    bodies->setObjectName("createBody");
     QObject::connect(menu, &QMenu::aboutToShow, bodies,
                      [bodies, &document, &display] { fillBodies(bodies, document, display); });
     fillBodies(bodies, document, display);
@@ -102,6 +103,7 @@ void buildCreateMenu(QMenu* menu, SceneDocument& document, SceneDisplay& display
         });
     };
     QMenu* forces = menu->addMenu(QObject::tr("&Force"));
+    forces->setObjectName("createForce");
     add(forces, QObject::tr("&Constant"),
         [&display] { return newForce(false, display.arrowLength(false)); });
     add(forces, QObject::tr("&Gravitational"), [&display] { return newWeight(display); });
@@ -113,6 +115,7 @@ void buildCreateMenu(QMenu* menu, SceneDocument& document, SceneDisplay& display
         [&display] { return newForce(true, display.arrowLength(true)); });
     add(torques, QObject::tr("By a &Trajectory"), [] { return newTrajectoryForce(true); });
     QMenu* joints = menu->addMenu(QObject::tr("Jo&int"));
+    joints->setObjectName("createJoint");
     const auto joint = [&](const QString& label, const QString& tip, scene::JointType type) {
         add(joints, label, [type] { return newJoint(type); });
         joints->actions().back()->setToolTip(plain::tip(tip));
@@ -128,9 +131,11 @@ void buildCreateMenu(QMenu* menu, SceneDocument& document, SceneDisplay& display
     joint(QObject::tr("&Distance"), QObject::tr("A massless rod between two points"),
           scene::JointType::distance);
     add(menu, QObject::tr("&Rope"), newRope);
+    menu->actions().back()->setObjectName("createRope");
     menu->actions().back()->setToolTip(
         plain::tip(QObject::tr("It pulls and never pushes, through points and around wheels")));
     QMenu* links = menu->addMenu(QObject::tr("&Link"));
+    links->setObjectName("createLink");
     links->setToolTipsVisible(true);
     links->menuAction()->setToolTip(plain::tip(
         QObject::tr("A stiff spring, which gives a little. A hinge, a rail or a rod is a joint")));

@@ -1,6 +1,6 @@
 // What a `plot` says is to be seen, and follows the motion.
 #include "plots/plot_dialog.h"
-#include "plots/plots_window.h"
+#include "plots/plots_panel.h"
 #include "viewers/editor.h"
 #include "views/test_workshop.h"
 
@@ -34,7 +34,7 @@ protected:
 
 TEST_F(PlotsTest, EachQuantityIsACurveOverTheWholeMotion) {
     show(flying);
-    PlotsWindow* window = editor.openPlots();
+    PlotsPanel* window = editor.openPlots();
     ASSERT_TRUE(waitFor([&] {
         return window->charts().size() == 1 && !window->charts()[0]->plot().times.empty();
     }));
@@ -64,11 +64,9 @@ TEST_F(PlotsTest, APlotThatIsCreatedIsShown) {
     GraphicalViewer* viewer = editor.openGraphicalViewer();
     viewer->display().creating().start(newPlot("b.y"));
     ASSERT_TRUE(settle(editor.document()));
-    PlotsWindow* window = nullptr;
-    for (QWidget* one : QApplication::topLevelWidgets())
-        if (auto* plots = qobject_cast<PlotsWindow*>(one); plots && plots->isVisible())
-            window = plots;
+    auto* window = viewer->findChild<PlotsPanel*>();
     ASSERT_NE(window, nullptr);
+    EXPECT_TRUE(window->isVisible());
     EXPECT_TRUE(waitFor([&] { return window->charts().size() == 2; }));
 }
 
@@ -82,7 +80,7 @@ TEST_F(PlotsTest, CoordinatesAndForcesOfJointsCanBePlotted) {
 
 TEST_F(PlotsTest, WhatCannotBeReadSaysWhyAndWithoutPlotsNothingIsLeft) {
     show(flying);
-    PlotsWindow* window = editor.openPlots();
+    PlotsPanel* window = editor.openPlots();
     ASSERT_TRUE(waitFor([&] { return window->charts().size() == 1; }));
     show("shape_set s -desc {-sub {-sphere 0.5}}\nbody b s\n");
     EXPECT_TRUE(waitFor([&] { return window->charts().empty(); }));

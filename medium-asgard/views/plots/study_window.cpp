@@ -51,7 +51,7 @@ StudyWindow::StudyWindow(std::shared_ptr<const scene::Scene> scene, simulation::
     row->addWidget(save_);
     column->addLayout(row);
     setCentralWidget(whole);
-    addHelpMenu(this, {});
+    addHelpMenu(this, QStringLiteral("Speed and accuracy"));
     closeByEscape(*this);
     resize(940, 700);
     const std::size_t fixed = std::ranges::count_if(

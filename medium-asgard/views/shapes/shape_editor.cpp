@@ -103,12 +103,13 @@ void ShapeEditor::buildTop(QHBoxLayout* row) {
 
 void ShapeEditor::buildMenus() {
     QMenu* file = menuBar()->addMenu(tr("&File"));
-    file->addAction(tr("&New Shape…"), QKeySequence::New, this, &ShapeEditor::askForNewShape);
+    file->addAction(tr("&New Shape…"), QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_N), this,
+                    &ShapeEditor::askForNewShape);
     file->addAction(tr("&Import…"), QKeySequence(Qt::CTRL | Qt::Key_I), this,
                     &ShapeEditor::askToImport);
     file->addAction(tr("&Rename Shape…"), QKeySequence(Qt::Key_F2), this, &ShapeEditor::askForName);
     file->addSeparator();
-    file->addAction(tr("&Close"), QKeySequence::Close, this, &QWidget::close);
+    file->addAction(tr("&Close"), QKeySequence(Qt::CTRL | Qt::Key_W), this, &QWidget::close);
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
     addUndoActions(edit, document_);
     edit->addSeparator();
@@ -121,7 +122,7 @@ void ShapeEditor::buildMenus() {
         });
     removePart_ = edit->addAction(tr("Delete &Part"), QKeySequence(Qt::SHIFT | Qt::Key_Delete),
                                   this, &ShapeEditor::removePart);
-    edit->addAction(tr("Convex &Hull"), QKeySequence(Qt::CTRL | Qt::Key_H), this,
+    edit->addAction(tr("Convex &Hull"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_H), this,
                     [this] { dropInnerPoints(false); });
     edit->addSeparator();
     edit->addAction(tr("Ne&xt Vertex"), QKeySequence(Qt::Key_PageDown), this,
@@ -138,7 +139,7 @@ void ShapeEditor::buildMenus() {
     for (const auto& [text, toward, key] : sides)
         view->addAction(plain::ours(text), QKeySequence(key), display_,
                         [this, side = toward] { display_->lookAlong(side); });
-    addHelpMenu(this, QStringLiteral("Shapes"));
+    addHelpMenu(this, QStringLiteral("Shape editor"));
 }
 
 void ShapeEditor::connectDisplay() {

@@ -105,7 +105,7 @@ TrajectoryEditor::TrajectoryEditor(SceneDocument& document)
 
 void TrajectoryEditor::buildMenus() {
     QMenu* file = menuBar()->addMenu(tr("&File"));
-    file->addAction(tr("&Close"), QKeySequence::Close, this, &QWidget::close);
+    file->addAction(tr("&Close"), QKeySequence(Qt::CTRL | Qt::Key_W), this, &QWidget::close);
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
     addUndoActions(edit, document_);
     edit->addSeparator();
@@ -123,7 +123,7 @@ void TrajectoryEditor::buildMenus() {
     view->addAction(tr("Zoom &Out"), QKeySequence::ZoomOut, this, [this] { zoomTimes(1.5); });
     view->addAction(tr("&Whole Trajectory"), QKeySequence(Qt::CTRL | Qt::Key_0), this,
                     &TrajectoryEditor::fitTimes);
-    addHelpMenu(this, QStringLiteral("Trajectories"));
+    addHelpMenu(this, QStringLiteral("Trajectory editor"));
 }
 
 QWidget* TrajectoryEditor::buildFields() {

@@ -2,23 +2,25 @@
 
 #include "frame/icons.h"
 #include "frame/readable.h"
-#include "frame/session_actions.h"
 #include "frame/spoken.h"
 #include "plain/plain.h"
 #include "plain/qt_messages.h"
-#include "plots/plots_window.h"
+#include "plots/plots_panel.h"
 #include "plots/study_window.h"
 #include "resimulation/resimulation.h"
 #include "script/reader.h"
 #include "shapes/shape_editor.h"
 #include "shapes/shape_names.h"
+#include "start/first_page.h"
 #include "trajectories/trajectory_editor.h"
-#include "viewers/control_panel.h"
+#include "viewers/placing.h"
+#include "viewers/scene_files.h"
+#include "viewers/starting.h"
 #include "workbench/autosave.h"
 #include "workbench/recent_files.h"
 
 #include <QApplication>
-#include <QScreen>
+#include <QSettings>
 #include <QTimer>
 
 #include <algorithm>
@@ -33,50 +35,6 @@ template <class Window> QList<Window*> alive(const QList<QPointer<Window>>& wind
         if (window)
             result.push_back(window);
     return result;
-}
-
-constexpr int frame = 8, title = 32; // of the window manager, around a window
-
-// No new window is larger than its screen: with large letters a screen is small.
-void fitScreen(QWidget& window, const QWidget* asked) {
-    const QSize room = (asked ? asked : &window)->screen()->availableGeometry().size();
-    window.resize(window.size().boundedTo(room - QSize(2 * frame, frame + title)));
-}
-
-// To that place, or as near to it as the screen shows the whole window.
-void moveWithin(const QRect& screen, QWidget& window, int x, int y) {
-    const auto within = [](int at, int low, int high) {
-        return std::clamp(at, low, std::max(low, high));
-    };
-    const QSize least = window.size().expandedTo(window.minimumSizeHint());
-    window.move(within(x, screen.left(), screen.right() - least.width() - frame),
-                within(y, screen.top(), screen.bottom() - least.height() - frame - title));
-}
-
-// A new window lies a little below and right of the one that asked for it, within the screen.
-void placeBeside(QWidget& window, const QWidget* asked) {
-    constexpr int step = 40;
-    moveWithin(asked->screen()->availableGeometry(), window, asked->x() + step, asked->y() + step);
-}
-
-// Control panel at the top left, the language viewer below it, the graphical one beside them, as
-// far as the screen allows (dissertation, Figure 4.1). On a small screen they overlap.
-void arrange(ControlPanel& panel, GraphicalViewer& graphical, LanguageViewer& language) {
-    const QRect screen = QGuiApplication::primaryScreen()->availableGeometry();
-    const int gap = 12;
-    const int left = std::max(panel.sizeHint().width(), screen.width() * 9 / 25);
-    panel.move(screen.left() + gap, screen.top() + title);
-    const int under = panel.sizeHint().height() + 2 * title + gap;
-    constexpr int leastHeight = 280;
-    language.resize(left - 2 * gap, std::max(leastHeight, screen.height() - under - 2 * gap));
-    moveWithin(screen, language, screen.left() + gap, screen.top() + under);
-    // The picture four to three, as scenes' views are made for, or as high as what stands beside
-    // it.
-    constexpr int beside = 232, below = 168, panelHeight = 610; // what else stands in the window
-    const int width = screen.width() - left - 2 * gap;
-    graphical.resize(width, std::min(screen.height() - title - 3 * gap,
-                                     std::max((width - beside) * 3 / 4, panelHeight) + below));
-    moveWithin(screen, graphical, screen.left() + left + gap / 2, screen.top() + title);
 }
 
 } // namespace
@@ -102,64 +60,134 @@ Editor::~Editor() {
         viewer->hide();
     for (LanguageViewer* viewer : languageViewers())
         viewer->hide();
-    for (QWidget* window :
-         std::initializer_list<QWidget*>{plots_, trajectoryEditor_, shapeEditor_, controlPanel_})
+    for (QWidget* window : std::initializer_list<QWidget*>{trajectoryEditor_, shapeEditor_})
         if (window)
             window->hide();
-    for (GraphicalViewer* viewer : graphicalViewers())
-        delete viewer;
-    for (LanguageViewer* viewer : languageViewers())
+    for (QMainWindow* viewer : viewerWindows())
         delete viewer;
     for (StudyWindow* study : alive(studies_))
         delete study;
-    delete plots_;
     delete trajectoryEditor_;
     delete shapeEditor_;
-    delete controlPanel_;
+}
+
+SceneFiles& Editor::beginSession() {
+    if (!files_)
+        files_ = new SceneFiles(
+            document_, {[this] { return settleDrafts(); }, [this] { return takeDrafts(); }}, this);
+    files_->exports().pictured = [this]() -> std::optional<ToExport> {
+        const auto open = graphicalViewers();
+        if (open.isEmpty())
+            return std::nullopt;
+        SceneDisplay& display = open.back()->display();
+        return ToExport{document_.shown(), display.time(),
+                        display.camera(),  display.followedView().toStdString(),
+                        display.display(), display.sight().size};
+    };
+    connect(&files_->exports(), &Exports::says, this, [this](const QString& sentence) {
+        if (const auto open = graphicalViewers(); !open.isEmpty())
+            open.back()->tell(sentence);
+    });
+    return *files_;
 }
 
 Windows Editor::windows() {
     Windows windows;
-    windows.showText = [this] {
-        const auto open = languageViewers();
-        QWidget* viewer = open.isEmpty() ? openLanguageViewer() : open.back();
-        viewer->raise();
-        viewer->activateWindow();
-    };
+    windows.showText = [this] { showText(); };
     windows.openGraphicalViewer = [this] { openGraphicalViewer(); };
     windows.openLanguageViewer = [this] { openLanguageViewer(); };
     windows.openTrajectoryEditor = [this] { openTrajectoryEditor(); };
     windows.openShapeEditor = [this](const QString& name) { openShapeEditor(name); };
     windows.importShape = [this] { openShapeEditor()->askToImport(); };
     windows.newShape = [this] { openShapeEditor()->askForNewShape(); };
-    windows.openPlots = [this] { openPlots(); };
     windows.openStudy = [this] { openStudy(); };
-    windows.closeViewers = [this] { return closeViewers(); };
-    windows.settleDrafts = [this] { return settleDrafts(); };
+    windows.mayClose = [this](QMainWindow& viewer) { return mayClose(viewer); };
+    windows.makeText = [this] { return makeText(LanguageViewer::Place::pane); };
     if (!document_.hasHost())
         windows.save = [this] {
-            if (controlPanel_)
-                controlPanel_->save(QApplication::activeWindow());
+            if (files_)
+                files_->save();
         };
     return windows;
 }
 
+Session Editor::session() {
+    if (!files_)
+        return {};
+    return {[this] { files_->newScene(); },
+            [this] { files_->open(); },
+            [this] { files_->save(); },
+            [this] { files_->saveAs(); },
+            [this] { files_->exports().ask(); },
+            starting_ ? std::function<void()>([this] { starting_->showFirstPage(); }) : nullptr,
+            [this] { quit(); },
+            [this](QMenu* menu) {
+                fillWithRecentFiles(menu, [this](const QString& path) { files_->open(path); });
+            }};
+}
+
+// What is selected is marked in all of them: a window that is open, else a pane of a picture.
+void Editor::showText() {
+    for (LanguageViewer* viewer : languageViewers())
+        if (!viewer->isPane()) {
+            viewer->raise();
+            return viewer->activateWindow();
+        }
+    const auto pictures = graphicalViewers();
+    for (GraphicalViewer* viewer : pictures)
+        if (viewer->isActiveWindow())
+            return viewer->showText();
+    if (!pictures.isEmpty())
+        pictures.back()->showText();
+    else
+        openLanguageViewer();
+}
+
 void Editor::showBeside(QMainWindow& window) {
-    Session session;
-    if (controlPanel_) {
-        session.newScene = [this] { controlPanel_->newScene(QApplication::activeWindow()); };
-        session.quit = [this] { controlPanel_->close(); };
-    }
     const char* prepared = "prepared";
     if (!window.property(prepared).toBool()) { // later it lies where it was put
-        addSessionActions(window, session);
-        const QWidget* asked = QApplication::activeWindow();
+        addSessionActions(window, session());
+        if (auto* viewer = qobject_cast<GraphicalViewer*>(&window))
+            viewer->buildToolBar();
+        QWidget* asked = QApplication::activeWindow();
         fitScreen(window, asked);
         if (asked) // else the window manager finds a place: beside a host's window, say
-            placeBeside(window, asked);
+            placeBeside(window, *asked);
     }
     window.setProperty(prepared, true);
     window.show();
+}
+
+namespace {
+
+constexpr const char* placeKey = "mainWindow/place";
+constexpr const char* panesKey = "mainWindow/panes";
+
+// Beside a document a window has no place of its own.
+void remember(GraphicalViewer& viewer, bool withPlace) {
+    QSettings settings;
+    if (withPlace)
+        settings.setValue(placeKey, viewer.saveGeometry());
+    settings.setValue(panesKey, viewer.panes().arrangement());
+}
+
+} // namespace
+
+GraphicalViewer* Editor::openMainWindow() {
+    GraphicalViewer* viewer = openGraphicalViewer();
+    viewer->setProperty("isMain", true);
+    const QSettings settings;
+    if (document_.hasHost()) {
+        viewer->resize(1180, 760);
+        fitScreen(*viewer, nullptr);
+    } else {
+        placeFirst(*viewer);
+        viewer->restoreGeometry(settings.value(placeKey).toByteArray());
+    }
+    if (!viewer->panes().restore(settings.value(panesKey).toByteArray()))
+        viewer->showUsualPanes();
+    viewer->panes().hide("tour");
+    return viewer;
 }
 
 GraphicalViewer* Editor::openGraphicalViewer() {
@@ -176,30 +204,19 @@ GraphicalViewer* Editor::openGraphicalViewer() {
     return viewer;
 }
 
-LanguageViewer* Editor::openLanguageViewer() {
-    auto* viewer = new LanguageViewer(document_, windows(), ++languageCount_);
+LanguageViewer* Editor::makeText(LanguageViewer::Place place) {
+    auto* viewer = new LanguageViewer(document_, windows(), ++languageCount_, place);
     language_.push_back(viewer);
     connect(viewer, &QObject::destroyed, this, &Editor::viewersChanged);
     connect(viewer, &LanguageViewer::draftChanged, this, &Editor::viewersChanged);
-    showBeside(*viewer);
-    Q_EMIT viewersChanged();
     return viewer;
 }
 
-ControlPanel* Editor::openControlPanel() {
-    if (!controlPanel_)
-        controlPanel_ = new ControlPanel(document_, windows());
-    controlPanel_->exports().pictured = [this]() -> std::optional<ToExport> {
-        const auto open = graphicalViewers();
-        if (open.isEmpty())
-            return std::nullopt;
-        SceneDisplay& display = open.back()->display();
-        return ToExport{document_.shown(), display.time(),
-                        display.camera(),  display.followedView().toStdString(),
-                        display.display(), display.sight().size};
-    };
-    controlPanel_->show();
-    return controlPanel_;
+LanguageViewer* Editor::openLanguageViewer() {
+    LanguageViewer* viewer = makeText(LanguageViewer::Place::window);
+    showBeside(*viewer);
+    Q_EMIT viewersChanged();
+    return viewer;
 }
 
 TrajectoryEditor* Editor::openTrajectoryEditor() {
@@ -222,13 +239,11 @@ ShapeEditor* Editor::openShapeEditor(const QString& name) {
     return shapeEditor_;
 }
 
-PlotsWindow* Editor::openPlots() {
-    if (!plots_)
-        plots_ = new PlotsWindow(document_);
-    showBeside(*plots_);
-    plots_->raise();
-    plots_->activateWindow();
-    return plots_;
+PlotsPanel* Editor::openPlots() {
+    const auto open = graphicalViewers();
+    GraphicalViewer* viewer = open.isEmpty() ? openGraphicalViewer() : open.back();
+    viewer->panes().show("plots");
+    return qobject_cast<PlotsPanel*>(viewer->panes().content("plots"));
 }
 
 StudyWindow* Editor::openStudy() {
@@ -253,21 +268,63 @@ bool Editor::settleDrafts() {
     return true;
 }
 
-bool Editor::closeViewers() {
-    for (LanguageViewer* viewer : languageViewers())
-        if (!viewer->close())
-            return false;
+bool Editor::takeDrafts() {
+    if (shapeEditor_)
+        shapeEditor_->settle();
+    const auto viewers = languageViewers();
+    return std::ranges::all_of(viewers, [](LanguageViewer* viewer) {
+        return !viewer->hasDraft() || viewer->updateDocument();
+    });
+}
+
+QList<QMainWindow*> Editor::viewerWindows() const {
+    QList<QMainWindow*> all;
     for (GraphicalViewer* viewer : graphicalViewers())
-        viewer->close();
+        all.push_back(viewer);
+    for (LanguageViewer* viewer : languageViewers())
+        if (!viewer->isPane())
+            all.push_back(viewer);
+    return all;
+}
+
+// Closing one window closes that one; the last one ends the session.
+bool Editor::mayClose(QMainWindow& viewer) {
+    if (closing_)
+        return true;
+    const auto viewers = viewerWindows();
+    const bool isLast = std::ranges::none_of(
+        viewers, [&](const QMainWindow* other) { return other != &viewer && other->isVisible(); });
+    if (isLast && files_ && !files_->mayLeave())
+        return false;
+    if (viewer.property("isMain").toBool())
+        remember(static_cast<GraphicalViewer&>(viewer), !document_.hasHost());
+    if (isLast && files_)
+        closeAll({});
+    return true;
+}
+
+bool Editor::closeAll(const QList<QMainWindow*>& windows) {
+    const bool before = std::exchange(closing_, true);
+    const bool closed = std::ranges::all_of(windows, [](QMainWindow* one) { return one->close(); });
+    closing_ = before;
+    if (!closed)
+        return false;
     for (StudyWindow* study : alive(studies_))
         study->close();
-    if (plots_)
-        plots_->close();
     if (trajectoryEditor_)
         trajectoryEditor_->close();
     if (shapeEditor_)
         shapeEditor_->close();
     return true;
+}
+
+void Editor::quit() {
+    if (files_ && !files_->mayLeave())
+        return;
+    for (GraphicalViewer* viewer : graphicalViewers())
+        if (viewer->property("isMain").toBool())
+            remember(*viewer, true);
+    closeAll(viewerWindows());
 }
 
 int runEditor(int argc, char** argv, const std::string& file, script::Reader& reader) {
@@ -280,12 +337,12 @@ int runEditor(int argc, char** argv, const std::string& file, script::Reader& re
     QApplication::setQuitOnLastWindowClosed(true);
     QApplication::setWindowIcon(applicationIcon());
     Editor editor(workshopOf(reader));
-    ControlPanel* panel = editor.openControlPanel();
+    SceneFiles& files = editor.beginSession();
     SceneDocument& document = editor.document();
     const QString path = QString::fromStdString(file);
     if (!path.isEmpty()) {
         if (const QString fault = document.open(path); !fault.isEmpty()) {
-            plain::Message::tell(QMessageBox::Critical, panel, QStringLiteral("Asgard"), fault);
+            plain::Message::tell(QMessageBox::Critical, nullptr, QStringLiteral("Asgard"), fault);
             return 1;
         }
         rememberFile(path);
@@ -302,20 +359,29 @@ int runEditor(int argc, char** argv, const std::string& file, script::Reader& re
              return any ? editor.windowsState() : std::string();
          },
          [&editor](const std::string& state) {
-             editor.closeViewers(); // those of a program that begins
+             const auto before = editor.viewerWindows(); // of a program that begins
              editor.restoreWindows(state,
                                    Autosave::tr("Asgard ended before this was saved. Its windows "
                                                 "are open again with what was typed."));
+             editor.closeAll(before);
          }});
     QObject::connect(&editor, &Editor::viewersChanged, &autosave, &Autosave::lookAtDrafts,
                      Qt::QueuedConnection);
-    QObject::connect(&autosave, &Autosave::failed, panel, [panel](const QString& sentence) {
-        plain::Message::tell(QMessageBox::Warning, panel, QStringLiteral("Asgard"), sentence);
+    QObject::connect(&autosave, &Autosave::failed, &files, [](const QString& sentence) {
+        plain::Message::tell(QMessageBox::Warning, QApplication::activeWindow(),
+                             QStringLiteral("Asgard"), sentence);
     });
-    GraphicalViewer* graphical = editor.openGraphicalViewer();
-    LanguageViewer* language = editor.openLanguageViewer();
-    arrange(*panel, *graphical, *language);
-    QTimer::singleShot(0, panel, [&] { offerRecovery(panel, autosave, journal, path); });
+    Starting starting(editor, files);
+    editor.setStarting(&starting);
+    const QPointer<QWidget> first =
+        path.isEmpty() ? static_cast<QWidget*>(starting.showFirstPage()) : editor.openMainWindow();
+    QTimer::singleShot(0, &files, [&, first] {
+        if (!offerRecovery(first, autosave, journal, path) || !path.isEmpty())
+            return;
+        if (editor.viewerWindows().isEmpty())
+            editor.openMainWindow();
+        first->close();
+    });
     return QApplication::exec();
 }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "dialogs/windows_stay.h"
+#include "frame/session_actions.h"
 #include "language/language_viewer.h"
 #include "viewers/graphical_viewer.h"
 #include "workbench/scene_document.h"
@@ -19,8 +20,9 @@ class Reader;
 
 namespace views {
 
-class ControlPanel;
-class PlotsWindow;
+class PlotsPanel;
+class SceneFiles;
+class Starting;
 class ShapeEditor;
 class StudyWindow;
 class TrajectoryEditor;
@@ -36,20 +38,29 @@ public:
 
     [[nodiscard]] SceneDocument& document() { return document_; }
 
+    // From now on windows have the commands of a session with a file of its own, and the last one
+    // to be closed asks about unsaved work.
+    SceneFiles& beginSession();
+    void setStarting(Starting* starting) { starting_ = starting; } // for the entry Samples
+
+    // A graphical viewer with the panes that one begins with, arranged as the last time.
+    GraphicalViewer* openMainWindow();
     GraphicalViewer* openGraphicalViewer();
     LanguageViewer* openLanguageViewer();
-    ControlPanel* openControlPanel();
     TrajectoryEditor* openTrajectoryEditor(); // one at a time
     // One at a time. "": with the shape of what is selected, else the one that it shows.
     ShapeEditor* openShapeEditor(const QString& name = {});
-    PlotsWindow* openPlots(); // one at a time
+    PlotsPanel* openPlots(); // in the last graphical viewer
     // How the methods do on the scene that is shown.
     StudyWindow* openStudy();
     [[nodiscard]] QList<GraphicalViewer*> graphicalViewers() const;
-    [[nodiscard]] QList<LanguageViewer*> languageViewers() const;
+    [[nodiscard]] QList<LanguageViewer*> languageViewers() const; // in windows and in panes
+    // All of them, in the order in which they were opened.
+    [[nodiscard]] QList<QMainWindow*> viewerWindows() const;
     // Asks about drafts; false when the user wants to stay.
-    bool closeViewers();
+    bool closeAll(const QList<QMainWindow*>& windows);
     bool settleDrafts();
+    void quit(); // asks about unsaved work, then closes all
 
     // Which windows are open, where, and what was typed there and is no change of the text yet;
     // empty: none is. LIMIT: not what was typed into fields, windows of studies, steps of undo, and
@@ -63,22 +74,28 @@ Q_SIGNALS:
 
 private:
     [[nodiscard]] Windows windows();
+    [[nodiscard]] Session session();
+    LanguageViewer* makeText(LanguageViewer::Place place);
+    void showText();
+    bool takeDrafts();
+    bool mayClose(QMainWindow& viewer);
     void showBeside(QMainWindow& window); // with what every window has
 
     SceneDocument document_;
     std::shared_ptr<PictureThread> pictures_; // of all viewers
-    QPointer<ControlPanel> controlPanel_;
+    SceneFiles* files_ = nullptr;             // none: under a host
+    Starting* starting_ = nullptr;
     QPointer<TrajectoryEditor> trajectoryEditor_;
     QPointer<ShapeEditor> shapeEditor_;
-    QPointer<PlotsWindow> plots_;
     QList<QPointer<GraphicalViewer>> graphical_;
     QList<QPointer<LanguageViewer>> language_;
     QList<QPointer<StudyWindow>> studies_;
     int graphicalCount_ = 0, languageCount_ = 0;
+    bool closing_ = false; // all of them: nobody asks again
     dialogs::WindowsStay stay_;
 };
 
-// The stand-alone editor: control panel, a graphical and a language viewer; `file` may be "".
+// The stand-alone editor: one window with the picture and its panes; `file` may be "".
 // `reader` was made before anything else of this process. Returns the exit code.
 int runEditor(int argc, char** argv, const std::string& file, script::Reader& reader);
 

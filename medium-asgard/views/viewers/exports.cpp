@@ -3,6 +3,7 @@
 #include "plain/plain.h"
 #include "viewers/status_panel.h"
 
+#include <QApplication>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -11,8 +12,9 @@
 
 namespace views {
 
-Exports::Exports(SceneDocument& document, QWidget& window)
-    : QObject(&window), document_(document), window_(window) {}
+Exports::Exports(SceneDocument& document, QObject* parent) : QObject(parent), document_(document) {}
+
+Exports::~Exports() { delete progress_; }
 
 void Exports::ask() {
     constexpr std::array formats{ExportFormat::png, ExportFormat::ppm, ExportFormat::film,
@@ -21,7 +23,7 @@ void Exports::ask() {
     for (const ExportFormat format : formats)
         filters += labelOf(format);
     const QString folder = QFileInfo(document_.path()).absolutePath();
-    QFileDialog dialog(&window_, tr("Export"), folder);
+    QFileDialog dialog(QApplication::activeWindow(), tr("Export"), folder);
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setNameFilters(filters);
     dialog.selectFile(QFileInfo(document_.name()).completeBaseName());
@@ -40,7 +42,7 @@ void Exports::write(const QString& asked, ExportFormat chosen) {
     std::optional<ToExport> what = pictured ? pictured() : std::nullopt;
     if (!what && format != ExportFormat::table) {
         plain::Message::tell(
-            QMessageBox::Information, &window_, tr("Export"),
+            QMessageBox::Information, QApplication::activeWindow(), tr("Export"),
             tr("Open a graphical viewer first: the export draws what that viewer shows."));
         return;
     }
@@ -58,7 +60,8 @@ void Exports::write(const QString& asked, ExportFormat chosen) {
 
 bool Exports::isAgreed(const QString& question) {
     return agrees ? agrees(question)
-                  : plain::Message::ask(QMessageBox::Question, &window_, tr("Export"), question,
+                  : plain::Message::ask(QMessageBox::Question, QApplication::activeWindow(),
+                                        tr("Export"), question,
                                         QMessageBox::Yes | QMessageBox::No) == QMessageBox::Yes;
 }
 
@@ -82,9 +85,8 @@ bool Exports::isMotionMeant(const Shown& shown, ExportFormat format) {
         return false;
     }
     if (document_.motionIsStale())
-        return isAgreed(
-            tr("The motion that is shown is that of an earlier scene (Simulate computes "
-               "it again). Export it all the same?"));
+        return isAgreed(tr("The motion that is shown is that of an earlier scene (F5 computes "
+                           "it again). Export it all the same?"));
     const auto& motion = shown.motion;
     if (!(motion->computed() < motion->finish()))
         return true;
@@ -95,7 +97,11 @@ bool Exports::isMotionMeant(const Shown& shown, ExportFormat format) {
 }
 
 void Exports::begin(ToExport what, const QString& path, ExportFormat format) {
-    auto* dialog = new QProgressDialog(tr("Exporting…"), tr("Cancel"), 0, 1, &window_);
+    // Of no window: it goes on when the one in which it was asked for is closed.
+    auto* dialog = new QProgressDialog(tr("Exporting…"), tr("Cancel"), 0, 1);
+    dialog->setAttribute(Qt::WA_QuitOnClose, false);
+    if (const QWidget* from = QApplication::activeWindow())
+        dialog->move(from->geometry().center() - dialog->rect().center());
     progress_ = dialog;
     dialog->setMinimumDuration(500);
     dialog->setAutoClose(false);
@@ -117,7 +123,8 @@ void Exports::begin(ToExport what, const QString& path, ExportFormat format) {
         dialog->deleteLater();
         Q_EMIT says(!fault.isEmpty() ? fault : cancelled ? tr("The export was cancelled.") : done);
         if (!fault.isEmpty() && !agrees)
-            plain::Message::tell(QMessageBox::Warning, &window_, tr("Export"), fault);
+            plain::Message::tell(QMessageBox::Warning, QApplication::activeWindow(), tr("Export"),
+                                 fault);
     });
     exporting->start();
 }

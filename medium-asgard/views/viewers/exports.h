@@ -3,6 +3,7 @@
 
 #include "workbench/exporting.h"
 
+#include <QObject>
 #include <QPointer>
 #include <QProgressDialog>
 
@@ -13,7 +14,8 @@ namespace views {
 class Exports : public QObject {
     Q_OBJECT
 public:
-    Exports(SceneDocument& document, QWidget& window);
+    explicit Exports(SceneDocument& document, QObject* parent = nullptr);
+    ~Exports() override; // ends what is being written
 
     // The motion and view that a picture is to show; none: no viewer is open.
     std::function<std::optional<ToExport>()> pictured;
@@ -36,7 +38,6 @@ private:
     void begin(ToExport what, const QString& path, ExportFormat format);
 
     SceneDocument& document_;
-    QWidget& window_;
     QPointer<QProgressDialog> progress_; // while something is written
 };
 

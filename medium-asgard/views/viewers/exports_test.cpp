@@ -1,6 +1,6 @@
 // What is exported is what was asked for, and nothing else is overwritten.
-#include "viewers/control_panel.h"
 #include "viewers/editor.h"
+#include "viewers/scene_files.h"
 #include "views/test_workshop.h"
 
 #include <QAction>
@@ -19,7 +19,7 @@ class ExportsTest : public testing::Test {
 protected:
     static void SetUpTestSuite() { theApplication(); }
     void SetUp() override {
-        panel = editor.openControlPanel();
+        files = &editor.beginSession();
         viewer = editor.openGraphicalViewer();
         viewer->resize(420, 300);
         QCoreApplication::processEvents();
@@ -32,7 +32,7 @@ protected:
             return agreed;
         };
     }
-    Exports& exports() { return panel->exports(); }
+    Exports& exports() { return files->exports(); }
     QString in(const char* name) { return folder.filePath(QString::fromLatin1(name)); }
     // Until it is written or refused.
     QString write(const char* name, ExportFormat format) {
@@ -54,7 +54,7 @@ protected:
 
     TestWorkshop made;
     Editor editor{made.workshop()};
-    ControlPanel* panel = nullptr;
+    SceneFiles* files = nullptr;
     GraphicalViewer* viewer = nullptr;
     QTemporaryDir folder;
     QString said, asked;
@@ -108,7 +108,10 @@ TEST_F(ExportsTest, ASecondOneWaitsUntilTheFirstIsDone) {
 
 TEST_F(ExportsTest, ACancelledOneIsNotCalledExported) {
     exports().write(in("film"), ExportFormat::film);
-    auto* dialog = panel->findChild<QProgressDialog*>();
+    QProgressDialog* dialog = nullptr;
+    for (QWidget* one : QApplication::topLevelWidgets())
+        if (auto* found = qobject_cast<QProgressDialog*>(one))
+            dialog = found;
     ASSERT_TRUE(dialog);
     dialog->findChild<QPushButton*>()->click();
     EXPECT_TRUE(waitFor([&] { return !exports().isBusy(); }));
@@ -146,21 +149,6 @@ TEST_F(ExportsTest, AFilmOfAYearIsRefused) {
     EXPECT_TRUE(write("film", ExportFormat::film).startsWith(QStringLiteral("1e+09 pictures")))
         << said.toStdString();
     EXPECT_FALSE(QFile::exists(in("film")));
-}
-
-// Qt calls neither of two actions with one key.
-TEST_F(ExportsTest, NoKeyIsGivenTwiceInAWindow) {
-    for (QMainWindow* window : {static_cast<QMainWindow*>(panel), static_cast<QMainWindow*>(viewer),
-                                static_cast<QMainWindow*>(editor.openLanguageViewer())}) {
-        std::map<QString, QString> keys;
-        for (const QAction* action : window->findChildren<QAction*>())
-            for (const QKeySequence& key : action->shortcuts()) {
-                const auto [known, isNew] = keys.emplace(key.toString(), action->text());
-                EXPECT_TRUE(isNew)
-                    << key.toString().toStdString() << ": " << known->second.toStdString() << ", "
-                    << action->text().toStdString();
-            }
-    }
 }
 
 } // namespace

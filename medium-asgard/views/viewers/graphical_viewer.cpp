@@ -1,19 +1,27 @@
 #include "viewers/graphical_viewer.h"
 
+#include "frame/help_page.h"
+#include "frame/icons.h"
 #include "frame/manual.h"
-#include "frame/undo_actions.h"
 #include "gestures/new_point.h"
+#include "language/language_viewer.h"
 #include "language/notice_bar.h"
+#include "language/scene_editor.h"
 #include "motion/known_span.h"
 #include "picture/create_menu.h"
 #include "picture/keep_view.h"
 #include "plain/plain.h"
+#include "plots/plots_panel.h"
 #include "shapes/shapes_menu.h"
-#include "viewers/motion_span.h"
+#include "start/tour.h"
+#include "viewers/time_controls.h"
+#include "viewers/tool_bar.h"
 
 #include <QActionGroup>
+#include <QCloseEvent>
+#include <QCursor>
+#include <QDockWidget>
 #include <QGridLayout>
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QMenu>
 #include <QMenuBar>
@@ -25,23 +33,65 @@ namespace views {
 
 namespace {
 
-constexpr double rates[] = {0.1, 0.25, 0.5, 1, 2, 4};
+// A switch of the panel as an entry of a menu.
+void addSwitch(QMenu& menu, const StatusPanel::Switch& one) {
+    QAction* action = menu.addAction(plain::ours(one.box->text()));
+    action->setCheckable(true);
+    action->setChecked(one.box->isChecked());
+    QObject::connect(action, &QAction::toggled, one.box, &QCheckBox::setChecked);
+    QObject::connect(one.box, &QCheckBox::toggled, action, &QAction::setChecked);
+}
 
-QString rateText(double rate) { return QStringLiteral("%1 × ").arg(rate); }
+QString helpTopicOf(editing::Kind kind) {
+    using editing::Kind;
+    switch (kind) {
+    case Kind::body:
+    case Kind::shapeSet:
+        return QStringLiteral("Body");
+    case Kind::joint:
+    case Kind::gear:
+        return QStringLiteral("Joint");
+    case Kind::force:
+        return QStringLiteral("Force");
+    case Kind::link:
+        return QStringLiteral("Link");
+    case Kind::rope:
+        return QStringLiteral("Rope");
+    case Kind::trajectory:
+    case Kind::constraint:
+        return QStringLiteral("Trajectory");
+    case Kind::light:
+        return QStringLiteral("Light");
+    default:
+        return {};
+    }
+}
 
 } // namespace
 
 GraphicalViewer::GraphicalViewer(SceneDocument& document, std::shared_ptr<PictureThread> pictures,
                                  Windows windows, int number)
-    : document_(document), windows_(std::move(windows)), number_(number) {
+    : document_(document), windows_(std::move(windows)), number_(number), panes_(*this) {
     setAttribute(Qt::WA_DeleteOnClose);
     setObjectName(QStringLiteral("graphicalViewer%1").arg(number_));
+    buildPicture(std::move(pictures));
+    buildPanes();
+    buildMenus();
+    connectParts();
+    updateRange();
+    updateState();
+    updateTitle();
+    fillViewsMenu();
+    display_->setFocus();
+    resize(900, 640);
+}
+
+// The middle: what happened, the picture, the time, and what the buttons do.
+void GraphicalViewer::buildPicture(std::shared_ptr<PictureThread> pictures) {
     auto* whole = new QWidget;
     auto* column = new QVBoxLayout(whole);
     column->setContentsMargins(8, 8, 8, 8);
     column->setSpacing(8);
-    auto* row = new QHBoxLayout;
-    row->setSpacing(8);
     auto* frame = new QFrame;
     frame->setFrameStyle(QFrame::StyledPanel | QFrame::Sunken);
     display_ = new SceneDisplay(document_, std::move(pictures));
@@ -49,26 +99,24 @@ GraphicalViewer::GraphicalViewer(SceneDocument& document, std::shared_ptr<Pictur
     auto* inFrame = new QVBoxLayout(frame);
     inFrame->setContentsMargins(1, 1, 1, 1);
     inFrame->addWidget(display_);
-    panel_ = new StatusPanel(document_, playback_, display_->display());
-    panel_->setObjectName("status");
-    row->addWidget(frame, 1);
-    auto* scroll = new QScrollArea; // a low window has room for the picture
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setWidgetResizable(true);
-    scroll->setWidget(panel_);
-    scroll->setFixedWidth(panel_->width() + scroll->verticalScrollBar()->sizeHint().width());
-    scroll->setFocusPolicy(Qt::NoFocus);
-    row->addWidget(scroll);
     told_ = new ToldBar;
     told_->setObjectName("told");
     column->addWidget(told_);
-    column->addLayout(row, 1);
+    column->addWidget(frame, 1);
+    controls_ = new TimeControls(document_, playback_);
+    column->addWidget(controls_);
     timeBar_ = new TimeBar;
     timeBar_->setObjectName("timeBar");
     timeStrip_ = new TimeStrip(document_);
     timeStrip_->setObjectName("timeStrip");
-    buildTimeControls(column);
+    auto* times = new QGridLayout; // the same times above each other
+    times->setSpacing(2);
+    times->addWidget(timeStrip_->controls(), 0, 0);
+    times->addWidget(timeStrip_, 0, 1);
+    times->addWidget(timeBar_, 1, 1);
+    column->addLayout(times);
+    for (QWidget* one : std::initializer_list<QWidget*>{controls_, timeBar_, timeStrip_})
+        setHelp(*one, QStringLiteral("Time"));
     hint_ = plain::label();
     hint_->setObjectName("hint");
     hint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // what does not fit is cut
@@ -76,17 +124,111 @@ GraphicalViewer::GraphicalViewer(SceneDocument& document, std::shared_ptr<Pictur
     hint_->setAccessibleName(tr("What the buttons do here"));
     column->addWidget(hint_);
     setCentralWidget(whole);
-    buildMenus();
+}
 
+void GraphicalViewer::buildPanes() {
+    panel_ = new StatusPanel(document_, playback_, display_->display());
+    panel_->setObjectName("status");
+    if (windows_.makeText)
+        panes_.add({"text", tr("Text"), Qt::LeftDockWidgetArea, windows_.makeText});
+    panes_.add({"status", tr("Motion and Handles"), Qt::RightDockWidgetArea, [this] {
+                    auto* scroll = new QScrollArea; // a low window has room for the picture
+                    scroll->setFrameShape(QFrame::NoFrame);
+                    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+                    scroll->setWidgetResizable(true);
+                    scroll->setWidget(panel_);
+                    scroll->setMinimumWidth(panel_->minimumWidth() +
+                                            scroll->verticalScrollBar()->sizeHint().width());
+                    scroll->setFocusPolicy(Qt::NoFocus);
+                    return scroll;
+                }});
+    panes_.add({"plots", tr("Plots"), Qt::BottomDockWidgetArea,
+                [this] { return new PlotsPanel(document_); }});
+    panes_.add({"tour", tr("Tour"), Qt::RightDockWidgetArea, [this] { return makeTour(); }});
+    connect(&panes_, &Panes::contentMade, this, [this](const QString& name, QWidget* content) {
+        const std::pair<const char*, const char*> topics[] = {{"text", "The text"},
+                                                              {"status", "Motion and handles"},
+                                                              {"plots", "Plots"},
+                                                              {"tour", "The tour"}};
+        for (const auto& [pane, topic] : topics)
+            if (name == QLatin1String(pane))
+                setHelp(*content, QLatin1String(topic));
+        if (auto* text = qobject_cast<LanguageViewer*>(content))
+            fillTextMenu(*text);
+    });
+    panes_.show("status");
+}
+
+// A step that plays is done when one has seen the motion go on for a while.
+QWidget* GraphicalViewer::makeTour() {
+    auto* tour = new Tour(document_);
+    connect(&playback_, &Playback::timeChanged, tour, [this, tour] {
+        constexpr double seen = 1; // s
+        if (playback_.isPlaying() && playback_.time() > playback_.start() + seen)
+            tour->played();
+    });
+    connect(tour, &Tour::ended, this, [this] { panes_.hide("tour"); });
+    return tour;
+}
+
+// The plane in which the pendulum is built, with room for it.
+void GraphicalViewer::showTour() {
+    panes_.show("tour");
+    display_->lookAlong(geometry::Vector::UnitZ());
+    display_->setFocus();
+}
+
+void GraphicalViewer::buildToolBar() {
+    auto* bar = new ToolBar(*this);
+    const auto add = [bar](std::initializer_list<std::pair<const char*, Icon>> commands) {
+        for (const auto& [name, which] : commands)
+            bar->add(name, which);
+        bar->separate();
+    };
+    add({{"newScene", Icon::newScene}, {"open", Icon::open}, {"save", Icon::save}});
+    add({{"undo", Icon::undo}, {"redo", Icon::redo}});
+    add({{"frameAll", Icon::frameAll}, {"plots", Icon::plots}});
+    add({{"createBody", Icon::body},
+         {"createForce", Icon::force},
+         {"createJoint", Icon::joint},
+         {"createLink", Icon::link},
+         {"createRope", Icon::rope}});
+    bar->add("help", Icon::help);
+}
+
+void GraphicalViewer::showUsualPanes() {
+    auto* text = findChild<QDockWidget*>("pane.text");
+    if (!text)
+        return;
+    constexpr int wide = 1150; // enough for three columns
+    if (width() < wide)
+        tabifyDockWidget(text, findChild<QDockWidget*>("pane.status"));
+    panes_.show("text");
+    constexpr int usual = 460;
+    resizeDocks({text}, {std::min(usual, width() * 3 / 10)}, Qt::Horizontal);
+}
+
+LanguageViewer* GraphicalViewer::text() const {
+    return qobject_cast<LanguageViewer*>(panes_.content("text"));
+}
+
+void GraphicalViewer::showText() {
+    panes_.show("text");
+    activateWindow();
+    if (LanguageViewer* viewer = text())
+        viewer->editor().setFocus();
+}
+
+void GraphicalViewer::connectParts() {
     connect(&display_->creating(), &Creating::created, this, &GraphicalViewer::showCreated);
     connect(&display_->creating(), &Creating::needs, panel_, &StatusPanel::show);
     connect(panel_, &StatusPanel::displayChanged, display_, &SceneDisplay::setDisplay);
     connectBody();
+    connect(controls_, &TimeControls::left, display_, [this] { display_->setFocus(); });
     connect(&playback_, &Playback::timeChanged, this, [this] {
         display_->setTime(playback_.time(), playback_.isPlaying() || timeBar_->isSliderDown());
         timeBar_->setTime(playback_.time());
         timeStrip_->setTime(playback_.time());
-        timeLabel_->setText(timeText(playback_.time(), playback_.finish() - playback_.start()));
     });
     connect(&playback_, &Playback::stateChanged, this, &GraphicalViewer::updateState);
     connect(timeBar_, &TimeBar::timeChosen, &playback_, &Playback::seek);
@@ -108,99 +250,65 @@ GraphicalViewer::GraphicalViewer(SceneDocument& document, std::shared_ptr<Pictur
     connect(&display_->creating(), &Creating::changed, this, &GraphicalViewer::showHint);
     connect(display_, &SceneDisplay::handleDragged, this, &GraphicalViewer::showHint);
     connect(&document_, &SceneDocument::sceneChanged, this, &GraphicalViewer::showHint);
-    updateRange();
-    updateState();
-    updateTitle();
-    fillViewsMenu();
-    display_->setFocus();
-    resize(900, 640);
-}
-
-QToolButton* GraphicalViewer::addButton(QHBoxLayout* row, const char* name, Icon which,
-                                        const QString& tip, std::function<void()> action) {
-    auto* button = new QToolButton;
-    button->setObjectName(name);
-    button->setIconSize(QSize(20, 20));
-    button->setAutoRaise(true);
-    button->setToolTip(plain::tip(tip));
-    button->setAccessibleName(tip.section(QStringLiteral(" ("), 0, 0));
-    button->setFocusPolicy(Qt::TabFocus);
-    connect(button, &QToolButton::clicked, this, std::move(action));
-    row->addWidget(button);
-    buttons_.emplace_back(button, which);
-    return button;
-}
-
-void GraphicalViewer::buildTimeControls(QVBoxLayout* column) {
-    auto* row = new QHBoxLayout;
-    row->setSpacing(2);
-    addButton(row, "first", Icon::first, tr("First moment (Home)"),
-              [this] { playback_.seek(playback_.start()); });
-    addButton(row, "stepBack", Icon::stepBack, tr("Step back (Left)"),
-              [this] { playback_.step(-1); });
-    playButton_ = addButton(row, "play", Icon::play, tr("Play or pause (Space)"),
-                            [this] { togglePlaying(); });
-    addButton(row, "stop", Icon::stop, tr("Stop (Escape)"), [this] { playback_.stop(); });
-    addButton(row, "stepForward", Icon::stepForward, tr("Step (Right)"),
-              [this] { playback_.step(1); });
-    addButton(row, "last", Icon::last, tr("Last moment (End)"),
-              [this] { playback_.seek(playback_.finish()); });
-    loopButton_ = addButton(row, "loop", Icon::loop, tr("Play again and again (L)"),
-                            [this] { playback_.setLoops(!playback_.loops()); });
-    loopButton_->setCheckable(true);
-    rateButton_ = new QToolButton;
-    rateButton_->setObjectName("rate");
-    rateButton_->setAutoRaise(true);
-    rateButton_->setPopupMode(QToolButton::InstantPopup);
-    rateButton_->setToolTip(tr("How fast it is played"));
-    rateButton_->setFocusPolicy(Qt::TabFocus);
-    auto* menu = new QMenu(rateButton_);
-    for (double rate : rates)
-        menu->addAction(plain::caption(rateText(rate)), this,
-                        [this, rate] { playback_.setRate(rate); });
-    rateButton_->setMenu(menu);
-    row->addWidget(rateButton_);
-    row->addStretch();
-    auto* span = new MotionSpan(document_);
-    connect(span, &MotionSpan::left, display_, [this] { display_->setFocus(); });
-    row->addWidget(span);
-    row->addSpacing(12);
-    timeLabel_ = plain::label();
-    timeLabel_->setObjectName("time");
-    QFont font = timeLabel_->font();
-    font.setBold(true);
-    timeLabel_->setFont(font);
-    timeLabel_->setAccessibleName(tr("Time"));
-    row->addWidget(timeLabel_);
-    column->addLayout(row);
-    auto* times = new QGridLayout; // the same times above each other
-    times->setSpacing(2);
-    times->addWidget(timeStrip_->controls(), 0, 0);
-    times->addWidget(timeStrip_, 0, 1);
-    times->addWidget(timeBar_, 1, 1);
-    column->addLayout(times);
-    updateIcons();
 }
 
 void GraphicalViewer::buildMenus() {
+    buildFileMenu();
+    buildEditMenu();
+    buildShapesMenu(menuBar()->addMenu(tr("&Shapes")), document_, windows_);
+    buildCreateMenu(menuBar()->addMenu(tr("&Create")), document_, *display_);
+    buildViewMenu();
+    buildHandlesMenu();
+    buildMotionMenu();
+    textMenu_ = menuBar()->addMenu(tr("&Text"));
+    textMenu_->menuAction()->setVisible(false);
+    addHelpMenu(this, QStringLiteral("The picture"),
+                [this](const QWidget& under) { return helpAt(under); });
+}
+
+// Of the element of the scene under the pointer.
+QString GraphicalViewer::helpAt(const QWidget& under) const {
+    if (&under != display_)
+        return {};
+    const auto element =
+        menuPlaceAt(document_, *display_, display_->mapFromGlobal(QCursor::pos())).element;
+    return element ? helpTopicOf(element->kind) : QString();
+}
+
+// The text's own menus, once it is in a pane of this window.
+void GraphicalViewer::fillTextMenu(LanguageViewer& text) {
+    for (QAction* menu : text.menuBar()->actions())
+        textMenu_->addAction(menu);
+    textMenu_->menuAction()->setVisible(true);
+    // While there is a draft, Undo has something to do.
+    connect(&text, &LanguageViewer::draftChanged, this, [this, &text] {
+        undo_.undo->setEnabled(text.hasDraft() || document_.canUndo());
+        undo_.redo->setEnabled(text.hasDraft() || document_.canRedo());
+        updateTitle();
+    });
+    connect(&text, &QObject::destroyed, textMenu_,
+            [menu = textMenu_] { menu->menuAction()->setVisible(false); });
+}
+
+void GraphicalViewer::buildFileMenu() {
     QMenu* file = menuBar()->addMenu(tr("&File"));
-    file->addAction(tr("New &Graphical Viewer"), QKeySequence(Qt::CTRL | Qt::Key_N), this,
-                    [this] { windows_.openGraphicalViewer(); });
+    file->addAction(tr("New &Graphical Viewer"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N),
+                    this, [this] { windows_.openGraphicalViewer(); });
     file->addAction(tr("New &Language Viewer"), QKeySequence(Qt::CTRL | Qt::Key_L), this,
                     [this] { windows_.openLanguageViewer(); });
     file->addSeparator();
-    file->addAction(tr("&Save"), QKeySequence::Save, this, [this] {
-        if (windows_.save)
-            windows_.save();
-        else
+    if (document_.hasHost())
+        file->addAction(tr("&Save"), QKeySequence::Save, this, [this] {
             display_->editing().say(tr("What is changed here is in the document already; the "
                                        "document is saved in its own window, with Ctrl+S."),
                                     false);
-    });
-    file->addAction(tr("&Close"), QKeySequence::Close, this, &QWidget::close);
+        });
+    file->addAction(tr("&Close"), QKeySequence(Qt::CTRL | Qt::Key_W), this, &QWidget::close);
+}
 
+void GraphicalViewer::buildEditMenu() {
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
-    addUndoActions(edit, document_);
+    undo_ = addUndoActions(edit, document_, [this](bool redo) { return typing(redo); });
     edit->addSeparator();
     QAction* remove =
         edit->addAction(tr("&Delete"), this, [this] { display_->editing().deleteMarked(); });
@@ -213,25 +321,19 @@ void GraphicalViewer::buildMenus() {
         remove->setEnabled(marked || !document_.selected().empty());
         value->setEnabled(marked);
     });
-    buildShapesMenu(menuBar()->addMenu(tr("&Shapes")), document_, windows_);
-    buildCreateMenu(menuBar()->addMenu(tr("&Create")), document_, *display_);
-    buildViewMenu();
+}
 
+bool GraphicalViewer::typing(bool redo) {
+    LanguageViewer* viewer = text();
+    if (!viewer || !viewer->hasDraft() || !viewer->isAncestorOf(focusWidget()))
+        return false;
+    redo ? viewer->redo() : viewer->undo();
+    return true;
+}
+
+void GraphicalViewer::buildMotionMenu() {
     QMenu* motion = menuBar()->addMenu(tr("A&nimation"));
-    playAction_ = motion->addAction(tr("&Play"), QKeySequence(Qt::Key_Space), this,
-                                    [this] { togglePlaying(); });
-    motion->addAction(tr("S&top"), QKeySequence(Qt::Key_Escape), this, [this] { stop(); });
-    motion->addAction(tr("&Step"), QKeySequence(Qt::Key_Right), this,
-                      [this] { playback_.step(1); });
-    motion->addAction(tr("Step &Back"), QKeySequence(Qt::Key_Left), this,
-                      [this] { playback_.step(-1); });
-    motion->addAction(tr("&First Moment"), QKeySequence(Qt::Key_Home), this,
-                      [this] { playback_.seek(playback_.start()); });
-    motion->addAction(tr("&Last Moment"), QKeySequence(Qt::Key_End), this,
-                      [this] { playback_.seek(playback_.finish()); });
-    loopAction_ = motion->addAction(tr("L&oop"), QKeySequence(Qt::Key_L), this,
-                                    [this] { playback_.setLoops(!playback_.loops()); });
-    loopAction_->setCheckable(true);
+    controls_->fillMenu(*motion, [this] { stop(); });
     motion->addSeparator();
     motion->addAction(tr("&Recompute Motion"), QKeySequence(Qt::Key_F5), this,
                       [this] { document_.recompute(); });
@@ -239,9 +341,8 @@ void GraphicalViewer::buildMenus() {
         buildLiveMenu(motion->addMenu(tr("Compute &While Editing")));
     motion->addAction(tr("&Trajectory Editor"), QKeySequence(Qt::CTRL | Qt::Key_T), this,
                       [this] { windows_.openTrajectoryEditor(); });
-    motion->addAction(tr("Plo&ts"), this, [this] { windows_.openPlots(); });
+    motion->addAction(tr("Plo&ts"), this, [this] { panes_.show("plots"); })->setObjectName("plots");
     motion->addAction(tr("Speed and &Accuracy…"), this, [this] { windows_.openStudy(); });
-    addHelpMenu(this, QStringLiteral("In a picture"));
 }
 
 void GraphicalViewer::buildLiveMenu(QMenu* menu) {
@@ -265,7 +366,8 @@ void GraphicalViewer::buildLiveMenu(QMenu* menu) {
 void GraphicalViewer::buildViewMenu() {
     QMenu* view = menuBar()->addMenu(tr("&View"));
     view->addAction(tr("&Frame All"), QKeySequence(Qt::Key_F), this,
-                    [this] { display_->frameAll(); });
+                    [this] { display_->frameAll(); })
+        ->setObjectName("frameAll");
     view->addAction(tr("Frame the &Motion, From Here"), this, [this] { display_->frameMotion(); });
     view->addAction(tr("Frame &Now"), QKeySequence(Qt::Key_N), this,
                     [this] { display_->frameNow(); });
@@ -299,6 +401,29 @@ void GraphicalViewer::buildViewMenu() {
     view->addAction(tr("&Keep This View"), QKeySequence(Qt::CTRL | Qt::Key_K), this,
                     [this] { keepView(); });
     view->addSeparator();
+    QMenu* panes = view->addMenu(tr("&Panes"));
+    panes_.fillMenu(*panes);
+    view->addAction(tr("Te&xt and Picture"), QKeySequence(Qt::Key_F6), this,
+                    &GraphicalViewer::switchPane);
+    view->addAction(tr("F&ull Screen"), QKeySequence(Qt::Key_F11), this,
+                    &GraphicalViewer::toggleFullScreen);
+    view->addSeparator();
+    for (const StatusPanel::Switch& one : panel_->switches())
+        if (!one.isHandle)
+            addSwitch(*view, one);
+}
+
+// The keyboard goes to the text, and back to the picture.
+void GraphicalViewer::switchPane() {
+    if (display_->hasFocus())
+        showText();
+    else
+        display_->setFocus();
+}
+
+void GraphicalViewer::toggleFullScreen() { setWindowState(windowState() ^ Qt::WindowFullScreen); }
+
+void GraphicalViewer::buildHandlesMenu() {
     QMenu* handles = menuBar()->addMenu(tr("&Handles"));
     const auto all = [this](bool on) {
         for (const StatusPanel::Switch& one : panel_->switches())
@@ -308,13 +433,9 @@ void GraphicalViewer::buildViewMenu() {
     handles->addAction(tr("&All"), this, [all] { all(true); });
     handles->addAction(tr("&None"), this, [all] { all(false); });
     handles->addSeparator();
-    for (const StatusPanel::Switch& one : panel_->switches()) {
-        QAction* action = (one.isHandle ? handles : view)->addAction(plain::ours(one.box->text()));
-        action->setCheckable(true);
-        action->setChecked(one.box->isChecked());
-        connect(action, &QAction::toggled, one.box, &QCheckBox::setChecked);
-        connect(one.box, &QCheckBox::toggled, action, &QAction::setChecked);
-    }
+    for (const StatusPanel::Switch& one : panel_->switches())
+        if (one.isHandle)
+            addSwitch(*handles, one);
 }
 
 void GraphicalViewer::tell(const QString& sentence) { told_->tell(sentence); }
@@ -367,7 +488,7 @@ void GraphicalViewer::showCreated(editing::Element element, HandleSwitch handles
     if (handles)
         panel_->show(handles);
     if (element.kind == editing::Kind::plot)
-        windows_.openPlots();
+        panes_.show("plots");
     display_->editing().expect(element);
 }
 
@@ -412,10 +533,10 @@ void GraphicalViewer::showMenu(const MenuPlace& place) {
     else if (place.element)
         document_.select({*place.element});
     // It goes when it is closed, or with the window.
-    QMenu* menu =
-        elementMenu(document_, *display_, place,
-                    {windows_.openTrajectoryEditor, windows_.showText, windows_.openPlots})
-            .release();
+    QMenu* menu = elementMenu(document_, *display_, place,
+                              {windows_.openTrajectoryEditor, windows_.showText,
+                               [this] { panes_.show("plots"); }})
+                      .release();
     menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->popup(display_->mapToGlobal(place.position.toPoint()));
 }
@@ -432,13 +553,6 @@ void GraphicalViewer::fillViewsMenu() {
         action->setCheckable(true);
         action->setChecked(name == display_->followedView());
     }
-}
-
-void GraphicalViewer::togglePlaying() {
-    if (playback_.isPlaying())
-        playback_.pause();
-    else
-        playback_.play();
 }
 
 void GraphicalViewer::updateRange() {
@@ -463,28 +577,17 @@ void GraphicalViewer::updateState() {
     timeBar_->setTime(playback_.time());
     timeStrip_->setRange(playback_.start(), playback_.finish());
     timeStrip_->setTime(playback_.time());
-    loopButton_->setChecked(playback_.loops());
-    loopAction_->setChecked(playback_.loops());
-    rateButton_->setText(rateText(playback_.rate()));
-    rateButton_->setAccessibleName(tr("Rate: %1").arg(rateText(playback_.rate()).trimmed()));
-    playAction_->setText(playback_.isPlaying() ? tr("&Pause") : tr("&Play"));
-    timeLabel_->setText(timeText(playback_.time(), playback_.finish() - playback_.start()));
-    updateIcons();
     if (!playback_.isPlaying())
         display_->setTime(playback_.time(), false);
-}
-
-void GraphicalViewer::updateIcons() {
-    for (const auto& [button, which] : buttons_)
-        button->setIcon(
-            icon(button == playButton_ && playback_.isPlaying() ? Icon::pause : which, palette()));
 }
 
 void GraphicalViewer::updateTitle() {
     const QString viewer =
         number_ == 1 ? tr("Graphical Viewer") : tr("Graphical Viewer %1").arg(number_);
     setWindowTitle(tr("%1[*] – %2").arg(plain::title(document_.name()), viewer));
-    setWindowModified(document_.hasHost() ? false : document_.isModified());
+    const LanguageViewer* typed = text();
+    setWindowModified((typed && typed->hasDraft()) ||
+                      (!document_.hasHost() && document_.isModified()));
 }
 
 // Space presses the button or box that has the keyboard; elsewhere it plays.
@@ -497,10 +600,10 @@ bool GraphicalViewer::eventFilter(QObject* watched, QEvent* event) {
     return QMainWindow::eventFilter(watched, event);
 }
 
-void GraphicalViewer::changeEvent(QEvent* event) {
-    QMainWindow::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange && playButton_ != nullptr)
-        updateIcons();
+void GraphicalViewer::closeEvent(QCloseEvent* event) {
+    LanguageViewer* viewer = text();
+    event->setAccepted((!viewer || viewer->settleDraft()) &&
+                       (!windows_.mayClose || windows_.mayClose(*this)));
 }
 
 } // namespace views

@@ -1,9 +1,10 @@
-// The graphical viewer's window (dissertation 4.1): menu bar, picture, status and switches at the
-// right, time buttons and the time scrollbar below. Any number of them, each with its own
-// viewpoint and time.
+// The graphical viewer's window (dissertation 4.1): the picture in the middle, time buttons and the
+// time scrollbar below, and panes beside them: status and switches, the text, plots. Any number of
+// them, each with its own viewpoint and time.
 #pragma once
 
-#include "frame/icons.h"
+#include "frame/panes.h"
+#include "frame/undo_actions.h"
 #include "frame/windows.h"
 #include "picture/scene_display.h"
 #include "trajectories/time_strip.h"
@@ -12,13 +13,14 @@
 #include "workbench/playback.h"
 
 #include <QMainWindow>
-#include <QToolButton>
 
-class QHBoxLayout;
+class QLabel;
 class QVBoxLayout;
 
 namespace views {
 
+class LanguageViewer;
+class TimeControls;
 class ToldBar;
 
 class GraphicalViewer : public QMainWindow {
@@ -32,31 +34,46 @@ public:
     [[nodiscard]] SceneDisplay& display() { return *display_; }
     [[nodiscard]] TimeBar& timeBar() { return *timeBar_; }
     [[nodiscard]] TimeStrip& timeStrip() { return *timeStrip_; }
-    void tell(const QString& sentence); // above the picture, until it was read
+    [[nodiscard]] Panes& panes() { return panes_; }
+    // The panes that one begins with, in their usual places.
+    void showUsualPanes();
+    void showTour();
+    void buildToolBar();                        // once all commands are in the menus
+    [[nodiscard]] LanguageViewer* text() const; // nullptr while its pane was never shown
+    void showText();                            // in its pane, with the keyboard
+    void tell(const QString& sentence);         // above the picture, until it was read
 
 protected:
-    void changeEvent(QEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    void buildPicture(std::shared_ptr<PictureThread> pictures);
+    void buildPanes();
     void buildMenus();
+    void buildFileMenu();
+    void buildEditMenu();
     void buildViewMenu();
+    void buildHandlesMenu();
+    void buildMotionMenu();
+    void fillTextMenu(LanguageViewer& text);
+    QWidget* makeTour();
+    [[nodiscard]] QString helpAt(const QWidget& under) const;
+    void connectParts();
     void buildLiveMenu(QMenu* menu);
-    void buildTimeControls(QVBoxLayout* column);
-    QToolButton* addButton(QHBoxLayout* row, const char* name, Icon which, const QString& tip,
-                           std::function<void()> action);
     void connectTimeStrip();
     void connectBody();
     void showMenu(const MenuPlace& place);
     void fillViewsMenu();
     void updateRange();
     void updateState();
-    void updateIcons();
     void updateTitle();
     void showHint();
-    void togglePlaying();
+    bool typing(bool redo); // takes back what was typed in the text, where the keyboard is
+    void switchPane();
+    void toggleFullScreen();
     void stop();
     void keepView();
     void showCreated(editing::Element element, HandleSwitch handles);
@@ -70,11 +87,11 @@ private:
     StatusPanel* panel_;
     TimeBar* timeBar_;
     TimeStrip* timeStrip_;
-    QMenu* viewsMenu_ = nullptr;
-    QAction *playAction_ = nullptr, *loopAction_ = nullptr;
-    QToolButton *playButton_ = nullptr, *loopButton_ = nullptr, *rateButton_ = nullptr;
-    std::vector<std::pair<QToolButton*, Icon>> buttons_;
-    QLabel *timeLabel_ = nullptr, *hint_ = nullptr;
+    TimeControls* controls_;
+    QLabel* hint_ = nullptr;
+    Panes panes_;
+    QMenu *viewsMenu_ = nullptr, *textMenu_ = nullptr;
+    UndoActions undo_{};
 };
 
 } // namespace views

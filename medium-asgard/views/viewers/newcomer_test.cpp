@@ -1,7 +1,7 @@
 // What a new user stumbled over in the windows.
 #include "language/scene_editor.h"
-#include "viewers/control_panel.h"
 #include "viewers/editor.h"
+#include "viewers/scene_files.h"
 #include "views/test_workshop.h"
 
 #include <QAction>
@@ -78,13 +78,13 @@ TEST_F(NewcomerTest, UndoIsNamedInEveryWindow) {
     editor.document().preview(ballScene + "# a", since);
     editor.document().finishPreview(ballScene + "# a", "Drag", since);
     EXPECT_EQ(action(*viewer, "Undo")->text(), "&Undo Drag");
-    EXPECT_EQ(action(*editor.openControlPanel(), "Undo")->text(), "&Undo Drag");
+    EXPECT_EQ(action(*editor.openShapeEditor(), "Undo")->text(), "&Undo Drag");
 }
 
 TEST_F(NewcomerTest, TheEndingOfAnExportsNameSaysWhatItIs) {
     open(ballScene);
     const QTemporaryDir folder;
-    editor.openControlPanel()->exports().write(folder.filePath("a.CSV"), ExportFormat::png);
+    editor.beginSession().exports().write(folder.filePath("a.CSV"), ExportFormat::png);
     EXPECT_TRUE(waitFor([&] { return QFileInfo(folder.filePath("a.CSV")).size() > 100; }));
     EXPECT_EQ(formatOf("now.png", ExportFormat::table), ExportFormat::png);
     EXPECT_EQ(formatOf("film", ExportFormat::film), ExportFormat::film);

@@ -1,10 +1,9 @@
 // Texts of a scene are shown as they are written, in every window: no label, tip or caption takes
 // them for markup, whose pictures Qt would read from any file.
-#include "plots/plots_window.h"
+#include "plots/plots_panel.h"
 #include "plots/study_window.h"
 #include "shapes/shape_editor.h"
 #include "trajectories/trajectory_editor.h"
-#include "viewers/control_panel.h"
 #include "viewers/editor.h"
 #include "views/test_workshop.h"
 
@@ -55,10 +54,10 @@ TEST(PlainTexts, OfASceneInEveryWindow) {
     theApplication();
     TestWorkshop made;
     Editor editor{made.workshop()};
-    QMainWindow* const windows[] = {editor.openControlPanel(),   editor.openGraphicalViewer(),
-                                    editor.openLanguageViewer(), editor.openTrajectoryEditor(),
-                                    editor.openShapeEditor(),    editor.openPlots(),
+    QMainWindow* const windows[] = {editor.openGraphicalViewer(), editor.openLanguageViewer(),
+                                    editor.openTrajectoryEditor(), editor.openShapeEditor(),
                                     editor.openStudy()};
+    editor.openPlots();
     // First one that can be shown, then one with an error.
     const std::string all = scene();
     for (const std::string& text : {all.substr(0, all.rfind("error")), all}) {
@@ -69,9 +68,9 @@ TEST(PlainTexts, OfASceneInEveryWindow) {
             expectPlain(*window);
     }
     // It is there to be seen, as it was written.
-    const auto* slider = windows[1]->findChild<QSlider*>();
+    const auto* slider = windows[0]->findChild<QSlider*>();
     bool isShown = false;
-    for (const QLabel* label : windows[1]->findChildren<QLabel*>())
+    for (const QLabel* label : windows[0]->findChildren<QLabel*>())
         isShown |= label->text() == shown + " & more" && label->textFormat() == Qt::PlainText;
     EXPECT_TRUE(slider);
     EXPECT_TRUE(isShown);

@@ -3,11 +3,9 @@
 #include "frame/manual_window.h"
 #include "frame/readable.h"
 #include "language/scene_editor.h"
-#include "plots/plots_window.h"
 #include "plots/study_window.h"
 #include "shapes/shape_editor.h"
 #include "trajectories/trajectory_editor.h"
-#include "viewers/control_panel.h"
 #include "viewers/editor.h"
 #include "views/test_workshop.h"
 
@@ -126,16 +124,16 @@ protected:
         ASSERT_FALSE(editor.document().hasErrors());
         LanguageViewer* language = editor.openLanguageViewer();
         GraphicalViewer* graphical = editor.openGraphicalViewer();
+        graphical->showUsualPanes();
+        graphical->panes().show("plots");
         language->tell("What happened.");
         graphical->tell("What happened.");
         manual = std::make_unique<ManualWindow>(
             "# One\n\nWords, `code` and a [link](a.md).\n\n| a | b |\n|---|---|\n| c | d |\n");
         windows = {language,
                    graphical,
-                   editor.openControlPanel(),
                    editor.openTrajectoryEditor(),
                    editor.openShapeEditor("tip"),
-                   editor.openPlots(),
                    editor.openStudy(),
                    manual.get()};
         manual->show();

@@ -1,5 +1,4 @@
 #include "viewers/status_panel.h"
-#include "motion/known_span.h"
 
 #include "motion/known_span.h"
 #include "plain/plain.h"
@@ -58,7 +57,7 @@ StatusPanel::StatusPanel(SceneDocument& document, Playback& playback,
                          const render::Display& display, QWidget* parent)
     : QWidget(parent), document_(document), playback_(playback), display_(display) {
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
+    column->setContentsMargins(4, 2, 6, 4);
     column->setSpacing(8);
     auto* status = new QGroupBox(tr("Motion"));
     auto* form = new QFormLayout(status);
@@ -86,7 +85,7 @@ StatusPanel::StatusPanel(SceneDocument& document, Playback& playback,
     column->addWidget(new ParametersPanel(document_));
     addSwitches(display);
     column->addStretch();
-    setFixedWidth(190);
+    setMinimumWidth(190);
     connect(&playback_, &Playback::timeChanged, this, &StatusPanel::showTime);
     connect(&playback_, &Playback::stateChanged, this, &StatusPanel::showMotion);
     connect(&document_, &SceneDocument::motionChanged, this, &StatusPanel::showMotion);
@@ -196,7 +195,7 @@ void StatusPanel::showMotion() {
                              : tr("to %1").arg(timeText(known.computed, length)));
     computed_->setToolTip(plain::tip(
         known.stopped > 0 ? tr("Bodies that stop before the end: %1. The first of them stops "
-                               "there; a language viewer says why")
+                               "there; the text says why")
                                 .arg(known.stopped)
                           : tr("How far the motion is computed")));
     const auto error = motion ? motion->errorEstimate() : std::nullopt;
@@ -214,7 +213,7 @@ void StatusPanel::showMotion() {
                             : tr("Computing the motion…"));
     else if (document_.hasErrors())
         state_->setText(document_.sceneIsCurrent()
-                            ? tr("The motion has faults: see a language viewer.")
+                            ? tr("The motion has faults: see the text.")
                             : tr("The text has errors. This is the last good scene."));
     else if (document_.waitsToBeAsked())
         state_->setText(tr("The motion is stale: it is that of an older scene. F5 computes it."));

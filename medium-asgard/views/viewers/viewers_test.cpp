@@ -1,8 +1,8 @@
 #include "language/scene_editor.h"
 #include "language/scintilla.h"
 #include "render/triad.h"
-#include "viewers/control_panel.h"
 #include "viewers/editor.h"
+#include "viewers/scene_files.h"
 #include "views/test_workshop.h"
 
 #include <gtest/gtest.h>
@@ -498,19 +498,7 @@ TEST_F(ViewersTest, LiteralPlacesThatViewsShareAreHighlighted) {
     EXPECT_FALSE(marked("{-sub"));
 }
 
-// --- control panel --------------------------------------------------------------------------
-
-TEST_F(ViewersTest, TheControlPanelOpensViewersAndSimulates) {
-    ControlPanel* panel = editor.openControlPanel();
-    button(*panel, "New Graphical Viewer")->click();
-    button(*panel, "New Language Viewer")->click();
-    EXPECT_EQ(editor.graphicalViewers().size(), 1);
-    EXPECT_EQ(editor.languageViewers().size(), 1);
-    const int before = made.simulations;
-    button(*panel, "Simulate")->click();
-    ASSERT_TRUE(settle(editor.document()));
-    EXPECT_EQ(made.simulations, before + 1);
-}
+// --- files and windows --------------------------------------------------------------------------
 
 // A draft belongs to the file that it is a draft of.
 TEST_F(ViewersTest, AnotherFileIsOpenedWhenItsDraftsAreSettled) {
@@ -522,7 +510,7 @@ TEST_F(ViewersTest, AnotherFileIsOpenedWhenItsDraftsAreSettled) {
     file.close();
     ASSERT_EQ(editor.document().save(home.filePath("scene.al")).sentence, "");
     LanguageViewer* viewer = editor.openLanguageViewer();
-    ControlPanel* panel = editor.openControlPanel();
+    SceneFiles& files = editor.beginSession();
     const auto openChoosing = [&](const QString& choice) {
         type(*viewer, ballScene + "# mine\n");
         QTimer::singleShot(0, [&] {
@@ -532,7 +520,7 @@ TEST_F(ViewersTest, AnotherFileIsOpenedWhenItsDraftsAreSettled) {
             ASSERT_NE(chosen, nullptr);
             chosen->click();
         });
-        panel->open(path);
+        files.open(path);
     };
     openChoosing("Cancel");
     EXPECT_EQ(editor.document().text(), ballScene);

@@ -8,7 +8,6 @@
 #include "language/scene_editor.h"
 #include "shapes/shape_editor.h"
 #include "trajectories/trajectory_editor.h"
-#include "viewers/control_panel.h"
 #include "viewers/editor.h"
 #include "views/test_workshop.h"
 
@@ -366,9 +365,8 @@ protected:
         }
     }
     void open() {
-        editor_.openControlPanel();
         if (editor_.graphicalViewers().isEmpty())
-            editor_.openGraphicalViewer();
+            editor_.openGraphicalViewer()->showUsualPanes();
         if (editor_.languageViewers().isEmpty())
             editor_.openLanguageViewer();
         if (editor_.languageViewers().size() > 3)

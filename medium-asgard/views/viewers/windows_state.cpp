@@ -1,6 +1,5 @@
 // An Editor's windows as text, for another process: what that process opens again.
 #include "language/scene_editor.h"
-#include "plots/plots_window.h"
 #include "shapes/shape_editor.h"
 #include "trajectories/trajectory_editor.h"
 #include "viewers/editor.h"
@@ -58,12 +57,15 @@ QJsonObject written(LanguageViewer& viewer, bool withDraft) {
     return window;
 }
 
-QJsonObject written(GraphicalViewer& viewer) {
+QJsonObject written(GraphicalViewer& viewer, bool withDraft) {
     QJsonObject window = windowOf("picture", viewer);
     window["time"] = viewer.playback().time();
     if (!viewer.display().framesItself())
         window["camera"] = written(viewer.display().camera());
     window["view"] = viewer.display().followedView();
+    window["panes"] = QString::fromLatin1(viewer.panes().arrangement().toBase64());
+    if (LanguageViewer* text = viewer.text())
+        window["text"] = written(*text, withDraft);
     return window;
 }
 
@@ -92,6 +94,9 @@ void restore(GraphicalViewer& viewer, const QJsonObject& as) {
     else if (const auto camera = cameraOf(as["camera"].toArray()))
         viewer.display().setCamera(*camera);
     viewer.playback().seek(as["time"].toDouble());
+    viewer.panes().restore(QByteArray::fromBase64(as["panes"].toString().toLatin1()));
+    if (as.contains("text"))
+        restore(static_cast<LanguageViewer&>(*viewer.panes().made("text")), as["text"].toObject());
 }
 
 } // namespace
@@ -100,13 +105,12 @@ std::string Editor::windowsState() const {
     const auto all = [this](bool withDrafts) {
         QJsonArray windows;
         for (GraphicalViewer* viewer : graphicalViewers())
-            windows.append(written(*viewer));
-        for (LanguageViewer* viewer : languageViewers())
             windows.append(written(*viewer, withDrafts));
+        for (LanguageViewer* viewer : languageViewers())
+            if (!viewer->isPane())
+                windows.append(written(*viewer, withDrafts));
         if (trajectoryEditor_ && trajectoryEditor_->isVisible())
             windows.append(windowOf("trajectories", *trajectoryEditor_));
-        if (plots_ && plots_->isVisible())
-            windows.append(windowOf("plots", *plots_));
         if (shapeEditor_ && shapeEditor_->isVisible()) {
             QJsonObject shape = windowOf("shapes", *shapeEditor_);
             shape["shape"] = shapeEditor_->shape();
@@ -138,8 +142,6 @@ void Editor::restoreWindows(const std::string& state, const QString& notice) {
             viewer->tell(notice);
         } else if (kind == "trajectories") {
             place(*openTrajectoryEditor(), window);
-        } else if (kind == "plots") {
-            place(*openPlots(), window);
         } else if (kind == "shapes") {
             place(*openShapeEditor(window["shape"].toString()), window);
         }

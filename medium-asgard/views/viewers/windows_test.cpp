@@ -3,9 +3,8 @@
 #include "charts/scale.h"
 #include "frame/manual_window.h"
 #include "plots/plot_dialog.h"
-#include "plots/plots_window.h"
+#include "plots/plots_panel.h"
 #include "shapes/shape_editor.h"
-#include "viewers/control_panel.h"
 #include "viewers/editor.h"
 #include "viewers/motion_span.h"
 #include "views/test_workshop.h"
@@ -311,7 +310,7 @@ TEST_F(WindowsTest, APlotHasItsPlaceBeforeItsValues) {
         many += "plot p" + std::to_string(i) + " -values floor.y\n";
     editor.document().setText(many, "Edit");
     ASSERT_TRUE(waitFor([&] { return editor.document().shown().scene->plots.size() == 9; }));
-    PlotsWindow* window = editor.openPlots();
+    PlotsPanel* window = editor.openPlots();
     EXPECT_EQ(window->charts().size(), 9U);
     EXPECT_EQ(window->charts()[8]->plot().title, "p8");
     EXPECT_LT(window->height(), 800); // they scroll
@@ -335,31 +334,7 @@ TEST_F(WindowsTest, WhatHardlyChangesIsAChartOfItsChange) {
 
 // --- windows ---------------------------------------------------------------------------------
 
-TEST_F(WindowsTest, EveryWindowEndsTheSessionAndBeginsAScene) {
-    open(flooring);
-    ControlPanel* panel = editor.openControlPanel();
-    for (QMainWindow* window : {static_cast<QMainWindow*>(editor.openGraphicalViewer()),
-                                static_cast<QMainWindow*>(editor.openLanguageViewer()),
-                                static_cast<QMainWindow*>(editor.openPlots()),
-                                static_cast<QMainWindow*>(editor.openShapeEditor())}) {
-        for (const char* what : {"New Scene", "Quit"})
-            EXPECT_TRUE(action(*window, what)) << window->windowTitle().toStdString();
-        std::map<QString, int> keys;
-        for (const QAction* one : window->findChildren<QAction*>())
-            for (const QKeySequence& key : one->shortcuts())
-                EXPECT_EQ(++keys[key.toString()], 1) << key.toString().toStdString();
-        EXPECT_EQ(keys["Ctrl+Q"], 1);
-        EXPECT_EQ(keys[QKeySequence(QKeySequence::Close).toString()], 1);
-    }
-    EXPECT_TRUE(action(*panel, "New Scene"));
-}
-
-TEST_F(WindowsTest, PlotsAndTheManualCloseByTheirKeys) {
-    open(flooring);
-    QPointer<PlotsWindow> plots = editor.openPlots();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(plots, longestWait));
-    QTest::keyClick(plots, Qt::Key_Escape);
-    EXPECT_TRUE(waitFor([&] { return !plots; }));
+TEST_F(WindowsTest, TheManualClosesByItsKey) {
     auto* manual = new ManualWindow(QStringLiteral("# A\n\nx\n\n## B\n\ny\n"));
     const QPointer<ManualWindow> gone = manual;
     manual->show();
@@ -423,12 +398,11 @@ TEST_F(SpanTest, WhatIsTypedIsTakenBeforeAnythingElseIsDone) {
 
 TEST_F(SpanTest, AKeyThatIsACommandTakesItToo) {
     open(flooring);
-    ControlPanel* panel = editor.openControlPanel();
-    type(*panel, "9");
-    QTest::keyClick(panel->focusWidget(), Qt::Key_F5);
+    type(*viewer, "9");
+    QTest::keyClick(viewer->focusWidget(), Qt::Key_F5);
     ASSERT_TRUE(settle(editor.document()));
     EXPECT_EQ(editor.document().shown().scene->simulator.finish, 9);
-    type(*panel, "11");
+    type(*viewer, "11");
     MotionSpan::settleAll(editor.document()); // as Save, Quit and New Scene do
     EXPECT_THAT(text(), HasSubstr("-finish 11"));
 }
@@ -437,13 +411,12 @@ TEST_F(SpanTest, TheSameAgainIsNoEditAndUndoIsTheScenes) {
     open("body_less ;# a fault\n");
     editor.document().setText("# empty\n", "Edit");
     ASSERT_TRUE(settle(editor.document()));
-    ControlPanel* panel = editor.openControlPanel();
-    EXPECT_FALSE(qobject_cast<QLineEdit*>(panel->focusWidget()));
-    type(*panel, "10");
-    QTest::keyClick(end(*panel), Qt::Key_Return);
+    EXPECT_FALSE(qobject_cast<QLineEdit*>(viewer->focusWidget()));
+    type(*viewer, "10");
+    QTest::keyClick(end(*viewer), Qt::Key_Return);
     EXPECT_EQ(text(), "# empty\n"); // ten seconds it had before
-    end(*panel)->setFocus();
-    QTest::keyClick(end(*panel), Qt::Key_Z, Qt::ControlModifier);
+    end(*viewer)->setFocus();
+    QTest::keyClick(end(*viewer), Qt::Key_Z, Qt::ControlModifier);
     EXPECT_EQ(text(), "body_less ;# a fault\n");
 }
 

@@ -458,12 +458,17 @@ QString SceneDocument::open(const QString& path) {
     return {};
 }
 
-void SceneDocument::reset() { begin({}, {}, {}); }
+void SceneDocument::reset(const std::string& text, const QString& name) {
+    begin({}, {}, text);
+    if (!name.isEmpty())
+        setName(name);
+}
 
 void SceneDocument::begin(const QString& path, const files::KnownFile& file,
                           const std::string& text) {
     path_ = path;
     file_ = file;
+    name_.clear();
     savedText_ = text;
     done_.clear();
     undone_.clear();
@@ -488,6 +493,7 @@ files::SaveResult SceneDocument::save(const QString& path, files::SaveOptions op
     if (!result)
         return result;
     path_ = path;
+    name_.clear(); // the file's from now on
     savedText_ = text_;
     Q_EMIT nameChanged();
     return result;

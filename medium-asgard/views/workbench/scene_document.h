@@ -172,7 +172,8 @@ public:
     // --- stand-alone
     [[nodiscard]] QString open(const QString& path); // "" or why not
     [[nodiscard]] files::SaveResult save(const QString& path, files::SaveOptions options = {});
-    void reset(); // an empty scene that was never saved
+    // A scene that was never saved, with a text to begin with.
+    void reset(const std::string& text = {}, const QString& name = {});
     // Takes the text that a program, which knew its file as `file`, had not saved when it ended:
     // one change of the file's content. Without the file it is a scene that was never saved.
     void recover(const files::KnownFile& file, const std::string& text);

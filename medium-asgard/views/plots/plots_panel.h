@@ -5,21 +5,24 @@
 #include "plots/plot_chart.h"
 #include "workbench/scene_document.h"
 
-#include <QMainWindow>
+#include <QScrollArea>
 
 class QLabel;
 class QVBoxLayout;
 
 namespace views {
 
-class PlotsWindow : public QMainWindow {
+class PlotsPanel : public QScrollArea {
     Q_OBJECT
 public:
-    explicit PlotsWindow(SceneDocument& document);
+    explicit PlotsPanel(SceneDocument& document);
     [[nodiscard]] const std::vector<PlotChart*>& charts() const { return charts_; }
 
+protected:
+    void showEvent(QShowEvent* event) override;
+
 private:
-    void ask();        // for what is shown now
+    void ask();        // for what is shown now; nothing while nobody sees it
     void makeCharts(); // of its plots, still without values
     void take(const charts::PlotSampler::Wish& of, std::vector<charts::Plot> plots);
 

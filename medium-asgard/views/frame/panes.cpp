@@ -1,0 +1,108 @@
+#include "frame/panes.h"
+
+#include "plain/plain.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QMenu>
+
+namespace views {
+
+namespace {
+
+constexpr int version = 1; // of arrangements: another set of panes begins anew
+
+} // namespace
+
+Panes::Panes(QMainWindow& window) : QObject(&window), window_(window) {
+    window_.setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowNestedDocks |
+                           QMainWindow::AllowTabbedDocks);
+    window_.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+    // The sides reach down to the window's edge.
+    window_.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    window_.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+}
+
+void Panes::add(Pane pane) {
+    auto* dock = new QDockWidget(plain::ours(pane.title), &window_);
+    dock->setObjectName(QStringLiteral("pane.") + pane.name);
+    dock->setAccessibleName(pane.title);
+    window_.addDockWidget(pane.side, dock);
+    if (const Placed* before = find(pane.behind))
+        window_.tabifyDockWidget(before->dock, dock);
+    dock->hide();
+    panes_.push_back({std::move(pane), dock});
+    const QString name = panes_.back().pane.name;
+    connect(dock->toggleViewAction(), &QAction::triggered, this, [this, name](bool on) {
+        if (on)
+            show(name);
+    });
+    connect(dock, &QDockWidget::visibilityChanged, this, [this, name](bool on) {
+        if (on)
+            made(name);
+    });
+}
+
+const Panes::Placed* Panes::find(const QString& name) const {
+    for (const Placed& one : panes_)
+        if (one.pane.name == name)
+            return &one;
+    return nullptr;
+}
+
+QWidget* Panes::contentOf(const Placed& placed) {
+    if (QWidget* known = placed.dock->widget())
+        return known;
+    QWidget* content = placed.pane.make();
+    placed.dock->setWidget(content);
+    Q_EMIT contentMade(placed.pane.name, content);
+    return content;
+}
+
+QWidget* Panes::made(const QString& name) {
+    const Placed* placed = find(name);
+    return placed ? contentOf(*placed) : nullptr;
+}
+
+void Panes::show(const QString& name) {
+    const Placed* placed = find(name);
+    if (!placed)
+        return;
+    contentOf(*placed);
+    placed->dock->show();
+    placed->dock->raise();
+}
+
+void Panes::hide(const QString& name) {
+    if (const Placed* placed = find(name))
+        placed->dock->hide();
+}
+
+bool Panes::isShown(const QString& name) const {
+    const Placed* placed = find(name);
+    return placed && !placed->dock->isHidden();
+}
+
+QWidget* Panes::content(const QString& name) const {
+    const Placed* placed = find(name);
+    return placed ? placed->dock->widget() : nullptr;
+}
+
+void Panes::fillMenu(QMenu& menu) const {
+    for (const Placed& one : panes_)
+        menu.addAction(one.dock->toggleViewAction());
+}
+
+QByteArray Panes::arrangement() const { return window_.saveState(version); }
+
+bool Panes::restore(const QByteArray& arrangement) {
+    if (!window_.restoreState(arrangement, version))
+        return false;
+    for (const Placed& one : panes_)
+        if (!one.dock->isHidden())
+            contentOf(one);
+    return true;
+}
+
+} // namespace views

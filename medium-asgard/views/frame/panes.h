@@ -1,0 +1,63 @@
+// Panes beside a window's middle: they dock, stand behind each other, tear off and close, and their
+// arrangement can be kept.
+#pragma once
+
+#include <QByteArray>
+#include <QList>
+#include <QObject>
+#include <QString>
+
+#include <functional>
+
+class QDockWidget;
+class QMainWindow;
+class QMenu;
+class QWidget;
+
+namespace views {
+
+struct Pane {
+    QString name;  // of the object, by which an arrangement knows it
+    QString title; // as the reader sees it
+    Qt::DockWidgetArea side = Qt::RightDockWidgetArea;
+    std::function<QWidget*()> make; // called when the pane is first shown
+    QString behind = {};            // the name of a pane whose place it shares
+};
+
+class Panes : public QObject {
+    Q_OBJECT
+public:
+    explicit Panes(QMainWindow& window);
+
+    // Closed until show(). A name is used once.
+    void add(Pane pane);
+    void show(const QString& name); // made if need be, and in front
+    void hide(const QString& name);
+    [[nodiscard]] bool isShown(const QString& name) const;
+    // nullptr: it was never shown, or there is no such pane.
+    [[nodiscard]] QWidget* content(const QString& name) const;
+    // As show(), without showing it.
+    QWidget* made(const QString& name);
+    // An entry for each pane, checked while the pane is shown.
+    void fillMenu(QMenu& menu) const;
+
+    // Sizes, places and which are shown; `restore` gives false for another program's arrangement.
+    [[nodiscard]] QByteArray arrangement() const;
+    bool restore(const QByteArray& arrangement);
+
+Q_SIGNALS:
+    void contentMade(const QString& name, QWidget* content);
+
+private:
+    struct Placed {
+        Pane pane;
+        QDockWidget* dock;
+    };
+    [[nodiscard]] const Placed* find(const QString& name) const;
+    QWidget* contentOf(const Placed& placed);
+
+    QMainWindow& window_;
+    QList<Placed> panes_;
+};
+
+} // namespace views

@@ -1,0 +1,140 @@
+#include "start/tour.h"
+
+#include "plain/plain.h"
+
+#include <QFrame>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <array>
+#include <variant>
+
+namespace views {
+
+namespace {
+
+struct Step {
+    QString title, what;
+};
+
+const std::array<Step, Tour::steps>& tourSteps() {
+    static const std::array<Step, Tour::steps> all{{
+        {Tour::tr("A rod"),
+         Tour::tr("Choose Create > Body > New from the Library > Rod, and click into the middle of "
+                  "the picture.\n\nThe line below the picture says what a click does. The text "
+                  "at the left has a new line: it is the same rod.")},
+        {Tour::tr("Hang it up"),
+         Tour::tr(
+             "Choose Create > Joint > Hinge. Click the rod near its left end, then click the "
+             "same place again: where there is no second body, the hinge holds to the ground.")},
+        {Tour::tr("A second rod"),
+         Tour::tr(
+             "Make another rod, right of the first so that their ends meet. Then choose Create "
+             "> Joint > Hinge, click the second rod, and click the place where the two meet on "
+             "the first.")},
+        {Tour::tr("Weight"),
+         Tour::tr("Choose Create > Force > Gravity for All Bodies. Both rods get their weight, "
+                  "9.81 m/s² downwards.")},
+        {Tour::tr("Let it swing"),
+         Tour::tr("Press Space, or the button with the triangle. Escape goes back to the start.")},
+    }};
+    return all;
+}
+
+bool moves(const scene::Body& body) { return !body.fixed; }
+
+// A joint that holds a body to the ground, or to another.
+bool holds(const scene::Scene& scene, bool toGround) {
+    return std::ranges::any_of(scene.joints, [&](const scene::Joint& joint) {
+        return joint.body2.has_value() != toGround;
+    });
+}
+
+bool hasWeight(const scene::Scene& scene, const scene::Body& body) {
+    return std::ranges::any_of(scene.forces, [&](const scene::Force& force) {
+        return force.body == body.name && !force.couple &&
+               std::holds_alternative<scene::GravitationalForce>(force.kind);
+    });
+}
+
+} // namespace
+
+int stepsDone(const scene::Scene& scene) {
+    const auto rods = std::ranges::count_if(scene.bodies, moves);
+    if (rods < 1)
+        return 0;
+    if (!holds(scene, true))
+        return 1;
+    if (rods < 2 || !holds(scene, false))
+        return 2;
+    const bool heavy = std::ranges::all_of(scene.bodies, [&](const scene::Body& body) {
+        return !moves(body) || hasWeight(scene, body);
+    });
+    return heavy ? 4 : 3;
+}
+
+Tour::Tour(SceneDocument& document, QWidget* parent) : QWidget(parent), document_(document) {
+    setObjectName("tour");
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(12, 10, 12, 10);
+    column->setSpacing(6);
+    for (int i = 0; i < steps; ++i) {
+        lines_.push_back(plain::label());
+        column->addWidget(lines_.back());
+    }
+    auto* line = new QFrame;
+    line->setFrameShape(QFrame::HLine);
+    line->setFrameShadow(QFrame::Sunken);
+    column->addWidget(line);
+    what_ = plain::label();
+    what_->setObjectName("tourStep");
+    what_->setAccessibleName(tr("The next step"));
+    what_->setWordWrap(true);
+    what_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    column->addWidget(what_, 1);
+    end_ = new QPushButton;
+    end_->setObjectName("endTour");
+    connect(end_, &QPushButton::clicked, this, &Tour::ended);
+    column->addWidget(end_);
+    setMinimumWidth(250);
+    connect(&document_, &SceneDocument::sceneChanged, this, &Tour::look);
+    look();
+}
+
+void Tour::played() {
+    played_ = true;
+    look();
+}
+
+// A step that was undone is to be done again.
+void Tour::look() {
+    done_ = stepsDone(*document_.shown().scene);
+    if (done_ < steps - 1)
+        played_ = false;
+    else if (played_)
+        done_ = steps;
+    show();
+}
+
+void Tour::show() {
+    for (int i = 0; i < steps; ++i) {
+        QLabel* line = lines_[i];
+        const QString mark = i < done_ ? QStringLiteral("✓") : QString::number(i + 1);
+        line->setText(
+            QStringLiteral("%1  %2").arg(mark, tourSteps()[static_cast<std::size_t>(i)].title));
+        QFont font = line->font();
+        font.setBold(i == done_);
+        line->setFont(font);
+        line->setForegroundRole(i == done_ ? QPalette::WindowText : QPalette::PlaceholderText);
+    }
+    what_->setText(done_ < steps
+                       ? tourSteps()[static_cast<std::size_t>(done_)].what
+                       : tr("It swings: the double pendulum of the dissertation.\n\nGo on: hold "
+                            "Shift and drag a rod, and look at its numbers in the text. F1 tells "
+                            "about the thing under the pointer."));
+    end_->setText(done_ < steps ? tr("&End the Tour") : tr("&Finish"));
+}
+
+} // namespace views

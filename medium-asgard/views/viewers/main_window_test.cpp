@@ -1,0 +1,260 @@
+// One window with its panes: what it opens with, what its keys mean, and how it ends.
+#include "language/scene_editor.h"
+#include "plots/plots_panel.h"
+#include "plots/study_window.h"
+#include "shapes/shape_editor.h"
+#include "trajectories/trajectory_editor.h"
+#include "viewers/editor.h"
+#include "viewers/placing.h"
+#include "viewers/scene_files.h"
+#include "views/test_workshop.h"
+
+#include <QDockWidget>
+#include <QMenu>
+#include <QMenuBar>
+#include <QPushButton>
+#include <QScreen>
+#include <QTimer>
+
+#include <gmock/gmock.h>
+
+#include <map>
+
+namespace views {
+namespace {
+
+class MainWindowTest : public testing::Test {
+protected:
+    static void SetUpTestSuite() { theApplication(); }
+    void SetUp() override {
+        editor.document().setText(ballScene, "Edit");
+        ASSERT_TRUE(settle(editor.document()));
+    }
+    GraphicalViewer& open() {
+        GraphicalViewer* viewer = editor.openGraphicalViewer();
+        viewer->resize(1200, 760);
+        viewer->showUsualPanes();
+        viewer->activateWindow();
+        EXPECT_TRUE(QTest::qWaitForWindowActive(viewer, longestWait));
+        return *viewer;
+    }
+    static QAction* action(const QWidget& window, const QString& begins) {
+        for (QAction* one : window.findChildren<QAction*>())
+            if (one->text().remove('&').startsWith(begins))
+                return one;
+        return nullptr;
+    }
+    static QStringList fileMenu(const QMainWindow& window) {
+        QStringList entries;
+        for (const QAction* menu : window.menuBar()->actions())
+            if (menu->text().remove('&') == "File")
+                for (const QAction* entry : menu->menu()->actions())
+                    if (!entry->isSeparator())
+                        entries << entry->text().remove('&').remove(QStringLiteral("…"));
+        return entries;
+    }
+    // In the question that is about to be asked.
+    void answer(const QString& label) {
+        QTimer::singleShot(0, &editor, [this, label] {
+            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+            ASSERT_NE(box, nullptr);
+            ++asked;
+            for (QAbstractButton* button : box->buttons())
+                if (button->text().remove('&') == label)
+                    return button->click();
+            FAIL() << "no button " << label.toStdString();
+        });
+    }
+
+    TestWorkshop made;
+    Editor editor{made.workshop()};
+    int asked = 0;
+};
+
+// A key of two commands in one window would call neither; of two meanings, surprise.
+TEST_F(MainWindowTest, EachKeyMeansOneThingInAllWindows) {
+    editor.beginSession();
+    GraphicalViewer& viewer = open();
+    viewer.panes().show("plots");
+    QMainWindow* const windows[] = {&viewer, editor.openLanguageViewer(), editor.openShapeEditor(),
+                                    editor.openTrajectoryEditor(), editor.openStudy()};
+    // Words that differ for one meaning: the name of what is undone, and the object of a deletion.
+    const std::map<QString, QString> same{{"Update", "Save"},
+                                          {"Dismiss", "Close"},
+                                          {"Larger", "Zoom In"},
+                                          {"Smaller", "Zoom Out"},
+                                          {"As It Was", "Whole Trajectory"}};
+    std::map<QString, QString> meaning;
+    for (QMainWindow* window : windows) {
+        std::map<const QKeySequence, QString> inWindow;
+        for (const QAction* one : window->findChildren<QAction*>()) {
+            QString label = one->text().remove('&').remove(QStringLiteral("…"));
+            if (const auto found = same.find(label); found != same.end())
+                label = found->second;
+            label = label.section(' ', 0, label.startsWith("Frame") ? 1 : 0);
+            if (label.isEmpty())
+                continue; // Escape, which leaves what one looks at
+            for (const QKeySequence& key : one->shortcuts()) {
+                if (one->shortcutContext() != Qt::WidgetShortcut) {
+                    EXPECT_TRUE(inWindow.emplace(key, label).second)
+                        << key.toString().toStdString() << " twice in "
+                        << window->windowTitle().toStdString();
+                }
+                const auto [known, isNew] = meaning.emplace(key.toString(), label);
+                EXPECT_EQ(known->second, label) << key.toString().toStdString();
+            }
+        }
+    }
+    EXPECT_EQ(meaning["Ctrl+N"], "New");
+    EXPECT_EQ(meaning["Ctrl+W"], "Close");
+    EXPECT_EQ(meaning["Ctrl+Q"], "Quit");
+    EXPECT_EQ(meaning["F11"], "Full");
+}
+
+TEST_F(MainWindowTest, EveryWindowHasTheCommandsOfTheFile) {
+    editor.beginSession();
+    for (QMainWindow* window : std::initializer_list<QMainWindow*>{
+             &open(), editor.openLanguageViewer(), editor.openShapeEditor(),
+             editor.openTrajectoryEditor(), editor.openStudy()}) {
+        const QStringList entries = fileMenu(*window);
+        for (const char* wanted :
+             {"New Scene", "Open", "Open Recent", "Save", "Save As", "Export", "Quit"})
+            EXPECT_EQ(entries.count(wanted), 1)
+                << wanted << " in " << entries.join(", ").toStdString();
+        EXPECT_EQ(entries.back(), "Quit");
+    }
+}
+
+TEST_F(MainWindowTest, UnderAHostTheDocumentHasTheFile) {
+    HostLink link;
+    link.changed = [](const text::Edit&, const QString&) {};
+    editor.document().setHostLink(link);
+    const QStringList entries = fileMenu(open());
+    EXPECT_FALSE(entries.contains("Open"));
+    EXPECT_FALSE(entries.contains("Quit"));
+}
+
+TEST_F(MainWindowTest, ThePaneOfTheTextTakesItsKeysAndLeavesTheOthers) {
+    GraphicalViewer& viewer = open();
+    ASSERT_NE(viewer.text(), nullptr);
+    viewer.showText();
+    SceneEditor& text = viewer.text()->editor();
+    ASSERT_TRUE(text.hasFocus());
+    QTest::keyClick(&text, Qt::Key_Home, Qt::ControlModifier);
+    QTest::keyClicks(&text, "# a");
+    EXPECT_TRUE(viewer.text()->hasDraft());
+    EXPECT_FALSE(viewer.playback().isPlaying()); // the space was typed
+    const int before = made.simulations;
+    QTest::keyClick(&text, Qt::Key_F5);
+    ASSERT_TRUE(settle(editor.document()));
+    EXPECT_EQ(made.simulations, before + 1);
+    action(viewer, "Undo")->trigger(); // of the window: what was typed goes first
+    EXPECT_FALSE(viewer.text()->hasDraft());
+    EXPECT_EQ(editor.document().text(), ballScene);
+    QTest::keyClicks(&text, "#");
+    QTest::keyClick(&text, Qt::Key_Return, Qt::ControlModifier);
+    EXPECT_EQ(editor.document().text(), "#" + ballScene);
+    QTest::keyClick(&text, Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(editor.document().text(), ballScene);
+    QTest::keyClick(&text, Qt::Key_F6);
+    EXPECT_TRUE(viewer.display().hasFocus());
+}
+
+TEST_F(MainWindowTest, PanesAreMadeWhenTheyAreShownAndRemembered) {
+    GraphicalViewer* first = editor.openGraphicalViewer();
+    EXPECT_EQ(first->text(), nullptr);
+    EXPECT_EQ(first->panes().content("plots"), nullptr);
+    first->resize(1200, 760);
+    first->panes().show("plots");
+    first->panes().hide("status");
+    first->findChild<QDockWidget*>("pane.plots")->setFloating(true);
+    const QByteArray kept = first->panes().arrangement();
+    GraphicalViewer* second = editor.openGraphicalViewer();
+    second->resize(1200, 760);
+    ASSERT_TRUE(second->panes().restore(kept));
+    EXPECT_TRUE(second->panes().isShown("plots"));
+    EXPECT_FALSE(second->panes().isShown("status"));
+    EXPECT_FALSE(second->panes().isShown("text"));
+    EXPECT_TRUE(second->findChild<QDockWidget*>("pane.plots")->isFloating());
+    EXPECT_FALSE(second->panes().restore("nonsense"));
+}
+
+TEST_F(MainWindowTest, AViewersWindowsAndDraftsComeBack) {
+    GraphicalViewer& viewer = open();
+    viewer.text()->editor().setText(QString::fromStdString("# mine\n" + ballScene));
+    ASSERT_TRUE(viewer.text()->hasDraft());
+    const std::string state = editor.windowsState();
+    Editor next(made.workshop());
+    next.document().setText(ballScene, "Edit");
+    ASSERT_TRUE(settle(next.document()));
+    next.restoreWindows(state, "It is back.");
+    ASSERT_EQ(next.graphicalViewers().size(), 1);
+    LanguageViewer* text = next.graphicalViewers().front()->text();
+    ASSERT_NE(text, nullptr);
+    EXPECT_EQ(text->draft(), "# mine\n" + ballScene);
+    EXPECT_TRUE(text->hasDraft());
+}
+
+TEST_F(MainWindowTest, ClosingOneClosesThatOneAndTheLastAsks) {
+    editor.beginSession();
+    GraphicalViewer& first = open();
+    GraphicalViewer* second = editor.openGraphicalViewer();
+    editor.openShapeEditor();
+    EXPECT_TRUE(second->close());
+    EXPECT_EQ(asked, 0);
+    EXPECT_TRUE(first.isVisible());
+    first.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&first, longestWait));
+    answer("Cancel");
+    EXPECT_FALSE(first.close());
+    EXPECT_EQ(asked, 1);
+    EXPECT_TRUE(first.isVisible());
+    answer("Discard");
+    EXPECT_TRUE(first.close());
+    EXPECT_EQ(asked, 2);
+    for (const QWidget* one : QApplication::topLevelWidgets())
+        EXPECT_FALSE(one->isVisible() && qobject_cast<const QMainWindow*>(one))
+            << one->windowTitle().toStdString();
+}
+
+TEST_F(MainWindowTest, SavingTakesWhatIsTyped) {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("scene.al");
+    SceneFiles& files = editor.beginSession();
+    ASSERT_EQ(editor.document().save(path).sentence, "");
+    GraphicalViewer& viewer = open();
+    viewer.text()->editor().setText(QString::fromStdString("# mine\n" + ballScene));
+    EXPECT_TRUE(files.save());
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    EXPECT_EQ(file.readAll().toStdString(), "# mine\n" + ballScene);
+    EXPECT_FALSE(viewer.text()->hasDraft());
+}
+
+TEST_F(MainWindowTest, AnotherWindowOpensBesideWhereThereIsRoom) {
+    QMainWindow first, second;
+    const QRect screen = first.screen()->availableGeometry();
+    first.resize(screen.width() * 2 / 5, screen.height() * 2 / 3);
+    first.move(screen.topLeft() + QPoint(20, 40));
+    second.resize(screen.width() / 2, screen.height() / 2);
+    placeBeside(second, first);
+    EXPECT_FALSE(second.geometry().intersects(first.geometry()));
+    EXPECT_TRUE(screen.contains(second.geometry()));
+    // No room: the one in use makes some.
+    QMainWindow large, third;
+    large.resize(screen.size() * 9 / 10);
+    large.move(screen.topLeft() + QPoint(8, 32));
+    third.resize(screen.width() / 3, 300);
+    placeBeside(third, large);
+    EXPECT_FALSE(third.geometry().intersects(large.geometry()));
+    EXPECT_TRUE(screen.contains(third.geometry()));
+    // It cannot: both title bars are seen.
+    large.setMinimumSize(screen.size() * 9 / 10);
+    large.move(screen.topLeft() + QPoint(8, 32));
+    placeBeside(third, large);
+    EXPECT_TRUE(screen.contains(third.geometry()));
+    EXPECT_GE(third.y(), large.y() + 20);
+}
+
+} // namespace
+} // namespace views

@@ -1,0 +1,100 @@
+#include "viewers/placing.h"
+
+#include <QApplication>
+#include <QScreen>
+#include <QWidget>
+
+#include <algorithm>
+#include <array>
+
+namespace views {
+
+namespace {
+
+constexpr int frame = 8, title = 32; // of the window manager, around a window
+
+// What a window's contents may fill of its screen.
+QRect roomOf(const QWidget& window) {
+    return window.screen()->availableGeometry().adjusted(frame, title, -frame, -frame);
+}
+
+bool coversAnother(const QRect& place, const QWidget& window) {
+    return std::ranges::any_of(QApplication::topLevelWidgets(), [&](const QWidget* other) {
+        return other != &window && other->isVisible() && !other->isMinimized() &&
+               other->windowType() == Qt::Window && other->geometry().intersects(place);
+    });
+}
+
+} // namespace
+
+void fitScreen(QWidget& window, const QWidget* asked) {
+    window.resize(window.size().boundedTo(roomOf(asked ? *asked : window).size()));
+}
+
+void moveWithinScreen(QWidget& window, const QPoint& place) {
+    const QRect screen = window.screen()->availableGeometry();
+    const auto within = [](int at, int low, int high) {
+        return std::clamp(at, low, std::max(low, high));
+    };
+    const QSize least = window.size().expandedTo(window.minimumSizeHint());
+    window.move(within(place.x(), screen.left(), screen.right() - least.width() - frame),
+                within(place.y(), screen.top(), screen.bottom() - least.height() - frame - title));
+}
+
+namespace {
+
+// As large as it is and as it fits there, as high up as `beside`.
+QRect placeIn(const QRect& strip, const QWidget& window, const QRect& beside) {
+    const QSize size = window.size().boundedTo(strip.size());
+    const int top = std::clamp(beside.top(), strip.top(), strip.bottom() + 1 - size.height());
+    return {QPoint(strip.left(), top), size};
+}
+
+// move() speaks of the place with the frame, which is not known before the window is shown.
+void put(QWidget& window, const QRect& place) {
+    window.resize(place.size());
+    window.move(place.topLeft() - QPoint(0, title - frame));
+}
+
+// At the left of its screen, so that a window of that width has room beside it. False: it cannot.
+bool makeRoom(QWidget& asked, const QRect& room, int width) {
+    const int rest = room.width() - width - 2 * frame;
+    if (asked.isMaximized() || asked.isFullScreen() || rest < asked.minimumSizeHint().width() ||
+        rest < asked.minimumWidth())
+        return false;
+    asked.resize(std::min(asked.width(), rest), asked.height());
+    asked.move(room.left(), asked.y());
+    return true;
+}
+
+} // namespace
+
+void placeBeside(QWidget& window, QWidget& asked) {
+    const QRect room = roomOf(asked), used = asked.geometry();
+    const QSize least = window.minimumSizeHint().expandedTo(window.size() * 5 / 8);
+    QRect right = room, left = room, below = room, above = room;
+    right.setLeft(used.right() + 2 * frame);
+    left.setRight(used.left() - 2 * frame);
+    below.setTop(used.bottom() + frame + title);
+    above.setBottom(used.top() - frame - title);
+    for (const QRect& strip : std::array{right, left, below, above}) {
+        if (strip.width() < least.width() || strip.height() < least.height())
+            continue;
+        if (const QRect place = placeIn(strip, window, used); !coversAnother(place, window))
+            return put(window, place);
+    }
+    right.setLeft(room.right() - least.width());
+    if (!coversAnother(right, asked) && makeRoom(asked, room, least.width()))
+        return put(window, placeIn(right, window, used));
+    constexpr int step = 40;
+    moveWithinScreen(window, asked.pos() + QPoint(step, step));
+}
+
+void placeFirst(QWidget& window) {
+    constexpr QSize large(1480, 960);
+    const QRect room = roomOf(window);
+    window.resize((room.size() * 24 / 25).boundedTo(large));
+    moveWithinScreen(window, room.topLeft());
+}
+
+} // namespace views

@@ -1,0 +1,23 @@
+// Where new windows stand: within the screen, beside the ones that are in use.
+#pragma once
+
+class QPoint;
+class QWidget;
+
+namespace views {
+
+// No window is larger than its screen: with large letters a screen is small.
+void fitScreen(QWidget& window, const QWidget* asked);
+
+// To that place, or as near to it as the screen shows the whole window.
+void moveWithinScreen(QWidget& window, const QPoint& place);
+
+// Beside the window that asked for it where the screen has room that no other window covers, a
+// little smaller if need be. Where it has none, the one that asked makes room if it can; otherwise
+// a little below and right of it.
+void placeBeside(QWidget& window, QWidget& asked);
+
+// The first window of a program: most of the screen, with room beside it on a wide one.
+void placeFirst(QWidget& window);
+
+} // namespace views

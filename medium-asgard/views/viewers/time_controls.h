@@ -1,0 +1,53 @@
+// The row below a picture that plays its motion: buttons, rate, the motion's span, the time.
+#pragma once
+
+#include "frame/icons.h"
+#include "workbench/playback.h"
+#include "workbench/scene_document.h"
+
+#include <QWidget>
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+class QAction;
+class QHBoxLayout;
+class QLabel;
+class QMenu;
+class QToolButton;
+
+namespace views {
+
+class TimeControls : public QWidget {
+    Q_OBJECT
+public:
+    TimeControls(SceneDocument& document, Playback& playback, QWidget* parent = nullptr);
+
+    // The same as commands of a window, with their keys. `stop` is called for Stop.
+    void fillMenu(QMenu& menu, std::function<void()> stop);
+
+    void togglePlaying();
+
+Q_SIGNALS:
+    void left(); // a field, with Return or Escape, or for something else
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    QToolButton* addButton(QHBoxLayout* row, const char* name, Icon which, const QString& tip,
+                           std::function<void()> action);
+    void addRates(QHBoxLayout* row);
+    void showTime();
+    void showState();
+    void showIcons();
+
+    Playback& playback_;
+    QAction *playAction_ = nullptr, *loopAction_ = nullptr;
+    QToolButton *playButton_ = nullptr, *loopButton_ = nullptr, *rateButton_ = nullptr;
+    std::vector<std::pair<QToolButton*, Icon>> buttons_;
+    QLabel* time_ = nullptr;
+};
+
+} // namespace views

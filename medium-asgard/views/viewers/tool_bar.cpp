@@ -1,0 +1,72 @@
+#include "viewers/tool_bar.h"
+
+#include "plain/plain.h"
+
+#include <QAction>
+#include <QEvent>
+#include <QMainWindow>
+#include <QMenu>
+#include <QMenuBar>
+#include <QToolButton>
+
+namespace views {
+
+namespace {
+
+// "Undo Drag (Ctrl+Z)"
+QString tipOf(const QAction& command) {
+    const QString label = command.text().remove('&').remove(QStringLiteral("…"));
+    const QString key = command.shortcut().toString(QKeySequence::NativeText);
+    return key.isEmpty() ? label : QStringLiteral("%1 (%2)").arg(label, key);
+}
+
+// A command, or the entry that opens a menu.
+QAction* namedIn(const QMainWindow& window, const char* name) {
+    if (auto* menu = window.menuBar()->findChild<QMenu*>(name))
+        return menu->menuAction();
+    return window.findChild<QAction*>(name);
+}
+
+} // namespace
+
+ToolBar::ToolBar(QMainWindow& window) : QToolBar(tr("Tools"), &window), window_(window) {
+    setObjectName("tools");
+    setIconSize(QSize(22, 22));
+    setMovable(true);
+    window.addToolBar(this);
+}
+
+void ToolBar::add(const char* name, Icon which) {
+    QAction* command = namedIn(window_, name);
+    if (!command)
+        return;
+    command->setIcon(icon(which, palette()));
+    command->setIconVisibleInMenu(false);
+    addAction(command);
+    auto* button = qobject_cast<QToolButton*>(widgetForAction(command));
+    button->setFocusPolicy(Qt::NoFocus); // the keys stay where one works
+    button->setObjectName(QStringLiteral("tool.") + QString::fromLatin1(name));
+    if (command->menu())
+        button->setPopupMode(QToolButton::InstantPopup);
+    const auto show = [command] { command->setToolTip(plain::tip(tipOf(*command))); };
+    connect(command, &QAction::changed, this, [command, show] {
+        if (command->toolTip() != plain::tip(tipOf(*command)))
+            show();
+    });
+    show();
+    commands_.emplace_back(command, which);
+}
+
+void ToolBar::separate() {
+    if (!commands_.empty())
+        addSeparator();
+}
+
+void ToolBar::changeEvent(QEvent* event) {
+    QToolBar::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange)
+        for (const auto& [command, which] : commands_)
+            command->setIcon(icon(which, palette()));
+}
+
+} // namespace views
