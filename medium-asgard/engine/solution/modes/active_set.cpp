@@ -120,12 +120,11 @@ double ActiveSet::valueOf(const Watch& watch) const {
         return along + rateOf * law(discs()[row].rows[0]).resolution;
     }
     case Kind::gap:
-        return beyond(noLength * law(row).resolution,
-                      multipliers_.gap(row) -
-                          (isContact(row) ? opened_[row] - rateOf * law(row).resolution : 0) +
-                          (mode_.touches[row] != 0 ? law(row).resolution : 0));
+        return multipliers_.gap(row) -
+               (isContact(row) ? opened_[row] - rateOf * law(row).resolution : 0) +
+               (mode_.touches[row] != 0 ? law(row).resolution : 0);
     case Kind::parted:
-        return beyond(noLength * law(row).resolution, *law(row).leaving - multipliers_.gap(row));
+        return *law(row).leaving - multipliers_.gap(row);
     case Kind::invalid:
         return beyond(noLength * law(row).resolution, multipliers_.validity(row));
     case Kind::least:
