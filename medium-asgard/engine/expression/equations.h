@@ -40,8 +40,10 @@ struct Friction {
 };
 
 struct Condition {
-    std::optional<Node> gap;  // none: the condition is one of velocities
-    std::optional<Node> rate; // none: the multiplier is in the gap's rate, which is the derivative
+    std::optional<Node> gap; // none: the condition is one of velocities
+    // None: the multiplier is in the gap's rate, which is the derivative. With a gap, a tie: it is
+    // kept between steps alone, and within them the multiplier is 0.
+    std::optional<Node> rate;
     double low = -std::numeric_limits<double>::infinity();
     double high = std::numeric_limits<double>::infinity();
     double restitution = 0; // of a stop

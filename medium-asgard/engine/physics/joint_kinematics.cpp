@@ -83,8 +83,7 @@ Jet JointKinematics::angleOf(const JointFrame& frame, std::size_t k, const JetVe
     const JetVector spin = turning(frame, along);
     const Node q = frame.angles[k];
     Node second = g_.add(dot(g_, axis.rate, spin.value), dot(g_, axis.value, spin.rate));
-    // The tie moves the angle without the bodies, and so the conditions that read it; it is 0 but
-    // for drift.
+    // The tie moves the angle without the bodies, and so the conditions that read it.
     if (const auto tie = ties_.find(q.index); along.set && tie != ties_.end())
         second = g_.add(second, tie->second);
     return {q, dot(g_, axis.value, spin.value), second};
@@ -148,7 +147,7 @@ Jet JointKinematics::ballAngle(const JointFrame& frame, const Along& along) {
     return {g_.apply(Op::atan2, sine, trace), rate, zero};
 }
 
-// s cos q - c sin q, where s and c are the sine and the cosine of the angle between the bodies.
+// c sin q - s cos q, where s and c are the sine and the cosine of the angle between the bodies.
 Jet JointKinematics::tie(std::size_t joint, std::size_t k, const Along& along) {
     const JointFrame& frame = frames_[joint];
     const auto& [first, second] = frame.ends;
@@ -168,11 +167,11 @@ Jet JointKinematics::tie(std::size_t joint, std::size_t k, const Along& along) {
     const Node sinQ = g_.apply(Op::sin, q), cosQ = g_.apply(Op::cos, q);
     const Node rateOfQ = g_.add(coordinate(joint, k, along).rate, ties_.at(q.index));
     const auto size = g_.constant(frame.size);
-    const Node gap = g_.subtract(g_.multiply(sine.value, cosQ), g_.multiply(cosine.value, sinQ));
-    const Node moved = g_.subtract(g_.multiply(sine.rate, cosQ), g_.multiply(cosine.rate, sinQ));
+    const Node gap = g_.subtract(g_.multiply(cosine.value, sinQ), g_.multiply(sine.value, cosQ));
+    const Node moved = g_.subtract(g_.multiply(cosine.rate, sinQ), g_.multiply(sine.rate, cosQ));
     const Node turned = g_.multiply(
         rateOfQ, g_.add(g_.multiply(sine.value, sinQ), g_.multiply(cosine.value, cosQ)));
-    return {g_.multiply(size, gap), g_.multiply(size, g_.subtract(moved, turned)), {}};
+    return {g_.multiply(size, gap), g_.multiply(size, g_.add(moved, turned)), {}};
 }
 
 } // namespace physics

@@ -13,7 +13,8 @@
 //     screw         as cylindrical, and  n2.d - P q / 2 pi
 //
 // Angles that are not wrapped are unknowns of their own, q' = n2.(w1 - w2), kept with the attitudes
-// by a condition of first order: s cos q - c sin q = 0, with c = e1.e2 and s = e1.f2.
+// between steps by a tie (expression/equations.h): c sin q - s cos q = 0, with c = e1.e2 and
+// s = e1.f2.
 //
 // Stops, brakes and motors of limited force are multipliers with bounds.
 //

@@ -281,13 +281,13 @@ Jet RopePaths::angle(std::size_t rope, std::size_t span, std::size_t end, const 
     const Node left = crossed(ux.value, uy.value, x.second, y.second);
     Node second = g_.divide(g_.subtract(left, turning), l.value);
     const Node q = of.ends[end].angle;
-    // The tie moves the angle without the bodies; it is 0 but for drift.
+    // The tie moves the angle without the bodies.
     if (const auto tie = ties_.find(q.index); along.set && tie != ties_.end())
         second = g_.add(second, tie->second);
     return {q, rate, second};
 }
 
-// uy cos q - ux sin q.
+// ux sin q - uy cos q.
 Jet RopePaths::tie(std::size_t rope, std::size_t span, std::size_t end, const Along& along) {
     const RopePath& path = paths_[rope];
     const RopeSpan& of = path.spans[span];
@@ -296,11 +296,11 @@ Jet RopePaths::tie(std::size_t rope, std::size_t span, std::size_t end, const Al
     const Node sine = g_.apply(Op::sin, q), cosine = g_.apply(Op::cos, q);
     const Node size = g_.constant(std::abs(path.points[end == 0 ? of.from : of.to].radius));
     const Node rateOfQ = g_.add(angle(rope, span, end, along).rate, ties_.at(q.index));
-    const Node gap = g_.subtract(g_.multiply(uy.value, cosine), g_.multiply(ux.value, sine));
-    const Node moved = g_.subtract(g_.multiply(uy.rate, cosine), g_.multiply(ux.rate, sine));
+    const Node gap = g_.subtract(g_.multiply(ux.value, sine), g_.multiply(uy.value, cosine));
+    const Node moved = g_.subtract(g_.multiply(ux.rate, sine), g_.multiply(uy.rate, cosine));
     const Node turned =
         g_.multiply(rateOfQ, g_.add(g_.multiply(uy.value, sine), g_.multiply(ux.value, cosine)));
-    return {g_.multiply(size, gap), g_.multiply(size, g_.subtract(moved, turned)), {}};
+    return {g_.multiply(size, gap), g_.multiply(size, g_.add(moved, turned)), {}};
 }
 
 // The angle by which the rope is wrapped around a wheel; under 0 it is off.

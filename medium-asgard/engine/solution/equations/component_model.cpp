@@ -299,14 +299,20 @@ void ComponentModel::deriveConditions() {
     const auto add = [](std::vector<Entry>& entries, std::size_t row, std::size_t column) {
         entries.push_back({static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(column)});
     };
+    for (std::size_t r = 0; r < count; ++r)
+        conditions_.isTie.push_back(graph.isConstant(rates[r], 0) && !graph.isConstant(gaps[r], 0));
     const auto matrix = expression::gradients(graph, seconds, multipliers);
+    std::vector<Node> ties;
     for (std::size_t r = 0; r < count; ++r)
         for (const auto& [column, derivative] : matrix[r]) {
-            add(conditions_.matrix, r, column);
-            system.push_back(derivative);
+            const bool isOfTie = conditions_.isTie[column] != 0;
+            add(isOfTie ? conditions_.ofTies : conditions_.matrix, r, column);
+            (isOfTie ? ties : system).push_back(derivative);
         }
-    for (const Node second : seconds)
-        system.push_back(expression::substitute(graph, second, without));
+    for (std::size_t r = 0; r < count; ++r)
+        system.push_back(conditions_.isTie[r] != 0
+                             ? graph.constant(0)
+                             : expression::substitute(graph, seconds[r], without));
 
     const std::span<const Node> slopes = std::span(outputs_).first(symbols_.states);
     const auto pushes = expression::gradients(graph, slopes, multipliers);
@@ -332,6 +338,7 @@ void ComponentModel::deriveConditions() {
             }
     }
     conditions_.second = derive(graph, system);
+    conditions_.ties = derive(graph, ties);
     gaps.insert(gaps.end(), rates.begin(), rates.end());
     gaps.insert(gaps.end(), validNodes_.begin(), validNodes_.end());
     conditions_.gaps = derive(graph, gaps);

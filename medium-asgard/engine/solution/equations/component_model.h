@@ -135,11 +135,17 @@ public:
     [[nodiscard]] const Directions& directions() const { return directions_; }
 
     // The conditions that multipliers keep: gaps g, their rates g', and their second rates, which
-    // are linear in the multipliers m:  g'' = A m + b.
+    // are linear in the multipliers m:  g'' = A m + b. Ties, conditions of first order, are kept
+    // between steps alone: within them the rates of states agree with them, and their multipliers
+    // are 0.
     struct Conditions {
-        std::vector<Entry> matrix; // entries of A that are not 0
+        std::vector<Entry> matrix; // entries of A that are not 0, in the order of rows
         Derived second;            // these, then b
-        Derived gaps;              // g, then g', then what is not negative while contacts last
+        std::vector<char> isTie;   // by multiplier
+        // Of the multipliers of ties: their own rates and others' that are not 0.
+        std::vector<Entry> ofTies;
+        Derived ties; // these
+        Derived gaps; // g, then g', then what is not negative while contacts last
         // By multiplier, and one more: the first of those.
         std::vector<std::uint32_t> firstValid;
         std::vector<Entry> pushes; // states and multipliers: dy'/dm that are not 0

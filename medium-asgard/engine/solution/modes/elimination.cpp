@@ -7,8 +7,8 @@
 namespace solution {
 namespace {
 
-constexpr double leastPivot = 1e-10; // less may be what rounding leaves of 0
-constexpr double growth = 10;        // of products; at most 1 in a positive definite matrix
+constexpr double leastPivot = 1e-10; // of the diagonal; less may be what rounding leaves of 0
+constexpr double differing = 1e-11;  // of the diagonal; mirrored entries do by rounding
 
 } // namespace
 
@@ -34,7 +34,7 @@ bool Elimination::plan(std::size_t size, std::span<const Place> places, double m
             if (isDone[row] == 0 && (least == size || next[row].size() < next[least].size()))
                 least = row;
         const auto count = static_cast<double>(next[least].size());
-        multiplications += count * count;
+        multiplications += count * (count + 1) / 2;
         if (multiplications > most)
             return false;
         rankOf_[least] = static_cast<Index>(rowOf_.size());
@@ -64,9 +64,10 @@ void Elimination::layOut(std::span<const std::vector<Index>> below) {
     values_.assign(rowOf_.size() + 2 * below_.size(), 0);
     targets_.clear();
     for (std::size_t rank = 0; rank < rowOf_.size(); ++rank)
-        for (Index a = firstBelow_[rank]; a < firstBelow_[rank + 1]; ++a)
-            for (Index b = firstBelow_[rank]; b < firstBelow_[rank + 1]; ++b)
+        for (Index a = firstBelow_[rank + 1]; a-- > firstBelow_[rank];)
+            for (Index b = firstBelow_[rank]; b <= a; ++b)
                 targets_.push_back(indexOf({rowOf_[below_[a]], rowOf_[below_[b]]}));
+    own_.resize(rowOf_.size());
     ordered_.resize(rowOf_.size());
 }
 
@@ -83,29 +84,40 @@ Elimination::Index Elimination::indexOf(Place place) const {
     return static_cast<Index>(part + static_cast<std::size_t>(at - below_.begin()));
 }
 
+bool Elimination::isSymmetric() const {
+    const std::size_t size = rowOf_.size(), entries = below_.size();
+    const double* const lower = values_.data() + size;
+    const double* const upper = lower + entries;
+    for (std::size_t rank = 0; rank < size; ++rank)
+        for (Index a = firstBelow_[rank]; a < firstBelow_[rank + 1]; ++a) {
+            const double difference = lower[a] - upper[a];
+            if (!(difference * difference <=
+                  differing * differing * values_[rank] * values_[below_[a]]))
+                return false;
+        }
+    return true;
+}
+
 bool Elimination::factorise() {
+    if (!isSymmetric())
+        return false;
     const std::size_t size = rowOf_.size();
     double* const values = values_.data();
     double* const lower = values + size;
-    double* const upper = lower + below_.size();
     const Index* target = targets_.data();
+    std::copy_n(values, size, own_.data());
     for (std::size_t rank = 0; rank < size; ++rank) {
-        if (!(std::abs(values[rank]) >= leastPivot))
+        const double pivot = values[rank];
+        if (!(pivot > leastPivot * own_[rank]))
             return false;
-        const double inverse = 1 / values[rank];
+        const double inverse = 1 / pivot;
         values[rank] = inverse;
-        const Index begin = firstBelow_[rank], end = firstBelow_[rank + 1];
-        double left = 0, right = 0;
-        for (Index a = begin; a < end; ++a) {
-            left = std::max(left, std::abs(lower[a] * inverse));
-            right = std::max(right, std::abs(upper[a]));
-        }
-        if (!(left * right <= growth))
-            return false;
-        for (Index a = begin; a < end; ++a) {
-            const double l = lower[a] *= inverse;
-            for (Index b = begin; b < end; ++b)
-                values[*target++] -= l * upper[b];
+        const Index begin = firstBelow_[rank];
+        for (Index a = firstBelow_[rank + 1]; a-- > begin;) {
+            const double l = lower[a] * inverse;
+            for (Index b = begin; b <= a; ++b)
+                values[*target++] -= l * lower[b];
+            lower[a] = l;
         }
     }
     return true;
@@ -113,19 +125,24 @@ bool Elimination::factorise() {
 
 void Elimination::solve(std::span<double> x) {
     const std::size_t size = rowOf_.size();
-    const double* const lower = values_.data() + size;
-    const double* const upper = lower + below_.size();
+    const double* const inverse = values_.data();
+    const double* const lower = inverse + size;
+    const Index* const below = below_.data();
     double* const y = ordered_.data();
     for (std::size_t rank = 0; rank < size; ++rank)
         y[rank] = x[rowOf_[rank]];
-    for (std::size_t rank = 0; rank < size; ++rank)
+    for (std::size_t rank = 0; rank < size; ++rank) {
+        const double known = y[rank];
         for (Index a = firstBelow_[rank]; a < firstBelow_[rank + 1]; ++a)
-            y[below_[a]] -= lower[a] * y[rank];
+            y[below[a]] -= lower[a] * known;
+        y[rank] = known * inverse[rank];
+    }
     for (std::size_t rank = size; rank-- > 0;) {
+        double known = y[rank];
         for (Index a = firstBelow_[rank]; a < firstBelow_[rank + 1]; ++a)
-            y[rank] -= upper[a] * y[below_[a]];
-        y[rank] *= values_[rank];
-        x[rowOf_[rank]] = y[rank];
+            known -= lower[a] * y[below[a]];
+        y[rank] = known;
+        x[rowOf_[rank]] = known;
     }
 }
 

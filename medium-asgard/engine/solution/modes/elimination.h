@@ -1,16 +1,14 @@
-// Gauss' elimination of a sparse matrix, without a search for pivots, in an order that is found
-// once.
+// Gauss' elimination of a sparse symmetric matrix, L D L', in an order that is found once.
 //
 // A joint couples its conditions with those of neighbouring joints alone. From the leaves of a tree
 // of joints on, elimination makes no entry that was 0 another number (Featherstone, Rigid Body
 // Dynamics Algorithms, 2008, 8.5), so that the multiplications are in proportion to the joints.
-// Loops leave a small dense rest.
+// Loops leave a small dense rest. The order is that of least degree (Tinney and Walker, Proc. IEEE
+// 55, 1967), the first of equals.
 //
-// The order is that of least degree (Tinney and Walker, Proc. IEEE 55, 1967), the first of equals.
-// It asks for no pivots where the matrix is symmetric and positive definite, as J M^-1 J' is. Of
-// any other matrix factorise() says whether it may be trusted: with all products l u at most
-// `growth` its backward error is at most that many times rounding for each of them (Higham,
-// Accuracy and Stability of Numerical Algorithms, 2002, 9.3).
+// Of a positive definite matrix, as J M^-1 J' is, elimination needs no search for pivots: its
+// backward error is rounding for each product (Higham, Accuracy and Stability of Numerical
+// Algorithms, 2002, 10.1). Any other matrix is refused.
 #pragma once
 
 #include <cstdint>
@@ -26,31 +24,35 @@ public:
         Index row, column;
     };
 
-    // For matrices whose entries of the diagonal are about 1, or 0, and whose others are 0 but at
-    // these places and at those that mirror them. False: a factorization takes more than `most`
-    // multiplications. Then nothing is planned.
+    // For matrices whose entries are 0 but on the diagonal, at these places and at those that
+    // mirror them. False: a factorization takes more than `most` multiplications. Then nothing is
+    // planned.
     bool plan(std::size_t size, std::span<const Place> places, double most);
-    // Multiplications of one factorization; divisions are not counted.
+    // Multiplications of one factorization, but one for each entry of L.
     [[nodiscard]] std::size_t multiplications() const { return targets_.size(); }
 
     // The index of an entry among values().
     [[nodiscard]] Index indexOf(Place place) const;
     // Of the matrix, before it is factorised.
     [[nodiscard]] std::span<double> values() { return values_; }
-    // Of values(). False: the matrix may be singular, or elimination needs a search for pivots.
+    // Of values(). False: the matrix is not symmetric, or not definite but for rounding.
     [[nodiscard]] bool factorise();
     // Puts the solution in the place of the right-hand side.
     void solve(std::span<double> x);
 
 private:
     void layOut(std::span<const std::vector<Index>> below);
+    [[nodiscard]] bool isSymmetric() const;
 
     // By rank, the order in which rows are eliminated; a row's `below` are the later ranks where
     // its entries may be another number than 0: firstBelow_[rank] to firstBelow_[rank + 1].
     std::vector<Index> rowOf_, rankOf_, firstBelow_, below_;
-    // For each row and each two of its `below`, the entry that they change.
+    // For each row and each two of its `below`, the entry that they change: of the last one with
+    // all up to it, then of the one before.
     std::vector<Index> targets_;
-    std::vector<double> values_; // diagonal; L by columns; U by rows
+    std::vector<double>
+        values_;              // diagonal; then what is below it by columns; what is above by rows
+    std::vector<double> own_; // the diagonal, before it is factorised
     std::vector<double> ordered_;
 };
 

@@ -4,6 +4,7 @@
 
 #include <Eigen/Dense>
 
+#include <limits>
 #include <random>
 
 using solution::Elimination;
@@ -86,16 +87,17 @@ TEST(Elimination, SolvesTreesAndLoops) {
     }
 }
 
-// The work is in proportion to the joints: of a planar hinge within the chain 3^2 + 2^2.
+// The work is in proportion to the joints: of a planar hinge within the chain 3 * 4 / 2 + 2 * 3
+// / 2.
 TEST(Elimination, AChainCostsInProportionToItsJoints) {
     for (const std::size_t joints : {2U, 20U, 200U}) {
         Elimination elimination;
         const Mechanism planar = chain(static_cast<int>(joints), 2);
         ASSERT_TRUE(elimination.plan(planar.size(), planar.places(), 1e9));
-        EXPECT_EQ(elimination.multiplications(), 13 * (joints - 1) + 1);
+        EXPECT_EQ(elimination.multiplications(), 9 * (joints - 1) + 1);
         const Mechanism spatial = chain(static_cast<int>(joints), 5);
         ASSERT_TRUE(elimination.plan(spatial.size(), spatial.places(), 1e9));
-        EXPECT_EQ(elimination.multiplications(), 255 * (joints - 1) + 30);
+        EXPECT_EQ(elimination.multiplications(), 145 * (joints - 1) + 20);
     }
 }
 
@@ -109,7 +111,7 @@ TEST(Elimination, AStarStartsWithItsLeaves) {
     }
     Elimination elimination;
     ASSERT_TRUE(elimination.plan(star.size(), star.places(), 1e9));
-    EXPECT_GE(elimination.multiplications(), 50 * 13u);
+    EXPECT_GE(elimination.multiplications(), 50 * 9u);
     EXPECT_FALSE(elimination.plan(star.size(), star.places(), 1000));
 }
 
@@ -124,17 +126,23 @@ TEST(Elimination, RefusesWhatMayBeSingular) {
     EXPECT_FALSE(elimination.factorise());
 }
 
-// As friction that slips may make it.
-TEST(Elimination, RefusesWhatNeedsASearchForPivots) {
+// As friction that slips makes it.
+TEST(Elimination, RefusesWhatIsNotSymmetricOrNotDefinite) {
     Mechanism pair;
     pair.join({0, 1}, 2);
     Elimination elimination;
     ASSERT_TRUE(elimination.plan(2, pair.places(), 1e9));
-    put(pair, Eigen::Matrix2d{{1e-5, 1}, {1, 1e-5}}, elimination);
+    put(pair, Eigen::Matrix2d{{1, 2}, {2, 1}}, elimination);
     EXPECT_FALSE(elimination.factorise());
-    put(pair, Eigen::Matrix2d{{1, 2}, {-2, 1}}, elimination);
+    put(pair, Eigen::Matrix2d{{1, 0.5}, {0.4, 1}}, elimination);
+    EXPECT_FALSE(elimination.factorise());
+    put(pair, Eigen::Matrix2d{{1, 0.5}, {0.5, 0}}, elimination);
+    EXPECT_FALSE(elimination.factorise());
+    put(pair, Eigen::Matrix2d{{1, std::numeric_limits<double>::quiet_NaN()}, {0, 1}}, elimination);
+    EXPECT_FALSE(elimination.factorise());
+    put(pair, Eigen::Matrix2d{{2, 1}, {1, 2}}, elimination);
     EXPECT_TRUE(elimination.factorise());
-    std::vector<double> x{5, 0};
+    std::vector<double> x{4, 5};
     elimination.solve(x);
     EXPECT_NEAR(x[0], 1, 1e-15);
     EXPECT_NEAR(x[1], 2, 1e-15);

@@ -19,15 +19,17 @@ Eigen::Index count(std::size_t i) { return static_cast<Eigen::Index>(i); }
 } // namespace
 
 void HeldConditions::makePlan(std::vector<std::size_t> slipping) {
-    plan_.isMade = true;
     plan_.slipping = std::move(slipping);
     plan_.terms.clear();
     plan_.ofFriction.clear();
+    plan_.entries.clear();
+    plan_.indices.clear();
+    plan_.isSparse = false;
+    plan_.isMade = true;
     constexpr auto none = std::numeric_limits<Elimination::Index>::max();
     std::vector<Elimination::Index> placeOf(mode_.kept.size(), none);
     for (std::size_t i = 0; i < plan_.rows.size(); ++i)
         placeOf[plan_.rows[i]] = static_cast<Elimination::Index>(i);
-    std::vector<Elimination::Place> places;
     for (std::size_t k = 0; k < conditions_.matrix.size(); ++k) {
         const auto [row, column] = conditions_.matrix[k];
         if (placeOf[row] == none)
@@ -42,37 +44,20 @@ void HeldConditions::makePlan(std::vector<std::size_t> slipping) {
                 plan_.ofFriction.push_back(
                     {.entry = k, .place = {placeOf[row], placeOf[normal]}, .friction = column});
     }
-    for (const std::vector<Term>* terms : {&plan_.terms, &plan_.ofFriction})
-        std::ranges::transform(*terms, std::back_inserter(places), &Term::place);
+    if (!plan_.ofFriction.empty())
+        return; // it is not symmetric
+    std::vector<Elimination::Place> places;
+    std::ranges::transform(plan_.terms, std::back_inserter(places), &Term::place);
     const auto n = static_cast<double>(plan_.rows.size());
     plan_.isSparse = elimination_.plan(plan_.rows.size(), places, n * n * n / 3 / cost + besides);
-    for (std::vector<Term>* terms : {&plan_.terms, &plan_.ofFriction})
-        for (Term& term : *terms)
-            term.index = plan_.isSparse ? elimination_.indexOf(term.place) : 0;
-}
-
-void HeldConditions::findScales(std::span<const double> matrix) {
-    scale_.setOnes(count(plan_.rows.size()));
     for (const Term& term : plan_.terms)
-        if (const auto& [row, column] = conditions_.matrix[term.entry]; row == column) {
-            const double own = std::abs(matrix[term.entry]);
-            if (own > 0)
-                scale_[term.place.row] = 1 / std::sqrt(own);
+        if (plan_.isSparse) {
+            plan_.entries.push_back(static_cast<Elimination::Index>(term.entry));
+            plan_.indices.push_back(elimination_.indexOf(term.place));
         }
 }
 
-template <class Put>
-void HeldConditions::assemble(std::span<const double> matrix, std::span<const double> friction,
-                              const Put& put) const {
-    for (const Term& term : plan_.terms)
-        put(term, scale_[term.place.row] * scale_[term.place.column] * matrix[term.entry]);
-    for (const Term& term : plan_.ofFriction)
-        put(term, scale_[term.place.row] * scale_[term.place.column] * friction[term.friction] *
-                      matrix[term.entry]);
-}
-
-void HeldConditions::factorise(std::span<const double> matrix, std::span<const double> friction) {
-    const auto holds = [this](std::size_t row) { return mode_.kept[row] == State::inside; };
+void HeldConditions::followMode(bool hasFriction) {
     std::size_t held = 0;
     bool isSame = plan_.isMade;
     for (std::size_t row = 0; row < mode_.kept.size(); ++row)
@@ -81,41 +66,59 @@ void HeldConditions::factorise(std::span<const double> matrix, std::span<const d
             ++held;
         }
     std::vector<std::size_t> slipping;
-    if (!friction.empty())
-        for (std::size_t disc = 0; disc < bound_.discs.size(); ++disc)
-            if (mode_.kept[bound_.discs[disc].rows[0]] == State::low)
-                slipping.push_back(disc);
-    if (!isSame || held != plan_.rows.size() || slipping != plan_.slipping) {
-        plan_.rows.clear();
-        for (std::size_t row = 0; row < mode_.kept.size(); ++row)
-            if (holds(row))
-                plan_.rows.push_back(row);
-        makePlan(std::move(slipping));
-    }
-    findScales(matrix);
-    if (plan_.isSparse) {
-        std::ranges::fill(elimination_.values(), 0);
-        assemble(matrix, friction, [values = elimination_.values()](const Term& term, double x) {
-            values[term.index] += x;
-        });
-        way_ = Way::sparse;
-        if (elimination_.factorise())
-            return;
-    }
-    const Eigen::Index n = count(held);
+    for (std::size_t disc = 0; hasFriction && disc < bound_.discs.size(); ++disc)
+        if (mode_.kept[bound_.discs[disc].rows[0]] == State::low)
+            slipping.push_back(disc);
+    if (isSame && held == plan_.rows.size() && slipping == plan_.slipping)
+        return;
+    plan_.rows.clear();
+    for (std::size_t row = 0; row < mode_.kept.size(); ++row)
+        if (holds(row))
+            plan_.rows.push_back(row);
+    makePlan(std::move(slipping));
+}
+
+bool HeldConditions::eliminate(std::span<const double> values) {
+    const std::span<double> into = elimination_.values();
+    std::ranges::fill(into, 0);
+    for (std::size_t k = 0; k < plan_.indices.size(); ++k)
+        into[plan_.indices[k]] = values[plan_.entries[k]];
+    return elimination_.factorise();
+}
+
+void HeldConditions::putMatrix(std::span<const double> values, std::span<const double> friction) {
+    const Eigen::Index n = count(plan_.rows.size());
     matrix_.setZero(n, n);
-    assemble(matrix, friction, [this](const Term& term, double x) {
-        matrix_(term.place.row, term.place.column) += x;
-    });
-    lu_.compute(matrix_);
+    scale_.setOnes(n);
+    for (const Term& term : plan_.terms) {
+        const auto [row, column] = term.place;
+        const double value = matrix_(row, column) = values[term.entry];
+        if (row == column && value != 0)
+            scale_[row] = 1 / std::sqrt(std::abs(value));
+    }
+    for (const Term& term : plan_.ofFriction)
+        matrix_(term.place.row, term.place.column) += friction[term.friction] * values[term.entry];
+    matrix_ = scale_.asDiagonal() * matrix_ * scale_.asDiagonal();
+}
+
+bool HeldConditions::factorise(std::span<const double> values, std::span<const double> friction) {
+    followMode(!friction.empty());
+    way_ = Way::sparse;
+    if (plan_.isSparse && eliminate(values))
+        return true;
     way_ = Way::dense;
-    for (Eigen::Index i = 0; i < n; ++i)
+    putMatrix(values, friction);
+    if (!matrix_.allFinite())
+        return false;
+    lu_.compute(matrix_);
+    for (Eigen::Index i = 0; i < matrix_.rows(); ++i)
         if (!(std::abs(lu_.matrixLU()(i, i)) > noPivot))
             way_ = Way::least;
     if (way_ == Way::least) {
         least_.setThreshold(noPivot);
         least_.compute(matrix_);
     }
+    return true;
 }
 
 // The shortest m = S y of those with  A y = right,  A scaled by S: the shortest y, and of what
@@ -133,19 +136,21 @@ Eigen::VectorXd HeldConditions::leastSolution() const {
 }
 
 void HeldConditions::solve(Eigen::Ref<Eigen::VectorXd> rates) {
-    const Eigen::Index n = count(plan_.rows.size());
-    right_.resize(n);
-    for (Eigen::Index i = 0; i < n; ++i)
-        right_[i] = -scale_[i] * rates[count(plan_.rows[static_cast<std::size_t>(i)])];
-    if (way_ == Way::sparse) {
-        answer_ = right_;
-        elimination_.solve({answer_.data(), plan_.rows.size()});
-    } else if (n > 0) {
-        answer_ = way_ == Way::dense ? Eigen::VectorXd(lu_.solve(right_)) : leastSolution();
-    }
+    const std::size_t n = plan_.rows.size();
+    right_.resize(count(n));
+    for (std::size_t i = 0; i < n; ++i)
+        right_[count(i)] = -rates[count(plan_.rows[i])];
     rates.setZero();
-    for (Eigen::Index i = 0; i < n; ++i)
-        rates[count(plan_.rows[static_cast<std::size_t>(i)])] = scale_[i] * answer_[i];
+    if (way_ == Way::sparse) {
+        elimination_.solve({right_.data(), n});
+        for (std::size_t i = 0; i < n; ++i)
+            rates[count(plan_.rows[i])] = right_[count(i)];
+        return;
+    }
+    right_ = scale_.cwiseProduct(right_);
+    answer_ = way_ == Way::dense ? Eigen::VectorXd(lu_.solve(right_)) : leastSolution();
+    for (std::size_t i = 0; i < n; ++i)
+        rates[count(plan_.rows[i])] = scale_[count(i)] * answer_[count(i)];
 }
 
 } // namespace solution

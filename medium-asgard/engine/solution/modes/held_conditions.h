@@ -3,10 +3,10 @@
 //
 //     A m = -b
 //
-// Rows and columns are scaled by the roots of A's diagonal. Where a condition reads few others, as
-// in a tree of joints, A is eliminated as a sparse matrix (elimination.h); where it reads most, or
-// where elimination needs a search for pivots, as a dense one. Where conditions are redundant, as
-// the joints of a plane mechanism in space, the shortest m is taken.
+// Where a condition reads few others, as in a tree of joints, A is eliminated as a sparse matrix
+// (elimination.h); where it reads most, or where A is not definite, as a dense one, scaled by the
+// roots of its diagonal. Where conditions are redundant, as the joints of a plane mechanism in
+// space, the shortest m is taken.
 //
 // What is chosen depends on the mode and on the numbers at the point alone: the same point has the
 // same answer, whatever was asked before.
@@ -28,14 +28,14 @@ namespace solution {
 
 class HeldConditions {
 public:
-    // `mode` outlives them, and says which conditions hold.
+    // `mode` outlives them, and says which conditions hold. Ties are not among them.
     HeldConditions(const ComponentModel& model, const BoundModel& bound, const Mode& mode)
         : conditions_(model.conditions()), bound_(bound), mode_(mode) {}
 
-    // `matrix`: values of Conditions::matrix. `friction`: of each row of friction that slips, its
-    // force where the normal forces of its disc are 1 together; empty: none slips. Without a heap
-    // allocation where the same conditions hold as before.
-    void factorise(std::span<const double> matrix, std::span<const double> friction);
+    // `values`: of Conditions::matrix. `friction`: of each row of friction that slips, its force
+    // where the normal forces of its disc are 1 together; empty: none slips. False: they are not
+    // finite. Without a heap allocation where the same conditions hold as before.
+    [[nodiscard]] bool factorise(std::span<const double> values, std::span<const double> friction);
     [[nodiscard]] const std::vector<std::size_t>& rows() const { return plan_.rows; }
     // Of conditions with these rates the m that keep them; 0 of others than those that hold.
     void solve(Eigen::Ref<Eigen::VectorXd> rates);
@@ -52,26 +52,28 @@ public:
     }
 
 private:
-    struct Term { // of the matrix: an entry of Conditions::matrix
+    struct Term { // of the matrix
         std::size_t entry = 0;
         Elimination::Place place = {};
-        Elimination::Index index = 0; // in the elimination
-        std::size_t friction = 0;     // and times that row's
+        std::size_t friction = 0; // times that row's
     };
     struct Plan {
         std::vector<std::size_t> rows;
         std::vector<std::size_t> slipping; // discs
         std::vector<Term> terms, ofFriction;
+        std::vector<Elimination::Index> entries, indices; // of terms, where it is sparse
         bool isSparse = false;
         bool isMade = false;
     };
     enum class Way { sparse, dense, least };
 
+    [[nodiscard]] bool holds(std::size_t row) const {
+        return conditions_.isTie[row] == 0 && mode_.kept[row] == complementarity::State::inside;
+    }
+    void followMode(bool hasFriction);
     void makePlan(std::vector<std::size_t> slipping);
-    void findScales(std::span<const double> matrix);
-    template <class Put>
-    void assemble(std::span<const double> matrix, std::span<const double> friction,
-                  const Put& put) const;
+    [[nodiscard]] bool eliminate(std::span<const double> values);
+    void putMatrix(std::span<const double> values, std::span<const double> friction);
     [[nodiscard]] Eigen::VectorXd leastSolution() const;
 
     const ComponentModel::Conditions& conditions_;

@@ -15,7 +15,7 @@ Eigen::Index indexOf(std::size_t i) { return static_cast<Eigen::Index>(i); }
 } // namespace
 
 // All conditions at the point.
-bool Multipliers::evaluate(Friction friction) {
+void Multipliers::evaluate(Friction friction) {
     const ComponentModel::Conditions& conditions = model_.conditions();
     const std::size_t entries = conditions.matrix.size();
     second_.resize(entries + size());
@@ -24,10 +24,6 @@ bool Multipliers::evaluate(Friction friction) {
     friction_.clear();
     if (friction == Friction::ofSlip)
         findFriction();
-    double zero = 0; // no number as soon as one of them is not finite
-    for (const double x : second_)
-        zero += 0 * x;
-    return zero == 0;
 }
 
 // A normal force brings with it the friction of a contact that slips:  f = -coefficient N d.
@@ -85,13 +81,6 @@ double Multipliers::leewayOf(const BoundModel::Disc& disc) const {
     return disc.sticking * normal - std::sqrt(square);
 }
 
-bool Multipliers::factorise(Friction friction) {
-    if (!evaluate(friction))
-        return false;
-    held_.factorise(std::span(second_).first(model_.conditions().matrix.size()), friction_);
-    return true;
-}
-
 double Multipliers::bound(std::size_t row) const {
     if (mode_.kept[row] == Mode::gone)
         return 0;
@@ -100,8 +89,6 @@ double Multipliers::bound(std::size_t row) const {
         return 0; // it follows normal forces: putFriction()
     return mode_.kept[row] == State::high ? law.high : law.low;
 }
-
-void Multipliers::solve(Eigen::Ref<Eigen::VectorXd> rates) { held_.solve(rates); }
 
 // The last solution keeps all conditions that hold.
 bool Multipliers::isSolved() {
@@ -119,8 +106,10 @@ bool Multipliers::isSolved() {
 
 void Multipliers::findApart() {
     constexpr double few = 1e3, many = 1e7; // of the resolution
-    for (const std::size_t row : held_.rows()) {
+    for (std::size_t row = 0; row < size(); ++row) {
         const BoundModel::Law& law = f_.bound()->laws[row];
+        if (!holds(row))
+            continue;
         const double gap = law.isBounded() ? 0 : std::abs(gaps_[row]);
         for (const auto& [most, list] : {std::pair(few, &apart_), std::pair(many, &farApart_)})
             if (gap > most * law.resolution && std::ranges::find(*list, row) == list->end())
@@ -148,7 +137,7 @@ void Multipliers::findContradictory(std::span<const double> y) {
 
 // To second rates, of what stands at a bound.
 void Multipliers::addBounds() {
-    if (held_.rows().size() == size())
+    if (std::ranges::all_of(mode_.kept, [](State kept) { return kept == State::inside; }))
         return;
     const auto& matrix = model_.conditions().matrix;
     for (std::size_t k = 0; k < matrix.size(); ++k)
@@ -188,9 +177,8 @@ void Multipliers::putFriction() {
 }
 
 double Multipliers::secondRate(std::size_t row) const {
-    const auto& matrix = model_.conditions().matrix; // in the order of rows
-    const std::size_t entries = matrix.size();
-    double rate = second_[entries + row];
+    const auto& matrix = model_.conditions().matrix;
+    double rate = second_[matrix.size() + row];
     for (auto entry = std::ranges::lower_bound(matrix, row, {}, &ComponentModel::Entry::row);
          entry != matrix.end() && entry->row == row; ++entry)
         rate += second_[static_cast<std::size_t>(entry - matrix.begin())] * values()[entry->column];
@@ -198,7 +186,7 @@ double Multipliers::secondRate(std::size_t row) const {
 }
 
 Multipliers::System Multipliers::systemOf(std::span<const std::size_t> rows, Friction friction) {
-    (void)evaluate(friction);
+    evaluate(friction);
     const auto& matrix = model_.conditions().matrix;
     constexpr Eigen::Index none = -1;
     std::vector<Eigen::Index> placeOf(size(), none);
@@ -296,7 +284,9 @@ void Multipliers::move(std::span<const ComponentModel::Entry> entries, std::size
 double Multipliers::largestGap() const {
     constexpr double ofSizeOne = 1e-9;
     double largest = 0;
-    for (const std::size_t row : held_.rows()) {
+    for (std::size_t row = 0; row < size(); ++row) {
+        if (!holds(row))
+            continue;
         const double resolution = f_.bound()->laws[row].resolution;
         const double gap = std::abs(gaps_[row]) / (resolution > 0 ? resolution : ofSizeOne);
         if (!(gap <= largest)) // no number stays
@@ -305,11 +295,37 @@ double Multipliers::largestGap() const {
     return largest;
 }
 
-bool Multipliers::factoriseForMoves() {
+bool Multipliers::factorise(Friction friction) {
+    evaluate(friction);
+    return held_.factorise(std::span(second_).first(model_.conditions().matrix.size()), friction_);
+}
+
+bool Multipliers::factoriseMoves() {
+    const ComponentModel::Conditions& conditions = model_.conditions();
+    ties_.resize(conditions.ofTies.size());
+    if (!ties_.empty())
+        f_.evaluate(conditions.ties, ties_);
     if (!factorise(Friction::none))
         return false;
     evaluateMoves();
     return true;
+}
+
+// Multipliers that move states onto their gaps. A tie moves an angle of its own, which others read.
+void Multipliers::solveForGaps() {
+    const std::vector<ComponentModel::Entry>& entries = model_.conditions().ofTies;
+    const auto putTies = [&] {
+        for (std::size_t k = 0; k < entries.size(); ++k)
+            if (const auto [row, column] = entries[k]; row == column)
+                found_[indexOf(row)] = holds(row) ? -gaps_[row] / ties_[k] : 0;
+    };
+    found_ = Eigen::Map<const Eigen::VectorXd>(gaps_.data(), indexOf(size()));
+    putTies();
+    for (std::size_t k = 0; k < entries.size(); ++k)
+        if (const auto [row, column] = entries[k]; row != column)
+            found_[indexOf(row)] += ties_[k] * found_[indexOf(column)];
+    held_.solve(found_);
+    putTies();
 }
 
 // Newton's method, with the matrix of before where that lets gaps shrink fast enough. At its end
@@ -321,7 +337,7 @@ bool Multipliers::moveOntoGaps(double t, std::span<double> y) {
     constexpr double slow = 1e-3;
     f_.fill(t, y);
     evaluateGaps();
-    if (!factoriseForMoves())
+    if (!factoriseMoves())
         return false;
     findApart();
     double last = std::numeric_limits<double>::infinity();
@@ -331,13 +347,12 @@ bool Multipliers::moveOntoGaps(double t, std::span<double> y) {
         if (gap <= rounding || !(gap < 0.5 * last))
             break;
         if (isFar && gap > slow * last) {
-            if (!factoriseForMoves())
+            if (!factoriseMoves())
                 return false;
             isFar = false;
         }
         isFar = isFar || gap > near;
-        found_ = Eigen::Map<const Eigen::VectorXd>(gaps_.data(), indexOf(size()));
-        solve(found_);
+        solveForGaps();
         if (!found_.allFinite())
             break;
         move(model_.conditions().shifts, model_.conditions().pushes.size(), found_, y);
@@ -345,7 +360,7 @@ bool Multipliers::moveOntoGaps(double t, std::span<double> y) {
         f_.fill(t, y);
         evaluateGaps();
     }
-    return !isFar || factoriseForMoves();
+    return !isFar || factoriseMoves();
 }
 
 void Multipliers::project(double t, std::span<double> y) {
@@ -355,7 +370,7 @@ void Multipliers::project(double t, std::span<double> y) {
     if (!moveOntoGaps(t, y))
         return;
     found_ = Eigen::Map<const Eigen::VectorXd>(gaps_.data() + size(), indexOf(size()));
-    solve(found_);
+    held_.solve(found_);
     findContradictory(y);
     if (found_.allFinite())
         move(model_.conditions().pushes, 0, found_, y);

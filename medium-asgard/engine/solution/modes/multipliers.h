@@ -2,8 +2,8 @@
 //
 //     A m = -b     so that all second rates  g'' = A m + b  are 0.
 //
-// A = J M^-1 J' for joints between bodies. held_conditions.h solves for m; a condition that nothing
-// can keep, as a joint between two bodies that are held, has no solution.
+// A = J M^-1 J' for joints between bodies. Those of ties are 0. held_conditions.h solves for m; a
+// condition that nothing can keep, as a joint between two bodies that are held, has no solution.
 //
 // Places and velocities drift off their conditions by the errors of steps. project() moves them
 // back by what the multipliers push, the least way in the metric of the kinetic energy (Hairer and
@@ -34,8 +34,8 @@ public:
     // conditions that hold; then they are what errs least.
     bool solve();
     // At the point that was solved for last, of conditions with these second rates; 0 of others
-    // than those that hold.
-    void solve(Eigen::Ref<Eigen::VectorXd> rates);
+    // than those that hold, and of ties.
+    void solve(Eigen::Ref<Eigen::VectorXd> rates) { held_.solve(rates); }
     [[nodiscard]] std::span<const double> values() const { return std::span(f_.in()).last(size()); }
     // Moves the states onto the conditions that hold.
     void project(double t, std::span<double> y);
@@ -96,11 +96,14 @@ public:
               std::span<double> y);
 
 private:
-    [[nodiscard]] bool evaluate(Friction friction);
+    [[nodiscard]] bool holds(std::size_t row) const {
+        return mode_.kept[row] == complementarity::State::inside;
+    }
+    void evaluate(Friction friction);
     void findFriction();
     void putFriction();
     [[nodiscard]] bool factorise(Friction friction);
-    [[nodiscard]] bool factoriseForMoves();
+    [[nodiscard]] bool factoriseMoves();
     [[nodiscard]] double bound(std::size_t row) const;
     void addBounds();
     [[nodiscard]] bool isSolved();
@@ -110,13 +113,14 @@ private:
               const Eigen::VectorXd& by, std::span<double> y) const;
     void evaluateMoves();
     [[nodiscard]] double largestGap() const;
+    void solveForGaps();
     [[nodiscard]] bool moveOntoGaps(double t, std::span<double> y);
 
     ModelFunctions& f_;
     const ComponentModel& model_;
     const Mode& mode_;
     HeldConditions held_;
-    std::vector<double> second_, gaps_, moves_;
+    std::vector<double> second_, ties_, gaps_, moves_;
     std::vector<double> friction_; // by row, where discs slip: its force for a normal force of 1
     Eigen::VectorXd rest_, found_; // second rates without the multipliers that hold; by row
     std::vector<std::size_t> apart_, farApart_, contradictory_;
