@@ -40,6 +40,8 @@ public:
     [[nodiscard]] std::span<const double> multiplierValues() {
         return field_.multipliers().values();
     }
+    // How they were found: a clause; "": there are none.
+    [[nodiscard]] std::string howMultipliersAreFound() const { return field_.multipliers().how(); }
     // Moves the states onto the conditions that multipliers keep.
     void project(double t, std::span<double> y);
     // Held unknowns whose values depend on each other in a circle; then no other function may be

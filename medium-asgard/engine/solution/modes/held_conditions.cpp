@@ -121,6 +121,22 @@ bool HeldConditions::factorise(std::span<const double> values, std::span<const d
     return true;
 }
 
+std::string HeldConditions::how() const {
+    const std::size_t n = plan_.rows.size();
+    if (n == 0)
+        return "";
+    const std::string forces = n == 1 ? "the force of 1 condition is"
+                                      : "the forces of " + std::to_string(n) + " conditions are";
+    if (way_ == Way::least)
+        return forces + " the shortest of those that keep them";
+    if (way_ == Way::dense)
+        return forces + " solved for together";
+    const std::size_t done = elimination_.multiplications();
+    return forces + " solved for one after the other, with " + std::to_string(done) +
+           (done == 1 ? " multiplication" : " multiplications") + " (of a full matrix " +
+           std::to_string(n * (n + 1) * (n - 1) / 6) + ")";
+}
+
 // The shortest m = S y of those with  A y = right,  A scaled by S: the shortest y, and of what
 // leaves A y as it is the part that shortens m.
 Eigen::VectorXd HeldConditions::leastSolution() const {

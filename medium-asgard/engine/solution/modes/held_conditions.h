@@ -20,8 +20,8 @@
 #include <Eigen/LU>
 #include <Eigen/QR>
 
-#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace solution {
@@ -46,10 +46,8 @@ public:
     [[nodiscard]] const Eigen::VectorXd& right() const { return right_; }
     [[nodiscard]] double scale(std::size_t i) const { return scale_[static_cast<Eigen::Index>(i)]; }
 
-    // Multiplications of a factorization, of those that are not dense.
-    [[nodiscard]] std::optional<std::size_t> multiplications() const {
-        return plan_.isSparse ? std::optional(elimination_.multiplications()) : std::nullopt;
-    }
+    // How the last factorization was made: a clause; "": nothing holds.
+    [[nodiscard]] std::string how() const;
 
 private:
     struct Term { // of the matrix

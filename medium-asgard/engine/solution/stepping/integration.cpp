@@ -70,6 +70,8 @@ std::optional<Ending> Integration::beginMethod() {
     const std::vector<double> y = context_.states();
     if (!method_->begin(context_.time(), y))
         return context_.endingWithoutRate(context_.time(), y);
+    if (const std::string how = equations.howMultipliersAreFound(); !how.empty())
+        counts.why += "; " + how;
     double& proposed = context_.progress.proposed;
     if (options.fixedStep)
         proposed = *options.fixedStep;
