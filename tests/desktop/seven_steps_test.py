@@ -128,6 +128,7 @@ class SevenSteps(unittest.TestCase):
 
     def throwBall(self, author):
         """The handle of a velocity that is zero lies on its body."""
+        author.menu(VIEWER, "Handles", "None")  # one that lay on it would stand beside it
         author.menu(VIEWER, "Handles", "Velocities")
         x, y = BALL
         author.hint(VIEWER, author.point(VIEWER, x, y, 0), f"velocity of {self.ball}")

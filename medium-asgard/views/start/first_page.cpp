@@ -3,6 +3,7 @@
 #include "frame/icons.h"
 #include "plain/plain.h"
 
+#include <QAction>
 #include <QComboBox>
 #include <QDir>
 #include <QFileInfo>
@@ -59,6 +60,10 @@ FirstPage::FirstPage(QList<Sample> samples, const QStringList& recent, SamplePic
         connect(pictures, &SamplePictures::drawn, this, &FirstPage::showPicture);
         pictures->ask(samples_, card * 2); // sharp on a fine screen, too
     }
+    auto* leave = new QAction(this);
+    leave->setShortcuts({QKeySequence(Qt::CTRL | Qt::Key_W), QKeySequence(Qt::CTRL | Qt::Key_Q)});
+    connect(leave, &QAction::triggered, this, &QWidget::close);
+    addAction(leave);
     list_->setFocus();
     list_->setCurrentRow(0);
     constexpr QSize usual(1120, 780);

@@ -31,9 +31,9 @@ const std::array<Step, Tour::steps>& tourSteps() {
              "same place again: where there is no second body, the hinge holds to the ground.")},
         {Tour::tr("A second rod"),
          Tour::tr(
-             "Make another rod, right of the first so that their ends meet. Then choose Create "
-             "> Joint > Hinge, click the second rod, and click the place where the two meet on "
-             "the first.")},
+             "Choose Create > Body > rod1, and click right of the first rod, so that their ends "
+             "meet. Then choose Create > Joint > Hinge, click the second rod, and click the "
+             "place on the first where the two meet.")},
         {Tour::tr("Weight"),
          Tour::tr("Choose Create > Force > Gravity for All Bodies. Both rods get their weight, "
                   "9.81 m/s² downwards.")},
@@ -98,7 +98,7 @@ Tour::Tour(SceneDocument& document, QWidget* parent) : QWidget(parent), document
     end_->setObjectName("endTour");
     connect(end_, &QPushButton::clicked, this, &Tour::ended);
     column->addWidget(end_);
-    setMinimumWidth(250);
+    setMinimumSize(250, 330); // of the longest step
     connect(&document_, &SceneDocument::sceneChanged, this, &Tour::look);
     look();
 }

@@ -175,6 +175,9 @@ QWidget* GraphicalViewer::makeTour() {
 void GraphicalViewer::showTour() {
     panes_.show("tour");
     display_->lookAlong(geometry::Vector::UnitZ());
+    render::Camera camera = display_->camera();
+    camera.scale /= 7;
+    display_->setCamera(camera);
     display_->setFocus();
 }
 
