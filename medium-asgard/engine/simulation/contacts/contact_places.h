@@ -22,15 +22,17 @@ struct LastingContact {
     std::size_t bodyPart = 0, supportPart = 0;
     bool isModelled = true;
     bool rolls = false;          // a surface is curved where they touch
+    bool isInPlane = false;      // its points are those of a motion in a plane
     physics::ContactPlace place; // without friction
 };
 
-// Two bodies that move in a plane across an axis of the world, with their centres of mass at this
-// place along it. Corners that lie symmetrically about the plane are one in it: so a scene in a
+// Bodies that move in a plane across an axis of the world, with their centres of mass at this place
+// along it. Corners that lie symmetrically about the plane are one in it: so a scene in a
 // plane has as few contacts as a drawing of it, and stays there.
 struct MotionPlane {
     int axis = 2;
     double at = 0;
+    [[nodiscard]] bool operator==(const MotionPlane&) const = default;
 };
 
 struct TouchLimits {

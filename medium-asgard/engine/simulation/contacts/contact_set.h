@@ -15,6 +15,7 @@
 #include "motion/contact_log.h"
 #include "solution/event_source.h"
 
+#include <algorithm>
 #include <compare>
 #include <functional>
 #include <map>
@@ -37,6 +38,14 @@ public:
                              std::size_t partB) const;
     // These bodies and all that are in contact with them, through whomever: they move together.
     [[nodiscard]] std::set<std::size_t> island(std::set<std::size_t> bodies) const;
+    // Some contact of these has points of a motion in a plane.
+    [[nodiscard]] bool isAnyInPlane(std::span<const std::size_t> bodies) const {
+        return std::ranges::any_of(contacts_, [&](const Contact& contact) {
+            return contact.of.isInPlane && std::ranges::any_of(bodies, [&](std::size_t body) {
+                       return contact.has(body);
+                   });
+        });
+    }
     // By body on whom it lies or leans.
     void addSupports(std::map<std::size_t, std::vector<std::size_t>>& supports) const;
 

@@ -30,6 +30,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -110,6 +111,12 @@ private:
     // False: its contacts cannot be those of one body.
     [[nodiscard]] bool settleAlone(const Instant& instant, std::size_t body,
                                    const RestingBodies::States& states, Event& event);
+    // `entering`: speeds before the blow; `plane`: in which points lie.
+    [[nodiscard]] std::vector<LastingContact>
+    contactsBetween(const Instant& instant, const Pair& pair, const RestingBodies::States& states,
+                    double entering, const std::optional<MotionPlane>& plane) const;
+    [[nodiscard]] std::vector<std::size_t> together(std::set<std::size_t> bodies,
+                                                    std::span<const LastingContact> found) const;
     [[nodiscard]] std::vector<LastingContact> contactsOf(const Instant& instant,
                                                          std::span<const std::size_t> bodies,
                                                          const RestingBodies::States& states) const;

@@ -7,6 +7,9 @@
 #include "events/side_by_side_balls.h"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
+#include <map>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -30,6 +33,28 @@ RestingBodies::States leaving(const Instant& at, std::size_t body, const Rest& r
     if (change > at.world.resolution[body].gap * speed)
         return {};
     return {{body, bearing}};
+}
+
+// As long as it would lift others for hops that are the last ones.
+physics::ImpactResult resolveWithLastHops(const Instant& at, ImpactCluster& cluster,
+                                          const std::vector<physics::ImpactBody>& before,
+                                          LastHops& last) {
+    constexpr int most = 4;
+    for (int round = 1;; ++round) {
+        ImpactCluster resolved = cluster;
+        physics::ImpactResult result = resolve(resolved, before);
+        if (round < most && result.settled &&
+            closeLowRebounds(at, cluster, before, result.bodies, last))
+            continue;
+        cluster = std::move(resolved);
+        return result;
+    }
+}
+
+double speedOf(const Placed& body) {
+    if (body.record->isFixed)
+        return 0;
+    return body.state.velocity.norm() + body.state.angularVelocity.norm() * body.record->radius;
 }
 
 } // namespace
@@ -144,11 +169,11 @@ std::optional<Event> CollisionSource::meet(const Instant& at, const Pair& pair) 
     ImpactCluster cluster = clusterAt(at, pair);
     const std::vector<physics::ImpactBody> before = bodiesOf(at, cluster);
     aimAtFastest(cluster, before);
-    const LastHops last = softenLastHops(at, cluster, before);
+    LastHops last = softenLastHops(at, cluster, before);
+    pressTogether(at, cluster, before);
+    const physics::ImpactResult result = resolveWithLastHops(at, cluster, before, last);
     for (const LostHop& hop : last.lost)
         record_.addLostHop(hop);
-    pressTogether(at, cluster, before);
-    const physics::ImpactResult result = resolve(cluster, before);
     if (!result.settled)
         return end(at, pair, sentences::unsolved(world_, pair));
     if (result.jammed)
@@ -219,37 +244,77 @@ bool CollisionSource::needsRows(const Instant& at, std::size_t body,
     return false;
 }
 
+std::vector<LastingContact>
+CollisionSource::contactsBetween(const Instant& at, const Pair& pair,
+                                 const RestingBodies::States& states, double entering,
+                                 const std::optional<MotionPlane>& plane) const {
+    const auto [first, second] = world_.bodyAndSupport(pair);
+    const Placed a = at.placed(first, states), b = at.placed(second, states);
+    const TouchLimits limits{
+        .gap = std::min(world_.resolution[first].gap, world_.resolution[second].gap),
+        .slow = resolution::atRest * std::max({entering, speedOf(a), speedOf(b)}),
+        .wereInContact = resting_.contacts().areIn(first, second),
+        .isStart = at.time == world_.start,
+        .plane = plane};
+    std::vector<LastingContact> found = lastingContacts(a, b, limits);
+    for (LastingContact& contact : found) {
+        const double reach = contact.place.friction.reach;
+        contact.place.friction = world_.frictionOf(first, second);
+        if (!contact.rolls) // edges and vertices do not
+            contact.place.friction.rolling = 0;
+        contact.place.friction.reach = reach;
+        contact.isInPlane = plane.has_value();
+    }
+    return found;
+}
+
+// All that hangs together with the body by contacts that last or are to last.
+std::vector<std::size_t> CollisionSource::together(std::set<std::size_t> bodies,
+                                                   std::span<const LastingContact> found) const {
+    for (std::size_t before = 0; before != bodies.size();) {
+        bodies = resting_.contacts().island(std::move(bodies));
+        before = bodies.size();
+        for (const LastingContact& contact : found)
+            for (const auto& [one, other] :
+                 {std::pair(contact.place.body, contact.place.support),
+                  std::pair(contact.place.support, contact.place.body)})
+                if (bodies.contains(one) && !world_.isFixed(other))
+                    bodies.insert(other);
+    }
+    return {bodies.begin(), bodies.end()};
+}
+
+// Points are in a plane where all that hangs together moves in it.
 std::vector<LastingContact> CollisionSource::contactsOf(const Instant& at,
                                                         std::span<const std::size_t> bodies,
                                                         const RestingBodies::States& states) const {
+    double entering = 0; // what a blow leaves of it is rounding, also of bodies that it has stopped
+    for (const auto& [body, after] : states)
+        entering = std::max(entering, speedOf(at.placed(body)));
     std::vector<LastingContact> found;
     std::set<Pair> seen;
+    std::map<Pair, std::optional<MotionPlane>> planes, ofOthers;
+    const auto add = [&](std::vector<LastingContact> contacts) {
+        std::ranges::move(contacts, std::back_inserter(found));
+    };
     for (const std::size_t body : bodies)
         for (const std::size_t other : search_.partners(body)) {
             const Pair pair = std::minmax(body, other);
             if (!seen.insert(pair).second || resting_.hopForEver(body, other, at.time))
                 continue;
-            const auto [first, second] = world_.bodyAndSupport(pair);
-            const Placed a = at.placed(first, states), b = at.placed(second, states);
-            const double speed =
-                a.state.velocity.norm() + b.state.velocity.norm() +
-                a.state.angularVelocity.norm() * a.record->radius +
-                (b.record->isFixed ? 0 : b.state.angularVelocity.norm() * b.record->radius);
-            const TouchLimits limits{
-                .gap = std::min(world_.resolution[first].gap, world_.resolution[second].gap),
-                .slow = resolution::atRest * speed,
-                .wereInContact = resting_.contacts().areIn(first, second),
-                .isStart = at.time == world_.start,
-                .plane = at.planeOf(pair)};
-            for (LastingContact& contact : lastingContacts(a, b, limits)) {
-                const double reach = contact.place.friction.reach;
-                contact.place.friction = world_.frictionOf(first, second);
-                if (!contact.rolls) // edges and vertices do not
-                    contact.place.friction.rolling = 0;
-                contact.place.friction.reach = reach;
-                found.push_back(std::move(contact));
-            }
+            planes[pair] = at.planeOf(std::array{pair.first, pair.second});
+            add(contactsBetween(at, pair, states, entering, planes[pair]));
         }
+    for (const auto& [pair, plane] : planes)
+        if (plane)
+            if (const auto ofAll = at.planeOf(together({pair.first, pair.second}, found));
+                ofAll != plane)
+                ofOthers[pair] = ofAll;
+    std::erase_if(found, [&](const LastingContact& contact) {
+        return ofOthers.contains(std::minmax(contact.place.body, contact.place.support));
+    });
+    for (const auto& [pair, plane] : ofOthers)
+        add(contactsBetween(at, pair, states, entering, plane));
     return found;
 }
 
@@ -266,6 +331,12 @@ void CollisionSource::settle(const Instant& at, std::span<const std::size_t> bod
     if (together.empty())
         return;
     std::vector<LastingContact> contacts = contactsOf(at, together, states);
+    if (std::ranges::any_of(contacts, [](const auto& contact) { return !contact.isInPlane; }))
+        if (const auto all = this->together({together.begin(), together.end()}, contacts);
+            all.size() > together.size() && resting_.contacts().isAnyInPlane(all)) {
+            together = all; // contacts that were in a plane are no longer
+            contacts = contactsOf(at, together, states);
+        }
     for (const LastingContact& contact : contacts)
         for (const std::size_t body : {contact.place.body, contact.place.support}) {
             if (!contact.isModelled) {

@@ -4,6 +4,7 @@
 #include "contacts/contact_places.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -71,7 +72,8 @@ std::vector<NearCorner> cornersAt(const Instant& at, const Pair& pair, bool isHi
 
 class Gathering { // of contacts of one pair
 public:
-    Gathering(const Instant& at, const Pair& pair, ImpactCluster& cluster)
+    Gathering(const Instant& at, const Pair& pair, ImpactCluster& cluster,
+              const std::optional<MotionPlane>& plane)
         : at_(at), a_(pair.first), b_(pair.second), cluster_(cluster),
           friction_(at.world.frictionOf(a_, b_)) {
         const ContactSet& lasting = at.resting.contacts();
@@ -79,7 +81,7 @@ public:
             lasting.isIn(b_))
             arePoints_ = true;
         if (arePoints_)
-            plane_ = at.planeOf(pair);
+            plane_ = plane;
         if (!friction_.bodySurface.isZero(0) || !friction_.supportSurface.isZero(0))
             surface_ = at.stateOf(a_).attitude * friction_.bodySurface -
                        at.stateOf(b_).attitude * friction_.supportSurface;
@@ -214,7 +216,10 @@ private:
 
 } // namespace
 
-ImpactCluster clusterAt(const Instant& instant, const Pair& hit) {
+namespace {
+
+ImpactCluster gathered(const Instant& instant, const Pair& hit,
+                       const std::optional<MotionPlane>& plane) {
     ImpactCluster cluster;
     cluster.bodies = {hit.first, hit.second};
     std::set<Pair> seen;
@@ -225,11 +230,22 @@ ImpactCluster clusterAt(const Instant& instant, const Pair& hit) {
         for (const std::size_t other : instant.search.partners(body))
             if (const Pair pair = std::minmax(body, other);
                 !instant.search.hasEnded(other) && seen.insert(pair).second)
-                Gathering(instant, pair, cluster).add(pair == hit);
+                Gathering(instant, pair, cluster, plane).add(pair == hit);
         for (const std::size_t joined : instant.world.joints.neighbours(body))
             if (std::ranges::find(cluster.bodies, joined) == cluster.bodies.end())
                 cluster.bodies.push_back(joined);
     }
+    return cluster;
+}
+
+} // namespace
+
+// Points are in a plane where all bodies move in it.
+ImpactCluster clusterAt(const Instant& instant, const Pair& hit) {
+    const auto plane = instant.planeOf(std::array{hit.first, hit.second});
+    ImpactCluster cluster = gathered(instant, hit, plane);
+    if (const auto ofAll = plane ? instant.planeOf(cluster.bodies) : plane; ofAll != plane)
+        cluster = gathered(instant, hit, ofAll);
     using State = physics::JointRows::State;
     const auto valueOf = [&](std::size_t unknown) {
         return instant.histories.value(unknown, instant.time);
@@ -262,7 +278,8 @@ std::vector<physics::ImpactBody> bodiesOf(const Instant& instant, const ImpactCl
 
 bool touch(const Instant& instant, const Pair& pair) {
     ImpactCluster cluster;
-    Gathering(instant, pair, cluster).add(true);
+    Gathering(instant, pair, cluster, instant.planeOf(std::array{pair.first, pair.second}))
+        .add(true);
     return !cluster.contacts.empty();
 }
 

@@ -32,13 +32,13 @@ bool sleeps(const solution::Histories& histories, std::size_t unknown, double ti
 
 } // namespace
 
-std::optional<MotionPlane> Instant::planeOf(const Pair& pair) const {
+std::optional<MotionPlane> Instant::planeOf(std::span<const std::size_t> bodies) const {
     using namespace physics;
     for (const int axis : {2, 1, 0}) {
         std::optional<double> at;
         bool isIn = true;
-        for (const std::size_t body : {pair.first, pair.second}) {
-            if (world.isFixed(body))
+        for (const std::size_t body : bodies) {
+            if (world.isFixed(body) || !isIn)
                 continue;
             const std::size_t first = world.records[body].firstUnknown;
             isIn = isIn && sleeps(histories, first + dx + static_cast<std::size_t>(axis), time);

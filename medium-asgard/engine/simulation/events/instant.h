@@ -6,6 +6,8 @@
 #include "meetings/encounter_search.h"
 
 #include <algorithm>
+#include <optional>
+#include <span>
 
 namespace simulation {
 
@@ -21,6 +23,10 @@ struct Instant {
     }
     [[nodiscard]] Acceleration accelerationOf(std::size_t body) const {
         return simulation::accelerationOf(world.records[body], histories, time);
+    }
+    // Without contacts.
+    [[nodiscard]] Acceleration freeAccelerationOf(std::size_t body) const {
+        return resting.freeAccelerationOf(histories, body, time);
     }
     [[nodiscard]] Placed placed(std::size_t body, const RestingBodies::States& changed = {}) const {
         return resting.placed(histories, body, time, changed);
@@ -45,8 +51,8 @@ struct Instant {
         return std::min(resting.nextPhase(pair.first, time), resting.nextPhase(pair.second, time));
     }
 
-    // In which the two move, and nothing drives them out of it.
-    [[nodiscard]] std::optional<MotionPlane> planeOf(const Pair& pair) const;
+    // In which these move, and nothing drives them out of it.
+    [[nodiscard]] std::optional<MotionPlane> planeOf(std::span<const std::size_t> bodies) const;
     // The speeds that enter.
     [[nodiscard]] double speedOf(const Pair& pair) const;
     // Nearer than this they touch at an impact: it is as far off as coordinates and times are
