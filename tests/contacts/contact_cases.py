@@ -195,6 +195,36 @@ case("pawl", "# zero: wheel.x\nsimulator -finish 1\nshape_set wheel -desc {-sub 
 case("dominoes", "# zero: d0.z\nsimulator -finish 4\n" + ground(0.5) + "shape_set slab -desc {-sub {-box {0.2 2 1}}}\n" +
      "".join(f"body d{i} slab -init_pos {{{1.2 * i} 1 0}} -friction 0.3 -restitution 0{' -init_drot {0 0 -1.6}' if i == 0 else ''}\n" for i in range(3)) +
      gravity("d0", "d1", "d2"), [(4, 1, 0, f"d{i}.{q}") for i in range(3) for q in ("dx", "dy", "wz")])
+# What lies or falls beside the plane in which a box stands does not press the box into the floor.
+SLAB = "shape_set slab -desc {-sub {-box {0.6 0.3 0.6}}}\n"
+for name, mu in (("ball_beside_the_middle", 0.5), ("ball_beside_the_middle_smooth", 0)):
+    case(name, "# zero: s.y-0.15\nsimulator -finish 1\n" + ground(mu) + SLAB + "shape_set small -desc {-sub {-sphere 0.15}}\n" +
+         f"body s slab -init_pos {{0 0.15 0}} -friction {mu} -restitution 0\n"
+         f"body b small -init_pos {{0.05 0.8 0.08}} -friction {mu} -restitution 0\n" + gravity("s", "b"),
+         [(t, 1, y, e) for t in (0.3, 1) for y, e in ((0.15, "s.y"), (0.45, "b.y"), (0.08, "b.z"), (0, "s.dx"), (0, "s.wx"), (0, "s.wz"))])
+case("slab_beside_the_middle", "# zero: b.y-0.45\nsimulator -finish 10\n" + ground(0.5) + SLAB +
+     "body s slab -init_pos {0 0.15 0} -friction 0.5 -restitution 0\nbody b slab -init_pos {0 0.45 0.2} -friction 0.5 -restitution 0\n" +
+     gravity("s", "b"), [(10, 1, 0.15, "s.y"), (10, 1, 0.45, "b.y"), (10, 1, 0.2, "b.z"), (10, 1, 0, "s.wx")])
+
+# Rest is rest for 1,000 s: stacks of ten whose masses grow to 1000 times or shrink so, and two of a ratio of a million.
+for name, masses in (("stack_heavy_above", [10 ** (i / 3) for i in range(10)]), ("stack_heavy_below", [10 ** (3 - i / 3) for i in range(10)]),
+                     ("million_above", [1, 1e6, 1]), ("million_below", [1e6, 1, 1e6])):
+    names = [f"b{i}" for i in range(len(masses))]
+    case(name, f"# zero: {names[-1]}.y-{len(masses) - 0.5}\nsimulator -finish 1000\n" + ground(0.5) + BLOCK +
+         "".join(f"body {n} block -mass {m!r} -init_pos {{{0.1 * (i % 2)} {0.5 + i} 0}} -friction 0.5 -restitution 0\n"
+                 for i, (n, m) in enumerate(zip(names, masses))) + gravity(*names),
+         [(1000, 1, 0.1 * (i % 2), n + ".x") for i, n in enumerate(names)] + [(1000, 1, 0.5 + i, n + ".y") for i, n in enumerate(names)])
+# A box held between two jaws that are pushed: it holds with 2 mu F > m g, and slides by what is missing.
+for name, part, falls in (("grip_holds", 1 + 1e-9, False), ("grip_slides", 1 - 1e-6, True)):
+    mu, m = 0.5, 2
+    force = part * m * G / (2 * mu)
+    lag = m * G - 2 * mu * force
+    case(name, "# zero: jaw1.y-1\nsimulator -finish " + ("100" if falls else "1000") + "\nshape_set cube -desc {-sub {-box {0.2 0.2 0.2}}}\n" +
+         f"body box cube -mass {m} -init_pos {{0 1 0}} -friction {mu} -restitution 0\n" +
+         "".join(f"body jaw{k} cube -mass 1 -init_pos {{{(-0.2, 0.2)[k - 1]:.1f} 1 0}} -friction {mu} -restitution 0\n"
+                 f"joint rail{k} -type slider -body1 jaw{k} -axis {{1 0 0}}\nforce -body jaw{k} -x {force if k == 1 else -force!r}\n"
+                 for k in (1, 2)) + gravity("box"),
+         [(100, 1, 1 - lag / m * 100 ** 2 / 2, "box.y")] if falls else [(1000, 1, 1, "box.y")])
 
 
 def main():

@@ -56,8 +56,9 @@ std::optional<std::pair<Vector, Vector>> edgeThrough(const std::vector<Vector>& 
 
 class Polyhedra { // in touch
 public:
-    Polyhedra(const Touch& touch, const Placed& body, const Placed& support)
-        : touch_(touch), body_(body), support_(support) {
+    // `beside`: features that overlap by less do not overlap.
+    Polyhedra(const Touch& touch, const Placed& body, const Placed& support, double beside)
+        : touch_(touch), body_(body), support_(support), beside_(beside) {
         bodyFace_ =
             touch.bodyFace.size() > 2 ? inOrder(touch.bodyFace, touch.normal) : touch.bodyFace;
         supportFace_ = touch.supportFace.size() > 2 ? inOrder(touch.supportFace, touch.normal)
@@ -94,7 +95,7 @@ private:
         point.gap = isBodys ? SurfaceGap{plane, at, false} : SurfaceGap{at, plane, false};
         const geometry::Part& part =
             other.shape->parts[isBodys ? touch_.bodyPart : touch_.supportPart];
-        Sides sides(other.index, localOf(other, vertex), touch_.size);
+        Sides sides(other.index, localOf(other, vertex), touch_.size, beside_);
         if (!part.curved)
             sides.addOutline(localOf(other, face), plane.axis);
         else if (!part.isPlane())
@@ -122,9 +123,9 @@ private:
                                  .place = localOf(support_, b->first),
                                  .axis = support_.state.attitude.conjugate() * ofSupport},
                      .isFlipped = across < 0};
-        Sides first(body_.index, localOf(body_, corner.point), touch_.size);
+        Sides first(body_.index, localOf(body_, corner.point), touch_.size, beside_);
         first.addEnds(localOf(body_, a->first), localOf(body_, a->second));
-        Sides second(support_.index, localOf(support_, corner.point), touch_.size);
+        Sides second(support_.index, localOf(support_, corner.point), touch_.size, beside_);
         second.addEnds(localOf(support_, b->first), localOf(support_, b->second));
         point.sides = std::move(first.sides);
         point.sides.insert(point.sides.end(), second.sides.begin(), second.sides.end());
@@ -134,6 +135,7 @@ private:
     const Touch& touch_;
     const Placed& body_;
     const Placed& support_;
+    double beside_;
     std::vector<Vector> bodyFace_, supportFace_;
 };
 
@@ -388,7 +390,7 @@ bool rolls(const ContactPoint& point) {
 }
 
 std::optional<ContactPoint> pointAt(const Touch& touch, const Corner& corner, const Placed& body,
-                                    const Placed& support) {
+                                    const Placed& support, const TouchLimits& limits) {
     ContactPoint point;
     if (corner.pieces) {
         point.gap = *corner.pieces;
@@ -396,7 +398,7 @@ std::optional<ContactPoint> pointAt(const Touch& touch, const Corner& corner, co
         return point;
     }
     if (!touch.isRound)
-        return Polyhedra(touch, body, support).pointAt(corner);
+        return Polyhedra(touch, body, support, limits.gap * touch.size).pointAt(corner);
     point.gap = roundGap(touch, corner.constraint, body, support);
     point.sides = sidesOfRound(touch, body, support);
     return point;
@@ -422,7 +424,7 @@ LastingContact contactOf(const Touch& touch, const Placed& body, const Placed& s
         if ((corner.rate > limits.slow && !limits.wereInContact) ||
             corner.gap > limits.gap * touch.size)
             continue;
-        std::optional<ContactPoint> point = pointAt(touch, corner, body, support);
+        std::optional<ContactPoint> point = pointAt(touch, corner, body, support, limits);
         if (!point) {
             found.isModelled = false;
             continue;

@@ -41,9 +41,8 @@ public:
     // Some contact of these has points of a motion in a plane.
     [[nodiscard]] bool isAnyInPlane(std::span<const std::size_t> bodies) const {
         return std::ranges::any_of(contacts_, [&](const Contact& contact) {
-            return contact.of.isInPlane && std::ranges::any_of(bodies, [&](std::size_t body) {
-                       return contact.has(body);
-                   });
+            return contact.of.isInPlane &&
+                   std::ranges::any_of(bodies, [&](std::size_t body) { return contact.has(body); });
         });
     }
     // By body on whom it lies or leans.

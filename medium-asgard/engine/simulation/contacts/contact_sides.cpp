@@ -46,7 +46,7 @@ void Sides::add(const Vector& inward, const Vector& on) {
     const double now = inward.dot(place_ - on);
     sides.push_back({.body = body_,
                      .inward = inward,
-                     .offset = -inward.dot(on) + std::max(0.0, -now) + slack_,
+                     .offset = -inward.dot(on) + roomFor(now),
                      .shift = shift_});
 }
 
@@ -56,7 +56,7 @@ void Sides::addRound(const Vector& inward, double radial, double offset, const V
     const double now = inward.dot(from) + radial * axis.cross(from).norm() + offset;
     sides.push_back({.body = body_,
                      .inward = inward,
-                     .offset = offset - inward.dot(on) + std::max(0.0, -now) + slack_,
+                     .offset = offset - inward.dot(on) + roomFor(now),
                      .shift = shift_,
                      .radial = radial,
                      .axis = axis,

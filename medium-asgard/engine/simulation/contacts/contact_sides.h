@@ -9,6 +9,7 @@
 #include "contacts/touching.h"
 #include "physics/contact_rows.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace simulation {
@@ -24,9 +25,11 @@ inline constexpr double sideSlack = 1e-9; // of the parts' size: so far a contac
 // Of one point: in the frame of one body.
 class Sides {
 public:
-    // `place` in that frame.
-    Sides(std::size_t body, const Vector& place, double size)
-        : body_(body), place_(place), slack_(sideSlack * size) {}
+    // `place` in that frame. `beside`: so far beyond a place may lie where the bodies touch, so
+    // that one that is beyond already stays to there. (If it went on by a slack each time, faces
+    // that slide off each other would never have done with it.)
+    Sides(std::size_t body, const Vector& place, double size, double beside = 0)
+        : body_(body), place_(place), slack_(sideSlack * size), beside_(beside) {}
 
     // From here on a point that lies `shift` beside the place, along the contact's normal `normal`
     // (in this frame).
@@ -44,7 +47,11 @@ public:
 private:
     std::size_t body_;
     Vector place_;
-    double slack_;
+    [[nodiscard]] double roomFor(double inside) const {
+        return inside < 0 ? std::max(slack_ - inside, beside_ + slack_) : slack_;
+    }
+
+    double slack_, beside_;
     double shift_ = 0;
 };
 

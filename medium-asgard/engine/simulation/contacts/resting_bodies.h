@@ -69,14 +69,6 @@ public:
                               const States& changed = {}) const;
     [[nodiscard]] Placed placed(const solution::Histories& histories, std::size_t body, double time,
                                 const States& changed = {}) const;
-    // Without contacts; 0 of a fixed body.
-    [[nodiscard]] Acceleration freeAccelerationOf(const solution::Histories& histories,
-                                                  std::size_t body, double time) const {
-        return world_.isFixed(body)
-                   ? Acceleration{}
-                   : freeAcceleration(histories, body, time,
-                                      stateOf(world_.records[body], histories, time));
-    }
     [[nodiscard]] physics::ImpactBody impactBody(std::size_t body, double time,
                                                  const BodyState& state) const;
     // The state of a body; where it bears, without what the integration errs there.

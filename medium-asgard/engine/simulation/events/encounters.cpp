@@ -35,22 +35,6 @@ RestingBodies::States leaving(const Instant& at, std::size_t body, const Rest& r
     return {{body, bearing}};
 }
 
-// As long as it would lift others for hops that are the last ones.
-physics::ImpactResult resolveWithLastHops(const Instant& at, ImpactCluster& cluster,
-                                          const std::vector<physics::ImpactBody>& before,
-                                          LastHops& last) {
-    constexpr int most = 4;
-    for (int round = 1;; ++round) {
-        ImpactCluster resolved = cluster;
-        physics::ImpactResult result = resolve(resolved, before);
-        if (round < most && result.settled &&
-            closeLowRebounds(at, cluster, before, result.bodies, last))
-            continue;
-        cluster = std::move(resolved);
-        return result;
-    }
-}
-
 double speedOf(const Placed& body) {
     if (body.record->isFixed)
         return 0;
@@ -169,11 +153,11 @@ std::optional<Event> CollisionSource::meet(const Instant& at, const Pair& pair) 
     ImpactCluster cluster = clusterAt(at, pair);
     const std::vector<physics::ImpactBody> before = bodiesOf(at, cluster);
     aimAtFastest(cluster, before);
-    LastHops last = softenLastHops(at, cluster, before);
-    pressTogether(at, cluster, before);
-    const physics::ImpactResult result = resolveWithLastHops(at, cluster, before, last);
+    const LastHops last = softenLastHops(at, cluster, before);
     for (const LostHop& hop : last.lost)
         record_.addLostHop(hop);
+    pressTogether(at, cluster, before);
+    const physics::ImpactResult result = resolve(cluster, before);
     if (!result.settled)
         return end(at, pair, sentences::unsolved(world_, pair));
     if (result.jammed)
@@ -275,9 +259,8 @@ std::vector<std::size_t> CollisionSource::together(std::set<std::size_t> bodies,
         bodies = resting_.contacts().island(std::move(bodies));
         before = bodies.size();
         for (const LastingContact& contact : found)
-            for (const auto& [one, other] :
-                 {std::pair(contact.place.body, contact.place.support),
-                  std::pair(contact.place.support, contact.place.body)})
+            for (const auto& [one, other] : {std::pair(contact.place.body, contact.place.support),
+                                             std::pair(contact.place.support, contact.place.body)})
                 if (bodies.contains(one) && !world_.isFixed(other))
                     bodies.insert(other);
     }

@@ -24,10 +24,6 @@ struct Instant {
     [[nodiscard]] Acceleration accelerationOf(std::size_t body) const {
         return simulation::accelerationOf(world.records[body], histories, time);
     }
-    // Without contacts.
-    [[nodiscard]] Acceleration freeAccelerationOf(std::size_t body) const {
-        return resting.freeAccelerationOf(histories, body, time);
-    }
     [[nodiscard]] Placed placed(std::size_t body, const RestingBodies::States& changed = {}) const {
         return resting.placed(histories, body, time, changed);
     }

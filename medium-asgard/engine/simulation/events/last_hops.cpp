@@ -48,36 +48,27 @@ double pushAt(const Instant& at, const ImpactCluster& cluster, const ImpactConta
     return push;
 }
 
-// Lower hops of the contact are the last.
-double lowestHop(const Instant& at, const ImpactCluster& cluster, const ImpactContact& contact,
-                 std::span<const ImpactBody> bodies) {
-    double radius = infinity, reach = 0, lowest = infinity;
-    for (const std::size_t index : {contact.first, contact.second}) {
+Hop hopOf(const Instant& at, const ImpactCluster& cluster, const ImpactContact& contact,
+          const std::array<double, 2>& radii, std::span<const ImpactBody> bodies) {
+    const double push = pushAt(at, cluster, contact, radii, bodies);
+    double approach = 0, speed = 0, radius = infinity, reach = 0, lowest = infinity;
+    for (const auto& [index, sign] :
+         {std::pair{contact.first, 1.0}, std::pair{contact.second, -1.0}}) {
         const std::size_t body = cluster.bodies[index];
+        const Vector arm = contact.point - bodies[index].centre;
+        const Vector velocity = bodies[index].velocity + bodies[index].angularVelocity.cross(arm);
+        approach += sign * contact.normal.dot(velocity);
+        speed += bodies[index].velocity.norm() + bodies[index].angularVelocity.norm() * arm.norm();
         radius = std::min(radius, at.world.records[body].radius);
         if (!at.world.records[body].isFixed)
             lowest = std::min(lowest, at.world.resolution[body].hopHeight);
         reach += at.world.records[body].radius + bodies[index].centre.norm();
     }
-    const double slack =
-        at.resting.slack(cluster.bodies[contact.first], cluster.bodies[contact.second]);
-    return lastHopHeight(lowest, radius, reach, slack);
-}
-
-Hop hopOf(const Instant& at, const ImpactCluster& cluster, const ImpactContact& contact,
-          const std::array<double, 2>& radii, std::span<const ImpactBody> bodies) {
-    const double push = pushAt(at, cluster, contact, radii, bodies);
-    double approach = 0, speed = 0;
-    for (const auto& [index, sign] :
-         {std::pair{contact.first, 1.0}, std::pair{contact.second, -1.0}}) {
-        const Vector arm = contact.point - bodies[index].centre;
-        const Vector velocity = bodies[index].velocity + bodies[index].angularVelocity.cross(arm);
-        approach += sign * contact.normal.dot(velocity);
-        speed += bodies[index].velocity.norm() + bodies[index].angularVelocity.norm() * arm.norm();
-    }
     if (contact.isResting || !(approach < -collision::approachThreshold * speed))
         return {};
-    const double lowest = lowestHop(at, cluster, contact, bodies);
+    const double slack =
+        at.resting.slack(cluster.bodies[contact.first], cluster.bodies[contact.second]);
+    lowest = lastHopHeight(lowest, radius, reach, slack);
     const double parting = -contact.restitution * approach;
     Hop hop{.approaches = true, .isLow = push < 0 && parting * parting / (-2 * push) < lowest};
     if (hop.isLow)
@@ -127,43 +118,6 @@ LastHops softenLastHops(const Instant& at, ImpactCluster& cluster,
                 contact.isPressed = true;
             }
     return last;
-}
-
-bool closeLowRebounds(const Instant& at, ImpactCluster& cluster, std::span<const ImpactBody> before,
-                      std::span<const ImpactBody> after, LastHops& last) {
-    bool isAny = false;
-    for (std::size_t c = 0; c < cluster.contacts.size(); ++c) {
-        ImpactContact& contact = cluster.contacts[c];
-        if (!(contact.restitution > 0 && contact.restitution < 1))
-            continue;
-        double approach = 0, parting = 0, speeds = 0;
-        const auto look = [&](const ImpactContact& point) {
-            const Closing was = closingAt(point, before), is = closingAt(point, after);
-            approach = std::max(approach, std::abs(was.rate));
-            parting = std::max(parting, is.rate);
-            speeds = std::max({speeds, was.speeds, is.speeds});
-        };
-        look(contact);
-        for (std::size_t i = 0; i < cluster.corners.size(); ++i)
-            if (cluster.contactOf[i] == c)
-                look(cluster.corners[i]);
-        const double none = resolution::atRest * speeds;
-        if (!(approach <= none && parting > none))
-            continue;
-        double push = 0;
-        for (const std::size_t index : {contact.first, contact.second})
-            push = std::max(push, at.freeAccelerationOf(cluster.bodies[index]).linear.norm());
-        const double height = parting * parting / (2 * push);
-        if (!(height < lowestHop(at, cluster, contact, before)))
-            continue;
-        contact.restitution = 0;
-        contact.isPressed = true;
-        isAny = true;
-        for (const std::size_t index : {contact.first, contact.second})
-            if (const std::size_t body = cluster.bodies[index]; at.canGiveWay(body))
-                last.lost.push_back({.time = at.time, .height = height, .body = body});
-    }
-    return isAny;
 }
 
 void pressTogether(const Instant& at, ImpactCluster& cluster, std::span<const ImpactBody> bodies) {

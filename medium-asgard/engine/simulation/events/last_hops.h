@@ -24,14 +24,6 @@ struct LastHops {
 [[nodiscard]] LastHops softenLastHops(const Instant& instant, ImpactCluster& cluster,
                                       std::span<const physics::ImpactBody> bodies);
 
-// Contacts at relative rest that a blow would part for such a low hop stay closed: they are to take
-// the blow once more, without rebound. Otherwise each blow on one body of a pile would lift all
-// others, and their hops would lift them again. `after`: what the cluster's impact gives. True:
-// there are any.
-[[nodiscard]] bool closeLowRebounds(const Instant& instant, ImpactCluster& cluster,
-                                    std::span<const physics::ImpactBody> before,
-                                    std::span<const physics::ImpactBody> after, LastHops& last);
-
 // Balls that go side by side and only hop by their own push move on as one (side_by_side.h). Where
 // something hits that comes faster, all is an impact as any other.
 void pressTogether(const Instant& instant, ImpactCluster& cluster,
