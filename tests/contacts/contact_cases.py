@@ -219,12 +219,12 @@ for name, part, falls in (("grip_holds", 1 + 1e-9, False), ("grip_slides", 1 - 1
     mu, m = 0.5, 2
     force = part * m * G / (2 * mu)
     lag = m * G - 2 * mu * force
-    case(name, "# zero: jaw1.y-1\nsimulator -finish " + ("100" if falls else "1000") + "\nshape_set cube -desc {-sub {-box {0.2 0.2 0.2}}}\n" +
+    case(name, "# zero: jaw1.y-1\nsimulator -finish " + ("10" if falls else "1000") + "\nshape_set cube -desc {-sub {-box {0.2 0.2 0.2}}}\n" +
          f"body box cube -mass {m} -init_pos {{0 1 0}} -friction {mu} -restitution 0\n" +
          "".join(f"body jaw{k} cube -mass 1 -init_pos {{{(-0.2, 0.2)[k - 1]:.1f} 1 0}} -friction {mu} -restitution 0\n"
                  f"joint rail{k} -type slider -body1 jaw{k} -axis {{1 0 0}}\nforce -body jaw{k} -x {force if k == 1 else -force!r}\n"
                  for k in (1, 2)) + gravity("box"),
-         [(100, 1, 1 - lag / m * 100 ** 2 / 2, "box.y")] if falls else [(1000, 1, 1, "box.y")])
+         [(10, 1, 1 - lag / m * 10 ** 2 / 2, "box.y")] if falls else [(1000, 1, 1, "box.y")])
 
 
 def main():

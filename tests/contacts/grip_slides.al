@@ -1,5 +1,5 @@
 # zero: jaw1.y-1
-simulator -finish 100
+simulator -finish 10
 shape_set cube -desc {-sub {-box {0.2 0.2 0.2}}}
 body box cube -mass 2 -init_pos {0 1 0} -friction 0.5 -restitution 0
 body jaw1 cube -mass 1 -init_pos {-0.2 1 0} -friction 0.5 -restitution 0

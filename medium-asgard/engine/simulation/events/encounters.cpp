@@ -236,7 +236,8 @@ CollisionSource::contactsBetween(const Instant& at, const Pair& pair,
     const Placed a = at.placed(first, states), b = at.placed(second, states);
     const TouchLimits limits{
         .gap = std::min(world_.resolution[first].gap, world_.resolution[second].gap),
-        .slow = resolution::atRest * std::max({entering, speedOf(a), speedOf(b)}),
+        .slow = std::max(resolution::atRest * std::max({entering, speedOf(a), speedOf(b)}),
+                         resolution::noRate * std::min(a.record->radius, b.record->radius)),
         .wereInContact = resting_.contacts().areIn(first, second),
         .isStart = at.time == world_.start,
         .plane = plane};

@@ -58,13 +58,16 @@ bool endsLater(const solution::Stop& stop, double start, double finish) {
 
 } // namespace
 
-// Islands in which nothing was hit, nothing stopped and nothing is to be solved again.
+// Islands in which nothing was hit or touched, nothing stopped and nothing is to be solved again.
 std::vector<bool> untouchedIn(const Problem& problem, const Run& before,
                               const std::vector<bool>& again) {
     const std::size_t bodies = problem.bodies->size();
     std::vector<bool> islands(bodies, true);
     for (const Impact& impact : before.impacts)
         islands[before.island[impact.first]] = islands[before.island[impact.second]] = false;
+    for (const ContactLog::Entry& entry : before.contacts.entries())
+        for (const std::size_t body : entry.moving)
+            islands[before.island[body]] = false;
     for (const auto& [body, stop] : before.stops)
         islands[before.island[body]] = false;
     for (std::size_t b = 0; b < bodies; ++b)
@@ -227,7 +230,7 @@ Run OpenRun::collect(double until) {
         if (problem_.options.explain)
             run.supports = collisions.supports();
     }
-    run.island = islandsOf(problem_, run.impacts, blocked);
+    run.island = islandsOf(problem_, run.impacts, run.contacts, blocked);
     run.isIntegrated.assign(problem_.bodies->size(), false);
     const std::vector<std::size_t> owners = ownersOf(problem_);
     for (const solution::Statistics::Integrated& integrated : run.statistics.integrated)

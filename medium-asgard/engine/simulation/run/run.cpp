@@ -9,11 +9,18 @@
 namespace simulation {
 
 std::vector<std::size_t> islandsOf(const Problem& problem, const Impacts& impacts,
+                                   const ContactLog& contacts,
                                    const std::vector<collision::Pair>& blocked) {
     Groups groups(problem.readers);
+    const auto join = [&](std::size_t first, std::size_t second) {
+        if (!(*problem.bodies)[first].isFixed && !(*problem.bodies)[second].isFixed)
+            groups.join(first, second);
+    };
     for (const Impact& impact : impacts)
-        if (!(*problem.bodies)[impact.first].isFixed && !(*problem.bodies)[impact.second].isFixed)
-            groups.join(impact.first, impact.second);
+        join(impact.first, impact.second);
+    for (const ContactLog::Entry& entry : contacts.entries())
+        for (const ContactLog::Contact& contact : entry.contacts)
+            join(contact.bodies.first, contact.bodies.second);
     for (const auto& [first, second] : blocked)
         groups.join(first, second);
     return groups.roots();

@@ -3,6 +3,7 @@
 
 #include "collision/broad_phase.h"
 #include "motion/computed_motion.h"
+#include "motion/contact_log.h"
 #include "motion/lost_hops.h"
 #include "run/problem.h"
 
@@ -48,7 +49,7 @@ struct Run : RunWork, RunEnd {
     bool cancelled = false;
     bool isDisturbed = false; // something hit what was taken from another run
 
-    // Which bodies belong together: bodies of one island read or hit each other, directly or
+    // Which bodies belong together: bodies of one island read, hit or touch each other, directly or
     // through others. island[b] is the least body of b's.
     std::vector<std::size_t> island;
     std::vector<bool> isIntegrated; // by body: some of its motion is not exact
@@ -65,9 +66,10 @@ struct Run : RunWork, RunEnd {
 // The sentence about a motion whose estimated error exceeds the accuracy.
 [[nodiscard]] std::string shortfallOf(double accuracy, const BodyError& error);
 
-// Which bodies belong together when these impacts happen, and some meet where another's motion has
-// ended.
+// Which bodies belong together when these impacts happen, these contacts last, and some meet where
+// another's motion has ended.
 [[nodiscard]] std::vector<std::size_t> islandsOf(const Problem& problem, const Impacts& impacts,
+                                                 const ContactLog& contacts = {},
                                                  const std::vector<collision::Pair>& blocked = {});
 
 } // namespace simulation
