@@ -7,7 +7,8 @@ Kinds: boxes dropped on each other, boxes and balls into a tray, dominoes, a tow
 round on boxes. Frictions and restitutions differ from pile to pile. A pile is right when it reaches its end without a
 word and within M seconds of a processor, when no two bodies overlap by more than SUNK of the smaller one at any of its times (by the
 separating axes of boxes and balls, computed here), and when its energy grows by less than GAIN of what it could lose.
-Piles that stop are told, and may be few. T ends the trial early: piles so far count. At length:
+Piles that stop are told, and may be few. T ends the trial early: piles so far count. Too many piles take too long yet
+for ./test (docs/numerics/limits.md). At length:
 
     nice -n 10 tests/contacts/random_piles.py build/release/bin/asgard --count 10000
 """
@@ -105,9 +106,6 @@ class Pile:
 
     def ball(self, name, radius, place, more=""):
         self.body(name, f"-sphere {radius!r}", place, "ball", radius, more)
-
-    def free(self, kind=None):
-        return [b for b in self.bodies if not b[3]]
 
     def name(self):
         return f"b{len(self.bodies)}"
@@ -252,12 +250,6 @@ def deepest(pile, columns, row):
             gap = gap_of_ball(there, other, (where, axes, size))
         worst = max(worst, -gap / min(radius, reach))
     return worst
-
-
-def energies(pile, columns, row):
-    """(energy, how much of it can be lost): of places above the floor and of motion."""
-    e = row[columns["scene.energy"]]
-    return e
 
 
 def check(asgard, seed, options, folder):
