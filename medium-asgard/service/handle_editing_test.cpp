@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <atomic>
 #include <set>
 
 #include <poll.h>
@@ -27,7 +28,8 @@ class HandleEditingTest : public testing::Test {
 protected:
     HandleEditingTest() {
         Platform platform;
-        platform.tools.read = [](const std::string& text, const ParameterValues& parameters) {
+        platform.tools.read = [this](const std::string& text, const ParameterValues& parameters) {
+            ++readings;
             return reader().read(text, parameters);
         };
         platform.tools.cancelReading = [] { reader().cancel(); };
@@ -51,6 +53,8 @@ protected:
     void take(ipc::ToHost call) {
         if (auto* frame = std::get_if<ipc::RenditionFrame>(&call))
             host.notify(ipc::RenditionAck{1, frame->serial});
+        else if (auto* diagnostics = std::get_if<ipc::Diagnostics>(&call))
+            diagnosed = diagnostics->revision;
         else if (auto* report = std::get_if<ipc::ProgressReport>(&call))
             said.push_back(report->message);
         else if (auto* begin = std::get_if<ipc::ProgressBegin>(&call)) {
@@ -151,6 +155,7 @@ protected:
 
     ipc::HostChannel host;
     ipc::MediumChannel medium;
+    std::atomic<int> readings = 0;
     std::optional<Session> session;
     Instant now = Clock::now();
     render::Camera camera;
@@ -158,6 +163,7 @@ protected:
     render::HandleSet handles;
     std::vector<std::string> said;
     std::string saidLast;
+    ipc::Integer diagnosed = 0;    // the revision that was told of last
     std::set<ipc::Integer> others; // tokens
     std::vector<ipc::Asked<ipc::ToHost>> asked;
 };
@@ -184,6 +190,25 @@ TEST_F(HandleEditingTest, ADragIsOneChangeOfItsNumbersAndTheHostHasItWhenItEnds)
     EXPECT_THAT(text(), testing::EndsWith("} ;# left\n"));
     EXPECT_FALSE(session->subdocument().previewing());
     EXPECT_GT(scene().bodies[0].initialPosition.x(), -0.9);
+}
+
+// What the host accepts is shown already.
+TEST_F(HandleEditingTest, TheEndOfADragIsNotReadAgain) {
+    open(ball + "body b1 ball -init_pos {-1 0 0}\n", {"position-handles"});
+    const int opened = readings;
+    const auto at = pixels(handle(HandleKind::position).place);
+    press(at);
+    move(at + Eigen::Vector2d(40, 0));
+    settle();
+    const auto motion = session->subdocument().motion();
+    release(at + Eigen::Vector2d(40, 0));
+    const ipc::Integer revision = session->subdocument().revision();
+    accepted("Move b1");
+    EXPECT_EQ(readings, opened + 1);
+    EXPECT_EQ(session->subdocument().motion(), motion);
+    EXPECT_EQ(session->subdocument().revision(), revision + 1);
+    EXPECT_EQ(session->subdocument().shownText(), text());
+    EXPECT_EQ(diagnosed, revision + 1); // the faults are said to be of the text that is now
 }
 
 TEST_F(HandleEditingTest, ForcesVelocitiesLinksAndPointsAreDraggedAsInAViewer) {

@@ -6,16 +6,18 @@
 #pragma once
 
 #include "ipc/messages.h"
+#include "playing/playback.h"
 #include "render/renderer.h"
 #include "render/view.h"
 #include "service/frame_memory.h"
-#include "service/playback.h"
 #include "service/sheets.h"
 
 #include <array>
 #include <map>
 
 namespace service {
+
+using playing::Instant;
 
 struct Look {
     unsigned generation = 0; // of the scene and its motion; of a sheet

@@ -164,8 +164,6 @@ private:
     void inputToSheet(Rendition& rendition, const ipc::Input& input);
     [[nodiscard]] static bool usesKey(const std::string& name);
     bool key(const std::string& name); // true: used
-    void step(double pictures);
-    void stop();
     std::vector<Rendition*> targets(std::optional<ipc::Integer> rendition);
 
     // --- session_commands.cpp: script/evaluate

@@ -10,7 +10,6 @@ namespace service {
 namespace {
 
 constexpr ipc::Integer protocolVersion = 1;
-constexpr double picturesPerSecond = 25;           // what a step is counted in
 constexpr std::chrono::milliseconds settling{150}; // after the last movement of the user
 constexpr std::size_t mostRenditions = 256, mostSubscriptions = 1000, mostWaiting = 1000;
 
@@ -338,23 +337,12 @@ bool Session::key(const std::string& name) {
     if (name == " ")
         playback.playing() ? playback.pause(at_.now) : playback.play(at_.now);
     else if (name == "ArrowLeft" || name == "ArrowRight")
-        step(name == "ArrowLeft" ? -1 : 1);
+        playback.step(name == "ArrowLeft" ? -1 : 1, at_.now);
     else if (name == "ArrowDown" || name == "ArrowUp")
-        step(name == "ArrowDown" ? -10 : 10);
+        playback.step(name == "ArrowDown" ? -10 : 10, at_.now);
     else if (name == "Home" || name == "End")
         playback.seek(name == "Home" ? playback.span().start : playback.span().finish, at_.now);
     return usesKey(name);
-}
-
-void Session::step(double pictures) {
-    Playback& playback = subdocument_.playback;
-    playback.pause(at_.now);
-    playback.seek(playback.time(at_.now) + pictures * playback.rate() / picturesPerSecond, at_.now);
-}
-
-void Session::stop() {
-    subdocument_.playback.pause(at_.now);
-    subdocument_.playback.seek(subdocument_.playback.span().start, at_.now);
 }
 
 auto Session::serve(const ipc::TimePlay&) -> Reply<ipc::Done> {
@@ -407,9 +395,9 @@ auto Session::serve(const ipc::MenuInvoke& call) -> Reply<ipc::Done> {
     } else if (call.id == "pause") {
         playback.pause(at_.now);
     } else if (call.id == "stop") {
-        stop();
+        playback.stop(at_.now);
     } else if (call.id == "step") {
-        step(1);
+        playback.step(1, at_.now);
     } else if (call.id == "loop") {
         playback.setRate(playback.rate(), !playback.loops(), at_.now);
     } else if (call.id == "reset-view") {

@@ -99,7 +99,7 @@ auto Session::evaluate(const std::string& script) -> Reply<ipc::Evaluated> {
         else if (command.name == "pause")
             playback.pause(at_.now);
         else
-            stop();
+            playback.stop(at_.now);
         return ipc::Evaluated{""};
     }
     if (command.name == "value") {

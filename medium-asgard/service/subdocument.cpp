@@ -53,7 +53,8 @@ void Subdocument::preview(std::string text, Instant now) {
 }
 
 void Subdocument::endPreview(Instant now) {
-    if (std::exchange(preview_, std::nullopt))
+    const auto preview = std::exchange(preview_, std::nullopt);
+    if (preview && *preview != text_)
         start(now);
 }
 
@@ -64,8 +65,19 @@ std::optional<std::string> Subdocument::edit(const text::Edits& edits, ipc::Inte
                std::to_string(revision_) + " already";
     if (!text::areOrdered(edits, text_.size()))
         return "an edit lies outside the text or over another";
-    load(text::applied(text_, edits), revision, now);
+    std::string text = text::applied(text_, edits);
+    if (preview_ == text)
+        accept(revision);
+    else
+        load(std::move(text), revision, now);
     return std::nullopt;
+}
+
+void Subdocument::accept(ipc::Integer revision) {
+    text_ = *std::exchange(preview_, std::nullopt);
+    revision_ = revision;
+    ++textGeneration_;
+    accepted_ = true;
 }
 
 bool Subdocument::setParameter(const std::string& name, double value, Instant now) {
@@ -102,6 +114,7 @@ std::optional<Instant> Subdocument::deadline() const {
 
 Changes Subdocument::update(Instant now) {
     Changes changes;
+    changes.diagnostics = std::exchange(accepted_, false) && read_; // of another revision
     News news = worker_.collect();
     if (news.diagnostics) {
         read_ = now;

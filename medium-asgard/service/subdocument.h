@@ -9,10 +9,15 @@
 #pragma once
 
 #include "ipc/messages.h"
-#include "service/playback.h"
+#include "playing/playback.h"
 #include "service/worker.h"
 
 namespace service {
+
+using playing::Clock;
+using playing::Instant;
+using playing::Playback;
+using playing::Span;
 
 struct Changes {
     bool scene = false;       // another scene is shown
@@ -26,7 +31,8 @@ public:
     explicit Subdocument(Tools tools) : worker_(std::move(tools)) {}
 
     void load(std::string text, ipc::Integer revision, Instant now);
-    // All or none of the edits; the sentence says why not.
+    // All or none of the edits; the sentence says why not. Where they make the text that a gesture
+    // shows, nothing is read or computed again.
     [[nodiscard]] std::optional<std::string> edit(const text::Edits& edits, ipc::Integer revision,
                                                   Instant now);
     // While a gesture lasts: this text is read and shown, and is that of no revision. A text that
@@ -91,6 +97,7 @@ private:
         simulation::MotionPointer motion;
         std::string text; // that the scene was read from
     };
+    void accept(ipc::Integer revision);
     void start(Instant now);
     [[nodiscard]] bool takeOverNow(Instant now) const;
     void takeOver(Instant now);
@@ -105,6 +112,7 @@ private:
     std::vector<std::string> refusal_;
     std::optional<simulation::Statistics> statistics_; // of the last motion that ended
     bool faulty_ = false;                              // the newest text makes no scene
+    bool accepted_ = false;  // the text that is shown has become the host's
     bool cancelled_ = false; // its motion was not finished because someone said so
     Instant started_{};
     std::optional<Instant> read_;

@@ -2,119 +2,84 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
+#include <utility>
 
 namespace views {
 
 Playback::Playback(QObject* parent) : QObject(parent) {
     clock_ = [] {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
-            .count();
+        return std::chrono::duration<double>(playing::Clock::now().time_since_epoch()).count();
     };
     timer_.setInterval(16);
     timer_.setTimerType(Qt::PreciseTimer);
     connect(&timer_, &QTimer::timeout, this, &Playback::advance);
 }
 
-double Playback::stepLength() const {
-    const double length = finish_ - start_;
-    return std::clamp(0.04, length / 1000, std::max(length / 50, length / 1000));
+playing::Instant Playback::now() const {
+    return playing::Instant(
+        std::chrono::round<playing::Clock::duration>(std::chrono::duration<double>(clock_())));
 }
 
-void Playback::anchor() {
-    anchorTime_ = time_;
-    anchorClock_ = clock_();
-}
-
-void Playback::moveTo(double time) {
-    const double within = std::clamp(time, start_, std::max(start_, finish_));
-    if (within == time_)
-        return;
-    time_ = within;
-    Q_EMIT timeChanged();
+void Playback::follow(bool other) {
+    const playing::Instant moment = now();
+    core_.advance(moment);
+    if (isPlaying() && !timer_.isActive())
+        timer_.start();
+    else if (!isPlaying())
+        timer_.stop();
+    if (std::exchange(time_, core_.sought(moment)) != time_)
+        Q_EMIT timeChanged();
+    if (std::exchange(wasPlaying_, isPlaying()) != isPlaying() || other)
+        Q_EMIT stateChanged();
 }
 
 void Playback::setRange(double start, double finish, double computed) {
-    if (start == start_ && finish == finish_ && computed == computed_)
+    const playing::Span span{start, finish, computed};
+    if (span == core_.span())
         return;
-    start_ = start;
-    finish_ = finish;
-    computed_ = computed;
-    moveTo(time_);
-    anchor();
-    Q_EMIT stateChanged();
+    core_.setSpan(span, now());
+    follow(true);
 }
 
 void Playback::seek(double time) {
-    moveTo(std::min(time, computed_));
-    anchor();
+    core_.seek(std::min(time, computed()), now());
+    follow();
 }
 
 void Playback::play() {
-    if (playing_)
-        return;
-    if (time_ >= finish_)
-        moveTo(start_);
-    playing_ = true;
-    anchor();
-    timer_.start();
-    Q_EMIT stateChanged();
+    core_.play(now());
+    follow();
 }
 
 void Playback::pause() {
-    if (!playing_)
-        return;
-    playing_ = false;
-    timer_.stop();
-    Q_EMIT stateChanged();
+    core_.pause(now());
+    follow();
 }
 
 void Playback::stop() {
-    pause();
-    moveTo(start_);
+    core_.stop(now());
+    follow();
 }
 
 void Playback::step(int steps) {
-    pause();
-    if (!(stepLength() > 0))
-        return;
-    // Steps land on whole multiples from the start, however one got in between.
-    const double at = (time_ - start_) / stepLength();
-    const double next = steps > 0 ? std::floor(at + 1e-6) : std::ceil(at - 1e-6);
-    moveTo(std::min(start_ + (next + steps) * stepLength(), computed_));
+    core_.step(steps, now());
+    follow();
 }
 
 void Playback::setRate(double rate) {
-    if (rate == rate_ || !(rate > 0))
+    if (rate == core_.rate() || !(rate > 0))
         return;
-    rate_ = rate;
-    anchor();
-    Q_EMIT stateChanged();
+    core_.setRate(rate, loops(), now());
+    follow(true);
 }
 
 void Playback::setLoops(bool loops) {
-    if (loops == loops_)
+    if (loops == core_.loops())
         return;
-    loops_ = loops;
-    Q_EMIT stateChanged();
+    core_.setRate(rate(), loops, now());
+    follow(true);
 }
 
-void Playback::advance() {
-    if (!playing_)
-        return;
-    const double now = anchorTime_ + rate_ * (clock_() - anchorClock_);
-    if (now < std::min(computed_, finish_)) {
-        moveTo(now);
-    } else if (computed_ < finish_) {
-        moveTo(computed_);
-        anchor(); // waits for more
-    } else if (loops_ && finish_ > start_) {
-        moveTo(start_ + std::fmod(now - start_, finish_ - start_));
-        anchor();
-    } else {
-        moveTo(finish_);
-        pause();
-    }
-}
+void Playback::advance() { follow(); }
 
 } // namespace views

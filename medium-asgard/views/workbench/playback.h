@@ -1,8 +1,10 @@
-// The time of a viewer, and its moves through time.
+// The time of a viewer, and its moves through time: playing/ with a clock and signals.
 //
-// Playing follows the real-time clock: however long a picture takes to draw, the time shown is the
-// one that the clock says (dissertation 4.1.9). Motion that is not computed yet is waited for.
+// However long a picture takes to draw, the time shown is the one that the clock says
+// (dissertation 4.1.9). Motion that is not computed yet is waited for.
 #pragma once
+
+#include "playing/playback.h"
 
 #include <QObject>
 #include <QTimer>
@@ -19,15 +21,14 @@ public:
     explicit Playback(QObject* parent = nullptr);
     void setClock(Clock clock) { clock_ = std::move(clock); }
 
-    [[nodiscard]] double start() const { return start_; }
-    [[nodiscard]] double finish() const { return finish_; }
-    [[nodiscard]] double computed() const { return computed_; }
+    [[nodiscard]] double start() const { return core_.span().start; }
+    [[nodiscard]] double finish() const { return core_.span().finish; }
+    [[nodiscard]] double computed() const { return core_.span().computed; }
     [[nodiscard]] double time() const { return time_; }
-    [[nodiscard]] bool isPlaying() const { return playing_; }
-    [[nodiscard]] double rate() const { return rate_; }
-    [[nodiscard]] bool loops() const { return loops_; }
-    // A step forwards or back: 1/25 s, less in a short motion, more in a long one.
-    [[nodiscard]] double stepLength() const;
+    [[nodiscard]] bool isPlaying() const { return core_.playing(); }
+    [[nodiscard]] double rate() const { return core_.rate(); }
+    [[nodiscard]] bool loops() const { return core_.loops(); }
+    [[nodiscard]] double stepLength() const { return core_.stepLength(); }
 
     // The motion to play. The time is kept, even where motion is not computed yet: an edit computes
     // the motion anew, and one wants to see what became of this very moment.
@@ -46,13 +47,12 @@ Q_SIGNALS:
     void stateChanged(); // playing, rate, loops or range
 
 private:
-    void moveTo(double time);
-    void anchor();
+    [[nodiscard]] playing::Instant now() const;
+    void follow(bool other = false); // `other`: the state is
 
-    double start_ = 0, finish_ = 0, computed_ = 0, time_ = 0;
-    double rate_ = 1;
-    bool playing_ = false, loops_ = false;
-    double anchorTime_ = 0, anchorClock_ = 0; // where and when playing began
+    playing::Playback core_;
+    double time_ = 0;
+    bool wasPlaying_ = false;
     Clock clock_;
     QTimer timer_;
 };

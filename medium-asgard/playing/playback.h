@@ -1,4 +1,4 @@
-// The time that a subdocument shows now.
+// The time that a picture of a motion shows now.
 //
 // Time follows the real-time clock (dissertation 4.1.9): shown = anchor + rate * (now - anchored).
 // It never runs past what is computed: there it waits, and goes on from there. At the finish it
@@ -8,7 +8,7 @@
 #include <chrono>
 #include <optional>
 
-namespace service {
+namespace playing {
 
 using Clock = std::chrono::steady_clock;
 using Instant = Clock::time_point;
@@ -26,6 +26,8 @@ public:
 
     // Within start..computed.
     [[nodiscard]] double time(Instant now) const;
+    // Within start..finish: the time that is shown as soon as the motion has got there.
+    [[nodiscard]] double sought(Instant now) const;
     [[nodiscard]] bool playing() const { return playing_; }
     [[nodiscard]] double rate() const { return rate_; }
     [[nodiscard]] bool loops() const { return loops_; }
@@ -37,6 +39,12 @@ public:
     // Clamped to start..finish as soon as these are known; waits there for the motion.
     void seek(double time, Instant now);
     void setRate(double rate, bool loops, Instant now);
+    void stop(Instant now); // and back to the start
+    // 1/25 s, less in a short motion, more in a long one.
+    [[nodiscard]] double stepLength() const;
+    // Pauses, and goes on by so many steps; at most to the end of what is computed. Steps land on
+    // whole multiples from the start, however one got in between.
+    void step(int steps, Instant now);
 
     // Waits, stops or starts again where that is due. True when `playing` changed.
     bool advance(Instant now);
@@ -54,4 +62,4 @@ private:
     Instant since_{};
 };
 
-} // namespace service
+} // namespace playing

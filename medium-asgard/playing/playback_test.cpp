@@ -1,8 +1,8 @@
-#include "service/playback.h"
+#include "playing/playback.h"
 
 #include <gtest/gtest.h>
 
-namespace service {
+namespace playing {
 namespace {
 
 using std::chrono::milliseconds;
@@ -101,5 +101,31 @@ TEST(Playback, AnEditThatShortensTheMotionMovesTimeIntoIt) {
     EXPECT_FALSE(empty.playing());
 }
 
+TEST(Playback, StepsLandOnWholeMultiples) {
+    Playback playback = playbackOf({0, 10, 10});
+    EXPECT_NEAR(playback.stepLength(), 0.04, 1e-12);
+    playback.play(zero);
+    playback.step(1, zero + milliseconds(100));
+    EXPECT_FALSE(playback.playing());
+    EXPECT_NEAR(playback.time(zero), 0.12, 1e-12);
+    playback.step(-1, zero);
+    EXPECT_NEAR(playback.time(zero), 0.08, 1e-12);
+    playback.step(-10, zero);
+    EXPECT_EQ(playback.time(zero), 0);
+    playback.setSpan({0, 10, 0.1}, zero);
+    playback.step(10, zero);
+    EXPECT_EQ(playback.time(zero), 0.1);
+    EXPECT_LT(playbackOf({0, 1e-3, 1e-3}).stepLength(), 1e-4);
+    EXPECT_GE(playbackOf({0, 1e5, 1e5}).stepLength(), 100);
+}
+
+TEST(Playback, StopsAtTheStart) {
+    Playback playback = playbackOf({1, 5, 5});
+    playback.play(zero);
+    playback.stop(zero + milliseconds(1500));
+    EXPECT_FALSE(playback.playing());
+    EXPECT_EQ(playback.time(zero + milliseconds(2500)), 1);
+}
+
 } // namespace
-} // namespace service
+} // namespace playing

@@ -1,9 +1,9 @@
-#include "service/playback.h"
+#include "playing/playback.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace service {
+namespace playing {
 
 double Playback::wanted(Instant now) const {
     if (!playing_)
@@ -13,6 +13,10 @@ double Playback::wanted(Instant now) const {
 
 double Playback::time(Instant now) const {
     return std::clamp(wanted(now), span_.start, std::max(span_.start, span_.computed));
+}
+
+double Playback::sought(Instant now) const {
+    return std::clamp(wanted(now), span_.start, std::max(span_.start, span_.finish));
 }
 
 void Playback::anchor(double time, Instant now) {
@@ -42,6 +46,8 @@ void Playback::play(Instant now) {
 }
 
 void Playback::pause(Instant now) {
+    if (!playing_)
+        return;
     if (!known_) {
         playing_ = false;
         return;
@@ -66,6 +72,25 @@ void Playback::setRate(double rate, bool loops, Instant now) {
     loops_ = loops;
 }
 
+void Playback::stop(Instant now) {
+    pause(now);
+    seek(span_.start, now);
+}
+
+double Playback::stepLength() const {
+    const double length = span_.finish - span_.start;
+    return std::clamp(0.04, length / 1000, std::max(length / 50, length / 1000));
+}
+
+void Playback::step(int steps, Instant now) {
+    pause(now);
+    if (!(stepLength() > 0))
+        return;
+    const double at = (sought(now) - span_.start) / stepLength();
+    const double next = steps > 0 ? std::floor(at + 1e-6) : std::ceil(at - 1e-6);
+    seek(std::min(span_.start + (next + steps) * stepLength(), span_.computed), now);
+}
+
 bool Playback::advance(Instant now) {
     if (!playing_ || !known_)
         return false;
@@ -85,4 +110,4 @@ bool Playback::advance(Instant now) {
     return true;
 }
 
-} // namespace service
+} // namespace playing
