@@ -1,4 +1,5 @@
 #include "crowd.h"
+#include "computing/tools.h"
 
 #include "script/reader.h"
 #include "views/editor.h"
@@ -78,7 +79,7 @@ void drag(views::SceneDisplay& display, int body, Pieces& pieces) {
 } // namespace
 
 void measureCrowd(const Measurement& measurement, script::Reader& reader, int bodies) {
-    views::Editor editor(views::workshopOf(reader));
+    views::Editor editor(computing::toolsOf(reader));
     views::SceneDocument& document = editor.document();
     const auto settled = [&] { return document.work() == views::Work::none; };
     Pieces pieces;

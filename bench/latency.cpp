@@ -8,6 +8,7 @@
 //
 // And how long the interface's thread is held up in a scene of 3000 bodies (crowd.h): 50 ms at
 // most, is the goal.
+#include "computing/tools.h"
 #include "crowd.h"
 #include "paints.h"
 
@@ -137,7 +138,7 @@ int main(int argc, char** argv) {
     std::setlocale(LC_NUMERIC, "C");
     m.add({"calibration", "sine and division", 0, 0, bench::calibration(m), ""});
     bench::measureCrowd(m, reader, m.smoke() ? 100 : 3000);
-    views::Editor editor(views::workshopOf(reader));
+    views::Editor editor(computing::toolsOf(reader));
     if (const QString fault = editor.document().open(QString::fromLocal8Bit(argv[1]));
         !fault.isEmpty())
         stop(qPrintable(fault));

@@ -52,6 +52,13 @@ public:
                 subdocument().preview(text, Clock::now());
             attend();
         };
+        link.setLive = [this](views::Live live) {
+            const bool waits = subdocument().waitsToBeAsked();
+            subdocument().setLive(live);
+            if (waits && live != views::Live::never)
+                subdocument().recompute(Clock::now());
+            attend();
+        };
         document().setHostLink(std::move(link));
         // Queued: a change goes to the host before the word that no draft is left.
         QObject::connect(
@@ -145,8 +152,8 @@ private:
     // What the session has read and computed; looked at closely only when it is something else.
     void followSession() {
         const service::Subdocument& from = subdocument();
-        const Followed now{from.scene(), from.motion(), from.revision(), document().revision(),
-                           workOf(from)};
+        const Followed now{from.scene(),          from.motion(), from.revision(),
+                           document().revision(), from.work(),   from.motionIsStale()};
         if (now == shown_)
             return;
         shown_ = now;
@@ -161,13 +168,8 @@ private:
         computed.statistics = from.statistics();
         computed.work = now.work;
         computed.current = from.upToDate() && document().text() == from.shownText();
+        computed.stale = from.motionIsStale();
         document().setComputed(std::move(computed));
-    }
-
-    static views::Work workOf(const service::Subdocument& from) {
-        if (!from.computing())
-            return views::Work::none;
-        return from.readAt() ? views::Work::simulating : views::Work::reading;
     }
 
     void tellWindows() {
@@ -255,6 +257,7 @@ private:
         ipc::Integer revision = -1;
         int documentRevision = -1;
         views::Work work = views::Work::none;
+        bool stale = false;
         bool operator==(const Followed&) const = default;
     };
     Followed shown_;           // of the session, by the windows

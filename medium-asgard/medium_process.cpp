@@ -3,7 +3,6 @@
 #include "charts/canvas.h"
 #include "confinement/confinement.h"
 #include "edit_mode.h"
-#include "resimulation/resimulation.h"
 #include "screen/display.h"
 #include "terminal/terminal.h"
 
@@ -62,20 +61,6 @@ void confine(ipc::Mode mode) {
         terminal::complain("asgard: not confined by every fence: " + report.missing);
 }
 
-service::Tools toolsOf(script::Reader& reader) {
-    service::Tools tools;
-    tools.read = [&reader](const std::string& text, const service::ParameterValues& parameters) {
-        return reader.read(text, parameters);
-    };
-    tools.cancelReading = [&reader] { reader.cancel(); };
-    // Keeps the motion that an edit does not concern.
-    tools.simulate = [kept = std::make_shared<simulation::Resimulation>()](
-                         const auto& scene, const auto& options, const auto& observer) {
-        return kept->update(scene, options, observer);
-    };
-    return tools;
-}
-
 } // namespace
 
 void tieToTheHost(int argc, char** argv) {
@@ -92,7 +77,7 @@ int serveAsMedium(script::Reader& reader) {
     Windows* windows = nullptr;
     charts::Canvas::keepFonts();
     service::Platform platform;
-    platform.tools = toolsOf(reader);
+    platform.tools = computing::toolsOf(reader);
     platform.version = ASGARD_VERSION;
     platform.confine = confine;
     auto created = render::Renderer::create();

@@ -196,7 +196,8 @@ void Session::tellTime() {
 }
 
 void Session::tellValues() {
-    if (!subdocument_.motion() || subscriptions_.empty() || channel_.congested())
+    if (!subdocument_.motion() || subscriptions_.empty() || channel_.congested() ||
+        subdocument_.motionIsStale()) // values of the scene and of its motion belong together
         return;
     if (at_.now < told_.nextValues)
         return dueAt(told_.nextValues);

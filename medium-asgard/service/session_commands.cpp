@@ -138,8 +138,13 @@ auto Session::values(const std::vector<std::string>& expressions, std::optional<
         return error("there is no motion to read values from");
     if (!subdocument_.computing() && !subdocument_.upToDate())
         return error("the text is faulty: its last values are those of an older text");
+    if (subdocument_.waitsToBeAsked())
+        return error("the motion of this text takes long and has not been computed: Recompute "
+                     "Motion computes it");
     const ValueReader reader = valuesOf(expressions);
     const double at = time.value_or(subdocument_.playback.time(at_.now));
+    if (subdocument_.motionIsStale())
+        return reader.none("the motion of this text is being computed");
     if (at >= motion->start() && at <= motion->computed())
         return reader.at(at);
     return reader.none("there is no motion at " + shown(at) + " s: it is known from " +

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "ipc/messages.h"
-#include "service/worker.h"
+#include "service/subdocument.h"
 
 #include <optional>
 #include <string>

@@ -54,7 +54,7 @@ struct TestWorkshop {
 
     Workshop workshop() {
         Workshop w;
-        w.read = [this](std::string_view text) {
+        w.read = [this](const std::string& text, const computing::ParameterValues&) {
             ++reads;
             onTheInterface += QThread::currentThread() == interface_ ? 1 : 0;
             return theReader().read(text);

@@ -7,7 +7,6 @@
 #include "plain/qt_messages.h"
 #include "plots/plots_panel.h"
 #include "plots/study_window.h"
-#include "resimulation/resimulation.h"
 #include "script/reader.h"
 #include "shapes/shape_editor.h"
 #include "shapes/shape_names.h"
@@ -38,15 +37,6 @@ template <class Window> QList<Window*> alive(const QList<QPointer<Window>>& wind
 }
 
 } // namespace
-
-Workshop workshopOf(script::Reader& reader) {
-    return {[&reader](std::string_view text) { return reader.read(text); },
-            [&reader] { reader.cancel(); },
-            [kept = std::make_shared<simulation::Resimulation>()](
-                const auto& scene, const auto& options, const auto& observer) {
-                return kept->update(scene, options, observer);
-            }};
-}
 
 Editor::Editor(Workshop workshop, QObject* parent)
     : QObject(parent), document_(std::move(workshop)) {
@@ -336,7 +326,7 @@ int runEditor(int argc, char** argv, const std::string& file, script::Reader& re
     QApplication::setApplicationDisplayName(QStringLiteral("Asgard"));
     QApplication::setQuitOnLastWindowClosed(true);
     QApplication::setWindowIcon(applicationIcon());
-    Editor editor(workshopOf(reader));
+    Editor editor(computing::toolsOf(reader));
     SceneFiles& files = editor.beginSession();
     SceneDocument& document = editor.document();
     const QString path = QString::fromStdString(file);

@@ -27,9 +27,6 @@ class ShapeEditor;
 class StudyWindow;
 class TrajectoryEditor;
 
-// The workshop of this program: texts read by `reader`, motion computed by simulation/.
-[[nodiscard]] Workshop workshopOf(script::Reader& reader);
-
 class Editor : public QObject {
     Q_OBJECT
 public:

@@ -340,8 +340,7 @@ void GraphicalViewer::buildMotionMenu() {
     motion->addSeparator();
     motion->addAction(tr("&Recompute Motion"), QKeySequence(Qt::Key_F5), this,
                       [this] { document_.recompute(); });
-    if (!document_.hasHost()) // which decides for all of the document
-        buildLiveMenu(motion->addMenu(tr("Compute &While Editing")));
+    buildLiveMenu(motion->addMenu(tr("Compute &While Editing")));
     motion->addAction(tr("&Trajectory Editor"), QKeySequence(Qt::CTRL | Qt::Key_T), this,
                       [this] { windows_.openTrajectoryEditor(); });
     motion->addAction(tr("Plo&ts"), this, [this] { panes_.show("plots"); })->setObjectName("plots");

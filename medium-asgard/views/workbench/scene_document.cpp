@@ -1,11 +1,8 @@
 #include "workbench/scene_document.h"
 
 #include "editing/changes.h"
-#include "reports/report.h"
-#include "script/locate.h"
+#include "gestures/hand.h"
 #include "text/difference.h"
-#include "workbench/stale_motion.h"
-#include "workbench/worker.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -69,31 +66,14 @@ private:
 
 } // namespace
 
-struct SceneDocument::Worker {
-    explicit Worker(Workshop workshop) : thread(std::move(workshop)) {}
-    WorkThread thread;
-};
-
 SceneDocument::SceneDocument(Workshop workshop, QObject* parent) : QObject(parent) {
-    soon_.setSingleShot(true);
-    connect(&soon_, &QTimer::timeout, this, [this] { showAwaited(nullptr); });
-    if (!workshop.read)
-        return;
-    worker_ = std::make_unique<Worker>(std::move(workshop));
-    // Results cross to this thread; what a newer start overtook is dropped on arrival.
-    const auto post = [this](auto call) {
-        QMetaObject::invokeMethod(this, std::move(call), Qt::QueuedConnection);
-    };
-    worker_->thread.onRead = [this, post](std::shared_ptr<const Reading> reading) {
-        post([this, reading = std::move(reading)] { didRead(reading); });
-    };
-    worker_->thread.onProgress = [this, post](unsigned serial, const auto& scene,
-                                              const auto& motion) {
-        post([this, serial, scene, motion] { didMove(serial, scene, motion); });
-    };
-    worker_->thread.onMoved = [this, post](std::shared_ptr<const Moved> moved) {
-        post([this, moved = std::move(moved)] { didFinish(*moved); });
-    };
+    due_.setSingleShot(true);
+    due_.setTimerType(Qt::PreciseTimer);
+    connect(&due_, &QTimer::timeout, this, &SceneDocument::update);
+    if (workshop.read)
+        follower_ = std::make_unique<computing::Follower>(std::move(workshop), [this] {
+            QMetaObject::invokeMethod(this, &SceneDocument::update, Qt::QueuedConnection);
+        });
 }
 
 SceneDocument::~SceneDocument() = default;
@@ -191,7 +171,7 @@ void SceneDocument::finishPreview(const std::string& text, const QString& label,
 }
 
 QString SceneDocument::overtaken() {
-    return tr("The text was changed meanwhile, so the drag has ended.");
+    return QString::fromUtf8(gestures::Hand::overtaken);
 }
 
 void SceneDocument::endGesture() {
@@ -233,7 +213,10 @@ void SceneDocument::setComputed(Computed computed) {
     diagnostics_ = std::move(computed.diagnostics);
     statistics_ = computed.statistics;
     sceneRevision_ = computed.current ? revision_ : -1;
-    motionOf_ = shown_.scene;
+    // Of an older text than the host's session shows: that is stale, too.
+    const bool behind = hasHost() && !computed.current && !hasErrors() && shown_.motion;
+    const bool stale = computed.stale || behind;
+    const bool otherStale = std::exchange(motionIsStale_, stale) != stale;
     if (otherScene) {
         followSelection(*before, computed.text);
         Q_EMIT sceneChanged();
@@ -242,10 +225,11 @@ void SceneDocument::setComputed(Computed computed) {
         Q_EMIT motionChanged();
     if (otherFaults)
         Q_EMIT diagnosticsChanged();
-    const bool behind = !computed.current && !hasErrors() && shown_.motion;
-    if (std::exchange(hostIsBehind_, behind) != behind && computed.work == work_)
+    // Who is told of a scene may have changed the text, and then all begins anew.
+    const Work work = follower_ ? follower_->work() : computed.work;
+    if (otherStale && work == work_)
         Q_EMIT workChanged();
-    setWork(computed.work);
+    setWork(work);
 }
 
 bool SceneDocument::canUndo() const { return host_.undo || !done_.empty(); }
@@ -298,31 +282,29 @@ void SceneDocument::recompute() {
     start(true);
 }
 
-bool SceneDocument::motionIsStale() const { return motionOf_ != shown_.scene || hostIsBehind_; }
-
 void SceneDocument::setLive(Live live) {
     live_ = live;
-    isSlow_ = gaveUp_ = false;
-    if (waitsToBeAsked() && live != Live::never)
+    if (host_.setLive)
+        host_.setLive(live);
+    if (follower_)
+        follower_->setLive(live);
+    if (waitsToBeAsked() && live != Live::never && !host_.setLive)
         start(false);
     Q_EMIT workChanged();
 }
 
+void SceneDocument::setSlow(Slow slow) {
+    if (follower_)
+        follower_->setSlow(slow);
+}
+
 void SceneDocument::start(bool asked) {
-    if (!worker_)
+    if (!follower_)
         return;
-    WorkThread::Order order;
-    order.moves = asked || live_ == Live::always || (live_ == Live::automatic && !gaveUp_);
-    order.haste = gesture_ ? Haste::gesture : Haste::now;
-    order.overlap = slow_.overlap;
-    if (live_ == Live::automatic && isSlow_ && !asked)
-        order.budget = slow_.attempt;
-    worker_->thread.start(text_, order);
-    if (!gesture_) {
-        welcome_ = worker_->thread.serial();
-        awaited_.reset();
-        soon_.stop();
-    }
+    computing::Ask ask;
+    ask.asked = asked;
+    ask.gesture = gesture_.has_value();
+    follower_->follow(text_, ask, computing::Clock::now());
     setWork(Work::reading);
 }
 
@@ -333,116 +315,25 @@ void SceneDocument::setWork(Work work) {
     Q_EMIT workChanged();
 }
 
-// --- what the worker has to say ---------------------------------------------------------------
-
-void SceneDocument::didRead(const std::shared_ptr<const Reading>& reading) {
-    if (reading->serial < welcome_)
-        return;
-    // What is quick is shown with its motion at once; what is not, before.
-    constexpr std::chrono::milliseconds quick{30};
-    const bool isLast = reading->serial == worker_->thread.serial();
-    if (isLast) {
-        diagnostics_ = reading->diagnostics;
-        Q_EMIT diagnosticsChanged();
-    }
-    if (reading->scene) {
-        awaited_ = reading;
-        if (!reading->moves || lastMotion_ > quick)
-            showAwaited(nullptr);
-        else if (!soon_.isActive())
-            soon_.start(quick);
-    }
-    if (isLast)
-        setWork(reading->moves ? Work::simulating : Work::none);
-}
-
-void SceneDocument::show(Shown shown, ScenePointer motionOf) {
-    const auto before = shown_.scene;
-    const bool wasStale = motionIsStale();
-    shown_ = std::move(shown);
-    motionOf_ = std::move(motionOf);
-    if (before != shown_.scene) {
-        followSelection(*before, awaited_ ? awaited_->text : text_);
-        Q_EMIT sceneChanged();
-    }
-    Q_EMIT motionChanged();
-    if (wasStale != motionIsStale())
-        Q_EMIT workChanged();
-}
-
-// With its own motion, or with what there is of the motion of the scene before.
-void SceneDocument::showAwaited(const simulation::MotionPointer* motion) {
-    soon_.stop();
-    if (!awaited_)
-        return;
-    const auto reading = awaited_;
-    sceneRevision_ = reading->serial == worker_->thread.serial() ? revision_ : -1;
-    const ScenePointer of = motion ? reading->scene : motionOf_;
-    show({reading->scene,
-          motion ? *motion : staleMotion(*shown_.scene, shown_.motion, reading->scene)},
-         of);
-    awaited_.reset();
-}
-
-void SceneDocument::showMotion(const ScenePointer& scene, const simulation::MotionPointer& motion) {
-    if (awaited_ && awaited_->scene == scene)
-        return showAwaited(&motion);
-    if (scene == shown_.scene)
-        return show({scene, motion}, scene);
-    // While a gesture lasts: of a place where the hand was a moment ago.
-    if (auto stale = staleMotion(*scene, motion, shown_.scene))
-        show({shown_.scene, std::move(stale)}, scene);
-}
-
-void SceneDocument::didMove(unsigned serial, const ScenePointer& scene,
-                            const simulation::MotionPointer& motion) {
-    if (serial >= welcome_)
-        showMotion(scene, motion);
-}
-
-void SceneDocument::learnPace(const Moved& moved) {
-    if (!moved.result.cancelled) {
-        lastMotion_ = moved.lasted;
-        isSlow_ = moved.lasted > slow_.motion;
-        gaveUp_ = false;
-    } else {
-        isSlow_ = isSlow_ || moved.lasted > slow_.motion;
-        gaveUp_ = gaveUp_ || moved.givenUp;
-    }
-}
-
-void SceneDocument::didFinish(const Moved& moved) {
-    learnPace(moved);
-    if (moved.serial < welcome_)
-        return;
-    // Who is told of a motion or of faults may change the text, and then all begins anew.
-    const auto isLast = [&] { return moved.serial == worker_->thread.serial(); };
-    if (!moved.result.cancelled)
-        showMotion(moved.scene, moved.result.motion);
-    if (!isLast())
-        return;
-    if (moved.result.cancelled) {
-        showAwaited(nullptr);
-        motionOf_.reset(); // what was drawn of it is not all
-    } else {
-        statistics_ = moved.result.statistics;
-        reportFaults(moved);
-    }
-    if (isLast())
-        setWork(Work::none);
-}
-
-void SceneDocument::reportFaults(const Moved& moved) {
-    const text::Places places(text_);
-    const auto add = [&](scene::Diagnostic said) {
-        script::locate(places, said);
-        diagnostics_.push_back(std::move(said));
-    };
-    for (const std::string& sentence : moved.result.refusal)
-        add(simulation::faultOf(*moved.scene, sentence));
-    if (moved.result.motion)
-        std::ranges::for_each(simulation::reportOf(*moved.scene, *moved.result.motion), add);
-    Q_EMIT diagnosticsChanged();
+void SceneDocument::update() {
+    const auto now = computing::Clock::now();
+    follower_->update(now);
+    if (const auto due = follower_->deadline())
+        due_.start(std::max(std::chrono::ceil<std::chrono::milliseconds>(*due - now),
+                            std::chrono::milliseconds(0)));
+    else
+        due_.stop();
+    Computed computed;
+    computed.shown = shown_;
+    if (follower_->shown().scene) // until then it is the empty one
+        computed.shown = {follower_->shown().scene, follower_->shown().motion};
+    computed.text = follower_->shownText();
+    computed.diagnostics = follower_->diagnostics();
+    computed.statistics = follower_->statistics();
+    computed.work = follower_->work();
+    computed.current = follower_->isCurrent();
+    computed.stale = follower_->motionIsStale();
+    setComputed(std::move(computed));
 }
 
 QString SceneDocument::open(const QString& path) {
@@ -473,7 +364,8 @@ void SceneDocument::begin(const QString& path, const files::KnownFile& file,
     done_.clear();
     undone_.clear();
     gesture_.reset();
-    isSlow_ = gaveUp_ = false;
+    if (follower_)
+        follower_->forgetPace();
     Q_EMIT opened();
     replaceText(text);
 }

@@ -1,7 +1,7 @@
 // The scene that all views of a process show and change: its text, and the scene and motion of it.
 //
-// The text is the truth. setText() is the only way to change it from a view; the text is then read
-// and its motion computed on a worker thread, and every view follows by signals. While a text has
+// The text is the truth. setText() is the only way to change it from a view; computing/ then reads
+// the text and computes its motion on threads, and every view follows by signals. While a text has
 // errors the last good scene and its motion stay (scene language, "Errors").
 //
 // Stand-alone the document is a file with an undo stack of its own. Under a host the text belongs
@@ -11,12 +11,11 @@
 // has no workshop and computes nothing.
 #pragma once
 
+#include "computing/follower.h"
 #include "editing/value_edit.h"
 #include "files/save.h"
 #include "gestures/ground.h"
 #include "scene/diagnostic.h"
-#include "script/reader.h"
-#include "simulation/simulation.h"
 #include "text/edit.h"
 
 #include <QObject>
@@ -32,16 +31,12 @@
 
 namespace views {
 
-// How texts become scenes and scenes motion. `read` is called on one thread, `simulate` on another,
-// neither on the interface's; cancelReading on any. An empty one computes nothing: setComputed() is
-// called instead.
-struct Workshop {
-    std::function<script::ReadResult(std::string_view text)> read;
-    std::function<void()> cancelReading;
-    std::function<simulation::Result(const std::shared_ptr<const scene::Scene>&,
-                                     const simulation::Options&, const simulation::Observer&)>
-        simulate;
-};
+using computing::Live;
+using computing::Slow;
+using computing::Work;
+// How texts become scenes and scenes motion. An empty one computes nothing: setComputed() is called
+// instead.
+using Workshop = computing::Tools;
 
 struct HostLink {
     std::function<void(const text::Edit& edit, const QString& label)> changed;
@@ -50,6 +45,7 @@ struct HostLink {
     // The text as a gesture has it, to be read and shown; it is no change. None: it waits for the
     // gesture's end.
     std::function<void(const std::string& text)> preview = nullptr;
+    std::function<void(Live live)> setLive = nullptr; // where another computes
 };
 
 // A good scene and the motion that belongs to it; no motion while the first bit is computed, or
@@ -57,15 +53,6 @@ struct HostLink {
 struct Shown {
     std::shared_ptr<const scene::Scene> scene = std::make_shared<scene::Scene>();
     simulation::MotionPointer motion;
-};
-
-enum class Work { none, reading, simulating };
-
-// Whether an edit's motion is computed without being asked for.
-enum class Live {
-    automatic, // while that is quick: see SceneDocument::setSlow()
-    always,
-    never,
 };
 
 // The scene and motion that another has made of the text.
@@ -76,6 +63,7 @@ struct Computed {
     std::optional<simulation::Statistics> statistics;
     Work work = Work::none;
     bool current = false; // the scene was read from the text as it is now
+    bool stale = false;   // the motion is an older scene's
 };
 
 // The answer to a gesture that goes on, for the text as it was at the revision that it began at.
@@ -83,9 +71,6 @@ struct Asked {
     int since;
     editing::Answer answer;
 };
-
-struct Reading;
-struct Moved;
 
 class SceneDocument : public QObject {
     Q_OBJECT
@@ -139,18 +124,12 @@ public:
 
     // The scene is shown as soon as it is read; until its own motion is there the motion shown is
     // an older scene's, which is said wherever it is seen.
-    [[nodiscard]] bool motionIsStale() const;
+    [[nodiscard]] bool motionIsStale() const { return motionIsStale_; }
     // It stays so until one asks for the motion: computing it takes long, or one wants it so.
     [[nodiscard]] bool waitsToBeAsked() const { return motionIsStale() && work_ == Work::none; }
     [[nodiscard]] Live live() const { return live_; }
     void setLive(Live live);
-    // Automatic: a motion that took longer than `motion` makes the scene slow. Of a slow scene an
-    // edit's motion is given up after `attempt`, and then none is begun until one is asked for.
-    struct Slow {
-        std::chrono::milliseconds motion{3000}, attempt{1000};
-        std::chrono::milliseconds overlap{300}; // see WorkThread, of gestures
-    };
-    void setSlow(Slow slow) { slow_ = slow; }
+    void setSlow(Slow slow);
 
     [[nodiscard]] bool canUndo() const;
     [[nodiscard]] bool canRedo() const;
@@ -202,25 +181,15 @@ private:
         text::Edit forward, backward;
         QString label;
     };
-    struct Worker;
 
     void replaceText(const std::string& text);
     void endGesture();
-    using ScenePointer = std::shared_ptr<const scene::Scene>;
     void begin(const QString& path, const files::KnownFile& file, const std::string& text);
     void start(bool asked);
     // After another scene came, which was read from that text.
     void followSelection(const scene::Scene& before, const std::string& text);
     void setWork(Work work);
-    void didRead(const std::shared_ptr<const Reading>& reading);
-    void didMove(unsigned serial, const ScenePointer& scene,
-                 const simulation::MotionPointer& motion);
-    void didFinish(const Moved& moved);
-    void learnPace(const Moved& moved);
-    void reportFaults(const Moved& moved);
-    void showAwaited(const simulation::MotionPointer* motion);
-    void showMotion(const ScenePointer& scene, const simulation::MotionPointer& motion);
-    void show(Shown shown, ScenePointer motionOf);
+    void update(); // what the follower has come to is shown
 
     std::string text_, savedText_;
     QString path_, name_;
@@ -233,15 +202,9 @@ private:
     std::vector<scene::Diagnostic> diagnostics_;
     std::optional<simulation::Statistics> statistics_;
     Work work_ = Work::none;
-    ScenePointer motionOf_ = shown_.scene;   // that the shown motion belongs to
-    bool hostIsBehind_ = false;              // what the host's session shows is of an older text
-    std::shared_ptr<const Reading> awaited_; // read, and not shown yet
-    QTimer soon_;                            // then it is shown, whether its motion is there or not
+    bool motionIsStale_ = false;
+    QTimer due_; // the follower has something to do then
     Live live_ = Live::automatic;
-    Slow slow_;
-    bool isSlow_ = false, gaveUp_ = false;
-    std::chrono::duration<double> lastMotion_{}; // how long computing it took
-    unsigned welcome_ = 0;                       // results of older starts are of no use
     HostLink host_;
     std::vector<Change> done_, undone_;
     struct Gesture {
@@ -250,7 +213,7 @@ private:
         const void* hand;
     };
     std::optional<Gesture> gesture_;
-    std::unique_ptr<Worker> worker_;
+    std::unique_ptr<computing::Follower> follower_; // last: its threads call this
 };
 
 } // namespace views

@@ -9,11 +9,11 @@
 
 #include <memory>
 
-namespace views {
+namespace computing {
 
 // None: the scenes have other bodies, and the motion says nothing of the new ones.
 [[nodiscard]] simulation::MotionPointer staleMotion(const scene::Scene& before,
                                                     const simulation::MotionPointer& motion,
                                                     std::shared_ptr<const scene::Scene> now);
 
-} // namespace views
+} // namespace computing

@@ -1,10 +1,10 @@
-#include "workbench/stale_motion.h"
+#include "computing/stale_motion.h"
 
 #include <algorithm>
 #include <set>
 #include <string_view>
 
-namespace views {
+namespace computing {
 
 namespace {
 
@@ -79,4 +79,4 @@ MotionPointer staleMotion(const scene::Scene& before, const MotionPointer& motio
     return std::make_shared<const StaleMotion>(stale ? stale->old() : motion, std::move(now));
 }
 
-} // namespace views
+} // namespace computing

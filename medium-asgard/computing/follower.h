@@ -1,0 +1,150 @@
+// Follows a text: the scene that it makes, and the motion of that.
+//
+// A text that is faulty leaves the last good scene in force, with its motion. Reading and computing
+// take time; until both are done, a picture shows one of three things:
+//   - for a moment (Ask::patience) the scene and motion of before, which belong together;
+//   - then the new scene with the motion of before (stale_motion.h), where both have the same
+//     bodies: what is dragged follows the hand;
+//   - the new scene with as much of its motion as there is, once that reaches the time that is
+//     looked at (setSeen()), or after a while.
+// The motion of a scene that takes long is computed only when it is asked for (setLive()).
+//
+// The owner is woken when there is something to do, and when deadline() has come; then update()
+// does it and says what changed. Nothing here reads a clock but for how long a motion took.
+#pragma once
+
+#include "computing/worker.h"
+
+namespace computing {
+
+using Instant = Clock::time_point;
+
+struct Shown {
+    ScenePointer scene;               // none: no text has made one yet
+    simulation::MotionPointer motion; // none: nothing of it is known, or it cannot be computed
+};
+
+enum class Work { none, reading, simulating };
+
+// Whether an edit's motion is computed without being asked for.
+enum class Live {
+    automatic, // while that is quick: see Slow
+    always,
+    never,
+};
+
+// Automatic: a motion that took longer than `motion` makes the scene slow. Of a slow scene an
+// edit's motion is given up after `attempt`, and then none is begun until one is asked for.
+struct Slow {
+    std::chrono::milliseconds motion{3000}, attempt{1000};
+    std::chrono::milliseconds overlap{300}; // see Worker, of gestures
+};
+
+// How long a quick motion is waited for before its scene is shown without it.
+constexpr std::chrono::milliseconds quick{30};
+
+struct Ask {
+    ParameterValues parameters = {};
+    bool asked = false;   // the motion is wanted, however long it takes
+    bool gesture = false; // more texts follow soon, and each that is done is worth showing
+    std::chrono::milliseconds patience = quick; // with the scene and motion of before
+};
+
+struct Changes {
+    bool scene = false;       // another scene is shown
+    bool motion = false;      // another motion, or more of it
+    bool otherMotion = false; // not only more of it: pictures of the same time may differ
+    bool diagnostics = false; // the set is complete for the text
+    bool ended = false;       // nothing is being read or computed any more
+};
+
+class Follower {
+public:
+    // `wake` is called on any thread when update() has something to do.
+    Follower(Tools tools, std::function<void()> wake);
+
+    void follow(const std::string& text, const Ask& ask, Instant now);
+    void cancel() { worker_.cancel(); } // ends soon, with the motion that there is
+    Changes update(Instant now);
+    [[nodiscard]] std::optional<Instant> deadline() const;
+
+    // The time that is looked at, if it is one: a motion that has got there is shown at once.
+    void setSeen(double time) { seen_ = time; }
+    [[nodiscard]] Live live() const { return live_; }
+    void setLive(Live live);
+    void setSlow(Slow slow) { slow_ = slow; }
+    void forgetPace() { isSlow_ = gaveUp_ = false; } // another scene altogether
+
+    [[nodiscard]] const Shown& shown() const { return shown_; }
+    // That the shown scene was read from.
+    [[nodiscard]] const std::string& shownText() const { return shownText_; }
+    // Of the newest text that makes a scene, shown or not yet.
+    [[nodiscard]] const ScenePointer& newestScene() const;
+    // Faults of the text and, once it has ended, of its motion.
+    [[nodiscard]] const std::vector<scene::Diagnostic>& diagnostics() const { return diagnostics_; }
+    [[nodiscard]] const std::optional<simulation::Statistics>& statistics() const {
+        return statistics_; // of the last motion that ended
+    }
+    [[nodiscard]] Work work() const { return work_; }
+    // The scene that is shown was read from the newest text.
+    [[nodiscard]] bool isCurrent() const { return shownSerial_ == worker_.serial(); }
+    [[nodiscard]] bool isFaulty() const { return readAt_ && !makesScene_; } // the newest text
+    // The motion that is shown is an older scene's, or was given up.
+    [[nodiscard]] bool motionIsStale() const { return motionOf_ != shown_.scene; }
+    // It stays so until the motion is asked for.
+    [[nodiscard]] bool waitsToBeAsked() const { return motionIsStale() && work_ == Work::none; }
+    [[nodiscard]] bool isCancelled() const { return cancelled_; } // the newest motion, by cancel()
+    [[nodiscard]] Instant startedAt() const { return started_; }
+    // When reading the newest text had ended; none: it goes on.
+    [[nodiscard]] std::optional<Instant> readAt() const { return readAt_; }
+
+private:
+    struct Awaited { // read, and not shown yet
+        unsigned serial = 0;
+        ScenePointer scene;
+        std::string text;
+        Instant until{}; // then it is shown, whether its motion is there or not
+        bool patient = false;
+    };
+    struct Partial { // of a motion that goes on
+        ScenePointer scene;
+        simulation::MotionPointer motion;
+        Instant due{};
+    };
+    void take(Reading reading, Instant now);
+    void take(Progress progress, Instant now);
+    void take(Moved moved, Instant now);
+    [[nodiscard]] bool isLast(unsigned serial) const { return serial == worker_.serial(); }
+    [[nodiscard]] Instant dueOf(const Progress& progress, Instant now) const;
+    void learnPace(const Moved& moved);
+    void reportFaults(const Moved& moved);
+    void showWhatIsDue(Instant now);
+    void showAwaited(const simulation::MotionPointer* motion);
+    void showMotion(const ScenePointer& scene, const simulation::MotionPointer& motion);
+    void show(Shown shown, ScenePointer motionOf);
+
+    Worker worker_;
+    std::string text_;
+    std::chrono::milliseconds patience_ = quick;
+    Shown shown_;
+    std::string shownText_;
+    unsigned shownSerial_ = 0; // of the start that the shown scene is of; 0: no text yet
+    ScenePointer motionOf_;    // that the shown motion belongs to
+    std::optional<Awaited> awaited_;
+    std::optional<Partial> partial_;
+    std::optional<double> seen_;
+    std::vector<scene::Diagnostic> diagnostics_;
+    std::optional<simulation::Statistics> statistics_;
+    Work work_ = Work::none;
+    Live live_ = Live::automatic;
+    Slow slow_;
+    bool isSlow_ = false, gaveUp_ = false;
+    bool makesScene_ = false, cancelled_ = false;
+    Clock::duration lastMotion_{}; // how long computing it took
+    unsigned welcome_ = 0;         // results of older starts are of no use
+    Instant started_{}, shownAt_{};
+    std::optional<Instant> readAt_;
+    Changes changes_; // since the last update()
+};
+
+} // namespace computing

@@ -1,0 +1,181 @@
+// Texts are the place of one ball, "faulty" makes no scene; the test lets its motion end.
+#include "computing/follower.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+namespace computing {
+namespace {
+
+using std::chrono::milliseconds;
+
+scene::Scene ballAt(double x, const std::string& name = "b") {
+    scene::Scene scene;
+    scene.simulator.finish = 2;
+    scene.shapeSets.push_back({"ball", {scene::Part{}}, {}, {}});
+    scene::Body& body = scene.bodies.emplace_back();
+    body.name = name;
+    body.shape = "ball";
+    body.initialPosition.x() = x;
+    return scene;
+}
+
+class FollowerTest : public testing::Test {
+protected:
+    Tools tools() {
+        Tools tools;
+        tools.read = [this](const std::string& text, const ParameterValues& values) {
+            ++readings;
+            script::ReadResult result;
+            result.usable = text != "faulty" && !values.contains("unknown");
+            if (result.usable)
+                result.scene = ballAt(std::stod(text), text == "7" ? "other" : "b");
+            else
+                result.diagnostics.push_back(
+                    {scene::Severity::error, {}, 1, 1, 1, 2, "faulty", ""});
+            return result;
+        };
+        tools.cancelReading = [] {};
+        tools.simulate = [this](const ScenePointer& scene, const auto& options,
+                                const simulation::Observer& observer) {
+            ++motions;
+            auto result = simulation::simulate(*scene, options);
+            while (held && !observer.cancelled()) {
+                if (publishes.exchange(false))
+                    observer.progress(result.motion);
+                std::this_thread::sleep_for(milliseconds(1));
+            }
+            result.cancelled = held;
+            return result;
+        };
+        return tools;
+    }
+    Changes update() {
+        const Changes now = follower.update(moment);
+        all.ended = all.ended || now.ended;
+        return now;
+    }
+    template <class F> void until(F condition) {
+        const auto end = Clock::now() + std::chrono::seconds(60);
+        while (!condition()) {
+            ASSERT_LT(Clock::now(), end) << "waited too long";
+            std::this_thread::sleep_for(milliseconds(1));
+            update();
+        }
+    }
+    void settle() {
+        until([this] { return follower.work() == Work::none; });
+    }
+    double x(double time = 0) { return follower.shown().motion->at(0, time).position.x(); }
+
+    std::atomic<int> readings = 0, motions = 0;
+    std::atomic<bool> held = false, publishes = false;
+    Instant moment = Clock::now();
+    Changes all;
+    Follower follower{tools(), [] {}};
+};
+
+TEST_F(FollowerTest, ATextIsReadAndComputedOnce) {
+    EXPECT_TRUE(follower.isCurrent());
+    follower.follow("1", {}, moment);
+    EXPECT_EQ(follower.work(), Work::reading);
+    EXPECT_FALSE(follower.isCurrent());
+    settle();
+    EXPECT_TRUE(follower.isCurrent());
+    EXPECT_FALSE(follower.motionIsStale());
+    EXPECT_EQ(x(1), 1);
+    EXPECT_EQ(readings, 1);
+    EXPECT_EQ(motions, 1);
+    follower.follow("faulty", {}, moment);
+    settle();
+    EXPECT_TRUE(follower.isFaulty());
+    EXPECT_EQ(x(1), 1); // the last good one
+    EXPECT_EQ(follower.diagnostics().size(), 1U);
+    EXPECT_EQ(motions, 1);
+}
+
+TEST_F(FollowerTest, WithPatienceASceneIsShownWithItsMotionOnly) {
+    follower.setSeen(1);
+    follower.follow("1", {.patience = milliseconds(250)}, moment);
+    settle();
+    const Shown before = follower.shown();
+    held = true;
+    follower.follow("2", {.patience = milliseconds(250)}, moment);
+    until([this] { return motions == 2; });
+    moment += milliseconds(200);
+    update();
+    EXPECT_EQ(follower.shown().scene, before.scene);
+    EXPECT_EQ(follower.newestScene()->bodies[0].initialPosition.x(), 2);
+    publishes = true; // its motion reaches the time that is looked at
+    until([&] { return follower.shown().scene != before.scene; });
+    EXPECT_FALSE(follower.motionIsStale());
+    EXPECT_EQ(x(1), 2);
+    EXPECT_EQ(follower.work(), Work::simulating);
+}
+
+TEST_F(FollowerTest, ADraggedSceneIsShownAtOnceAndItsMotionFollows) {
+    follower.follow("1", {}, moment);
+    settle();
+    held = true;
+    follower.follow("2", {.gesture = true}, moment);
+    until([this] { return motions == 2; });
+    moment += quick;
+    update();
+    EXPECT_TRUE(follower.isCurrent());
+    EXPECT_TRUE(follower.motionIsStale());
+    EXPECT_EQ(x(0), 2);                              // as the scene says
+    EXPECT_EQ(x(1), 1);                              // where it was
+    follower.follow("7", {.gesture = true}, moment); // another body: nothing is known of it
+    until([this] { return follower.shown().scene->bodies[0].name == "other" || readings == 3; });
+    held = false;
+    settle();
+    EXPECT_FALSE(follower.motionIsStale());
+    EXPECT_EQ(x(1), 7);
+}
+
+TEST_F(FollowerTest, WhatIsCancelledKeepsTheMotionThatThereIs) {
+    held = true;
+    follower.follow("1", {}, moment);
+    until([this] { return motions == 1; });
+    follower.cancel();
+    settle();
+    EXPECT_TRUE(follower.isCancelled());
+    EXPECT_TRUE(all.ended);
+    ASSERT_TRUE(follower.shown().motion);
+    EXPECT_EQ(x(1), 1);
+    follower.follow("2", {}, moment); // a new one is worked for
+    held = false;
+    settle();
+    EXPECT_FALSE(follower.isCancelled());
+    EXPECT_EQ(x(1), 2);
+}
+
+TEST_F(FollowerTest, TheMotionOfASlowSceneWaitsToBeAskedFor) {
+    follower.setSlow({.motion = milliseconds(0), .attempt = milliseconds(5)});
+    follower.follow("1", {.asked = true}, moment);
+    settle();
+    held = true;
+    follower.follow("2", {}, moment); // an attempt, which is given up
+    settle();
+    EXPECT_TRUE(follower.waitsToBeAsked());
+    EXPECT_EQ(x(0), 2);
+    held = false;
+    follower.follow("3", {}, moment);
+    settle();
+    EXPECT_EQ(motions, 2);
+    follower.follow("3", {.asked = true}, moment);
+    settle();
+    EXPECT_FALSE(follower.motionIsStale());
+    EXPECT_EQ(x(1), 3);
+}
+
+TEST_F(FollowerTest, ValuesOfParametersThatAreNoMoreAreLeftOut) {
+    follower.follow("1", {.parameters = {{"unknown", 5}}}, moment);
+    settle();
+    EXPECT_FALSE(follower.isFaulty());
+    EXPECT_EQ(x(1), 1);
+}
+
+} // namespace
+} // namespace computing

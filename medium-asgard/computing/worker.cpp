@@ -1,0 +1,188 @@
+#include "computing/worker.h"
+
+#include <algorithm>
+#include <new>
+#include <utility>
+
+namespace computing {
+
+Worker::Worker(Tools tools, std::function<void()> wake)
+    : tools_(std::move(tools)), wake_(std::move(wake)) {}
+
+Worker::~Worker() {
+    {
+        const std::lock_guard lock(mutex_);
+        stop_ = true;
+    }
+    wakeReading_.notify_one();
+    wakeMoving_.notify_one();
+    tools_.cancelReading();
+    if (reading_.joinable())
+        reading_.join();
+    if (moving_.joinable())
+        moving_.join();
+}
+
+void Worker::start(const std::string& text, Order order) {
+    {
+        const std::lock_guard lock(mutex_);
+        text_ = text;
+        waiting_ = true;
+        ++serial_;
+        if (order.haste == Haste::now)
+            lastUrgent_ = serial_.load();
+        const bool isLong = Clock::now() - began_ > longestReading;
+        // Within the lock, so that it is not the new text whose reading ends.
+        if (reads_ && (isLong || order.haste == Haste::now))
+            tools_.cancelReading();
+        order_ = std::move(order);
+        if (!reading_.joinable()) {
+            reading_ = std::thread([this] { readOn(); });
+            moving_ = std::thread([this] { moveOn(); });
+        }
+    }
+    wakeReading_.notify_one();
+}
+
+void Worker::cancel() {
+    const std::lock_guard lock(mutex_);
+    cancelled_ = serial_.load();
+    if (reads_)
+        tools_.cancelReading();
+}
+
+std::vector<News> Worker::collect() {
+    const std::lock_guard lock(newsMutex_);
+    return std::exchange(news_, {});
+}
+
+void Worker::tell(News news) {
+    {
+        const std::lock_guard lock(newsMutex_);
+        if (!news_.empty() && std::holds_alternative<Progress>(news_.back()) &&
+            std::holds_alternative<Progress>(news))
+            news_.back() = std::move(news);
+        else
+            news_.push_back(std::move(news));
+    }
+    wake_();
+}
+
+bool Worker::overtaken(unsigned serial, Clock::time_point began, Clock::duration most) const {
+    return stop_ || serial < lastUrgent_ || (serial != serial_ && Clock::now() - began > most);
+}
+
+void Worker::readOn() {
+    std::unique_lock lock(mutex_);
+    while (true) {
+        wakeReading_.wait(lock, [this] { return stop_ || waiting_; });
+        if (stop_)
+            return;
+        waiting_ = false;
+        const std::string text = text_;
+        const unsigned serial = serial_;
+        Order order = order_;
+        began_ = Clock::now();
+        reads_ = true;
+        lock.unlock();
+        read(text, serial, std::move(order));
+        lock.lock();
+        reads_ = false;
+    }
+}
+
+// The values outlive an edit that removes their parameter: then they are left out.
+script::ReadResult Worker::readWith(ParameterValues& parameters, const std::string& text) const {
+    script::ReadResult reading = tools_.read(text, parameters);
+    if (reading.usable || parameters.empty())
+        return reading;
+    script::ReadResult plain = tools_.read(text, {});
+    const auto unknown = [&](const auto& entry) {
+        return std::ranges::find(plain.scene.parameters, entry.first, &scene::Parameter::name) ==
+               plain.scene.parameters.end();
+    };
+    if (!plain.usable || std::erase_if(parameters, unknown) == 0)
+        return reading;
+    return parameters.empty() ? plain : tools_.read(text, parameters);
+}
+
+void Worker::read(const std::string& text, unsigned serial, Order order) {
+    const Clock::time_point began = Clock::now();
+    script::ReadResult result;
+    if (!isCancelled(serial))
+        result = readWith(order.parameters, text);
+    // A reading that was cancelled says nothing about the text.
+    if (overtaken(serial, began, longestReading))
+        return;
+    if (isCancelled(serial)) {
+        Moved moved;
+        moved.serial = serial;
+        moved.result.cancelled = true;
+        return tell(std::move(moved));
+    }
+    Reading reading;
+    reading.serial = serial;
+    reading.text = text;
+    reading.diagnostics = std::move(result.diagnostics);
+    if (result.usable)
+        reading.scene = std::make_shared<const scene::Scene>(std::move(result.scene));
+    reading.moves = reading.scene && order.moves;
+    std::optional<Job> job;
+    if (reading.moves)
+        job = Job{serial, reading.scene, std::move(order)};
+    tell(std::move(reading));
+    if (!job)
+        return;
+    {
+        const std::lock_guard lock(mutex_);
+        job_ = std::move(job);
+    }
+    wakeMoving_.notify_one();
+}
+
+void Worker::moveOn() {
+    std::unique_lock lock(mutex_);
+    while (true) {
+        wakeMoving_.wait(lock, [this] { return stop_ || job_; });
+        if (stop_)
+            return;
+        const Job job = *std::exchange(job_, std::nullopt);
+        lock.unlock();
+        if (job.serial >= lastUrgent_)
+            move(job);
+        lock.lock();
+    }
+}
+
+void Worker::move(const Job& job) {
+    const Clock::time_point began = Clock::now();
+    std::atomic<bool> givenUp = false; // asked on any thread
+    const auto over = [&] { return overtaken(job.serial, began, job.order.overlap); };
+    simulation::Observer observer;
+    observer.cancelled = [&] {
+        if (job.order.budget && Clock::now() - began > *job.order.budget)
+            givenUp = true;
+        return givenUp || isCancelled(job.serial) || over();
+    };
+    observer.progress = [&](simulation::MotionPointer motion) {
+        if (!over())
+            tell(Progress{job.serial, job.scene, std::move(motion), Clock::now() - began});
+    };
+    simulation::Options options;
+    options.parameters = job.order.parameters;
+    Moved moved;
+    moved.serial = job.serial;
+    moved.scene = job.scene;
+    try {
+        moved.result = tools_.simulate(job.scene, options, observer);
+    } catch (const std::bad_alloc&) {
+        moved.result.refusal.emplace_back("the motion needs more memory than its process may have");
+    }
+    moved.lasted = Clock::now() - began;
+    moved.givenUp = givenUp;
+    moved.result.cancelled = moved.result.cancelled || givenUp;
+    if (!stop_)
+        tell(std::move(moved));
+}
+
+} // namespace computing
