@@ -1,15 +1,15 @@
 #include "service/handle_editing.h"
 
-#include "editing/trajectory_edit.h"
+#include "editing/element.h"
 
 #include <algorithm>
+#include <cctype>
+#include <map>
 #include <utility>
 
 namespace service {
 
 namespace {
-
-constexpr double keyStep = 6; // pixels of the reader, for a press of a key
 
 bool same(const render::Handle& a, const render::Handle& b) {
     return a.kind == b.kind && a.element == b.element && a.part == b.part;
@@ -27,12 +27,12 @@ HandleEditing::handles(const std::shared_ptr<const scene::Scene>& scene,
             new Prepared{scene, drawing.motion, render::Handles(*scene, drawing.motion)});
     auto set = std::make_shared<render::HandleSet>(
         prepared_->handles.at(drawing.time, drawing.display, drawing.camera, size));
-    if (drag_) {
+    if (const gestures::HandleDrag* drag = hand_.drag()) {
         const auto held = std::ranges::find_if(
-            set->handles, [&](const render::Handle& one) { return same(one, drag_->handle()); });
-        if (held != set->handles.end() && drag_->answer().possible()) {
-            held->base = held->isArrow() ? held->base : drag_->place();
-            held->place = drag_->place();
+            set->handles, [&](const render::Handle& one) { return same(one, drag->handle()); });
+        if (held != set->handles.end() && drag->answer().possible()) {
+            held->base = held->isArrow() ? held->base : drag->place();
+            held->place = drag->place();
             held->aside.setZero(); // under the pointer
         }
     }
@@ -52,96 +52,72 @@ bool HandleEditing::press(gestures::Ground ground, const render::Drawing& drawin
                                          pixels, gestures::handleReach * scale);
     if (!grasp)
         return false;
-    button_ = button;
     scale_ = scale;
     if (grasp->what == What::removePoint) {
         remove(ground, grasp->handle);
-    } else if (grasp->what == What::newPoint) {
-        newPoint_ = std::make_unique<gestures::NewPoint>(std::move(ground), sight, grasp->handle);
-        say(newPoint_->words());
-    } else {
-        drag_ =
-            std::make_unique<gestures::HandleDrag>(std::move(ground), sight, grasp->handle, pixels);
-        if (grasp->what == What::roll)
-            drag_->setRolls();
-        say(drag_->words());
+        return true;
     }
+    hand_.take(std::move(ground), sight, *grasp, button, pixels);
+    say(hand_.words());
     return true;
 }
 
+// Nobody can be asked here about what depends on a trajectory.
 void HandleEditing::remove(const gestures::Ground& ground, const render::Handle& handle) {
-    const editing::TrajectoryEdits edits(ground.text, ground.scene, handle.element);
-    const editing::Answer answer = edits.remove(gestures::pointOf(edits, handle));
-    if (answer.possible())
-        ground.finish(text::applied(ground.text, answer.edits), "Remove a point");
-    say(answer.reason);
+    const gestures::Removal removal = gestures::removalOf(ground, handle);
+    if (!removal.possible())
+        return say(removal.reason);
+    if (removal.along.empty()) {
+        ground.finish(text::applied(ground.text, removal.edits), removal.label);
+        return say({});
+    }
+    std::string words = "With this point its trajectory goes, and with that";
+    for (const editing::Element& one : removal.along)
+        words +=
+            (&one == removal.along.data() ? " " : ", ") + editing::describe(*ground.scene, one);
+    say(words + ": a graphical viewer deletes them together.");
 }
 
 void HandleEditing::move(const Eigen::Vector2d& pixels) {
-    if (drag_)
-        drag_->move(pixels);
-    if (newPoint_)
-        newPoint_->move(pixels);
-    say(drag_ ? drag_->words() : newPoint_ ? newPoint_->words() : words_);
+    hand_.move(pixels);
+    say(active() ? hand_.words() : words_);
 }
 
 bool HandleEditing::key(const std::string& name, bool pressed) {
-    if (!active())
-        return false;
-    if (name == "Escape" && pressed) {
-        cancel();
-        return true;
-    }
+    using Key = gestures::Hand::Key;
+    static const std::map<std::string, Key> keys{
+        {"z", Key::away},        {"x", Key::nearer},       {"a", Key::free},
+        {"Escape", Key::escape}, {"ArrowLeft", Key::left}, {"ArrowRight", Key::right},
+        {"ArrowUp", Key::up},    {"ArrowDown", Key::down}};
     std::string letter = name;
-    std::ranges::transform(letter, letter.begin(), [](unsigned char c) { return std::tolower(c); });
-    const bool pushes = letter == "z" || letter == "x";
-    if (!pushes && letter != "a")
+    if (letter.size() == 1)
+        std::ranges::transform(letter, letter.begin(),
+                               [](unsigned char c) { return std::tolower(c); });
+    const auto key = keys.find(letter);
+    if (!active() || key == keys.end())
         return false;
-    if (drag_ && letter == "a")
-        drag_->setFree(pressed);
-    else if (drag_ && pressed)
-        drag_->push((letter == "z" ? keyStep : -keyStep) * scale_);
-    if (drag_)
-        say(drag_->words());
+    hand_.key(key->second, pressed, scale_);
+    say(hand_.words());
     return true;
 }
 
 void HandleEditing::release(render::CameraControl::Button button) {
-    if (button == button_)
-        finish();
+    sayLetGo(hand_.release(button));
 }
 
-void HandleEditing::finish() {
-    // First: what it ends with may come back here.
-    const auto drag = std::move(drag_);
-    const auto newPoint = std::move(newPoint_);
-    if (drag) {
-        const bool possible = drag->answer().possible();
-        drag->finish();
-        say(possible ? "" : drag->words());
-    } else if (newPoint) {
-        const bool possible = newPoint->answer().possible();
-        newPoint->finish();
-        say(possible ? "" : newPoint->words());
-    }
+void HandleEditing::finish() { sayLetGo(hand_.finish()); }
+
+void HandleEditing::sayLetGo(const std::optional<gestures::Hand::LetGo>& gone) {
+    if (gone)
+        say(gone->fault);
 }
 
 void HandleEditing::cancel() {
-    const auto drag = std::move(drag_);
-    const auto newPoint = std::move(newPoint_);
-    if (drag)
-        drag->cancel();
-    else if (newPoint)
-        newPoint->cancel();
+    hand_.cancel();
     say({});
 }
 
-void HandleEditing::drop() {
-    const bool lost = active();
-    drag_.reset();
-    newPoint_.reset();
-    say(lost ? "The text was changed meanwhile, so the drag has ended." : "");
-}
+void HandleEditing::drop() { say(hand_.drop() ? gestures::Hand::overtaken : ""); }
 
 void HandleEditing::say(std::string words) {
     words_ = std::move(words);

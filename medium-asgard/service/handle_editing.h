@@ -1,15 +1,12 @@
 // Handles in the document's own picture (dissertation 6.2.4), dragged as in a graphical viewer and
 // by the same code (gestures/).
 //
-// A shifted button takes hold of what is under the pointer: a handle that is shown, or a body.
-// While something is held `z` and `x` push it away and bring it nearer, `a` frees the end of a link
-// from its body, Escape gives the text back. The picture shows what is held where the pointer has
-// it, however long the motion takes.
+// A shifted button takes hold of what is under the pointer: a handle that is shown, or a body
+// (gestures/hand.h). The picture shows what is held where the pointer has it, however long the
+// motion takes.
 #pragma once
 
-#include "gestures/grasp.h"
-#include "gestures/handle_drag.h"
-#include "gestures/new_point.h"
+#include "gestures/hand.h"
 
 #include <memory>
 #include <string>
@@ -29,7 +26,7 @@ public:
     // The text that a drag was made on is gone: nothing more of the drag is taken, which is said.
     void drop();
 
-    [[nodiscard]] bool active() const { return drag_ || newPoint_; }
+    [[nodiscard]] bool active() const { return hand_.active(); }
     // The words of a drag about itself, now or last: "b1: position -4.37 0 2", or why it cannot be.
     [[nodiscard]] const std::string& words() const { return words_; }
     // Grows whenever pictures of the same scene may differ.
@@ -44,9 +41,9 @@ private:
     void remove(const gestures::Ground& ground, const render::Handle& handle);
     void say(std::string words);
 
-    std::unique_ptr<gestures::HandleDrag> drag_;
-    std::unique_ptr<gestures::NewPoint> newPoint_;
-    render::CameraControl::Button button_ = render::CameraControl::Button::left;
+    void sayLetGo(const std::optional<gestures::Hand::LetGo>& gone);
+
+    gestures::Hand hand_;
     double scale_ = 1;
     std::string words_;
     unsigned generation_ = 0;

@@ -247,6 +247,28 @@ TEST_F(HandleEditingTest, ForcesVelocitiesLinksAndPointsAreDraggedAsInAViewer) {
     EXPECT_EQ(scene().trajectories[0].points.size(), 2U);
 }
 
+// As in a viewer; but nobody can be asked here about what depends on it.
+TEST_F(HandleEditingTest, TheLastButOnePointTakesItsTrajectoryAlong) {
+    const std::string path = "trajectory T -points {{0 -1 1 0} {1 0 1 0}}\n";
+    const std::string constraint = "constraint -body b1 -position T\n";
+    open(ball + "body b1 ball\n" + path + constraint, {"trajectories"});
+    const auto remove = [&] {
+        pointer(ipc::InputType::press, pixels(handle(HandleKind::trajectoryPoint, 1).place),
+                ipc::Button::right);
+        settle();
+    };
+    remove();
+    EXPECT_THAT(asked, IsEmpty());
+    EXPECT_THAT(saidLast, HasSubstr("With this point its trajectory goes, and with that"));
+    ask(ipc::SubdocumentLoad{ball + "body b1 ball\n" + path, 2});
+    settle();
+    pointer(ipc::InputType::press, pixels(handle(HandleKind::trajectoryPoint, 1).place),
+            ipc::Button::right);
+    EXPECT_THAT(asked, SizeIs(1));
+    accepted("Delete trajectory T");
+    EXPECT_EQ(scene().trajectories.size(), 0U);
+}
+
 // As in a viewer: a body is there without its handles.
 TEST_F(HandleEditingTest, ABodyIsDraggedWithoutHandlesToo) {
     open(ball + "body b1 ball\nbody b2 ball -init_pos {3 1 1}\n", {});

@@ -11,9 +11,7 @@ bool PictureEditing::openBodyAt(const QPointF& position) {
     if (!body)
         return false;
     say({});
-    if (drag_) // the first of the two clicks began it
-        drag_->cancel();
-    drag_.reset();
+    hand_.cancel(); // the first of the two clicks began it
     openSize(body->body);
     return true;
 }

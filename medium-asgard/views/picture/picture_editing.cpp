@@ -16,13 +16,35 @@ namespace views {
 
 namespace {
 
-constexpr double keyStep = 6; // pixels, for a press of a key
-
 render::CameraControl::Button cameraButton(Qt::MouseButton button) {
     using Button = render::CameraControl::Button;
     return button == Qt::LeftButton     ? Button::left
            : button == Qt::MiddleButton ? Button::middle
                                         : Button::right;
+}
+
+std::optional<gestures::Hand::Key> handKey(int key) {
+    using Key = gestures::Hand::Key;
+    switch (key) {
+    case Qt::Key_Escape:
+        return Key::escape;
+    case Qt::Key_Z:
+        return Key::away;
+    case Qt::Key_X:
+        return Key::nearer;
+    case Qt::Key_A:
+        return Key::free;
+    case Qt::Key_Left:
+        return Key::left;
+    case Qt::Key_Right:
+        return Key::right;
+    case Qt::Key_Up:
+        return Key::up;
+    case Qt::Key_Down:
+        return Key::down;
+    default:
+        return std::nullopt;
+    }
 }
 
 } // namespace
@@ -45,36 +67,19 @@ std::optional<render::Handle> PictureEditing::handleUnder(const QPointF& positio
     return index ? std::optional(set.handles[*index]) : std::nullopt;
 }
 
-void PictureEditing::begin(const render::Handle& handle,
-                           const std::optional<Eigen::Vector2d>& pixels) {
+// The picture stays while what is in it moves.
+gestures::Ground PictureEditing::beginGesture() {
     delete entry_;
-    display_.keepCamera(); // the picture stays while what is in it moves
+    display_.keepCamera();
     since_ = document_.revision();
-    drag_ = std::make_unique<gestures::HandleDrag>(document_.ground(), display_.sight(), handle,
-                                                   pixels);
-    mark(handle);
-    byKeys_ = !pixels;
-    Q_EMIT changed();
+    return document_.ground();
 }
 
 void PictureEditing::take(const gestures::Grasp& grasp, const Eigen::Vector2d& pixels) {
-    using What = gestures::Grasp::What;
-    if (grasp.what == What::drag || grasp.what == What::roll) {
-        begin(grasp.handle, pixels);
-        if (grasp.what == What::roll)
-            drag_->setRolls();
-        return;
-    }
     mark(grasp.handle);
-    if (grasp.what == What::removePoint) {
-        if (!removePoint(grasp.handle))
-            deleteMarked();
-        return;
-    }
-    display_.keepCamera();
-    since_ = document_.revision();
-    newPoint_ =
-        std::make_unique<gestures::NewPoint>(document_.ground(), display_.sight(), grasp.handle);
+    if (grasp.what == gestures::Grasp::What::removePoint)
+        return removePoint(grasp.handle);
+    hand_.take(beginGesture(), display_.sight(), grasp, cameraButton(button_), pixels);
     Q_EMIT changed();
 }
 
@@ -120,18 +125,14 @@ bool PictureEditing::press(QMouseEvent& event) {
 }
 
 std::optional<Asked> PictureEditing::asked() const {
-    if (drag_)
-        return Asked{since_, drag_->answer()};
-    if (newPoint_)
-        return Asked{since_, newPoint_->answer()};
-    return std::nullopt;
+    const auto answer = hand_.answer();
+    return answer ? std::optional(Asked{since_, *answer}) : std::nullopt;
 }
 
 bool PictureEditing::letGo() {
     if (!dragging() || document_.mayGoOn(since_))
         return false;
-    drag_.reset();
-    newPoint_.reset();
+    hand_.drop();
     say(SceneDocument::overtaken());
     Q_EMIT changed();
     return true;
@@ -140,14 +141,9 @@ bool PictureEditing::letGo() {
 bool PictureEditing::move(QMouseEvent& event) {
     if (letGo())
         return true;
-    if (newPoint_) {
-        newPoint_->move(display_.inPixels(event.position()));
-        Q_EMIT changed();
-        return true;
-    }
-    if (!drag_ || byKeys_)
-        return drag_ != nullptr;
-    drag_->move(display_.inPixels(event.position()));
+    if (!dragging())
+        return false;
+    hand_.move(display_.inPixels(event.position()));
     Q_EMIT changed();
     return true;
 }
@@ -155,20 +151,20 @@ bool PictureEditing::move(QMouseEvent& event) {
 bool PictureEditing::release(QMouseEvent& event) {
     if (letGo())
         return true;
-    if (newPoint_ && event.button() == button_) {
-        newPoint_->finish();
-        newPoint_.reset();
-        Q_EMIT changed();
-        return true;
-    }
-    if (!drag_ || byKeys_ || event.button() != button_)
-        return drag_ != nullptr;
-    const std::unique_ptr<gestures::HandleDrag> drag = std::move(drag_);
-    drag->finish();
-    Q_EMIT changed();
-    if (drag->moved() && !drag->answer().offers.empty())
-        offerOthers(*drag);
+    if (!dragging())
+        return false;
+    if (const auto gone = hand_.release(cameraButton(event.button())))
+        ended(*gone);
     return true;
+}
+
+// It cannot be so: what could be done instead is offered, or why not is said.
+void PictureEditing::ended(const gestures::Hand::LetGo& gone) {
+    Q_EMIT changed();
+    if (gone.drag && gone.drag->moved() && !gone.drag->answer().offers.empty())
+        offerOthers(*gone.drag);
+    else if (!gone.fault.empty())
+        say(QString::fromStdString(gone.fault));
 }
 
 bool PictureEditing::doubleClick(QMouseEvent& event) {
@@ -179,9 +175,7 @@ bool PictureEditing::doubleClick(QMouseEvent& event) {
     say({});
     if (!mayChange())
         return true;
-    if (drag_)
-        drag_->cancel();
-    drag_.reset();
+    hand_.cancel();
     mark(*handle);
     openEntry();
     return true;
@@ -189,17 +183,12 @@ bool PictureEditing::doubleClick(QMouseEvent& event) {
 
 void PictureEditing::finish() {
     letGo();
-    if (newPoint_) {
-        std::exchange(newPoint_, nullptr)->finish();
+    const bool byKeys = hand_.byKeys();
+    if (const auto gone = hand_.finish()) {
         Q_EMIT changed();
+        if (byKeys)
+            ended(*gone);
     }
-    if (!drag_)
-        return;
-    const std::unique_ptr<gestures::HandleDrag> drag = std::move(drag_);
-    drag->finish();
-    Q_EMIT changed();
-    if (byKeys_ && !drag->answer().offers.empty())
-        offerOthers(*drag);
 }
 
 // It cannot be moved as it stands: what could be done instead, and what would that change?
@@ -241,7 +230,7 @@ void PictureEditing::followSelection() {
     }
     const bool among =
         mark_ && std::ranges::find(selected, gestures::elementOf(handle)) != selected.end();
-    if (!among && !drag_) {
+    if (!among && !hand_.drag()) {
         mark_.reset();
         if (!selected.empty())
             markElement(selected.front());
@@ -299,48 +288,16 @@ void PictureEditing::markNext(int step) {
 bool PictureEditing::dragKey(QKeyEvent& event) {
     if (letGo())
         return true;
-    const double step = keyStep * display_.devicePixelRatioF();
-    switch (event.key()) {
-    case Qt::Key_Escape:
-        drag_->cancel();
-        drag_.reset();
-        break;
-    case Qt::Key_Z:
-    case Qt::Key_X:
-        drag_->push(event.key() == Qt::Key_Z ? step : -step);
-        break;
-    case Qt::Key_A:
-        drag_->setFree(true);
-        break;
-    case Qt::Key_Left:
-        drag_->nudge({-step, 0});
-        break;
-    case Qt::Key_Right:
-        drag_->nudge({step, 0});
-        break;
-    case Qt::Key_Up:
-        drag_->nudge({0, -step});
-        break;
-    case Qt::Key_Down:
-        drag_->nudge({0, step});
-        break;
-    default:
+    const auto key = handKey(event.key());
+    if (!key || !hand_.key(*key, true, display_.devicePixelRatioF()))
         return false;
-    }
     Q_EMIT changed();
     return true;
 }
 
 bool PictureEditing::keyPress(QKeyEvent& event) {
-    if (newPoint_ && event.key() == Qt::Key_Escape) {
-        newPoint_->cancel();
-        newPoint_.reset();
-        Q_EMIT changed();
-    }
-    if (newPoint_)
-        return true;
-    if (drag_)
-        return dragKey(event) || !byKeys_;
+    if (dragging())
+        return dragKey(event) || !hand_.byKeys();
     say({});
     const bool shifted = event.modifiers() == Qt::ShiftModifier;
     if (event.key() == Qt::Key_H && (shifted || event.modifiers() == Qt::NoModifier)) {
@@ -367,18 +324,19 @@ bool PictureEditing::keyPress(QKeyEvent& event) {
         key == Qt::Key_Left || key == Qt::Key_Right || key == Qt::Key_Up || key == Qt::Key_Down;
     if (!(shifted && arrow) && key != Qt::Key_Z && key != Qt::Key_X)
         return false;
-    begin(*handle, std::nullopt);
+    mark(*handle);
+    hand_.takeByKeys(beginGesture(), display_.sight(), *handle);
     return dragKey(event);
 }
 
 void PictureEditing::keyRelease(QKeyEvent& event) {
-    if (!drag_ || event.isAutoRepeat())
+    if (!hand_.drag() || event.isAutoRepeat())
         return;
     if (event.key() == Qt::Key_A)
-        drag_->setFree(false);
+        hand_.key(gestures::Hand::Key::free, false, 1);
     const bool pushing = (event.key() == Qt::Key_Z || event.key() == Qt::Key_X) &&
                          !(event.modifiers() & Qt::ShiftModifier);
-    if (byKeys_ && (event.key() == Qt::Key_Shift || pushing))
+    if (hand_.byKeys() && (event.key() == Qt::Key_Shift || pushing))
         finish();
 }
 
@@ -420,20 +378,14 @@ void PictureEditing::take(const text::Edits& edits, const QString& label) {
     Q_EMIT changed();
 }
 
-// The last but one goes with the whole trajectory: false, nothing was done.
-bool PictureEditing::removePoint(const render::Handle& handle) {
-    const editing::TrajectoryEdits edits(document_.text(), document_.shown().scene, handle.element);
-    const std::size_t point = gestures::pointOf(edits, handle);
-    const editing::Answer answer = edits.remove(point);
-    const auto onCurve =
-        std::ranges::count_if(edits.points(), [](const auto& one) { return one.onCurve; });
-    if (answer.possible())
-        take(answer.edits, tr("Remove a point"));
-    else if (edits.points()[point].onCurve && onCurve <= 2)
-        return false;
+void PictureEditing::removePoint(const render::Handle& handle) {
+    const gestures::Removal removal = gestures::removalOf(document_.ground(), handle);
+    if (!removal.possible())
+        say(QString::fromStdString(removal.reason));
+    else if (removal.isWhole)
+        remove({gestures::elementOf(handle)});
     else
-        say(QString::fromStdString(answer.reason));
-    return true;
+        take(removal.edits, tr("Remove a point"));
 }
 
 void PictureEditing::deleteMarked() {
@@ -443,9 +395,8 @@ void PictureEditing::deleteMarked() {
     if (!mayChange())
         return;
     const editing::Element element = gestures::elementOf(*handle);
-    const bool onPath = handle->kind == render::HandleKind::trajectoryPoint;
-    if (onPath && removePoint(*handle))
-        return;
+    if (handle->kind == render::HandleKind::trajectoryPoint)
+        return removePoint(*handle);
     std::vector<editing::Element> elements = document_.selected();
     if (std::ranges::find(elements, element) == elements.end())
         elements = {element};

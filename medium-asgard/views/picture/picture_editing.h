@@ -9,9 +9,7 @@
 // link is dragged, `a` frees it from its body's surface. Escape gives the old text back.
 #pragma once
 
-#include "gestures/grasp.h"
-#include "gestures/handle_drag.h"
-#include "gestures/new_point.h"
+#include "gestures/hand.h"
 #include "picture/value_entry.h"
 
 #include <QObject>
@@ -43,7 +41,7 @@ public:
     void finish(); // what is dragged stays where it is
 
     void paint(QPainter& painter) const;
-    [[nodiscard]] bool dragging() const { return drag_ || newPoint_; }
+    [[nodiscard]] bool dragging() const { return hand_.active(); }
     [[nodiscard]] std::optional<Asked> asked() const; // by what is dragged
     // The words of a drag, "" when there is none.
     [[nodiscard]] QString words() const;
@@ -77,11 +75,12 @@ Q_SIGNALS:
 private:
     void openEntry(AskedValue asked, const geometry::Vector& place);
     bool openBodyAt(const QPointF& position); // false: there is none
-    void begin(const render::Handle& handle, const std::optional<Eigen::Vector2d>& pixels);
+    gestures::Ground beginGesture();
+    void ended(const gestures::Hand::LetGo& gone);
     // The text was changed elsewhere, and what is dragged is let go.
     bool letGo();
     void take(const gestures::Grasp& grasp, const Eigen::Vector2d& pixels);
-    bool removePoint(const render::Handle& handle);
+    void removePoint(const render::Handle& handle);
     void take(const text::Edits& edits, const QString& label);
     void followSelection();
     [[nodiscard]] std::optional<render::Handle> positionOf(std::size_t body) const;
@@ -105,13 +104,11 @@ private:
 
     SceneDocument& document_;
     SceneDisplay& display_;
-    std::unique_ptr<gestures::HandleDrag> drag_;
-    std::unique_ptr<gestures::NewPoint> newPoint_;
+    gestures::Hand hand_;
     QString said_;
     bool saidFault_ = false;
     std::optional<editing::Element> expected_; // of a scene yet to be read
     std::function<bool(const QString&)> confirm_;
-    bool byKeys_ = false;
     int since_ = 0; // the revision that a drag began at
     Qt::MouseButton button_ = Qt::NoButton;
     std::optional<Mark> mark_;

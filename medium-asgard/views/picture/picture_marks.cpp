@@ -14,11 +14,7 @@ QColor toColor(const scene::Color& c) { return QColor::fromRgbF(c.red, c.green, 
 
 } // namespace
 
-QString PictureEditing::words() const {
-    return QString::fromStdString(drag_       ? drag_->words()
-                                  : newPoint_ ? newPoint_->words()
-                                              : std::string());
-}
+QString PictureEditing::words() const { return QString::fromStdString(hand_.words()); }
 
 // A dashed frame about each body that is selected, a ring about the handles of the others.
 void PictureEditing::paintSelection(QPainter& painter) const {
@@ -132,20 +128,22 @@ void PictureEditing::paint(QPainter& painter) const {
     paintStale(painter);
     paintSelection(painter);
     paintLabels(painter);
-    const bool possible = !drag_ || drag_->answer().possible();
+    const auto answer = hand_.answer();
+    const bool possible = !answer || answer->possible();
+    const gestures::HandleDrag* drag = hand_.drag();
     const auto handle = marked();
-    if (drag_ || (handle && display_.hasFocus())) {
-        const Vector place = drag_ ? drag_->place() : handle->place;
+    if (drag || (handle && display_.hasFocus())) {
+        const Vector place = drag ? drag->place() : handle->place;
         painter.setPen(QPen(possible ? QColor(20, 90, 200) : QColor(190, 40, 30), 2));
         painter.setBrush(Qt::NoBrush);
         painter.drawEllipse(display_.fromPixels(display_.sight().pixels(place)), 11, 11);
     }
-    if (newPoint_) {
+    if (const gestures::NewPoint* point = hand_.newPoint()) {
         painter.setPen(QPen(QColor(20, 90, 200), 2));
-        painter.drawEllipse(display_.fromPixels(display_.sight().pixels(newPoint_->place())), 8, 8);
+        painter.drawEllipse(display_.fromPixels(display_.sight().pixels(point->place())), 8, 8);
     }
     if (dragging())
-        paintWords(painter, words(), possible && (drag_ || newPoint_->answer().possible()));
+        paintWords(painter, words(), possible);
     else if (!said_.isEmpty())
         paintWords(painter, said_, !saidFault_);
     else
