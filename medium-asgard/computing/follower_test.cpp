@@ -120,6 +120,7 @@ TEST_F(FollowerTest, ADraggedSceneIsShownAtOnceAndItsMotionFollows) {
     held = true;
     follower.follow("2", {.gesture = true}, moment);
     until([this] { return motions == 2; });
+    update(); // it is read
     moment += quick;
     update();
     EXPECT_TRUE(follower.isCurrent());

@@ -122,7 +122,7 @@ TEST(Gestures, ADragIsPreviewsAndOneTextWithALabel) {
     EXPECT_EQ(stage.text(), ball + "body b1 ball -init_pos {0.5   0.25 0} ;# left\n");
     EXPECT_EQ(stage.previews.size(), 2U);
     EXPECT_EQ(stage.labels, std::vector<std::string>{"Move b1"});
-    EXPECT_EQ(stage.words, "b1: position 0.500 0.250 0.000");
+    EXPECT_EQ(stage.words, "b1: position 0.500 0.250 0.000; moved 1.521");
 }
 
 TEST(Gestures, WhatAnExpressionMakesStaysAndSaysWhy) {
@@ -186,7 +186,7 @@ TEST(Gestures, ThePointOfAJointMovesOnBothOfItsBodies) {
                 "joint p -type hinge -body1 b1 -offset1 {0.5 0 0} -body2 b2 -offset2 {0 0.5 0}\n");
     stage.drag(stage.handle(HandleKind::jointPoint), {0.5, 0.25, 0});
     EXPECT_THAT(stage.text(), HasSubstr("-offset1 {0.5 0.25 0} -body2 b2 -offset2 {0.25 0.5 0}\n"));
-    EXPECT_EQ(stage.words, "p: point 0.500 0.250 0.000");
+    EXPECT_EQ(stage.words, "p: point 0.500 0.250 0.000; moved 0.25");
     EXPECT_EQ(stage.labels, std::vector<std::string>{"Change the point of p"});
     // Without -offset2 it is where offset1 stands.
     stage.read(ball + "body b1 ball\njoint p -type ball -body1 b1\n");

@@ -15,7 +15,7 @@ constexpr double keyStep = 6; // pixels of the reader, for a press of a key
 } // namespace
 
 void Hand::take(Ground ground, const Sight& sight, const Grasp& grasp, Button button,
-                const Eigen::Vector2d& pixels) {
+                const Eigen::Vector2d& pixels, double scale) {
     button_ = button;
     if (grasp.what == Grasp::What::newPoint) {
         newPoint_ = std::make_unique<NewPoint>(std::move(ground), sight, grasp.handle);
@@ -24,6 +24,8 @@ void Hand::take(Ground ground, const Sight& sight, const Grasp& grasp, Button bu
     drag_ = std::make_unique<HandleDrag>(std::move(ground), sight, grasp.handle, pixels);
     if (grasp.what == Grasp::What::roll)
         drag_->setRolls();
+    else
+        drag_->setSnaps(scale);
 }
 
 void Hand::takeByKeys(Ground ground, const Sight& sight, const render::Handle& handle) {
@@ -41,11 +43,13 @@ std::string Hand::words() const {
     return drag_ ? drag_->words() : newPoint_ ? newPoint_->words() : std::string();
 }
 
-void Hand::move(const Eigen::Vector2d& pixels) {
+void Hand::move(const Eigen::Vector2d& pixels, bool holdsOff) {
     if (newPoint_)
-        newPoint_->move(pixels);
-    else if (drag_ && button_)
-        drag_->move(pixels);
+        return newPoint_->move(pixels);
+    if (!drag_ || !button_)
+        return;
+    drag_->holdSnapsOff(holdsOff);
+    drag_->move(pixels);
 }
 
 bool Hand::key(Key key, bool pressed, double scale) {

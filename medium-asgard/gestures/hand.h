@@ -20,9 +20,10 @@ public:
     using Button = render::CameraControl::Button;
     enum class Key { away, nearer, free, left, right, up, down, escape };
 
-    // What the grasp says, but for the removal of a point: see removalOf().
+    // What the grasp says, but for the removal of a point: see removalOf(). `scale`: device pixels
+    // for each of the reader's.
     void take(Ground ground, const Sight& sight, const Grasp& grasp, Button button,
-              const Eigen::Vector2d& pixels);
+              const Eigen::Vector2d& pixels, double scale);
     void takeByKeys(Ground ground, const Sight& sight, const render::Handle& handle);
 
     [[nodiscard]] bool active() const { return drag_ || newPoint_; }
@@ -32,7 +33,8 @@ public:
     [[nodiscard]] std::optional<editing::Answer> answer() const;
     [[nodiscard]] std::string words() const; // "" when nothing is held
 
-    void move(const Eigen::Vector2d& pixels); // of the pointer; the keys do not follow it
+    // Of the pointer; the keys do not follow it. `holdsOff`: things nearby do not draw it to them.
+    void move(const Eigen::Vector2d& pixels, bool holdsOff = false);
     // `scale`: device pixels for each of the reader's. False: nothing is held by it.
     bool key(Key key, bool pressed, double scale);
 

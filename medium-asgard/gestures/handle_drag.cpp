@@ -12,6 +12,14 @@ namespace gestures {
 
 using geometry::Vector;
 
+namespace {
+
+std::string distanceText(double distance, double resolution) {
+    return editing::numberText(distance, editing::decimalStep(resolution));
+}
+
+} // namespace
+
 HandleDrag::HandleDrag(Ground ground, const Sight& sight, const render::Handle& handle,
                        const std::optional<Eigen::Vector2d>& pixels)
     : ground_(std::move(ground)),
@@ -100,18 +108,48 @@ Vector HandleDrag::rolled() const {
 
 void HandleDrag::setRolls() { rollsFrom_ = held_.x(); }
 
-Vector HandleDrag::wanted() const {
+bool HandleDrag::isPlace() const {
+    using render::HandleKind;
+    return handle_.kind == HandleKind::position || handle_.kind == HandleKind::linkEnd ||
+           handle_.kind == HandleKind::jointPoint || handle_.kind == HandleKind::lightPlace ||
+           handle_.kind == HandleKind::trajectoryPoint;
+}
+
+void HandleDrag::setSnaps(double scale) {
+    if (!isPlace())
+        return;
+    render::Drawing drawing;
+    drawing.scene = ground_.scene.get();
+    drawing.motion = ground_.motion;
+    drawing.time = ground_.motion ? ground_.motion->start() : ground_.scene->simulator.start;
+    const bool isBody = handle_.kind == render::HandleKind::position;
+    snapping_.emplace(drawing, sight_, scale,
+                      isBody ? std::optional(handle_.element) : std::nullopt);
+}
+
+// What is drawn to a thing is written so finely that it meets it.
+double HandleDrag::resolution() const {
+    return snapped_.isExact ? 0.01 * pixelLength_ : pixelLength_;
+}
+
+Vector HandleDrag::wanted() {
+    snapped_.isExact = false;
+    snapped_.to.clear();
     if (rollsFrom_)
         return rolled();
     if (handle_.kind == render::HandleKind::orientation)
         return onSphere();
     if (follows_ && !free_) // beside the body it waits where it was
         return onSurface().value_or(place_);
-    return sight_.beside(held_ + grip_, plane_);
+    const Vector free = sight_.beside(held_ + grip_, plane_);
+    if (!snapping_ || snapsHeldOff_)
+        return free;
+    snapped_ = snapping_->at(free, handle_.place);
+    return snapped_.place;
 }
 
 std::vector<editing::Wish> HandleDrag::wishes() const {
-    return wishesFor(*ground_.scene, handle_, place_, pixelLength_, quaternion_);
+    return wishesFor(*ground_.scene, handle_, place_, resolution(), quaternion_);
 }
 
 // What it asks of the text. A point that ends one curve and begins the next moves in both.
@@ -191,7 +229,11 @@ std::string HandleDrag::words() const {
     if (!answer_.possible())
         return answer_.reason;
     return subjectOf(*ground_.scene, handle_) + ": " + quantityOf(*ground_.scene, handle_) + " " +
-           valuesOf(wishes()) + (follows_ && !free_ ? ", on the surface; a takes it off" : "");
+           valuesOf(wishes()) + (follows_ && !free_ ? ", on the surface; a takes it off" : "") +
+           (snapped_.to.empty() ? "" : ", at " + snapped_.to + "; Ctrl takes it off") +
+           (isPlace() && moved_
+                ? "; moved " + distanceText((place_ - handle_.place).norm(), pixelLength_)
+                : "");
 }
 
 } // namespace gestures

@@ -11,7 +11,7 @@
 #include "editing/trajectory_edit.h"
 #include "editing/value_edit.h"
 #include "gestures/ground.h"
-#include "gestures/picking.h"
+#include "gestures/snapping.h"
 
 #include <optional>
 #include <string>
@@ -30,6 +30,10 @@ public:
     void nudge(const Eigen::Vector2d& byPixels);
     void push(double pixels); // away from the viewer, as far as so many pixels across
     void setFree(bool free);  // does not follow the surface
+    // A place is drawn to things and round numbers nearby (snapping.h), unless that is held off.
+    // `scale`: device pixels for each of the reader's.
+    void setSnaps(double scale);
+    void holdSnapsOff(bool off) { snapsHeldOff_ = off; }
     void setRolls(); // an orientation, about the line of sight, as far as one goes sideways
     void finish();   // the change becomes a step of undo
     void cancel();   // the text is as it was
@@ -47,7 +51,9 @@ public:
     [[nodiscard]] std::vector<editing::Wish> wishes() const; // of where it is
 
 private:
-    [[nodiscard]] geometry::Vector wanted() const;
+    [[nodiscard]] geometry::Vector wanted();
+    [[nodiscard]] bool isPlace() const; // of a thing, which others may meet
+    [[nodiscard]] double resolution() const;
     [[nodiscard]] geometry::Vector onSphere() const;
     [[nodiscard]] geometry::Vector rolled() const;
     [[nodiscard]] std::optional<geometry::Vector> onSurface() const;
@@ -68,6 +74,9 @@ private:
     ShapePointer surface_;
     bool follows_ = false, free_ = false;
     std::optional<double> rollsFrom_; // pixels, of where it was pressed
+    std::optional<Snapping> snapping_;
+    bool snapsHeldOff_ = false;
+    Snapped snapped_; // of the last move
     editing::Answer answer_;
 };
 

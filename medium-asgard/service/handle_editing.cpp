@@ -57,7 +57,7 @@ bool HandleEditing::press(gestures::Ground ground, const render::Drawing& drawin
         remove(ground, grasp->handle);
         return true;
     }
-    hand_.take(std::move(ground), sight, *grasp, button, pixels);
+    hand_.take(std::move(ground), sight, *grasp, button, pixels, scale);
     say(hand_.words());
     return true;
 }
@@ -78,8 +78,8 @@ void HandleEditing::remove(const gestures::Ground& ground, const render::Handle&
     say(words + ": a graphical viewer deletes them together.");
 }
 
-void HandleEditing::move(const Eigen::Vector2d& pixels) {
-    hand_.move(pixels);
+void HandleEditing::move(const Eigen::Vector2d& pixels, bool holdsOff) {
+    hand_.move(pixels, holdsOff);
     say(active() ? hand_.words() : words_);
 }
 

@@ -18,7 +18,8 @@ public:
     // False: nothing is there to take hold of. `scale`: device pixels for each of the reader's.
     bool press(gestures::Ground ground, const render::Drawing& drawing, render::Size size,
                double scale, render::CameraControl::Button button, const Eigen::Vector2d& pixels);
-    void move(const Eigen::Vector2d& pixels);
+    // `holdsOff`: things nearby do not draw it to them.
+    void move(const Eigen::Vector2d& pixels, bool holdsOff = false);
     void release(render::CameraControl::Button button); // the change becomes one of the document
     bool key(const std::string& name, bool pressed);    // false: not theirs
     void finish();

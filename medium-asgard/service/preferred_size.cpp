@@ -8,7 +8,7 @@
 namespace service {
 namespace {
 
-constexpr double widest = 480, narrowest = 120;
+constexpr double widestPicture = 480, narrowestPicture = 120;
 constexpr double usualAspect = 4.0 / 3, flattest = 2.2, steepest = 0.9; // width over height
 
 // Distance of the farthest point of a shape from its origin.
@@ -55,10 +55,10 @@ ipc::PreferredSize preferredSize(const scene::Scene* scene, const simulation::Mo
     // Between the usual shape of a picture and that of what it shows.
     const double shape = scene ? std::sqrt(aspect(*scene, motion) * usualAspect) : usualAspect;
     const double ratio = std::clamp(shape, steepest, flattest);
-    double width = std::clamp(availableWidth, narrowest, widest);
+    double width = std::clamp(availableWidth, narrowestPicture, widestPicture);
     double height = width / ratio;
     if (availableHeight && height > *availableHeight) {
-        height = std::max(*availableHeight, narrowest / ratio);
+        height = std::max(*availableHeight, narrowestPicture / ratio);
         width = height * ratio;
     }
     return {std::round(width), std::round(height)};

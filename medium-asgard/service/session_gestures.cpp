@@ -37,22 +37,23 @@ bool Session::edit(Rendition& rendition, const ipc::Input& input) {
     using ipc::InputType;
     const Eigen::Vector2d pixels(input.x, input.y);
     const auto button = buttonOf(input.button);
+    const auto with = [&](ipc::Modifier key) {
+        return std::ranges::find(input.modifiers, key) != input.modifiers.end();
+    };
     if (gesture_.handles.active()) {
         if (input.rendition != gesture_.in)
             return false;
         if (input.type == InputType::move)
-            gesture_.handles.move(pixels);
+            gesture_.handles.move(pixels, with(ipc::Modifier::control));
         else if (input.type == InputType::release && button)
             gesture_.handles.release(*button);
         else if (input.type == InputType::focusOut)
             gesture_.handles.finish();
         return input.type != InputType::wheel;
     }
-    const bool shifted =
-        std::ranges::find(input.modifiers, ipc::Modifier::shift) != input.modifiers.end();
     // What is held must be what the text says, and nothing else be on its way to the host.
-    if (input.type != InputType::press || !button || !shifted || !subdocument_.scene() ||
-        !subdocument_.upToDate() || subdocument_.previewing())
+    if (input.type != InputType::press || !button || !with(ipc::Modifier::shift) ||
+        !subdocument_.scene() || !subdocument_.upToDate() || subdocument_.previewing())
         return false;
     shown_.time = subdocument_.playback.time(at_.now);
     rendition.see(drawnScene(), subdocument_.motion(), subdocument_.viewGeneration());

@@ -66,21 +66,23 @@ void fillBodies(QMenu* menu, SceneDocument& document, SceneDisplay& display) {
                     [&display] { display.creating().start(newBody(BasicShape::box)); });
     const std::pair<QString, const char*> round[] = {{QObject::tr("New &Wheel"), "Wheel"},
                                                      {QObject::tr("New &Capsule"), "Capsule"},
-                                                     {QObject::tr("New C&one"), "Cone"},
-                                                     {QObject::tr("New &Floor"), "Floor"}};
+                                                     {QObject::tr("New C&one"), "Cone"}};
     for (const auto& [label, name] : round)
         menu->addAction(plain::ours(label), &display,
                         [&display, &shape = editing::libraryShape(name)] {
                             display.creating().start(newBody(shape));
                         });
+    menu->addAction(plain::ours(QObject::tr("New &Floor Below All")), &display,
+                    [&display] { display.creating().start(newFloor()); });
     QMenu* library = menu->addMenu(QObject::tr("New from the &Library"));
     for (const editing::LibraryShape& shape : editing::shapeLibrary())
         library->addAction(plain::caption(QString::fromStdString(shape.name)), &display,
                            [&display, &shape] { display.creating().start(newBody(shape)); });
     menu->addSeparator(); // what grows stands below: the rest stays where the hand knows it
     for (const scene::ShapeSet& set : document.shown().scene->shapeSets)
-        menu->addAction(plain::caption(QString::fromStdString(set.name)), &display,
-                        [&display, name = set.name] { display.creating().start(newBody(name)); });
+        menu->addAction(
+            plain::caption(QString::fromStdString(set.name)), &display,
+            [&display, set] { display.creating().start(newBody(set.name, set.parts)); });
 }
 
 } // namespace
@@ -145,6 +147,8 @@ void buildCreateMenu(QMenu* menu, SceneDocument& document, SceneDisplay& display
     QMenu* lights = menu->addMenu(QObject::tr("Light &Source"));
     add(lights, QObject::tr("&Directional"), [] { return newLight(false); });
     add(lights, QObject::tr("&Point"), [] { return newLight(true); });
+    menu->addSeparator();
+    add(menu, QObject::tr("&Measure a Distance"), measure);
     menu->addSeparator();
     add(menu, QObject::tr("Tra&jectory"), newTrajectory);
     add(menu, QObject::tr("&Attach Trajectory"), attachTrajectory);

@@ -1,9 +1,15 @@
 #include "picture/creating.h"
 
+#include "editing/number_text.h"
+#include "gestures/snapping.h"
+#include "gestures/wireframe.h"
+#include "picture/recipe_words.h"
 #include "picture/scene_display.h"
+#include "script/numbers.h"
 
 #include <QKeyEvent>
 #include <QPainter>
+#include <QRegularExpression>
 
 #include <algorithm>
 
@@ -12,6 +18,21 @@ namespace views {
 namespace {
 
 constexpr double clickReach = 12; // pixels
+
+// A new body falls as all others do, if they do.
+void addWeightAsOthersHaveIt(std::vector<editing::NewElement>& made, const scene::Scene& scene) {
+    const editing::NewElement& body = made.back();
+    const auto& words = body.words;
+    if (body.kind != editing::Kind::body || std::ranges::find(words, "-fixed") != words.end())
+        return;
+    const auto acceleration = commonGravity(scene);
+    if (!acceleration)
+        return;
+    made.push_back({editing::Kind::force,
+                    "",
+                    {"-body", body.name, "-gravitational", listed(*acceleration, 0)},
+                    {}});
+}
 
 } // namespace
 
@@ -73,6 +94,8 @@ void Creating::cancel() {
     next_.reset();
     fault_.clear();
     cross_.reset();
+    typed_.clear();
+    near_.reset();
     Q_EMIT changed();
 }
 
@@ -91,14 +114,8 @@ std::optional<Indicated> Creating::indicated(const QPointF& position) {
     }
     if (step().wanted == Wanted::hold)
         return held(pixels);
-    if (step().wanted == Wanted::point) {
-        const Vector depth =
-            shown_.empty() || !shown_.back().given ? sight.camera.center : shown_.back().point;
-        found.point = sight.beside(pixels, depth);
-        found.resolution = sight.pixelLength(found.point);
-        found.sight = sight.camera.rotation.conjugate() * Vector::UnitZ();
-        return found;
-    }
+    if (step().wanted == Wanted::point)
+        return pointAt(pixels);
     const auto picked = gestures::bodyAt(drawing, sight, pixels);
     if (!picked) {
         fault_ = tr("There is no body.");
@@ -109,6 +126,82 @@ std::optional<Indicated> Creating::indicated(const QPointF& position) {
                             0.7 * clickReach * display_.devicePixelRatioF())
         return center;
     return onBody(picked->body, step().deep ? sight.beside(pixels, center.point) : picked->point);
+}
+
+const gestures::Snapping& Creating::snapping() {
+    const Shown& shown = document_.shown();
+    const gestures::Sight sight = display_.sight();
+    const auto same = [](const render::Camera& a, const render::Camera& b) {
+        return a.center == b.center && a.rotation.coeffs() == b.rotation.coeffs() &&
+               a.scale == b.scale && a.position == b.position;
+    };
+    if (!near_ || near_->of.scene != shown.scene || near_->of.motion != shown.motion ||
+        near_->time != display_.time() || near_->sight.size != sight.size ||
+        !same(near_->sight.camera, sight.camera))
+        near_.emplace(
+            Near{shown, display_.time(), sight,
+                 gestures::Snapping(display_.drawing(), sight, display_.devicePixelRatioF())});
+    return near_->snapping;
+}
+
+Indicated Creating::pointAt(const Eigen::Vector2d& pixels) {
+    const gestures::Sight sight = display_.sight();
+    const render::Drawing drawing = display_.drawing();
+    const Vector depth =
+        shown_.empty() || !shown_.back().given ? sight.camera.center : shown_.back().point;
+    Indicated found;
+    found.given = true;
+    found.point = sight.beside(pixels, depth);
+    found.resolution = sight.pixelLength(found.point);
+    found.sight = sight.camera.rotation.conjugate() * Vector::UnitZ();
+    const auto surface = step().surface ? gestures::bodyAt(drawing, sight, pixels) : std::nullopt;
+    if (surface)
+        found.point = surface->point;
+    if (!step().snaps || holdsOff_)
+        return found;
+    const gestures::Snapped meant = snapping().at(found.point);
+    if (surface && !meant.isExact)
+        return found;
+    found.point = meant.place;
+    found.at = meant.to;
+    if (meant.isExact)
+        found.resolution *= 0.01; // so that it meets the thing
+    return found;
+}
+
+// Numbers that are not typed are 0. None: it is no place.
+std::optional<Indicated> Creating::typed() const {
+    const QStringList words =
+        typed_.split(QRegularExpression(QStringLiteral("[\\s,;]+")), Qt::SkipEmptyParts);
+    if (words.isEmpty() || words.size() > 3)
+        return std::nullopt;
+    Indicated found;
+    found.given = true;
+    found.sight = display_.sight().camera.rotation.conjugate() * Vector::UnitZ();
+    for (qsizetype i = 0; i < words.size(); ++i) {
+        const auto number = script::decimalNumber(words[i].toStdString());
+        if (!number)
+            return std::nullopt;
+        found.point[i] = *number;
+    }
+    return found;
+}
+
+bool Creating::type(const QKeyEvent& event) {
+    if (step().wanted != Wanted::point || event.modifiers() & Qt::ControlModifier)
+        return false;
+    static const QString letters = QStringLiteral("0123456789.-+eE,; ");
+    if (event.key() == Qt::Key_Backspace)
+        typed_.chop(1);
+    else if (event.text().size() == 1 && letters.contains(event.text()) &&
+             !(typed_.isEmpty() && event.text() == QLatin1String(" ")))
+        typed_ += event.text();
+    else
+        return false;
+    fault_.clear();
+    next_ = typed();
+    Q_EMIT changed();
+    return true;
 }
 
 // A point of the world on a body; one that is meant to be deep lies on the body's axes if near.
@@ -167,10 +260,13 @@ Indicated Creating::held(const Eigen::Vector2d& pixels) const {
     return found;
 }
 
-void Creating::hover(const QPointF& position) {
+void Creating::hover(const QPointF& position, bool holdsOff) {
     const QString fault = fault_;
-    next_ = active() && !shown_.empty() && step().wanted == Wanted::hold ? indicated(position)
-                                                                         : std::nullopt;
+    holdsOff_ = holdsOff;
+    const bool shows = active() && !recipe_->steps.empty() &&
+                       ((step().wanted == Wanted::hold && !shown_.empty()) || step().snaps);
+    if (typed_.isEmpty())
+        next_ = shows ? indicated(position) : std::nullopt;
     fault_ = fault;
     if (active())
         Q_EMIT changed();
@@ -192,8 +288,9 @@ Indicated Creating::centerOf(std::size_t body) const {
     return center;
 }
 
-void Creating::click(const QPointF& position) {
+void Creating::click(const QPointF& position, bool holdsOff) {
     fault_.clear();
+    holdsOff_ = holdsOff;
     if (const auto found = indicated(position))
         take(*found);
     Q_EMIT changed();
@@ -202,6 +299,7 @@ void Creating::click(const QPointF& position) {
 void Creating::take(const Indicated& found) {
     const bool repeats = step().repeats;
     next_.reset();
+    typed_.clear();
     shown_.push_back(found);
     if (!repeats && shown_.size() == recipe_->steps.size())
         finish();
@@ -209,6 +307,14 @@ void Creating::take(const Indicated& found) {
 
 void Creating::otherwise() {
     fault_.clear();
+    if (!typed_.isEmpty()) {
+        if (const auto place = typed())
+            take(*place);
+        else
+            fault_ = tr("\"%1\" is no place: numbers for x, y and z are.").arg(typed_);
+        Q_EMIT changed();
+        return;
+    }
     if (step().repeats)
         return finish();
     if (step().offered)
@@ -223,8 +329,11 @@ void Creating::otherwise() {
 void Creating::finish() {
     const Recipe recipe = *recipe_;
     const scene::Scene& scene = *document_.shown().scene;
-    const auto made = recipe.make(document_.text(), scene, shown_);
+    auto made = recipe.make(document_.text(), scene, shown_);
+    const QString answer = recipe.tells ? recipe.tells(shown_) : QString();
     cancel();
+    if (!answer.isEmpty())
+        Q_EMIT told(answer);
     if (made.empty()) {
         if (!recipe.otherwise.isEmpty())
             Q_EMIT refused(recipe.otherwise);
@@ -234,6 +343,7 @@ void Creating::finish() {
     std::size_t count = 0;
     while (editing::sourceOf(scene, {kind, count}))
         ++count;
+    addWeightAsOthersHaveIt(made, scene);
     const auto edits = editing::created(document_.text(), scene, made);
     // LIMIT: a new element that is not the last of its kind is not the one that is marked.
     Q_EMIT created({kind, count}, recipe.handles);
@@ -250,6 +360,8 @@ bool Creating::key(const QKeyEvent& event) {
                          std::clamp(now.y() + y, 0.0, display_.height() - 1.0));
         Q_EMIT changed();
     };
+    if (type(event))
+        return true;
     switch (event.key()) {
     case Qt::Key_Escape:
         cancel();
@@ -288,7 +400,53 @@ QString Creating::prompt() const {
     QString text = tr("%1: %2").arg(recipe_->label, step().prompt);
     if (!step().otherwise.isEmpty())
         text += " " + step().otherwise;
+    if (!typed_.isEmpty())
+        text = tr("%1: x y z = %2_  Return takes it.").arg(recipe_->label, typed_);
     return fault_.isEmpty() ? text : fault_ + " " + text;
+}
+
+// The thing as it would be, and a ring where it was drawn to another one.
+void Creating::paintGhost(QPainter& painter, const Indicated& next) const {
+    const gestures::Sight sight = display_.sight();
+    painter.setPen(QPen(QColor(20, 90, 200, 170), 1.5));
+    painter.setBrush(Qt::NoBrush);
+    for (const auto& line : gestures::wireframeOf(recipe_->ghost)) {
+        QPolygonF drawn;
+        for (const Vector& point : line)
+            drawn.append(display_.fromPixels(sight.pixels(next.point + point)));
+        painter.drawPolyline(drawn);
+    }
+    painter.setPen(QPen(QColor(20, 90, 200), 2));
+    const QPointF place = display_.fromPixels(sight.pixels(next.point));
+    painter.drawEllipse(place, 2, 2);
+    if (!next.at.empty())
+        painter.drawEllipse(place, 7, 7);
+    painter.setBrush(QColor(255, 255, 255, 200));
+}
+
+void Creating::paintWords(QPainter& painter, const QPointF& place, const QString& words) const {
+    const QRectF box = painter.boundingRect(QRectF(place + QPointF(12, -22), QSizeF(1, 1)),
+                                            Qt::AlignLeft | Qt::TextDontClip, words);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(255, 255, 255, 200));
+    painter.drawRoundedRect(box.adjusted(-3, -1, 3, 1), 3, 3);
+    painter.setPen(QColor(20, 90, 200));
+    painter.drawText(box, Qt::AlignLeft | Qt::TextDontClip, words);
+    painter.setPen(QPen(QColor(20, 90, 200), 2));
+}
+
+// "0.5 1 0, a corner of b1; 1.12 from the point before"
+QString Creating::wordsOf(const Indicated& next) const {
+    const std::string place = listed(next.point, next.resolution);
+    QString words = QString::fromStdString(place.substr(1, place.size() - 2));
+    if (!next.at.empty())
+        words += ", " + QString::fromStdString(next.at);
+    if (!shown_.empty() && shown_.back().given)
+        words += tr("; %1 from the point before")
+                     .arg(QString::fromStdString(
+                         editing::numberText((next.point - shown_.back().point).norm(),
+                                             editing::decimalStep(next.resolution))));
+    return words;
 }
 
 void Creating::paint(QPainter& painter) const {
@@ -307,7 +465,14 @@ void Creating::paint(QPainter& painter) const {
             painter.drawLine(at(shown_[i - 1]), at(shown_[i]));
         painter.drawEllipse(at(shown_[i]), 4, 4);
     }
-    if (next_) { // as it would be
+    if (next_ && step().wanted == Wanted::point) {
+        if (!shown_.empty() && shown_.back().given) {
+            painter.setPen(QPen(QColor(20, 90, 200), 2, Qt::DashLine));
+            painter.drawLine(at(shown_.back()), at(*next_));
+        }
+        paintGhost(painter, *next_);
+        paintWords(painter, at(*next_), wordsOf(*next_));
+    } else if (next_) { // as it would be
         const QPointF place = at(*next_);
         painter.setPen(QPen(QColor(20, 90, 200), 2, Qt::DashLine));
         painter.drawLine(at(shown_.front()), place);
@@ -317,13 +482,7 @@ void Creating::paint(QPainter& painter) const {
         const auto& bodies = document_.shown().scene->bodies;
         const QString other =
             next_->body ? QString::fromStdString(bodies[*next_->body].name) : tr("the ground");
-        const QRectF words = painter.boundingRect(QRectF(place + QPointF(12, -22), QSizeF(1, 1)),
-                                                  Qt::AlignLeft | Qt::TextDontClip, other);
-        painter.setPen(Qt::NoPen);
-        painter.drawRoundedRect(words.adjusted(-3, -1, 3, 1), 3, 3);
-        painter.setPen(QColor(20, 90, 200));
-        painter.drawText(words, Qt::AlignLeft | Qt::TextDontClip, other);
-        painter.setPen(QPen(QColor(20, 90, 200), 2));
+        paintWords(painter, place, other);
     }
     if (cross_) {
         painter.drawLine(*cross_ - QPointF(9, 0), *cross_ + QPointF(9, 0));

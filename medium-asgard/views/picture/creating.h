@@ -4,10 +4,12 @@
 // A click is the left button, shifted or not, let go where it was pressed; dragging turns the view
 // meanwhile, so that what is to be clicked on can be brought to the front. With the keys: the
 // arrows move a cross through the picture, Return takes what is under it - or, before it was moved,
-// what the step offers instead. Escape gives up.
+// what the step offers instead. Where a place is asked for, its numbers may be typed. Escape gives
+// up. Until the click the new thing is outlined where it would be, drawn to things and round
+// numbers nearby (gestures/snapping.h) unless Ctrl is held.
 #pragma once
 
-#include "gestures/picking.h"
+#include "gestures/snapping.h"
 #include "picture/recipes.h"
 #include "workbench/scene_document.h"
 
@@ -29,9 +31,10 @@ public:
     void start(Recipe recipe);
     [[nodiscard]] bool active() const { return recipe_.has_value(); }
     void cancel();
-    void click(const QPointF& position);
-    void hover(const QPointF& position); // shows what a click there would make
-    bool key(const QKeyEvent& event);    // false: not theirs
+    void click(const QPointF& position, bool holdsOff = false);
+    // Shows what a click there would make. `holdsOff`: things nearby do not draw it to them.
+    void hover(const QPointF& position, bool holdsOff = false);
+    bool key(const QKeyEvent& event); // false: not theirs
     // The step that is asked for, and the fault of the last click.
     [[nodiscard]] QString prompt() const;
     void paint(QPainter& painter) const;
@@ -43,11 +46,19 @@ Q_SIGNALS:
     // To be shown before one can click on it.
     void needs(HandleSwitch what);
     void refused(const QString& why);
+    void told(const QString& answer); // of what makes nothing
 
 private:
     [[nodiscard]] const Step& step() const;
     void offerBody();
     [[nodiscard]] std::optional<Indicated> indicated(const QPointF& position);
+    [[nodiscard]] Indicated pointAt(const Eigen::Vector2d& pixels);
+    [[nodiscard]] const gestures::Snapping& snapping();
+    [[nodiscard]] std::optional<Indicated> typed() const;
+    bool type(const QKeyEvent& event);
+    void paintGhost(QPainter& painter, const Indicated& next) const;
+    void paintWords(QPainter& painter, const QPointF& place, const QString& words) const;
+    [[nodiscard]] QString wordsOf(const Indicated& next) const;
     [[nodiscard]] Indicated held(const Eigen::Vector2d& pixels) const;
     [[nodiscard]] Indicated onBody(std::size_t body, const Vector& point) const;
     [[nodiscard]] Vector onAxes(std::size_t body, const Vector& onBody, double near) const;
@@ -63,6 +74,15 @@ private:
     std::optional<Indicated> next_; // under the pointer
     QString fault_;
     std::optional<QPointF> cross_; // moved by the keys
+    struct Near {                  // what stands in the picture, as long as that stays as it is
+        Shown of;
+        double time;
+        gestures::Sight sight;
+        gestures::Snapping snapping;
+    };
+    std::optional<Near> near_;
+    bool holdsOff_ = false;
+    QString typed_; // "1 2.5 0": where the point is to be
 };
 
 } // namespace views

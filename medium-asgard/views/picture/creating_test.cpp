@@ -137,6 +137,62 @@ TEST_F(CreatingTest, AllBodiesThatCanFallGetTheirWeightAtOnce) {
     EXPECT_THAT(display().editing().said().toStdString(), HasSubstr("has a weight already"));
 }
 
+TEST_F(CreatingTest, ALaterBodyFallsAsAllOthersDo) {
+    const std::string weights = "force -body b1 -gravitational {0 -9.81 0}\n"
+                                "force -body b2 -gravitational {0 -9.81 0}\n";
+    open(balls + weights);
+    display().creating().start(newBody("ball"));
+    key(Qt::Key_Return);
+    done();
+    EXPECT_THAT(text(), HasSubstr("force -body b3 -gravitational {0 -9.81 0}\n"));
+    editor.document().undo(); // one step with its body
+    EXPECT_EQ(text(), balls + weights);
+    done();
+    display().creating().start(newFloor()); // stands
+    done();
+    EXPECT_EQ(scene().forces.size(), 2U);
+    EXPECT_EQ(scene().bodies.back().initialPosition, Vector(0, -0.5, 0)); // below the balls
+    EXPECT_TRUE(scene().bodies.back().fixed);
+}
+
+TEST_F(CreatingTest, APlaceIsTyped) {
+    open(balls);
+    display().creating().start(newBody("ball"));
+    QTest::keyClicks(&display(), "1.25 -2,3x");
+    EXPECT_THAT(display().creating().prompt().toStdString(), HasSubstr("x y z = 1.25 -2,3_"));
+    key(Qt::Key_Backspace);
+    QTest::keyClicks(&display(), "-");
+    key(Qt::Key_Return);
+    EXPECT_THAT(display().creating().prompt().toStdString(), HasSubstr("is no place"));
+    key(Qt::Key_Backspace);
+    QTest::keyClicks(&display(), "4");
+    key(Qt::Key_Return);
+    done();
+    EXPECT_EQ(scene().bodies.back().initialPosition, Vector(1.25, -2, 4));
+}
+
+TEST_F(CreatingTest, APlaceIsDrawnToThingsUnlessControlIsHeld) {
+    open(balls);
+    const auto place = [&](Qt::KeyboardModifiers keys) {
+        const QPointF origin = display().placeOf(1, 0, 0);
+        display().creating().start(newBody("ball"));
+        QTest::mouseClick(&display(), Qt::LeftButton, keys, (origin + QPointF(4, -3)).toPoint());
+        done();
+        return scene().bodies.back().initialPosition;
+    };
+    EXPECT_EQ(place({}), Vector(1, 0, 0));
+    EXPECT_NE(place(Qt::ControlModifier), Vector(1, 0, 0));
+}
+
+TEST_F(CreatingTest, ADistanceIsMeasuredAndNothingIsWritten) {
+    open(balls);
+    display().creating().start(measure());
+    click({-1, 0, 0});
+    click({1, 0, 0});
+    EXPECT_EQ(text(), balls);
+    EXPECT_EQ(display().editing().said(), "The distance is 2; along x, y and z 2 0 0.");
+}
+
 TEST_F(CreatingTest, AShapeOfTheLibraryIsPlacedAtOnce) {
     open("");
     for (const editing::LibraryShape& shape : editing::shapeLibrary()) {
@@ -300,7 +356,7 @@ TEST_F(CreatingTest, ARopeGoesThroughBodiesAndTheGround) {
     key(Qt::Key_Return);
     done();
     ASSERT_EQ(scene().ropes.size(), 1U);
-    EXPECT_THAT(text(), HasSubstr("\nrope rope1 -points {{b1} {0 1.5 0} {b2"));
+    EXPECT_THAT(text(), HasSubstr("\nrope rope1 -points {{b1} {"));
     EXPECT_EQ(scene().ropes[0].points[0].body, "b1");
     EXPECT_NEAR((*scene().ropes[0].points[1].place - Vector(0, 1.5, 0)).norm(), 0, 0.05);
     EXPECT_EQ(scene().ropes[0].points[2].body, "b2");

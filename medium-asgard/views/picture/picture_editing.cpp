@@ -76,10 +76,14 @@ gestures::Ground PictureEditing::beginGesture() {
 }
 
 void PictureEditing::take(const gestures::Grasp& grasp, const Eigen::Vector2d& pixels) {
-    mark(grasp.handle);
-    if (grasp.what == gestures::Grasp::What::removePoint)
+    if (grasp.what == gestures::Grasp::What::removePoint) {
+        mark(grasp.handle);
         return removePoint(grasp.handle);
-    hand_.take(beginGesture(), display_.sight(), grasp, cameraButton(button_), pixels);
+    }
+    gestures::Ground ground = beginGesture();
+    hand_.take(std::move(ground), display_.sight(), grasp, cameraButton(button_), pixels,
+               display_.devicePixelRatioF());
+    mark(grasp.handle); // last: what is selected may open a strip, and the picture gets smaller
     Q_EMIT changed();
 }
 
@@ -143,7 +147,7 @@ bool PictureEditing::move(QMouseEvent& event) {
         return true;
     if (!dragging())
         return false;
-    hand_.move(display_.inPixels(event.position()));
+    hand_.move(display_.inPixels(event.position()), event.modifiers() & Qt::ControlModifier);
     Q_EMIT changed();
     return true;
 }
@@ -324,8 +328,9 @@ bool PictureEditing::keyPress(QKeyEvent& event) {
         key == Qt::Key_Left || key == Qt::Key_Right || key == Qt::Key_Up || key == Qt::Key_Down;
     if (!(shifted && arrow) && key != Qt::Key_Z && key != Qt::Key_X)
         return false;
+    gestures::Ground ground = beginGesture();
+    hand_.takeByKeys(std::move(ground), display_.sight(), *handle);
     mark(*handle);
-    hand_.takeByKeys(beginGesture(), display_.sight(), *handle);
     return dragKey(event);
 }
 

@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <set>
 
 namespace views {
@@ -21,6 +23,12 @@ using editing::NewElement;
 namespace {
 
 Step body(const QString& prompt) { return {Wanted::body, prompt, ""}; }
+
+Step place(const QString& prompt, const QString& otherwise) {
+    Step step{Wanted::point, prompt, otherwise};
+    step.snaps = true;
+    return step;
+}
 
 Step wholeBody(const QString& prompt) {
     Step step = body(prompt);
@@ -83,10 +91,10 @@ Path pathFrom(const std::string& text, const scene::Scene& scene, const Indicate
 
 } // namespace
 
-Recipe newBody(const std::string& shape) {
+Recipe newBody(const std::string& shape, std::vector<scene::Part> ghost) {
     return {QObject::tr("New Body"),
-            {{Wanted::point, QObject::tr("Click where the new body shall be."),
-              QObject::tr("Return puts it at the origin.")}},
+            {place(QObject::tr("Click where the new body shall be, or type x y z."),
+                   QObject::tr("Return puts it at the origin."))},
             [shape](const std::string& text, const scene::Scene& scene,
                     const std::vector<Indicated>& shown) {
                 NewElement body{Kind::body,
@@ -99,7 +107,9 @@ Recipe newBody(const std::string& shape) {
                         body.behind.push_back({Kind::shapeSet, i});
                 return std::vector{body};
             },
-            &render::Display::positionHandles};
+            &render::Display::positionHandles,
+            {},
+            std::move(ghost)};
 }
 
 namespace {
@@ -125,8 +135,15 @@ Recipe newBody(const std::string& stem, const std::string& description, bool isF
 } // namespace
 
 Recipe newBody(BasicShape basic) {
-    return basic == BasicShape::sphere ? newBody("ball", "{-sub {-sphere 0.5}}")
-                                       : newBody("block", "{-sub {-box {1 1 1}}}");
+    const bool isBall = basic == BasicShape::sphere;
+    Recipe recipe = isBall ? newBody("ball", "{-sub {-sphere 0.5}}")
+                           : newBody("block", "{-sub {-box {1 1 1}}}");
+    recipe.ghost.emplace_back();
+    if (isBall)
+        recipe.ghost.front().shape = scene::SphereShape{0.5};
+    else
+        recipe.ghost.front().shape = scene::BoxShape{};
+    return recipe;
 }
 
 Recipe newBody(const editing::LibraryShape& shape) {
@@ -137,7 +154,70 @@ Recipe newBody(const editing::LibraryShape& shape) {
     const bool isFixed = std::ranges::any_of(shape.parts, [](const scene::Part& part) {
         return std::holds_alternative<scene::PlaneShape>(part.shape);
     });
-    return newBody(stem, editing::descriptionText(shape.parts), isFixed);
+    Recipe recipe = newBody(stem, editing::descriptionText(shape.parts), isFixed);
+    recipe.ghost = shape.parts;
+    return recipe;
+}
+
+namespace {
+
+// Of all bodies but planes, against the direction in which they fall; 0 for none.
+double lowestOf(const scene::Scene& scene, const Vector& up) {
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const scene::Body& body : scene.bodies) {
+        const geometry::Pose pose{body.initialPosition, body.initialAttitude};
+        for (const render::Ball& ball : render::outlineOf(scene, body))
+            lowest = std::min(lowest, up.dot(pose.toWorld(ball.center)) - ball.radius);
+    }
+    return std::isfinite(lowest) ? lowest : 0;
+}
+
+} // namespace
+
+// A plane is what lies below its y, so that it is turned where things fall another way.
+Recipe newFloor() {
+    Recipe recipe;
+    recipe.label = QObject::tr("New Floor");
+    recipe.make = [](const std::string& text, const scene::Scene& scene,
+                     const std::vector<Indicated>&) {
+        const Vector up = render::upOf(scene);
+        Indicated below;
+        below.point = lowestOf(scene, up) * up;
+        below.resolution = 1e-6;
+        std::vector<NewElement> made =
+            newBody(editing::libraryShape("Floor")).make(text, scene, {below});
+        const Vector turn =
+            geometry::toRotationVector(geometry::Quaternion::FromTwoVectors(Vector::UnitY(), up));
+        if (turn.norm() > 1e-9)
+            made.back().words.insert(made.back().words.end(), {"-init_rot", listed(turn, 0)});
+        return made;
+    };
+    return recipe;
+}
+
+Recipe measure() {
+    Recipe recipe;
+    recipe.label = QObject::tr("Measure");
+    const auto point = [](const QString& prompt) {
+        Step step = place(prompt, {});
+        step.surface = true;
+        return step;
+    };
+    recipe.steps = {point(QObject::tr("Click on the first point.")),
+                    point(QObject::tr("Click on the second point."))};
+    recipe.make = [](const std::string&, const scene::Scene&, const std::vector<Indicated>&) {
+        return std::vector<NewElement>();
+    };
+    recipe.tells = [](const std::vector<Indicated>& shown) {
+        const Vector way = shown[1].point - shown[0].point;
+        const double fine = std::max(shown[0].resolution, shown[1].resolution);
+        const std::string apart = listed(way, fine);
+        return QObject::tr("The distance is %1; along x, y and z %2.")
+            .arg(
+                QString::fromStdString(editing::numberText(way.norm(), editing::decimalStep(fine))),
+                QString::fromStdString(apart.substr(1, apart.size() - 2)));
+    };
+    return recipe;
 }
 
 Recipe newForce(bool couple, double perUnit) {
@@ -223,6 +303,24 @@ Recipe weightForAll(const Vector& acceleration) {
     return recipe;
 }
 
+std::optional<Vector> commonGravity(const scene::Scene& scene) {
+    std::map<std::string, Vector> weights; // by body
+    for (const scene::Force& force : scene.forces)
+        if (const auto* weight = std::get_if<scene::GravitationalForce>(&force.kind);
+            weight && !force.couple)
+            weights.emplace(force.body, weight->acceleration);
+    std::optional<Vector> common;
+    for (const scene::Body& body : scene.bodies) {
+        if (body.fixed)
+            continue;
+        const auto own = weights.find(body.name);
+        if (own == weights.end() || (common && *common != own->second))
+            return std::nullopt;
+        common = own->second;
+    }
+    return common;
+}
+
 Vector usualGravity(const scene::Scene& scene) {
     Vector usual(0, -9.81, 0);
     for (const scene::Force& force : scene.forces)
@@ -264,6 +362,7 @@ Recipe newLink(Wanted second) {
         body(QObject::tr("Click where the link is fastened on a body.")),
         {second, what,
          second == Wanted::trajectory ? QObject::tr("Return makes a new one.") : QString()}};
+    recipe.steps.back().snaps = second == Wanted::point;
     recipe.make = [second](const std::string& text, const scene::Scene& scene,
                            const std::vector<Indicated>& shown) {
         NewElement link{
@@ -301,11 +400,10 @@ static Vector firstDirection(const scene::Scene& scene, const Indicated& place) 
 
 Recipe newLight(bool point) {
     return {QObject::tr("New Light"),
-            {{Wanted::point,
-              (point ? QObject::tr("Click where the light shall stand.")
-                     : QObject::tr("Click where the light comes from.")) +
-                  " " + QObject::tr("A scene's own lights replace the usual one."),
-              ""}},
+            {place((point ? QObject::tr("Click where the light shall stand.")
+                          : QObject::tr("Click where the light comes from.")) +
+                       " " + QObject::tr("A scene's own lights replace the usual one."),
+                   "")},
             [point](const std::string& text, const scene::Scene& scene,
                     const std::vector<Indicated>& shown) {
                 NewElement light{Kind::light,
@@ -321,10 +419,20 @@ Recipe newLight(bool point) {
             &render::Display::lightHandles};
 }
 
+namespace {
+
+Step pathPoint() {
+    Step step = place(QObject::tr("Click on its points, one after another, or type x y z."),
+                      QObject::tr("Return ends it."));
+    step.repeats = true;
+    return step;
+}
+
+} // namespace
+
 Recipe newTrajectory() {
     return {QObject::tr("New Trajectory"),
-            {{Wanted::point, QObject::tr("Click on its points, one after another."),
-              QObject::tr("Return ends it."), true}},
+            {pathPoint()},
             [](const std::string& text, const scene::Scene& scene,
                const std::vector<Indicated>& shown) -> std::vector<NewElement> {
                 std::vector<Indicated> points;

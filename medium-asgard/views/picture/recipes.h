@@ -35,6 +35,8 @@ struct Step {
     bool whole = false;   // of a body: wherever it is shown, its centre of mass is meant
     bool deep = false;    // of a body: as deep as its centre, and on its axes where that is near
     std::optional<std::size_t> offered = {}; // the body that Return takes
+    bool snaps = false;   // of a point: things and round numbers nearby draw it to them
+    bool surface = false; // of a point: on the body that is shown there, if it is one
 };
 
 // The thing that was shown for one step; nothing of it: Return.
@@ -49,6 +51,7 @@ struct Indicated {
     bool atCenter = false; // of mass, as near as the pointer can tell
     std::optional<std::size_t> trajectory;
     double resolution = 0; // what the pointer tells apart there
+    std::string at;        // the thing that drew the point to it: "a corner of b1"
 };
 
 struct Recipe {
@@ -57,8 +60,11 @@ struct Recipe {
     std::function<std::vector<editing::NewElement>(
         const std::string& text, const scene::Scene& scene, const std::vector<Indicated>& shown)>
         make;
-    HandleSwitch handles = nullptr; // shown afterwards
-    QString otherwise = {};         // said when there is nothing to make
+    HandleSwitch handles = nullptr;      // shown afterwards
+    QString otherwise = {};              // said when there is nothing to make
+    std::vector<scene::Part> ghost = {}; // outlined under the pointer before the click
+    // Of what makes nothing: the answer, said in the end.
+    std::function<QString(const std::vector<Indicated>& shown)> tells = {};
 };
 
 class SceneDisplay;
@@ -66,7 +72,7 @@ class SceneDisplay;
 enum class BasicShape { sphere, box };
 
 // Of a shape that is there, or of a new one.
-[[nodiscard]] Recipe newBody(const std::string& shape);
+[[nodiscard]] Recipe newBody(const std::string& shape, std::vector<scene::Part> ghost = {});
 [[nodiscard]] Recipe newBody(BasicShape shape);
 [[nodiscard]] Recipe newBody(const editing::LibraryShape& shape);
 // `perUnit`: how long the arrow of a force of 1 is drawn.
@@ -77,6 +83,8 @@ enum class BasicShape { sphere, box };
 [[nodiscard]] Recipe newWeight(SceneDisplay& display);
 // For each body that can fall and has no weight yet; without steps.
 [[nodiscard]] Recipe weightForAll(const Vector& acceleration);
+// The one that all bodies have that can fall, if there are such; none: they differ.
+[[nodiscard]] std::optional<Vector> commonGravity(const scene::Scene& scene);
 // The one that others have, else the earth's.
 [[nodiscard]] Vector usualGravity(const scene::Scene& scene);
 [[nodiscard]] Recipe newTrajectoryForce(bool couple);
@@ -92,6 +100,10 @@ enum class BasicShape { sphere, box };
 [[nodiscard]] Recipe newParameter(const std::string& name, const std::string& value,
                                   const std::string& minimum, const std::string& maximum);
 [[nodiscard]] Recipe newPlot(const std::string& expression);
+// A plane below everything that is there, without a click.
+[[nodiscard]] Recipe newFloor();
+// The distance of two points; the text stays as it is.
+[[nodiscard]] Recipe measure();
 [[nodiscard]] Recipe keptView(const render::Camera& camera, double resolution);
 
 } // namespace views

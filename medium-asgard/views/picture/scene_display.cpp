@@ -64,6 +64,8 @@ SceneDisplay::SceneDisplay(SceneDocument& document, std::shared_ptr<PictureThrea
     connect(&creating_, &Creating::changed, this, [this] { update(); });
     connect(&creating_, &Creating::refused, &editing_,
             [this](const QString& why) { editing_.say(why); });
+    connect(&creating_, &Creating::told, &editing_,
+            [this](const QString& answer) { editing_.say(answer, false); });
     connect(&editing_, &PictureEditing::changed, this, [this] {
         Q_EMIT handleDragged();
         update();
@@ -424,7 +426,7 @@ void SceneDisplay::mouseMoveEvent(QMouseEvent* event) {
     constexpr double still = 4; // pixels: not yet a drag
     if (!control_.active() && !editing_.dragging()) {
         pointing_.moveTo(event->position(), event->modifiers());
-        creating_.hover(event->position());
+        creating_.hover(event->position(), event->modifiers() & Qt::ControlModifier);
     } else if (control_.active() && !pointing_.advice().isEmpty() &&
                (event->position() - pressed_).manhattanLength() >= still)
         editing_.say(pointing_.advice(), false);
@@ -442,7 +444,7 @@ void SceneDisplay::mouseReleaseEvent(QMouseEvent* event) {
     constexpr double still = 4;
     if (creating_.active() && event->button() == Qt::LeftButton) {
         if ((event->position() - pressed_).manhattanLength() < still)
-            creating_.click(event->position());
+            creating_.click(event->position(), event->modifiers() & Qt::ControlModifier);
     } else if (!editing_.release(*event) && control_.active() &&
                event->button() == Qt::RightButton &&
                (event->position() - pressed_).manhattanLength() < still) {

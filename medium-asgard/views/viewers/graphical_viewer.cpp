@@ -4,6 +4,7 @@
 #include "frame/icons.h"
 #include "frame/manual.h"
 #include "gestures/new_point.h"
+#include "gestures/present.h"
 #include "language/language_viewer.h"
 #include "language/notice_bar.h"
 #include "language/scene_editor.h"
@@ -65,6 +66,18 @@ QString helpTopicOf(editing::Kind kind) {
     default:
         return {};
     }
+}
+
+// What is seen becomes the start of the scene, as one step of undo; else why it cannot.
+void startFromHere(SceneDocument& document, SceneDisplay& display) {
+    if (!document.sceneIsCurrent())
+        return display.editing().say(document.whyNotCurrent());
+    const editing::Answer answer = gestures::startingAt(document.ground(), display.time());
+    if (answer.possible())
+        document.setText(text::applied(document.text(), answer.edits),
+                         QObject::tr("Start From %1 s").arg(display.time()));
+    else
+        display.editing().say(QString::fromStdString(answer.reason));
 }
 
 } // namespace
@@ -338,6 +351,8 @@ void GraphicalViewer::buildMotionMenu() {
     QMenu* motion = menuBar()->addMenu(tr("A&nimation"));
     controls_->fillMenu(*motion, [this] { stop(); });
     motion->addSeparator();
+    motion->addAction(tr("Start From &Here"), this,
+                      [this] { startFromHere(document_, *display_); });
     motion->addAction(tr("&Recompute Motion"), QKeySequence(Qt::Key_F5), this,
                       [this] { document_.recompute(); });
     buildLiveMenu(motion->addMenu(tr("Compute &While Editing")));
