@@ -252,7 +252,8 @@ TEST_F(WindowsTest, TheFirstBodyStandsWhereOneClickedAndThePictureStays) {
     display().grab();
     const auto& bodies = editor.document().shown().scene->bodies;
     ASSERT_EQ(bodies.size(), 1U);
-    EXPECT_LT((pixels(bodies[0].initialPosition) - at).manhattanLength(), 12); // or at round numbers
+    EXPECT_LT((pixels(bodies[0].initialPosition) - at).manhattanLength(),
+              12); // or at round numbers
 }
 
 TEST_F(WindowsTest, ThePanelStaysAsItIsWhileASliderIsDragged) {

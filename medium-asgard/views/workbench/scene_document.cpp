@@ -170,9 +170,7 @@ void SceneDocument::finishPreview(const std::string& text, const QString& label,
         host_.changed(edit, label);
 }
 
-QString SceneDocument::overtaken() {
-    return QString::fromUtf8(gestures::Hand::overtaken);
-}
+QString SceneDocument::overtaken() { return QString::fromUtf8(gestures::Hand::overtaken); }
 
 void SceneDocument::endGesture() {
     if (gesture_)
