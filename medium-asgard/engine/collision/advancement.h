@@ -1,8 +1,8 @@
 // Conservative advancement of two convex parts along one piece of each one's motion.
 #pragma once
 
+#include "collision/encounter.h"
 #include "collision/part_motion.h"
-#include "collision/time_of_impact.h"
 
 namespace collision {
 

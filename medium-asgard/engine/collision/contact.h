@@ -22,16 +22,13 @@
 #pragma once
 
 #include "collision/moving_shape.h"
+#include "collision/part_motion.h"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace collision {
-
-// Of the two bodies' radii: nearer than this they are in contact at an impact.
-inline constexpr double touchingGap = 1e-10;
-// Of the speeds that enter: surfaces that are slower than this do not count as approaching.
-inline constexpr double approachThreshold = 1e-12;
 
 struct Contact {
     Vector point = Vector::Zero();   // world; halfway between the surfaces
@@ -42,17 +39,19 @@ struct Contact {
     std::size_t firstPart = 0, secondPart = 0;
 };
 
-// How exactly places are known, besides rounding: of a body that rests, its footing's tolerance.
-// Depths up to it, times the smaller part's size, and approaches up to it, times the speeds that
-// enter, count as none.
-using Slack = double;
-
 // Contacts of all pairs of parts that are within `tolerance` of each other at time t, under the
 // motion that holds from t on, whether they approach or part. Parts that overlap by more than the
 // tolerance give none; nor do those that touch along several axes and do not approach along each:
 // along which of them they may come to approach is not known yet.
 [[nodiscard]] std::vector<Contact> contactsAt(const MovingShape& first, const MovingShape& second,
                                               double t, double tolerance, Slack slack = 0);
+
+// The contact of two parts that touch at t along (or all but along) the separation's normal, as if
+// they hit.
+[[nodiscard]] Contact contactOf(const PartPair& pair, double t, const Separation& separation);
+
+// Their contact along that axis along which they approach least, if they do not approach there.
+[[nodiscard]] std::optional<Contact> passing(const PartPair& pair, double t);
 
 // How fast the surfaces approach at a point along the contact's normal (negative: they part).
 [[nodiscard]] double closingSpeed(const Velocity& first, const Vector& firstPivot,

@@ -22,7 +22,7 @@
 // direction in which they part, and not always of the nearest.
 #pragma once
 
-#include "collision/separation.h"
+#include "collision/posed.h"
 
 namespace collision {
 

@@ -13,7 +13,7 @@
 // slides on what.
 #pragma once
 
-#include "collision/separation.h"
+#include "collision/posed.h"
 
 #include <cstddef>
 #include <vector>

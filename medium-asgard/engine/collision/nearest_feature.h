@@ -9,7 +9,7 @@
 // A point on the border of two cells, to within `border`, is the larger feature's.
 #pragma once
 
-#include "collision/separation.h"
+#include "collision/posed.h"
 
 namespace collision {
 

@@ -2,13 +2,20 @@
 // two.
 #pragma once
 
-#include "collision/contact.h"
 #include "collision/moving_shape.h"
 #include "collision/separation.h"
 
-#include <optional>
-
 namespace collision {
+
+// Of the two bodies' radii: nearer than this they are in contact at an impact.
+inline constexpr double touchingGap = 1e-10;
+// Of the speeds that enter: surfaces that are slower than this do not count as approaching.
+inline constexpr double approachThreshold = 1e-12;
+
+// How exactly places are known, besides rounding: of a body that rests, its footing's tolerance.
+// Depths up to it, times the smaller part's size, and approaches up to it, times the speeds that
+// enter, count as none.
+using Slack = double;
 
 struct PartMotion {
     const Part* part = nullptr;
@@ -56,12 +63,5 @@ struct PartPair {
 [[nodiscard]] PartPair partPair(const MovingShape& first, std::size_t firstPart,
                                 const MovingShape& second, std::size_t secondPart, double t,
                                 Slack slack = 0);
-
-// The contact of two parts that touch at t along (or all but along) the separation's normal, as if
-// they hit.
-[[nodiscard]] Contact contactOf(const PartPair& pair, double t, const Separation& separation);
-
-// Their contact along that axis along which they approach least, if they do not approach there.
-[[nodiscard]] std::optional<Contact> passing(const PartPair& pair, double t);
 
 } // namespace collision

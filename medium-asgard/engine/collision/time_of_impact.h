@@ -19,33 +19,13 @@
 // passed over.
 #pragma once
 
-#include "collision/contact.h"
+#include "collision/encounter.h"
 #include "collision/moving_shape.h"
 
 #include <cstddef>
 #include <functional>
-#include <optional>
 
 namespace collision {
-
-struct Interval {
-    double from = 0, to = 0;
-};
-
-struct Hit {
-    double time = 0;
-    Contact contact; // of the parts that hit first; contactsAt() gives all
-    // They touch without approaching and are pushed together: no impulse parts them, only a force.
-    bool pressing = false;
-    // They stay so close while they turn that the search ended here without an answer.
-    bool isLost = false;
-};
-
-struct Encounter {
-    std::optional<Hit> hit;
-    double overlap = 0;          // depth at the start when more than round-off, else 0
-    std::size_t evaluations = 0; // gaps computed
-};
 
 // Pairs of parts for which `leaveOut` is true are not looked at. Balls hit where they overlap by
 // `depth`, everything else where it touches.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "expression/graph.h"
+#include "expression/syntax_error.h"
 
 #include <functional>
 #include <optional>
@@ -11,12 +12,6 @@
 #include <vector>
 
 namespace expression {
-
-struct SyntaxError {
-    std::size_t from = 0, to = 0; // bytes of the text that are wrong
-    std::string message;          // one sentence
-    std::string suggestion;
-};
 
 // The meaning of a name, or of a call that is no built-in function ("B.px" with its argument
 // nodes). Returns the node, or the sentence that says why there is none.

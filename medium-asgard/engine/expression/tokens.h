@@ -1,9 +1,11 @@
 // The words of an expression's text, one at a time.
 #pragma once
 
-#include "expression/parse.h"
+#include "expression/syntax_error.h"
 
+#include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace expression {

@@ -2,7 +2,8 @@
 // side (lanes.h), with the same bits.
 #pragma once
 
-#include "dense/dense_output.h"
+#include "dense/correction.h"
+#include "dense/polynomial.h"
 
 #include <algorithm>
 #include <array>

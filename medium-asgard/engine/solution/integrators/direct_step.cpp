@@ -1,7 +1,7 @@
 #include "integrators/direct_step.h"
 
 #include "integrators/dop853.h"
-#include "integrators/explicit_runge_kutta.h"
+#include "integrators/tableau.h"
 
 #include <cmath>
 #include <cstring>

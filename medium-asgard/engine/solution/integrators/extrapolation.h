@@ -8,7 +8,7 @@
 // Solving ODEs I, II.9).
 #pragma once
 
-#include "integrators/explicit_runge_kutta.h"
+#include "integrators/tableau.h"
 
 namespace solution {
 

@@ -2,8 +2,8 @@
 // Wanner, Solving ODEs I); tests check their order conditions and confirm each order by
 // convergence.
 #include "integrators/dop853.h"
-#include "integrators/explicit_runge_kutta.h"
 #include "integrators/extrapolation.h"
+#include "integrators/tableau.h"
 
 #include <algorithm>
 #include <span>

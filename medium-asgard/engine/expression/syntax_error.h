@@ -1,0 +1,15 @@
+// What is wrong with the text of an expression, and where.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace expression {
+
+struct SyntaxError {
+    std::size_t from = 0, to = 0; // bytes of the text that are wrong
+    std::string message;          // one sentence
+    std::string suggestion;
+};
+
+} // namespace expression
