@@ -181,9 +181,9 @@ class Commands(unittest.TestCase):
     def test_what_never_ends_says_so_soon(self):
         orbit = ("force -body b -x {-(b.x-1)/hypot(b.x-1,b.y)^3} -y {-b.y/hypot(b.x-1,b.y)^3+0.01*sin(t)}",)
         stats = os.path.join(self.folder, "stats.json")
-        said = self.told(*orbit, arguments=("--finish", "1e99", "--stats", stats))
-        self.assertIn("more than a billion", said)
-        self.assertIn("more than a billion", self.told(*orbit, finish="1e99"))
+        said = self.told(*orbit, arguments=("--finish", "1e99", "--memory", "2", "--stats", stats))
+        self.assertIn("takes 2 MB, which is the limit", said)
+        self.assertIn("takes 2 MB, which is the limit", self.told(*orbit, arguments=("--memory", "2"), finish="1e99"))
         self.assertEqual(self.simulate(self.scene, "--finish", "1e300", code=2)[1],
                          "asgard: --finish wants a number of at most 1e100\n")
         self.assertIn(":1:19: error: -finish of the simulator wants a number of at most 1e100", self.told(finish="1e300"))

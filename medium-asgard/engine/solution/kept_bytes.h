@@ -2,7 +2,7 @@
 // written them so far.
 //
 // The count tells when to look; where a motion ends for it follows from what is kept up to each
-// time (solver_kept.cpp), so that nobody's schedule decides it.
+// time (memory_limit.h), so that nobody's schedule decides it.
 #pragma once
 
 #include <algorithm>

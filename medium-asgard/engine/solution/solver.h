@@ -39,6 +39,7 @@
 #include "equations/prepared_equations.h"
 #include "expression/equations.h"
 #include "solution/event_source.h"
+#include "solution/statistics.h"
 #include "stepping/options.h"
 
 #include <functional>
@@ -55,27 +56,6 @@ namespace solution {
 
 // How the equations are prepared for a solver with these options.
 [[nodiscard]] Preparation preparationFor(const Options& options);
-
-struct Statistics {
-    std::size_t steps = 0, rejectedSteps = 0, discardedSteps = 0;
-    std::size_t unconvergedSteps = 0; // of the rejected: the implicit equations were not solved
-    std::size_t evaluations = 0, equationEvaluations = 0, factorisations = 0;
-    std::size_t events = 0, switches = 0;
-    std::size_t integratedSteps = 0; // 0: all is exact but for rounding
-    std::size_t components = 0, largestComponent = 0, historyBytes = 0;
-    std::size_t keptBytes = 0; // of histories and beside them, as Options::mostBytes counts
-    std::size_t groups = 0;    // of components that read each other: what moves side by side
-    std::size_t rounds = 0;
-    // Those in force, also those that were taken, which are not in the sums; ended ones are.
-    std::vector<ComponentStatistics> componentList;
-    std::vector<std::size_t> zeroStates; // unknowns that stayed 0 all the time
-    struct Integrated {
-        std::size_t unknown = 0;
-        double from = 0; // the first time at which a method stepped it
-    };
-    std::vector<Integrated> integrated; // of components that a method stepped
-    void addIntegrated(const ComponentStatistics& component);
-};
 
 struct Advance {
     double reached = 0;     // all unknowns that did not stop are known up to here, at most `finish`
@@ -100,8 +80,6 @@ public:
 
     // The motion so far; valid until the next call of advanceTo(). On the solver's thread only.
     [[nodiscard]] const Histories& histories() const;
-    // To a later finish than this something would have ended before (pace.h): begin anew.
-    [[nodiscard]] double hopelessBeyond() const;
     // That it holds, histories and all, about.
     [[nodiscard]] std::size_t bytes() const;
     // The same, never to change again.

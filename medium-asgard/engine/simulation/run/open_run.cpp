@@ -121,14 +121,11 @@ void OpenRun::makeMachinery(const std::shared_ptr<const solution::TakenMotion>& 
 
 bool OpenRun::canGoOn(const Run* before) const {
     const double finish = problem_.finish();
-    // What gave up on the old finish may well reach the new one; and where memory ends motion, all
-    // of it ends.
-    const auto gaveUp = [](const solution::Stop& stop) {
-        return stop.reason == solution::Stop::Reason::tooLong ||
-               stop.reason == solution::Stop::Reason::tooMuchKept;
+    // Where memory ended motion on its way to the old finish, it may well reach the new one.
+    const auto isFull = [](const solution::Stop& stop) {
+        return stop.reason == solution::Stop::Reason::tooMuchKept;
     };
-    if (machinery_ && (std::ranges::any_of(machinery_->solver->histories().stops(), gaveUp) ||
-                       finish > machinery_->solver->hopelessBeyond()))
+    if (machinery_ && std::ranges::any_of(machinery_->solver->histories().stops(), isFull))
         return false;
     if (!taken_.empty() && machinery_ && finish > advanced_) {
         const auto untouched = untouchedIn(problem_, *before, std::vector<bool>(taken_.size()));

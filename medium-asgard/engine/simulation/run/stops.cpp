@@ -79,9 +79,6 @@ std::string adviceFor(solution::Stop::Reason reason, bool isBlamed) {
                         : "";
     case Reason::tooManySteps:
         return "; ask for less accuracy (-accuracy), or let the motion finish before (-finish)";
-    case Reason::tooLong:
-        return "; let its forces and trajectories change more slowly, let it collide less often, "
-               "or let the motion finish before (-finish)";
     case Reason::decisions:
         return "; replace the jump of the expression by a short, steep slope";
     case Reason::bounds:

@@ -40,7 +40,6 @@ struct Stop {
         contradiction, // no multipliers keep their conditions
         algebraicLoop, // held values that are defined by each other
         tooManyEvents, // more events at one instant than Options::maximumEventsAtOnce
-        tooLong,       // at this pace the finish is farther away than any computer gets
         tooMuchKept,   // what is kept of the motion is more than Options::mostBytes
         inputEnded,    // an unknown that this one reads ended
         source,        // the source of events ended it
@@ -276,7 +275,7 @@ public:
     [[nodiscard]] std::shared_ptr<const Histories> upTo(double t) const;
 
 private:
-    friend class Solver;
+    friend class Network;
     // A replaced equation gives an unknown another component: one span for each.
     struct Span {
         double from = 0;

@@ -82,9 +82,6 @@ public:
     void end(Stop::Reason reason, const std::vector<std::size_t>& culprits,
              const std::string& sentence);
 
-    // A later finish would have been hopeless (work_estimate.h).
-    [[nodiscard]] double hopelessBeyond() const { return hopelessBeyond_; }
-
     [[nodiscard]] ComponentStatistics statistics() const;
     [[nodiscard]] std::size_t evaluations() const;
     [[nodiscard]] std::size_t bytes() const; // beside its history, about
@@ -110,7 +107,6 @@ private:
 
     // Steps.
     [[nodiscard]] bool endsBeforeStep();
-    [[nodiscard]] bool isHopeless();
     [[nodiscard]] bool stepOverSliver();
     [[nodiscard]] bool stepPlainly();
     void take(const Proposal& proposal);
@@ -142,7 +138,6 @@ private:
     StepModels models_;
     std::optional<PlainRate> plainRate_;
     std::optional<Stop> stop_;
-    double hopelessBeyond_ = infinity;
 };
 
 } // namespace solution

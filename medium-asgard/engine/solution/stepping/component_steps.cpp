@@ -1,6 +1,5 @@
 // How a component steps, and passes its switches; see component.h and solver.h.
 #include "stepping/component.h"
-#include "stepping/work_estimate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,35 +43,8 @@ bool Component::endsBeforeStep() {
         end(Stop::Reason::tooManySteps, {},
             context_.names({0}) + " took more than " +
                 std::to_string(around_.options.maximumSteps) + " steps up to here");
-    } else if (isHopeless()) {
-        end(Stop::Reason::tooLong, {},
-            context_.names({0}) +
-                " changes so fast that the finish is more than a billion steps away");
     }
     return stop_.has_value();
-}
-
-// A motion by itself, on equations that never change, has one pace. Others may change theirs: there
-// as many steps are made first as a burst is likely to need.
-bool Component::isHopeless() {
-    constexpr std::size_t burst = 2'097'152;
-    const History& history = *writer_.history();
-    const std::size_t n = history.size();
-    if (!Integration::isEstimateDue(n))
-        return false;
-    const bool mayChange = boundary_.phasesUntil() < infinity ||
-                           !equations_->model().surfaces().empty() || equations_->hasDirections() ||
-                           !equations_->inputs().unknowns().empty();
-    if (mayChange && n < burst)
-        return false;
-    const auto at = [&history](std::size_t step) { return history.step(step).origin; };
-    const double beyond = farthestFinish(n, {.start = at(0),
-                                             .first = at(n / 4),
-                                             .second = at(n / 2),
-                                             .third = at(3 * n / 4),
-                                             .now = progress_.time});
-    hopelessBeyond_ = std::min(hopelessBeyond_, beyond);
-    return around_.options.finish > beyond;
 }
 
 // Rounding left a sliver of time before the boundary: nothing moves in it.

@@ -401,11 +401,6 @@ std::optional<Proposal> Integration::toLastRate(double h) {
 // ---------------------------------------------------------------------------------------------
 // Beside others
 
-bool Integration::isEstimateDue(std::size_t steps) {
-    constexpr std::size_t least = 16'384;
-    return steps >= least && (steps & (steps - 1)) == 0;
-}
-
 bool Integration::mayGoSideBySide() const {
     if (!AlikeSteps::areThere() || !context_.inForce)
         return false;
@@ -426,7 +421,7 @@ ExplicitRungeKutta& Integration::stride() const {
 
 std::optional<double> Integration::strideEnd() const {
     const std::size_t steps = context_.history.size();
-    if (steps > context_.options.maximumSteps || isEstimateDue(steps))
+    if (steps > context_.options.maximumSteps)
         return std::nullopt;
     const double time = context_.time();
     const double wanted =

@@ -49,8 +49,6 @@ public:
     [[nodiscard]] std::optional<Ending> changeMethod();
 
     [[nodiscard]] std::size_t bytes() const;
-    // Looked at after so many steps, twice, four times as many, and so on.
-    [[nodiscard]] static bool isEstimateDue(std::size_t steps);
 
 private:
     [[nodiscard]] std::unique_ptr<Method> chosenMethod() const;

@@ -13,19 +13,33 @@
 
 namespace solution {
 
-struct ComponentStatistics {
+// Counts of work.
+struct Work {
+    std::size_t steps = 0, rejectedSteps = 0, discardedSteps = 0;
+    std::size_t unconvergedSteps = 0; // of the rejected: the implicit equations were not solved
+    std::size_t evaluations = 0;      // of right-hand sides of components
+    std::size_t factorisations = 0;
+    std::size_t switches = 0; // switching events located
+
+    void add(const Work& other) {
+        steps += other.steps;
+        rejectedSteps += other.rejectedSteps;
+        discardedSteps += other.discardedSteps;
+        unconvergedSteps += other.unconvergedSteps;
+        evaluations += other.evaluations;
+        factorisations += other.factorisations;
+        switches += other.switches;
+    }
+};
+
+struct ComponentStatistics : Work {
     std::vector<std::size_t> unknowns;
     std::string model; // "closed-form" | "quadrature" | "linear" | "explicit" | "implicit"
     std::string
         method; // "exact", "exponential", "dop853", "radau5", ...: the one that it used last
     std::size_t order = 0;
-    std::size_t steps = 0, rejectedSteps = 0, discardedSteps = 0;
-    std::size_t integratedSteps = 0;  // of the steps those that a method made
-    double integratedFrom = infinity; // when the first of these began
-    std::size_t unconvergedSteps = 0; // of the rejected: the implicit equations were not solved
-    std::size_t evaluations = 0;      // of the component's right-hand side
-    std::size_t factorisations = 0;
-    std::size_t switches = 0;                // switching events located
+    std::size_t integratedSteps = 0;         // of the steps those that a method made
+    double integratedFrom = infinity;        // when the first of these began
     std::string why;                         // why this model and method, one clause
     std::shared_ptr<const BoundModel> bound; // its equations
 };
@@ -65,9 +79,6 @@ struct Options {
     std::size_t maximumEventsAtOnce = 10'000; // of what takes part in them, and met by then
     // That all histories and what the source keeps may take; nothing else depends on it.
     std::size_t mostBytes = std::numeric_limits<std::size_t>::max();
-    // Where it is to go, which advanceTo() says: a motion that would take more than a billion steps
-    // or events at the pace it has come to ends, and says so (pace.h). Nothing else depends on it.
-    double finish = infinity;
     std::shared_ptr<const TakenMotion> taken; // may be null
     std::function<bool()> cancelled;          // polled between steps, on the thread of advanceTo()
     std::function<void(double known)> progress; // known grew; snapshot() may be called from here
