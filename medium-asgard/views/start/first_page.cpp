@@ -19,7 +19,7 @@ namespace views {
 
 namespace {
 
-constexpr QSize card(232, 174); // of a picture, in points
+constexpr QSize card(200, 150); // of a picture, in points
 constexpr int edge = 24;
 
 // Until a picture is drawn, and where none can be.
