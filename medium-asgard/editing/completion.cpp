@@ -168,6 +168,7 @@ private:
                        : take({script::colorNames().begin(), script::colorNames().end()}, hint);
         case Wants::expression:
         case Wants::list:
+        case Wants::expressions:
         case Wants::vector:
             return inExpression(hint);
         default:

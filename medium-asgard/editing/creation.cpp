@@ -32,13 +32,6 @@ std::size_t countOf(const scene::Scene& scene, Kind kind) {
     return count;
 }
 
-std::string commandOf(Kind kind) {
-    constexpr const char* names[] = {"simulator", "shape_set",   "body", "force",     "link",
-                                     "joint",     "gear",        "rope", "contact",   "trajectory",
-                                     "constrain", "lightsource", "view", "parameter", "plot"};
-    return names[static_cast<std::size_t>(kind)];
-}
-
 class Writing {
 public:
     Writing(const std::string& text, const scene::Scene& scene)
@@ -148,9 +141,9 @@ Writing::Place Writing::placeFor(const NewElement& element) const {
 }
 
 std::string Writing::line(const NewElement& element) const {
-    std::string command = commandOf(element.kind);
+    std::string command = element.command.empty() ? commandOf(element.kind) : element.command;
     bool byOption = false;
-    if (element.kind == Kind::body && !scene_.bodies.empty()) {
+    if (element.kind == Kind::body && element.command.empty() && !scene_.bodies.empty()) {
         const scene::Source& last = scene_.bodies.back().source;
         byOption = std::ranges::find(last.arguments, "-shape", &scene::Argument::option) !=
                    last.arguments.end();
@@ -253,6 +246,21 @@ bool isTypeOfJoint(const std::string& word) {
 }
 
 } // namespace
+
+std::string numberedName(const std::string& text, const scene::Scene& scene,
+                         const std::string& name, const std::vector<std::string>& taken) {
+    std::set<std::string> names = takenNames(scene);
+    names.insert(taken.begin(), taken.end());
+    const std::string stem = name.substr(0, name.find_last_not_of("0123456789") + 1);
+    const std::string digits = name.substr(stem.size());
+    int next = digits.empty() || digits.size() > 6 ? 2 : std::stoi(digits) + 1;
+    const std::string base = stem.empty() || digits.size() > 6 ? name + "_" : stem;
+    std::string found;
+    do
+        found = base + std::to_string(next++);
+    while (names.contains(found) || hasWord(text, found));
+    return found;
+}
 
 std::string unusedName(const std::string& text, const scene::Scene& scene, Kind kind,
                        const std::string& stem, const std::vector<std::string>& taken) {

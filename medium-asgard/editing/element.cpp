@@ -84,12 +84,24 @@ std::string wordOf(Kind kind) {
     return words[static_cast<std::size_t>(kind)];
 }
 
+std::string commandOf(Kind kind) {
+    constexpr const char* names[] = {"simulator", "shape_set",   "body", "force",     "link",
+                                     "joint",     "gear",        "rope", "contact",   "trajectory",
+                                     "constrain", "lightsource", "view", "parameter", "plot"};
+    return names[static_cast<std::size_t>(kind)];
+}
+
+std::string commandOf(const scene::Scene& scene, const Element& element) {
+    const bool isSpring = element.kind == Kind::link && element.index < scene.links.size() &&
+                          scene.links[element.index].spring.has_value();
+    return isSpring ? "spring" : commandOf(element.kind);
+}
+
 std::string describe(const scene::Scene& scene, const Element& element) {
     const scene::Source* source = sourceOf(scene, element);
     const std::string name = source ? nameOf(scene, element) : "";
-    const bool isSpring =
-        source && element.kind == Kind::link && scene.links[element.index].spring.has_value();
-    const std::string word = isSpring ? "spring" : wordOf(element.kind);
+    const std::string word =
+        commandOf(scene, element) == "spring" ? "spring" : wordOf(element.kind);
     if (!name.empty())
         return word + " \"" + name + "\"";
     return "the " + word +

@@ -38,6 +38,9 @@ struct Element {
 [[nodiscard]] const scene::Source* sourceOf(const scene::Scene& scene, const Element& element);
 [[nodiscard]] std::string nameOf(const scene::Scene& scene, const Element& element); // "": unnamed
 [[nodiscard]] std::string wordOf(Kind kind);                                         // "body"
+// The command that makes it: "lightsource"; "spring" for a link that is one.
+[[nodiscard]] std::string commandOf(Kind kind);
+[[nodiscard]] std::string commandOf(const scene::Scene& scene, const Element& element);
 // "body \"b1\"", "the force of line 7".
 [[nodiscard]] std::string describe(const scene::Scene& scene, const Element& element);
 

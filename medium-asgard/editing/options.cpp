@@ -1,6 +1,8 @@
 #include "editing/options.h"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 
 namespace editing {
 
@@ -23,20 +25,23 @@ constexpr OptionHint shapeOptions[] = {
     {"-desc", list,
      "parts: -sub {... -sphere R | -box {a b c} | -cylinder {r h} | -cone {r h} | -capsule {r h} | "
      "-ellipsoid {a b c} | -plane | -points {...}} and -face {{x y z} ...}",
-     ""},
-    {"-color", color, "#rrggbb, a name, or {r g b} from 0 to 1", ""},
+     "", "Parts"},
+    {"-color", color, "#rrggbb, a name, or {r g b} from 0 to 1", "", "Colour"},
     {"-shininess", number, "from 0, matt, to 1", ""},
     {"-transparency", number, "from 0, opaque, to 1", ""},
 };
 constexpr OptionHint bodyOptions[] = {
     {"-shape", shapeSet, "the name of a shape set", ""},
-    {"-init_pos", vector, "three numbers: where its reference point starts", ""},
-    {"-init_rot", vector, "a rotation vector (axis times angle), or a quaternion w x y z", ""},
-    {"-init_dpos", vector, "three numbers: its velocity at the start", ""},
-    {"-init_drot", vector, "three numbers: its angular velocity at the start, axis times rate", ""},
+    {"-init_pos", vector, "three numbers: where its reference point starts", "", "Place"},
+    {"-init_rot", vector, "a rotation vector (axis times angle), or a quaternion w x y z", "",
+     "Attitude"},
+    {"-init_dpos", vector, "three numbers: its velocity at the start", "", "Velocity"},
+    {"-init_drot", vector, "three numbers: its angular velocity at the start, axis times rate", "",
+     "Angular velocity"},
     {"-mass", number, "a positive number; else the shape's volume times -density", ""},
     {"-inertia", vector, "three principal values, or xx yy zz xy xz yz", ""},
-    {"-center", vector, "three numbers: its centre of mass, with -mass and -inertia", ""},
+    {"-center", vector, "three numbers: its centre of mass, with -mass and -inertia", "",
+     "Centre of mass"},
     {"-density", number, "a positive number (1)", ""},
     {"-restitution", number, "0: it does not bounce, 1: it loses nothing (1)", ""},
     {"-friction", number, "Coulomb's coefficient, of both bodies' the geometric mean (0)", ""},
@@ -44,63 +49,75 @@ constexpr OptionHint bodyOptions[] = {
     {"-rolling_friction", number, "a length: the couple that resists rolling, over the force", ""},
     {"-surface_velocity", vector, "three numbers, body frame: its surface moves as a conveyor", ""},
     {"-fixed", flag, "1: it never moves", ""},
-    {"-artbody", text, "the articulated body that it is a part of", ""},
-    {"-ct", integer, "bodies of one collision group do not hit each other", ""},
-    {"-color", color, "#rrggbb, a name, or {r g b} from 0 to 1", ""},
+    {"-artbody", text, "the articulated body that it is a part of", "", "Articulated body"},
+    {"-ct", integer, "bodies of one collision group do not hit each other", "", "Collision group"},
+    {"-color", color, "#rrggbb, a name, or {r g b} from 0 to 1", "", "Colour"},
     {"-shininess", number, "from 0, matt, to 1", ""},
     {"-transparency", number, "from 0, opaque, to 1", ""},
 };
 constexpr OptionHint forceOptions[] = {
     {"-body", body, "the body that it acts on", ""},
-    {"-torque", flag, "1: it turns the body and makes no net force", ""},
-    {"-offset", vector, "three numbers: where it acts, in the body's frame", ""},
-    {"-x", expression, "an expression: its component along x", ""},
-    {"-y", expression, "an expression: its component along y", ""},
-    {"-z", expression, "an expression: its component along z", ""},
-    {"-frame", choice, "whose axes x, y and z are (world)", "world body"},
+    {"-torque", flag, "1: it turns the body and makes no net force", "", "Turns only"},
+    {"-offset", vector, "three numbers: where it acts, in the body's frame", "", "Acts at"},
+    {"-x", expression, "an expression: its component along x", "", "Along x"},
+    {"-y", expression, "an expression: its component along y", "", "Along y"},
+    {"-z", expression, "an expression: its component along z", "", "Along z"},
+    {"-frame", choice, "whose axes x, y and z are (world)", "world body", "Axes of"},
     {"-trajectory", trajectory, "a trajectory whose value now is the force", ""},
-    {"-gravitational", vector, "three numbers: the acceleration that it gives", ""},
-    {"-release", expression, "an expression: the force is gone as soon as it is not 0", ""},
+    {"-gravitational", vector, "three numbers: the acceleration that it gives", "", "Gravity"},
+    {"-release", expression, "an expression: the force is gone as soon as it is not 0", "",
+     "Released when"},
 };
 constexpr OptionHint linkOptions[] = {
-    {"-body1", body, "the body that it holds", ""},
-    {"-offset1", vector, "three numbers: where, in the first body's frame", ""},
-    {"-body2", body, "the body that it holds on to", ""},
-    {"-offset2", vector, "three numbers: where, in the second body's frame", ""},
-    {"-x", expression, "an expression: x of the point that it holds on to", ""},
-    {"-y", expression, "an expression: y of the point", ""},
-    {"-z", expression, "an expression: z of the point", ""},
+    {"-body1", body, "the body that it holds", "", "First body"},
+    {"-offset1", vector, "three numbers: where, in the first body's frame", "",
+     "Place on first body"},
+    {"-body2", body, "the body that it holds on to", "", "Second body"},
+    {"-offset2", vector, "three numbers: where, in the second body's frame", "",
+     "Place on second body"},
+    {"-x", expression, "an expression: x of the point that it holds on to", "", "Along x"},
+    {"-y", expression, "an expression: y of the point", "", "Along y"},
+    {"-z", expression, "an expression: z of the point", "", "Along z"},
     {"-trajectory", trajectory, "a trajectory that it holds on to", ""},
     {"-tightness", number, "the force for each unit of distance", ""},
     {"-damping", number, "the force for each unit of velocity; critical by default", ""},
-    {"-release", expression, "an expression: the link is gone as soon as it is not 0", ""},
+    {"-release", expression, "an expression: the link is gone as soon as it is not 0", "",
+     "Released when"},
 };
 constexpr OptionHint springOptions[] = {
-    {"-body1", body, "the body that it pulls", ""},
-    {"-offset1", vector, "three numbers: where, in the first body's frame", ""},
-    {"-body2", body, "the body at its other end", ""},
-    {"-offset2", vector, "three numbers: where, in the second body's frame", ""},
-    {"-x", expression, "an expression: x of the point at its other end", ""},
-    {"-y", expression, "an expression: y of the point", ""},
-    {"-z", expression, "an expression: z of the point", ""},
+    {"-body1", body, "the body that it pulls", "", "First body"},
+    {"-offset1", vector, "three numbers: where, in the first body's frame", "",
+     "Place on first body"},
+    {"-body2", body, "the body at its other end", "", "Second body"},
+    {"-offset2", vector, "three numbers: where, in the second body's frame", "",
+     "Place on second body"},
+    {"-x", expression, "an expression: x of the point at its other end", "", "Along x"},
+    {"-y", expression, "an expression: y of the point", "", "Along y"},
+    {"-z", expression, "an expression: z of the point", "", "Along z"},
     {"-trajectory", trajectory, "a trajectory that leads its other end", ""},
     {"-stiffness", number, "the force for each unit of length", ""},
-    {"-rest", number, "the length without a force; by default the length at the start", ""},
+    {"-rest", number, "the length without a force; by default the length at the start", "",
+     "Length at rest"},
     {"-damping", number, "the force for each unit of velocity along it (0)", ""},
-    {"-pull_only", flag, "1: it never pushes, as a bungee", ""},
-    {"-release", expression, "an expression: the spring is gone as soon as it is not 0", ""},
+    {"-pull_only", flag, "1: it never pushes, as a bungee", "", "Only pulls"},
+    {"-release", expression, "an expression: the spring is gone as soon as it is not 0", "",
+     "Released when"},
 };
 constexpr OptionHint jointOptions[] = {
     {"-type", choice, "what it leaves free",
      "fixed hinge slider cylindrical universal ball planar distance screw"},
-    {"-body1", body, "the body that it holds", ""},
-    {"-offset1", vector, "three numbers: where, in the first body's frame; its centre of mass", ""},
-    {"-body2", body, "the body that it holds on to; without it, the world", ""},
-    {"-offset2", vector, "three numbers: where, in the second body's frame", ""},
-    {"-axis", vector, "three numbers: a direction in the first body's frame", ""},
-    {"-axis2", vector, "three numbers: a direction in the second body's frame", ""},
+    {"-body1", body, "the body that it holds", "", "First body"},
+    {"-offset1", vector, "three numbers: where, in the first body's frame; its centre of mass", "",
+     "Place on first body"},
+    {"-body2", body, "the body that it holds on to; without it, the world", "", "Second body"},
+    {"-offset2", vector, "three numbers: where, in the second body's frame", "",
+     "Place on second body"},
+    {"-axis", vector, "three numbers: a direction in the first body's frame", "", "Axis"},
+    {"-axis2", vector, "three numbers: a direction in the second body's frame", "",
+     "Axis on second body"},
     {"-pitch", number, "how far a screw slides in one turn; negative: left-handed", ""},
-    {"-release", expression, "an expression: the joint is gone as soon as it is not 0", ""},
+    {"-release", expression, "an expression: the joint is gone as soon as it is not 0", "",
+     "Released when"},
     {"-limits", list, "{lo hi}: how far q goes; {} in place of a number: as far as it likes", ""},
     {"-limit_restitution", number, "0: it stops at its limits, 1: it loses nothing there (0)", ""},
     {"-motor", expression, "an expression: a force or couple along q", ""},
@@ -109,7 +126,7 @@ constexpr OptionHint jointOptions[] = {
     {"-max_motor", number,
      "the most that -speed or -position may take; without it, all that it takes", ""},
     {"-stiffness", number, "the force or couple for each unit of q", ""},
-    {"-rest", number, "where the spring of -stiffness does not pull (0)", ""},
+    {"-rest", number, "where the spring of -stiffness does not pull (0)", "", "Rests at"},
     {"-damping", number, "the force or couple for each unit of its rate", ""},
     {"-friction", number, "the most that its dry friction can be", ""},
     {"-limits1", list, "{lo hi}: how far q1 goes; {} in place of a number: as far as it likes", ""},
@@ -136,71 +153,80 @@ constexpr OptionHint jointOptions[] = {
     {"-friction2", number, "the most that its dry friction can be", ""},
 };
 constexpr OptionHint gearOptions[] = {
-    {"-joint1", joint, "the joint that turns by -ratio times the other", ""},
-    {"-joint2", joint, "the other joint", ""},
+    {"-joint1", joint, "the joint that turns by -ratio times the other", "", "First joint"},
+    {"-joint2", joint, "the other joint", "", "Second joint"},
     {"-ratio", number, "joint1.q = ratio * joint2.q; not 0", ""},
-    {"-joints", list, "two or more joints, NAME or NAME.q2", ""},
+    {"-joints", expressions, "two or more joints, NAME or NAME.q2", ""},
     {"-ratios", list, "a number for each: the sum of number times q stays", ""},
-    {"-release", expression, "an expression: the gear is gone as soon as it is not 0", ""},
+    {"-release", expression, "an expression: the gear is gone as soon as it is not 0", "",
+     "Released when"},
 };
 constexpr OptionHint ropeOptions[] = {
-    {"-points", list, "{{BODY {offset}} {x y z} ...}; a wheel is {BODY {offset} RADIUS ?AXIS?}",
-     ""},
+    {"-points", expressions,
+     "{{BODY {offset}} {x y z} ...}; a wheel is {BODY {offset} RADIUS ?AXIS?}", ""},
     {"-length", number, "how long it is; by default what it measures at the start", ""},
     {"-restitution", number, "of the impact when it becomes taut (0)", ""},
     {"-closed", flag, "1: it leads back to its first point, as a belt", ""},
-    {"-release", expression, "an expression: the rope is gone as soon as it is not 0", ""},
+    {"-release", expression, "an expression: the rope is gone as soon as it is not 0", "",
+     "Released when"},
 };
 constexpr OptionHint contactOptions[] = {
-    {"-body1", body, "one of the two bodies that touch", ""},
-    {"-body2", body, "the other one", ""},
+    {"-body1", body, "one of the two bodies that touch", "", "First body"},
+    {"-body2", body, "the other one", "", "Second body"},
     {"-friction", number, "Coulomb's coefficient of this pair; by default both bodies' mean", ""},
     {"-static_friction", number, "the same while nothing slides, at least -friction", ""},
     {"-rolling_friction", number, "a length: the couple that resists rolling, over the force", ""},
     {"-restitution", number, "0: it does not bounce, 1: it loses nothing; the bodies' smaller", ""},
-    {"-collide", flag, "1: these two may touch whatever joints and -ct say; 0: they never do", ""},
+    {"-collide", flag, "1: these two may touch whatever joints and -ct say; 0: they never do", "",
+     "May touch"},
 };
 constexpr OptionHint trajectoryOptions[] = {
     {"-points", list, "{{t x y z} ...}: a smooth curve through these", ""},
-    {"-bezier", list, "{{t0 t1 {x y z} {x y z} ...} ...}: curves by their control points", ""},
+    {"-bezier", list, "{{t0 t1 {x y z} {x y z} ...} ...}: curves by their control points", "",
+     "Control points"},
 };
 constexpr OptionHint constrainOptions[] = {
-    {"-pos", trajectory, "a trajectory that leads its position", ""},
-    {"-rot", trajectory, "a trajectory that leads its orientation", ""},
-    {"-dpos", trajectory, "a trajectory that is its velocity", ""},
-    {"-drot", trajectory, "a trajectory that is its angular velocity", ""},
-    {"-x", trajectory, "a trajectory whose first component is its x", ""},
-    {"-y", trajectory, "a trajectory whose first component is its y", ""},
-    {"-z", trajectory, "a trajectory whose first component is its z", ""},
-    {"-dx", trajectory, "a trajectory whose first component is its velocity along x", ""},
-    {"-dy", trajectory, "a trajectory whose first component is its velocity along y", ""},
-    {"-dz", trajectory, "a trajectory whose first component is its velocity along z", ""},
-    {"-from", number, "the time at which it takes hold", ""},
-    {"-to", number, "the time at which it lets go", ""},
+    {"-pos", trajectory, "a trajectory that leads its position", "", "Place led by"},
+    {"-rot", trajectory, "a trajectory that leads its orientation", "", "Attitude led by"},
+    {"-dpos", trajectory, "a trajectory that is its velocity", "", "Velocity led by"},
+    {"-drot", trajectory, "a trajectory that is its angular velocity", "",
+     "Angular velocity led by"},
+    {"-x", trajectory, "a trajectory whose first component is its x", "", "x led by"},
+    {"-y", trajectory, "a trajectory whose first component is its y", "", "y led by"},
+    {"-z", trajectory, "a trajectory whose first component is its z", "", "z led by"},
+    {"-dx", trajectory, "a trajectory whose first component is its velocity along x", "",
+     "Velocity led along x"},
+    {"-dy", trajectory, "a trajectory whose first component is its velocity along y", "",
+     "Velocity led along y"},
+    {"-dz", trajectory, "a trajectory whose first component is its velocity along z", "",
+     "Velocity led along z"},
+    {"-from", number, "the time at which it takes hold", "", "From time"},
+    {"-to", number, "the time at which it lets go", "", "To time"},
 };
 constexpr OptionHint lightOptions[] = {
     {"-direction", vector, "three numbers: where the light goes", ""},
-    {"-pos", vector, "three numbers: where it is", ""},
-    {"-color", color, "#rrggbb, a name, or {r g b} from 0 to 1", ""},
+    {"-pos", vector, "three numbers: where it is", "", "Place"},
+    {"-color", color, "#rrggbb, a name, or {r g b} from 0 to 1", "", "Colour"},
 };
 constexpr OptionHint viewOptions[] = {
-    {"-pos", vector, "where the centre is on the screen", ""},
-    {"-rot", vector, "a rotation vector: how the scene is turned", ""},
+    {"-pos", vector, "where the centre is on the screen", "", "Place"},
+    {"-rot", vector, "a rotation vector: how the scene is turned", "", "Attitude"},
     {"-scale", number, "how large the scene is", ""},
-    {"-center", vector, "what is in the middle: three numbers, expressions, or a trajectory", ""},
+    {"-center", vector, "what is in the middle: three numbers, expressions, or a trajectory", "",
+     "Middle"},
     {"-eye", vector, "where the camera stands", ""},
-    {"-look", vector, "what it looks at", ""},
-    {"-up", vector, "which way is up", ""},
+    {"-look", vector, "what it looks at", "", "Looks at"},
+    {"-up", vector, "which way is up", "", "Upwards"},
 };
 constexpr OptionHint parameterOptions[] = {
     {"-value", number, "a number, which sliders change", ""},
-    {"-min", number, "the slider's left end", ""},
-    {"-max", number, "the slider's right end", ""},
+    {"-min", number, "the slider's left end", "", "Least"},
+    {"-max", number, "the slider's right end", "", "Most"},
     {"-label", text, "what it is called", ""},
     {"-unit", text, "what is shown behind the number", ""},
 };
 constexpr OptionHint plotOptions[] = {
-    {"-values", list, "expressions that are drawn against time", ""},
+    {"-values", expressions, "expressions that are drawn against time", "", "Expressions"},
     {"-labels", list, "what they are called", ""},
     {"-title", text, "what stands above", ""},
 };
@@ -254,6 +280,19 @@ const CommandHint* hintOf(std::string_view command) {
         if (hint.name == command)
             return &hint;
     return nullptr;
+}
+
+const CommandHint& hintOf(const scene::Scene& scene, const Element& element) {
+    return *hintOf(commandOf(scene, element));
+}
+
+std::string captionOf(const OptionHint& option) {
+    if (!option.caption.empty())
+        return std::string(option.caption);
+    std::string caption(option.name.substr(1));
+    std::ranges::replace(caption, '_', ' ');
+    caption.front() = static_cast<char>(std::toupper(caption.front()));
+    return caption;
 }
 
 const OptionHint* hintOf(const CommandHint& command, std::string_view option) {

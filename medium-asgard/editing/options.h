@@ -1,7 +1,10 @@
 // The words that may follow a scene command, for completion and for tips.
 #pragma once
 
+#include "editing/element.h"
+
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace editing {
@@ -13,8 +16,9 @@ enum class Wants {
     flag, // 0 or 1
     text,
     color,
-    vector, // three numbers
-    list,   // of points, parts, expressions
+    vector,      // three numbers
+    list,        // of numbers, points, parts, texts
+    expressions, // a list of them, or of names and places
     expression,
     shapeSet, // a name
     body,
@@ -26,9 +30,12 @@ enum class Wants {
 struct OptionHint {
     std::string_view name;
     Wants wants;
-    std::string_view words;   // "three numbers: where it starts"
-    std::string_view choices; // blanks between them; for Wants::choice
+    std::string_view words;        // "three numbers: where it starts"
+    std::string_view choices;      // blanks between them; for Wants::choice
+    std::string_view caption = {}; // in a form; "": its name says it
 };
+// "Velocity", "Static friction".
+[[nodiscard]] std::string captionOf(const OptionHint& option);
 
 struct CommandHint {
     std::string_view name;
@@ -42,6 +49,7 @@ struct CommandHint {
 // In the order of the manual; `instance` is `body`.
 [[nodiscard]] std::span<const CommandHint> commandHints();
 [[nodiscard]] const CommandHint* hintOf(std::string_view command); // or null
+[[nodiscard]] const CommandHint& hintOf(const scene::Scene& scene, const Element& element);
 [[nodiscard]] const OptionHint* hintOf(const CommandHint& command, std::string_view option);
 
 } // namespace editing

@@ -1,10 +1,11 @@
 #include "gestures/picking.h"
 
+#include "render/extent.h"
 #include "render/handle_layout.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
+#include <utility>
 
 namespace gestures {
 
@@ -61,15 +62,12 @@ std::optional<render::Handle> jointAt(const render::Drawing& drawing, const Sigh
     return found ? std::optional(set.handles[*found]) : std::nullopt;
 }
 
-std::optional<Picked> bodyAt(const render::Drawing& drawing, const Sight& sight,
-                             const Eigen::Vector2d& pixels, std::optional<std::size_t> but) {
+std::vector<Picked> bodiesAt(const render::Drawing& drawing, const Sight& sight,
+                             const Eigen::Vector2d& pixels) {
     const Line line = lineOfSight(sight, pixels);
     std::map<std::string, ShapePointer> shapes;
-    std::optional<Picked> front;
-    double nearest = std::numeric_limits<double>::infinity();
+    std::vector<std::pair<double, Picked>> met;
     for (std::size_t i = 0; i < drawing.scene->bodies.size(); ++i) {
-        if (i == but)
-            continue;
         const scene::Body& body = drawing.scene->bodies[i];
         const auto [place, isNew] = shapes.try_emplace(body.shape);
         if (isNew)
@@ -80,12 +78,38 @@ std::optional<Picked> bodyAt(const render::Drawing& drawing, const Sight& sight,
             render::poseOf(*drawing.scene, drawing.motion.get(), i, drawing.time);
         const auto hit = geometry::castRay(*place->second, pose.toLocal(line.from),
                                            pose.attitude.conjugate() * line.direction);
-        if (hit && hit->distance < nearest) {
-            nearest = hit->distance;
-            front = {i, pose.toWorld(hit->point)};
-        }
+        if (hit)
+            met.push_back({hit->distance, {i, pose.toWorld(hit->point)}});
     }
-    return front;
+    std::ranges::stable_sort(met, {}, &std::pair<double, Picked>::first);
+    std::vector<Picked> all;
+    for (const auto& [distance, picked] : met)
+        all.push_back(picked);
+    return all;
+}
+
+std::optional<Picked> bodyAt(const render::Drawing& drawing, const Sight& sight,
+                             const Eigen::Vector2d& pixels, std::optional<std::size_t> but) {
+    for (const Picked& picked : bodiesAt(drawing, sight, pixels))
+        if (picked.body != but)
+            return picked;
+    return std::nullopt;
+}
+
+std::vector<std::size_t> bodiesWithin(const render::Drawing& drawing, const Sight& sight,
+                                      const Eigen::Vector2d& one, const Eigen::Vector2d& other) {
+    const Eigen::AlignedBox2d band(one.cwiseMin(other), one.cwiseMax(other));
+    std::vector<std::size_t> bodies;
+    for (std::size_t i = 0; i < drawing.scene->bodies.size(); ++i) {
+        const geometry::Pose pose =
+            render::poseOf(*drawing.scene, drawing.motion.get(), i, drawing.time);
+        Eigen::AlignedBox2d seen;
+        for (const render::Ball& ball : render::outlineOf(*drawing.scene, drawing.scene->bodies[i]))
+            seen.extend(sight.pixels(pose.toWorld(ball.center)));
+        if (!seen.isEmpty() && band.contains(seen.center()))
+            bodies.push_back(i);
+    }
+    return bodies;
 }
 
 std::optional<std::size_t> trajectoryAt(const scene::Scene& scene, const Sight& sight,

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace gestures {
 
@@ -46,10 +47,19 @@ struct Picked {
     std::size_t body = 0;
     Vector point; // world, on its surface
 };
+// All bodies on the line of sight, the front-most first.
+[[nodiscard]] std::vector<Picked> bodiesAt(const render::Drawing& drawing, const Sight& sight,
+                                           const Eigen::Vector2d& pixels);
 // The front-most body, or of all but one.
 [[nodiscard]] std::optional<Picked> bodyAt(const render::Drawing& drawing, const Sight& sight,
                                            const Eigen::Vector2d& pixels,
                                            std::optional<std::size_t> but = std::nullopt);
+
+// The bodies whose middle is seen in the rectangle between two of its corners; none without extent,
+// as a floor.
+[[nodiscard]] std::vector<std::size_t> bodiesWithin(const render::Drawing& drawing,
+                                                    const Sight& sight, const Eigen::Vector2d& one,
+                                                    const Eigen::Vector2d& other);
 
 // The trajectory whose line passes nearest, within `reach`.
 [[nodiscard]] std::optional<std::size_t> trajectoryAt(const scene::Scene& scene, const Sight& sight,

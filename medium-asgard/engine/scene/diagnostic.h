@@ -3,6 +3,7 @@
 
 #include "scene/scene.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,9 @@ struct Diagnostic {
     int column = 0;  // from 1, in characters
     int endLine = 0; // end of the range, exclusive
     int endColumn = 0;
-    std::string message;    // one sentence, the caret and suggestion not included
-    std::string suggestion; // "did you mean ...", or ""
+    std::string message;             // one sentence, the caret and suggestion not included
+    std::string suggestion;          // "did you mean ...", or ""
+    std::optional<double> time = {}; // of a motion's fault: when it comes
 };
 
 // Ordered by place; those without one come last.

@@ -32,6 +32,7 @@ void Panes::add(Pane pane) {
     if (const Placed* before = find(pane.behind))
         window_.tabifyDockWidget(before->dock, dock);
     dock->hide();
+    dock->toggleViewAction()->setShortcut(pane.key);
     panes_.push_back({std::move(pane), dock});
     const QString name = panes_.back().pane.name;
     connect(dock->toggleViewAction(), &QAction::triggered, this, [this, name](bool on) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QByteArray>
+#include <QKeySequence>
 #include <QList>
 #include <QObject>
 #include <QString>
@@ -22,6 +23,7 @@ struct Pane {
     Qt::DockWidgetArea side = Qt::RightDockWidgetArea;
     std::function<QWidget*()> make; // called when the pane is first shown
     QString behind = {};            // the name of a pane whose place it shares
+    QKeySequence key = {};          // shows and closes it
 };
 
 class Panes : public QObject {

@@ -53,8 +53,8 @@ PictureEditing::PictureEditing(SceneDocument& document, SceneDisplay& display)
     : document_(document), display_(display) {
     connect(&document_, &SceneDocument::selectionChanged, this, &PictureEditing::followSelection);
     connect(&document_, &SceneDocument::sceneChanged, this, [this] {
-        if (const auto expected = std::exchange(expected_, std::nullopt))
-            document_.select({*expected});
+        if (!expected_.empty())
+            document_.select(std::exchange(expected_, {}));
     });
 }
 
@@ -117,6 +117,7 @@ bool PictureEditing::press(QMouseEvent& event) {
     if (!mayChange())
         return true;
     button_ = event.button();
+    before_ = document_.selected();
     const Eigen::Vector2d pixels = display_.inPixels(event.position());
     const auto grasp = gestures::graspAt(display_.drawing(), display_.handles(), display_.sight(),
                                          cameraButton(button_), pixels,
@@ -125,6 +126,15 @@ bool PictureEditing::press(QMouseEvent& event) {
         take(*grasp, pixels);
     else
         selectPathAt(pixels);
+    return true;
+}
+
+bool PictureEditing::pressBody(std::size_t body, const QPointF& position) {
+    const auto handle = positionOf(body);
+    if (!handle || !mayChange())
+        return false;
+    button_ = Qt::LeftButton;
+    take({gestures::Grasp::What::drag, *handle}, display_.inPixels(position));
     return true;
 }
 
@@ -157,8 +167,11 @@ bool PictureEditing::release(QMouseEvent& event) {
         return true;
     if (!dragging())
         return false;
-    if (const auto gone = hand_.release(cameraButton(event.button())))
+    if (const auto gone = hand_.release(cameraButton(event.button()))) {
+        if (gone->drag && !gone->drag->moved() && event.button() == Qt::LeftButton)
+            addOrTakeOut(gestures::elementOf(gone->drag->handle()), !handleUnder(event.position()));
         ended(*gone);
+    }
     return true;
 }
 
@@ -212,7 +225,20 @@ void PictureEditing::offerOthers(const gestures::HandleDrag& drag) {
 
 void PictureEditing::mark(const render::Handle& handle) {
     mark_ = {handle.kind, handle.element, handle.part};
-    document_.select({gestures::elementOf(handle)});
+    const editing::Element element = gestures::elementOf(handle);
+    if (std::ranges::find(document_.selected(), element) == document_.selected().end())
+        document_.select({element});
+}
+
+// A click with Shift. On a handle it says which one the keys move; its element stays selected.
+void PictureEditing::addOrTakeOut(const editing::Element& element, bool onBody) {
+    std::vector<editing::Element> selected = before_;
+    const bool was = std::ranges::find(selected, element) != selected.end();
+    if (was && onBody)
+        std::erase(selected, element);
+    else
+        selected.push_back(element);
+    document_.select(std::move(selected));
 }
 
 void PictureEditing::choose(render::HandleKind kind, std::size_t element, std::size_t part) {
@@ -220,6 +246,7 @@ void PictureEditing::choose(render::HandleKind kind, std::size_t element, std::s
     handle.kind = kind;
     handle.element = element;
     handle.part = part;
+    document_.select({gestures::elementOf(handle)});
     mark(handle);
     Q_EMIT changed();
 }
@@ -284,9 +311,10 @@ void PictureEditing::markNext(int step) {
     if (all.empty())
         return;
     const auto count = all.size();
-    mark(all[now ? (at + count + static_cast<std::size_t>(step + static_cast<int>(count))) % count
-                 : 0]);
-    Q_EMIT changed();
+    const render::Handle& next =
+        all[now ? (at + count + static_cast<std::size_t>(step + static_cast<int>(count))) % count
+                : 0];
+    choose(next.kind, next.element, next.part);
 }
 
 bool PictureEditing::dragKey(QKeyEvent& event) {
@@ -309,6 +337,10 @@ bool PictureEditing::keyPress(QKeyEvent& event) {
         return true;
     }
     const int key = event.key();
+    if (key == Qt::Key_Escape && !document_.selected().empty()) {
+        document_.select({});
+        return true;
+    }
     if (key == Qt::Key_Delete || key == Qt::Key_Backspace) {
         deleteMarked();
         return true;

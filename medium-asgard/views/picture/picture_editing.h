@@ -1,6 +1,7 @@
 // Changes of the scene by pointer and keys in a picture (dissertation 4.1.3).
 //
-// Shifted buttons: the left one drags the handle nearest to the pointer, or the body under it;
+// Shifted buttons: the left one drags the handle nearest to the pointer, or the body under it, and
+// a click adds it to what is selected or takes it out;
 // the middle one turns the body, or draws a new point out of a trajectory's point, which the right
 // one removes. Delete takes out what is marked, with what depends on it; Insert puts a point after
 // the marked one. Keys: `H` goes from handle to handle (Shift: back), Shift and the
@@ -16,6 +17,7 @@
 #include <QPointer>
 
 #include <functional>
+#include <vector>
 
 class QKeyEvent;
 class QMouseEvent;
@@ -36,6 +38,8 @@ public:
     bool move(QMouseEvent& event);
     bool release(QMouseEvent& event);
     bool doubleClick(QMouseEvent& event);
+    // An unshifted drag of a body that is selected begins there. False: it cannot be moved now.
+    bool pressBody(std::size_t body, const QPointF& position);
     bool keyPress(QKeyEvent& event);
     void keyRelease(QKeyEvent& event);
     void finish(); // what is dragged stays where it is
@@ -50,8 +54,8 @@ public:
     [[nodiscard]] const QString& said() const { return said_; }
     // As a click on it does.
     void choose(render::HandleKind kind, std::size_t element, std::size_t part);
-    // Selects the element that a scene yet to be read will have.
-    void expect(editing::Element element) { expected_ = element; }
+    // Selects the elements that a scene yet to be read will have.
+    void expect(std::vector<editing::Element> elements) { expected_ = std::move(elements); }
     void deleteMarked();
     // With what cannot be without them, after asking.
     void remove(std::vector<editing::Element> elements);
@@ -86,8 +90,9 @@ private:
     [[nodiscard]] std::optional<render::Handle> positionOf(std::size_t body) const;
     void paintSelection(QPainter& painter) const;
     [[nodiscard]] std::optional<render::Handle> handleUnder(const QPointF& position) const;
-    [[nodiscard]] bool mayChange(); // says why not
-    void mark(const render::Handle& handle);
+    [[nodiscard]] bool mayChange();          // says why not
+    void mark(const render::Handle& handle); // and selects its element, if it is not yet
+    void addOrTakeOut(const editing::Element& element, bool onBody);
     void markElement(const editing::Element& element);
     void markNext(int step);
     bool dragKey(QKeyEvent& event);
@@ -107,11 +112,12 @@ private:
     gestures::Hand hand_;
     QString said_;
     bool saidFault_ = false;
-    std::optional<editing::Element> expected_; // of a scene yet to be read
+    std::vector<editing::Element> expected_; // of a scene yet to be read
     std::function<bool(const QString&)> confirm_;
     int since_ = 0; // the revision that a drag began at
     Qt::MouseButton button_ = Qt::NoButton;
     std::optional<Mark> mark_;
+    std::vector<editing::Element> before_; // what was selected when the button went down
     QPointer<ValueEntry> entry_;
 };
 

@@ -15,7 +15,8 @@ Pointing::Pointing(SceneDocument& document, SceneDisplay& display)
     rest_.setInterval(40);
     connect(&rest_, &QTimer::timeout, this, &Pointing::rest);
     // What was under the pointer may be gone, or another one.
-    for (const auto signal : {&SceneDocument::sceneChanged, &SceneDocument::motionChanged})
+    for (const auto signal : {&SceneDocument::sceneChanged, &SceneDocument::motionChanged,
+                              &SceneDocument::selectionChanged})
         connect(&document_, signal, this, &Pointing::follow);
 }
 
@@ -41,7 +42,7 @@ void Pointing::look() {
     const auto before = std::pair(subject_, words_);
     const bool wasBody = body_ || path_;
     handle_.reset();
-    body_ = path_ = false;
+    body_ = path_ = isSelected_ = false;
     subject_.clear();
     words_.clear();
     const render::HandleSet& set = display_.knownHandles();
@@ -74,6 +75,7 @@ void Pointing::rest() {
     const Eigen::Vector2d pixels = display_.inPixels(*position_);
     if (const auto picked = gestures::bodyAt(drawing, display_.sight(), pixels)) {
         body_ = true;
+        isSelected_ = display_.selecting().selectedBodyAt(*position_).has_value();
         subject_ = QString::fromStdString(drawing.scene->bodies[picked->body].name);
     } else if (drawing.display.trajectories) {
         const auto path =
@@ -92,7 +94,7 @@ void Pointing::showCursor() {
     const bool shifted = keys_ & Qt::ShiftModifier;
     if (display_.creating().active())
         display_.setCursor(Qt::CrossCursor);
-    else if (shifted && (handle_ || body_))
+    else if ((shifted && (handle_ || body_)) || isSelected_)
         display_.setCursor(Qt::SizeAllCursor);
     else if (handle_ || (position_ && !display_.triadEndAt(*position_).isEmpty()))
         display_.setCursor(Qt::PointingHandCursor);
@@ -124,14 +126,18 @@ QString Pointing::hint() const {
     if (handle_)
         return tr("Shift-drag changes %1  ·  double click: exact value  ·  %2").arg(subject_, menu);
     if (body_)
-        return tr("Shift-drag moves %1  ·  Shift-middle turns it  ·  Shift-click selects it  ·  "
-                  "double click: size  ·  %2")
+        return (isSelected_
+                    ? tr("Drag moves %1  ·  Shift-middle turns it  ·  a click selects what "
+                         "lies behind  ·  double click: size  ·  %2")
+                    : tr("Click selects %1, with Shift one more  ·  Shift-drag moves it  ·  "
+                         "Shift-middle turns it  ·  double click: size  ·  %2"))
             .arg(subject_, menu);
     if (path_)
-        return tr("Shift-click selects %1  ·  %2").arg(subject_, menu);
+        return tr("Click selects %1  ·  %2").arg(subject_, menu);
     if (document_.shown().scene->bodies.empty())
         return tr("Nothing here yet: the menu Create, or the right button, makes a body");
-    return tr("Drag turns the view, the middle button moves it, the wheel scales it  ·  %1")
+    return tr("Drag turns the view, the middle button moves it, the wheel scales it  ·  Ctrl-drag "
+              "selects bodies  ·  %1")
         .arg(menu);
 }
 

@@ -53,7 +53,8 @@ private:
     QString subject_; // "the velocity of b1", "b1"
     QString words_;
     bool body_ = false, path_ = false;
-    QTimer rest_; // bodies are looked for when the pointer stays
+    bool isSelected_ = false; // the body
+    QTimer rest_;             // bodies are looked for when the pointer stays
 };
 
 } // namespace views

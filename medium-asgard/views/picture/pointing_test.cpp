@@ -74,7 +74,7 @@ TEST_F(PointingTest, ItLightsUp) {
 
 TEST_F(PointingTest, ABodySaysWhatMovesIt) {
     pointAt(display().fromPixels(display().sight().pixels({-1, 0.3, 0})).toPoint());
-    EXPECT_TRUE(waitFor([&] { return hint().find("Shift-drag moves ball") != std::string::npos; }))
+    EXPECT_TRUE(waitFor([&] { return hint().find("Click selects ball") != std::string::npos; }))
         << hint();
 }
 

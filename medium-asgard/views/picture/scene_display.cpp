@@ -44,7 +44,8 @@ std::optional<Button> buttonOf(Qt::MouseButton button) {
 SceneDisplay::SceneDisplay(SceneDocument& document, std::shared_ptr<PictureThread> pictures,
                            QWidget* parent)
     : QWidget(parent), document_(document), pictures_(std::move(pictures)),
-      editing_(document, *this), creating_(document, *this), pointing_(document, *this) {
+      editing_(document, *this), creating_(document, *this), pointing_(document, *this),
+      selecting_(document, *this) {
     pictures_->open(this, [this] {
         QMetaObject::invokeMethod(this, &SceneDisplay::ready, Qt::QueuedConnection);
     });
@@ -53,8 +54,9 @@ SceneDisplay::SceneDisplay(SceneDocument& document, std::shared_ptr<PictureThrea
     setAttribute(Qt::WA_OpaquePaintEvent);
     setMouseTracking(true);
     setAccessibleName(tr("Scene"));
-    setAccessibleDescription(tr("Picture of the scene. Drag with the left button to turn it, the "
-                                "middle one to move it, the right one to scale or roll it."));
+    setAccessibleDescription(tr("Picture of the scene. Click to select. Drag with the left button "
+                                "to turn it, the middle one to move it, the right one to scale or "
+                                "roll it."));
     settle_.setSingleShot(true);
     settle_.setInterval(180);
     connect(&settle_, &QTimer::timeout, this, [this] { redraw(false); });
@@ -409,8 +411,10 @@ double SceneDisplay::massOf(std::size_t body) const {
 }
 
 void SceneDisplay::mousePressEvent(QMouseEvent* event) {
-    if (!control_.active())
+    if (!control_.active()) {
         pressed_ = event->position();
+        isDrag_ = false;
+    }
     const auto button = buttonOf(event->button());
     bringUpToDate();
     if (!button)
@@ -418,23 +422,42 @@ void SceneDisplay::mousePressEvent(QMouseEvent* event) {
     else if (clickTriad(*event)) {
     } else if (creating_.active() && *button == Button::left) {
         control_.press(*button, inPixels(event->position()), pixelSize());
-    } else if (!editing_.press(*event))
-        control_.press(*button, inPixels(event->position()), pixelSize());
+    } else if (editing_.dragging() || !selecting_.press(*event)) {
+        if (!editing_.press(*event))
+            control_.press(*button, inPixels(event->position()), pixelSize());
+    }
 }
 
 void SceneDisplay::mouseMoveEvent(QMouseEvent* event) {
-    constexpr double still = 4; // pixels: not yet a drag
+    if (selecting_.move(*event))
+        return;
     if (!control_.active() && !editing_.dragging()) {
         pointing_.moveTo(event->position(), event->modifiers());
         creating_.hover(event->position(), event->modifiers() & Qt::ControlModifier);
-    } else if (control_.active() && !pointing_.advice().isEmpty() &&
-               (event->position() - pressed_).manhattanLength() >= still)
-        editing_.say(pointing_.advice(), false);
-    if (creating_.active() && control_.active() &&
-        (event->position() - pressed_).manhattanLength() < still)
+    }
+    if (!editing_.move(*event) && control_.active())
+        moveView(*event);
+}
+
+// A drag begins when the pointer has left its place; then a body that is selected goes with it.
+void SceneDisplay::moveView(QMouseEvent& event) {
+    constexpr double still = 4; // pixels
+    const bool isFar = (event.position() - pressed_).manhattanLength() >= still;
+    if (isFar && !std::exchange(isDrag_, true)) {
+        const auto body = selecting_.awaitsClick() ? selecting_.selectedBodyAt(pressed_)
+                                                   : std::optional<std::size_t>();
+        selecting_.forgetClick();
+        if (body && editing_.pressBody(*body, pressed_)) {
+            control_.release();
+            editing_.move(event);
+            return;
+        }
+        if (!pointing_.advice().isEmpty())
+            editing_.say(pointing_.advice(), false);
+    }
+    if ((event.buttons() & Qt::LeftButton) && !isDrag_)
         return;
-    if (!editing_.move(*event) && control_.active() &&
-        control_.move(inPixels(event->position()), pixelSize())) {
+    if (control_.move(inPixels(event.position()), pixelSize())) {
         turning_ = true;
         movedByUser();
     }
@@ -445,6 +468,8 @@ void SceneDisplay::mouseReleaseEvent(QMouseEvent* event) {
     if (creating_.active() && event->button() == Qt::LeftButton) {
         if ((event->position() - pressed_).manhattanLength() < still)
             creating_.click(event->position(), event->modifiers() & Qt::ControlModifier);
+    } else if (selecting_.release(*event)) {
+        // It is selected.
     } else if (!editing_.release(*event) && control_.active() &&
                event->button() == Qt::RightButton &&
                (event->position() - pressed_).manhattanLength() < still) {
@@ -472,7 +497,8 @@ void SceneDisplay::mouseDoubleClickEvent(QMouseEvent* event) {
 bool SceneDisplay::event(QEvent* event) {
     if (event->type() == QEvent::PaletteChange)
         redraw(false);
-    if (event->type() == QEvent::ShortcutOverride && (editing_.dragging() || creating_.active())) {
+    if (event->type() == QEvent::ShortcutOverride &&
+        (editing_.dragging() || creating_.active() || selecting_.hasBand())) {
         event->accept();
         return true;
     }
@@ -490,6 +516,8 @@ void SceneDisplay::keyPressEvent(QKeyEvent* event) {
     bringUpToDate();
     pointing_.setKeys(event->modifiers() |
                       (event->key() == Qt::Key_Shift ? Qt::ShiftModifier : Qt::NoModifier));
+    if (event->key() == Qt::Key_Escape && selecting_.cancel())
+        return;
     if (creating_.key(*event) || editing_.keyPress(*event))
         return;
     if (turnKey(*event))
@@ -571,6 +599,7 @@ void SceneDisplay::keyReleaseEvent(QKeyEvent* event) {
 
 void SceneDisplay::focusOutEvent(QFocusEvent* event) {
     editing_.finish();
+    selecting_.cancel();
     update();
     QWidget::focusOutEvent(event);
 }
@@ -594,6 +623,7 @@ void SceneDisplay::paintEvent(QPaintEvent*) {
     pointing_.paint(painter);
     editing_.paint(painter);
     creating_.paint(painter);
+    selecting_.paint(painter);
 }
 
 } // namespace views

@@ -14,6 +14,7 @@
 #include "picture/picture_editing.h"
 #include "picture/picture_thread.h"
 #include "picture/pointing.h"
+#include "picture/selecting.h"
 #include "render/extent.h"
 #include "workbench/scene_document.h"
 
@@ -67,6 +68,7 @@ public:
     [[nodiscard]] PictureEditing& editing() { return editing_; }
     [[nodiscard]] Creating& creating() { return creating_; }
     [[nodiscard]] Pointing& pointing() { return pointing_; }
+    [[nodiscard]] const Selecting& selecting() const { return selecting_; }
     // How long the arrow of a force, or a torque, of 1 is drawn.
     [[nodiscard]] double arrowLength(bool couple);
     [[nodiscard]] double massOf(std::size_t body) const; // 1 while it is not known
@@ -130,6 +132,7 @@ private:
     void frame(const render::Extent& extent);
     bool clickTriad(const QMouseEvent& event);
     bool turnKey(const QKeyEvent& event);
+    void moveView(QMouseEvent& event);
     [[nodiscard]] std::vector<geometry::Vector> verticesAndHandles();
 
     SceneDocument& document_;
@@ -144,7 +147,9 @@ private:
     PictureEditing editing_;
     Creating creating_;
     Pointing pointing_;
+    Selecting selecting_;
     QPointF pressed_;     // where the button was
+    bool isDrag_ = false; // the pointer has left that place
     bool turned_ = false; // framed anew, with the attitude as it is
     unsigned wished_ = 0, waitedFor_ = 0;
     bool isOld_ = true; // what is shown is not what was wished for last

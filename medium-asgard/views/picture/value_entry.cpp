@@ -2,6 +2,7 @@
 
 #include "editing/number_text.h"
 #include "picture/edit_preview.h"
+#include "picture/offer_list.h"
 #include "plain/plain.h"
 #include "script/numbers.h"
 
@@ -125,27 +126,12 @@ void ValueEntry::update() {
     says_->setStyleSheet(answer_.possible() && wanted ? QString()
                                                       : QStringLiteral("color: #aa1e14"));
     says_->setVisible(!says_->text().isEmpty());
-    showOffers();
+    showOffers(*offers_, asked_.text, answer_.offers,
+               [this](const text::Edits& edits) { take(edits); });
     adjustSize();
     if (parentWidget())
         move(std::clamp(x(), 0, std::max(0, parentWidget()->width() - width())),
              std::clamp(y(), 0, std::max(0, parentWidget()->height() - height())));
-}
-
-void ValueEntry::showOffers() {
-    while (QLayoutItem* item = offers_->takeAt(0)) {
-        delete item->widget();
-        delete item;
-    }
-    for (const editing::Offer& offer : answer_.offers) {
-        auto* button = new QPushButton(plain::caption(QString::fromStdString(offer.label)));
-        connect(button, &QPushButton::clicked, this, [this, edits = offer.edits] { take(edits); });
-        offers_->addWidget(button);
-        auto* shown = plain::markupLabel();
-        shown->setText(previewOf(asked_.text, offer.edits));
-        shown->setWordWrap(true);
-        offers_->addWidget(shown);
-    }
 }
 
 void ValueEntry::propose(const std::vector<editing::Wish>& wishes) {

@@ -36,7 +36,6 @@ private:
     [[nodiscard]] std::optional<std::vector<double>> values() const;
     void addFields(QVBoxLayout* column);
     void update();
-    void showOffers();
     void take(const text::Edits& edits);
     void leave();
 

@@ -69,7 +69,7 @@ void BodyPanel::refresh() {
     const auto now = body();
     const scene::Body* one = now ? &document_.shown().scene->bodies[*now] : nullptr;
     name_->setText(one ? QString::fromStdString(one->name) : tr("None is selected"));
-    name_->setToolTip(tr("Shift and a click select a body"));
+    name_->setToolTip(tr("A click in the picture selects a body"));
     name_->setForegroundRole(one ? QPalette::WindowText : QPalette::PlaceholderText);
     fixed_->setChecked(one && one->fixed);
     for (QWidget* each : std::initializer_list<QWidget*>{fixed_, size_, shape_, surface_})

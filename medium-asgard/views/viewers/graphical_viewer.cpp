@@ -13,8 +13,10 @@
 #include "picture/keep_view.h"
 #include "plain/plain.h"
 #include "plots/plots_panel.h"
+#include "properties/element_commands.h"
 #include "shapes/shapes_menu.h"
 #include "start/tour.h"
+#include "viewers/scene_panes.h"
 #include "viewers/time_controls.h"
 #include "viewers/tool_bar.h"
 
@@ -29,6 +31,8 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace views {
 
@@ -89,6 +93,9 @@ GraphicalViewer::GraphicalViewer(SceneDocument& document, std::shared_ptr<Pictur
     setObjectName(QStringLiteral("graphicalViewer%1").arg(number_));
     buildPicture(std::move(pictures));
     buildPanes();
+    commands_ = new ElementCommands(document_, this);
+    connect(commands_, &ElementCommands::refused, this,
+            [this](const QString& why) { display_->editing().say(why); });
     buildMenus();
     connectParts();
     updateRange();
@@ -157,12 +164,17 @@ void GraphicalViewer::buildPanes() {
                 }});
     panes_.add({"plots", tr("Plots"), Qt::BottomDockWidgetArea,
                 [this] { return new PlotsPanel(document_); }});
+    addScenePanes(panes_, document_, *display_, playback_, windows_,
+                  [this](const editing::Element& element, const QPoint& global) {
+                      document_.select({element});
+                      showMenu(menuPlaceOfSelection(document_, *display_), global);
+                  });
     panes_.add({"tour", tr("Tour"), Qt::RightDockWidgetArea, [this] { return makeTour(); }});
     connect(&panes_, &Panes::contentMade, this, [this](const QString& name, QWidget* content) {
-        const std::pair<const char*, const char*> topics[] = {{"text", "The text"},
-                                                              {"status", "Motion and handles"},
-                                                              {"plots", "Plots"},
-                                                              {"tour", "The tour"}};
+        const std::pair<const char*, const char*> topics[] = {
+            {"text", "The text"},         {"status", "Motion and handles"}, {"plots", "Plots"},
+            {"properties", "Properties"}, {"sceneList", "Scene list"},      {"faults", "Faults"},
+            {"tour", "The tour"}};
         for (const auto& [pane, topic] : topics)
             if (name == QLatin1String(pane))
                 setHelp(*content, QLatin1String(topic));
@@ -261,7 +273,9 @@ void GraphicalViewer::connectParts() {
     for (QAbstractButton* button : findChildren<QAbstractButton*>())
         button->installEventFilter(this);
     connectTimeStrip();
-    connect(display_, &SceneDisplay::menuWanted, this, &GraphicalViewer::showMenu);
+    connect(display_, &SceneDisplay::menuWanted, this, [this](const MenuPlace& place) {
+        showMenu(place, display_->mapToGlobal(place.position.toPoint()));
+    });
     connect(&display_->pointing(), &Pointing::changed, this, &GraphicalViewer::showHint);
     connect(&display_->creating(), &Creating::changed, this, &GraphicalViewer::showHint);
     connect(display_, &SceneDisplay::handleDragged, this, &GraphicalViewer::showHint);
@@ -326,6 +340,15 @@ void GraphicalViewer::buildEditMenu() {
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
     undo_ = addUndoActions(edit, document_, [this](bool redo) { return typing(redo); });
     edit->addSeparator();
+    // Where the picture has the keyboard: a text copies words.
+    for (QAction* one :
+         {edit->addAction(tr("&Copy"), QKeySequence::Copy, commands_, &ElementCommands::copy),
+          edit->addAction(tr("&Paste"), QKeySequence::Paste, commands_, &ElementCommands::paste),
+          edit->addAction(tr("Dup&licate"), QKeySequence(Qt::CTRL | Qt::Key_D), commands_,
+                          &ElementCommands::duplicate)}) {
+        one->setShortcutContext(Qt::WidgetShortcut);
+        display_->addAction(one);
+    }
     QAction* remove =
         edit->addAction(tr("&Delete"), this, [this] { display_->editing().deleteMarked(); });
     QAction* value =
@@ -467,10 +490,12 @@ void GraphicalViewer::resizeEvent(QResizeEvent* event) {
     showHint();
 }
 
-// What is being created is given up first, wherever the keyboard is.
+// What is being created is given up first, wherever the keyboard is; nothing stays selected.
 void GraphicalViewer::stop() {
     if (display_->creating().active())
         display_->creating().cancel();
+    else if (!playback_.isPlaying() && !document_.selected().empty())
+        document_.select({});
     else
         playback_.stop();
 }
@@ -506,7 +531,7 @@ void GraphicalViewer::showCreated(editing::Element element, HandleSwitch handles
         panel_->show(handles);
     if (element.kind == editing::Kind::plot)
         panes_.show("plots");
-    display_->editing().expect(element);
+    display_->editing().expect({element});
 }
 
 void GraphicalViewer::connectBody() {
@@ -544,10 +569,11 @@ void GraphicalViewer::connectTimeStrip() {
     });
 }
 
-void GraphicalViewer::showMenu(const MenuPlace& place) {
+void GraphicalViewer::showMenu(const MenuPlace& place, const QPoint& global) {
     if (place.handle)
         display_->editing().choose(place.handle->kind, place.handle->element, place.handle->part);
-    else if (place.element)
+    else if (place.element &&
+             std::ranges::find(document_.selected(), *place.element) == document_.selected().end())
         document_.select({*place.element});
     // It goes when it is closed, or with the window.
     QMenu* menu = elementMenu(document_, *display_, place,
@@ -555,7 +581,7 @@ void GraphicalViewer::showMenu(const MenuPlace& place) {
                                [this] { panes_.show("plots"); }})
                       .release();
     menu->setAttribute(Qt::WA_DeleteOnClose);
-    menu->popup(display_->mapToGlobal(place.position.toPoint()));
+    menu->popup(global);
 }
 
 void GraphicalViewer::fillViewsMenu() {

@@ -19,6 +19,7 @@ class QVBoxLayout;
 
 namespace views {
 
+class ElementCommands;
 class LanguageViewer;
 class TimeControls;
 class ToldBar;
@@ -65,7 +66,7 @@ private:
     void buildLiveMenu(QMenu* menu);
     void connectTimeStrip();
     void connectBody();
-    void showMenu(const MenuPlace& place);
+    void showMenu(const MenuPlace& place, const QPoint& global);
     void fillViewsMenu();
     void updateRange();
     void updateState();
@@ -83,6 +84,7 @@ private:
     int number_;
     Playback playback_;
     SceneDisplay* display_;
+    ElementCommands* commands_;
     ToldBar* told_;
     StatusPanel* panel_;
     TimeBar* timeBar_;

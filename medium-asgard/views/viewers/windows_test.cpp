@@ -233,7 +233,7 @@ TEST_F(WindowsTest, WhatIsNewHasAnExactValueAsSoonAsItIsSeen) {
     shown.forceHandles = true;
     display().setDisplay(shown);
     SceneDisplay::setPatience({}); // its handle is known later than the scene
-    display().editing().expect({editing::Kind::force, 0});
+    display().editing().expect({{editing::Kind::force, 0}});
     editor.document().setText(text() + "force -body floor -gravitational {0 -1 0}\n", "Edit");
     EXPECT_TRUE(waitFor([&] {
         display().grab();

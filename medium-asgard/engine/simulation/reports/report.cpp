@@ -91,6 +91,7 @@ scene::Diagnostic stopAt(const scene::Scene& scene, const Names& names, std::siz
                          const Stop& stop) {
     scene::Diagnostic said;
     said.message = stop.sentence;
+    said.time = stop.time;
     const scene::Source* blamed = stop.culprit ? sourceOf(scene, *stop.culprit) : nullptr;
     if (blamed)
         placeAt(*blamed, stop.culprit->option, said);

@@ -1,0 +1,26 @@
+#include "element_edits/attitude.h"
+
+#include <cmath>
+
+namespace editing {
+
+using geometry::Vector;
+
+Turn turnOf(const Vector& rotationVector) {
+    // The same attitude by the shorter way round.
+    const Vector shortest =
+        geometry::toRotationVector(geometry::fromRotationVector(rotationVector));
+    const double angle = shortest.norm();
+    if (angle == 0)
+        return {};
+    return {angle * 180 / M_PI, shortest / angle};
+}
+
+Vector rotationVectorOf(const Turn& turn) {
+    const double length = turn.axis.norm();
+    if (length == 0)
+        return Vector::Zero();
+    return turn.axis * (turn.degrees * M_PI / 180 / length);
+}
+
+} // namespace editing

@@ -1,0 +1,316 @@
+#include "element_edits/copying.h"
+
+#include "editing/creation.h"
+#include "editing/deletion.h"
+#include "editing/number_text.h"
+#include "editing/options.h"
+#include "element_edits/renaming.h"
+#include "element_edits/words.h"
+#include "script/numbers.h"
+#include "script/structure.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <set>
+
+namespace editing {
+
+using geometry::Vector;
+using script::Command;
+using script::Structure;
+using script::Word;
+
+namespace {
+
+// --- copying ----------------------------------------------------------------------------------
+
+// The elements and what goes with them.
+class Company {
+public:
+    Company(const scene::Scene& scene, const std::vector<Element>& elements)
+        : scene_(scene), all_(elements.begin(), elements.end()) {
+        for (const Element& element : elements)
+            if (element.kind == Kind::body)
+                bodies_.insert(scene.bodies[element.index].name);
+    }
+    std::set<Element> all() {
+        for (const Element& element : std::vector(all_.begin(), all_.end()))
+            if (element.kind == Kind::body)
+                for (const Element& user : dependents(scene_, element))
+                    if (staysAmong(user))
+                        all_.insert(user);
+        for (const Element& element : std::vector(all_.begin(), all_.end()))
+            addNamed(element);
+        return all_;
+    }
+
+private:
+    [[nodiscard]] bool has(const std::string& body) const { return bodies_.contains(body); }
+    // It acts on these bodies only, or between two of them.
+    [[nodiscard]] bool staysAmong(const Element& user) const {
+        const std::size_t i = user.index;
+        switch (user.kind) {
+        case Kind::force:
+            return has(scene_.forces[i].body);
+        case Kind::joint:
+            return has(scene_.joints[i].body1) && scene_.joints[i].body2 &&
+                   has(*scene_.joints[i].body2);
+        case Kind::link: {
+            const auto* second = std::get_if<scene::BodyEnd>(&scene_.links[i].second);
+            return has(scene_.links[i].first.body) && second && has(second->body);
+        }
+        case Kind::contact:
+            return has(scene_.contacts[i].body1) && has(scene_.contacts[i].body2);
+        default:
+            return false;
+        }
+    }
+    void addShape(const std::string& name) {
+        for (std::size_t i = 0; i < scene_.shapeSets.size(); ++i)
+            if (scene_.shapeSets[i].name == name)
+                all_.insert({Kind::shapeSet, i});
+    }
+    void addTrajectory(const std::string& name) {
+        for (std::size_t i = 0; i < scene_.trajectories.size(); ++i)
+            if (scene_.trajectories[i].name == name)
+                all_.insert({Kind::trajectory, i});
+    }
+    void addNamed(const Element& element) {
+        if (element.kind == Kind::body)
+            addShape(scene_.bodies[element.index].shape);
+        if (element.kind == Kind::constraint)
+            addTrajectory(scene_.constraints[element.index].trajectory);
+        if (element.kind == Kind::force)
+            if (const auto* by =
+                    std::get_if<scene::TrajectoryForce>(&scene_.forces[element.index].kind))
+                addTrajectory(by->trajectory);
+        if (element.kind == Kind::link)
+            if (const auto* by =
+                    std::get_if<scene::TrajectoryEnd>(&scene_.links[element.index].second))
+                addTrajectory(by->trajectory);
+    }
+
+    const scene::Scene& scene_;
+    std::set<Element> all_;
+    std::set<std::string> bodies_;
+};
+
+} // namespace
+
+Copied copied(const std::string& text, const scene::Scene& scene,
+              const std::vector<Element>& elements) {
+    const Structure structure = script::structureOf(text);
+    std::set<std::size_t> starts;
+    for (const Element& element : Company(scene, elements).all()) {
+        const Command* command = nullptr;
+        if (const std::string why = whyNotAlone(text, structure, scene, element, command);
+            !why.empty())
+            return {"", "No copy: " + describe(scene, element) + " " + why};
+        starts.insert(command->range.from);
+    }
+    Copied copy;
+    for (const std::size_t start : starts)
+        copy.commands += slice(text, structure.startingAt(start)->range) + "\n";
+    return copy;
+}
+
+// --- pasting ----------------------------------------------------------------------------------
+
+namespace {
+
+constexpr Kind kinds[] = {Kind::simulator, Kind::shapeSet,   Kind::body,       Kind::force,
+                          Kind::link,      Kind::joint,      Kind::gear,       Kind::rope,
+                          Kind::contact,   Kind::trajectory, Kind::constraint, Kind::light,
+                          Kind::view,      Kind::parameter,  Kind::plot};
+
+std::optional<Kind> kindOf(std::string_view command) {
+    if (command == "instance")
+        return Kind::body;
+    if (command == "spring")
+        return Kind::link;
+    for (const Kind kind : kinds)
+        if (commandOf(kind) == command)
+            return kind;
+    return std::nullopt;
+}
+
+std::size_t countOf(const scene::Scene& scene, Kind kind) {
+    std::size_t count = 0;
+    while (sourceOf(scene, {kind, count}))
+        ++count;
+    return count;
+}
+
+class Pasting {
+public:
+    Pasting(const std::string& text, const scene::Scene& scene, const std::string& commands,
+            const Vector& beside)
+        : text_(text), scene_(scene), clip_(commands), beside_(beside) {}
+
+    Pasted pasted();
+
+private:
+    struct Item {
+        const Command* command;
+        Kind kind;
+        std::string name; // "": none
+    };
+    [[nodiscard]] std::string readItems();
+    [[nodiscard]] bool isThere(const Item& item) const;
+    void nameAnew();
+    void moveAside(const Item& item, NewElement& element) const;
+    [[nodiscard]] Vector freePlace(Vector place) const;
+    [[nodiscard]] NewElement elementOf(const Item& item) const;
+
+    const std::string& text_;
+    const scene::Scene& scene_;
+    std::string clip_;
+    Vector beside_;
+    Structure structure_;
+    std::vector<Item> items_;
+};
+
+// "" or why not.
+std::string Pasting::readItems() {
+    structure_ = script::structureOf(clip_);
+    items_.clear();
+    for (const Command& command : structure_.commands) {
+        if (command.parent >= 0)
+            continue;
+        const std::string word(command.name(clip_));
+        const auto kind = kindOf(word);
+        if (!kind || !structure_.faults.empty())
+            return "The clipboard holds no commands of a scene.";
+        if (*kind == Kind::simulator)
+            continue; // the scene has its own
+        Item item{&command, *kind, ""};
+        if (hintOf(word)->named && command.words.size() > 1) {
+            const std::string name = slice(clip_, command.words[1].content);
+            if (!name.starts_with('-') && !command.words[1].literal)
+                return "The name of a " + wordOf(*kind) + " on the clipboard is computed.";
+            item.name = name.starts_with('-') ? "" : name;
+        }
+        items_.push_back(item);
+    }
+    return items_.empty() ? "The clipboard holds no commands of a scene." : "";
+}
+
+// Word for word the same: bodies may go on sharing it.
+bool Pasting::isThere(const Item& item) const {
+    if (item.kind != Kind::shapeSet && item.kind != Kind::trajectory &&
+        item.kind != Kind::parameter)
+        return false;
+    for (std::size_t i = 0; const scene::Source* source = sourceOf(scene_, {item.kind, i}); ++i)
+        if (nameOf(scene_, {item.kind, i}) == item.name && source->command.known() &&
+            slice(text_, source->command) == slice(clip_, item.command->range))
+            return true;
+    return false;
+}
+
+void Pasting::nameAnew() {
+    std::vector<std::string> taken;
+    for (const Item& item : items_)
+        taken.push_back(item.name);
+    text::Edits edits;
+    for (const Item& item : items_) {
+        if (item.name.empty() || isThere(item) || isFreeName(scene_, item.name))
+            continue;
+        taken.push_back(numberedName(text_, scene_, item.name, taken));
+        for (const text::Edit& edit :
+             mentionsRenamed(clip_, structure_, item.kind, item.name, taken.back()))
+            (void)text::join(edits, edit);
+    }
+    text::putInOrder(edits);
+    clip_ = text::applied(clip_, edits);
+}
+
+Vector Pasting::freePlace(Vector place) const {
+    if (beside_.isZero())
+        return place;
+    while (std::ranges::any_of(scene_.bodies, [&](const scene::Body& body) {
+        return body.initialPosition.isApprox(place, 1e-9) ||
+               (body.initialPosition - place).norm() < 1e-9 * beside_.norm();
+    }))
+        place += beside_;
+    return place;
+}
+
+// LIMIT: a place that is computed stays as it is.
+void Pasting::moveAside(const Item& item, NewElement& element) const {
+    const auto option = std::ranges::find(element.words, "-init_pos");
+    Vector place = Vector::Zero();
+    if (option != element.words.end() && option + 1 != element.words.end()) {
+        const Word& word =
+            item.command->words[item.command->words.size() -
+                                static_cast<std::size_t>(element.words.end() - option) + 1];
+        const script::ElementList list = script::elementsOf(slice(clip_, word.content));
+        if (!word.literal || list.elements.size() != 3)
+            return;
+        for (int i = 0; i < 3; ++i) {
+            const auto number =
+                script::decimalNumber(list.elements[static_cast<std::size_t>(i)].value);
+            if (!number)
+                return;
+            place[i] = *number;
+        }
+    }
+    const Vector free = freePlace(place);
+    if (free == place)
+        return;
+    std::string written = "{";
+    for (int i = 0; i < 3; ++i)
+        written +=
+            (i > 0 ? " " : "") + numberText(free[i], 1e-9 * std::max(1.0, std::abs(free[i])));
+    written += "}";
+    if (option != element.words.end())
+        *(option + 1) = written;
+    else
+        element.words.insert(element.words.end(), {"-init_pos", written});
+}
+
+NewElement Pasting::elementOf(const Item& item) const {
+    NewElement element;
+    element.kind = item.kind;
+    element.command = std::string(item.command->name(clip_));
+    element.name = item.name;
+    const std::size_t first = item.name.empty() ? 1 : 2;
+    for (std::size_t i = first; i < item.command->words.size(); ++i)
+        if (!item.command->words[i].fromList)
+            element.words.push_back(slice(clip_, item.command->words[i].range));
+    if (item.kind == Kind::body)
+        moveAside(item, element);
+    return element;
+}
+
+Pasted Pasting::pasted() {
+    Pasted pasted;
+    pasted.reason = readItems();
+    if (!pasted.possible())
+        return pasted;
+    nameAnew();
+    pasted.reason = readItems(); // with the new names
+    std::vector<NewElement> elements;
+    std::map<Kind, std::size_t> counts;
+    for (const Item& item : items_) {
+        if (isThere(item))
+            continue;
+        const std::size_t index = countOf(scene_, item.kind) + counts[item.kind]++;
+        if (item.kind != Kind::shapeSet)
+            pasted.added.push_back({item.kind, index});
+        elements.push_back(elementOf(item));
+    }
+    if (elements.empty())
+        pasted.reason = "The scene has all of it already.";
+    pasted.edits = created(text_, scene_, elements);
+    return pasted;
+}
+
+} // namespace
+
+Pasted pasted(const std::string& text, const scene::Scene& scene, const std::string& commands,
+              const Vector& beside) {
+    return Pasting(text, scene, commands, beside).pasted();
+}
+
+} // namespace editing

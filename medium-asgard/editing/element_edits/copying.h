@@ -1,0 +1,39 @@
+// Copies of elements as text: their commands, which can be put into the same scene, another one, or
+// a letter.
+//
+// A copy takes along what its elements cannot be without (shape sets, trajectories), the forces on
+// its bodies, and the joints, links and contacts between two of them.
+#pragma once
+
+#include "editing/element.h"
+#include "text/edit.h"
+
+#include <string>
+#include <vector>
+
+namespace editing {
+
+struct Copied {
+    std::string commands; // one on each line, in the order of the text
+    std::string reason;   // why there is none: one sentence
+    [[nodiscard]] bool possible() const { return reason.empty(); }
+};
+
+[[nodiscard]] Copied copied(const std::string& text, const scene::Scene& scene,
+                            const std::vector<Element>& elements);
+
+struct Pasted {
+    text::Edits edits;
+    std::vector<Element> added; // of the scene that will be read
+    std::string reason;
+    [[nodiscard]] bool possible() const { return reason.empty(); }
+};
+
+// Puts commands into a text. A shape set or trajectory that is there word for word is not put in
+// again. A name that is taken gets a number, wherever the commands mention it. A body that would
+// stand exactly where another one does is moved by `beside`, as often as it takes. What is the same
+// and cannot be there twice (a simulator) is refused, as is all that is no command of a scene.
+[[nodiscard]] Pasted pasted(const std::string& text, const scene::Scene& scene,
+                            const std::string& commands, const geometry::Vector& beside);
+
+} // namespace editing

@@ -1,0 +1,69 @@
+// Faults of text and motion in one list, and where they lead.
+#include "faults/fault_list.h"
+#include "views/test_workshop.h"
+
+#include <gmock/gmock.h>
+
+namespace views {
+namespace {
+
+using editing::Element;
+using editing::Kind;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+class FaultListTest : public testing::Test {
+protected:
+    static void SetUpTestSuite() { theApplication(); }
+    void open(const std::string& text) {
+        document.setText(text, "Edit");
+        ASSERT_TRUE(settle(document));
+        list.show();
+    }
+    void click(int index) { Q_EMIT list.list().itemClicked(list.list().topLevelItem(index), 0); }
+
+    TestWorkshop made;
+    SceneDocument document{made.workshop()};
+    std::optional<double> sought;
+    int texts = 0;
+    FaultList list{document, {[this](double time) { sought = time; }, [this] { ++texts; }}};
+};
+
+TEST_F(FaultListTest, SaysThatThereIsNone) {
+    open(ballScene);
+    EXPECT_EQ(list.summary(), "No faults");
+    EXPECT_EQ(list.list().topLevelItemCount(), 0);
+}
+
+TEST_F(FaultListTest, HasTheFaultsOfTheTextWithTheirLines) {
+    open(ballScene + "body b2 bell\n");
+    ASSERT_EQ(list.list().topLevelItemCount(), 1);
+    EXPECT_THAT(list.list().topLevelItem(0)->text(0).toStdString(), HasSubstr("bell"));
+    EXPECT_EQ(list.list().topLevelItem(0)->text(1), "4");
+    EXPECT_THAT(list.summary().toStdString(), HasSubstr("1 error"));
+    document.undo();
+    ASSERT_TRUE(settle(document));
+}
+
+TEST_F(FaultListTest, AClickSelectsTheElementAndGoesToTheTime) {
+    open(ballScene);
+    Computed computed{document.shown(), document.text(), {}, {}, Work::none, true};
+    scene::Diagnostic fault;
+    fault.message = "body \"b1\" stops at t = 1.5";
+    fault.range = document.shown().scene->bodies[0].source.command;
+    fault.line = 3;
+    fault.time = 1.5;
+    computed.diagnostics = {fault};
+    document.setComputed(computed);
+    ASSERT_EQ(list.list().topLevelItemCount(), 1);
+    EXPECT_EQ(list.list().topLevelItem(0)->text(2), "1.5 s");
+    click(0);
+    EXPECT_THAT(document.selected(), ElementsAre(Element{Kind::body, 0}));
+    EXPECT_EQ(sought, 1.5);
+    EXPECT_EQ(texts, 0);
+    Q_EMIT list.list().itemActivated(list.list().topLevelItem(0), 0);
+    EXPECT_EQ(texts, 1);
+}
+
+} // namespace
+} // namespace views

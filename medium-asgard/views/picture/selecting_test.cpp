@@ -1,0 +1,174 @@
+// Selecting by plain clicks and a band, and what the selected does with a plain drag.
+#include "viewers/editor.h"
+#include "views/test_workshop.h"
+
+#include <gmock/gmock.h>
+
+namespace views {
+namespace {
+
+using editing::Element;
+using editing::Kind;
+using geometry::Vector;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+// Seen along z: near stands before far; left stands alone.
+const std::string three = "simulator -finish 2\n"
+                          "shape_set s -desc {-sub {-sphere 0.5}}\n"
+                          "body near s -init_pos {0 0 2}\n"
+                          "body far s -init_pos {0.2 0 -2}\n"
+                          "body left s -init_pos {-3 0 0}\n";
+constexpr Element nearOne{Kind::body, 0}, farOne{Kind::body, 1}, leftOne{Kind::body, 2};
+
+class SelectingTest : public testing::Test {
+protected:
+    static void SetUpTestSuite() { theApplication(); }
+    void SetUp() override {
+        editor.document().setText(three, "Edit");
+        ASSERT_TRUE(settle(editor.document()));
+        viewer = editor.openGraphicalViewer();
+        display().lookAlong(Vector::UnitZ());
+        display().keepCamera();
+        display().grab();
+        middle = at({0.1, 0, 0});
+        left = at({-3, 0, 0});
+        empty = QPoint(8, display().height() - 8);
+    }
+    SceneDisplay& display() { return viewer->display(); }
+    const std::vector<Element>& selected() { return editor.document().selected(); }
+    QPoint at(const Vector& world) {
+        return display().fromPixels(display().sight().pixels(world)).toPoint();
+    }
+    void click(QPoint place, Qt::KeyboardModifiers keys = {}) {
+        QTest::mouseClick(&display(), Qt::LeftButton, keys, place);
+    }
+    void drag(QPoint from, QPoint to, Qt::KeyboardModifiers keys = {}) {
+        QTest::mousePress(&display(), Qt::LeftButton, keys, from);
+        for (const QPoint& place : {from + QPoint(1, 0), (from + to) / 2, to}) {
+            QMouseEvent move(QEvent::MouseMove, place, display().mapToGlobal(place), Qt::NoButton,
+                             Qt::LeftButton, keys);
+            QApplication::sendEvent(&display(), &move);
+        }
+        QTest::mouseRelease(&display(), Qt::LeftButton, keys, to);
+        ASSERT_TRUE(settle(editor.document()));
+    }
+
+    TestWorkshop made;
+    Editor editor{made.workshop()};
+    GraphicalViewer* viewer = nullptr;
+    QPoint middle, left, empty;
+};
+
+TEST_F(SelectingTest, AClickSelectsAndAnotherOneWhatLiesBehind) {
+    click(middle);
+    EXPECT_THAT(selected(), ElementsAre(nearOne));
+    click(middle);
+    EXPECT_THAT(selected(), ElementsAre(farOne));
+    click(middle);
+    EXPECT_THAT(selected(), ElementsAre(nearOne));
+    click(left);
+    EXPECT_THAT(selected(), ElementsAre(leftOne));
+    EXPECT_EQ(editor.document().text(), three);
+}
+
+TEST_F(SelectingTest, AClickOnNothingAndEscapeDeselect) {
+    click(left);
+    click(empty);
+    EXPECT_THAT(selected(), IsEmpty());
+    click(left);
+    QTest::keyClick(&display(), Qt::Key_Escape);
+    EXPECT_THAT(selected(), IsEmpty());
+}
+
+TEST_F(SelectingTest, AHandThatTremblesTurnsNoView) {
+    const geometry::Quaternion before = display().camera().rotation;
+    drag(left, left + QPoint(2, 1));
+    EXPECT_THAT(selected(), ElementsAre(leftOne));
+    EXPECT_TRUE(display().camera().rotation.isApprox(before));
+}
+
+TEST_F(SelectingTest, APlainDragTurnsTheViewAndMovesWhatIsSelected) {
+    const geometry::Quaternion before = display().camera().rotation;
+    drag(left, left + QPoint(30, 20));
+    EXPECT_FALSE(display().camera().rotation.isApprox(before));
+    EXPECT_THAT(selected(), IsEmpty());
+    display().lookAlong(Vector::UnitZ());
+    display().keepCamera();
+    display().grab();
+    left = at({-3, 0, 0});
+    click(left);
+    const geometry::Quaternion now = display().camera().rotation;
+    drag(left, at({-3, 1, 0}));
+    EXPECT_TRUE(display().camera().rotation.isApprox(now));
+    EXPECT_EQ(editor.document().undoLabel().toStdString(), "Move left");
+    EXPECT_NEAR(editor.document().shown().scene->bodies[2].initialPosition.y(), 1, 0.05);
+    editor.document().undo();
+    EXPECT_EQ(editor.document().text(), three);
+}
+
+TEST_F(SelectingTest, WhatWasSelectedBehindIsMovedThroughWhatIsBefore) {
+    click(middle);
+    click(middle);
+    drag(middle, middle + QPoint(0, 30));
+    EXPECT_EQ(editor.document().undoLabel().toStdString(), "Move far");
+}
+
+TEST_F(SelectingTest, ShiftAddsAndTakesOut) {
+    click(left, Qt::ShiftModifier);
+    click(middle, Qt::ShiftModifier);
+    EXPECT_THAT(selected(), ElementsAre(nearOne, leftOne));
+    click(left, Qt::ShiftModifier);
+    EXPECT_THAT(selected(), ElementsAre(nearOne));
+    click(left, Qt::ControlModifier);
+    EXPECT_THAT(selected(), ElementsAre(nearOne, leftOne));
+}
+
+TEST_F(SelectingTest, CtrlAndADragSelectTheBodiesInABand) {
+    drag(at({-0.6, 0.6, 0}), at({0.8, -0.6, 0}), Qt::ControlModifier);
+    EXPECT_THAT(selected(), ElementsAre(nearOne, farOne));
+    drag(at({-3.6, 0.6, 0}), at({-2, -0.6, 0}), Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_THAT(selected(), ElementsAre(nearOne, farOne, leftOne));
+    drag(at({-2, 0.6, 0}), at({-1, -0.6, 0}), Qt::ControlModifier);
+    EXPECT_THAT(selected(), IsEmpty());
+    EXPECT_EQ(editor.document().text(), three);
+}
+
+TEST_F(SelectingTest, EscapeEndsABand) {
+    QTest::mousePress(&display(), Qt::LeftButton, Qt::ControlModifier, at({-4, 1, 0}));
+    QTest::keyClick(&display(), Qt::Key_Escape);
+    QTest::mouseRelease(&display(), Qt::LeftButton, Qt::ControlModifier, at({4, -1, 0}));
+    EXPECT_THAT(selected(), IsEmpty());
+}
+
+TEST_F(SelectingTest, AHandleIsSelectedWithItsElementAndKeysMoveIt) {
+    viewer->findChild<StatusPanel*>()->show(&render::Display::velocityHandles);
+    display().grab();
+    click(at({-3, 0, 0}));
+    EXPECT_THAT(selected(), ElementsAre(leftOne));
+    ASSERT_TRUE(display().editing().marked());
+}
+
+TEST_F(SelectingTest, TheHintSaysWhatADragDoes) {
+    const auto hintAt = [&](QPoint place) {
+        QMouseEvent move(QEvent::MouseMove, place, display().mapToGlobal(place), Qt::NoButton,
+                         Qt::NoButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(&display(), &move);
+        return display().pointing().hint().toStdString();
+    };
+    EXPECT_THAT(hintAt(empty), HasSubstr("Ctrl-drag selects bodies"));
+    const auto comes = [&](const char* words) {
+        return waitFor([&] {
+            return display().pointing().hint().toStdString().find(words) != std::string::npos;
+        });
+    };
+    (void)hintAt(left);
+    EXPECT_TRUE(comes("Click selects left"));
+    click(left);
+    EXPECT_TRUE(comes("Drag moves left"));
+    EXPECT_EQ(display().cursor().shape(), Qt::SizeAllCursor);
+}
+
+} // namespace
+} // namespace views

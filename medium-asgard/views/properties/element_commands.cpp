@@ -1,0 +1,106 @@
+#include "properties/element_commands.h"
+
+#include "editing/number_text.h"
+#include "element_edits/copying.h"
+#include "element_edits/renaming.h"
+#include "render/extent.h"
+
+#include <QClipboard>
+#include <QGuiApplication>
+
+#include <algorithm>
+#include <functional>
+
+namespace views {
+
+namespace {
+
+// A little more than the widest of the bodies with an extent, along x.
+geometry::Vector besideThem(const scene::Scene& scene) {
+    double width = 0;
+    for (const scene::Body& body : scene.bodies) {
+        double least = 0, most = 0;
+        for (const render::Ball& ball : render::outlineOf(scene, body)) {
+            least = std::min(least, ball.center.x() - ball.radius);
+            most = std::max(most, ball.center.x() + ball.radius);
+        }
+        width = std::max(width, most - least);
+    }
+    const double step = editing::decimalStep(width);
+    return {width > 0 ? editing::roundedTo(1.1 * width, step / 10) : 1, 0, 0};
+}
+
+} // namespace
+
+ElementCommands::ElementCommands(SceneDocument& document, QObject* parent)
+    : QObject(parent), document_(document), trial_(document) {}
+
+void ElementCommands::copy() {
+    if (document_.selected().empty())
+        return Q_EMIT refused(tr("Nothing is selected to be copied."));
+    if (!document_.sceneIsCurrent())
+        return Q_EMIT refused(document_.whyNotCurrent());
+    const editing::Copied copy =
+        editing::copied(document_.text(), *document_.shown().scene, document_.selected());
+    if (!copy.possible())
+        return Q_EMIT refused(QString::fromStdString(copy.reason));
+    QGuiApplication::clipboard()->setText(QString::fromStdString(copy.commands));
+}
+
+void ElementCommands::paste() {
+    put(QGuiApplication::clipboard()->text().toStdString(), tr("Paste"));
+}
+
+void ElementCommands::duplicate() {
+    if (document_.selected().empty())
+        return Q_EMIT refused(tr("Nothing is selected to be duplicated."));
+    if (!document_.sceneIsCurrent())
+        return Q_EMIT refused(document_.whyNotCurrent());
+    const editing::Copied copy =
+        editing::copied(document_.text(), *document_.shown().scene, document_.selected());
+    if (!copy.possible())
+        return Q_EMIT refused(QString::fromStdString(copy.reason));
+    put(copy.commands, tr("Duplicate"));
+}
+
+void ElementCommands::put(const std::string& commands, const QString& label) {
+    if (!document_.sceneIsCurrent() && !document_.text().empty())
+        return Q_EMIT refused(document_.whyNotCurrent());
+    const scene::Scene& scene = *document_.shown().scene;
+    const editing::Pasted paste =
+        editing::pasted(document_.text(), scene, commands, besideThem(scene));
+    if (!paste.possible())
+        return Q_EMIT refused(QString::fromStdString(paste.reason));
+    // Bodies alone, where there are any: one goes on with them.
+    std::vector<editing::Element> added = paste.added;
+    const auto isBody = [](const editing::Element& one) { return one.kind == editing::Kind::body; };
+    if (std::ranges::any_of(added, isBody))
+        std::erase_if(added, std::not_fn(isBody));
+    trial_.start(text::applied(document_.text(), paste.edits), label,
+                 [this, added](const QString& why) {
+                     if (!why.isEmpty())
+                         return Q_EMIT refused(why);
+                     document_.select(added);
+                 });
+}
+
+void ElementCommands::rename(const editing::Element& element, const QString& name,
+                             Trial::Told told) {
+    if (!document_.sceneIsCurrent())
+        return told(document_.whyNotCurrent());
+    const scene::Scene& scene = *document_.shown().scene;
+    const QString before = QString::fromStdString(editing::nameOf(scene, element));
+    const editing::Answer answer =
+        editing::renamed(document_.text(), scene, element, name.toStdString());
+    if (!answer.possible())
+        return told(QString::fromStdString(answer.reason));
+    trial_.start(
+        text::applied(document_.text(), answer.edits), tr("Rename %1").arg(before),
+        [this, selected = document_.selected(), told = std::move(told)](const QString& why) {
+            if (why.isEmpty()) // it has its place still, and another name
+                document_.select(selected);
+            told(why);
+        });
+}
+
+} // namespace views

@@ -1,0 +1,29 @@
+// What is done with the selected elements as a whole: copies, other names.
+#pragma once
+
+#include "properties/trial.h"
+
+namespace views {
+
+class ElementCommands : public QObject {
+    Q_OBJECT
+public:
+    explicit ElementCommands(SceneDocument& document, QObject* parent = nullptr);
+
+    void copy();      // their commands as text, to the clipboard
+    void paste();     // from it; what is new is selected
+    void duplicate(); // beside them; the clipboard stays as it is
+    // `told` hears why not, or "".
+    void rename(const editing::Element& element, const QString& name, Trial::Told told);
+
+Q_SIGNALS:
+    void refused(const QString& why);
+
+private:
+    void put(const std::string& commands, const QString& label);
+
+    SceneDocument& document_;
+    Trial trial_;
+};
+
+} // namespace views

@@ -1,0 +1,401 @@
+#include "properties/properties_pane.h"
+
+#include "editing/element_values.h"
+#include "editing/number_text.h"
+#include "element_edits/attitude.h"
+#include "frame/names_box.h"
+#include "frame/readable.h"
+#include "plain/plain.h"
+#include "script/numbers.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace views {
+
+using editing::Element;
+using editing::Kind;
+using editing::OptionHint;
+using editing::Wants;
+
+namespace {
+
+QString toText(std::string_view words) { return QString::fromUtf8(words.data(), words.size()); }
+
+// "1" of "a positive number (1)".
+QString defaultIn(std::string_view words) {
+    const std::size_t from = words.rfind('(');
+    return from == std::string_view::npos || !words.ends_with(')') || words.size() - from > 10
+               ? QString()
+               : toText(words.substr(from + 1, words.size() - from - 2));
+}
+
+std::string shownNumber(double value) {
+    return editing::numberText(value, 1e-9 * std::max(1.0, std::abs(value)));
+}
+
+// The rotation vector that stands in these parts.
+std::optional<geometry::Vector> vectorOf(const PropertyParts& parts) {
+    geometry::Vector vector = geometry::Vector::Zero();
+    if (parts.size() != 3)
+        return std::nullopt;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (!parts[i])
+            return std::nullopt;
+        const auto number =
+            parts[i]->empty() ? std::optional(0.0) : script::decimalNumber(*parts[i]);
+        if (!number)
+            return std::nullopt;
+        vector[static_cast<Eigen::Index>(i)] = *number;
+    }
+    return vector;
+}
+
+} // namespace
+
+PropertiesPane::PropertiesPane(SceneDocument& document, PropertyActions actions, QWidget* parent)
+    : QWidget(parent), document_(document), actions_(std::move(actions)), commands_(document),
+      trial_(document) {
+    setObjectName(QStringLiteral("properties"));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(8, 8, 8, 8);
+    column->setSpacing(6);
+    buildHead(*column);
+    auto* scroll = new QScrollArea;
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setWidgetResizable(true);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    scroll->setObjectName(QStringLiteral("propertyScroll"));
+    column->addWidget(scroll, 1);
+    buildButtons(*column);
+    soon_.setSingleShot(true);
+    soon_.setInterval(30); // a drag changes the scene often
+    connect(&soon_, &QTimer::timeout, this, &PropertiesPane::refresh);
+    for (const auto signal : {&SceneDocument::sceneChanged, &SceneDocument::selectionChanged,
+                              &SceneDocument::diagnosticsChanged, &SceneDocument::textChanged})
+        connect(&document_, signal, this, [this] {
+            if (isVisible())
+                soon_.start();
+        });
+    connect(&commands_, &ElementCommands::refused, this, &PropertiesPane::say);
+    refresh();
+}
+
+void PropertiesPane::buildHead(QVBoxLayout& column) {
+    auto* line = new QHBoxLayout;
+    title_ = plain::label();
+    title_->setObjectName(QStringLiteral("propertyTitle"));
+    QFont bold = title_->font();
+    bold.setBold(true);
+    title_->setFont(bold);
+    title_->setWordWrap(true);
+    name_ = new QLineEdit;
+    name_->setObjectName(QStringLiteral("elementName"));
+    name_->setAccessibleName(tr("Name"));
+    name_->setPlaceholderText(tr("no name"));
+    name_->setToolTip(tr("Its name; another one is written wherever the text mentions it"));
+    connect(name_, &QLineEdit::editingFinished, this, &PropertiesPane::rename);
+    line_ = new QPushButton;
+    line_->setObjectName(QStringLiteral("elementLine"));
+    line_->setFlat(true);
+    line_->setToolTip(tr("Shows its command in the text"));
+    connect(line_, &QPushButton::clicked, this, [this] { actions_.showText(); });
+    line->addWidget(title_);
+    line->addWidget(name_, 1);
+    line->addWidget(line_);
+    column.addLayout(line);
+    fault_ = plain::label();
+    fault_->setObjectName(QStringLiteral("propertyFault"));
+    fault_->setWordWrap(true);
+    fault_->hide();
+    column.addWidget(fault_);
+}
+
+void PropertiesPane::buildButtons(QVBoxLayout& column) {
+    auto* line = new QHBoxLayout;
+    duplicate_ = new QPushButton(tr("Dup&licate"));
+    duplicate_->setToolTip(tr("A copy beside it (Ctrl+D)"));
+    connect(duplicate_, &QPushButton::clicked, this, [this] { commands_.duplicate(); });
+    shape_ = new QPushButton(tr("S&hape…"));
+    shape_->setToolTip(tr("Its shape, in the shape editor"));
+    connect(shape_, &QPushButton::clicked, this, [this] {
+        const scene::Scene& scene = *document_.shown().scene;
+        const Element element = elements().front();
+        actions_.openShape(QString::fromStdString(element.kind == Kind::body
+                                                      ? scene.bodies[element.index].shape
+                                                      : editing::nameOf(scene, element)));
+    });
+    remove_ = new QPushButton(tr("Dele&te"));
+    connect(remove_, &QPushButton::clicked, this, [this] { actions_.remove(elements()); });
+    for (QPushButton* button : {duplicate_, shape_, remove_})
+        line->addWidget(button);
+    column.addLayout(line);
+}
+
+void PropertiesPane::showEvent(QShowEvent* event) {
+    refresh();
+    QWidget::showEvent(event);
+}
+
+QString PropertiesPane::title() const { return title_->text(); }
+
+QString PropertiesPane::fault() const { return fault_->isHidden() ? QString() : fault_->text(); }
+
+PropertyRow* PropertiesPane::row(const std::string& option) const {
+    for (PropertyRow* row : rows_)
+        if (row->option().name == option)
+            return row;
+    return nullptr;
+}
+
+void PropertiesPane::refresh() {
+    const scene::Scene& scene = *document_.shown().scene;
+    properties_.reset();
+    if (document_.sceneIsCurrent() && !elements().empty())
+        properties_ =
+            std::make_unique<editing::Properties>(document_.text(), document_.shown().scene);
+    const auto options = editing::sharedOptions(scene, elements());
+    if (options != options_ || !form_) {
+        options_ = options;
+        rebuild();
+    }
+    if (shown_ != elements()) { // what was typed was meant for others
+        shown_ = elements();
+        said_.clear();
+        name_->setModified(false);
+        for (PropertyRow* row : rows_)
+            row->taken();
+        if (turn_)
+            turn_->taken();
+    }
+    showHead();
+    for (PropertyRow* row : rows_)
+        showRow(*row);
+    showTurn();
+}
+
+void PropertiesPane::say(const QString& why) {
+    said_ = why;
+    showHead();
+}
+
+void PropertiesPane::rebuild() {
+    rows_.clear();
+    turn_ = nullptr;
+    form_ = new QWidget;
+    auto* column = new QVBoxLayout(form_);
+    column->setContentsMargins(0, 0, 4, 0);
+    auto* grid = new QGridLayout;
+    grid->setHorizontalSpacing(8);
+    grid->setVerticalSpacing(2);
+    grid->setColumnStretch(0, 2);
+    grid->setColumnStretch(1, 5);
+    column->addLayout(grid);
+    column->addStretch();
+    for (const OptionHint* option : options_) {
+        auto* row = new PropertyRow(*option, QString::fromStdString(editing::captionOf(*option)),
+                                    option->wants == Wants::vector ? 3 : 1, *grid, form_);
+        connect(row, &PropertyRow::entered, this,
+                [this, row](const PropertyParts& parts) { set(*row, parts); });
+        rows_.push_back(row);
+        if (option->name != "-init_rot")
+            continue;
+        turn_ = new PropertyRow(*option, tr("Turned by °, about"), 4, *grid, form_);
+        connect(turn_, &PropertyRow::entered, this, &PropertiesPane::setTurn);
+    }
+    auto* scroll = findChild<QScrollArea*>();
+    scroll->setWidget(form_); // deletes the one before
+    scroll->setMinimumWidth(form_->minimumSizeHint().width() +
+                            scroll->verticalScrollBar()->sizeHint().width());
+}
+
+void PropertiesPane::showHead() {
+    const scene::Scene& scene = *document_.shown().scene;
+    const auto& all = elements();
+    const bool isOne = all.size() == 1;
+    const editing::CommandHint* hint = isOne ? &editing::hintOf(scene, all.front()) : nullptr;
+    const scene::Source* source = isOne ? editing::sourceOf(scene, all.front()) : nullptr;
+    const bool areBodies =
+        std::ranges::all_of(all, [](const Element& one) { return one.kind == Kind::body; });
+    QString title;
+    if (all.empty())
+        title = tr("Nothing is selected. A click in the picture selects a body.");
+    else if (isOne)
+        title = plain::ours(
+            toText(hint->name == "spring" ? hint->name : editing::wordOf(all.front().kind)));
+    else
+        title = areBodies ? tr("%1 bodies").arg(all.size()) : tr("%1 elements").arg(all.size());
+    if (!title.isEmpty())
+        title[0] = title[0].toUpper();
+    title_->setText(title);
+    name_->setVisible(isOne && hint->named);
+    if (isOne && !name_->isModified())
+        name_->setText(QString::fromStdString(editing::nameOf(scene, all.front())));
+    line_->setVisible(source && source->line > 0);
+    if (source)
+        line_->setText(plain::caption(tr("Line %1").arg(source->line)));
+    shape_->setVisible(isOne &&
+                       (all.front().kind == Kind::body || all.front().kind == Kind::shapeSet));
+    for (QPushButton* button : {duplicate_, remove_})
+        button->setVisible(!all.empty());
+    const QString why =
+        all.empty() || document_.isPreview() ? QString() : document_.whyNotCurrent();
+    const bool isFault = document_.hasErrors() && !why.isEmpty();
+    fault_->setText(isFault ? why : said_);
+    fault_->setVisible(!fault_->text().isEmpty());
+    QPalette palette = this->palette();
+    palette.setColor(QPalette::WindowText,
+                     readable(QColor(200, 40, 30), palette.color(QPalette::Window)));
+    fault_->setPalette(palette);
+    name_->setReadOnly(isFault);
+}
+
+void PropertiesPane::showRow(PropertyRow& row) {
+    row.setEnabled(properties_ != nullptr || !document_.hasErrors());
+    if (!properties_)
+        return;
+    row.setChoices(namesFor(row.option().wants));
+    const QString source =
+        elements().size() == 1
+            ? QString::fromStdString(properties_->valueOf(elements().front(), row.option()).source)
+            : QString();
+    row.show(properties_->sharedValue(elements(), row.option()), absentOf(row.option()), source);
+    row.setNote(faultsAt(row));
+}
+
+// What the text or the motion has against the value that stands there.
+QString PropertiesPane::faultsAt(const PropertyRow& row) const {
+    QStringList faults;
+    for (const Element& element : elements()) {
+        const scene::Source* source = editing::sourceOf(*document_.shown().scene, element);
+        for (const scene::Argument& argument :
+             source ? source->arguments : std::vector<scene::Argument>())
+            for (const scene::Diagnostic& one : document_.diagnostics())
+                if (argument.option == row.option().name && argument.word.known() &&
+                    argument.word.from <= one.range.from && one.range.to <= argument.word.to &&
+                    one.range.known())
+                    faults << QString::fromStdString(one.message);
+    }
+    faults.removeDuplicates();
+    return faults.join('\n');
+}
+
+QString PropertiesPane::absentOf(const OptionHint& option) const {
+    if (option.name == "-mass" && elements().size() == 1 && document_.shown().motion) {
+        const std::size_t body = elements().front().index;
+        const auto& motion = *document_.shown().motion;
+        const double mass = body < motion.bodies() ? motion.mass(body) : 0;
+        if (std::isfinite(mass) && mass > 0)
+            return QString::number(mass, 'g', 6);
+    }
+    return option.wants == Wants::vector ? QString() : defaultIn(option.words);
+}
+
+QStringList PropertiesPane::namesFor(Wants wants) const {
+    const scene::Scene& scene = *document_.shown().scene;
+    switch (wants) {
+    case Wants::body:
+        return namesOf(scene.bodies);
+    case Wants::shapeSet:
+        return namesOf(scene.shapeSets);
+    case Wants::trajectory:
+        return namesOf(scene.trajectories);
+    case Wants::joint:
+        return namesOf(scene.joints);
+    default:
+        return {};
+    }
+}
+
+// --- the attitude in degrees --------------------------------------------------------------------
+
+void PropertiesPane::showTurn() {
+    if (!turn_ || !properties_)
+        return;
+    turn_->setEnabled(true);
+    PropertyParts parts(4);
+    std::optional<geometry::Vector> vector =
+        vectorOf(properties_->sharedValue(elements(), turn_->option()));
+    if (!vector && elements().size() == 1) // a quaternion
+        if (const auto values = editing::valuesOf(*document_.shown().scene, elements().front(),
+                                                  std::string(turn_->option().name)))
+            vector = geometry::Vector((*values)[0], (*values)[1], (*values)[2]);
+    if (vector) {
+        const editing::Turn turn = editing::turnOf(*vector);
+        parts[0] = shownNumber(turn.degrees);
+        for (int i = 0; i < 3; ++i)
+            parts[static_cast<std::size_t>(i) + 1] = shownNumber(turn.axis[i]);
+    }
+    turn_->show(parts, {}, {});
+}
+
+void PropertiesPane::setTurn(const PropertyParts& typed) {
+    if (!properties_)
+        return turn_->setFault(document_.whyNotCurrent());
+    double numbers[4] = {0, 0, 1, 0};
+    for (std::size_t i = 0; i < 4; ++i) {
+        const std::string text = typed[i] ? *typed[i] : turn_->fields()[i]->text().toStdString();
+        const auto number = text.empty() ? std::optional(numbers[i]) : script::decimalNumber(text);
+        if (!number)
+            return turn_->setFault(tr("Decimal numbers, please."));
+        numbers[i] = *number;
+    }
+    const geometry::Vector axis(numbers[1], numbers[2], numbers[3]);
+    if (axis.isZero())
+        return turn_->setFault(tr("An axis has a direction: not 0 0 0."));
+    const geometry::Vector vector = editing::rotationVectorOf({numbers[0], axis});
+    PropertyParts parts;
+    for (int i = 0; i < 3; ++i)
+        parts.push_back(shownNumber(vector[i]));
+    set(*turn_, parts);
+}
+
+// --- changes ------------------------------------------------------------------------------------
+
+void PropertiesPane::set(PropertyRow& row, const PropertyParts& parts) {
+    row.setOffers({}, {}, {});
+    if (!properties_ || properties_->text() != document_.text())
+        refresh();
+    if (!properties_)
+        return row.setFault(document_.whyNotCurrent());
+    const editing::Answer answer = properties_->set(elements(), row.option(), parts);
+    if (answer.possible())
+        return tryText(row, answer.edits);
+    row.setFault(QString::fromStdString(answer.reason));
+    row.setOffers(document_.text(), answer.offers,
+                  [this, &row](const text::Edits& edits) { tryText(row, edits); });
+}
+
+void PropertiesPane::tryText(PropertyRow& row, const text::Edits& edits) {
+    const QString label =
+        tr("Change %1").arg(QString::fromStdString(editing::captionOf(row.option())).toLower());
+    trial_.start(text::applied(document_.text(), edits), label,
+                 [this, row = QPointer<PropertyRow>(&row)](const QString& why) {
+                     if (row && why.isEmpty())
+                         row->taken();
+                     else if (row)
+                         row->setFault(why);
+                     soon_.start();
+                 });
+}
+
+void PropertiesPane::rename() {
+    if (!name_->isModified() || elements().size() != 1)
+        return;
+    commands_.rename(elements().front(), name_->text(), [this](const QString& why) {
+        name_->setModified(false); // the name as it is comes back
+        say(why);
+        soon_.start();
+    });
+}
+
+} // namespace views

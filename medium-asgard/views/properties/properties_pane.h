@@ -1,0 +1,91 @@
+// The values of what is selected: each option of each kind of element, as the language has them.
+//
+// The rows come from the language's table of options (editing/options.h). A field's change is one
+// step of undo and goes the way of a gesture: the number at its place, through a variable, or
+// offers where a loop makes it; an empty field removes its option. A value that the reader refuses
+// leaves the text as it is, and says why below its field. Of several elements it shows what they
+// share. Nothing is done while it is hidden.
+#pragma once
+
+#include "element_edits/property_edit.h"
+#include "properties/element_commands.h"
+#include "properties/property_row.h"
+#include "properties/trial.h"
+#include "workbench/scene_document.h"
+
+#include <QTimer>
+#include <QWidget>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+class QGridLayout;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QVBoxLayout;
+
+namespace views {
+
+struct PropertyActions {
+    std::function<void()> showText; // the command of what is selected
+    std::function<void(const QString& shape)> openShape;
+    std::function<void(std::vector<editing::Element>)> remove; // after asking
+};
+
+class PropertiesPane : public QWidget {
+    Q_OBJECT
+public:
+    PropertiesPane(SceneDocument& document, PropertyActions actions, QWidget* parent = nullptr);
+
+    [[nodiscard]] PropertyRow* row(const std::string& option) const; // null: there is none
+    [[nodiscard]] PropertyRow* turn() const { return turn_; }
+    [[nodiscard]] QLineEdit& name() { return *name_; }
+    [[nodiscard]] QString title() const;
+    [[nodiscard]] QString fault() const; // of the name, or why nothing can be changed
+
+    [[nodiscard]] QSize sizeHint() const override { return {300, 480}; }
+
+protected:
+    void showEvent(QShowEvent* event) override;
+
+private:
+    [[nodiscard]] const std::vector<editing::Element>& elements() const {
+        return document_.selected();
+    }
+    void buildHead(QVBoxLayout& column);
+    void buildButtons(QVBoxLayout& column);
+    void say(const QString& why);
+    void refresh();
+    void rebuild(); // other rows
+    void addTurn(const editing::OptionHint& option);
+    void showHead();
+    void showRow(PropertyRow& row);
+    void showTurn();
+    [[nodiscard]] QString faultsAt(const PropertyRow& row) const;
+    [[nodiscard]] QString absentOf(const editing::OptionHint& option) const;
+    [[nodiscard]] QStringList namesFor(editing::Wants wants) const;
+    void set(PropertyRow& row, const PropertyParts& parts);
+    void setTurn(const PropertyParts& parts);
+    void tryText(PropertyRow& row, const text::Edits& edits);
+    void rename();
+
+    SceneDocument& document_;
+    PropertyActions actions_;
+    ElementCommands commands_;
+    Trial trial_;
+    QTimer soon_;
+    std::unique_ptr<editing::Properties> properties_; // of the scene that is shown
+    std::vector<const editing::OptionHint*> options_;
+    std::vector<PropertyRow*> rows_;
+    PropertyRow* turn_ = nullptr; // the attitude in degrees
+    QWidget* form_ = nullptr;
+    std::vector<editing::Element> shown_;
+    QString said_; // about the name or a copy
+    QLabel *title_, *fault_;
+    QLineEdit* name_;
+    QPushButton *line_, *shape_, *duplicate_, *remove_;
+};
+
+} // namespace views

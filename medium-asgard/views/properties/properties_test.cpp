@@ -1,0 +1,261 @@
+// (text, field, text) in the pane of values, and copies by the viewer's commands.
+#include "properties/properties_pane.h"
+#include "viewers/editor.h"
+#include "views/test_workshop.h"
+
+#include <gmock/gmock.h>
+
+#include <QClipboard>
+#include <QComboBox>
+#include <QLineEdit>
+#include <QPushButton>
+
+namespace views {
+namespace {
+
+using editing::Element;
+using editing::Kind;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+const std::string shape = "shape_set s -desc {-sub {-sphere 0.5}}\n";
+const std::string two = shape + "body a s -init_pos {1 2 0} -mass 2\nbody b s -init_pos {4 2 0}\n"
+                                "force -body a -y {-9.81 * a.mass}\n";
+
+class PropertiesTest : public testing::Test {
+protected:
+    static void SetUpTestSuite() { theApplication(); }
+    void open(const std::string& text, std::vector<Element> selected) {
+        document.setText(text, "Edit");
+        ASSERT_TRUE(settle(document));
+        document.select(std::move(selected));
+        pane.show();
+        QCoreApplication::processEvents();
+    }
+    QLineEdit& field(const char* name) { return *pane.findChild<QLineEdit*>(name); }
+    void type(const char* name, const QString& text) {
+        QLineEdit& one = field(name);
+        one.setFocus();
+        one.selectAll();
+        QTest::keyClicks(&one, text);
+        if (text.isEmpty())
+            QTest::keyClick(&one, Qt::Key_Delete);
+        QTest::keyClick(&one, Qt::Key_Return);
+        ASSERT_TRUE(settle(document));
+        settleTimers();
+    }
+    void choose(const char* name, const QString& text) {
+        auto* box = pane.findChild<QComboBox*>(name);
+        const int index = box->findText(text);
+        ASSERT_GE(index, 0);
+        box->setCurrentIndex(index);
+        Q_EMIT box->activated(index);
+        ASSERT_TRUE(settle(document));
+        settleTimers();
+    }
+    static void settleTimers() { QTest::qWait(60); }
+
+    TestWorkshop made;
+    SceneDocument document{made.workshop()};
+    int texts = 0;
+    QString shapeOpened;
+    PropertiesPane pane{document,
+                        {[this] { ++texts; }, [this](const QString& name) { shapeOpened = name; },
+                         [](const std::vector<Element>&) {}}};
+};
+
+TEST_F(PropertiesTest, ShowsWhatStandsInTheText) {
+    open(two, {{Kind::body, 0}});
+    EXPECT_EQ(pane.title(), "Body");
+    EXPECT_EQ(pane.name().text(), "a");
+    EXPECT_EQ(field("-init_pos2").text(), "2");
+    EXPECT_EQ(field("-mass").text(), "2");
+    EXPECT_EQ(field("-density").text(), "");
+    EXPECT_EQ(field("-density").placeholderText(), "1");
+    EXPECT_EQ(pane.findChild<QComboBox*>("-shape")->currentText(), "s");
+    document.select({{Kind::force, 0}});
+    settleTimers();
+    EXPECT_EQ(pane.title(), "Force");
+    EXPECT_TRUE(pane.name().isHidden());
+    EXPECT_EQ(field("-y").text(), "-9.81 * a.mass");
+    document.select({});
+    settleTimers();
+    EXPECT_THAT(pane.title().toStdString(), HasSubstr("Nothing is selected"));
+}
+
+TEST_F(PropertiesTest, AFieldWritesOneStepOfUndo) {
+    open(two, {{Kind::body, 0}});
+    type("-init_pos2", "5");
+    EXPECT_THAT(document.text(), HasSubstr("body a s -init_pos {1 5 0} -mass 2\n"));
+    EXPECT_EQ(document.undoLabel(), "Change place");
+    type("-restitution", "0.5");
+    EXPECT_THAT(document.text(), HasSubstr("-mass 2 -restitution 0.5\n"));
+    type("-restitution", "");
+    EXPECT_THAT(document.text(), HasSubstr("-mass 2\n"));
+    document.undo();
+    document.undo();
+    document.undo();
+    EXPECT_EQ(document.text(), two);
+}
+
+TEST_F(PropertiesTest, WhatTheReaderRefusesIsSaidAtTheFieldAndLeavesTheText) {
+    open(two, {{Kind::body, 0}});
+    type("-mass", "-3");
+    EXPECT_EQ(document.text(), two);
+    EXPECT_NE(pane.row("-mass")->fault(), "");
+    EXPECT_EQ(field("-mass").text(), "-3"); // to be mended
+    QTest::keyClick(&field("-mass"), Qt::Key_Escape);
+    EXPECT_EQ(field("-mass").text(), "2");
+    EXPECT_EQ(pane.row("-mass")->fault(), "");
+    document.select({{Kind::force, 0}});
+    settleTimers();
+    type("-y", "3 * nobody.mass");
+    EXPECT_EQ(document.text(), two);
+    EXPECT_THAT(pane.row("-y")->fault().toStdString(), HasSubstr("nobody"));
+    EXPECT_FALSE(document.isPreview());
+}
+
+TEST_F(PropertiesTest, AnotherSelectionForgetsWhatWasRefused) {
+    open(two, {{Kind::body, 0}});
+    type("-mass", "-3");
+    document.select({{Kind::body, 1}});
+    settleTimers();
+    EXPECT_EQ(field("-mass").text(), "");
+    EXPECT_EQ(pane.row("-mass")->fault(), "");
+}
+
+TEST_F(PropertiesTest, AnAttitudeIsTypedInDegrees) {
+    open(two, {{Kind::body, 0}});
+    type("-init_rotturn1", "90");
+    EXPECT_THAT(document.text(), HasSubstr("-init_rot {0 1.570796327 0}\n"));
+    EXPECT_EQ(field("-init_rotturn1").text(), "90");
+    EXPECT_EQ(field("-init_rotturn3").text(), "1");
+}
+
+TEST_F(PropertiesTest, ANameIsChangedEverywhere) {
+    open(two, {{Kind::body, 0}});
+    type("elementName", "ball");
+    EXPECT_THAT(document.text(), HasSubstr("body ball s"));
+    EXPECT_THAT(document.text(), HasSubstr("force -body ball -y {-9.81 * ball.mass}"));
+    EXPECT_THAT(document.selected(), ElementsAre(Element{Kind::body, 0}));
+    type("elementName", "b");
+    EXPECT_THAT(pane.fault().toStdString(), HasSubstr("no free name"));
+    EXPECT_EQ(pane.name().text(), "ball");
+}
+
+TEST_F(PropertiesTest, NamesFlagsAndChoicesAreBoxes) {
+    open(two + "shape_set r -desc {-sub {-sphere 1}}\n", {{Kind::body, 1}});
+    choose("-fixed", "yes");
+    EXPECT_THAT(document.text(), HasSubstr("body b s -init_pos {4 2 0} -fixed 1\n"));
+    choose("-fixed", "as by default");
+    EXPECT_THAT(document.text(), HasSubstr("body b s -init_pos {4 2 0}\n"));
+}
+
+TEST_F(PropertiesTest, SeveralShowWhatTheyShare) {
+    open(two, {{Kind::body, 0}, {Kind::body, 1}});
+    EXPECT_EQ(pane.title(), "2 bodies");
+    EXPECT_EQ(field("-init_pos1").placeholderText(), "different");
+    EXPECT_EQ(field("-init_pos2").text(), "2");
+    type("-init_pos2", "7");
+    EXPECT_THAT(document.text(), HasSubstr("{1 7 0}"));
+    EXPECT_THAT(document.text(), HasSubstr("{4 7 0}"));
+    EXPECT_EQ(document.undoLabel(), "Change place");
+}
+
+TEST_F(PropertiesTest, ALoopMakesOffersBelowTheField) {
+    open(shape + "foreach i {0 3 6} {\n  body b$i s -init_pos \"$i 1 0\"\n}\n", {{Kind::body, 1}});
+    type("-init_pos2", "2");
+    EXPECT_THAT(pane.row("-init_pos")->fault().toStdString(), HasSubstr("is one of 3"));
+    QPushButton* only = nullptr;
+    for (QPushButton* button : pane.findChildren<QPushButton*>())
+        if (button->text().startsWith("Only b3"))
+            only = button;
+    ASSERT_TRUE(only);
+    only->click();
+    ASSERT_TRUE(settle(document));
+    EXPECT_EQ(document.shown().scene->bodies[1].initialPosition.y(), 2);
+    EXPECT_EQ(document.shown().scene->bodies[0].initialPosition.y(), 1);
+}
+
+TEST_F(PropertiesTest, HiddenItDoesNothing) {
+    open(two, {{Kind::body, 0}});
+    pane.hide();
+    document.select({{Kind::body, 1}});
+    settleTimers();
+    EXPECT_EQ(pane.name().text(), "a");
+    pane.show();
+    EXPECT_EQ(pane.name().text(), "b");
+}
+
+TEST_F(PropertiesTest, EachKindOfElementHasRowsThatCanBeRead) {
+    open(two + "link -body1 a -x 0 -y 3 -z 0 -tightness 5\n"
+               "joint j -type hinge -body1 b -axis {0 0 1}\n"
+               "trajectory w -points {{0 0 0 0} {1 1 0 0}}\n"
+               "lightsource -direction {0 -1 0}\nview v -scale 2\nparameter k -value 2\n"
+               "plot p -values {a.x}\n",
+         {});
+    for (const Kind kind :
+         {Kind::shapeSet, Kind::body, Kind::force, Kind::link, Kind::joint, Kind::trajectory,
+          Kind::light, Kind::view, Kind::parameter, Kind::plot}) {
+        document.select({{kind, 0}});
+        settleTimers();
+        EXPECT_NE(pane.title(), "");
+        EXPECT_TRUE(pane.findChild<QLineEdit*>() != nullptr);
+        for (const QLineEdit* one : pane.findChildren<QLineEdit*>())
+            EXPECT_NE(one->accessibleName(), "") << one->objectName().toStdString();
+    }
+}
+
+class CopiesTest : public testing::Test {
+protected:
+    static void SetUpTestSuite() { theApplication(); }
+    TestWorkshop made;
+    SceneDocument document{made.workshop()};
+    ElementCommands commands{document};
+};
+
+TEST_F(CopiesTest, CopyPasteAndDuplicate) {
+    document.setText(two, "Edit");
+    ASSERT_TRUE(settle(document));
+    document.select({{Kind::body, 0}});
+    commands.copy();
+    EXPECT_THAT(QGuiApplication::clipboard()->text().toStdString(), HasSubstr("body a s"));
+    commands.duplicate();
+    ASSERT_TRUE(settle(document));
+    EXPECT_THAT(document.text(), HasSubstr("body a2 s -init_pos {2.1 2 0} -mass 2\n"));
+    EXPECT_EQ(document.undoLabel(), "Duplicate");
+    EXPECT_THAT(document.selected(), ElementsAre(Element{Kind::body, 2}));
+    commands.paste();
+    ASSERT_TRUE(settle(document));
+    EXPECT_THAT(document.text(), HasSubstr("body a3 s -init_pos {3.2 2 0} -mass 2\n"));
+    document.undo();
+    document.undo();
+    EXPECT_EQ(document.text(), two);
+}
+
+TEST_F(CopiesTest, IntoAnotherScene) {
+    document.setText(two, "Edit");
+    ASSERT_TRUE(settle(document));
+    document.select({{Kind::body, 0}});
+    commands.copy();
+    document.setText("", "Edit");
+    ASSERT_TRUE(settle(document));
+    commands.paste();
+    ASSERT_TRUE(settle(document));
+    EXPECT_EQ(document.shown().scene->bodies.size(), 1U);
+    EXPECT_EQ(document.shown().scene->forces.size(), 1U);
+}
+
+TEST_F(CopiesTest, OtherTextOnTheClipboardIsRefused) {
+    QString said;
+    QObject::connect(&commands, &ElementCommands::refused, [&](const QString& why) { said = why; });
+    document.setText(two, "Edit");
+    ASSERT_TRUE(settle(document));
+    QGuiApplication::clipboard()->setText("Dear Ann,");
+    commands.paste();
+    EXPECT_EQ(said, "The clipboard holds no commands of a scene.");
+    EXPECT_EQ(document.text(), two);
+}
+
+} // namespace
+} // namespace views

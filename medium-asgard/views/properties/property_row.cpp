@@ -1,0 +1,292 @@
+#include "properties/property_row.h"
+
+#include "frame/readable.h"
+#include "picture/offer_list.h"
+#include "plain/plain.h"
+#include "script/numbers.h"
+#include "script/svg_colors.h"
+
+#include <QColorDialog>
+#include <QComboBox>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QPainter>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace views {
+
+namespace {
+
+using editing::Wants;
+
+bool isChosen(Wants wants) {
+    return wants == Wants::flag || wants == Wants::choice || wants == Wants::body ||
+           wants == Wants::shapeSet || wants == Wants::trajectory || wants == Wants::joint;
+}
+
+// #rrggbb, a name, or three numbers from 0 to 1.
+QColor colorOf(const std::string& text) {
+    if (const auto named = script::namedColor(text))
+        return QColor::fromRgbF(named->red, named->green, named->blue);
+    if (text.starts_with('#'))
+        return QColor::fromString(QString::fromStdString(text));
+    const QStringList parts = QString::fromStdString(text).split(' ', Qt::SkipEmptyParts);
+    double rgb[3] = {};
+    for (int i = 0; i < 3; ++i) {
+        const auto number =
+            parts.size() == 3 ? script::decimalNumber(parts[i].toStdString()) : std::nullopt;
+        if (!number)
+            return {};
+        rgb[i] = std::clamp(*number, 0.0, 1.0);
+    }
+    return QColor::fromRgbF(rgb[0], rgb[1], rgb[2]);
+}
+
+} // namespace
+
+PropertyRow::PropertyRow(const editing::OptionHint& option, const QString& caption,
+                         std::size_t most, QGridLayout& grid, QObject* parent)
+    : QObject(parent), option_(option), fault_(plain::label()), offers_(new QVBoxLayout) {
+    const int row = grid.rowCount();
+    const QString tip = QString::fromUtf8(option.name.data(), option.name.size()) +
+                        QStringLiteral(": ") +
+                        QString::fromUtf8(option.words.data(), option.words.size());
+    auto* label = plain::label(caption);
+    label->setToolTip(plain::tip(tip));
+    label->setWordWrap(true);
+    grid.addWidget(label, row, 0);
+    auto* line = new QHBoxLayout;
+    line->setSpacing(3);
+    if (isChosen(option.wants))
+        addBox(*line, caption);
+    else
+        addFields(*line, caption, most);
+    if (option.wants == Wants::color)
+        addColorButton(*line);
+    grid.addLayout(line, row, 1);
+    auto* below = new QVBoxLayout;
+    below->setSpacing(3);
+    fault_->setWordWrap(true);
+    fault_->setAccessibleName(tr("Why it is not taken"));
+    fault_->hide();
+    below->addWidget(fault_);
+    below->addLayout(offers_);
+    grid.addLayout(below, row + 1, 0, 1, 2);
+}
+
+void PropertyRow::addFields(QHBoxLayout& line, const QString& caption, std::size_t most) {
+    static const char* const axes[] = {"x", "y", "z"};
+    for (std::size_t i = 0; i < most; ++i) {
+        auto* field = new QLineEdit;
+        const QString part = most == 1   ? QString()
+                             : most == 3 ? QStringLiteral(" ") + QString::fromLatin1(axes[i])
+                             : i == 0    ? tr(" degrees")
+                                         : tr(" axis ") + QString::fromLatin1(axes[i - 1]);
+        field->setObjectName(QString::fromUtf8(option_.name.data(), option_.name.size()) +
+                             (most == 4 ? QStringLiteral("turn") : QString()) +
+                             (most == 1 ? QString() : QString::number(i + 1)));
+        field->setAccessibleName(caption + part);
+        field->setMinimumWidth(most == 1 ? 80 : 36);
+        field->installEventFilter(this);
+        connect(field, &QLineEdit::editingFinished, this, &PropertyRow::finish);
+        line.addWidget(field, 1);
+        fields_.push_back(field);
+    }
+}
+
+void PropertyRow::addBox(QHBoxLayout& line, const QString& caption) {
+    box_ = new QComboBox;
+    box_->setObjectName(QString::fromUtf8(option_.name.data(), option_.name.size()));
+    box_->setAccessibleName(caption);
+    box_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box_->setMinimumContentsLength(6);
+    box_->setFocusPolicy(Qt::StrongFocus);
+    box_->installEventFilter(this);
+    if (option_.wants == Wants::flag) {
+        box_->addItem(tr("as by default"), QString());
+        box_->addItem(tr("yes"), QStringLiteral("1"));
+        box_->addItem(tr("no"), QStringLiteral("0"));
+    } else if (option_.wants == Wants::choice) {
+        setChoices(QString::fromUtf8(option_.choices.data(), option_.choices.size())
+                       .split(' ', Qt::SkipEmptyParts));
+    }
+    connect(box_, &QComboBox::activated, this,
+            [this] { Q_EMIT entered({box_->currentData().toString().toStdString()}); });
+    line.addWidget(box_, 1);
+}
+
+void PropertyRow::addColorButton(QHBoxLayout& line) {
+    color_ = new QToolButton;
+    color_->setObjectName(QStringLiteral("color"));
+    color_->setAccessibleName(tr("Choose a colour"));
+    color_->setToolTip(tr("Choose a colour"));
+    connect(color_, &QToolButton::clicked, this, &PropertyRow::chooseColor);
+    line.addWidget(color_);
+}
+
+void PropertyRow::chooseColor() {
+    const QColor now = colorOf(fields_[0]->text().toStdString());
+    const QColor color =
+        QColorDialog::getColor(now.isValid() ? now : QColor(178, 178, 178), color_, tr("Colour"));
+    if (color.isValid())
+        Q_EMIT entered({color.name().toStdString()});
+}
+
+void PropertyRow::showColor() {
+    if (!color_)
+        return;
+    const QColor color = colorOf(fields_[0]->text().toStdString());
+    QPixmap swatch(32, 32);
+    swatch.fill(Qt::transparent);
+    QPainter painter(&swatch);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(color_->palette().color(QPalette::Mid), 2));
+    if (color.isValid())
+        painter.setBrush(color);
+    painter.drawRoundedRect(QRectF(2, 2, 28, 28), 5, 5);
+    color_->setIcon(QIcon(swatch));
+}
+
+void PropertyRow::setChoices(const QStringList& choices) {
+    if (!box_ || option_.wants == Wants::flag ||
+        box_->property("choices").toStringList() == choices)
+        return;
+    const QVariant chosen = box_->currentData();
+    box_->setProperty("choices", choices);
+    box_->clear();
+    box_->addItem(tr("none"), QString());
+    for (const QString& choice : choices)
+        box_->addItem(choice, choice);
+    box_->setCurrentIndex(std::max(0, box_->findData(chosen)));
+}
+
+void PropertyRow::show(const PropertyParts& parts, const QString& absent, const QString& source) {
+    if (isTyped())
+        return;
+    shown_ = parts;
+    for (std::size_t i = 0; i < fields_.size(); ++i) {
+        fields_[i]->setVisible(i < parts.size());
+        if (i >= parts.size())
+            continue;
+        const QString text = QString::fromStdString(parts[i].value_or(""));
+        if (fields_[i]->text() != text) {
+            fields_[i]->setText(text);
+            fields_[i]->setCursorPosition(0);
+        }
+        fields_[i]->setPlaceholderText(parts[i] ? absent : tr("different"));
+        fields_[i]->setToolTip(source.isEmpty() ? QString()
+                                                : plain::tip(tr("The text has: %1").arg(source)));
+    }
+    showColor();
+    if (!box_)
+        return;
+    const QString value =
+        QString::fromStdString(parts.empty() || !parts[0] ? std::string() : *parts[0]);
+    int index = parts.empty() || !parts[0] ? -1 : box_->findData(value);
+    if (index < 0 && !value.isEmpty()) {
+        box_->addItem(value, value);
+        index = box_->count() - 1;
+    }
+    box_->setCurrentIndex(index);
+    box_->setPlaceholderText(tr("different"));
+}
+
+void PropertyRow::setEnabled(bool enabled) {
+    for (QLineEdit* field : fields_)
+        field->setReadOnly(!enabled);
+    if (box_)
+        box_->setEnabled(enabled);
+    if (color_)
+        color_->setEnabled(enabled);
+}
+
+bool PropertyRow::isTyped() const {
+    return std::ranges::any_of(fields_, [](const QLineEdit* one) { return one->isModified(); });
+}
+
+void PropertyRow::setFault(const QString& why) {
+    why_ = why;
+    showFault();
+}
+
+void PropertyRow::setNote(const QString& note) {
+    if (note == note_)
+        return;
+    note_ = note;
+    showFault();
+}
+
+void PropertyRow::showFault() {
+    const QString why = fault();
+    fault_->setText(why);
+    fault_->setVisible(!why.isEmpty());
+    QPalette palette = fault_->parentWidget() ? fault_->parentWidget()->palette() : QPalette();
+    palette.setColor(QPalette::WindowText,
+                     readable(QColor(200, 40, 30), palette.color(QPalette::Window)));
+    fault_->setPalette(palette);
+    for (QLineEdit* field : fields_)
+        field->setAccessibleDescription(why);
+}
+
+QString PropertyRow::fault() const { return why_.isEmpty() ? note_ : why_; }
+
+void PropertyRow::setOffers(const std::string& text, const std::vector<editing::Offer>& offers,
+                            const std::function<void(const text::Edits& edits)>& take) {
+    showOffers(*offers_, text, offers, take);
+}
+
+void PropertyRow::taken() {
+    for (QLineEdit* field : fields_)
+        field->setModified(false);
+    refused_.clear();
+    setFault({});
+    setOffers({}, {}, {});
+}
+
+void PropertyRow::finish() {
+    PropertyParts parts(shown_.size());
+    bool isChanged = false;
+    for (std::size_t i = 0; i < parts.size() && i < fields_.size(); ++i) {
+        const std::string typed = fields_[i]->text().toStdString();
+        if (!fields_[i]->isModified() || (shown_[i] && typed == *shown_[i]))
+            continue;
+        parts[i] = typed;
+        isChanged = true;
+    }
+    if (!isChanged || parts == refused_) // it was said why
+        return;
+    refused_ = parts;
+    Q_EMIT entered(parts);
+}
+
+void PropertyRow::bringBack() {
+    taken();
+    const PropertyParts parts = shown_;
+    for (std::size_t i = 0; i < fields_.size() && i < parts.size(); ++i)
+        fields_[i]->setText(QString::fromStdString(parts[i].value_or("")));
+}
+
+bool PropertyRow::eventFilter(QObject* watched, QEvent* event) {
+    const bool isField = watched != box_;
+    if (event->type() == QEvent::ShortcutOverride && isField) { // typed, no command of the window
+        const auto* key = static_cast<QKeyEvent*>(event);
+        const bool isPlain = !(key->modifiers() & (Qt::ControlModifier | Qt::AltModifier));
+        if (isPlain)
+            event->accept();
+    } else if (event->type() == QEvent::KeyPress && isField &&
+               static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+        bringBack();
+        return true;
+    } else if (event->type() == QEvent::Wheel && !isField && !box_->hasFocus()) {
+        event->ignore(); // it scrolls what is around
+        return true;
+    }
+    return QObject::eventFilter(watched, event);
+}
+
+} // namespace views

@@ -1,0 +1,110 @@
+// The list of elements: what it shows, and the selection and names through it.
+#include "scenelist/scene_list.h"
+#include "views/test_workshop.h"
+
+#include <gmock/gmock.h>
+
+#include <QComboBox>
+#include <QLineEdit>
+
+namespace views {
+namespace {
+
+using editing::Element;
+using editing::Kind;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+const std::string scene = "shape_set s -desc {-sub {-sphere 0.5}} -color red\n"
+                          "body a s -init_pos {1 2 0}\n"
+                          "body b s -init_pos {4 2 0}\n"
+                          "force -body a -gravitational {0 -9.81 0}\n"
+                          "spring -body1 a -body2 b -stiffness 5\n"
+                          "joint pin -type ball -body1 b\n";
+
+class SceneListTest : public testing::Test {
+protected:
+    static void SetUpTestSuite() { theApplication(); }
+    void SetUp() override {
+        document.setText(scene, "Edit");
+        ASSERT_TRUE(settle(document));
+        list.show();
+        QTest::qWait(60);
+    }
+    std::vector<std::string> shown() { // the tree as lines, children with a dash
+        std::vector<std::string> lines;
+        for (QTreeWidgetItemIterator at(&list.tree()); *at; ++at)
+            if (!(*at)->isHidden() && !((*at)->parent() && (*at)->parent()->isHidden()))
+                lines.push_back(((*at)->parent() ? "- " : "") + (*at)->text(0).toStdString());
+        return lines;
+    }
+
+    TestWorkshop made;
+    SceneDocument document{made.workshop()};
+    std::optional<Element> opened;
+    std::vector<Element> removed;
+    SceneList list{document,
+                   {[this](const Element& element) { opened = element; },
+                    [](const Element&, const QPoint&) {},
+                    [this](const std::vector<Element>& elements) { removed = elements; }}};
+};
+
+TEST_F(SceneListTest, HasEachElementByItsKind) {
+    EXPECT_THAT(shown(),
+                ElementsAre("Shapes (1)", "- s", "Bodies (2)", "- a", "- b", "Forces (1)",
+                            "- weight of a", "Springs (1)", "- a – b", "Joints (1)", "- pin"));
+    list.order().setCurrentIndex(1);
+    Q_EMIT list.order().activated(1);
+    EXPECT_THAT(shown(), ElementsAre("s", "a", "b", "weight of a", "a – b", "pin"));
+}
+
+TEST_F(SceneListTest, FollowsTheSelectionAndSelects) {
+    document.select({{Kind::body, 1}});
+    EXPECT_TRUE(list.itemOf({Kind::body, 1})->isSelected());
+    list.itemOf({Kind::joint, 0})->setSelected(true);
+    EXPECT_THAT(document.selected(), ElementsAre(Element{Kind::body, 1}, Element{Kind::joint, 0}));
+    list.tree().clearSelection();
+    EXPECT_TRUE(document.selected().empty());
+}
+
+TEST_F(SceneListTest, AFilterNarrowsIt) {
+    list.filter().setText("spring");
+    EXPECT_THAT(shown(), ElementsAre("Springs (1)", "- a – b"));
+    list.filter().setText("pin");
+    EXPECT_THAT(shown(), ElementsAre("Joints (1)", "- pin"));
+    list.filter().clear();
+    EXPECT_EQ(shown().size(), 11U);
+}
+
+TEST_F(SceneListTest, ARenamedElementHasItsNameInAllOfTheText) {
+    list.itemOf({Kind::body, 0})->setText(0, "ball");
+    ASSERT_TRUE(settle(document));
+    EXPECT_THAT(document.text(), HasSubstr("spring -body1 ball -body2 b"));
+    EXPECT_EQ(document.undoLabel(), "Rename a");
+    QTest::qWait(60);
+    EXPECT_EQ(list.itemOf({Kind::body, 0})->text(0), "ball");
+    list.itemOf({Kind::body, 0})->setText(0, "b");
+    EXPECT_THAT(list.fault().toStdString(), HasSubstr("no free name"));
+    EXPECT_EQ(list.itemOf({Kind::body, 0})->text(0), "ball");
+}
+
+TEST_F(SceneListTest, KeysOpenAndRemove) {
+    document.select({{Kind::body, 0}});
+    list.tree().setCurrentItem(list.itemOf({Kind::body, 0}));
+    QTest::keyClick(&list.tree(), Qt::Key_Return);
+    EXPECT_EQ(opened, (Element{Kind::body, 0}));
+    QTest::keyClick(&list.tree(), Qt::Key_Delete);
+    EXPECT_THAT(removed, ElementsAre(Element{Kind::body, 0}));
+}
+
+TEST_F(SceneListTest, FoldedGroupsStayFoldedWhenTheSceneChanges) {
+    list.itemOf({Kind::body, 0})->parent()->setExpanded(false);
+    document.setText(scene + "body c s -init_pos {7 2 0}\n", "Edit");
+    ASSERT_TRUE(settle(document));
+    QTest::qWait(60);
+    EXPECT_EQ(list.itemOf({Kind::body, 2})->parent()->text(0), "Bodies (3)");
+    EXPECT_FALSE(list.itemOf({Kind::body, 2})->parent()->isExpanded());
+}
+
+} // namespace
+} // namespace views

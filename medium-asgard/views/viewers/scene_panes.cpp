@@ -1,0 +1,59 @@
+#include "viewers/scene_panes.h"
+
+#include "faults/fault_list.h"
+#include "picture/scene_display.h"
+#include "properties/properties_pane.h"
+#include "scenelist/scene_list.h"
+#include "workbench/playback.h"
+
+namespace views {
+
+namespace {
+
+// A body asks for the size of its shape, another element for what its handle moves.
+void openValues(SceneDocument& document, SceneDisplay& display, const editing::Element& element) {
+    document.select({element});
+    if (element.kind == editing::Kind::body)
+        display.editing().openSize(element.index);
+    else
+        display.editing().openEntry();
+}
+
+} // namespace
+
+void addScenePanes(
+    Panes& panes, SceneDocument& document, SceneDisplay& display, Playback& playback,
+    const Windows& windows,
+    const std::function<void(const editing::Element&, const QPoint& global)>& showMenu) {
+    const auto remove = [&display](std::vector<editing::Element> elements) {
+        display.editing().remove(std::move(elements));
+    };
+    const auto open = [&document, &display](const editing::Element& element) {
+        openValues(document, display, element);
+    };
+    panes.add({"properties", QObject::tr("Properties"), Qt::RightDockWidgetArea,
+               [&document, windows, remove] {
+                   return new PropertiesPane(document,
+                                             {windows.showText, windows.openShapeEditor, remove});
+               },
+               "status", QKeySequence(Qt::Key_F4)});
+    panes.add({"sceneList",
+               QObject::tr("Scene List"),
+               Qt::LeftDockWidgetArea,
+               [&document, open, showMenu, remove] {
+                   return new SceneList(document, {open, showMenu, remove});
+               },
+               {},
+               QKeySequence(Qt::SHIFT | Qt::Key_F4)});
+    panes.add({"faults",
+               QObject::tr("Faults"),
+               Qt::BottomDockWidgetArea,
+               [&document, &playback, show = windows.showText] {
+                   return new FaultList(document,
+                                        {[&playback](double time) { playback.seek(time); }, show});
+               },
+               {},
+               QKeySequence(Qt::CTRL | Qt::Key_F9)});
+}
+
+} // namespace views
