@@ -141,10 +141,10 @@ Vector HandleDrag::wanted() {
         return onSphere();
     if (follows_ && !free_) // beside the body it waits where it was
         return onSurface().value_or(place_);
-    const Vector free = sight_.beside(held_ + grip_, plane_);
+    Vector unsnapped = sight_.beside(held_ + grip_, plane_);
     if (!snapping_ || snapsHeldOff_)
-        return free;
-    snapped_ = snapping_->at(free, handle_.place);
+        return unsnapped;
+    snapped_ = snapping_->at(unsnapped, handle_.place);
     return snapped_.place;
 }
 

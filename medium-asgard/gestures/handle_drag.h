@@ -65,19 +65,17 @@ private:
     editing::Mapper mapper_;
     Sight sight_;
     render::Handle handle_;
-    bool quaternion_ = false;
     double pixelLength_;             // of the world, at the handle
     geometry::Vector place_, plane_; // plane_: a point of the screen's plane that it moves in
     Eigen::Vector2d held_, grip_;    // pixels: of the pointer, and from it to the handle
-    bool moved_ = false;
     std::optional<editing::TrajectoryEdits> path_; // of a trajectory's point
     ShapePointer surface_;
-    bool follows_ = false, free_ = false;
     std::optional<double> rollsFrom_; // pixels, of where it was pressed
     std::optional<Snapping> snapping_;
-    bool snapsHeldOff_ = false;
     Snapped snapped_; // of the last move
     editing::Answer answer_;
+    bool quaternion_ = false, moved_ = false, follows_ = false, free_ = false;
+    bool snapsHeldOff_ = false;
 };
 
 } // namespace gestures

@@ -365,7 +365,7 @@ int runEditor(int argc, char** argv, const std::string& file, script::Reader& re
     editor.setStarting(&starting);
     const QPointer<QWidget> first =
         path.isEmpty() ? static_cast<QWidget*>(starting.showFirstPage()) : editor.openMainWindow();
-    QTimer::singleShot(0, &files, [&, first] {
+    QTimer::singleShot(0, &files, [&] {
         if (!offerRecovery(first, autosave, journal, path) || !path.isEmpty())
             return;
         if (editor.viewerWindows().isEmpty())
