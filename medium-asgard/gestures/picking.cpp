@@ -83,6 +83,7 @@ std::vector<Picked> bodiesAt(const render::Drawing& drawing, const Sight& sight,
     }
     std::ranges::stable_sort(met, {}, &std::pair<double, Picked>::first);
     std::vector<Picked> all;
+    all.reserve(met.size());
     for (const auto& [distance, picked] : met)
         all.push_back(picked);
     return all;

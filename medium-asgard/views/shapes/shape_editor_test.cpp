@@ -221,7 +221,7 @@ TEST_F(ShapeEditorTest, TheButtonMakesTheHullOfTheChosenPart) {
                      "Edit");
     ASSERT_TRUE(settle(document));
     editor->display().choose(0);
-    QTest::keyClick(editor.get(), Qt::Key_H, Qt::ControlModifier);
+    QTest::keyClick(editor.get(), Qt::Key_H, Qt::ControlModifier | Qt::ShiftModifier);
     ASSERT_TRUE(settle(document));
     EXPECT_EQ(document.text(),
               "shape_set c -desc {-sub {-points {{0 0 0} {1 0 0} {0 1 0} {0 0 1}}}}\n");

@@ -63,7 +63,7 @@ ShapePanel::ShapePanel(QWidget* parent) : QWidget(parent), parts_(new QListWidge
     column->addLayout(row);
     ofChosen_.push_back(button("convexHull", tr("Convex &Hull"),
                                tr("Removes the vertices that lie inside the part, the white ones "
-                                  "(Ctrl+H)"),
+                                  "(Ctrl+Shift+H)"),
                                [this] { Q_EMIT hullWanted(); }));
     column->addWidget(ofChosen_.back());
     column->addSpacing(8);
