@@ -3,6 +3,8 @@
 #include <QApplication>
 #include <QDialog>
 #include <QEvent>
+#include <QThread>
+
 #include <algorithm>
 #include <utility>
 
@@ -12,7 +14,11 @@ namespace {
 
 constexpr int pause = 20; // ms
 
-bool isQuestionOpen() {
+bool isQuestion(const QWidget& widget) {
+    return widget.isWindow() && (widget.isModal() || widget.windowType() == Qt::Popup);
+}
+
+bool isQuestionSeen() {
     return QApplication::activeModalWidget() != nullptr ||
            QApplication::activePopupWidget() != nullptr;
 }
@@ -39,8 +45,21 @@ WindowsStay::~WindowsStay() {
         delete window;
 }
 
+// It may be closed, and its loop still run.
+bool WindowsStay::isQuestionOpen() {
+    if (askedAt_ && QThread::currentThread()->loopLevel() <= *askedAt_)
+        askedAt_.reset();
+    return askedAt_ || isQuestionSeen();
+}
+
 bool WindowsStay::eventFilter(QObject* of, QEvent* event) {
-    if (event->type() != QEvent::DeferredDelete || !of->isWidgetType())
+    if (!of->isWidgetType())
+        return false;
+    if (event->type() == QEvent::Show && isQuestion(*static_cast<QWidget*>(of))) {
+        const int level = QThread::currentThread()->loopLevel();
+        askedAt_ = std::min(askedAt_.value_or(level), level);
+    }
+    if (event->type() != QEvent::DeferredDelete)
         return false;
     auto* window = static_cast<QWidget*>(of);
     if (!window->isWindow() || qobject_cast<QDialog*>(window) != nullptr || !isQuestionOpen())

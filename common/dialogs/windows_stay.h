@@ -11,6 +11,7 @@
 #include <QTimer>
 #include <QWidget>
 
+#include <optional>
 #include <vector>
 
 namespace dialogs {
@@ -25,10 +26,13 @@ public:
     bool eventFilter(QObject* of, QEvent* event) override;
 
 private:
+    [[nodiscard]] bool isQuestionOpen();
     void release();
 
     std::vector<QPointer<QWidget>> waiting_;
     QTimer timer_;
+    // The level of event loops at which a question was asked: its own loop is above.
+    std::optional<int> askedAt_;
 };
 
 } // namespace dialogs

@@ -5,7 +5,7 @@ simulator -finish 6
 
 shape_set cabin -desc {-sub {-pos {0 -0.05 0} -box {1.6 0.1 1.4} -color slategray} -sub {-pos {0 2.45 0} -box {1.6 0.1 1.4} -color slategray}
     -sub {-pos {0 1.2 -0.68} -box {1.6 2.4 0.04} -color lightsteelblue}}
-shape_set man -desc {-sub {-pos {0 -0.25 0} -box {0.34 1.1 0.24} -color royalblue} -sub {-pos {0 0.48 0} -box {0.46 0.4 0.26} -color firebrick}
+shape_set man -desc {-sub {-pos {0 -0.26 0} -box {0.34 1.08 0.24} -color royalblue} -sub {-pos {0 0.48 0} -box {0.46 0.4 0.26} -color firebrick}
     -sub {-pos {0 0.8 0} -sphere 0.12 -color burlywood}}
 shape_set rail -desc {-sub {-box {0.06 13 0.06} -color dimgray}}
 body left rail -fixed 1 -ct 1 -init_pos {-0.85 5.5 -0.5}

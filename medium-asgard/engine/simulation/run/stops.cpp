@@ -108,10 +108,6 @@ Why whyOf(const Problem& problem, const physics::Suspects& suspects,
           const solution::Stop& stop) {
     using Reason = solution::Stop::Reason;
     std::string reason = stop.sentence;
-    if (stop.reason == Reason::contradiction && areSingular(problem.scene))
-        reason = reason.substr(0, reason.find(", which")) +
-                 ": the joints stand in a singular position, as a flat linkage does, from which "
-                 "they can move in two ways; let them start a little beside it";
     std::vector<physics::Blame> blames;
     if (stop.reason == Reason::notFinite || stop.reason == Reason::overflow ||
         stop.reason == Reason::stepUnderflow || stop.reason == Reason::notConverged) {
@@ -120,6 +116,14 @@ Why whyOf(const Problem& problem, const physics::Suspects& suspects,
             bodies.push_back(owners[unknown]);
         blames = blamesFor(problem, suspects, histories, bodies, stop.time);
     }
+    // Beside a flat linkage forces grow without a limit where no force has a fault of its own.
+    const bool areJoints =
+        stop.reason == Reason::contradiction ||
+        (stop.reason == Reason::notFinite && blames.empty() && !problem.scene.joints.empty());
+    if (areJoints && areSingular(problem.scene))
+        reason = reason.substr(0, reason.find(", which")) +
+                 ": the joints stand in a singular position, as a flat linkage does, from which "
+                 "they can move in two ways; let them start a little beside it";
     std::string named;
     for (const physics::Blame& blame : blames)
         named +=
