@@ -26,6 +26,23 @@ TEST(WindowsStay, AWindowOutlivesItsQuestion) {
     EXPECT_TRUE(QTest::qWaitFor([&] { return !window; }));
 }
 
+TEST(WindowsStay, AQuestionThatHasClosedMayStillRun) {
+    const WindowsStay stay;
+    QPointer<QMainWindow> window = new QMainWindow;
+    window->show();
+    {
+        QMessageBox question(window);
+        QTimer::singleShot(10, window, [&] {
+            question.close();
+            window->deleteLater();
+            QCoreApplication::sendPostedEvents(window, QEvent::DeferredDelete); // in its loop
+        });
+        question.exec();
+        ASSERT_TRUE(window);
+    }
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !window; }));
+}
+
 TEST(WindowsStay, AnothersQuestionStaysOpen) {
     const WindowsStay stay;
     QPointer<QMainWindow> window = new QMainWindow;
