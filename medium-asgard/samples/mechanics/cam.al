@@ -6,7 +6,7 @@ simulator -finish 4
 
 set quarter [expr {acos(-1)/2}]
 shape_set cam -desc "-sub {-rot {$quarter 0 0} -cylinder {0.3 0.1} -color steelblue}
-    -sub {-pos {-0.1 0 0.06} -rot {$quarter 0 0} -cylinder {0.03 0.04} -color white} -sub {-pos {0.2 0 0.06} -rot {$quarter 0 0} -cylinder {0.02 0.03} -color gold}"
+    -sub {-pos {-0.1 0 0.07} -rot {$quarter 0 0} -cylinder {0.03 0.04} -color white} -sub {-pos {0.2 0 0.065} -rot {$quarter 0 0} -cylinder {0.02 0.03} -color gold}"
 shape_set follower -desc {-sub {-box {0.5 0.06 0.1} -color firebrick} -sub {-pos {0 0.43 0} -box {0.08 0.8 0.08} -color firebrick}}
 shape_set guide -desc {-sub {-pos {-0.08 0 0} -box {0.06 0.25 0.16} -color dimgray} -sub {-pos {0.08 0 0} -box {0.06 0.25 0.16} -color dimgray}}
 shape_set base -desc {-sub {-box {1 0.06 0.5} -color slategray}}
