@@ -242,7 +242,7 @@ Answer Properties::set(const std::vector<Element>& elements, const OptionHint& o
         // A vector begins with the parts that are typed.
         if (std::ranges::any_of(own, [](const auto& one) { return !one.empty(); }))
             std::ranges::replace(own, std::string(), std::string("0"));
-        const Answer answer = setOne(element, option, own);
+        Answer answer = setOne(element, option, own);
         if (!answer.possible())
             return answer;
         for (const text::Edit& edit : answer.edits)
