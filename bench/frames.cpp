@@ -1,4 +1,4 @@
-// What does a picture cost? Times of Renderer::draw for crowds of 9, 100 and 500 bodies on a floor.
+// The cost of a picture: times of Renderer::draw for crowds of 9, 100 and 500 bodies on a floor.
 //
 // Prints for each crowd and each way of drawing the milliseconds of the median picture, and how
 // many times those of the plainest one that is. Compare the ratios: they come from one run.

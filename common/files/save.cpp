@@ -136,7 +136,7 @@ private:
         return true;
     }
 
-    // What another program wrote cannot get its name back. It becomes the backup: a part of a save
+    // The other program's text cannot get its name back. It becomes the backup: a part of a save
     // would be removed one day.
     bool keepTheirs() {
         const int error = errno;

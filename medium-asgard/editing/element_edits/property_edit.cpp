@@ -32,7 +32,7 @@ bool hasCoordinate(const scene::Joint& joint, std::string_view option) {
     return false;
 }
 
-// Of what is computed: without the last digits, which are the rounding's.
+// A computed number without its last digits, which are the rounding's.
 std::string numberShown(double value) {
     return numberText(value, decimalStep(1e-13 * std::max(1.0, std::abs(value))));
 }
@@ -222,7 +222,7 @@ Answer Properties::setOne(const Element& element, const OptionHint& option,
     Answer answer = mapper_.answer(wish);
     if (answer.possible())
         return answer;
-    // What is typed over an expression is asked for; a loop's is for all of its elements.
+    // A number typed over an expression is asked for; one of a loop is for all its elements.
     const scene::Source* source = sourceOf(*scene_, element);
     Answer direct = source && source->runs == 1 && answer.offers.empty()
                         ? written(element, option, whole)

@@ -43,7 +43,7 @@ public:
                Mapper::Factor factor = {});
 
     [[nodiscard]] PropertyValue valueOf(const Element& element, const OptionHint& option) const;
-    // What all of them have; a part in which they differ is none.
+    // The value that all of them have; a part in which they differ is none.
     [[nodiscard]] std::vector<std::optional<std::string>>
     sharedValue(const std::vector<Element>& elements, const OptionHint& option) const;
 

@@ -1,4 +1,4 @@
-// What is wrong with the text of an expression, and where.
+// A fault in the text of an expression, and its place.
 #pragma once
 
 #include <cstddef>
