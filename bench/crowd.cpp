@@ -2,7 +2,7 @@
 #include "computing/tools.h"
 
 #include "script/reader.h"
-#include "views/editor.h"
+#include "viewers/editor.h"
 
 #include <QApplication>
 #include <QMouseEvent>

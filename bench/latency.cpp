@@ -13,7 +13,7 @@
 #include "paints.h"
 
 #include "script/reader.h"
-#include "views/editor.h"
+#include "viewers/editor.h"
 
 #include <QApplication>
 #include <QElapsedTimer>
