@@ -95,7 +95,10 @@ void measureCrowd(const Measurement& measurement, script::Reader& reader, int bo
     pieces.eventsUntil("events while handles are drawn", [&] {
         return display.handles().handles.size() == static_cast<std::size_t>(bodies);
     });
+    const std::string before = document.text();
     drag(display, bodies / 2, pieces);
+    if (document.text() == before)
+        std::exit((std::fprintf(stderr, "bench_latency: the drag moved nothing\n"), 1));
     pieces.eventsUntil("events after the drag", settled);
     std::vector<editing::Element> all;
     for (std::size_t i = 0; i < static_cast<std::size_t>(bodies); ++i)

@@ -67,6 +67,7 @@ public:
         Latencies all;
         for (int i = 1; i <= moves; ++i) {
             const int moved = motions_;
+            const std::string text = document_.text();
             paints_.await();
             const auto begin = Clock::now();
             // To and fro, so that the scene stays one of its kind.
@@ -74,6 +75,8 @@ public:
                  Qt::NoButton);
             handleEventsUntil([&] { return paints_.came(); });
             all.toHandle.push_back(between(begin, paints_.first)); // drawn over the picture
+            if (document_.text() == text)
+                continue; // a snap holds it: the motion stays as it is
             handleEventsUntil([&] {
                 return motions_ > moved && document_.sceneIsCurrent() &&
                        document_.work() == views::Work::none;
