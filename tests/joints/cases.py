@@ -227,6 +227,16 @@ def released():
     return rows
 
 
+def released_meet():
+    """Equal balls swap their velocities where their gap closes after the release; c comes back from a wall at x = 1."""
+    rows = Rows()
+    for t in [0.3, 0.6, 0.75, 0.9, 1.2, 1.6, 2.0]:
+        rows.put(t, 2, {"a.x": min(t, 0.8), "b.x": 1 + max(0, t - 0.8), "e.x": t, "f.x": 0.5})
+        rows.put(t, 2, {"g.x": min(t, 0.4), "h.x": 0.6 + max(0, t - 0.4)})
+        rows.put(t, 2, {"c.x": t if t < 1 else max(2 - t, 0.7), "d.x": 0.5 - max(0, t - 1.3)})
+    return rows
+
+
 def cut():
     """A constant force, and free swings until a force or a place is reached; then straight on."""
     rows, snap, leave = Rows(), math.pi / 12, math.asin(0.6) / 3
@@ -568,5 +578,5 @@ def governor():
 
 
 BY_NAME = {case.__name__: case for case in (
-    rod_on_hinge, slider_crank, bricard, torsion_dry, torsion_damped, rod_stop, clutch, rail, released, cut, drives, conical_pendulum, hooke, screw, cylindrical,
+    rod_on_hinge, slider_crank, bricard, torsion_dry, torsion_damped, rod_stop, clutch, rail, released, released_meet, cut, drives, conical_pendulum, hooke, screw, cylindrical,
     planar, dumbbell, gears, turns, gyroscope, spherical_pendulum, double_pendulum, four_bar, four_bar_tilted, welded, top, governor)}

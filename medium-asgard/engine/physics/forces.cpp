@@ -90,6 +90,10 @@ Contribution ForceReader::at(std::size_t body, const Vector& arm, const NodeVect
     return made;
 }
 
+std::string multiplierName(const scene::Link& link, std::size_t index) {
+    return link.name.empty() ? link.first.body + ".link" + std::to_string(index + 1) : link.name;
+}
+
 Node ForceReader::strengthOf(const std::optional<scene::Expression>& release, const char* kind,
                              const std::string& name, std::span<const std::size_t> bodies) {
     std::vector<std::size_t> moving;
@@ -322,10 +326,8 @@ void ForceReader::readLink(std::size_t index, std::vector<Contribution>& contrib
     if (const auto* end = std::get_if<scene::BodyEnd>(&link.second))
         if (const auto second = bodyNamed(end->body))
             bodies.push_back(*second);
-    const Node strength = strengthOf(
-        link.release, link.spring ? "spring" : "link",
-        link.name.empty() ? link.first.body + ".link" + std::to_string(index + 1) : link.name,
-        bodies);
+    const Node strength = strengthOf(link.release, link.spring ? "spring" : "link",
+                                     multiplierName(link, index), bodies);
     const Law law = lawOf(link, made);
     const NodeVector force = scaled(g_, strength, law.force);
     made.energy = g_.multiply(strength, law.energy);

@@ -19,6 +19,9 @@
 
 namespace physics {
 
+// Of the multiplier that a -release of a link ends: the link's name, or one of its place.
+[[nodiscard]] std::string multiplierName(const scene::Link& link, std::size_t index);
+
 // Sentences about expressions that cannot be read go to `faults`.
 class ForceReader {
 public:

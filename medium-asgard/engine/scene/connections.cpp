@@ -320,20 +320,24 @@ Connections::Connections(const Scene& scene) {
         group[b] = rootOf(group, b);
 }
 
-std::vector<std::vector<std::size_t>> joinedBodies(const Scene& scene) {
+std::vector<std::vector<std::size_t>> joinedBodies(const Scene& scene, const Released& released) {
     const Index bodies = indexOf(scene.bodies);
     std::vector<std::vector<std::size_t>> joined(scene.bodies.size());
     const auto join = [&](std::size_t a, std::size_t b) {
         joined[a].push_back(b);
         joined[b].push_back(a);
     };
-    for (const Link& link : scene.links)
-        if (const auto* second = std::get_if<BodyEnd>(&link.second); second && !link.spring)
+    for (std::size_t l = 0; l < scene.links.size(); ++l) {
+        const Link& link = scene.links[l];
+        const auto* second = std::get_if<BodyEnd>(&link.second);
+        if (second && !link.spring && !released.links.contains(l))
             join(bodies.at(link.first.body), bodies.at(second->body));
+    }
     std::vector<std::size_t> rigid(scene.bodies.size()); // what fixed joints make one piece
     std::iota(rigid.begin(), rigid.end(), std::size_t{0});
-    for (const Joint& joint : scene.joints) {
-        if (!joint.body2)
+    for (std::size_t j = 0; j < scene.joints.size(); ++j) {
+        const Joint& joint = scene.joints[j];
+        if (!joint.body2 || released.joints.contains(j))
             continue;
         const std::size_t a = bodies.at(joint.body1), b = bodies.at(*joint.body2);
         join(a, b);

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <set>
 #include <span>
 #include <utility>
 #include <vector>
@@ -58,8 +59,14 @@ struct Connections {
     bool isBroken = false;
 };
 
+// Indices of joints and links that a -release has ended.
+struct Released {
+    std::set<std::size_t> joints, links;
+};
+
 // The bodies that never collide with each other, by body, since a link or a joint joins them
 // directly, or fixed joints alone join them. Both ways; in no order.
-[[nodiscard]] std::vector<std::vector<std::size_t>> joinedBodies(const Scene& scene);
+[[nodiscard]] std::vector<std::vector<std::size_t>> joinedBodies(const Scene& scene,
+                                                                 const Released& released = {});
 
 } // namespace scene

@@ -148,5 +148,15 @@ TEST(JoinedBodies, AreTheEndsOfLinksAndJointsAndWhatFixedJointsHold) {
     EXPECT_FALSE(areJoined(1, 3) || areJoined(0, 3) || areJoined(3, 4));
 }
 
+TEST(JoinedBodies, AreApartOnceTheirJointIsReleased) {
+    Scene scene = hingedScene();
+    scene.joints = {jointOf("1", JointType::fixed, "a", "b"),
+                    jointOf("2", JointType::fixed, "b", "c"),
+                    jointOf("3", JointType::hinge, "a", "b")};
+    EXPECT_EQ(joinedBodies(scene, {.joints = {1}, .links = {}})[2], std::vector<std::size_t>());
+    const auto first = joinedBodies(scene, {.joints = {0}, .links = {}})[0];
+    EXPECT_EQ(first, std::vector<std::size_t>{1}); // by the hinge, and not to c
+}
+
 } // namespace
 } // namespace scene

@@ -51,8 +51,8 @@ void ContactSet::forget(std::size_t body) {
 }
 
 // Once gone it stays so: the first of the steps at whose begin it is.
-std::optional<double> ContactSet::goneFrom(const Histories& histories, std::size_t row, double from,
-                                           double until) {
+std::optional<double> goneFrom(const Histories& histories, std::size_t row, double from,
+                               double until) {
     if (row >= histories.unknowns() || histories.value(row, until) != solution::releasedMode)
         return std::nullopt;
     const Histories::Place place = histories.place(row, until);

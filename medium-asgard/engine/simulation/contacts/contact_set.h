@@ -26,6 +26,10 @@
 
 namespace simulation {
 
+// Since when a multiplier is gone, of those times from `from` on; none: not at `until`.
+[[nodiscard]] std::optional<double> goneFrom(const solution::Histories& histories, std::size_t row,
+                                             double from, double until);
+
 class ContactSet {
 public:
     // The colliders must outlive this.
@@ -83,8 +87,6 @@ private:
         }
     };
     [[nodiscard]] std::size_t ownerOf(const Contact& contact) const;
-    [[nodiscard]] static std::optional<double> goneFrom(const solution::Histories& histories,
-                                                        std::size_t row, double from, double until);
     void giveRows(Contact& contact, solution::EquationsInForce& equations,
                   solution::Changes& changes);
     void noteBodies();

@@ -12,7 +12,7 @@ CollisionSource::CollisionSource(const Collision& of, double start, double finis
                                  std::function<bool()> cancelled)
     : world_(of.scene, of.equations, of.shapes, start, std::move(resolution)), finish_(finish),
       cancelled_(std::move(cancelled)), readers_(of.equations, world_.records, start),
-      resting_(world_, finish), search_(world_, resting_),
+      resting_(world_, finish), search_(world_, resting_), releases_(of.scene, of.equations, start),
       flights_(world_, search_, readers_, record_), counts_(world_.records.size(), start) {}
 
 CollisionSource::~CollisionSource() = default;
@@ -24,6 +24,10 @@ std::optional<solution::Event> CollisionSource::next(const Histories& histories,
         if (looks % 64 == 0 && cancelled_ && cancelled_())
             return std::nullopt;
         const EncounterSearch::Next next = search_.next();
+        if (const auto released = releases_.first(histories, std::min(next.time, until))) {
+            search_.release(releases_.take(histories, *released), *released);
+            continue;
+        }
         std::optional<RestingBodies::Change> change;
         if (resting_.isAnyResting())
             change = resting_.firstChange(histories, std::min(next.time, until), until, search_);

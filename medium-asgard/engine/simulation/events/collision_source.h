@@ -26,6 +26,7 @@
 #include "events/impact_cluster.h"
 #include "events/meeting_counts.h"
 #include "events/outcome.h"
+#include "meetings/releases.h"
 
 #include <functional>
 #include <map>
@@ -140,6 +141,7 @@ private:
     RestingBodies resting_;
     EncounterSearch search_;
     EncounterSearch::Renewal renewal_;
+    Releases releases_;
     CollisionRecord record_;
     FlightImpacts flights_;
     MeetingCounts counts_;

@@ -71,6 +71,17 @@ void EncounterSearch::cut(std::size_t body, double time) {
     ends_.set(body, time);
 }
 
+// Who has been passed over is found when the body enters the tree again.
+void EncounterSearch::release(const scene::Released& released, double time) {
+    for (const std::size_t body : near_.mayMeet.release(world_.scene, released)) {
+        if (world_.isFixed(body) || hasEnded(body))
+            continue;
+        cut(body, time);
+        if (near_.tree.contains(body))
+            near_.tree.remove(body);
+    }
+}
+
 // --- hits -----------------------------------------------------------------------------------
 
 void EncounterSearch::searchOn(const Pair& pair, double time) {

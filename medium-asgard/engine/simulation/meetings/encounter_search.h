@@ -75,6 +75,8 @@ public:
     // A ball in flight that flies on for ever, if nobody turns it: turn() tells who does.
     [[nodiscard]] bool isFollowed(std::size_t body) const { return windows_[body].isFollowed; }
     void turn(std::size_t body, const solution::Turn& turn, double time);
+    // From `time` on these joints and links keep nobody from meeting.
+    void release(const scene::Released& released, double time);
     // After both of a pair: what cut() of both and renew() would do.
     void goOn(const Pair& turned, double time, Renewal& renewal);
     // The pair's hit at `time` was none, or is let pass: search it from there on.

@@ -1,9 +1,9 @@
 #include "meetings/may_meet.h"
 
-#include "scene/connections.h"
 #include "scene/contact_pairs.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace simulation {
 
@@ -19,6 +19,16 @@ MayMeet::MayMeet(const scene::Scene& scene) : joined_(scene::joinedBodies(scene)
             said_[pair] = *collides;
             isChoosy_[pair.first] = isChoosy_[pair.second] = 1;
         }
+}
+
+std::vector<std::size_t> MayMeet::release(const scene::Scene& scene,
+                                          const scene::Released& released) {
+    const auto before = std::exchange(joined_, scene::joinedBodies(scene, released));
+    std::vector<std::size_t> bodies;
+    for (std::size_t b = 0; b < before.size(); ++b)
+        if (std::ranges::any_of(before[b], [&](std::size_t other) { return (*this)(b, other); }))
+            bodies.push_back(b);
+    return bodies;
 }
 
 bool MayMeet::mayChoosyMeet(std::size_t a, std::size_t b) const {

@@ -1,11 +1,12 @@
 // Which pairs of bodies may collide at all?
 //
-// Not those of one collision group, not those that a link or a joint joins, unless a contact of the
-// pair says so; not those of which a contact says so, and not two fixed ones. Two
-// that cannot give way where they meet let each other pass for a while.
+// Not those of one collision group, not those that a link or a joint joins until it is released,
+// unless a contact of the pair says so; not those of which a contact says so, and not two fixed
+// ones. Two that cannot give way where they meet let each other pass for a while.
 #pragma once
 
 #include "collision/broad_phase.h"
+#include "scene/connections.h"
 #include "scene/scene.h"
 
 #include <map>
@@ -25,6 +26,9 @@ public:
             return false;
         return !isChoosy_[a] || !isChoosy_[b] || mayChoosyMeet(a, b);
     }
+    // The bodies that these joints and links no longer keep from meeting each other.
+    [[nodiscard]] std::vector<std::size_t> release(const scene::Scene& scene,
+                                                   const scene::Released& released);
     void letPass(const Pair& pair, double until) { passing_.push_back({pair, until}); }
     [[nodiscard]] bool isPassing(const Pair& pair, double time) const;
     [[nodiscard]] bool isAnyPassing() const { return !passing_.empty(); }

@@ -1,0 +1,41 @@
+// When are joints and links gone that keep their bodies from colliding?
+//
+// A -release ends them: their multipliers are gone from then on, which the histories tell. Those of
+// a joint that bears nothing sleep; then it is the expression's own value.
+#pragma once
+
+#include "physics/equations_of_motion.h"
+#include "scene/connections.h"
+#include "scene/scene.h"
+#include "solution/dense/histories.h"
+
+#include <optional>
+#include <vector>
+
+namespace simulation {
+
+class Releases {
+public:
+    Releases(const scene::Scene& scene, const physics::EquationsOfMotion& equations, double start);
+
+    // The first time up to `until` at which one is gone that was there.
+    [[nodiscard]] std::optional<double> first(const solution::Histories& histories,
+                                              double until) const;
+    // All that are gone at that time; they are no longer looked for.
+    [[nodiscard]] const scene::Released& take(const solution::Histories& histories, double time);
+
+private:
+    struct Element {
+        bool isJoint = false;
+        std::size_t index = 0;                // of the scene's joints or links
+        std::vector<std::size_t> multipliers; // unknowns
+        std::size_t release = 0;              // the same
+    };
+    [[nodiscard]] std::optional<double> goneSince(const solution::Histories& histories,
+                                                  const Element& element, double until) const;
+    double start_;
+    std::vector<Element> kept_; // that may still be released
+    scene::Released released_;
+};
+
+} // namespace simulation
