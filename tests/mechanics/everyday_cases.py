@@ -45,3 +45,15 @@ def turning_chair():
         r = 0.8 - 0.25 * (1 - math.cos(math.pi * min(max(t - 1, 0), 1)))
         rows.put(t, 10, {"axle.dq": 2 * (2.7 + 2 * (5 * 0.64 + 0.02)) / (2.7 + 2 * (5 * r * r + 0.02))})
     return rows
+
+
+def table_pulley():
+    rows, gains, slows = Rows(), 0.4 * G / 3, 0.3 * G
+    lands = math.sqrt(1 / gains)
+    for t in [0.3, 0.8, lands, 1.0, 1.5, 2.0]:
+        s = min(t, lands)
+        behind = min(t - s, gains * lands / slows)
+        rows.put(t, 2, {"block.x": -0.7 + gains * s * s / 2 + gains * lands * behind - slows * behind * behind / 2})
+        if t < lands:
+            rows.put(t, 20, {"line.tension": G - gains})
+    return rows

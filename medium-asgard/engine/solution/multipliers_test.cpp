@@ -222,6 +222,20 @@ TEST(Bounds, AGrooveIsHitOnBothWallsAndHolds) {
     }
 }
 
+// A rope that becomes slack where it is longer by rounding does not become taut at once, though the
+// first step ends in the same last places.
+TEST(Bounds, AStopThatOpensFromAnOverlapByRoundingIsOpen) {
+    const std::vector<Line> thrown = {{"x", "dx", -2e-16, 1}, {"dx", "m-1", 1}};
+    Options options = tolerance(1e-6);
+    options.start = 1;
+    options.firstStep = 1e-16;
+    const Solver solver = solved(bounded(thrown, {"m", "x", "dx", "m-1"}, 0, infinity), 4, options);
+    const Histories& h = solver.histories();
+    ASSERT_TRUE(h.stops().empty()) << h.stops()[0].sentence;
+    EXPECT_NEAR(h.value(0, 2), 0.5, 1e-12);
+    EXPECT_NEAR(h.value(0, 3.5), 0, 1e-9);
+}
+
 // A stop whose force pulls towards it holds nothing: the sentence names it, and no expression.
 TEST(Bounds, AStopThatCannotHoldIsNamed) {
     const std::vector<Line> pulled = {{"x", "dx", 1, 1}, {"dx", "-catch-9.81", 0}};

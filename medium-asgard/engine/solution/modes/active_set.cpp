@@ -34,6 +34,7 @@ ActiveSet::ActiveSet(ModelFunctions& functions, Multipliers& multipliers, Mode& 
             bounded_.push_back(row);
             hasContacts_ = hasContacts_ || isContact(row);
         }
+    opened_.assign(laws.size(), 0);
     mode.slips.assign(functions.bound()->discs.size(), {1, 0, 0});
 }
 
@@ -120,8 +121,8 @@ double ActiveSet::valueOf(const Watch& watch) const {
         return along + rateOf * law(discs()[row].rows[0]).resolution;
     }
     case Kind::gap:
-        return multipliers_.gap(row) -
-               (isContact(row) ? opened_[row] - rateOf * law(row).resolution : 0) +
+        return multipliers_.gap(row) - opened_[row] +
+               (isContact(row) ? rateOf * law(row).resolution : 0) +
                (mode_.touches[row] != 0 ? law(row).resolution : 0);
     case Kind::parted:
         return *law(row).leaving - multipliers_.gap(row);
@@ -177,15 +178,12 @@ void ActiveSet::decide(double t, std::span<double> y) {
     refresh();
 }
 
-// An overlap by rounding, or by what an impact left, closes no contact again.
+// An overlap by rounding, or by what an impact left, closes no stop again.
 void ActiveSet::noteOpened(std::span<const State> before, double t, std::span<const double> y) {
-    if (!hasContacts_)
-        return;
-    opened_.resize(mode_.kept.size(), 0);
     f_.fill(t, y);
     multipliers_.evaluateGaps();
     for (const std::size_t row : bounded_)
-        if (isContact(row) && mode_.kept[row] == State::low && before[row] != State::low)
+        if (isStop(row) && mode_.kept[row] == State::low && before[row] != State::low)
             opened_[row] = std::min(0.0, multipliers_.gap(row));
 }
 

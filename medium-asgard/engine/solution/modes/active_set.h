@@ -115,8 +115,8 @@ private:
     std::vector<std::size_t> bounded_; // multipliers
     std::vector<Watch> watches_;
     bool hasContacts_ = false;
-    std::vector<double> opened_; // by multiplier: the gap at which a contact opened, at most 0
-    double largest_ = 0;         // of the multipliers, where watches are asked
+    std::vector<double> opened_;       // by multiplier: the gap at which a stop opened, at most 0
+    double largest_ = 0;               // of the multipliers, where watches are asked
     double lastCross_ = 0, ahead_ = 0; // the last event, and how far its laws looked ahead
 };
 
