@@ -48,7 +48,7 @@ constexpr OptionHint bodyOptions[] = {
     {"-static_friction", number, "the same while nothing slides, at least -friction", ""},
     {"-rolling_friction", number, "a length: the couple that resists rolling, over the force", ""},
     {"-surface_velocity", vector, "three numbers, body frame: its surface moves as a conveyor", ""},
-    {"-fixed", flag, "1: it never moves", ""},
+    {"-fixed", flag, "1: it never moves", "0"},
     {"-artbody", text, "the articulated body that it is a part of", "", "Articulated body"},
     {"-ct", integer, "bodies of one collision group do not hit each other", "", "Collision group"},
     {"-color", color, "#rrggbb, a name, or {r g b} from 0 to 1", "", "Colour"},
@@ -57,7 +57,7 @@ constexpr OptionHint bodyOptions[] = {
 };
 constexpr OptionHint forceOptions[] = {
     {"-body", body, "the body that it acts on", ""},
-    {"-torque", flag, "1: it turns the body and makes no net force", "", "Turns only"},
+    {"-torque", flag, "1: it turns the body and makes no net force", "0", "Turns only"},
     {"-offset", vector, "three numbers: where it acts, in the body's frame", "", "Acts at"},
     {"-x", expression, "an expression: its component along x", "", "Along x"},
     {"-y", expression, "an expression: its component along y", "", "Along y"},
@@ -99,7 +99,7 @@ constexpr OptionHint springOptions[] = {
     {"-rest", number, "the length without a force; by default the length at the start", "",
      "Length at rest"},
     {"-damping", number, "the force for each unit of velocity along it (0)", ""},
-    {"-pull_only", flag, "1: it never pushes, as a bungee", "", "Only pulls"},
+    {"-pull_only", flag, "1: it never pushes, as a bungee", "0", "Only pulls"},
     {"-release", expression, "an expression: the spring is gone as soon as it is not 0", "",
      "Released when"},
 };
@@ -166,7 +166,7 @@ constexpr OptionHint ropeOptions[] = {
      "{{BODY {offset}} {x y z} ...}; a wheel is {BODY {offset} RADIUS ?AXIS?}", ""},
     {"-length", number, "how long it is; by default what it measures at the start", ""},
     {"-restitution", number, "of the impact when it becomes taut (0)", ""},
-    {"-closed", flag, "1: it leads back to its first point, as a belt", ""},
+    {"-closed", flag, "1: it leads back to its first point, as a belt", "0"},
     {"-release", expression, "an expression: the rope is gone as soon as it is not 0", "",
      "Released when"},
 };

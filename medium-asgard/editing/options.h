@@ -30,8 +30,8 @@ enum class Wants {
 struct OptionHint {
     std::string_view name;
     Wants wants;
-    std::string_view words;        // "three numbers: where it starts"
-    std::string_view choices;      // blanks between them; for Wants::choice
+    std::string_view words;   // "three numbers: where it starts"
+    std::string_view choices; // blanks between them; of a flag: what it is by default, if known
     std::string_view caption = {}; // in a form; "": its name says it
 };
 // "Velocity", "Static friction".

@@ -4,6 +4,7 @@
 #include "render/handle_layout.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -15,6 +16,24 @@ double Sight::depth(const Vector& world) const {
 
 Vector Sight::beside(const Eigen::Vector2d& pixels, const Vector& world) const {
     return render::toWorld(camera, size, pixels, depth(world));
+}
+
+Eigen::Index Sight::facing() const {
+    Eigen::Index axis = 0;
+    (camera.rotation.conjugate() * Vector::UnitZ()).cwiseAbs().maxCoeff(&axis);
+    return axis;
+}
+
+Vector Sight::across(const Eigen::Vector2d& pixels, const Vector& world) const {
+    const Line line = lineOfSight(*this, pixels);
+    const Eigen::Index axis = facing();
+    constexpr double grazing = 0.2; // at the rim of a wide picture
+    if (std::abs(line.direction[axis]) < grazing)
+        return beside(pixels, world);
+    Vector place =
+        line.from + line.direction * ((world[axis] - line.from[axis]) / line.direction[axis]);
+    place[axis] = world[axis];
+    return place;
 }
 
 double Sight::pixelLength(const Vector& world) const {
@@ -79,7 +98,8 @@ std::vector<Picked> bodiesAt(const render::Drawing& drawing, const Sight& sight,
         const auto hit = geometry::castRay(*place->second, pose.toLocal(line.from),
                                            pose.attitude.conjugate() * line.direction);
         if (hit)
-            met.push_back({hit->distance, {i, pose.toWorld(hit->point)}});
+            met.push_back(
+                {hit->distance, {i, pose.toWorld(hit->point), pose.attitude * hit->normal}});
     }
     std::ranges::stable_sort(met, {}, &std::pair<double, Picked>::first);
     std::vector<Picked> all;

@@ -23,6 +23,10 @@ struct Sight {
     }
     // At the depth of another point, in the plane of the screen through it.
     [[nodiscard]] Vector beside(const Eigen::Vector2d& pixels, const Vector& world) const;
+    // In the plane through another point that is upright or level in the world, whichever faces the
+    // viewer most: across z, x or y.
+    [[nodiscard]] Vector across(const Eigen::Vector2d& pixels, const Vector& world) const;
+    [[nodiscard]] Eigen::Index facing() const;             // the axis that looks at the viewer most
     [[nodiscard]] double depth(const Vector& world) const; // view units, towards the viewer
     // The length in the world that a pixel shows at that point.
     [[nodiscard]] double pixelLength(const Vector& world) const;
@@ -45,7 +49,8 @@ struct Line { // from the eye
 
 struct Picked {
     std::size_t body = 0;
-    Vector point; // world, on its surface
+    Vector point;                   // world, on its surface
+    Vector normal = Vector::Zero(); // world, outward
 };
 // All bodies on the line of sight, the front-most first.
 [[nodiscard]] std::vector<Picked> bodiesAt(const render::Drawing& drawing, const Sight& sight,

@@ -382,6 +382,8 @@ Extent extentOf(const scene::Scene& scene, const simulation::Motion* motion) {
     Extent extent = directionsOf(scene);
     const Survey survey = surveyOf(scene, motion);
     bool anyMoves = false;
+    for (const scene::Body& body : scene.bodies)
+        extent.fixed.push_back(body.fixed);
     for (const Path& path : survey.paths) {
         extent.turns.push_back(path.turns());
         extent.moves.push_back(path.travels() || path.turns());

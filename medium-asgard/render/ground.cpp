@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace render {
 
@@ -38,28 +39,33 @@ Top topOf(const Solid& solid, const Mesh& mesh, const Vector& up) {
 
 namespace {
 
-// The height in the world of the largest level face that never moves, if it is large enough to be
-// a floor.
+// The height in the world of the largest level face of a fixed body, if it is large enough to be a
+// floor and no ceiling.
 std::optional<double> floorHeight(std::span<const Solid> solids, const Extent& extent,
                                   const Frame& frame, Solids& meshes) {
     const Vector up = frame.directionInView(extent.ground);
+    const Vector middle = extent.box.center();
+    const double middleHeight = frame.toView(middle).dot(up);
+    const bool anyMoves = std::ranges::find(extent.moves, true) != extent.moves.end();
+    const double highest = // what lies above all that moves is a ceiling
+        anyMoves ? middleHeight + 0.499 * frame.camera().scale *
+                                      extent.box.sizes().dot(extent.ground.cwiseAbs())
+                 : std::numeric_limits<double>::infinity();
     std::optional<double> height;
     double largest = std::pow(0.3 * extent.size * frame.camera().scale, 2);
     for (const Solid& solid : solids) {
-        if (extent.moves[solid.body] ||
+        if (!extent.fixed[solid.body] || extent.moves[solid.body] ||
             std::holds_alternative<scene::SphereShape>(solid.part->shape))
             continue;
         const Top top = topOf(solid, meshes.meshOf(solid, frame), up);
-        if (top.area > largest) {
+        if (top.area > largest && top.height < highest) {
             largest = top.area;
             height = top.height;
         }
     }
     if (!height)
         return std::nullopt;
-    const Vector middle = extent.box.center();
-    return middle.dot(extent.ground) +
-           (*height - frame.toView(middle).dot(up)) / frame.camera().scale;
+    return middle.dot(extent.ground) + (*height - middleHeight) / frame.camera().scale;
 }
 
 } // namespace

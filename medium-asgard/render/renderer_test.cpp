@@ -240,6 +240,24 @@ TEST_F(RendererTest, TheGroundLiesUnderTheScene) {
               0);
 }
 
+// The grid is seen through a box that stands on it: its lines lie below the top face.
+TEST_F(RendererTest, TheGridIsUnderALoneBoxAndNotOnIt) {
+    addBody(scene_, box({1, 1, 1}), {0, 0.4, 0}, red);
+    drawing_.camera.rotation = geometry::fromRotationVector(Vector(0.34, 0, 0));
+    drawing_.camera.scale = 0.5;
+    const Picture bare = draw();
+    drawing_.display.grid = true;
+    const Picture grid = draw();
+    const Eigen::Vector2d top = toPixels(drawing_.camera, grid.size, {0, 0.9, 0});
+    int onIt = 0;
+    for (int x = -20; x <= 20; ++x)
+        for (int y = -2; y <= 2; ++y) {
+            const int px = static_cast<int>(top.x()) + x, py = static_cast<int>(top.y()) + y;
+            onIt += grid.at(px, py) != bare.at(px, py) ? 1 : 0;
+        }
+    EXPECT_EQ(onIt, 0);
+}
+
 // A point far from the origin is as steady as one at it.
 TEST_F(RendererTest, DistanceFromTheOriginChangesNothing) {
     addBody(scene_, box({0.8, 0.5, 0.3}), {0, 0, 0}, red);
@@ -521,6 +539,17 @@ TEST_F(RendererTest, BodiesShadeWhatIsBehindThemFromTheSun) {
         const int x = static_cast<int>(top.x()), y = static_cast<int>(top.y());
         EXPECT_EQ(shaded.at(x, y), bare.at(x, y)) << samples;
     }
+}
+
+TEST_F(RendererTest, ABallShadesNoDotsOnItself) {
+    addBody(scene_, sphere(0.8), {0, 0, 0}, red);
+    drawing_.camera.rotation = geometry::fromRotationVector(Vector(0.34, -0.48, 0));
+    drawing_.display.samples = 4;
+    drawing_.display.shadows = false;
+    const Picture bare = draw();
+    drawing_.display.shadows = true;
+    const Picture shaded = draw();
+    EXPECT_EQ(shaded.count([&](int x, int y) { return shaded.red(x, y) < bare.red(x, y) - 4; }), 0);
 }
 
 TEST_F(RendererTest, ShadowsFallOnTheGroundOfASceneWithoutAFloor) {

@@ -96,9 +96,12 @@ void main() {
         float cosine = dot(n, toLight);
         if (cosine > 0.0) {
             vec3 light = lightColor[i];
-            // Off the surface by some texels, more where the light grazes it: nothing shades itself.
+            // Off the surface by some texels, more where the light grazes it, so that the whole
+            // disc lies outside: nothing shades itself.
+            float reach = samples == 1 ? 0.0 : softness * float(textureSize(shadowMap, 0).x);
+            float off = 2.5 - cosine + reach * sqrt(max(1.0 - cosine * cosine, 0.0));
             if (i == shadowed)
-                light *= litAt(place + texel * ((2.5 - cosine) * n + toLight));
+                light *= litAt(place + texel * (off * n + toLight));
             diffuse += cosine * light;
             float mirrored = max(dot(n, normalize(toLight + toEye)), 0.0);
             gloss += pow(mirrored, power) * min(4.0 * cosine, 1.0) * light;

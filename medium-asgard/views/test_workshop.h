@@ -40,6 +40,7 @@ inline simulation::MotionPointer flight(const scene::Scene& scene) {
         laws.push_back([body](double t) {
             simulation::BodyState state;
             state.position = body.initialPosition + t * body.initialVelocity;
+            state.attitude = body.initialAttitude;
             state.velocity = body.initialVelocity;
             return state;
         });

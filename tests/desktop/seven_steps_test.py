@@ -107,7 +107,7 @@ class SevenSteps(unittest.TestCase):
 
     def addForces(self, author):
         for body, x in (("rod1", -5), ("rod2", -15)):
-            author.menu(VIEWER, "Create", "Force", "Gravitational")
+            author.menu(VIEWER, "Create", "Force", "Gravity for One Body")
             self.click(author, x, 0)
             self.click(author, x, -10)
             author.says(rf"^force .*{body}.* -gravitational")

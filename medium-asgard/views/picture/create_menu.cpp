@@ -52,12 +52,6 @@ void askForParameter(SceneDocument& document, SceneDisplay& display) {
             minimum->text().trimmed().toStdString(), maximum->text().trimmed().toStdString()));
 }
 
-void askForPlot(SceneDocument& document, SceneDisplay& display) {
-    PlotDialog dialog(document.shown().scene, &display);
-    if (dialog.exec() == QDialog::Accepted)
-        display.creating().start(newPlot(dialog.expression().toStdString()));
-}
-
 void fillBodies(QMenu* menu, SceneDocument& document, SceneDisplay& display) {
     menu->clear();
     menu->addAction(QObject::tr("New &Sphere"), &display,
@@ -87,6 +81,14 @@ void fillBodies(QMenu* menu, SceneDocument& document, SceneDisplay& display) {
 
 } // namespace
 
+void askForPlot(SceneDocument& document, SceneDisplay& display) {
+    const auto& selected = document.selected();
+    PlotDialog dialog(document.shown().scene, &display,
+                      selected.empty() ? std::nullopt : std::optional(selected.front()));
+    if (dialog.exec() == QDialog::Accepted)
+        display.creating().start(newPlot(dialog.expression().toStdString()));
+}
+
 Recipe newWeight(SceneDisplay& display) {
     return newWeight(
         display.arrowLength(false), [&display](std::size_t body) { return display.massOf(body); },
@@ -108,9 +110,11 @@ void buildCreateMenu(QMenu* menu, SceneDocument& document, SceneDisplay& display
     forces->setObjectName("createForce");
     add(forces, QObject::tr("&Constant"),
         [&display] { return newForce(false, display.arrowLength(false)); });
-    add(forces, QObject::tr("&Gravitational"), [&display] { return newWeight(display); });
+    add(forces, QObject::tr("&Gravity for One Body"), [&display] { return newWeight(display); });
     add(forces, QObject::tr("Gravity for &All Bodies"),
         [&display] { return weightForAll(usualGravity(*display.drawing().scene)); });
+    add(forces, QObject::tr("Attraction of T&wo Bodies"), newAttraction);
+    add(forces, QObject::tr("Attraction of All &Bodies"), attractionOfAll);
     add(forces, QObject::tr("By a &Trajectory"), [] { return newTrajectoryForce(false); });
     QMenu* torques = menu->addMenu(QObject::tr("&Torque"));
     add(torques, QObject::tr("&Constant"),
@@ -136,6 +140,10 @@ void buildCreateMenu(QMenu* menu, SceneDocument& document, SceneDisplay& display
     menu->actions().back()->setObjectName("createRope");
     menu->actions().back()->setToolTip(
         plain::tip(QObject::tr("It pulls and never pushes, through points and around wheels")));
+    QMenu* springs = menu->addMenu(QObject::tr("&Spring"));
+    springs->setObjectName("createSpring");
+    add(springs, QObject::tr("To Another &Body"), [] { return newSpring(Wanted::body); });
+    add(springs, QObject::tr("To a &Point"), [] { return newSpring(Wanted::point); });
     QMenu* links = menu->addMenu(QObject::tr("&Link"));
     links->setObjectName("createLink");
     links->setToolTipsVisible(true);
@@ -144,7 +152,7 @@ void buildCreateMenu(QMenu* menu, SceneDocument& document, SceneDisplay& display
     add(links, QObject::tr("Body to &Body"), [] { return newLink(Wanted::body); });
     add(links, QObject::tr("Body to &Point"), [] { return newLink(Wanted::point); });
     add(links, QObject::tr("Body to &Trajectory"), [] { return newLink(Wanted::trajectory); });
-    QMenu* lights = menu->addMenu(QObject::tr("Light &Source"));
+    QMenu* lights = menu->addMenu(QObject::tr("L&ight Source"));
     add(lights, QObject::tr("&Directional"), [] { return newLight(false); });
     add(lights, QObject::tr("&Point"), [] { return newLight(true); });
     menu->addSeparator();

@@ -13,4 +13,7 @@ class SceneDisplay;
 // Filled anew each time it opens: it lists the scene's shapes. All three live as long as the menu.
 void buildCreateMenu(QMenu* menu, SceneDocument& document, SceneDisplay& display);
 
+// The dialog of a new plot, and the plot.
+void askForPlot(SceneDocument& document, SceneDisplay& display);
+
 } // namespace views

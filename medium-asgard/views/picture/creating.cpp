@@ -5,6 +5,7 @@
 #include "gestures/wireframe.h"
 #include "picture/recipe_words.h"
 #include "picture/scene_display.h"
+#include "scene/shape_of.h"
 #include "script/numbers.h"
 
 #include <QKeyEvent>
@@ -12,6 +13,7 @@
 #include <QRegularExpression>
 
 #include <algorithm>
+#include <cmath>
 
 namespace views {
 
@@ -32,6 +34,34 @@ void addWeightAsOthersHaveIt(std::vector<editing::NewElement>& made, const scene
                     "",
                     {"-body", body.name, "-gravitational", listed(*acceleration, 0)},
                     {}});
+}
+
+// Null: it cannot rest on a body.
+gestures::ShapePointer restingShape(const std::vector<scene::Part>& ghost) {
+    const bool isPlane = std::ranges::any_of(ghost, [](const scene::Part& part) {
+        return std::holds_alternative<scene::PlaneShape>(part.shape);
+    });
+    if (ghost.empty() || isPlane)
+        return nullptr;
+    scene::ShapeSet set;
+    set.parts = ghost;
+    const auto made = scene::shapeOf(set);
+    const auto* shape = std::get_if<geometry::Shape>(&made);
+    return shape ? std::make_shared<const geometry::Shape>(*shape) : nullptr;
+}
+
+// Along an axis.
+bool isUpright(const Vector& direction) { return direction.cwiseAbs().maxCoeff() > 1 - 1e-9; }
+
+// On a level face: above the middle of the body below where that is near, else at round numbers.
+Vector besideMiddle(Vector place, const Vector& up, const Vector& middle, double resolution) {
+    const double near = 1.5 * clickReach * resolution;
+    const double step = editing::decimalStep(resolution);
+    for (Eigen::Index i = 0; i < 3; ++i)
+        if (std::abs(up[i]) < 0.5)
+            place[i] = std::abs(place[i] - middle[i]) < near ? middle[i]
+                                                             : step * std::round(place[i] / step);
+    return place;
 }
 
 } // namespace
@@ -58,6 +88,7 @@ void Creating::start(Recipe recipe) {
         return;
     }
     recipe_ = std::move(recipe);
+    ghost_ = restingShape(recipe_->ghost);
     if (recipe_->steps.empty())
         return finish();
     offerBody();
@@ -147,14 +178,16 @@ const gestures::Snapping& Creating::snapping() {
 Indicated Creating::pointAt(const Eigen::Vector2d& pixels) {
     const gestures::Sight sight = display_.sight();
     const render::Drawing drawing = display_.drawing();
-    const Vector depth =
-        shown_.empty() || !shown_.back().given ? sight.camera.center : shown_.back().point;
     Indicated found;
     found.given = true;
-    found.point = sight.beside(pixels, depth);
+    found.point = step().snaps ? sight.across(pixels, depth()) : sight.beside(pixels, depth());
     found.resolution = sight.pixelLength(found.point);
     found.sight = sight.camera.rotation.conjugate() * Vector::UnitZ();
-    const auto surface = step().surface ? gestures::bodyAt(drawing, sight, pixels) : std::nullopt;
+    const bool rests = step().rests && ghost_ && !holdsOff_;
+    const auto surface =
+        step().surface || rests ? gestures::bodyAt(drawing, sight, pixels) : std::nullopt;
+    if (surface && rests)
+        return restingOn(*surface, std::move(found));
     if (surface)
         found.point = surface->point;
     if (!step().snaps || holdsOff_)
@@ -166,6 +199,59 @@ Indicated Creating::pointAt(const Eigen::Vector2d& pixels) {
     found.at = meant.to;
     if (meant.isExact)
         found.resolution *= 0.01; // so that it meets the thing
+    return found;
+}
+
+// As deep as the place before, or as all bodies are that stand in one plane, or in the middle of
+// the picture.
+Vector Creating::depth() const {
+    if (!shown_.empty() && shown_.back().given)
+        return shown_.back().point;
+    const gestures::Sight sight = display_.sight();
+    const Eigen::Index axis = sight.facing();
+    const render::Drawing drawing = display_.drawing();
+    Vector depth = sight.camera.center;
+    std::optional<double> common;
+    for (std::size_t i = 0; i < drawing.scene->bodies.size(); ++i) {
+        const double one = centerOf(i).point[axis];
+        if (common && std::abs(*common - one) > 1e-6 * (1 + std::abs(one)))
+            return depth;
+        common = one;
+    }
+    depth[axis] = common.value_or(0);
+    return depth;
+}
+
+// It touches the surface there, and is turned as the body below it where that is a slope.
+Indicated Creating::restingOn(const gestures::Picked& picked, Indicated found) {
+    const render::Drawing drawing = display_.drawing();
+    const geometry::Pose pose =
+        render::poseOf(*drawing.scene, drawing.motion.get(), picked.body, drawing.time);
+    const Vector up = picked.normal;
+    const bool isLevel = isUpright(up);
+    if (!isLevel && isUpright(pose.attitude.conjugate() * up))
+        found.attitude = pose.attitude;
+    Vector place = picked.point;
+    const gestures::Snapped meant = snapping().at(place);
+    if (meant.isExact && meant.to.starts_with("the middle of a face")) {
+        place = meant.place;
+        found.at = meant.to;
+    } else if (isLevel) {
+        place = besideMiddle(place, up, pose.position, found.resolution);
+    }
+    const geometry::Quaternion level = geometry::Quaternion::FromTwoVectors(up, Vector::UnitY());
+    const double below =
+        -geometry::bounds(*ghost_, {Vector::Zero(), level * found.attitude}).min().y();
+    found.point = place + below * up;
+    found.resolution *= 1e-3; // so that it touches
+    if (!isLevel) {           // and a little more: a gap of rounding would be a fall
+        found.resolution = 1e-9;
+        found.point -= found.resolution * up;
+    }
+    if (found.at.empty())
+        found.at = tr("on %1")
+                       .arg(QString::fromStdString(drawing.scene->bodies[picked.body].name))
+                       .toStdString();
     return found;
 }
 
@@ -239,7 +325,7 @@ Indicated Creating::held(const Eigen::Vector2d& pixels) const {
         render::poseOf(*drawing.scene, drawing.motion.get(), *first.body, drawing.time);
     Indicated found;
     found.given = true;
-    found.point = sight.beside(pixels, first.point);
+    found.point = sight.across(pixels, first.point);
     found.resolution = sight.pixelLength(found.point);
     const auto other = gestures::bodyAt(drawing, sight, pixels, first.body);
     if (other) {
@@ -331,6 +417,9 @@ void Creating::finish() {
     const scene::Scene& scene = *document_.shown().scene;
     auto made = recipe.make(document_.text(), scene, shown_);
     const QString answer = recipe.tells ? recipe.tells(shown_) : QString();
+    const bool isOutOfSight = !shown_.empty() && !made.empty() &&
+                              made.back().kind == editing::Kind::body &&
+                              !isInSight(shown_.front().point);
     cancel();
     if (!answer.isEmpty())
         Q_EMIT told(answer);
@@ -348,6 +437,13 @@ void Creating::finish() {
     // LIMIT: a new element that is not the last of its kind is not the one that is marked.
     Q_EMIT created({kind, count}, recipe.handles);
     document_.setText(text::applied(document_.text(), edits), recipe.label);
+    if (isOutOfSight) // a place that was typed
+        connect(&document_, &SceneDocument::sceneChanged, &display_, &SceneDisplay::frameNow,
+                Qt::SingleShotConnection);
+}
+
+bool Creating::isInSight(const Vector& place) const {
+    return display_.rect().contains(display_.fromPixels(display_.sight().pixels(place)).toPoint());
 }
 
 bool Creating::key(const QKeyEvent& event) {
@@ -413,7 +509,7 @@ void Creating::paintGhost(QPainter& painter, const Indicated& next) const {
     for (const auto& line : gestures::wireframeOf(recipe_->ghost)) {
         QPolygonF drawn;
         for (const Vector& point : line)
-            drawn.append(display_.fromPixels(sight.pixels(next.point + point)));
+            drawn.append(display_.fromPixels(sight.pixels(next.point + next.attitude * point)));
         painter.drawPolyline(drawn);
     }
     painter.setPen(QPen(QColor(20, 90, 200), 2));

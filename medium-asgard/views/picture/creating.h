@@ -54,6 +54,8 @@ private:
     [[nodiscard]] std::optional<Indicated> indicated(const QPointF& position);
     [[nodiscard]] Indicated pointAt(const Eigen::Vector2d& pixels);
     [[nodiscard]] const gestures::Snapping& snapping();
+    [[nodiscard]] Vector depth() const; // of a place that is asked for
+    [[nodiscard]] Indicated restingOn(const gestures::Picked& body, Indicated found);
     [[nodiscard]] std::optional<Indicated> typed() const;
     bool type(const QKeyEvent& event);
     void paintGhost(QPainter& painter, const Indicated& next) const;
@@ -63,6 +65,7 @@ private:
     [[nodiscard]] Indicated onBody(std::size_t body, const Vector& point) const;
     [[nodiscard]] Vector onAxes(std::size_t body, const Vector& onBody, double near) const;
     [[nodiscard]] Indicated centerOf(std::size_t body) const;
+    [[nodiscard]] bool isInSight(const Vector& place) const;
     void take(const Indicated& indicated);
     void otherwise();
     void finish();
@@ -70,6 +73,7 @@ private:
     SceneDocument& document_;
     SceneDisplay& display_;
     std::optional<Recipe> recipe_;
+    gestures::ShapePointer ghost_; // of the recipe; null: it has none that can rest on a body
     std::vector<Indicated> shown_;
     std::optional<Indicated> next_; // under the pointer
     QString fault_;

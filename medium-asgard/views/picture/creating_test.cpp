@@ -63,6 +63,87 @@ TEST_F(CreatingTest, ABodyStandsWhereOneClicksOrAtTheOrigin) {
     EXPECT_EQ(text(), balls);
 }
 
+const std::string block = "shape_set block -desc {-sub {-box {2 1 2}}}\n";
+
+TEST_F(CreatingTest, ABodyRestsOnTheFaceThatIsClicked) {
+    open(block + "body b1 block -init_pos {0.7 0.5 0}\n");
+    display().lookAlong(Vector(0, 0.6, 1)); // on its top
+    display().grab();
+    display().creating().start(newBody(BasicShape::sphere));
+    click({0.2, 1, 0.4});
+    done();
+    const Vector ball = scene().bodies[1].initialPosition;
+    EXPECT_EQ(ball.y(), 1.5);
+    EXPECT_NEAR(ball.x(), 0.2, 0.05);
+    EXPECT_NEAR(ball.z(), 0.4, 0.05);
+    EXPECT_THAT(editor.document().diagnostics(), testing::IsEmpty()); // nothing overlaps
+    display().creating().start(newBody("block", scene().shapeSets[0].parts));
+    click({0.72, 1, 0.02}); // beside the middle
+    done();
+    EXPECT_EQ(scene().bodies[2].initialPosition, Vector(0.7, 1.5, 0));
+}
+
+TEST_F(CreatingTest, ABodyLiesOnASlopeAsTheSlopeIsTurned) {
+    open(block + "body slope block -init_rot {0 0 0.5} -fixed 1\n");
+    display().lookAlong(Vector(0, 0.6, 1));
+    display().grab();
+    display().creating().start(newBody(BasicShape::box));
+    click({-0.24, 0.44, 0.3}); // half of its height above the middle, across the slope
+    done();
+    const scene::Body& box = scene().bodies[1];
+    EXPECT_NEAR(geometry::toRotationVector(box.initialAttitude).z(), 0.5, 1e-8);
+}
+
+TEST_F(CreatingTest, BodiesOfAFlatSceneStayInItsPlane) {
+    open("shape_set ball -desc {-sub {-sphere 0.5}}\nbody b1 ball -init_pos {-1 0 0.25}\n");
+    display().lookAlong(Vector(0.3, 0.4, 1));
+    display().grab();
+    display().creating().start(newBody("ball"));
+    click({0.5, 1, 0.25});
+    done();
+    EXPECT_EQ(scene().bodies[1].initialPosition.z(), 0.25);
+}
+
+TEST_F(CreatingTest, APlaceThatIsTypedOutOfSightComesIntoThePicture) {
+    open(balls);
+    const Vector far(40, 0, 0);
+    display().creating().start(newBody("ball"));
+    QTest::keyClicks(&display(), "40 0 0");
+    key(Qt::Key_Return);
+    done();
+    display().grab();
+    const QPointF place = display().fromPixels(display().sight().pixels(far));
+    EXPECT_TRUE(display().rect().contains(place.toPoint())) << place.x() << " " << place.y();
+}
+
+TEST_F(CreatingTest, BodiesAttractEachOtherByOneConstant) {
+    open(balls + "body sun ball -init_pos {0 4 0} -fixed 1\n");
+    display().creating().start(newAttraction());
+    click({0, 4, 0});
+    click({1, 0, 0});
+    done();
+    ASSERT_EQ(scene().forces.size(), 1U); // the sun is fixed
+    EXPECT_EQ(scene().forces[0].body, "b2");
+    ASSERT_EQ(scene().parameters.size(), 1U);
+    EXPECT_EQ(scene().parameters[0].name, "G");
+    EXPECT_THAT(text(), HasSubstr("-x {G * b2.mass * sun.mass * (sun.x - b2.x) / "
+                                  "hypot(sun.x - b2.x, sun.y - b2.y, sun.z - b2.z)^3}"));
+    display().creating().start(attractionOfAll());
+    done();
+    EXPECT_EQ(scene().forces.size(), 1U + 4U);
+    EXPECT_EQ(scene().parameters.size(), 1U);
+    EXPECT_FALSE(editor.document().hasErrors());
+}
+
+TEST_F(CreatingTest, ASpringIsMadeByTwoClicks) {
+    open(balls);
+    display().creating().start(newSpring(Wanted::body));
+    click({-1, 0, 0});
+    click({1, 0, 0});
+    done();
+    EXPECT_EQ(text(), balls + "\nspring spring1 -body1 b1 -body2 b2 -stiffness 20\n");
+}
+
 TEST_F(CreatingTest, AnEmptySceneGetsItsFirstBodyWithAShape) {
     open("# nothing yet\n");
     display().creating().start(newBody(BasicShape::box));

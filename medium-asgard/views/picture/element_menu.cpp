@@ -4,7 +4,7 @@
 #include "picture/create_menu.h"
 #include "picture/scene_display.h"
 #include "plain/plain.h"
-#include "scene/joint_types.h"
+#include "plots/quantities.h"
 
 #include <QMenu>
 
@@ -19,63 +19,6 @@ using render::HandleKind;
 namespace {
 
 constexpr double reach = 14; // pixels, as of a drag
-
-struct Charted {
-    QString label;
-    std::string expression;
-};
-
-// The quantities of an element that are worth a chart; none of one without a name.
-std::vector<Charted> chartsOf(const scene::Scene& scene, const Element& element) {
-    const std::string name = editing::nameOf(scene, element);
-    const auto of = [&name](const std::string& quantity) { return name + "." + quantity; };
-    const auto length = [&of](const char* x, const char* y, const char* z) {
-        return "hypot(" + of(x) + ", " + of(y) + ", " + of(z) + ")";
-    };
-    std::vector<Charted> charts;
-    if (name.empty())
-        return charts;
-    switch (element.kind) {
-    case Kind::body:
-        charts = {{QObject::tr("&x"), of("x")},
-                  {QObject::tr("&y"), of("y")},
-                  {QObject::tr("&z"), of("z")},
-                  {QObject::tr("&Speed"), length("dx", "dy", "dz")}};
-        break;
-    case Kind::joint: {
-        const scene::Joint& joint = scene.joints[element.index];
-        const auto& coordinates = scene::traitsOf(joint.type).coordinates;
-        for (std::size_t i = 0; i < coordinates.size(); ++i) {
-            const std::string which = scene::coordinateSuffix(joint.type, i);
-            const QString shown = QString::fromStdString(which);
-            const bool isAngle = coordinates[i] == scene::CoordinateKind::angle;
-            charts.push_back({isAngle ? QObject::tr("&Angle %1").arg(shown)
-                                      : QObject::tr("&Distance %1").arg(shown),
-                              of("q" + which)});
-            charts.push_back({QObject::tr("&Rate %1").arg(shown), of("dq" + which)});
-            const scene::JointCoordinate& own = joint.coordinates[i];
-            if (own.motor || own.speed || own.position)
-                charts.push_back({QObject::tr("&Motor %1").arg(shown), of("motor" + which)});
-        }
-        charts.push_back({QObject::tr("&Force"), length("fx", "fy", "fz")});
-        charts.push_back({QObject::tr("C&ouple"), length("tx", "ty", "tz")});
-        break;
-    }
-    case Kind::link:
-        if (scene.links[element.index].spring)
-            charts = {{QObject::tr("&Length"), of("length")}, {QObject::tr("&Force"), of("force")}};
-        break;
-    case Kind::rope:
-        charts = {{QObject::tr("&Tension"), of("tension")}};
-        break;
-    case Kind::contact:
-        charts = {{QObject::tr("&Normal force"), of("n")}, {QObject::tr("&Slip"), of("slip")}};
-        break;
-    default:
-        break;
-    }
-    return charts;
-}
 
 class Building {
 public:
@@ -158,7 +101,7 @@ void Building::body() {
     QMenu* force = menu_.addMenu(QObject::tr("New &Force"));
     create(force, QObject::tr("&Constant"),
            [&display] { return newForce(false, display.arrowLength(false)); });
-    create(force, QObject::tr("&Gravitational"), [&display] { return newWeight(display); });
+    create(force, QObject::tr("&Gravity"), [&display] { return newWeight(display); });
     create(force, QObject::tr("By a &Trajectory"), [] { return newTrajectoryForce(false); });
     QMenu* torque = menu_.addMenu(QObject::tr("New &Torque"));
     create(torque, QObject::tr("&Constant"),
@@ -170,6 +113,9 @@ void Building::body() {
     create(joint, QObject::tr("&Ball"), [] { return newJoint(scene::JointType::ball); });
     create(joint, QObject::tr("&Fixed"), [] { return newJoint(scene::JointType::fixed); });
     create(joint, QObject::tr("&Distance"), [] { return newJoint(scene::JointType::distance); });
+    QMenu* spring = menu_.addMenu(QObject::tr("New Sp&ring"));
+    create(spring, QObject::tr("To Another &Body"), [] { return newSpring(Wanted::body); });
+    create(spring, QObject::tr("To a &Point"), [] { return newSpring(Wanted::point); });
     QMenu* link = menu_.addMenu(QObject::tr("New &Link"));
     create(link, QObject::tr("To Another &Body"), [] { return newLink(Wanted::body); });
     create(link, QObject::tr("To a &Point"), [] { return newLink(Wanted::point); });
@@ -208,11 +154,11 @@ void Building::element() {
 }
 
 void Building::charts() {
-    const std::vector<Charted> all = chartsOf(scene(), *place_.element);
+    const std::vector<Quantity> all = quantitiesOf(scene(), *place_.element);
     if (all.empty())
         return;
-    QMenu* menu = menu_.addMenu(QObject::tr("New C&hart of"));
-    for (const Charted& one : all)
+    QMenu* menu = menu_.addMenu(QObject::tr("New &Plot of"));
+    for (const Quantity& one : all)
         menu->addAction(plain::ours(one.label), &display_,
                         [&display = display_, expression = one.expression] {
                             display.creating().start(newPlot(expression));

@@ -61,6 +61,14 @@ double tightnessOf(const scene::Scene& scene) {
     return last == scene.links.rend() ? 100 : last->tightness;
 }
 
+std::vector<std::string> placeWords(const Indicated& shown) {
+    std::vector<std::string> words{"-init_pos", listed(shown.point, shown.resolution)};
+    constexpr double least = 1e-9;
+    if (const Vector turn = geometry::toRotationVector(shown.attitude); turn.norm() > least)
+        words.insert(words.end(), {"-init_rot", listed(turn, least)});
+    return words;
+}
+
 // A trajectory that was shown, or a new one that begins at that place.
 struct Path {
     std::string name;
@@ -92,14 +100,17 @@ Path pathFrom(const std::string& text, const scene::Scene& scene, const Indicate
 } // namespace
 
 Recipe newBody(const std::string& shape, std::vector<scene::Part> ghost) {
+    Step where = place(QObject::tr("Click where the new body shall be, on a body that it rests on, "
+                                   "or type x y z."),
+                       QObject::tr("Return puts it at the origin."));
+    where.rests = true;
     return {QObject::tr("New Body"),
-            {place(QObject::tr("Click where the new body shall be, or type x y z."),
-                   QObject::tr("Return puts it at the origin."))},
+            {where},
             [shape](const std::string& text, const scene::Scene& scene,
                     const std::vector<Indicated>& shown) {
                 NewElement body{Kind::body,
                                 editing::unusedName(text, scene, Kind::body, shape),
-                                {"-init_pos", listed(shown[0].point, shown[0].resolution)},
+                                placeWords(shown[0]),
                                 {},
                                 shape};
                 for (std::size_t i = 0; i < scene.shapeSets.size(); ++i)
@@ -122,7 +133,7 @@ Recipe newBody(const std::string& stem, const std::string& description, bool isF
         const NewElement set{Kind::shapeSet, shape, {"-desc", description}, {}};
         NewElement body{Kind::body,
                         editing::unusedName(text, scene, Kind::body, "body", {shape}),
-                        {"-init_pos", listed(shown[0].point, shown[0].resolution)},
+                        placeWords(shown[0]),
                         {},
                         shape};
         if (isFixed)
@@ -388,6 +399,104 @@ Recipe newLink(Wanted second) {
         return made;
     };
     recipe.handles = &render::Display::linkHandles;
+    return recipe;
+}
+
+Recipe newSpring(Wanted second) {
+    Recipe recipe = newLink(second);
+    recipe.label = QObject::tr("New Spring");
+    recipe.steps.front().prompt = QObject::tr("Click where the spring is fastened on a body.");
+    recipe.make = [make = recipe.make](const std::string& text, const scene::Scene& scene,
+                                       const std::vector<Indicated>& shown) {
+        auto made = make(text, scene, shown);
+        NewElement& spring = made.back();
+        spring.command = "spring";
+        spring.name = editing::unusedName(text, scene, Kind::link, "spring");
+        constexpr const char* usual = "20"; // a body of half a kilogram swings once a second
+        const auto tightness = std::ranges::find(spring.words, "-tightness");
+        spring.words.erase(tightness, spring.words.end());
+        spring.words.insert(spring.words.end(), {"-stiffness", usual});
+        return made;
+    };
+    return recipe;
+}
+
+namespace {
+
+const std::string gravityConstant = "G";
+
+bool hasConstant(const scene::Scene& scene) {
+    return std::ranges::find(scene.parameters, gravityConstant, &scene::Parameter::name) !=
+           scene.parameters.end();
+}
+
+// Newton's law of gravitation: the force on one body by another.
+NewElement attractionOn(const scene::Scene& scene, std::size_t one, std::size_t other) {
+    const std::string a = scene.bodies[one].name, b = scene.bodies[other].name;
+    const auto along = [&](const char* axis) { return b + "." + axis + " - " + a + "." + axis; };
+    const std::string distance =
+        "hypot(" + along("x") + ", " + along("y") + ", " + along("z") + ")^3";
+    NewElement force{Kind::force, "", {"-body", a}, {{Kind::body, one}, {Kind::body, other}}};
+    for (const auto& [option, axis] : {std::pair("-x", "x"), {"-y", "y"}, {"-z", "z"}})
+        force.words.insert(force.words.end(),
+                           {option, "{" + gravityConstant + " * " + a + ".mass * " + b +
+                                        ".mass * (" + along(axis) + ") / " + distance + "}"});
+    return force;
+}
+
+void addAttraction(std::vector<NewElement>& made, const scene::Scene& scene, std::size_t one,
+                   std::size_t other) {
+    for (const auto& [a, b] : {std::pair(one, other), std::pair(other, one)})
+        if (!scene.bodies[a].fixed)
+            made.push_back(attractionOn(scene, a, b));
+}
+
+std::vector<NewElement> withConstant(const scene::Scene& scene, std::vector<NewElement> forces) {
+    if (!forces.empty() && !hasConstant(scene))
+        forces.insert(
+            forces.begin(),
+            {Kind::parameter, gravityConstant, {"-value", "1", "-min", "0", "-max", "10"}, {}});
+    return forces;
+}
+
+bool hasMass(const scene::Scene& scene, const scene::Body& body) {
+    const auto set = std::ranges::find(scene.shapeSets, body.shape, &scene::ShapeSet::name);
+    return set != scene.shapeSets.end() &&
+           std::ranges::none_of(set->parts, [](const scene::Part& part) {
+               return std::holds_alternative<scene::PlaneShape>(part.shape);
+           });
+}
+
+} // namespace
+
+Recipe newAttraction() {
+    Recipe recipe;
+    recipe.label = QObject::tr("New Attraction");
+    recipe.steps = {wholeBody(QObject::tr("Click on a body: a sun.")),
+                    wholeBody(QObject::tr("Click on the body that it attracts: a planet."))};
+    recipe.make = [](const std::string&, const scene::Scene& scene,
+                     const std::vector<Indicated>& shown) {
+        std::vector<NewElement> made;
+        if (shown[0].body != shown[1].body)
+            addAttraction(made, scene, *shown[0].body, *shown[1].body);
+        return withConstant(scene, std::move(made));
+    };
+    recipe.otherwise = QObject::tr("Two different bodies, please, one of which can move.");
+    return recipe;
+}
+
+Recipe attractionOfAll() {
+    Recipe recipe;
+    recipe.label = QObject::tr("Attraction of All Bodies");
+    recipe.make = [](const std::string&, const scene::Scene& scene, const std::vector<Indicated>&) {
+        std::vector<NewElement> made;
+        for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+            for (std::size_t k = i + 1; k < scene.bodies.size(); ++k)
+                if (hasMass(scene, scene.bodies[i]) && hasMass(scene, scene.bodies[k]))
+                    addAttraction(made, scene, i, k);
+        return withConstant(scene, std::move(made));
+    };
+    recipe.otherwise = QObject::tr("There are no two bodies one of which can move.");
     return recipe;
 }
 

@@ -21,7 +21,8 @@ using HandleSwitch = bool render::Display::*; // one kind of handle shown or not
 
 // The thing that a click is to show.
 enum class Wanted {
-    point,      // in the plane of the screen through what was shown before
+    point,      // in the plane of the screen through what was shown before, or, if it snaps, in
+                // the upright or level one
     body,       // the front-most one, and where on its surface
     trajectory, // the nearest line
     hold,       // a body, or where no other body is the ground; as deep as the first body's centre
@@ -37,6 +38,7 @@ struct Step {
     std::optional<std::size_t> offered = {}; // the body that Return takes
     bool snaps = false;   // of a point: things and round numbers nearby draw it to them
     bool surface = false; // of a point: on the body that is shown there, if it is one
+    bool rests = false;   // of a point: so that the ghost rests on that body
 };
 
 // The thing that was shown for one step; nothing of it: Return.
@@ -46,9 +48,10 @@ struct Indicated {
     std::optional<std::size_t> body;
     Vector onBody = Vector::Zero();  // in the body's frame
     Vector onFirst = Vector::Zero(); // of what holds a body: in the first body's frame
-    geometry::Quaternion attitude = geometry::Quaternion::Identity(); // of the body, now
-    Vector sight = Vector::UnitZ();                                   // towards the viewer
-    bool atCenter = false; // of mass, as near as the pointer can tell
+    // Of the body, now; of a place where a new body rests, its own.
+    geometry::Quaternion attitude = geometry::Quaternion::Identity();
+    Vector sight = Vector::UnitZ(); // towards the viewer
+    bool atCenter = false;          // of mass, as near as the pointer can tell
     std::optional<std::size_t> trajectory;
     double resolution = 0; // what the pointer tells apart there
     std::string at;        // the thing that drew the point to it: "a corner of b1"
@@ -89,6 +92,10 @@ enum class BasicShape { sphere, box };
 [[nodiscard]] Vector usualGravity(const scene::Scene& scene);
 [[nodiscard]] Recipe newTrajectoryForce(bool couple);
 [[nodiscard]] Recipe newLink(Wanted second);
+[[nodiscard]] Recipe newSpring(Wanted second);
+// Two bodies, or each two, attract each other as stars do, by a parameter G.
+[[nodiscard]] Recipe newAttraction();
+[[nodiscard]] Recipe attractionOfAll();
 // A hinge, a slider, a ball, a fixed joint or a distance, between a body and another or the ground.
 [[nodiscard]] Recipe newJoint(scene::JointType type);
 // From a body through other bodies and points of the ground.

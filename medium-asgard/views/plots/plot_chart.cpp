@@ -57,14 +57,35 @@ QPointF PlotChart::placeOf(double time, double value) const { return axes().plac
 
 std::optional<std::size_t> PlotChart::sampleAt(const QPointF& position) const {
     const QRectF a = area();
-    if (plot_.times.empty() || position.x() < a.left() || position.x() > a.right())
+    if (position.x() < a.left() || position.x() > a.right())
         return std::nullopt;
-    const double time = start_ + (position.x() - a.left()) / a.width() * (finish_ - start_);
+    return sampleAt(start_ + (position.x() - a.left()) / a.width() * (finish_ - start_));
+}
+
+std::optional<std::size_t> PlotChart::sampleAt(double time) const {
+    if (plot_.times.empty())
+        return std::nullopt;
     const auto after = std::ranges::lower_bound(plot_.times, time);
     auto at = static_cast<std::size_t>(after - plot_.times.begin());
     if (at == plot_.times.size() || (at > 0 && time - plot_.times[at - 1] < plot_.times[at] - time))
         --at;
     return at;
+}
+
+void PlotChart::setNow(double time) {
+    if (time == now_)
+        return;
+    now_ = time;
+    update();
+}
+
+QString PlotChart::legendOf(std::size_t curve) const {
+    const QString label = QString::fromStdString(plot_.curves[curve].label);
+    const auto at = sampleAt(now_);
+    const auto& values = plot_.curves[curve].values;
+    return at && *at < values.size() && std::isfinite(values[*at])
+               ? tr("%1 = %2").arg(label, number(values[*at], range_.high - range_.low))
+               : label;
 }
 
 QString PlotChart::readingAt(const QPointF& position) const {
@@ -79,9 +100,22 @@ QString PlotChart::readingAt(const QPointF& position) const {
     return words;
 }
 
+void PlotChart::mousePressEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton)
+        choose(event->position());
+}
+
 void PlotChart::mouseMoveEvent(QMouseEvent* event) {
     pointer_ = event->position();
+    if (event->buttons() & Qt::LeftButton)
+        choose(event->position());
     update();
+}
+
+// The time under the pointer becomes that of the picture.
+void PlotChart::choose(const QPointF& position) {
+    if (const auto at = sampleAt(position))
+        Q_EMIT timeChosen(plot_.times[*at]);
 }
 
 void PlotChart::leaveEvent(QEvent*) {
@@ -119,6 +153,14 @@ void PlotChart::paintCurves(QPainter& painter) const {
     painter.setClipping(false);
 }
 
+void PlotChart::paintNow(QPainter& painter) const {
+    if (now_ < start_ || now_ > finish_)
+        return;
+    const double x = placeOf(now_, range_.low).x();
+    painter.setPen(QPen(palette().color(QPalette::Highlight), 1.2));
+    painter.drawLine(QPointF(x, area().top()), QPointF(x, area().bottom()));
+}
+
 // The title, and what the curves are; with the pointer over them what they are worth.
 void PlotChart::paintTitle(QPainter& painter) const {
     const double line = 4 + fontMetrics().ascent();
@@ -140,7 +182,7 @@ void PlotChart::paintTitle(QPainter& painter) const {
         painter.setPen(penOf(i, 2.5));
         painter.drawLine(QPointF(x, line - 4), QPointF(x + 22, line - 4));
         painter.setPen(palette().color(QPalette::WindowText));
-        const QString label = QString::fromStdString(plot_.curves[i].label);
+        const QString label = legendOf(i);
         painter.drawText(QPointF(x + 27, line), label);
         x += 44 + fontMetrics().horizontalAdvance(label);
     }
@@ -157,6 +199,7 @@ void PlotChart::paintEvent(QPaintEvent*) {
         return;
     }
     paintAxes(painter);
+    paintNow(painter);
     paintCurves(painter);
 }
 

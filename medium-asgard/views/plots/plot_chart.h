@@ -21,6 +21,8 @@ public:
 
     void setPlot(charts::Plot plot, double start, double finish);
     [[nodiscard]] const charts::Plot& plot() const { return plot_; }
+    void setNow(double time); // a line shows it, and the legend the values then
+    [[nodiscard]] QString legendOf(std::size_t curve) const; // "height = 1.2"
     // The reading of the pointer at that place: the time and each curve's value.
     [[nodiscard]] QString readingAt(const QPointF& position) const;
     [[nodiscard]] ChartAxes axes() const;
@@ -29,7 +31,11 @@ public:
     [[nodiscard]] QSize sizeHint() const override { return {560, 240}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {240, 140}; }
 
+Q_SIGNALS:
+    void timeChosen(double time);
+
 protected:
+    void mousePressEvent(QMouseEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void leaveEvent(QEvent* event) override;
@@ -37,13 +43,16 @@ protected:
 private:
     [[nodiscard]] QRectF area() const;
     [[nodiscard]] std::optional<std::size_t> sampleAt(const QPointF& position) const;
+    [[nodiscard]] std::optional<std::size_t> sampleAt(double time) const;
+    void choose(const QPointF& position);
+    void paintNow(QPainter& painter) const;
     void paintAxes(QPainter& painter) const;
     [[nodiscard]] QPen penOf(std::size_t curve, double width) const;
     void paintCurves(QPainter& painter) const;
     void paintTitle(QPainter& painter) const;
 
     charts::Plot plot_;
-    double start_ = 0, finish_ = 1;
+    double start_ = 0, finish_ = 1, now_ = 0;
     charts::Range range_;
     std::optional<QPointF> pointer_;
 };

@@ -1,12 +1,14 @@
 #include "plots/plot_dialog.h"
 
 #include "plain/plain.h"
+#include "plots/quantities.h"
 #include "scene/names.h"
 
 #include <QDialogButtonBox>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QTreeWidget>
 #include <QVBoxLayout>
 
 namespace views {
@@ -67,31 +69,75 @@ QString faultOfPlotted(const scene::Scene& scene, const QString& expression) {
     return words;
 }
 
-PlotDialog::PlotDialog(std::shared_ptr<const scene::Scene> scene, QWidget* parent)
+PlotDialog::PlotDialog(std::shared_ptr<const scene::Scene> scene, QWidget* parent,
+                       const std::optional<editing::Element>& about)
     : QDialog(parent), scene_(std::move(scene)), field_(new QLineEdit), fault_(plain::label()) {
     setObjectName("newPlot");
     field_->setObjectName("expression");
     setWindowTitle(tr("New Plot"));
     auto* column = new QVBoxLayout(this);
-    auto* asks = plain::label(tr("&Expression to chart against time:"));
+    field_->setText(QStringLiteral("t"));
+    QTreeWidget* list = makeList(about);
+    auto* lists = plain::label(tr("&Quantity, against time:"));
+    lists->setBuddy(list);
+    auto* asks = plain::label(tr("&Expression:"));
     asks->setBuddy(field_);
-    const auto& bodies = scene_->bodies;
-    field_->setText(bodies.empty() ? QStringLiteral("t")
-                                   : QString::fromStdString(bodies[0].name + ".y"));
+    asks->setToolTip(plain::tip(tr("Also what a calculator takes: 0.5 * b1.mass * b1.dy^2")));
     field_->selectAll();
+    field_->setFocus();
     fault_->setWordWrap(true);
     fault_->setStyleSheet(QStringLiteral("color: #aa1e14"));
     fault_->setMinimumHeight(2 * fault_->fontMetrics().height()); // what is below stays
     fault_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
+    column->addWidget(lists);
+    column->addWidget(list, 1);
     column->addWidget(asks);
     column->addWidget(field_);
     column->addWidget(fault_);
     column->addWidget(buttons);
+    for (QWidget* one : std::initializer_list<QWidget*>{lists, list})
+        one->setVisible(list->topLevelItemCount() > 0);
     connect(field_, &QLineEdit::textChanged, fault_, &QLabel::clear); // not while one types
     connect(buttons, &QDialogButtonBox::accepted, this, &PlotDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     setMinimumWidth(420);
+}
+
+// The quantities below their elements; the one that is chosen stands in the field.
+QTreeWidget* PlotDialog::makeList(const std::optional<editing::Element>& about) {
+    auto* list = new QTreeWidget;
+    list->setObjectName("quantities");
+    list->setHeaderHidden(true);
+    list->setColumnCount(2);
+    connect(list, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* now) {
+        if (now && now->childCount() == 0)
+            field_->setText(now->text(1));
+    });
+    connect(list, &QTreeWidget::itemDoubleClicked, this, [this](QTreeWidgetItem* one) {
+        if (one->childCount() == 0)
+            accept();
+    });
+    const auto all = quantitiesOf(*scene_);
+    QTreeWidgetItem* proposed = nullptr;
+    for (const Measured& one : all) {
+        auto* element = new QTreeWidgetItem(
+            list, {QString::fromStdString(editing::describe(*scene_, one.element))});
+        for (const Quantity& quantity : one.quantities)
+            new QTreeWidgetItem(element, {QString(quantity.label).remove('&'),
+                                          QString::fromStdString(quantity.expression)});
+        constexpr std::size_t few = 6; // elements: their quantities are seen at once
+        element->setExpanded(all.size() <= few || one.element == about);
+        if (one.element == about)
+            proposed = element->child(0);
+        else if (!proposed) // of a body its height, as a rule
+            proposed = element->child(one.element.kind == editing::Kind::body ? 1 : 0);
+    }
+    list->resizeColumnToContents(0);
+    list->setMinimumHeight(14 * list->fontMetrics().height());
+    if (proposed)
+        list->setCurrentItem(proposed);
+    return list;
 }
 
 QString PlotDialog::expression() const { return field_->text().trimmed(); }

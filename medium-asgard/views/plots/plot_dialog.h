@@ -1,12 +1,17 @@
-// Asks what a new plot charts: an expression, which is refused with the reason while it is wrong.
+// Asks what a new plot shows: one of the scene's quantities, or an expression, which is refused
+// with the reason while it is wrong.
 #pragma once
 
+#include "editing/element.h"
 #include "scene/scene.h"
 
 #include <QDialog>
 
+#include <optional>
+
 class QLabel;
 class QLineEdit;
+class QTreeWidget;
 
 namespace views {
 
@@ -16,13 +21,15 @@ namespace views {
 class PlotDialog : public QDialog {
     Q_OBJECT
 public:
-    PlotDialog(std::shared_ptr<const scene::Scene> scene, QWidget* parent);
+    // `about`: its first quantity is proposed.
+    PlotDialog(std::shared_ptr<const scene::Scene> scene, QWidget* parent,
+               const std::optional<editing::Element>& about = std::nullopt);
 
     [[nodiscard]] QString expression() const;
     void accept() override; // only what can be charted
 
 private:
-    void check();
+    QTreeWidget* makeList(const std::optional<editing::Element>& about);
 
     std::shared_ptr<const scene::Scene> scene_;
     QLineEdit* field_;

@@ -2,6 +2,7 @@
 
 #include "plain/plain.h"
 
+#include <QPushButton>
 #include <QVBoxLayout>
 
 #include <utility>
@@ -20,10 +21,14 @@ PlotsPanel::PlotsPanel(SceneDocument& document)
     column_ = new QVBoxLayout(whole);
     column_->setContentsMargins(8, 8, 8, 8);
     column_->setSpacing(8);
-    none_ = plain::label(tr("This scene has no plots. Create > Plot… makes one."));
+    none_ = plain::label(tr("This scene has no plots yet: of a height, a speed, an angle."));
     none_->setAlignment(Qt::AlignCenter);
     none_->setWordWrap(true);
     column_->addWidget(none_);
+    new_ = new QPushButton(tr("New &Plot…"));
+    new_->setObjectName("newPlotButton");
+    connect(new_, &QPushButton::clicked, this, &PlotsPanel::plotWanted);
+    column_->addWidget(new_, 0, Qt::AlignHCenter);
     setFrameShape(QFrame::NoFrame);
     setWidgetResizable(true); // many plots are higher than the screen
     setWidget(whole);
@@ -36,6 +41,12 @@ PlotsPanel::PlotsPanel(SceneDocument& document)
 void PlotsPanel::showEvent(QShowEvent* event) {
     QScrollArea::showEvent(event);
     ask();
+}
+
+void PlotsPanel::setTime(double time) {
+    time_ = time;
+    for (PlotChart* chart : charts_)
+        chart->setNow(time);
 }
 
 void PlotsPanel::ask() {
@@ -52,12 +63,15 @@ void PlotsPanel::makeCharts() {
     }
     while (charts_.size() < scene.plots.size()) {
         charts_.push_back(new PlotChart);
-        column_->addWidget(charts_.back(), 1);
+        column_->insertWidget(column_->count() - 1, charts_.back(), 1); // before the button
+        charts_.back()->setNow(time_);
+        connect(charts_.back(), &PlotChart::timeChosen, this, &PlotsPanel::timeChosen);
         charts::Plot soon = charts::named(scene, scene.plots[charts_.size() - 1]);
         soon.fault = tr("The values are being computed…").toStdString();
         charts_.back()->setPlot(std::move(soon), scene.simulator.start, scene.simulator.finish);
     }
     none_->setVisible(scene.plots.empty());
+    new_->setVisible(scene.plots.empty()); // later the room is for the charts
 }
 
 void PlotsPanel::take(const charts::PlotSampler::Wish& of, std::vector<charts::Plot> plots) {

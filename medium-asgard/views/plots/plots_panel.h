@@ -8,6 +8,7 @@
 #include <QScrollArea>
 
 class QLabel;
+class QPushButton;
 class QVBoxLayout;
 
 namespace views {
@@ -17,6 +18,11 @@ class PlotsPanel : public QScrollArea {
 public:
     explicit PlotsPanel(SceneDocument& document);
     [[nodiscard]] const std::vector<PlotChart*>& charts() const { return charts_; }
+    void setTime(double time); // that the picture shows
+
+Q_SIGNALS:
+    void plotWanted();
+    void timeChosen(double time); // by the pointer in a chart
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -29,6 +35,8 @@ private:
     SceneDocument& document_;
     QVBoxLayout* column_;
     QLabel* none_;
+    QPushButton* new_;
+    double time_ = 0;
     std::vector<PlotChart*> charts_;
     charts::PlotSampler sampler_; // the first to go
 };

@@ -4,6 +4,8 @@
 #include "viewers/editor.h"
 #include "views/test_workshop.h"
 
+#include <QTreeWidget>
+
 #include <gtest/gtest.h>
 
 namespace views {
@@ -32,6 +34,21 @@ protected:
     Editor editor{workshop()};
 };
 
+TEST_F(PlotsTest, TheDialogOffersTheQuantitiesOfTheScene) {
+    show("shape_set s -desc {-sub {-sphere 0.5}}\nbody floor s -fixed 1\n"
+         "body b s -init_pos {0 3 0}\njoint pin -type hinge -body1 b -offset1 {0 1 0}\n");
+    PlotDialog whole(editor.document().shown().scene, nullptr);
+    EXPECT_EQ(whole.expression(), "b.y");
+    auto* list = whole.findChild<QTreeWidget*>("quantities");
+    ASSERT_EQ(list->topLevelItemCount(), 2); // a fixed body has none
+    EXPECT_EQ(list->topLevelItem(1)->child(0)->text(0), "Angle");
+    list->setCurrentItem(list->topLevelItem(1)->child(0));
+    EXPECT_EQ(whole.expression(), "pin.q");
+    const PlotDialog about(editor.document().shown().scene, nullptr,
+                           editing::Element{editing::Kind::joint, 0});
+    EXPECT_EQ(about.expression(), "pin.q");
+}
+
 TEST_F(PlotsTest, EachQuantityIsACurveOverTheWholeMotion) {
     show(flying);
     PlotsPanel* window = editor.openPlots();
@@ -47,6 +64,12 @@ TEST_F(PlotsTest, EachQuantityIsACurveOverTheWholeMotion) {
     PlotChart& chart = *window->charts()[0];
     EXPECT_EQ(chart.readingAt(chart.placeOf(1, 4)), "t = 1 s   way = 4   height = 6");
     EXPECT_EQ(chart.readingAt(QPointF(0, 0)), "");
+    window->setTime(1);
+    EXPECT_EQ(chart.legendOf(0), "way = 4"); // the values of the moment that is seen
+    double chosen = 0;
+    QObject::connect(window, &PlotsPanel::timeChosen, [&](double time) { chosen = time; });
+    QTest::mouseClick(&chart, Qt::LeftButton, {}, chart.placeOf(0.5, 4).toPoint());
+    EXPECT_NEAR(chosen, 0.5, 0.01);
     const QImage before = chart.grab().toImage();
     show(flying + "plot q -values scene.px\n");
     ASSERT_TRUE(waitFor([&] { return window->charts().size() == 2; }));

@@ -5,6 +5,7 @@
 #include "element_edits/attitude.h"
 #include "frame/names_box.h"
 #include "frame/readable.h"
+#include "picture/asked_value.h"
 #include "plain/plain.h"
 #include "script/numbers.h"
 
@@ -175,13 +176,15 @@ void PropertiesPane::refresh() {
         name_->setModified(false);
         for (PropertyRow* row : rows_)
             row->taken();
-        if (turn_)
-            turn_->taken();
+        for (PropertyRow* row : {turn_, size_})
+            if (row)
+                row->taken();
     }
     showHead();
     for (PropertyRow* row : rows_)
         showRow(*row);
     showTurn();
+    showSize();
 }
 
 void PropertiesPane::say(const QString& why) {
@@ -191,7 +194,7 @@ void PropertiesPane::say(const QString& why) {
 
 void PropertiesPane::rebuild() {
     rows_.clear();
-    turn_ = nullptr;
+    turn_ = size_ = nullptr;
     form_ = new QWidget;
     auto* column = new QVBoxLayout(form_);
     column->setContentsMargins(0, 0, 4, 0);
@@ -208,6 +211,8 @@ void PropertiesPane::rebuild() {
         connect(row, &PropertyRow::entered, this,
                 [this, row](const PropertyParts& parts) { set(*row, parts); });
         rows_.push_back(row);
+        if (option->name == "-shape")
+            addSize(*grid);
         if (option->name != "-init_rot")
             continue;
         turn_ = new PropertyRow(*option, tr("Turned by °, about"), 4, *grid, form_);
@@ -217,6 +222,14 @@ void PropertiesPane::rebuild() {
     scroll->setWidget(form_); // deletes the one before
     scroll->setMinimumWidth(form_->minimumSizeHint().width() +
                             scroll->verticalScrollBar()->sizeHint().width());
+}
+
+// The size is written in the shape, not in the body's command.
+void PropertiesPane::addSize(QGridLayout& grid) {
+    static const OptionHint size{"size", Wants::vector,
+                                 "the radius, the height or the edges of its shape", ""};
+    size_ = new PropertyRow(size, tr("Size"), 3, grid, form_);
+    connect(size_, &PropertyRow::entered, this, &PropertiesPane::setSize);
 }
 
 void PropertiesPane::showHead() {
@@ -360,6 +373,45 @@ void PropertiesPane::setTurn(const PropertyParts& typed) {
     set(*turn_, parts);
 }
 
+// --- the size of its shape ----------------------------------------------------------------------
+
+void PropertiesPane::showSize() {
+    if (!size_ || !properties_)
+        return;
+    const auto asked = elements().size() == 1 && elements().front().kind == Kind::body
+                           ? askedSize(document_, elements().front().index)
+                           : std::nullopt;
+    size_->setVisible(asked.has_value());
+    size_->setRemark(asked ? asked->note : QString());
+    if (!asked)
+        return;
+    PropertyParts parts;
+    for (const double one : asked->now)
+        parts.emplace_back(shownNumber(one));
+    size_->show(parts, {}, {});
+    size_->setNames(asked->names);
+}
+
+void PropertiesPane::setSize(const PropertyParts& typed) {
+    if (!document_.sceneIsCurrent())
+        return size_->setFault(document_.whyNotCurrent());
+    const auto asked = askedSize(document_, elements().front().index);
+    std::vector<double> sizes = asked ? asked->now : std::vector<double>();
+    for (std::size_t i = 0; i < sizes.size() && i < typed.size(); ++i) {
+        const auto number = typed[i] ? script::decimalNumber(*typed[i]) : std::optional(sizes[i]);
+        if (!number)
+            return size_->setFault(tr("Decimal numbers, please."));
+        sizes[i] = *number;
+    }
+    const editing::Answer answer = asked ? asked->answer(sizes) : editing::Answer();
+    if (answer.possible())
+        return tryText(*size_, answer.edits, asked->label);
+    size_->setFault(QString::fromStdString(answer.reason));
+    size_->setOffers(
+        document_.text(), answer.offers,
+        [this, label = asked->label](const text::Edits& edits) { tryText(*size_, edits, label); });
+}
+
 // --- changes ------------------------------------------------------------------------------------
 
 void PropertiesPane::set(PropertyRow& row, const PropertyParts& parts) {
@@ -369,16 +421,16 @@ void PropertiesPane::set(PropertyRow& row, const PropertyParts& parts) {
     if (!properties_)
         return row.setFault(document_.whyNotCurrent());
     const editing::Answer answer = properties_->set(elements(), row.option(), parts);
-    if (answer.possible())
-        return tryText(row, answer.edits);
-    row.setFault(QString::fromStdString(answer.reason));
-    row.setOffers(document_.text(), answer.offers,
-                  [this, &row](const text::Edits& edits) { tryText(row, edits); });
-}
-
-void PropertiesPane::tryText(PropertyRow& row, const text::Edits& edits) {
     const QString label =
         tr("Change %1").arg(QString::fromStdString(editing::captionOf(row.option())).toLower());
+    if (answer.possible())
+        return tryText(row, answer.edits, label);
+    row.setFault(QString::fromStdString(answer.reason));
+    row.setOffers(document_.text(), answer.offers,
+                  [this, &row, label](const text::Edits& edits) { tryText(row, edits, label); });
+}
+
+void PropertiesPane::tryText(PropertyRow& row, const text::Edits& edits, const QString& label) {
     trial_.start(text::applied(document_.text(), edits), label,
                  [this, row = QPointer<PropertyRow>(&row)](const QString& why) {
                      if (row && why.isEmpty())

@@ -41,6 +41,9 @@ public:
 
     [[nodiscard]] PropertyRow* row(const std::string& option) const; // null: there is none
     [[nodiscard]] PropertyRow* turn() const { return turn_; }
+    [[nodiscard]] PropertyRow* sizeRow() const {
+        return size_;
+    } // hidden: its shape has no one size
     [[nodiscard]] QLineEdit& name() { return *name_; }
     [[nodiscard]] QString title() const;
     [[nodiscard]] QString fault() const; // of the name, or why nothing can be changed
@@ -63,12 +66,15 @@ private:
     void showHead();
     void showRow(PropertyRow& row);
     void showTurn();
+    void addSize(QGridLayout& grid);
+    void showSize();
     [[nodiscard]] QString faultsAt(const PropertyRow& row) const;
     [[nodiscard]] QString absentOf(const editing::OptionHint& option) const;
     [[nodiscard]] QStringList namesFor(editing::Wants wants) const;
     void set(PropertyRow& row, const PropertyParts& parts);
     void setTurn(const PropertyParts& parts);
-    void tryText(PropertyRow& row, const text::Edits& edits);
+    void setSize(const PropertyParts& parts);
+    void tryText(PropertyRow& row, const text::Edits& edits, const QString& label);
     void rename();
 
     SceneDocument& document_;
@@ -80,6 +86,7 @@ private:
     std::vector<const editing::OptionHint*> options_;
     std::vector<PropertyRow*> rows_;
     PropertyRow* turn_ = nullptr; // the attitude in degrees
+    PropertyRow* size_ = nullptr; // of the shape
     QWidget* form_ = nullptr;
     std::vector<editing::Element> shown_;
     QString said_; // about the name or a copy

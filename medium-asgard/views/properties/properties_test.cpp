@@ -7,6 +7,7 @@
 
 #include <QClipboard>
 #include <QComboBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 
@@ -78,6 +79,7 @@ TEST_F(PropertiesTest, ShowsWhatStandsInTheText) {
     EXPECT_EQ(pane.title(), "Force");
     EXPECT_TRUE(pane.name().isHidden());
     EXPECT_EQ(field("-y").text(), "-9.81 * a.mass");
+    EXPECT_EQ(pane.findChild<QComboBox*>("-trajectory")->currentText(), "none");
     document.select({});
     settleTimers();
     EXPECT_THAT(pane.title().toStdString(), HasSubstr("Nothing is selected"));
@@ -95,6 +97,44 @@ TEST_F(PropertiesTest, AFieldWritesOneStepOfUndo) {
     document.undo();
     document.undo();
     document.undo();
+    EXPECT_EQ(document.text(), two);
+}
+
+TEST_F(PropertiesTest, TheSizeOfItsShapeIsARow) {
+    open(shape + "body a s\n", {{Kind::body, 0}});
+    EXPECT_EQ(field("size1").text(), "0.5");
+    EXPECT_EQ(field("size1").accessibleName(), "Radius");
+    EXPECT_TRUE(field("size2").isHidden());
+    type("size1", "0.25");
+    EXPECT_THAT(document.text(), HasSubstr("-sphere 0.25"));
+    EXPECT_EQ(document.undoLabel(), "Change the Size of s");
+    type("size1", "-1");
+    EXPECT_THAT(document.text(), HasSubstr("-sphere 0.25"));
+    EXPECT_THAT(pane.sizeRow()->fault().toStdString(), HasSubstr("above 0"));
+}
+
+TEST_F(PropertiesTest, AShapeOfTwoPartsHasNoRowForItsSize) {
+    open("shape_set s -desc {-sub {-sphere 0.5} -sub {-pos {1 0 0} -sphere 0.5}}\nbody a s\n",
+         {{Kind::body, 0}});
+    EXPECT_TRUE(field("size1").isHidden());
+}
+
+TEST_F(PropertiesTest, WhatMoreBodiesHaveIsSaidAtTheSize) {
+    open(two, {{Kind::body, 0}});
+    EXPECT_EQ(pane.sizeRow()->fault(), "");
+    const auto labels = pane.findChildren<QLabel*>();
+    EXPECT_TRUE(std::ranges::any_of(labels, [](const QLabel* one) {
+        return one->isVisible() && one->text().startsWith("All 2 bodies");
+    }));
+}
+
+TEST_F(PropertiesTest, AFlagThatIsAbsentSaysWhatItIs) {
+    open(two, {{Kind::body, 0}});
+    auto* fixed = pane.findChild<QComboBox*>("-fixed");
+    EXPECT_EQ(fixed->currentText(), "no");
+    choose("-fixed", "yes");
+    EXPECT_THAT(document.text(), HasSubstr("-mass 2 -fixed 1\n"));
+    choose("-fixed", "no");
     EXPECT_EQ(document.text(), two);
 }
 
@@ -147,7 +187,7 @@ TEST_F(PropertiesTest, NamesFlagsAndChoicesAreBoxes) {
     open(two + "shape_set r -desc {-sub {-sphere 1}}\n", {{Kind::body, 1}});
     choose("-fixed", "yes");
     EXPECT_THAT(document.text(), HasSubstr("body b s -init_pos {4 2 0} -fixed 1\n"));
-    choose("-fixed", "as by default");
+    choose("-fixed", "no");
     EXPECT_THAT(document.text(), HasSubstr("body b s -init_pos {4 2 0}\n"));
 }
 

@@ -51,15 +51,15 @@ QColor colorOf(const std::string& text) {
 
 PropertyRow::PropertyRow(const editing::OptionHint& option, const QString& caption,
                          std::size_t most, QGridLayout& grid, QObject* parent)
-    : QObject(parent), option_(option), fault_(plain::label()), offers_(new QVBoxLayout) {
+    : QObject(parent), option_(option), caption_(plain::label(caption)), fault_(plain::label()),
+      offers_(new QVBoxLayout) {
     const int row = grid.rowCount();
     const QString tip = QString::fromUtf8(option.name.data(), option.name.size()) +
                         QStringLiteral(": ") +
                         QString::fromUtf8(option.words.data(), option.words.size());
-    auto* label = plain::label(caption);
-    label->setToolTip(plain::tip(tip));
-    label->setWordWrap(true);
-    grid.addWidget(label, row, 0);
+    caption_->setToolTip(plain::tip(tip));
+    caption_->setWordWrap(true);
+    grid.addWidget(caption_, row, 0);
     auto* line = new QHBoxLayout;
     line->setSpacing(3);
     if (isChosen(option.wants))
@@ -108,9 +108,11 @@ void PropertyRow::addBox(QHBoxLayout& line, const QString& caption) {
     box_->setFocusPolicy(Qt::StrongFocus);
     box_->installEventFilter(this);
     if (option_.wants == Wants::flag) {
-        box_->addItem(tr("as by default"), QString());
+        const bool isNoElse = option_.choices == "0";
+        box_->addItem(isNoElse ? tr("no") : tr("as by default"), QString());
         box_->addItem(tr("yes"), QStringLiteral("1"));
-        box_->addItem(tr("no"), QStringLiteral("0"));
+        if (!isNoElse)
+            box_->addItem(tr("no"), QStringLiteral("0"));
     } else if (option_.wants == Wants::choice) {
         setChoices(QString::fromUtf8(option_.choices.data(), option_.choices.size())
                        .split(' ', Qt::SkipEmptyParts));
@@ -152,9 +154,25 @@ void PropertyRow::showColor() {
     color_->setIcon(QIcon(swatch));
 }
 
+void PropertyRow::setNames(const QStringList& names) {
+    const QString caption = names.size() == 1 ? names.front() : tr("Size");
+    caption_->setText(plain::ours(caption));
+    for (std::size_t i = 0; i < fields_.size(); ++i) {
+        const auto at = static_cast<qsizetype>(i);
+        fields_[i]->setAccessibleName(at < names.size() ? names[at] : caption);
+        fields_[i]->setPlaceholderText(at < names.size() ? names[at] : QString());
+    }
+}
+
+void PropertyRow::setVisible(bool visible) {
+    caption_->setVisible(visible);
+    for (QLineEdit* field : fields_)
+        field->setVisible(visible);
+}
+
 void PropertyRow::setChoices(const QStringList& choices) {
     if (!box_ || option_.wants == Wants::flag ||
-        box_->property("choices").toStringList() == choices)
+        (box_->count() > 0 && box_->property("choices").toStringList() == choices))
         return;
     const QVariant chosen = box_->currentData();
     box_->setProperty("choices", choices);
@@ -185,8 +203,9 @@ void PropertyRow::show(const PropertyParts& parts, const QString& absent, const 
     showColor();
     if (!box_)
         return;
-    const QString value =
-        QString::fromStdString(parts.empty() || !parts[0] ? std::string() : *parts[0]);
+    QString value = QString::fromStdString(parts.empty() || !parts[0] ? std::string() : *parts[0]);
+    if (option_.wants == Wants::flag && value == QLatin1String(option_.choices))
+        value.clear(); // it is written what it is anyway
     int index = parts.empty() || !parts[0] ? -1 : box_->findData(value);
     if (index < 0 && !value.isEmpty()) {
         box_->addItem(value, value);
@@ -221,10 +240,18 @@ void PropertyRow::setNote(const QString& note) {
     showFault();
 }
 
+void PropertyRow::setRemark(const QString& remark) {
+    if (remark == remark_)
+        return;
+    remark_ = remark;
+    showFault();
+}
+
 void PropertyRow::showFault() {
     const QString why = fault();
-    fault_->setText(why);
-    fault_->setVisible(!why.isEmpty());
+    fault_->setText(why.isEmpty() ? remark_ : why);
+    fault_->setVisible(!fault_->text().isEmpty());
+    fault_->setForegroundRole(why.isEmpty() ? QPalette::PlaceholderText : QPalette::WindowText);
     QPalette palette = fault_->parentWidget() ? fault_->parentWidget()->palette() : QPalette();
     palette.setColor(QPalette::WindowText,
                      readable(QColor(200, 40, 30), palette.color(QPalette::Window)));

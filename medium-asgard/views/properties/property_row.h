@@ -41,9 +41,12 @@ public:
     // What somebody is typing stays.
     void show(const PropertyParts& parts, const QString& absent, const QString& source);
     void setChoices(const QStringList& choices); // of names
+    void setNames(const QStringList& names);     // of its parts, in place of x, y and z
+    void setVisible(bool visible);
     void setEnabled(bool enabled);
-    void setFault(const QString& why); // that what was entered is not taken; "": none
-    void setNote(const QString& note); // about the value that stands there; "": none
+    void setFault(const QString& why);     // that what was entered is not taken; "": none
+    void setNote(const QString& note);     // about the value that stands there; "": none
+    void setRemark(const QString& remark); // below it while there is no fault; "": none
     void setOffers(const std::string& text, const std::vector<editing::Offer>& offers,
                    const std::function<void(const text::Edits& edits)>& take);
     void taken();                        // what was typed is the value now
@@ -72,11 +75,11 @@ private:
     const editing::OptionHint& option_;
     PropertyParts shown_;
     PropertyParts refused_; // as it was entered
-    QString why_, note_;
+    QString why_, note_, remark_;
     std::vector<QLineEdit*> fields_;
     QComboBox* box_ = nullptr;
     QToolButton* color_ = nullptr;
-    QLabel* fault_;
+    QLabel *caption_, *fault_;
     QVBoxLayout* offers_;
 };
 

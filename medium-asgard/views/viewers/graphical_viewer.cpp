@@ -162,8 +162,7 @@ void GraphicalViewer::buildPanes() {
                     scroll->setFocusPolicy(Qt::NoFocus);
                     return scroll;
                 }});
-    panes_.add({"plots", tr("Plots"), Qt::BottomDockWidgetArea,
-                [this] { return new PlotsPanel(document_); }});
+    panes_.add({"plots", tr("Plots"), Qt::BottomDockWidgetArea, [this] { return makePlots(); }});
     addScenePanes(panes_, document_, *display_, playback_, windows_,
                   [this](const editing::Element& element, const QPoint& global) {
                       document_.select({element});
@@ -182,6 +181,16 @@ void GraphicalViewer::buildPanes() {
             fillTextMenu(*text);
     });
     panes_.show("status");
+}
+
+QWidget* GraphicalViewer::makePlots() {
+    auto* plots = new PlotsPanel(document_);
+    plots->setTime(playback_.time());
+    connect(&playback_, &Playback::timeChanged, plots,
+            [this, plots] { plots->setTime(playback_.time()); });
+    connect(plots, &PlotsPanel::timeChosen, &playback_, &Playback::seek);
+    connect(plots, &PlotsPanel::plotWanted, this, [this] { askForPlot(document_, *display_); });
+    return plots;
 }
 
 // A step that plays is done when one has seen the motion go on for a while.
@@ -219,21 +228,30 @@ void GraphicalViewer::buildToolBar() {
     add({{"createBody", Icon::body},
          {"createForce", Icon::force},
          {"createJoint", Icon::joint},
-         {"createLink", Icon::link},
+         {"createSpring", Icon::link},
          {"createRope", Icon::rope}});
     bar->add("help", Icon::help);
 }
 
+// A wide window has the text above the scene list at the left, and the values of the selected in
+// front of the switches at the right; a narrow one has all of them behind each other.
 void GraphicalViewer::showUsualPanes() {
     auto* text = findChild<QDockWidget*>("pane.text");
-    if (!text)
-        return;
     constexpr int wide = 1150; // enough for three columns
-    if (width() < wide)
+    const bool isWide = width() >= wide;
+    if (text && !isWide)
         tabifyDockWidget(text, findChild<QDockWidget*>("pane.status"));
-    panes_.show("text");
+    if (isWide)
+        panes_.show("sceneList");
+    if (text)
+        panes_.show("text");
+    panes_.show("status");
+    panes_.show("properties");
+    if (!text || !isWide)
+        return;
     constexpr int usual = 460;
     resizeDocks({text}, {std::min(usual, width() * 3 / 10)}, Qt::Horizontal);
+    resizeDocks({text, findChild<QDockWidget*>("pane.sceneList")}, {3, 2}, Qt::Vertical);
 }
 
 LanguageViewer* GraphicalViewer::text() const {
@@ -251,7 +269,8 @@ void GraphicalViewer::connectParts() {
     connect(&display_->creating(), &Creating::created, this, &GraphicalViewer::showCreated);
     connect(&display_->creating(), &Creating::needs, panel_, &StatusPanel::show);
     connect(panel_, &StatusPanel::displayChanged, display_, &SceneDisplay::setDisplay);
-    connectBody();
+    connect(&display_->editing(), &PictureEditing::shapeWanted, this,
+            [this](const QString& name) { windows_.openShapeEditor(name); });
     connect(controls_, &TimeControls::left, display_, [this] { display_->setFocus(); });
     connect(&playback_, &Playback::timeChanged, this, [this] {
         display_->setTime(playback_.time(), playback_.isPlaying() || timeBar_->isSliderDown());
@@ -532,16 +551,6 @@ void GraphicalViewer::showCreated(editing::Element element, HandleSwitch handles
     if (element.kind == editing::Kind::plot)
         panes_.show("plots");
     display_->editing().expect({element});
-}
-
-void GraphicalViewer::connectBody() {
-    PictureEditing& editing = display_->editing();
-    connect(&panel_->body(), &BodyPanel::fixWanted, &editing, &PictureEditing::setFixed);
-    connect(&panel_->body(), &BodyPanel::sizeWanted, &editing, &PictureEditing::openSize);
-    connect(&panel_->body(), &BodyPanel::surfaceWanted, &editing, &PictureEditing::openSurface);
-    const auto open = [this](const QString& name) { windows_.openShapeEditor(name); };
-    connect(&panel_->body(), &BodyPanel::shapeWanted, this, open);
-    connect(&editing, &PictureEditing::shapeWanted, this, open);
 }
 
 // A point that is chosen in the strip is chosen in the picture, and the other way about.

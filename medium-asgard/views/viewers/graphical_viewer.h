@@ -61,11 +61,11 @@ private:
     void buildMotionMenu();
     void fillTextMenu(LanguageViewer& text);
     QWidget* makeTour();
+    QWidget* makePlots();
     [[nodiscard]] QString helpAt(const QWidget& under) const;
     void connectParts();
     void buildLiveMenu(QMenu* menu);
     void connectTimeStrip();
-    void connectBody();
     void showMenu(const MenuPlace& place, const QPoint& global);
     void fillViewsMenu();
     void updateRange();

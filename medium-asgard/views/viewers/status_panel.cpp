@@ -80,8 +80,6 @@ StatusPanel::StatusPanel(SceneDocument& document, Playback& playback,
     state_->setAccessibleName(tr("State"));
     form->addRow(state_);
     column->addWidget(status);
-    body_ = new BodyPanel(document_);
-    column->addWidget(body_);
     column->addWidget(new ParametersPanel(document_));
     addSwitches(display);
     column->addStretch();

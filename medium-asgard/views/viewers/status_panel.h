@@ -2,7 +2,6 @@
 #pragma once
 
 #include "render/renderer.h"
-#include "viewers/body_panel.h"
 #include "workbench/playback.h"
 #include "workbench/scene_document.h"
 
@@ -28,7 +27,6 @@ public:
         bool isHandle = false;
     };
     [[nodiscard]] const std::vector<Switch>& switches() const { return switches_; }
-    [[nodiscard]] BodyPanel& body() { return *body_; }
 
     // Switches it on.
     void show(bool render::Display::*what);
@@ -44,7 +42,6 @@ private:
     SceneDocument& document_;
     Playback& playback_;
     render::Display display_;
-    BodyPanel* body_;
     QLabel *time_, *computed_, *accuracy_, *predictable_, *impacts_, *state_;
     std::vector<Switch> switches_;
 };

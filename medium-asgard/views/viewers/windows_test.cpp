@@ -45,7 +45,6 @@ protected:
         viewer->display().grab();
     }
     SceneDisplay& display() { return viewer->display(); }
-    BodyPanel& body() { return viewer->findChild<StatusPanel*>()->body(); }
     const std::string& text() { return editor.document().text(); }
     QPoint pixels(const Vector& world) {
         return display().fromPixels(display().sight().pixels(world)).toPoint();
@@ -103,14 +102,13 @@ TEST_F(WindowsTest, TheStatusOfAStoppedMotionAgreesWithItself) {
 
 TEST_F(WindowsTest, AFloorIsFixedAndFreedByAClick) {
     open(flooring);
-    EXPECT_FALSE(body().fixed().isEnabled()); // nothing is selected
     editor.document().select({{editing::Kind::body, 0}});
-    ASSERT_TRUE(body().fixed().isEnabled());
-    body().fixed().click();
+    QAction* fix = action(*menuOf(0), "Fixed");
+    ASSERT_TRUE(fix && !fix->isChecked());
+    fix->trigger();
     ASSERT_TRUE(settle(editor.document()));
     EXPECT_EQ(text(), flooring.substr(0, flooring.size() - 1) + " -fixed 1\n");
     EXPECT_EQ(undone(), "Fix floor");
-    EXPECT_TRUE(body().fixed().isChecked());
     QAction* fixed = action(*menuOf(0), "Fixed");
     ASSERT_TRUE(fixed && fixed->isChecked());
     fixed->trigger();
@@ -175,9 +173,8 @@ TEST_F(WindowsTest, ADoubleClickOnABodyAsksForItsSize) {
 
 TEST_F(WindowsTest, FrictionAndRestitutionAreAskedFor) {
     open(flooring);
-    EXPECT_FALSE(body().surface().isEnabled());
     editor.document().select({{editing::Kind::body, 0}});
-    body().surface().click();
+    action(*menuOf(0), "Surface")->trigger();
     ValueEntry* entry = display().editing().entry();
     ASSERT_TRUE(entry);
     ASSERT_EQ(entry->fields().size(), 4U);
@@ -211,7 +208,7 @@ TEST_F(WindowsTest, FrictionAndRestitutionAreAskedFor) {
 TEST_F(WindowsTest, TheSizeOfAnotherShapeIsInTheShapeEditor) {
     open("shape_set two -desc {-sub {-sphere 0.5} -sub {-pos {1 0 0} -sphere 0.5}}\nbody b two\n");
     editor.document().select({{editing::Kind::body, 0}});
-    body().size().click();
+    action(*menuOf(0), "Size")->trigger();
     ShapeEditor* shapes = editor.openShapeEditor();
     EXPECT_EQ(shapes->shape(), "two");
     EXPECT_EQ(shapes->draft().size(), 2U);
@@ -444,7 +441,7 @@ TEST_F(WindowsTest, AJointIsChartedByOneClick) {
     const MenuPlace sign = menuPlaceAt(editor.document(), display(), pixels({0.02, 0, 0}));
     EXPECT_EQ(sign.element, (editing::Element{editing::Kind::joint, 0}));
     menu = elementMenu(editor.document(), display(), sign, {});
-    QMenu* charts = action(*menu, "New Chart")->menu();
+    QMenu* charts = action(*menu, "New Plot")->menu();
     ASSERT_EQ(charts->actions().size(), 4);
     charts->actions()[0]->trigger();
     ASSERT_TRUE(settle(editor.document()));

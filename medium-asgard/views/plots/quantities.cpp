@@ -1,0 +1,97 @@
+#include "plots/quantities.h"
+
+#include "scene/joint_types.h"
+
+#include <QObject>
+
+namespace views {
+
+using editing::Element;
+using editing::Kind;
+
+namespace {
+
+// "b1.x", and what is made of it.
+class Names {
+public:
+    explicit Names(std::string name) : name_(std::move(name)) {}
+    [[nodiscard]] std::string of(const std::string& quantity) const {
+        return name_ + "." + quantity;
+    }
+    [[nodiscard]] std::string length(const char* x, const char* y, const char* z) const {
+        return "hypot(" + of(x) + ", " + of(y) + ", " + of(z) + ")";
+    }
+
+private:
+    std::string name_;
+};
+
+std::vector<Quantity> ofBody(const Names& names) {
+    return {{QObject::tr("&x"), names.of("x")},
+            {QObject::tr("&y"), names.of("y")},
+            {QObject::tr("&z"), names.of("z")},
+            {QObject::tr("&Speed"), names.length("dx", "dy", "dz")},
+            {QObject::tr("Velocity along x"), names.of("dx")},
+            {QObject::tr("Velocity along y"), names.of("dy")},
+            {QObject::tr("Velocity along z"), names.of("dz")},
+            {QObject::tr("&Angle about z"), names.of("rz")},
+            {QObject::tr("Angular velocity about z"), names.of("wz")}};
+}
+
+std::vector<Quantity> ofJoint(const Names& names, const scene::Joint& joint) {
+    std::vector<Quantity> all;
+    const auto& coordinates = scene::traitsOf(joint.type).coordinates;
+    for (std::size_t i = 0; i < coordinates.size(); ++i) {
+        const std::string which = scene::coordinateSuffix(joint.type, i);
+        const QString shown = which.empty() ? QString() : QString::fromStdString(" " + which);
+        const bool isAngle = coordinates[i] == scene::CoordinateKind::angle;
+        all.push_back({(isAngle ? QObject::tr("&Angle") : QObject::tr("&Distance")) + shown,
+                       names.of("q" + which)});
+        all.push_back({QObject::tr("&Rate") + shown, names.of("dq" + which)});
+        const scene::JointCoordinate& own = joint.coordinates[i];
+        if (own.motor || own.speed || own.position)
+            all.push_back({QObject::tr("&Motor") + shown, names.of("motor" + which)});
+    }
+    all.push_back({QObject::tr("&Force"), names.length("fx", "fy", "fz")});
+    all.push_back({QObject::tr("C&ouple"), names.length("tx", "ty", "tz")});
+    return all;
+}
+
+} // namespace
+
+std::vector<Quantity> quantitiesOf(const scene::Scene& scene, const Element& element) {
+    const std::string name = editing::nameOf(scene, element);
+    if (name.empty())
+        return {};
+    const Names names(name);
+    switch (element.kind) {
+    case Kind::body:
+        return ofBody(names);
+    case Kind::joint:
+        return ofJoint(names, scene.joints[element.index]);
+    case Kind::link:
+        if (!scene.links[element.index].spring)
+            return {};
+        return {{QObject::tr("&Length"), names.of("length")},
+                {QObject::tr("&Force"), names.of("force")}};
+    case Kind::rope:
+        return {{QObject::tr("&Tension"), names.of("tension")}};
+    case Kind::contact:
+        return {{QObject::tr("&Normal force"), names.of("n")},
+                {QObject::tr("&Slip"), names.of("slip")}};
+    default:
+        return {};
+    }
+}
+
+std::vector<Measured> quantitiesOf(const scene::Scene& scene) {
+    std::vector<Measured> all;
+    for (const Kind kind : {Kind::body, Kind::joint, Kind::link, Kind::rope, Kind::contact})
+        for (std::size_t i = 0; editing::sourceOf(scene, {kind, i}); ++i)
+            if (kind != Kind::body || !scene.bodies[i].fixed)
+                if (auto quantities = quantitiesOf(scene, Element{kind, i}); !quantities.empty())
+                    all.push_back({{kind, i}, std::move(quantities)});
+    return all;
+}
+
+} // namespace views

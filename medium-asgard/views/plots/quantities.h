@@ -1,0 +1,31 @@
+// The quantities of a scene that are worth a plot: of each element with a name, in words, and as
+// the expressions that a `plot` has.
+#pragma once
+
+#include "editing/element.h"
+#include "scene/scene.h"
+
+#include <QString>
+
+#include <string>
+#include <vector>
+
+namespace views {
+
+struct Quantity {
+    QString label; // "&Angle"
+    std::string expression;
+};
+
+// None of an element without a name, or of which nothing changes.
+[[nodiscard]] std::vector<Quantity> quantitiesOf(const scene::Scene& scene,
+                                                 const editing::Element& element);
+
+struct Measured {
+    editing::Element element;
+    std::vector<Quantity> quantities; // not empty
+};
+// Of all bodies that can move, joints, springs, ropes and contacts, in this order.
+[[nodiscard]] std::vector<Measured> quantitiesOf(const scene::Scene& scene);
+
+} // namespace views
