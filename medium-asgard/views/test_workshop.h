@@ -52,12 +52,15 @@ struct TestWorkshop {
     std::atomic<int> reads{0}, simulations{0}, cancelled{0};
     std::atomic<int> onTheInterface{0}; // of all these: on the thread that made this
     std::atomic<bool> blocked{false}; // simulations wait until this is false or they are cancelled
+    std::atomic<bool> readsSlowly{false}; // reading waits until this is false
 
     Workshop workshop() {
         Workshop w;
         w.read = [this](const std::string& text, const computing::ParameterValues&) {
             ++reads;
             onTheInterface += QThread::currentThread() == interface_ ? 1 : 0;
+            while (readsSlowly)
+                QThread::msleep(1);
             return theReader().read(text);
         };
         w.cancelReading = [] { theReader().cancel(); };

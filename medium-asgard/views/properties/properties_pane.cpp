@@ -5,6 +5,7 @@
 #include "element_edits/attitude.h"
 #include "frame/names_box.h"
 #include "frame/readable.h"
+#include "frame/typed_field.h"
 #include "picture/asked_value.h"
 #include "plain/plain.h"
 #include "script/numbers.h"
@@ -12,7 +13,6 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QPointer>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -88,6 +88,9 @@ PropertiesPane::PropertiesPane(SceneDocument& document, PropertyActions actions,
             if (isVisible())
                 soon_.start();
         });
+    for (const auto signal : {&SceneDocument::sceneChanged, &SceneDocument::workChanged})
+        connect(&document_, signal, this, &PropertiesPane::enterNext);
+    connect(&document_, &SceneDocument::opened, this, [this] { later_.clear(); });
     connect(&commands_, &ElementCommands::refused, this, &PropertiesPane::say);
     refresh();
 }
@@ -105,7 +108,12 @@ void PropertiesPane::buildHead(QVBoxLayout& column) {
     name_->setAccessibleName(tr("Name"));
     name_->setPlaceholderText(tr("no name"));
     name_->setToolTip(tr("Its name; another one is written wherever the text mentions it"));
-    connect(name_, &QLineEdit::editingFinished, this, &PropertiesPane::rename);
+    new TypedField(*name_, document_,
+                   {[this](bool) { rename(); },
+                    [this] {
+                        name_->setModified(false);
+                        showHead();
+                    }});
     line_ = new QPushButton;
     line_->setObjectName(QStringLiteral("elementLine"));
     line_->setFlat(true);
@@ -174,11 +182,8 @@ void PropertiesPane::refresh() {
         shown_ = elements();
         said_.clear();
         name_->setModified(false);
-        for (PropertyRow* row : rows_)
-            row->taken();
-        for (PropertyRow* row : {turn_, size_})
-            if (row)
-                row->taken();
+        for (PropertyRow* row : form_->findChildren<PropertyRow*>())
+            row->forget();
     }
     showHead();
     for (PropertyRow* row : rows_)
@@ -206,17 +211,17 @@ void PropertiesPane::rebuild() {
     column->addLayout(grid);
     column->addStretch();
     for (const OptionHint* option : options_) {
-        auto* row = new PropertyRow(*option, QString::fromStdString(editing::captionOf(*option)),
-                                    option->wants == Wants::vector ? 3 : 1, *grid, form_);
-        connect(row, &PropertyRow::entered, this,
-                [this, row](const PropertyParts& parts) { set(*row, parts); });
+        auto* row =
+            new PropertyRow(document_, *option, QString::fromStdString(editing::captionOf(*option)),
+                            option->wants == Wants::vector ? 3 : 1, *grid, form_);
+        listen(*row, &PropertiesPane::set);
         rows_.push_back(row);
         if (option->name == "-shape")
             addSize(*grid);
         if (option->name != "-init_rot")
             continue;
-        turn_ = new PropertyRow(*option, tr("Turned by °, about"), 4, *grid, form_);
-        connect(turn_, &PropertyRow::entered, this, &PropertiesPane::setTurn);
+        turn_ = new PropertyRow(document_, *option, tr("Turned by °, about"), 4, *grid, form_);
+        listen(*turn_, &PropertiesPane::setTurn);
     }
     auto* scroll = findChild<QScrollArea*>();
     scroll->setWidget(form_); // deletes the one before
@@ -228,8 +233,8 @@ void PropertiesPane::rebuild() {
 void PropertiesPane::addSize(QGridLayout& grid) {
     static const OptionHint size{"size", Wants::vector,
                                  "the radius, the height or the edges of its shape", ""};
-    size_ = new PropertyRow(size, tr("Size"), 3, grid, form_);
-    connect(size_, &PropertyRow::entered, this, &PropertiesPane::setSize);
+    size_ = new PropertyRow(document_, size, tr("Size"), 3, grid, form_);
+    listen(*size_, &PropertiesPane::setSize);
 }
 
 void PropertiesPane::showHead() {
@@ -332,16 +337,13 @@ QStringList PropertiesPane::namesFor(Wants wants) const {
 
 // --- the attitude in degrees --------------------------------------------------------------------
 
-void PropertiesPane::showTurn() {
-    if (!turn_ || !properties_)
-        return;
-    turn_->setEnabled(true);
+PropertyParts PropertiesPane::turnParts(const std::vector<Element>& elements,
+                                        const OptionHint& option) const {
     PropertyParts parts(4);
-    std::optional<geometry::Vector> vector =
-        vectorOf(properties_->sharedValue(elements(), turn_->option()));
-    if (!vector && elements().size() == 1) // a quaternion
-        if (const auto values = editing::valuesOf(*document_.shown().scene, elements().front(),
-                                                  std::string(turn_->option().name)))
+    std::optional<geometry::Vector> vector = vectorOf(properties_->sharedValue(elements, option));
+    if (!vector && elements.size() == 1) // a quaternion
+        if (const auto values = editing::valuesOf(*document_.shown().scene, elements.front(),
+                                                  std::string(option.name)))
             vector = geometry::Vector((*values)[0], (*values)[1], (*values)[2]);
     if (vector) {
         const editing::Turn turn = editing::turnOf(*vector);
@@ -349,28 +351,34 @@ void PropertiesPane::showTurn() {
         for (int i = 0; i < 3; ++i)
             parts[static_cast<std::size_t>(i) + 1] = shownNumber(turn.axis[i]);
     }
-    turn_->show(parts, {}, {});
+    return parts;
 }
 
-void PropertiesPane::setTurn(const PropertyParts& typed) {
-    if (!properties_)
-        return turn_->setFault(document_.whyNotCurrent());
+void PropertiesPane::showTurn() {
+    if (!turn_ || !properties_)
+        return;
+    turn_->setEnabled(true);
+    turn_->show(turnParts(elements(), turn_->option()), {}, {});
+}
+
+void PropertiesPane::setTurn(const Entered& entered) {
+    const PropertyParts now = turnParts(entered.elements, *entered.option);
     double numbers[4] = {0, 0, 1, 0};
     for (std::size_t i = 0; i < 4; ++i) {
-        const std::string text = typed[i] ? *typed[i] : turn_->fields()[i]->text().toStdString();
+        const std::string text = entered.parts[i].value_or(now[i].value_or(""));
         const auto number = text.empty() ? std::optional(numbers[i]) : script::decimalNumber(text);
         if (!number)
-            return turn_->setFault(tr("Decimal numbers, please."));
+            return answer(entered, tr("Decimal numbers, please."));
         numbers[i] = *number;
     }
     const geometry::Vector axis(numbers[1], numbers[2], numbers[3]);
     if (axis.isZero())
-        return turn_->setFault(tr("An axis has a direction: not 0 0 0."));
+        return answer(entered, tr("An axis has a direction: not 0 0 0."));
     const geometry::Vector vector = editing::rotationVectorOf({numbers[0], axis});
     PropertyParts parts;
     for (int i = 0; i < 3; ++i)
         parts.push_back(shownNumber(vector[i]));
-    set(*turn_, parts);
+    write(entered, parts);
 }
 
 // --- the size of its shape ----------------------------------------------------------------------
@@ -392,62 +400,108 @@ void PropertiesPane::showSize() {
     size_->setNames(asked->names);
 }
 
-void PropertiesPane::setSize(const PropertyParts& typed) {
-    if (!document_.sceneIsCurrent())
-        return size_->setFault(document_.whyNotCurrent());
-    const auto asked = askedSize(document_, elements().front().index);
-    std::vector<double> sizes = asked ? asked->now : std::vector<double>();
-    for (std::size_t i = 0; i < sizes.size() && i < typed.size(); ++i) {
-        const auto number = typed[i] ? script::decimalNumber(*typed[i]) : std::optional(sizes[i]);
+void PropertiesPane::setSize(const Entered& entered) {
+    const auto asked = askedSize(document_, entered.elements.front().index);
+    if (!asked)
+        return answer(entered, tr("The shape has no one size."));
+    std::vector<double> sizes = asked->now;
+    for (std::size_t i = 0; i < sizes.size() && i < entered.parts.size(); ++i) {
+        const auto& typed = entered.parts[i];
+        const auto number = typed ? script::decimalNumber(*typed) : std::optional(sizes[i]);
         if (!number)
-            return size_->setFault(tr("Decimal numbers, please."));
+            return answer(entered, tr("Decimal numbers, please."));
         sizes[i] = *number;
     }
-    const editing::Answer answer = asked ? asked->answer(sizes) : editing::Answer();
-    if (answer.possible())
-        return tryText(*size_, answer.edits, asked->label);
-    size_->setFault(QString::fromStdString(answer.reason));
-    size_->setOffers(
-        document_.text(), answer.offers,
-        [this, label = asked->label](const text::Edits& edits) { tryText(*size_, edits, label); });
+    tryEdits(entered, asked->answer(sizes), asked->label);
 }
 
 // --- changes ------------------------------------------------------------------------------------
 
-void PropertiesPane::set(PropertyRow& row, const PropertyParts& parts) {
-    row.setOffers({}, {}, {});
-    if (!properties_ || properties_->text() != document_.text())
-        refresh();
-    if (!properties_)
-        return row.setFault(document_.whyNotCurrent());
-    const editing::Answer answer = properties_->set(elements(), row.option(), parts);
-    const QString label =
-        tr("Change %1").arg(QString::fromStdString(editing::captionOf(row.option())).toLower());
-    if (answer.possible())
-        return tryText(row, answer.edits, label);
-    row.setFault(QString::fromStdString(answer.reason));
-    row.setOffers(document_.text(), answer.offers,
-                  [this, &row, label](const text::Edits& edits) { tryText(row, edits, label); });
+void PropertiesPane::listen(PropertyRow& row, Enter enter) {
+    connect(&row, &PropertyRow::entered, this, [this, &row, enter](const PropertyParts& parts) {
+        const Entered entered{&row, &row.option(), elements(), parts};
+        whenRead(&row, [this, entered, enter] { take(entered, enter); });
+    });
 }
 
-void PropertiesPane::tryText(PropertyRow& row, const text::Edits& edits, const QString& label) {
+void PropertiesPane::take(const Entered& entered, Enter enter) {
+    if (!document_.sceneIsCurrent())
+        return answer(entered, document_.whyNotCurrent());
+    const auto& scene = document_.shown().scene;
+    for (const Element& element : entered.elements)
+        if (!editing::sourceOf(*scene, element))
+            return; // it was deleted meanwhile
+    if (!properties_ || properties_->text() != document_.text())
+        properties_ = std::make_unique<editing::Properties>(document_.text(), scene);
+    (this->*enter)(entered);
+}
+
+void PropertiesPane::whenRead(const QObject* field, std::function<void()> enter) {
+    std::erase_if(later_, [&](const Later& one) { // the newest value counts
+        return one.field == field && one.elements == elements();
+    });
+    later_.push_back({field, elements(), std::move(enter)});
+    enterNext();
+}
+
+void PropertiesPane::enterNext() {
+    while (!later_.empty() && !document_.isAwaited()) {
+        const Later next = std::move(later_.front());
+        later_.erase(later_.begin());
+        next.enter();
+    }
+}
+
+void PropertiesPane::set(const Entered& entered) { write(entered, entered.parts); }
+
+void PropertiesPane::write(const Entered& entered, const PropertyParts& parts) {
+    const QString caption = QString::fromStdString(editing::captionOf(*entered.option));
+    tryEdits(entered, properties_->set(entered.elements, *entered.option, parts),
+             tr("Change %1").arg(caption.toLower()));
+}
+
+void PropertiesPane::tryEdits(const Entered& entered, const editing::Answer& found,
+                              const QString& label) {
+    if (entered.row)
+        entered.row->setOffers({}, {}, {});
+    if (found.possible())
+        return tryText(entered, found.edits, label);
+    answer(entered, QString::fromStdString(found.reason));
+    if (entered.row && entered.elements == shown_)
+        entered.row->setOffers(
+            document_.text(), found.offers,
+            [this, entered, label](const text::Edits& edits) { tryText(entered, edits, label); });
+}
+
+void PropertiesPane::tryText(const Entered& entered, const text::Edits& edits,
+                             const QString& label) {
     trial_.start(text::applied(document_.text(), edits), label,
-                 [this, row = QPointer<PropertyRow>(&row)](const QString& why) {
-                     if (row && why.isEmpty())
-                         row->taken();
-                     else if (row)
-                         row->setFault(why);
-                     soon_.start();
-                 });
+                 [this, entered](const QString& why) { answer(entered, why); });
+}
+
+void PropertiesPane::answer(const Entered& entered, const QString& why) {
+    const bool isShown = entered.row && entered.elements == shown_;
+    if (isShown && why.isEmpty())
+        entered.row->taken(entered.parts);
+    else if (isShown)
+        entered.row->refuse(entered.parts, why);
+    else if (!why.isEmpty())
+        say(QString::fromStdString(editing::captionOf(*entered.option)) + QStringLiteral(": ") +
+            why);
+    soon_.start();
 }
 
 void PropertiesPane::rename() {
-    if (!name_->isModified() || elements().size() != 1)
+    if (elements().size() != 1)
         return;
-    commands_.rename(elements().front(), name_->text(), [this](const QString& why) {
-        name_->setModified(false); // the name as it is comes back
-        say(why);
-        soon_.start();
+    whenRead(name_, [this, element = elements().front(), name = name_->text()] {
+        commands_.rename(element, name, [this, name](const QString& why) {
+            if (name_->text() == name)
+                name_->setModified(false); // the name as it is comes back
+            TypedField::setRefusal(*name_, why);
+            say(why);
+            soon_.start();
+        });
     });
 }
 

@@ -5,6 +5,9 @@
 // offers where a loop makes it; an empty field removes its option. A value that the reader refuses
 // leaves the text as it is, and says why below its field. Of several elements it shows what they
 // share. Nothing is done while it is hidden.
+//
+// Values that are entered while the text is being read are taken when it is, one after the other,
+// for the elements that were selected when they were entered.
 #pragma once
 
 #include "element_edits/property_edit.h"
@@ -13,6 +16,7 @@
 #include "properties/trial.h"
 #include "workbench/scene_document.h"
 
+#include <QPointer>
 #include <QTimer>
 #include <QWidget>
 
@@ -71,10 +75,27 @@ private:
     [[nodiscard]] QString faultsAt(const PropertyRow& row) const;
     [[nodiscard]] QString absentOf(const editing::OptionHint& option) const;
     [[nodiscard]] QStringList namesFor(editing::Wants wants) const;
-    void set(PropertyRow& row, const PropertyParts& parts);
-    void setTurn(const PropertyParts& parts);
-    void setSize(const PropertyParts& parts);
-    void tryText(PropertyRow& row, const text::Edits& edits, const QString& label);
+    [[nodiscard]] PropertyParts turnParts(const std::vector<editing::Element>& elements,
+                                          const editing::OptionHint& option) const;
+
+    struct Entered {
+        QPointer<PropertyRow> row; // none: it is gone by now
+        const editing::OptionHint* option;
+        std::vector<editing::Element> elements;
+        PropertyParts parts;
+    };
+    using Enter = void (PropertiesPane::*)(const Entered& entered);
+    void listen(PropertyRow& row, Enter enter);
+    void take(const Entered& entered, Enter enter);
+    void whenRead(const QObject* field, std::function<void()> enter);
+    void enterNext();
+    void set(const Entered& entered);
+    void setTurn(const Entered& entered);
+    void setSize(const Entered& entered);
+    void write(const Entered& entered, const PropertyParts& parts);
+    void tryEdits(const Entered& entered, const editing::Answer& found, const QString& label);
+    void tryText(const Entered& entered, const text::Edits& edits, const QString& label);
+    void answer(const Entered& entered, const QString& why); // "": it is taken
     void rename();
 
     SceneDocument& document_;
@@ -89,6 +110,12 @@ private:
     PropertyRow* size_ = nullptr; // of the shape
     QWidget* form_ = nullptr;
     std::vector<editing::Element> shown_;
+    struct Later { // entered while the text was being read
+        const QObject* field;
+        std::vector<editing::Element> elements;
+        std::function<void()> enter;
+    };
+    std::vector<Later> later_;
     QString said_; // about the name or a copy
     QLabel *title_, *fault_;
     QLineEdit* name_;

@@ -34,7 +34,7 @@ protected:
         QCoreApplication::processEvents();
     }
     QLineEdit& field(const char* name) { return *pane.findChild<QLineEdit*>(name); }
-    void type(const char* name, const QString& text) {
+    void enter(const char* name, const QString& text) {
         QLineEdit& one = field(name);
         one.setFocus();
         one.selectAll();
@@ -42,6 +42,9 @@ protected:
         if (text.isEmpty())
             QTest::keyClick(&one, Qt::Key_Delete);
         QTest::keyClick(&one, Qt::Key_Return);
+    }
+    void type(const char* name, const QString& text) {
+        enter(name, text);
         ASSERT_TRUE(settle(document));
         settleTimers();
     }
@@ -153,6 +156,59 @@ TEST_F(PropertiesTest, WhatTheReaderRefusesIsSaidAtTheFieldAndLeavesTheText) {
     EXPECT_EQ(document.text(), two);
     EXPECT_THAT(pane.row("-y")->fault().toStdString(), HasSubstr("nobody"));
     EXPECT_FALSE(document.isPreview());
+}
+
+TEST_F(PropertiesTest, WhatIsTypedStaysWhileAnotherFieldIsRead) {
+    open(two, {{Kind::body, 0}});
+    made.readsSlowly = true;
+    enter("-init_pos1", "5");
+    QTest::keyClicks(&field("-init_pos2"), "6");
+    made.readsSlowly = false;
+    ASSERT_TRUE(waitFor([this] { return document.undoLabel() == "Change place"; }));
+    ASSERT_TRUE(settle(document));
+    settleTimers();
+    EXPECT_EQ(field("-init_pos2").text(), "62"); // the caret was before it
+    EXPECT_THAT(document.text(), HasSubstr("{5 2 0}"));
+    QTest::keyClick(&field("-init_pos2"), Qt::Key_Return);
+    ASSERT_TRUE(settle(document));
+    EXPECT_THAT(document.text(), HasSubstr("{5 62 0}"));
+}
+
+TEST_F(PropertiesTest, ValuesThatAreEnteredWhileTheTextIsReadAreTakenThen) {
+    open(two, {{Kind::body, 0}});
+    made.readsSlowly = true;
+    enter("-init_pos1", "5");
+    enter("-init_pos2", "6");
+    enter("-mass", "7");
+    enter("-mass", "8");
+    enter("elementName", "ball");
+    document.select({{Kind::force, 0}}); // the fields are others by then
+    settleTimers();
+    made.readsSlowly = false;
+    ASSERT_TRUE(waitFor([this] { return document.undoLabel() == "Rename a"; }));
+    EXPECT_THAT(document.text(), HasSubstr("body ball s -init_pos {5 6 0} -mass 8\n"));
+    for (int i = 0; i < 4; ++i)
+        document.undo();
+    EXPECT_EQ(document.text(), two);
+}
+
+TEST_F(PropertiesTest, AValueThatNobodyHasReadIsNoStepOfUndo) {
+    open(two, {{Kind::body, 0}});
+    made.readsSlowly = true;
+    enter("-mass", "abc");
+    EXPECT_TRUE(document.isPreview());
+    document.setText(two + "# more\n", "Edit");
+    EXPECT_EQ(document.text(), two + "# more\n");
+    document.undo();
+    EXPECT_EQ(document.text(), two);
+    made.readsSlowly = false;
+    ASSERT_TRUE(settle(document));
+    settleTimers();
+    EXPECT_THAT(pane.row("-mass")->fault().toStdString(), HasSubstr("changed meanwhile"));
+    QTest::keyClick(&field("-mass"), Qt::Key_Return); // and again
+    ASSERT_TRUE(settle(document));
+    EXPECT_THAT(pane.row("-mass")->fault().toStdString(), HasSubstr("abc"));
+    EXPECT_EQ(document.text(), two);
 }
 
 TEST_F(PropertiesTest, AnotherSelectionForgetsWhatWasRefused) {

@@ -1,6 +1,7 @@
 #include "properties/property_row.h"
 
 #include "frame/readable.h"
+#include "frame/typed_field.h"
 #include "picture/offer_list.h"
 #include "plain/plain.h"
 #include "script/numbers.h"
@@ -8,9 +9,9 @@
 
 #include <QColorDialog>
 #include <QComboBox>
+#include <QEvent>
 #include <QGridLayout>
 #include <QHBoxLayout>
-#include <QKeyEvent>
 #include <QLineEdit>
 #include <QPainter>
 #include <QToolButton>
@@ -49,8 +50,9 @@ QColor colorOf(const std::string& text) {
 
 } // namespace
 
-PropertyRow::PropertyRow(const editing::OptionHint& option, const QString& caption,
-                         std::size_t most, QGridLayout& grid, QObject* parent)
+PropertyRow::PropertyRow(const SceneDocument& document, const editing::OptionHint& option,
+                         const QString& caption, std::size_t most, QGridLayout& grid,
+                         QObject* parent)
     : QObject(parent), option_(option), caption_(plain::label(caption)), fault_(plain::label()),
       offers_(new QVBoxLayout) {
     const int row = grid.rowCount();
@@ -65,7 +67,7 @@ PropertyRow::PropertyRow(const editing::OptionHint& option, const QString& capti
     if (isChosen(option.wants))
         addBox(*line, caption);
     else
-        addFields(*line, caption, most);
+        addFields(document, *line, caption, most);
     if (option.wants == Wants::color)
         addColorButton(*line);
     grid.addLayout(line, row, 1);
@@ -79,7 +81,8 @@ PropertyRow::PropertyRow(const editing::OptionHint& option, const QString& capti
     grid.addLayout(below, row + 1, 0, 1, 2);
 }
 
-void PropertyRow::addFields(QHBoxLayout& line, const QString& caption, std::size_t most) {
+void PropertyRow::addFields(const SceneDocument& document, QHBoxLayout& line,
+                            const QString& caption, std::size_t most) {
     static const char* const axes[] = {"x", "y", "z"};
     for (std::size_t i = 0; i < most; ++i) {
         auto* field = new QLineEdit;
@@ -92,8 +95,9 @@ void PropertyRow::addFields(QHBoxLayout& line, const QString& caption, std::size
                              (most == 1 ? QString() : QString::number(i + 1)));
         field->setAccessibleName(caption + part);
         field->setMinimumWidth(most == 1 ? 80 : 36);
-        field->installEventFilter(this);
-        connect(field, &QLineEdit::editingFinished, this, &PropertyRow::finish);
+        new TypedField(
+            *field, document,
+            {[this](bool asked) { finish(asked); }, [this, field] { bringBack(*field); }});
         line.addWidget(field, 1);
         fields_.push_back(field);
     }
@@ -184,12 +188,10 @@ void PropertyRow::setChoices(const QStringList& choices) {
 }
 
 void PropertyRow::show(const PropertyParts& parts, const QString& absent, const QString& source) {
-    if (isTyped())
-        return;
     shown_ = parts;
     for (std::size_t i = 0; i < fields_.size(); ++i) {
         fields_[i]->setVisible(i < parts.size());
-        if (i >= parts.size())
+        if (i >= parts.size() || fields_[i]->isModified())
             continue;
         const QString text = QString::fromStdString(parts[i].value_or(""));
         if (fields_[i]->text() != text) {
@@ -224,10 +226,6 @@ void PropertyRow::setEnabled(bool enabled) {
         color_->setEnabled(enabled);
 }
 
-bool PropertyRow::isTyped() const {
-    return std::ranges::any_of(fields_, [](const QLineEdit* one) { return one->isModified(); });
-}
-
 void PropertyRow::setFault(const QString& why) {
     why_ = why;
     showFault();
@@ -256,8 +254,10 @@ void PropertyRow::showFault() {
     palette.setColor(QPalette::WindowText,
                      readable(QColor(200, 40, 30), palette.color(QPalette::Window)));
     fault_->setPalette(palette);
-    for (QLineEdit* field : fields_)
+    for (QLineEdit* field : fields_) {
         field->setAccessibleDescription(why);
+        TypedField::setRefusal(*field, field->isModified() ? why_ : QString());
+    }
 }
 
 QString PropertyRow::fault() const { return why_.isEmpty() ? note_ : why_; }
@@ -267,15 +267,31 @@ void PropertyRow::setOffers(const std::string& text, const std::vector<editing::
     showOffers(*offers_, text, offers, take);
 }
 
-void PropertyRow::taken() {
-    for (QLineEdit* field : fields_)
-        field->setModified(false);
+void PropertyRow::taken(const PropertyParts& entered) {
+    for (std::size_t i = 0; i < fields_.size() && i < entered.size(); ++i)
+        if (entered[i] && fields_[i]->text().toStdString() == *entered[i])
+            fields_[i]->setModified(false);
+    if (entered_ == entered)
+        entered_.clear();
     refused_.clear();
     setFault({});
     setOffers({}, {}, {});
 }
 
-void PropertyRow::finish() {
+void PropertyRow::refuse(const PropertyParts& entered, const QString& why) {
+    if (entered_ == entered)
+        entered_.clear();
+    refused_ = entered;
+    setFault(why);
+}
+
+void PropertyRow::forget() {
+    for (QLineEdit* field : fields_)
+        field->setModified(false);
+    taken(entered_);
+}
+
+void PropertyRow::finish(bool asked) {
     PropertyParts parts(shown_.size());
     bool isChanged = false;
     for (std::size_t i = 0; i < parts.size() && i < fields_.size(); ++i) {
@@ -285,35 +301,27 @@ void PropertyRow::finish() {
         parts[i] = typed;
         isChanged = true;
     }
-    if (!isChanged || parts == refused_) // it was said why
+    if (!isChanged || parts == entered_ || (!asked && parts == refused_)) // it was said why
         return;
-    refused_ = parts;
+    entered_ = parts;
     Q_EMIT entered(parts);
 }
 
-void PropertyRow::bringBack() {
-    taken();
-    const PropertyParts parts = shown_;
-    for (std::size_t i = 0; i < fields_.size() && i < parts.size(); ++i)
-        fields_[i]->setText(QString::fromStdString(parts[i].value_or("")));
+void PropertyRow::bringBack(QLineEdit& field) {
+    const auto i = static_cast<std::size_t>(std::ranges::find(fields_, &field) - fields_.begin());
+    field.setModified(false);
+    field.setText(i < shown_.size() ? QString::fromStdString(shown_[i].value_or("")) : QString());
+    refused_.clear();
+    setFault({});
+    setOffers({}, {}, {});
 }
 
+// A wheel over a box that has no keyboard scrolls what is around.
 bool PropertyRow::eventFilter(QObject* watched, QEvent* event) {
-    const bool isField = watched != box_;
-    if (event->type() == QEvent::ShortcutOverride && isField) { // typed, no command of the window
-        const auto* key = static_cast<QKeyEvent*>(event);
-        const bool isPlain = !(key->modifiers() & (Qt::ControlModifier | Qt::AltModifier));
-        if (isPlain)
-            event->accept();
-    } else if (event->type() == QEvent::KeyPress && isField &&
-               static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
-        bringBack();
-        return true;
-    } else if (event->type() == QEvent::Wheel && !isField && !box_->hasFocus()) {
-        event->ignore(); // it scrolls what is around
-        return true;
-    }
-    return QObject::eventFilter(watched, event);
+    if (event->type() != QEvent::Wheel || box_->hasFocus())
+        return QObject::eventFilter(watched, event);
+    event->ignore();
+    return true;
 }
 
 } // namespace views

@@ -1,12 +1,13 @@
 // One option of the selected elements as a row of a form: its caption, a field of the right kind,
 // and below it why a value was not taken, with what can be done instead.
 //
-// A field gives its value on Return, or when the keyboard leaves it; Escape brings back what was
-// there.
+// A field gives its value as frame/typed_field.h says. Each has a state of its own: what somebody
+// types in one stays while another is answered.
 #pragma once
 
 #include "editing/options.h"
 #include "editing/value_edit.h"
+#include "workbench/scene_document.h"
 
 #include <QObject>
 #include <QString>
@@ -33,8 +34,8 @@ class PropertyRow : public QObject {
     Q_OBJECT
 public:
     // In the next lines of a grid with two columns. `most` parts at once.
-    PropertyRow(const editing::OptionHint& option, const QString& caption, std::size_t most,
-                QGridLayout& grid, QObject* parent);
+    PropertyRow(const SceneDocument& document, const editing::OptionHint& option,
+                const QString& caption, std::size_t most, QGridLayout& grid, QObject* parent);
 
     [[nodiscard]] const editing::OptionHint& option() const { return option_; }
     // Parts that are none differ between the elements. `absent`: shown in place of empty ones.
@@ -44,14 +45,15 @@ public:
     void setNames(const QStringList& names);     // of its parts, in place of x, y and z
     void setVisible(bool visible);
     void setEnabled(bool enabled);
-    void setFault(const QString& why);     // that what was entered is not taken; "": none
     void setNote(const QString& note);     // about the value that stands there; "": none
     void setRemark(const QString& remark); // below it while there is no fault; "": none
     void setOffers(const std::string& text, const std::vector<editing::Offer>& offers,
                    const std::function<void(const text::Edits& edits)>& take);
-    void taken();                        // what was typed is the value now
+    // The answers to entered(): the parts are the value now, or why they are not.
+    void taken(const PropertyParts& entered);
+    void refuse(const PropertyParts& entered, const QString& why);
+    void forget();                       // what was typed was meant for others
     [[nodiscard]] QString fault() const; // or the note
-    [[nodiscard]] bool isTyped() const;
 
     [[nodiscard]] const std::vector<QLineEdit*>& fields() const { return fields_; }
     [[nodiscard]] QComboBox* box() const { return box_; }
@@ -63,18 +65,21 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    void addFields(QHBoxLayout& line, const QString& caption, std::size_t most);
+    void addFields(const SceneDocument& document, QHBoxLayout& line, const QString& caption,
+                   std::size_t most);
     void addBox(QHBoxLayout& line, const QString& caption);
     void addColorButton(QHBoxLayout& line);
     void chooseColor();
     void showColor();
-    void finish();
+    void finish(bool asked);
+    void setFault(const QString& why);
     void showFault();
-    void bringBack();
+    void bringBack(QLineEdit& field);
 
     const editing::OptionHint& option_;
     PropertyParts shown_;
-    PropertyParts refused_; // as it was entered
+    PropertyParts entered_; // and not answered
+    PropertyParts refused_;
     QString why_, note_, remark_;
     std::vector<QLineEdit*> fields_;
     QComboBox* box_ = nullptr;

@@ -18,7 +18,7 @@ Trial::~Trial() {
 
 void Trial::start(const std::string& text, const QString& label, Told told) {
     if (told_)
-        end(before_, tr("Given up for another change."));
+        end(before_, overtaken());
     before_ = document_.text();
     text_ = text;
     label_ = label;
@@ -26,7 +26,7 @@ void Trial::start(const std::string& text, const QString& label, Told told) {
     if (text == before_)
         return told({});
     told_ = std::move(told);
-    document_.preview(text, since_, this);
+    document_.preview(text, since_, this, Unfinished::none);
     if (told_ && document_.text() != text) // a host that takes no previews
         end(text, {});
 }
@@ -35,7 +35,7 @@ void Trial::look(bool isRead) {
     if (!told_)
         return;
     if (!document_.mayGoOn(since_) || document_.text() != text_)
-        return end(document_.text(), SceneDocument::overtaken());
+        return end(document_.text(), overtaken());
     if (document_.sceneIsCurrent())
         return end(text_, {});
     if (!isRead || !document_.hasErrors())
@@ -52,6 +52,10 @@ void Trial::end(const std::string& text, const QString& why) {
     if (text == text_ || text == before_)
         document_.finishPreview(text, label_, since_, this);
     told(why);
+}
+
+QString Trial::overtaken() {
+    return tr("The text was changed meanwhile. Return tries the value again.");
 }
 
 } // namespace views

@@ -2,6 +2,7 @@
 //
 // The text is shown and read as a gesture's is. Read well, it becomes one step of undo; with
 // errors, the text is again as it was, and the first error is told where the change was asked for.
+// A change from elsewhere that comes before it is read takes it back.
 #pragma once
 
 #include "workbench/scene_document.h"
@@ -25,6 +26,7 @@ public:
     [[nodiscard]] bool isOn() const { return static_cast<bool>(told_); }
 
 private:
+    [[nodiscard]] static QString overtaken();
     void look(bool isRead);
     void end(const std::string& text, const QString& why);
 

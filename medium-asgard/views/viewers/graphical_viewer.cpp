@@ -3,6 +3,7 @@
 #include "frame/help_page.h"
 #include "frame/icons.h"
 #include "frame/manual.h"
+#include "frame/typed_field.h"
 #include "gestures/new_point.h"
 #include "gestures/present.h"
 #include "language/language_viewer.h"
@@ -653,6 +654,7 @@ bool GraphicalViewer::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void GraphicalViewer::closeEvent(QCloseEvent* event) {
+    (void)TypedField::settleAll(document_); // asked about with the last window
     LanguageViewer* viewer = text();
     event->setAccepted((!viewer || viewer->settleDraft()) &&
                        (!windows_.mayClose || windows_.mayClose(*this)));

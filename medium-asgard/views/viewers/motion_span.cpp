@@ -3,12 +3,11 @@
 #include "editing/creation.h"
 #include "editing/number_text.h"
 #include "editing/value_edit.h"
+#include "frame/typed_field.h"
 #include "plain/plain.h"
 #include "script/numbers.h"
 
-#include <QApplication>
 #include <QHBoxLayout>
-#include <QKeyEvent>
 #include <QLineEdit>
 #include <QToolTip>
 
@@ -20,16 +19,9 @@ namespace {
 
 constexpr const char* startOption = "-start";
 constexpr const char* finishOption = "-finish";
+constexpr const char* waits = "waits"; // the field, for the text to be read
 
 QString written(double value) { return QString::fromStdString(editing::numberText(value, 0)); }
-
-// A field in which nothing was typed has nothing to undo: the key is the window's.
-bool isOthersUndo(const QLineEdit& field, const QEvent& event) {
-    if (event.type() != QEvent::ShortcutOverride || field.isModified())
-        return false;
-    const auto& key = static_cast<const QKeyEvent&>(event);
-    return key.matches(QKeySequence::Undo) || key.matches(QKeySequence::Redo);
-}
 
 } // namespace
 
@@ -44,13 +36,14 @@ MotionSpan::MotionSpan(SceneDocument& document, QWidget* parent)
                        finishOption);
     row->addWidget(plain::label(tr("s")));
     row->addStretch();
-    connect(&document_, &SceneDocument::sceneChanged, this, [this] {
-        show();
-        for (const auto& [field, option] :
-             {std::pair(start_, startOption), std::pair(finish_, finishOption)})
-            if (!field->hasFocus())
-                take(field, option);
-    });
+    connect(&document_, &SceneDocument::sceneChanged, this, &MotionSpan::show);
+    for (const auto signal : {&SceneDocument::sceneChanged, &SceneDocument::workChanged})
+        connect(&document_, signal, this, [this] {
+            for (const auto& [field, option] :
+                 {std::pair(start_, startOption), std::pair(finish_, finishOption)})
+                if (field->property(waits).toBool())
+                    take(field, option);
+        });
     show();
 }
 
@@ -62,9 +55,13 @@ QLineEdit* MotionSpan::addField(const QString& label, const QString& name, const
     field->setToolTip(plain::tip(tip));
     field->setObjectName(option + 1); // without its hyphen
     field->setAccessibleName(name);
-    field->installEventFilter(this);
-    connect(field, &QLineEdit::editingFinished, this,
-            [this, field, option] { take(field, option); });
+    new TypedField(*field, document_,
+                   {[this, field, option](bool) { take(field, option); },
+                    [this, field] {
+                        field->setModified(false);
+                        show();
+                    },
+                    [this] { Q_EMIT left(); }});
     auto* before = plain::label(label);
     before->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
     layout()->addWidget(before);
@@ -82,7 +79,8 @@ void MotionSpan::show() {
 
 void MotionSpan::take(QLineEdit* field, const char* option) {
     // While the text is being read it stays, and is taken then.
-    if (!field->isModified() || (!document_.sceneIsCurrent() && !document_.hasErrors()))
+    field->setProperty(waits, document_.isAwaited());
+    if (!field->isModified() || document_.isAwaited())
         return;
     field->setModified(false);
     const auto value = script::decimalNumber(field->text().trimmed().toStdString());
@@ -91,7 +89,7 @@ void MotionSpan::take(QLineEdit* field, const char* option) {
     show();
     if (!why.isEmpty())
         QToolTip::showText(field->mapToGlobal(field->rect().bottomLeft()), plain::tip(why), field);
-    field->setProperty("refusal", why);
+    TypedField::setRefusal(*field, why);
 }
 
 QString MotionSpan::change(const char* option, double value) {
@@ -124,67 +122,6 @@ QString MotionSpan::change(const char* option, double value) {
     if (answer.possible())
         document_.setText(text::applied(text, answer.edits), label);
     return QString::fromStdString(answer.reason);
-}
-
-void MotionSpan::takeBoth() {
-    take(start_, startOption);
-    take(finish_, finishOption);
-}
-
-void MotionSpan::settleAll(const SceneDocument& document) {
-    for (QWidget* window : QApplication::topLevelWidgets())
-        for (MotionSpan* span : window->findChildren<MotionSpan*>())
-            if (&span->document_ == &document)
-                span->takeBoth();
-}
-
-// A press beside the field, or a shortcut, is what one does with what was typed.
-bool MotionSpan::leavesField(QObject* watched, const QEvent& event) const {
-    const auto* widget = qobject_cast<QWidget*>(watched);
-    if (event.type() == QEvent::Shortcut)
-        return true;
-    return event.type() == QEvent::MouseButtonPress && widget && widget->window() == window() &&
-           widget != start_ && widget != finish_;
-}
-
-// All of the program's events are looked at only while one of the fields has the keyboard.
-void MotionSpan::watch(QEvent::Type focus) {
-    if (focus == QEvent::FocusIn)
-        qApp->installEventFilter(this);
-    else if (focus == QEvent::FocusOut)
-        qApp->removeEventFilter(this);
-}
-
-// Escape leaves the field as it was, Return takes it; neither is the window's then.
-bool MotionSpan::eventFilter(QObject* watched, QEvent* event) {
-    if (watched != start_ && watched != finish_) {
-        if (leavesField(watched, *event) && (start_->isModified() || finish_->isModified())) {
-            takeBoth();
-            Q_EMIT left();
-        }
-        return false;
-    }
-    watch(event->type());
-    auto* field = static_cast<QLineEdit*>(watched);
-    if (isOthersUndo(*field, *event)) {
-        event->ignore();
-        return true;
-    }
-    const bool asks = event->type() == QEvent::ShortcutOverride;
-    if (!asks && event->type() != QEvent::KeyPress)
-        return QWidget::eventFilter(watched, event);
-    const int key = static_cast<QKeyEvent*>(event)->key();
-    if (key != Qt::Key_Escape && key != Qt::Key_Return && key != Qt::Key_Enter)
-        return QWidget::eventFilter(watched, event);
-    event->accept();
-    if (asks)
-        return true;
-    if (key == Qt::Key_Escape)
-        field->setModified(false);
-    takeBoth();
-    show();
-    Q_EMIT left();
-    return true;
 }
 
 } // namespace views

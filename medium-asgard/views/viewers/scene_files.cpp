@@ -1,7 +1,7 @@
 #include "viewers/scene_files.h"
 
+#include "frame/typed_field.h"
 #include "plain/plain.h"
-#include "viewers/motion_span.h"
 #include "workbench/recent_files.h"
 
 #include <QApplication>
@@ -49,7 +49,7 @@ bool SceneFiles::open() {
 }
 
 bool SceneFiles::saveTo(const QString& path, QWidget* from) {
-    MotionSpan::settleAll(document_);
+    (void)TypedField::settleAll(document_); // a field says why its value is not taken
     if (!drafts_.takeDrafts())
         return false;
     files::SaveOptions options;
@@ -95,8 +95,15 @@ bool SceneFiles::saveAs() {
 }
 
 bool SceneFiles::mayLeave() {
-    MotionSpan::settleAll(document_);
     QWidget* from = QApplication::activeWindow();
+    if (const QString why = TypedField::settleAll(document_);
+        !why.isEmpty() && plain::Message::ask(QMessageBox::Question, from, tr("Asgard"),
+                                              tr("A value that was typed is not taken: %1\n\n"
+                                                 "Leave it all the same?")
+                                                  .arg(why),
+                                              QMessageBox::Yes | QMessageBox::No,
+                                              QMessageBox::No) != QMessageBox::Yes)
+        return false;
     if (exports_->isBusy() &&
         plain::Message::ask(QMessageBox::Question, from, tr("Export"),
                             tr("An export is still being written. End it, unfinished?"),

@@ -2,11 +2,11 @@
 // or told apart, keys that every window has, and what is typed without Return.
 #include "charts/scale.h"
 #include "frame/manual_window.h"
+#include "frame/typed_field.h"
 #include "plots/plot_dialog.h"
 #include "plots/plots_panel.h"
 #include "shapes/shape_editor.h"
 #include "viewers/editor.h"
-#include "viewers/motion_span.h"
 #include "views/test_workshop.h"
 
 #include "simulation/simulation.h"
@@ -401,7 +401,7 @@ TEST_F(SpanTest, AKeyThatIsACommandTakesItToo) {
     ASSERT_TRUE(settle(editor.document()));
     EXPECT_EQ(editor.document().shown().scene->simulator.finish, 9);
     type(*viewer, "11");
-    MotionSpan::settleAll(editor.document()); // as Save, Quit and New Scene do
+    EXPECT_EQ(TypedField::settleAll(editor.document()), ""); // as Save, Quit and New Scene do
     EXPECT_THAT(text(), HasSubstr("-finish 11"));
 }
 

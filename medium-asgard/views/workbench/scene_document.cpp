@@ -123,6 +123,8 @@ void SceneDocument::setText(const std::string& text, const QString& label) {
     if (text == text_)
         return;
     endGesture();
+    if (text == text_)
+        return; // the gesture was taken back
     const text::Edit edit = text::difference(text_, text);
     if (!host_.changed) {
         done_.push_back({edit, text::inverse(text_, {edit}).front(), label});
@@ -133,7 +135,8 @@ void SceneDocument::setText(const std::string& text, const QString& label) {
         host_.changed(edit, label);
 }
 
-void SceneDocument::preview(const std::string& text, int since, const void* hand) {
+void SceneDocument::preview(const std::string& text, int since, const void* hand,
+                            Unfinished unfinished) {
     const bool silent = host_.changed && !host_.preview;
     const bool goesOn = gesture_ && gesture_->since == since && gesture_->hand == hand;
     if (silent || (!goesOn && since != revision_) || text == text_)
@@ -141,7 +144,7 @@ void SceneDocument::preview(const std::string& text, int since, const void* hand
     if (!goesOn)
         endGesture(); // another's: its hand is gone
     if (!gesture_)
-        gesture_ = Gesture{text_, since, hand};
+        gesture_ = Gesture{text_, since, hand, unfinished};
     replaceText(text);
     if (host_.preview)
         host_.preview(text);
@@ -173,8 +176,10 @@ void SceneDocument::finishPreview(const std::string& text, const QString& label,
 QString SceneDocument::overtaken() { return QString::fromUtf8(gestures::Hand::overtaken); }
 
 void SceneDocument::endGesture() {
-    if (gesture_)
-        finishPreview(text_, tr("Drag"), gesture_->since, gesture_->hand);
+    if (!gesture_)
+        return;
+    const std::string text = gesture_->unfinished == Unfinished::step ? text_ : gesture_->before;
+    finishPreview(text, tr("Drag"), gesture_->since, gesture_->hand);
 }
 
 gestures::Ground SceneDocument::ground() {

@@ -72,6 +72,9 @@ struct Asked {
     editing::Answer answer;
 };
 
+// The step of undo that a change from elsewhere makes of a gesture's text.
+enum class Unfinished { step, none };
+
 class SceneDocument : public QObject {
     Q_OBJECT
 public:
@@ -89,6 +92,8 @@ public:
     [[nodiscard]] Work work() const { return work_; }
     // The scene that was read from this very text is the one shown: places in it are right.
     [[nodiscard]] bool sceneIsCurrent() const { return sceneRevision_ == revision_; }
+    // It is not, and will be soon, if the text has no errors.
+    [[nodiscard]] bool isAwaited() const { return !sceneIsCurrent() && work_ != Work::none; }
     // Why no gesture can change the text now; "": they can.
     [[nodiscard]] QString whyNotCurrent() const;
     [[nodiscard]] const std::optional<simulation::Statistics>& statistics() const {
@@ -104,9 +109,10 @@ public:
     void setText(const std::string& text, const QString& label);
     // While a gesture lasts, texts are shown and read that are no steps of undo; the text that it
     // ends with is one. A change from elsewhere meanwhile ends the gesture: its change so far is a
-    // step then, and nothing more of it is taken. `since`: the revision that the gesture began at;
-    // `hand`: whoever it is, which tells it from others that began there too.
-    void preview(const std::string& text, int since, const void* hand = nullptr);
+    // step then, or is taken back, and nothing more of it is taken. `since`: the revision that the
+    // gesture began at; `hand`: whoever it is, which tells it from others that began there too.
+    void preview(const std::string& text, int since, const void* hand = nullptr,
+                 Unfinished unfinished = Unfinished::step);
     void finishPreview(const std::string& text, const QString& label, int since,
                        const void* hand = nullptr);
     // The changes of a gesture that began at that revision are taken still: nothing else has
@@ -211,6 +217,7 @@ private:
         std::string before;
         int since; // the revision that it began at
         const void* hand;
+        Unfinished unfinished;
     };
     std::optional<Gesture> gesture_;
     std::unique_ptr<computing::Follower> follower_; // last: its threads call this

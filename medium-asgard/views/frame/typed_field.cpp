@@ -1,0 +1,127 @@
+#include "frame/typed_field.h"
+
+#include <QApplication>
+#include <QDeadlineTimer>
+#include <QEventLoop>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QPointer>
+#include <QTimer>
+
+#include <chrono>
+#include <utility>
+
+namespace views {
+
+namespace {
+
+constexpr const char* refusal = "refusal";
+
+// A field without changes: the key is the window's.
+bool isOthersUndo(const QLineEdit& field, const QEvent& event) {
+    if (event.type() != QEvent::ShortcutOverride || field.isModified())
+        return false;
+    const auto& key = static_cast<const QKeyEvent&>(event);
+    return key.matches(QKeySequence::Undo) || key.matches(QKeySequence::Redo);
+}
+
+// The reader has a limit of its own; this one holds when somebody else reads, and is gone.
+void waitUntilRead(const SceneDocument& document) {
+    using namespace std::chrono_literals;
+    const QDeadlineTimer end(20s);
+    while (document.isAwaited() && !end.hasExpired()) {
+        QEventLoop loop;
+        for (const auto signal : {&SceneDocument::sceneChanged, &SceneDocument::workChanged,
+                                  &SceneDocument::diagnosticsChanged})
+            QObject::connect(&document, signal, &loop, &QEventLoop::quit);
+        QTimer::singleShot(static_cast<int>(end.remainingTime()), &loop, &QEventLoop::quit);
+        loop.exec(QEventLoop::ExcludeUserInputEvents);
+    }
+}
+
+} // namespace
+
+TypedField::TypedField(QLineEdit& field, const SceneDocument& document, Uses uses)
+    : QObject(&field), field_(field), document_(document), uses_(std::move(uses)) {
+    field.installEventFilter(this);
+    connect(&field, &QLineEdit::editingFinished, this, [this] { take(false); });
+}
+
+void TypedField::setRefusal(QLineEdit& field, const QString& why) {
+    field.setProperty(refusal, why);
+}
+
+QString TypedField::refusalOf(const QLineEdit& field) { return field.property(refusal).toString(); }
+
+QString TypedField::settleAll(const SceneDocument& document) {
+    QList<QPointer<QLineEdit>> typed;
+    for (QWidget* window : QApplication::topLevelWidgets())
+        for (TypedField* one : window->findChildren<TypedField*>())
+            if (&one->document_ == &document && one->field_.isModified() &&
+                !typed.contains(&one->field_)) { // a pane that is torn off is a window in another
+                typed << &one->field_;
+                one->take(false);
+            }
+    waitUntilRead(document);
+    for (const QPointer<QLineEdit>& field : typed)
+        if (field && !refusalOf(*field).isEmpty())
+            return refusalOf(*field);
+    return {};
+}
+
+void TypedField::take(bool asked) {
+    if (field_.isModified())
+        uses_.take(asked);
+}
+
+void TypedField::leave() {
+    if (uses_.left)
+        uses_.left();
+}
+
+bool TypedField::isLeft(QObject* watched, const QEvent& event) const {
+    const auto* widget = qobject_cast<QWidget*>(watched);
+    return event.type() == QEvent::Shortcut || (event.type() == QEvent::MouseButtonPress &&
+                                                widget && widget->window() == field_.window());
+}
+
+// Return and Escape are the field's.
+bool TypedField::takesKey(QEvent& event) {
+    const bool asks = event.type() == QEvent::ShortcutOverride;
+    if (!asks && event.type() != QEvent::KeyPress)
+        return false;
+    const int key = static_cast<QKeyEvent&>(event).key();
+    if (key != Qt::Key_Escape && key != Qt::Key_Return && key != Qt::Key_Enter)
+        return false;
+    event.accept();
+    if (asks)
+        return true;
+    if (key == Qt::Key_Escape)
+        uses_.bringBack();
+    else
+        take(true);
+    leave();
+    return true;
+}
+
+// All of the program's events are looked at only while the field has the keyboard.
+bool TypedField::eventFilter(QObject* watched, QEvent* event) {
+    if (watched != &field_) {
+        if (field_.isModified() && isLeft(watched, *event)) {
+            take(false);
+            leave();
+        }
+        return false;
+    }
+    if (event->type() == QEvent::FocusIn)
+        qApp->installEventFilter(this);
+    else if (event->type() == QEvent::FocusOut)
+        qApp->removeEventFilter(this);
+    if (isOthersUndo(field_, *event)) {
+        event->ignore();
+        return true;
+    }
+    return takesKey(*event);
+}
+
+} // namespace views

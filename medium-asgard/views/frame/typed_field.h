@@ -1,0 +1,52 @@
+// A field of a window in which somebody types a value of the scene.
+//
+// The value is taken with Return, when the keyboard leaves the field, and before the next action in
+// its window: a press elsewhere, a key that is a command. Escape brings back what was there. A
+// field in which nothing was typed has nothing to undo: that key is the window's then.
+#pragma once
+
+#include "workbench/scene_document.h"
+
+#include <QObject>
+
+#include <functional>
+
+class QLineEdit;
+
+namespace views {
+
+class TypedField : public QObject {
+    Q_OBJECT
+public:
+    struct Uses {
+        // Of a field that is modified. The reader may answer later; until then it stays modified.
+        // `asked`: by Return, which tries again what was refused.
+        std::function<void(bool asked)> take;
+        std::function<void()> bringBack;
+        std::function<void()> left = nullptr; // with Return or Escape, or for something else
+    };
+    // The field owns it.
+    TypedField(QLineEdit& field, const SceneDocument& document, Uses uses);
+
+    // Why the value that was typed last is not taken; "": it is, or nobody has answered yet.
+    static void setRefusal(QLineEdit& field, const QString& why);
+    [[nodiscard]] static QString refusalOf(const QLineEdit& field);
+    // Takes what was typed in all windows of the document, and waits until that is read. "", or why
+    // a value is not taken.
+    static QString settleAll(const SceneDocument& document);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void take(bool asked);
+    void leave();
+    [[nodiscard]] bool isLeft(QObject* watched, const QEvent& event) const;
+    bool takesKey(QEvent& event);
+
+    QLineEdit& field_;
+    const SceneDocument& document_;
+    Uses uses_;
+};
+
+} // namespace views
