@@ -112,7 +112,7 @@ bool HandleDrag::isPlace() const {
     using render::HandleKind;
     return handle_.kind == HandleKind::position || handle_.kind == HandleKind::linkEnd ||
            handle_.kind == HandleKind::jointPoint || handle_.kind == HandleKind::lightPlace ||
-           handle_.kind == HandleKind::trajectoryPoint;
+           (handle_.kind == HandleKind::trajectoryPoint && !handle_.isValue());
 }
 
 void HandleDrag::setSnaps(double scale) {
@@ -122,12 +122,10 @@ void HandleDrag::setSnaps(double scale) {
     drawing.scene = ground_.scene.get();
     drawing.motion = ground_.motion;
     drawing.time = ground_.motion ? ground_.motion->start() : ground_.scene->simulator.start;
-    const bool isBody = handle_.kind == render::HandleKind::position;
-    snapping_.emplace(drawing, sight_, scale,
-                      isBody ? std::optional(handle_.element) : std::nullopt);
+    snapping_.emplace(drawing, sight_, scale, &handle_);
 }
 
-// What is drawn to a thing is written so finely that it meets it.
+// A place that a thing draws is written so finely that it meets the thing.
 double HandleDrag::resolution() const {
     return snapped_.isExact ? 0.01 * pixelLength_ : pixelLength_;
 }

@@ -74,6 +74,27 @@ Features featuresOf(const scene::SphereShape&) { return {}; }
 Features featuresOf(const scene::EllipsoidShape&) { return {}; }
 Features featuresOf(const scene::PlaneShape&) { return {}; }
 
+// A body that is dragged, and those that a path leads whose point is.
+std::vector<std::string> movedBy(const scene::Scene& scene, const render::Handle& held) {
+    if (held.kind == render::HandleKind::position)
+        return {scene.bodies[held.element].name};
+    std::vector<std::string> bodies;
+    if (held.kind == render::HandleKind::trajectoryPoint)
+        for (const scene::Constraint& one : scene.constraints)
+            if (one.trajectory == scene.trajectories[held.element].name)
+                bodies.push_back(one.body);
+    return bodies;
+}
+
+std::string bodyOfJoint(const scene::Joint& joint, std::size_t part) {
+    return part == 0 ? joint.body1 : joint.body2.value_or("");
+}
+
+std::string bodyOfLink(const scene::Link& link, std::size_t part) {
+    const auto* second = std::get_if<scene::BodyEnd>(&link.second);
+    return part == 0 ? link.first.body : second ? second->body : "";
+}
+
 } // namespace
 
 double roundStep(double length) {
@@ -87,18 +108,33 @@ double roundStep(double length) {
 }
 
 Snapping::Snapping(const render::Drawing& drawing, const Sight& sight, double scale,
-                   std::optional<std::size_t> but)
+                   const render::Handle* held)
     : sight_(sight), reach_(reachOfThings * scale), apart_(betweenRound * scale) {
     for (const scene::Body& body : drawing.scene->bodies)
         bodies_.push_back(body.name);
+    if (held) {
+        held_ = held->place;
+        moving_ = movedBy(*drawing.scene, *held);
+    }
     for (std::size_t i = 0; i < std::min(mostBodies, bodies_.size()); ++i)
-        if (i != but)
+        if (!moves(bodies_[i]))
             addBody(drawing, i);
     addHandles(drawing);
 }
 
+bool Snapping::moves(const std::string& body) const {
+    return std::ranges::find(moving_, body) != moving_.end();
+}
+
 void Snapping::add(const Vector& place, std::string name) {
-    points_.push_back({place, sight_.pixels(place), std::move(name)});
+    if (place != held_)
+        points_.push_back({place, sight_.pixels(place), std::move(name)});
+}
+
+// Of a joint or link, on that body.
+void Snapping::addEnd(const Vector& place, const std::string& body, const char* name) {
+    if (!moves(body))
+        add(place, name);
 }
 
 void Snapping::addBody(const render::Drawing& drawing, std::size_t index) {
@@ -132,10 +168,10 @@ void Snapping::addHandles(const render::Drawing& drawing) {
     render::Handles handles(scene, drawing.motion);
     for (const render::Handle& one : handles.at(drawing.time, display).handles)
         if (one.kind == render::HandleKind::jointPoint)
-            add(one.place, "a joint");
+            addEnd(one.place, bodyOfJoint(scene.joints[one.element], one.part), "a joint");
         else if (one.kind == render::HandleKind::linkEnd)
-            add(one.place, "the end of a link");
-        else if (one.kind == render::HandleKind::trajectoryPoint)
+            addEnd(one.place, bodyOfLink(scene.links[one.element], one.part), "the end of a link");
+        else if (one.kind == render::HandleKind::trajectoryPoint && !one.isValue())
             add(one.place, "a point of " + scene.trajectories[one.element].name);
 }
 

@@ -27,14 +27,14 @@ struct Snapped {
 class Snapping {
 public:
     // The things stand where the drawing shows them. `scale`: device pixels for each of the
-    // reader's. `but`: a body that draws nothing, as it is the one that moves.
+    // reader's. `held`: the handle that the hand moves. Whatever moves with it draws nothing.
     Snapping(const render::Drawing& drawing, const Sight& sight, double scale,
-             std::optional<std::size_t> but = std::nullopt);
+             const render::Handle* held = nullptr);
 
     // `before`: where it was before it was moved.
     [[nodiscard]] Snapped at(const Vector& wanted,
                              const std::optional<Vector>& before = std::nullopt) const;
-    // Round numbers are so far apart here.
+    // Round numbers are so far apart here, in units of the world.
     [[nodiscard]] double step(const Vector& place) const;
 
 private:
@@ -49,7 +49,9 @@ private:
     };
     void addBody(const render::Drawing& drawing, std::size_t index);
     void addHandles(const render::Drawing& drawing);
+    void addEnd(const Vector& place, const std::string& body, const char* name);
     void add(const Vector& place, std::string name);
+    [[nodiscard]] bool moves(const std::string& body) const;
     [[nodiscard]] const Point* nearest(const Vector& wanted, bool flat) const;
     [[nodiscard]] std::optional<Snapped> onEdge(const Vector& wanted) const;
     [[nodiscard]] Vector rounded(const Vector& wanted, const std::optional<Vector>& before) const;
@@ -60,6 +62,8 @@ private:
     std::vector<Point> points_;
     std::vector<Edge> edges_;
     std::vector<std::string> bodies_; // names
+    std::vector<std::string> moving_; // of the bodies that move with the hand
+    std::optional<Vector> held_;      // the place that it moves
 };
 
 // The least of 1, 2 or 5 times a power of ten that is not below `length`.

@@ -35,7 +35,14 @@ protected:
     }
     [[nodiscard]] Snapped at(const Vector& wanted, std::optional<std::size_t> but = std::nullopt,
                              std::optional<Vector> before = std::nullopt) const {
-        return Snapping(drawing, sight, 1, but).at(wanted, before);
+        render::Handle held;
+        held.element = but.value_or(0);
+        held.place = scene.bodies[held.element].initialPosition;
+        return Snapping(drawing, sight, 1, but ? &held : nullptr).at(wanted, before);
+    }
+    // Handles that are moved themselves.
+    [[nodiscard]] std::string drawnTo(const Vector& wanted, const render::Handle& held) const {
+        return Snapping(drawing, sight, 1, &held).at(wanted).to;
     }
 
     scene::Scene scene;
@@ -75,6 +82,48 @@ TEST_F(SnappingTest, RoundNumbersAndTheOldOnesDrawEachCoordinate) {
 TEST_F(SnappingTest, ABodyIsNotDrawnToItself) {
     EXPECT_EQ(at({1.02, 0.013, 0}, 1).to, "");
     EXPECT_EQ(at({-1.02, 0.013, 0}, 1).to, "the origin of left");
+}
+
+TEST_F(SnappingTest, NothingThatMovesWithTheHandDrawsIt) {
+    scene::Joint& pin = scene.joints.emplace_back();
+    pin.name = "pin";
+    pin.body1 = "left";
+    pin.offset1 = Vector(0, 0.3, 0.5); // in its face
+    scene::Trajectory& path = scene.trajectories.emplace_back();
+    path.name = "path";
+    path.points = {{0, Vector(-1, 2, 0)}, {1, Vector(2, 2, 0)}};
+    const Vector nearPin(-1.01, 0.31, 0.5);
+    EXPECT_EQ(at(nearPin).to, "a joint");
+    EXPECT_EQ(at(nearPin, 1).to, "a joint");
+    EXPECT_EQ(at(nearPin, 0).to, ""); // it rides on the body
+    render::Handle joint, point;
+    joint.kind = render::HandleKind::jointPoint;
+    joint.base = joint.place = Vector(-1, 0.3, 0.5);
+    EXPECT_EQ(drawnTo(nearPin, joint), "");
+    point.kind = render::HandleKind::trajectoryPoint;
+    point.base = point.place = path.points[0].second;
+    EXPECT_EQ(drawnTo({-1.01, 2.013, 0}, point), "");
+    EXPECT_EQ(drawnTo({2.01, 2.013, 0}, point), "a point of path"); // which may close it
+    scene::Constraint& led = scene.constraints.emplace_back();
+    led.body = "left";
+    led.trajectory = "path";
+    EXPECT_EQ(drawnTo({-1.01, 0.013, 0}, point), ""); // the body that it leads
+}
+
+// 40 N are no place: a force's arrow is drawn to nothing.
+TEST_F(SnappingTest, ThePointsOfAForceAreNoPlaces) {
+    scene::Trajectory& push = scene.trajectories.emplace_back();
+    push.name = "push";
+    push.points = {{0, Vector(1, 0, 0)}};
+    scene::Force& force = scene.forces.emplace_back();
+    force.body = "left";
+    force.kind = scene::TrajectoryForce{"push"};
+    render::Display display;
+    display.trajectories = true;
+    const auto all = render::Handles(scene, nullptr).at(0, display).handles;
+    ASSERT_EQ(all.size(), 1U);
+    EXPECT_TRUE(all[0].isValue());
+    EXPECT_EQ(at(all[0].place + Vector(0.01, 0.013, 0)).to, "");
 }
 
 TEST_F(SnappingTest, RoundStepsAreOneTwoAndFive) {

@@ -32,6 +32,11 @@ Vector onVirtualSphere(Size size, const Eigen::Vector2d& pixels) {
 
 } // namespace
 
+bool Camera::operator==(const Camera& other) const {
+    return center == other.center && rotation.coeffs() == other.rotation.coeffs() &&
+           scale == other.scale && position == other.position && orthographic == other.orthographic;
+}
+
 double enlargement(const Camera& camera, double viewZ) {
     return camera.orthographic ? 1 : eyeDistance / std::max(eyeDistance - viewZ, nearest);
 }

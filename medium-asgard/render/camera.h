@@ -24,6 +24,7 @@ struct Camera {
     double scale = 1;                             // view units per world unit
     Vector position = Vector::Zero();             // view units: pan
     bool orthographic = false;                    // parallel lines of sight
+    bool operator==(const Camera& other) const;
 };
 
 struct Size {

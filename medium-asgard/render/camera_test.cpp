@@ -35,6 +35,17 @@ TEST(Camera, WhatIsNearerIsLarger) {
     EXPECT_NEAR(near, 25 * eyeDistance / (eyeDistance - 1), 1e-9);
 }
 
+TEST(Camera, IsAnotherOneWhenAnyPartOfItDiffers) {
+    const Camera one;
+    EXPECT_EQ(one, Camera());
+    Camera orthographic, turned;
+    orthographic.orthographic = true;
+    turned.rotation = geometry::fromRotationVector(Vector(0, 0.1, 0));
+    for (const Camera& other : {orthographic, turned, Camera{.center = Vector(1, 0, 0)},
+                                Camera{.scale = 2}, Camera{.position = Vector(0, 0, 1)}})
+        EXPECT_NE(one, other);
+}
+
 TEST(Camera, AnOrthographicPictureShowsEqualLengthsEqually) {
     Camera camera;
     camera.orthographic = true;

@@ -59,6 +59,8 @@ struct Handle {
     Eigen::Vector2d aside = Eigen::Vector2d::Zero(); // pixels: where it stands beside its place
     bool cut = false;                                // its arrow is shortened
     [[nodiscard]] bool isArrow() const { return base != place; }
+    // Of a trajectory's point: the head of an arrow, and no place of a path.
+    [[nodiscard]] bool isValue() const { return perUnit != 1 || isArrow(); }
     // Of a trajectory's point: its value, and the place of one.
     [[nodiscard]] Vector valueAt(const Vector& world) const {
         return (world - frame.position) / perUnit;

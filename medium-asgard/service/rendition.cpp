@@ -7,11 +7,6 @@
 namespace service {
 namespace {
 
-bool same(const render::Camera& a, const render::Camera& b) {
-    return a.center == b.center && a.rotation.coeffs() == b.rotation.coeffs() &&
-           a.scale == b.scale && a.position == b.position && a.orthographic == b.orthographic;
-}
-
 constexpr const char* stateFormat = "asgard-4";
 // States of before have as many switches as there were.
 constexpr std::pair<const char*, std::ptrdiff_t> olderFormats[] = {{"asgard-2", 13},
@@ -62,7 +57,7 @@ std::optional<render::CameraControl::Button> buttonOf(ipc::Button button) {
 
 bool covers(const Look& shown, const Look& wanted) {
     return shown.generation == wanted.generation && shown.time == wanted.time &&
-           same(shown.camera, wanted.camera) && same(shown.display, wanted.display) &&
+           shown.camera == wanted.camera && same(shown.display, wanted.display) &&
            shown.handles == wanted.handles && shown.row == wanted.row &&
            shown.display.samples >= wanted.display.samples;
 }

@@ -21,6 +21,7 @@ struct Diagnostic {
     std::string message;             // one sentence, the caret and suggestion not included
     std::string suggestion;          // "did you mean ...", or ""
     std::optional<double> time = {}; // of a motion's fault: when it comes
+    bool operator==(const Diagnostic&) const = default;
 };
 
 // Ordered by place; those without one come last.

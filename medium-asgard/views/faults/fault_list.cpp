@@ -52,12 +52,28 @@ void FaultList::showEvent(QShowEvent* event) {
 QString FaultList::summary() const { return summary_->text(); }
 
 void FaultList::refresh() {
-    faults_ = document_.diagnostics();
+    if (faults_ != document_.diagnostics()) { // else the keyboard keeps its place in it
+        faults_ = document_.diagnostics();
+        fill();
+    }
+    const auto errors =
+        std::ranges::count(faults_, scene::Severity::error, &scene::Diagnostic::severity);
+    const auto warnings = static_cast<long>(faults_.size()) - errors;
+    QStringList parts;
+    if (errors > 0)
+        parts << (errors == 1 ? tr("1 error") : tr("%1 errors").arg(errors));
+    if (warnings > 0)
+        parts << (warnings == 1 ? tr("1 warning") : tr("%1 warnings").arg(warnings));
+    QString text = parts.isEmpty() ? tr("No faults") : parts.join(QStringLiteral(", "));
+    if (errors > 0 && !document_.sceneIsCurrent())
+        text += tr(": the last good scene is shown");
+    summary_->setText(text);
+}
+
+void FaultList::fill() {
     list_->clear();
-    int errors = 0;
     for (const scene::Diagnostic& fault : faults_) {
         const bool isError = fault.severity == scene::Severity::error;
-        errors += isError ? 1 : 0;
         QString message = QString::fromStdString(fault.message);
         if (!fault.suggestion.empty())
             message += QStringLiteral(" – ") + QString::fromStdString(fault.suggestion);
@@ -70,16 +86,6 @@ void FaultList::refresh() {
         item->setData(0, Qt::AccessibleTextRole,
                       (isError ? tr("Error: %1") : tr("Warning: %1")).arg(message));
     }
-    const int warnings = static_cast<int>(faults_.size()) - errors;
-    QStringList parts;
-    if (errors > 0)
-        parts << (errors == 1 ? tr("1 error") : tr("%1 errors").arg(errors));
-    if (warnings > 0)
-        parts << (warnings == 1 ? tr("1 warning") : tr("%1 warnings").arg(warnings));
-    QString text = parts.isEmpty() ? tr("No faults") : parts.join(QStringLiteral(", "));
-    if (errors > 0 && !document_.sceneIsCurrent())
-        text += tr(": the last good scene is shown");
-    summary_->setText(text);
 }
 
 void FaultList::goTo(const QTreeWidgetItem& item) {

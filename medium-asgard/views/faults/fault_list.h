@@ -37,6 +37,7 @@ protected:
 
 private:
     void refresh();
+    void fill();
     void goTo(const QTreeWidgetItem& item);
 
     SceneDocument& document_;

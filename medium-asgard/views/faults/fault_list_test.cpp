@@ -45,6 +45,19 @@ TEST_F(FaultListTest, HasTheFaultsOfTheTextWithTheirLines) {
     ASSERT_TRUE(settle(document));
 }
 
+TEST_F(FaultListTest, TheSameFaultsKeepTheirPlaceInTheList) {
+    open(ballScene + "body b2 bell\nbody b3 bell\n");
+    ASSERT_EQ(list.list().topLevelItemCount(), 2);
+    QTreeWidgetItem* second = list.list().topLevelItem(1);
+    list.list().setCurrentItem(second);
+    Q_EMIT document.workChanged();
+    ASSERT_EQ(list.list().topLevelItemCount(), 2);
+    EXPECT_EQ(list.list().currentItem(), second);
+    document.undo();
+    ASSERT_TRUE(settle(document));
+    EXPECT_EQ(list.list().topLevelItemCount(), 0);
+}
+
 TEST_F(FaultListTest, AClickSelectsTheElementAndGoesToTheTime) {
     open(ballScene);
     Computed computed{document.shown(), document.text(), {}, {}, Work::none, true};

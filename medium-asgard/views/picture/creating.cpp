@@ -162,13 +162,9 @@ std::optional<Indicated> Creating::indicated(const QPointF& position) {
 const gestures::Snapping& Creating::snapping() {
     const Shown& shown = document_.shown();
     const gestures::Sight sight = display_.sight();
-    const auto same = [](const render::Camera& a, const render::Camera& b) {
-        return a.center == b.center && a.rotation.coeffs() == b.rotation.coeffs() &&
-               a.scale == b.scale && a.position == b.position;
-    };
     if (!near_ || near_->of.scene != shown.scene || near_->of.motion != shown.motion ||
         near_->time != display_.time() || near_->sight.size != sight.size ||
-        !same(near_->sight.camera, sight.camera))
+        near_->sight.camera != sight.camera)
         near_.emplace(
             Near{shown, display_.time(), sight,
                  gestures::Snapping(display_.drawing(), sight, display_.devicePixelRatioF())});

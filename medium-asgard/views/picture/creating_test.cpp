@@ -265,6 +265,18 @@ TEST_F(CreatingTest, APlaceIsDrawnToThingsUnlessControlIsHeld) {
     EXPECT_NE(place(Qt::ControlModifier), Vector(1, 0, 0));
 }
 
+TEST_F(CreatingTest, APlaceIsDrawnToThingsWhereAnOrthographicPictureShowsThem) {
+    open("shape_set s -desc {-sub {-sphere 0.1}}\nbody a s -init_pos {2 1 -3}\n");
+    display().creating().start(newBody("s"));
+    display().creating().hover(QPointF(5, 5), false); // things are where perspective has them
+    display().setOrthographic(true);
+    display().grab();
+    QTest::mouseClick(&display(), Qt::LeftButton, {},
+                      (display().placeOf(2, 1, -3) + QPointF(3, 2)).toPoint());
+    done();
+    EXPECT_EQ(scene().bodies.back().initialPosition.head<2>(), Vector(2, 1, 0).head<2>());
+}
+
 TEST_F(CreatingTest, ADistanceIsMeasuredAndNothingIsWritten) {
     open(balls);
     display().creating().start(measure());

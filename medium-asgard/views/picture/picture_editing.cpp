@@ -76,6 +76,7 @@ gestures::Ground PictureEditing::beginGesture() {
 }
 
 void PictureEditing::take(const gestures::Grasp& grasp, const Eigen::Vector2d& pixels) {
+    before_ = document_.selected();
     if (grasp.what == gestures::Grasp::What::removePoint) {
         mark(grasp.handle);
         return removePoint(grasp.handle);
@@ -85,19 +86,6 @@ void PictureEditing::take(const gestures::Grasp& grasp, const Eigen::Vector2d& p
                display_.devicePixelRatioF());
     mark(grasp.handle); // last: what is selected may open a strip, and the picture gets smaller
     Q_EMIT changed();
-}
-
-void PictureEditing::selectPathAt(const Eigen::Vector2d& pixels) {
-    const render::Drawing drawing = display_.drawing();
-    const auto path =
-        drawing.display.trajectories
-            ? gestures::trajectoryAt(*drawing.scene, display_.sight(), pixels,
-                                     gestures::handleReach * display_.devicePixelRatioF())
-            : std::nullopt;
-    if (path)
-        document_.select({{editing::Kind::trajectory, *path}});
-    else
-        document_.select({});
 }
 
 bool PictureEditing::mayChange() {
@@ -117,15 +105,12 @@ bool PictureEditing::press(QMouseEvent& event) {
     if (!mayChange())
         return true;
     button_ = event.button();
-    before_ = document_.selected();
     const Eigen::Vector2d pixels = display_.inPixels(event.position());
     const auto grasp = gestures::graspAt(display_.drawing(), display_.handles(), display_.sight(),
                                          cameraButton(button_), pixels,
                                          gestures::handleReach * display_.devicePixelRatioF());
     if (grasp)
         take(*grasp, pixels);
-    else
-        selectPathAt(pixels);
     return true;
 }
 
@@ -168,8 +153,10 @@ bool PictureEditing::release(QMouseEvent& event) {
     if (!dragging())
         return false;
     if (const auto gone = hand_.release(cameraButton(event.button()))) {
-        if (gone->drag && !gone->drag->moved() && event.button() == Qt::LeftButton)
-            addOrTakeOut(gestures::elementOf(gone->drag->handle()), !handleUnder(event.position()));
+        if (gone->drag && !gone->drag->moved() && event.button() == Qt::LeftButton) {
+            document_.select(std::move(before_));
+            display_.selecting().addOrTakeOut(event.position());
+        }
         ended(*gone);
     }
     return true;
@@ -228,17 +215,6 @@ void PictureEditing::mark(const render::Handle& handle) {
     const editing::Element element = gestures::elementOf(handle);
     if (std::ranges::find(document_.selected(), element) == document_.selected().end())
         document_.select({element});
-}
-
-// A click with Shift. On a handle it says which one the keys move; its element stays selected.
-void PictureEditing::addOrTakeOut(const editing::Element& element, bool onBody) {
-    std::vector<editing::Element> selected = before_;
-    const bool was = std::ranges::find(selected, element) != selected.end();
-    if (was && onBody)
-        std::erase(selected, element);
-    else
-        selected.push_back(element);
-    document_.select(std::move(selected));
 }
 
 void PictureEditing::choose(render::HandleKind kind, std::size_t element, std::size_t part) {

@@ -1,13 +1,13 @@
 // Changes of the scene by pointer and keys in a picture (dissertation 4.1.3).
 //
-// Shifted buttons: the left one drags the handle nearest to the pointer, or the body under it, and
-// a click adds it to what is selected or takes it out;
-// the middle one turns the body, or draws a new point out of a trajectory's point, which the right
-// one removes. Delete takes out what is marked, with what depends on it; Insert puts a point after
-// the marked one. Keys: `H` goes from handle to handle (Shift: back), Shift and the
-// arrows move the one that is marked, `z` and `x` push it away and bring it nearer, Return asks for
-// its exact value as a double click does, on a body for the size of its shape. While the end of a
-// link is dragged, `a` frees it from its body's surface. Escape gives the old text back.
+// Shifted buttons: the left one drags the handle nearest to the pointer, or the body under it (a
+// click that moves nothing is picture/selecting.h's); the middle one turns the body, or draws a new
+// point out of a trajectory's point, which the right one removes. Delete takes out what is marked,
+// with what depends on it; Insert puts a point after the marked one. Keys: `H` goes from handle to
+// handle (Shift: back), Shift and the arrows move the one that is marked, `z` and `x` push it away
+// and bring it nearer, Return asks for its exact value as a double click does, on a body for the
+// size of its shape. While the end of a link is dragged, `a` frees it from its body's surface.
+// Escape gives the old text back.
 #pragma once
 
 #include "gestures/hand.h"
@@ -52,6 +52,7 @@ public:
     // A sentence in the picture until something else is done.
     void say(const QString& sentence, bool isFault = true);
     [[nodiscard]] const QString& said() const { return said_; }
+    void mark(const render::Handle& handle); // and selects its element, if it is not yet
     // As a click on it does.
     void choose(render::HandleKind kind, std::size_t element, std::size_t part);
     // Selects the elements that a scene yet to be read will have.
@@ -90,14 +91,11 @@ private:
     [[nodiscard]] std::optional<render::Handle> positionOf(std::size_t body) const;
     void paintSelection(QPainter& painter) const;
     [[nodiscard]] std::optional<render::Handle> handleUnder(const QPointF& position) const;
-    [[nodiscard]] bool mayChange();          // says why not
-    void mark(const render::Handle& handle); // and selects its element, if it is not yet
-    void addOrTakeOut(const editing::Element& element, bool onBody);
+    [[nodiscard]] bool mayChange(); // says why not
     void markElement(const editing::Element& element);
     void markNext(int step);
     bool dragKey(QKeyEvent& event);
     void offerOthers(const gestures::HandleDrag& drag);
-    void selectPathAt(const Eigen::Vector2d& pixels);
     void paintLabels(QPainter& painter) const;
     void paintWords(QPainter& painter, const QString& words, bool possible) const;
     void paintStale(QPainter& painter) const;

@@ -468,7 +468,7 @@ void SceneDisplay::mouseReleaseEvent(QMouseEvent* event) {
     if (creating_.active() && event->button() == Qt::LeftButton) {
         if ((event->position() - pressed_).manhattanLength() < still)
             creating_.click(event->position(), event->modifiers() & Qt::ControlModifier);
-    } else if (selecting_.release(*event)) {
+    } else if (!editing_.dragging() && selecting_.release(*event)) {
         // It is selected.
     } else if (!editing_.release(*event) && control_.active() &&
                event->button() == Qt::RightButton &&

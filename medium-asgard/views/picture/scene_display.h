@@ -68,6 +68,7 @@ public:
     [[nodiscard]] PictureEditing& editing() { return editing_; }
     [[nodiscard]] Creating& creating() { return creating_; }
     [[nodiscard]] Pointing& pointing() { return pointing_; }
+    [[nodiscard]] Selecting& selecting() { return selecting_; }
     [[nodiscard]] const Selecting& selecting() const { return selecting_; }
     // How long the arrow of a force, or a torque, of 1 is drawn.
     [[nodiscard]] double arrowLength(bool couple);

@@ -34,7 +34,8 @@ bool Selecting::press(const QMouseEvent& event) {
         band_ = {event.position(), event.position()};
         return true;
     }
-    if (keys == Qt::NoModifier)
+    adds_ = keys == Qt::ShiftModifier;
+    if (adds_ || keys == Qt::NoModifier)
         pressed_ = event.position();
     return false;
 }
@@ -53,7 +54,7 @@ bool Selecting::release(const QMouseEvent& event) {
     if (band_) {
         const bool isClick = isNear(band_->first, band_->second);
         if (isClick)
-            click(band_->first, true);
+            addOrTakeOut(band_->first);
         else
             selectBand(event.modifiers() & Qt::ShiftModifier);
         band_.reset();
@@ -63,7 +64,10 @@ bool Selecting::release(const QMouseEvent& event) {
     const auto pressed = std::exchange(pressed_, std::nullopt);
     if (!pressed || !isNear(*pressed, event.position()))
         return false;
-    click(event.position(), false);
+    if (adds_)
+        addOrTakeOut(event.position());
+    else
+        click(event.position());
     return true;
 }
 
@@ -109,13 +113,11 @@ std::vector<Selecting::Thing> Selecting::thingsAt(const QPointF& position) const
     return things;
 }
 
-void Selecting::click(const QPointF& position, bool toggles) {
+void Selecting::click(const QPointF& position) {
     const std::vector<Thing> things = thingsAt(position);
     const auto before = std::exchange(clicked_, position);
     if (things.empty())
-        return toggles ? void() : document_.select({});
-    if (toggles)
-        return toggle(things.front().element);
+        return document_.select({});
     std::size_t which = 0;
     const auto& selected = document_.selected();
     if (before && isNear(*before, position) && selected.size() == 1) {
@@ -130,11 +132,18 @@ void Selecting::click(const QPointF& position, bool toggles) {
         document_.select({thing.element});
 }
 
-void Selecting::toggle(const Element& element) {
+void Selecting::addOrTakeOut(const QPointF& position) {
+    const std::vector<Thing> things = thingsAt(position);
+    if (things.empty())
+        return;
+    const Thing& thing = things.front();
     std::vector<Element> selected = document_.selected();
-    if (std::erase(selected, element) == 0)
-        selected.push_back(element);
+    const bool was = std::erase(selected, thing.element) > 0;
+    if (!was || thing.handle)
+        selected.push_back(thing.element);
     document_.select(std::move(selected));
+    if (thing.handle)
+        display_.editing().mark(*thing.handle);
 }
 
 void Selecting::selectBand(bool adds) {

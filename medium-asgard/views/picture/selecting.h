@@ -1,9 +1,10 @@
-// Selecting by plain clicks, and by a band.
+// Selecting by clicks, and by a band.
 //
 // A click, which is a press and a release in one place, selects the thing under the pointer, a
-// further click there what lies behind it; on nothing it deselects. Ctrl and a drag draw a band and
-// select the bodies in it, with Shift in addition. A drag of a body that is selected moves it, as
-// Shift and a drag do with any; other drags are the view's.
+// further click there what lies behind it; on nothing it deselects. With Shift or Ctrl it adds the
+// thing to what is selected or takes it out, and on nothing it changes nothing. Ctrl and a drag
+// draw a band and select the bodies in it, with Shift in addition. A drag of a body that is
+// selected moves it, as Shift and a drag do with any; other drags are the view's.
 #pragma once
 
 #include "editing/element.h"
@@ -37,6 +38,8 @@ public:
     [[nodiscard]] bool hasBand() const { return band_.has_value(); }
     [[nodiscard]] bool awaitsClick() const { return pressed_.has_value(); }
     void forgetClick() { pressed_.reset(); }
+    // A click with Shift or Ctrl. A handle of an element that is selected is only marked.
+    void addOrTakeOut(const QPointF& position);
     // The body at `position` that is selected, whatever is before it.
     [[nodiscard]] std::optional<std::size_t> selectedBodyAt(const QPointF& position) const;
     void paint(QPainter& painter) const;
@@ -47,13 +50,13 @@ private:
         std::optional<render::Handle> handle; // of it, that is there
     };
     [[nodiscard]] std::vector<Thing> thingsAt(const QPointF& position) const; // from the front on
-    void click(const QPointF& position, bool toggles);
-    void toggle(const editing::Element& element);
+    void click(const QPointF& position);
     void selectBand(bool adds);
 
     SceneDocument& document_;
     SceneDisplay& display_;
     std::optional<QPointF> pressed_; // a click may follow
+    bool adds_ = false;              // that click
     std::optional<QPointF> clicked_; // where the last click was
     std::optional<std::pair<QPointF, QPointF>> band_;
 };

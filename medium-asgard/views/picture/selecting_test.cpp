@@ -123,6 +123,30 @@ TEST_F(SelectingTest, ShiftAddsAndTakesOut) {
     EXPECT_THAT(selected(), ElementsAre(nearOne));
     click(left, Qt::ControlModifier);
     EXPECT_THAT(selected(), ElementsAre(nearOne, leftOne));
+    for (const auto key : {Qt::ShiftModifier, Qt::ControlModifier}) {
+        click(empty, key);
+        EXPECT_THAT(selected(), ElementsAre(nearOne, leftOne));
+    }
+}
+
+TEST_F(SelectingTest, ShiftAddsAPathAndKeepsWhatHasAHandle) {
+    editor.document().setText(three + "trajectory w -points {{0 -3 2 0} {1 3 2 0}}\n"
+                                      "constrain far -pos w\n",
+                              "Edit");
+    ASSERT_TRUE(settle(editor.document()));
+    viewer->findChild<StatusPanel*>()->show(&render::Display::trajectories);
+    display().grab();
+    left = at({-3, 0, 0});
+    const Element path{Kind::trajectory, 0};
+    click(left);
+    click(at({-1, 2, 0}), Qt::ShiftModifier);
+    EXPECT_THAT(selected(), ElementsAre(leftOne, path));
+    click(at({3, 2, 0}), Qt::ShiftModifier); // the handle of its point
+    EXPECT_THAT(selected(), ElementsAre(leftOne, path));
+    ASSERT_TRUE(display().editing().marked());
+    EXPECT_EQ(display().editing().marked()->kind, render::HandleKind::trajectoryPoint);
+    click(at({-1, 2, 0}), Qt::ShiftModifier);
+    EXPECT_THAT(selected(), ElementsAre(leftOne));
 }
 
 TEST_F(SelectingTest, CtrlAndADragSelectTheBodiesInABand) {

@@ -10,6 +10,7 @@
 #include "plain/plain.h"
 #include "script/numbers.h"
 
+#include <QComboBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -154,6 +155,16 @@ void PropertiesPane::buildButtons(QVBoxLayout& column) {
 void PropertiesPane::showEvent(QShowEvent* event) {
     refresh();
     QWidget::showEvent(event);
+}
+
+void PropertiesPane::begin() {
+    refresh();
+    for (const PropertyRow* row : rows_)
+        for (QWidget* one :
+             {row->fields().empty() ? nullptr : static_cast<QWidget*>(row->fields()[0]),
+              static_cast<QWidget*>(row->box())})
+            if (one && one->isEnabled())
+                return one->setFocus();
 }
 
 QString PropertiesPane::title() const { return title_->text(); }

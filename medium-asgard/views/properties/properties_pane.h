@@ -50,6 +50,7 @@ public:
     } // hidden: its shape has no one size
     [[nodiscard]] QLineEdit& name() { return *name_; }
     [[nodiscard]] QString title() const;
+    void begin();                        // the keyboard goes to the first value
     [[nodiscard]] QString fault() const; // of the name, or why nothing can be changed
 
     [[nodiscard]] QSize sizeHint() const override { return {300, 480}; }

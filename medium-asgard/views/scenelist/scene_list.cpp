@@ -129,9 +129,16 @@ std::vector<SceneList::Entry> SceneList::entries() const {
     for (const Element& element : editing::elementsOf(scene)) {
         const auto color = colorOf(scene, element);
         entries.push_back({element, labelOf(scene, element), groupOf(scene, element),
+                           QString::fromStdString(editing::describe(scene, element)),
                            editing::sourceOf(scene, element)->command.from,
                            color ? color->rgb() : 0});
     }
+    std::vector<Entry*> inText;
+    for (Entry& entry : entries)
+        inText.push_back(&entry);
+    std::ranges::stable_sort(inText, {}, &Entry::place);
+    for (std::size_t i = 0; i < inText.size(); ++i)
+        inText[i]->place = i;
     return entries;
 }
 
@@ -147,8 +154,7 @@ QTreeWidgetItem* SceneList::addEntry(const Entry& entry, QTreeWidgetItem* group)
     auto* item = new QTreeWidgetItem(QStringList{entry.label});
     item->setData(0, kindRole, static_cast<int>(entry.element.kind));
     item->setData(0, indexRole, QVariant::fromValue<qulonglong>(entry.element.index));
-    item->setToolTip(0, plain::tip(QString::fromStdString(
-                            editing::describe(*document_.shown().scene, entry.element))));
+    item->setToolTip(0, plain::tip(entry.tip));
     if (!editing::nameOf(*document_.shown().scene, entry.element).empty())
         item->setFlags(item->flags() | Qt::ItemIsEditable);
     if (entry.color != 0)

@@ -1,8 +1,8 @@
 // The elements of a scene as a list, in step with the selection of all views.
 //
 // By kind, or as the text has them. A field narrows the list; F2 or a slow second click renames an
-// element wherever the text mentions it; a double click asks for its exact values; the right button
-// has the menu of the picture. Nothing is done while it is hidden.
+// element wherever the text mentions it; a double click asks for its values; the right button has
+// the menu of the picture. Nothing is done while it is hidden.
 #pragma once
 
 #include "properties/element_commands.h"
@@ -48,7 +48,8 @@ private:
     struct Entry {
         editing::Element element;
         QString label, group;
-        std::size_t place; // in the text
+        QString tip;
+        std::size_t place; // among the entries, as the text has them
         QRgb color;        // 0: none
         bool operator==(const Entry&) const = default;
     };

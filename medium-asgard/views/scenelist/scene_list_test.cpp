@@ -97,6 +97,19 @@ TEST_F(SceneListTest, KeysOpenAndRemove) {
     EXPECT_THAT(removed, ElementsAre(Element{Kind::body, 0}));
 }
 
+// As each move of a drag does.
+TEST_F(SceneListTest, NumbersOfAnotherLengthLeaveTheItems) {
+    list.tree().setCurrentItem(list.itemOf({Kind::joint, 0}));
+    const QTreeWidgetItem* item = list.itemOf({Kind::joint, 0});
+    std::string text = scene;
+    text.replace(text.find("{1 2 0}"), 7, "{1.25 2.125 0}");
+    document.setText(text, "Edit");
+    ASSERT_TRUE(settle(document));
+    QTest::qWait(60);
+    EXPECT_EQ(list.itemOf({Kind::joint, 0}), item);
+    EXPECT_EQ(list.tree().currentItem(), item);
+}
+
 TEST_F(SceneListTest, FoldedGroupsStayFoldedWhenTheSceneChanges) {
     list.itemOf({Kind::body, 0})->parent()->setExpanded(false);
     document.setText(scene + "body c s -init_pos {7 2 0}\n", "Edit");

@@ -60,10 +60,8 @@ FirstPage::FirstPage(QList<Sample> samples, const QStringList& recent, SamplePic
         connect(pictures, &SamplePictures::drawn, this, &FirstPage::showPicture);
         pictures->ask(samples_, card * 2); // sharp on a fine screen, too
     }
-    auto* leave = new QAction(this);
-    leave->setShortcuts({QKeySequence(Qt::CTRL | Qt::Key_W), QKeySequence(Qt::CTRL | Qt::Key_Q)});
-    connect(leave, &QAction::triggered, this, &QWidget::close);
-    addAction(leave);
+    addAction(tr("Close"), QKeySequence(Qt::CTRL | Qt::Key_W), this, &QWidget::close);
+    addAction(tr("Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), this, &FirstPage::quitWanted);
     list_->setFocus();
     list_->setCurrentRow(0);
     constexpr QSize usual(1120, 780);

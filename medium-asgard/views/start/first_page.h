@@ -24,6 +24,7 @@ Q_SIGNALS:
     void newWanted();
     void openWanted();
     void tourWanted();
+    void quitWanted(); // of all windows
     void fileWanted(const QString& path);
     void sampleWanted(const views::Sample& sample);
 

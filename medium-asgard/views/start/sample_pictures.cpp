@@ -37,12 +37,17 @@ SamplePictures::~SamplePictures() {
     }
 }
 
-// A scene that was changed has another picture.
+// A scene that was changed has another picture, and so has a program that was installed anew.
 QString SamplePictures::pathOf(const Sample& sample) const {
     QFile file(sample.path);
     QCryptographicHash hash(QCryptographicHash::Sha256);
     if (file.open(QIODevice::ReadOnly))
         hash.addData(file.readAll());
+    const QFileInfo program(program_);
+    hash.addData(QStringLiteral("%1 %2")
+                     .arg(program.size())
+                     .arg(program.lastModified().toMSecsSinceEpoch())
+                     .toUtf8());
     const QString name = QStringLiteral("%1-%2-%3x%4.png")
                              .arg(QString::fromLatin1(hash.result().toHex().left(16)))
                              .arg(sample.time)

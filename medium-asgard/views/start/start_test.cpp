@@ -79,6 +79,15 @@ TEST_F(StartTest, PicturesAreDrawnOnceAndKept) {
     }
     EXPECT_EQ(calls().count('\n'), 2);
     EXPECT_THAT(calls().toStdString(), HasSubstr("--time 1.5 --size 80x60"));
+    QFile installed(program); // anew: it may draw other pictures
+    ASSERT_TRUE(installed.open(QIODevice::Append));
+    installed.write("# better\n");
+    installed.close();
+    SamplePictures pictures(program, kept);
+    QSignalSpy drawn(&pictures, &SamplePictures::drawn);
+    pictures.ask(samples(), {80, 60});
+    ASSERT_TRUE(waitFor([&] { return drawn.count() == 2; }));
+    EXPECT_EQ(calls().count('\n'), 4);
 }
 
 TEST_F(StartTest, APictureThatCannotBeDrawnIsLeftOut) {

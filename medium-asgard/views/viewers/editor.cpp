@@ -314,7 +314,8 @@ void Editor::quit() {
     for (GraphicalViewer* viewer : graphicalViewers())
         if (viewer->property("isMain").toBool())
             remember(*viewer, true);
-    closeAll(viewerWindows());
+    if (closeAll(viewerWindows()) && starting_)
+        starting_->closeFirstPage();
 }
 
 int runEditor(int argc, char** argv, const std::string& file, script::Reader& reader) {

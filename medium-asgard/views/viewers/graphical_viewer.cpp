@@ -360,15 +360,19 @@ void GraphicalViewer::buildEditMenu() {
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
     undo_ = addUndoActions(edit, document_, [this](bool redo) { return typing(redo); });
     edit->addSeparator();
-    // Where the picture has the keyboard: a text copies words.
-    for (QAction* one :
-         {edit->addAction(tr("&Copy"), QKeySequence::Copy, commands_, &ElementCommands::copy),
-          edit->addAction(tr("&Paste"), QKeySequence::Paste, commands_, &ElementCommands::paste),
-          edit->addAction(tr("Dup&licate"), QKeySequence(Qt::CTRL | Qt::Key_D), commands_,
-                          &ElementCommands::duplicate)}) {
-        one->setShortcutContext(Qt::WidgetShortcut);
-        display_->addAction(one);
-    }
+    // Where the picture or a pane of elements has the keyboard: a text copies words.
+    const QList<QAction*> copying{
+        edit->addAction(tr("&Copy"), QKeySequence::Copy, commands_, &ElementCommands::copy),
+        edit->addAction(tr("&Paste"), QKeySequence::Paste, commands_, &ElementCommands::paste),
+        edit->addAction(tr("Dup&licate"), QKeySequence(Qt::CTRL | Qt::Key_D), commands_,
+                        &ElementCommands::duplicate)};
+    for (QAction* one : copying)
+        one->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    display_->addActions(copying);
+    connect(&panes_, &Panes::contentMade, this, [copying](const QString& name, QWidget* content) {
+        if (name == QLatin1String("sceneList") || name == QLatin1String("properties"))
+            content->addActions(copying);
+    });
     QAction* remove =
         edit->addAction(tr("&Delete"), this, [this] { display_->editing().deleteMarked(); });
     QAction* value =

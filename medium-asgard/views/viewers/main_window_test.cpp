@@ -3,12 +3,15 @@
 #include "plots/plots_panel.h"
 #include "plots/study_window.h"
 #include "shapes/shape_editor.h"
+#include "start/first_page.h"
 #include "trajectories/trajectory_editor.h"
 #include "viewers/editor.h"
 #include "viewers/placing.h"
 #include "viewers/scene_files.h"
+#include "viewers/starting.h"
 #include "views/test_workshop.h"
 
+#include <QClipboard>
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QMenu>
@@ -16,6 +19,7 @@
 #include <QPushButton>
 #include <QScreen>
 #include <QTimer>
+#include <QTreeWidget>
 
 #include <gmock/gmock.h>
 
@@ -239,8 +243,8 @@ TEST_F(MainWindowTest, SavingTakesWhatIsTyped) {
 void typeMass(QWidget& window, const QString& mass) {
     window.activateWindow();
     ASSERT_TRUE(QTest::qWaitForWindowActive(&window, longestWait));
-    auto* field = window.findChild<QLineEdit*>("-mass");
-    ASSERT_NE(field, nullptr);
+    QLineEdit* field = nullptr;
+    ASSERT_TRUE(waitFor([&] { return (field = window.findChild<QLineEdit*>("-mass")); }));
     field->setFocus();
     field->selectAll();
     QTest::keyClicks(field, mass);
@@ -273,6 +277,54 @@ TEST_F(MainWindowTest, SavingAndQuittingTakeAValueThatIsTyped) {
     EXPECT_EQ(asked, 2);
     EXPECT_TRUE(viewer.isVisible());
     EXPECT_FALSE(editor.document().isModified());
+}
+
+TEST_F(MainWindowTest, TheSceneListCopiesCommandsAndShowsValues) {
+    GraphicalViewer& viewer = open();
+    SceneDocument& document = editor.document();
+    document.select({{editing::Kind::body, 0}});
+    viewer.panes().show("sceneList");
+    auto* list = viewer.findChild<QTreeWidget*>("elements");
+    ASSERT_NE(list, nullptr);
+    list->setFocus();
+    QTest::keyClick(list, Qt::Key_C, Qt::ControlModifier);
+    EXPECT_THAT(QGuiApplication::clipboard()->text().toStdString(), HasSubstr("body b1 ball"));
+    QTest::keyClick(list, Qt::Key_V, Qt::ControlModifier);
+    ASSERT_TRUE(settle(document));
+    EXPECT_EQ(document.undoLabel(), "Paste");
+    QTest::keyClick(list, Qt::Key_D, Qt::ControlModifier);
+    ASSERT_TRUE(settle(document));
+    EXPECT_EQ(document.undoLabel(), "Duplicate");
+    // An element without a handle has values, too.
+    document.setText(ballScene + "parameter k -value 2\n", "Edit");
+    ASSERT_TRUE(settle(document));
+    viewer.panes().hide("properties");
+    document.select({{editing::Kind::parameter, 0}});
+    ASSERT_TRUE(waitFor(
+        [&] { return !list->findItems("k", Qt::MatchExactly | Qt::MatchRecursive).isEmpty(); }));
+    list->setCurrentItem(list->findItems("k", Qt::MatchExactly | Qt::MatchRecursive).front());
+    QTest::keyClick(list, Qt::Key_Return);
+    EXPECT_TRUE(viewer.panes().isShown("properties"));
+    auto* field = qobject_cast<QLineEdit*>(viewer.focusWidget());
+    ASSERT_NE(field, nullptr);
+    EXPECT_EQ(field->objectName(), "-value");
+}
+
+TEST_F(MainWindowTest, QuittingEndsTheFirstPageTooFromEitherWindow) {
+    SceneFiles& files = editor.beginSession();
+    Starting starting(editor, files);
+    editor.setStarting(&starting);
+    for (const bool fromPage : {false, true}) {
+        editor.document().reset();
+        const QPointer<QWidget> viewer = &open(), page = starting.showFirstPage();
+        QWidget* from = fromPage ? page : viewer;
+        from->activateWindow();
+        ASSERT_TRUE(QTest::qWaitForWindowActive(from, longestWait));
+        QTest::keyClick(from, Qt::Key_Q, Qt::ControlModifier);
+        for (const auto& window : {viewer, page})
+            EXPECT_TRUE(waitFor([&] { return !window || !window->isVisible(); }));
+    }
+    editor.setStarting(nullptr);
 }
 
 TEST_F(MainWindowTest, AnotherWindowOpensBesideWhereThereIsRoom) {

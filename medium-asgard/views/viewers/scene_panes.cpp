@@ -10,13 +10,11 @@ namespace views {
 
 namespace {
 
-// A body asks for the size of its shape, another element for what its handle moves.
-void openValues(SceneDocument& document, SceneDisplay& display, const editing::Element& element) {
+void openValues(Panes& panes, SceneDocument& document, const editing::Element& element) {
     document.select({element});
-    if (element.kind == editing::Kind::body)
-        display.editing().openSize(element.index);
-    else
-        display.editing().openEntry();
+    panes.show("properties");
+    if (auto* pane = qobject_cast<PropertiesPane*>(panes.content("properties")))
+        pane->begin();
 }
 
 } // namespace
@@ -28,8 +26,8 @@ void addScenePanes(
     const auto remove = [&display](std::vector<editing::Element> elements) {
         display.editing().remove(std::move(elements));
     };
-    const auto open = [&document, &display](const editing::Element& element) {
-        openValues(document, display, element);
+    const auto open = [&panes, &document](const editing::Element& element) {
+        openValues(panes, document, element);
     };
     panes.add({"properties", QObject::tr("Properties"), Qt::RightDockWidgetArea,
                [&document, windows, remove] {

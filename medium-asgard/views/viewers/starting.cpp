@@ -31,7 +31,7 @@ FirstPage* Starting::showFirstPage() {
         if (!begun)
             return;
         showWindow();
-        page_->close();
+        closeFirstPage();
     };
     connect(page_, &FirstPage::newWanted, this, [this, begin] { begin(files_.newScene()); });
     connect(page_, &FirstPage::openWanted, this, [this, begin] { begin(files_.open()); });
@@ -39,10 +39,16 @@ FirstPage* Starting::showFirstPage() {
             [this, begin](const QString& path) { begin(files_.open(path)); });
     connect(page_, &FirstPage::sampleWanted, this, &Starting::openSample);
     connect(page_, &FirstPage::tourWanted, this, &Starting::startTour);
+    connect(page_, &FirstPage::quitWanted, this, [this] { editor_.quit(); });
     // Nobody waits for them any more.
     connect(page_, &QObject::destroyed, this, [this] { pictures_.reset(); });
     page_->show();
     return page_;
+}
+
+void Starting::closeFirstPage() {
+    if (page_)
+        page_->close();
 }
 
 GraphicalViewer* Starting::showWindow() {
@@ -61,8 +67,7 @@ void Starting::openSample(const Sample& sample) {
     if (!files_.newScene(file.readAll().toStdString(), sample.title))
         return;
     showWindow();
-    if (page_)
-        page_->close();
+    closeFirstPage();
 }
 
 void Starting::startTour() {
@@ -70,8 +75,7 @@ void Starting::startTour() {
         return;
     GraphicalViewer* viewer = showWindow();
     viewer->showTour();
-    if (page_)
-        page_->close();
+    closeFirstPage();
 }
 
 } // namespace views

@@ -23,6 +23,7 @@ public:
 
     // In place of no window, or over those that are open; one at a time.
     FirstPage* showFirstPage();
+    void closeFirstPage();
     // A scene that is nobody's file yet, with the sample's text.
     void openSample(const Sample& sample);
     // An empty scene, and the pane that tells the steps.

@@ -15,12 +15,6 @@ namespace views {
 
 namespace {
 
-bool same(const scene::Diagnostic& a, const scene::Diagnostic& b) {
-    return a.severity == b.severity && a.range.from == b.range.from && a.range.to == b.range.to &&
-           a.line == b.line && a.column == b.column && a.message == b.message &&
-           a.suggestion == b.suggestion;
-}
-
 // Whether an element is at its place still: by its name, or by its command, which an edit moved at
 // most. Quick for the usual case, where nothing comes or goes.
 class Stays {
@@ -209,8 +203,8 @@ void SceneDocument::didRefuse(const std::string& hostText, const QString& why) {
 void SceneDocument::setComputed(Computed computed) {
     const bool otherScene = computed.shown.scene != shown_.scene;
     const bool otherMotion = otherScene || computed.shown.motion != shown_.motion;
-    const bool otherFaults = computed.current != sceneIsCurrent() ||
-                             !std::ranges::equal(computed.diagnostics, diagnostics_, same);
+    const bool otherFaults =
+        computed.current != sceneIsCurrent() || computed.diagnostics != diagnostics_;
     const auto before = shown_.scene;
     shown_ = std::move(computed.shown);
     diagnostics_ = std::move(computed.diagnostics);
