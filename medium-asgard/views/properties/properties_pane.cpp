@@ -302,7 +302,7 @@ void PropertiesPane::showRow(PropertyRow& row) {
     row.setNote(faultsAt(row));
 }
 
-// What the text or the motion has against the value that stands there.
+// Faults of the text or the motion at the value that stands there.
 QString PropertiesPane::faultsAt(const PropertyRow& row) const {
     QStringList faults;
     for (const Element& element : elements()) {
