@@ -38,6 +38,11 @@ std::optional<Vector> byLittleSteps(const Matrix& a, const Vector& right) {
 
 Vector leastSolution(const Matrix& a, const Vector& right) {
     constexpr Index many = 60;
+    constexpr double noPivot = 1e-11; // of the largest
+    const Eigen::PartialPivLU<Matrix> lu(a);
+    const auto pivots = lu.matrixLU().diagonal().cwiseAbs();
+    if (pivots.size() > 0 && pivots.minCoeff() > noPivot * pivots.maxCoeff())
+        return lu.solve(right);
     if (a.rows() >= many)
         if (auto found = byLittleSteps(a, right))
             return *found;
@@ -68,12 +73,15 @@ public:
     bool solve() {
         if (unknowns_ == 0)
             return true;
+        constexpr double small = 1e-13; // Newton's steps shrink from here on until rounding is left
+        double last = 1;
         for (int round = 0; round < 50; ++round) {
             const double change = step();
             if (!std::isfinite(change))
                 return false;
-            if (change <= 1e-15)
+            if (change <= 1e-15 || (last <= small && change >= 0.25 * last))
                 return true;
+            last = change;
         }
         return true; // the caller judges what was met
     }

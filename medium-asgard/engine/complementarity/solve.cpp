@@ -61,6 +61,7 @@ private:
     std::optional<Answer> near(States states, const Vector& forces, Aim aim) {
         constexpr int most = 20;
         std::optional<Answer> best;
+        std::vector<States> tried;
         double least = kept;
         for (int round = 0; round < most; ++round) {
             ++work_.tries;
@@ -73,10 +74,10 @@ private:
             } else if (best) {
                 break;
             }
-            const States next = improved(laws_, *answer);
-            if (next == states)
+            tried.push_back(states);
+            states = improved(laws_, *answer);
+            if (std::ranges::find(tried, states) != tried.end())
                 break;
-            states = next;
         }
         return best;
     }

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 namespace physics {
 
@@ -379,27 +380,40 @@ bool takesPart(const Round& round, const ImpactContact& contact, std::size_t c, 
     return round.approaches(c) && !(isFirst && contact.isResting);
 }
 
-// With restitutions that add no energy.
+// With restitutions that add no energy, by the common factor (in 0 to 1) at which it stays the
+// same: the rule of false position, after Illinois.
 std::vector<Round::Impulse> withoutGain(const Round& round, const std::vector<std::size_t>& chosen,
                                         std::vector<Round::Impulse> impulses,
                                         ImpactResult& result) {
-    constexpr double rounding = 1e-12;
+    constexpr double rounding = 1e-12, unknown = std::numeric_limits<double>::infinity();
     double scale = 0;
     for (const Round::Impulse& impulse : impulses)
         scale += std::abs(impulse.size * round.mobility(impulse, impulse) * impulse.size);
     if (!(round.energyOf(impulses) > rounding * scale))
         return impulses;
     result.loweredRestitution = true;
-    double low = 0, high = 1;
+    double low = 0, high = 1, gained = round.energyOf(impulses);
     impulses = round.impulses(chosen, 0);
-    for (int i = 0; i < 60; ++i) {
-        const double middle = (low + high) / 2;
-        auto tried = round.impulses(chosen, middle);
-        if (tried.empty() || round.energyOf(tried) > rounding * scale) {
-            high = middle;
+    double lost = -round.energyOf(impulses);
+    int onSide = 0; // how often the same end moved
+    for (int i = 0; i < 60 && lost > rounding * scale; ++i) {
+        const double part = gained < unknown ? lost / (lost + gained) : 0.5;
+        const double factor = low + std::clamp(part, 1e-3, 1 - 1e-3) * (high - low);
+        auto tried = round.impulses(chosen, factor);
+        const double energy = tried.empty() ? unknown : round.energyOf(tried);
+        if (energy > rounding * scale) {
+            onSide = std::max(onSide, 0) + 1;
+            high = factor;
+            gained = energy;
+            if (onSide > 1)
+                lost /= 2;
         } else {
-            low = middle;
+            onSide = std::min(onSide, 0) - 1;
+            low = factor;
+            lost = -energy;
             impulses = std::move(tried);
+            if (onSide < -1)
+                gained /= 2;
         }
     }
     return impulses;
@@ -445,10 +459,20 @@ ImpactResult resolveImpact(std::vector<ImpactBody> bodies, std::span<const Impac
     // between walls never end, and what is left is then taken up without bounce.
     constexpr double isNothing = 1e-12; // of the first approach
     const std::size_t most = 100 + 20 * yielding.size() * yielding.size();
+    // So is the rattle of a wall or a tower, whose blows run to and fro in it, each a little
+    // weaker.
+    const bool isElastic =
+        std::ranges::all_of(yielding, [&](std::size_t c) { return contacts[c].restitution == 1; });
+    std::size_t patience = isElastic ? most : 20 + 4 * result.bodies.size();
     std::size_t rounds = 0;
     double first = 0;
     bool wasInelastic = false;
     for (; rounds < most; ++rounds) {
+        if (rounds == patience) {
+            if (solveTogether(round, contacts, yielding, true, result))
+                return result;
+            patience *= 2;
+        }
         std::vector<std::size_t> approaching;
         for (std::size_t c : yielding)
             if (takesPart(round, contacts[c], c, rounds == 0))

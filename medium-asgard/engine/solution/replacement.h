@@ -1,4 +1,4 @@
-// An event's new equations make other components.
+// What an event's new equations make of the components.
 //
 // Groups of components that read what changed are cut anew. Components that keep their unknowns and
 // equations stay as they are; others are replaced by new ones, from the values at the event.

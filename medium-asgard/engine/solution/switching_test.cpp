@@ -33,6 +33,24 @@ TEST(FirstViolation, IsTheFirstRootToTheLastBit) {
     EXPECT_GT(std::cos(std::nextafter(found->time, 0)), 0);
 }
 
+TEST(FirstViolation, AsksForOneWatchADozenTimes) {
+    int asked = 0;
+    const auto all = [](double t, std::span<double> out) {
+        out[0] = 2;
+        out[1] = std::cos(t);
+    };
+    const auto one = [&](double t, std::size_t watch) {
+        ++asked;
+        return watch == 0 ? 2 : std::cos(t);
+    };
+    const auto found = firstViolation(2, all, 0, 2, Care::great, one);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->watches, std::vector<std::size_t>{1});
+    EXPECT_LE(std::cos(found->time), 0);
+    EXPECT_GT(std::cos(std::nextafter(found->time, 0)), 0);
+    EXPECT_LE(asked, 14); // bisection: 31
+}
+
 TEST(FirstViolation, IsFoundAmongManyOscillations) {
     const auto found = violationOf([](double t) { return std::sin(1e5 * t) + 0.5; }, 0, 10);
     ASSERT_TRUE(found);

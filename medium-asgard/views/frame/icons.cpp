@@ -60,7 +60,7 @@ QPainterPath filled(Icon which) {
     return path;
 }
 
-// The thing that a command makes, or acts on.
+// What a command makes, or acts on.
 QPainterPath accented(Icon which) {
     QPainterPath path;
     switch (which) {

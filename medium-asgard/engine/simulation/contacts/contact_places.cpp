@@ -239,13 +239,15 @@ private:
     void addPiece(const Placed& owner, const SurfacePiece& piece, bool above) {
         const Vector at = owner.state.position + owner.state.attitude * piece.place;
         const SurfaceGap& gap = place_.points[0].gap;
+        const physics::NearestSurfaces nearest = nearestOf(gap, body_, support_);
         const Vector on =
             gap.support.kind == Kind::plane
                 ? Vector(support_.state.position + support_.state.attitude * gap.support.place)
             : gap.body.kind == Kind::plane
                 ? Vector(body_.state.position + body_.state.attitude * gap.body.place)
-                : nearestOf(gap, body_, support_).contact;
-        const Vector up = above ? touch_.normal : Vector(-touch_.normal);
+                : nearest.contact;
+        // As the row has it: of two edges the gap's normal is not quite that of the touch.
+        const Vector up = above ? nearest.normal : Vector(-nearest.normal);
         const double height =
             up.dot(at - on) - physics::reachBelow(piece, owner.state.attitude.conjugate() * up);
         const double room = height < sideSlack * touch_.size ? sideSlack * touch_.size - height : 0;

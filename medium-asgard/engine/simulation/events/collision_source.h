@@ -132,6 +132,7 @@ private:
                  const physics::ImpactResult& result);
     void noteUnturned(const Instant& instant, std::size_t body);
     [[nodiscard]] Event end(const Instant& instant, const Pair& pair, const std::string& sentence);
+    void forget(const Instant& instant, const Pair& pair);
     [[nodiscard]] Event endWithoutEnd(const Instant& instant, const Pair& pair);
 
     Colliders world_;

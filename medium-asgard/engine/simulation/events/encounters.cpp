@@ -35,6 +35,18 @@ RestingBodies::States leaving(const Instant& at, std::size_t body, const Rest& r
     return {{body, bearing}};
 }
 
+// Nothing approaches: rates at which a gap does not change are rounding.
+bool isStill(const Instant& at, const ImpactCluster& cluster,
+             std::span<const physics::ImpactBody> bodies) {
+    const auto isNone = [&](const physics::ImpactContact& contact) {
+        const auto [a, b] = cluster.pairOf(contact);
+        const double size = std::min(at.world.records[a].radius, at.world.records[b].radius);
+        return closingAt(contact, bodies).rate >= -resolution::noRate * size;
+    };
+    return std::ranges::all_of(cluster.contacts, isNone) &&
+           std::ranges::all_of(cluster.corners, isNone);
+}
+
 double speedOf(const Placed& body) {
     if (body.record->isFixed)
         return 0;
@@ -143,15 +155,25 @@ Event CollisionSource::endWithoutEnd(const Instant& at, const Pair& pair) {
 Event CollisionSource::end(const Instant& at, const Pair& pair, const std::string& sentence) {
     outcome_ = {};
     outcome_.ends.push_back({at.unknownsOf(pair), sentence});
-    for (const std::size_t body : {pair.first, pair.second})
-        if (at.canGiveWay(body)) // nothing changes any more in how it bears
-            resting_.forget(body);
+    forget(at, pair);
     return {.time = at.time, .touched = outcome_.ends[0].unknowns, .tag = 0};
+}
+
+// Their motion ends, with that of all in contact with them: nothing changes any more in how they
+// bear.
+void CollisionSource::forget(const Instant& at, const Pair& pair) {
+    for (const std::size_t body : resting_.contacts().island({pair.first, pair.second}))
+        if (at.canGiveWay(body)) {
+            resting_.forget(body);
+            resting_.contacts().forget(body);
+        }
 }
 
 std::optional<Event> CollisionSource::meet(const Instant& at, const Pair& pair) {
     ImpactCluster cluster = clusterAt(at, pair);
     const std::vector<physics::ImpactBody> before = bodiesOf(at, cluster);
+    if (isStill(at, cluster, before))
+        return std::nullopt;
     aimAtFastest(cluster, before);
     const LastHops last = softenLastHops(at, cluster, before);
     for (const LostHop& hop : last.lost)
@@ -195,10 +217,7 @@ void CollisionSource::refuse(const Instant& at, const Pair& pair, const std::str
     const auto unknowns = at.unknownsOf(pair);
     event.touched.insert(event.touched.end(), unknowns.begin(), unknowns.end());
     outcome_.ends.push_back({unknowns, sentence});
-    for (const std::size_t body : {pair.first, pair.second}) {
-        resting_.forget(body);
-        resting_.contacts().forget(body);
-    }
+    forget(at, pair);
 }
 
 // Friction, a support that gives way, a joint, or what rolls on a side or a rim: one equation for

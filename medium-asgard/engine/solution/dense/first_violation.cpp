@@ -14,7 +14,6 @@ namespace solution {
 
 namespace {
 
-using Evaluate = std::function<void(double, std::span<double>)>;
 using Samples = std::array<double, maximumCoefficients>;
 
 // Between the points of interpolation, where it is worst.
@@ -25,9 +24,10 @@ constexpr int mostPieces = 500, mostSearches = 100;
 class Search {
 public:
     enum class Next { none, another }; // search, from where this one runs out of pieces
-    Search(std::size_t watches, const Evaluate& evaluate, double from, Search::Next next, Care care)
-        : evaluate_(evaluate), values_(watches), samples_(watches), from_(from), next_(next),
-          care_(care) {}
+    Search(std::size_t watches, const Watches& evaluate, const OneWatch& one, double from,
+           Search::Next next, Care care)
+        : evaluate_(evaluate), one_(one), values_(watches), samples_(watches), from_(from),
+          next_(next), care_(care) {}
 
     // Where the search ended for lack of pieces; what is later is left to the next one.
     [[nodiscard]] std::optional<double> unsearchedFrom() const { return unsearched_; }
@@ -214,8 +214,9 @@ private:
         const double end = (b - a) / length;
         while (s < end) {
             const auto crossing = firstCrossing(curve, +1, s, end, 1e-7);
+            const bool isAboveAtEnd = end >= 1 && samples.back() > 0;
             if (!crossing)
-                return between(k, a + s * length, b);
+                return isAboveAtEnd ? std::nullopt : between(k, a + s * length, b);
             // The curve is good to 1e-4 of its size: look a little around it.
             for (const double margin : {1e-7, 1e-5, 1e-3, 0.02}) {
                 const double low = a + std::max(s, crossing->low - margin) * length;
@@ -230,13 +231,33 @@ private:
 
     // To the last bit: above 0 at the double before the answer, and not at it.
     std::optional<double> between(std::size_t k, double low, double high) {
-        if (!(watch(k, low) > 0 && watch(k, high) <= 0))
+        constexpr double few = 4 * std::numeric_limits<double>::epsilon();
+        double above = watch(k, low), below = above > 0 ? watch(k, high) : 0;
+        if (!(above > 0 && below <= 0))
             return std::nullopt;
-        for (;;) {
+        for (int onLow = 0, onHigh = 0, slow = 0;;) { // how often in turn either end has moved
             const double middle = low + 0.5 * (high - low);
             if (middle <= low || middle >= high)
                 return high;
-            (watch(k, middle) > 0 ? low : high) = middle;
+            // A root at one end, but for rounding, is looked for beside that end.
+            const double width = high - low, near = few * std::max(std::abs(low), std::abs(high));
+            const double falsely = low + width * (above / (above - below));
+            const bool isFalse =
+                slow < 2 && width > 4 * near && falsely >= low && falsely <= high; // a number
+            const double at = isFalse ? std::clamp(falsely, low + near, high - near) : middle;
+            const double value = watch(k, at);
+            if (value > 0) {
+                low = at;
+                above = value;
+                onHigh = 0;
+                below /= ++onLow > 1 ? 2 : 1;
+            } else {
+                high = at;
+                below = value;
+                onLow = 0;
+                above /= ++onHigh > 1 ? 2 : 1;
+            }
+            slow = high - low > 0.5 * width ? slow + 1 : 0;
         }
     }
 
@@ -249,6 +270,8 @@ private:
     }
 
     double watch(std::size_t k, double t) {
+        if (one_)
+            return one_(t, k);
         evaluate_(t, values_);
         return values_[k];
     }
@@ -261,7 +284,8 @@ private:
         return violation;
     }
 
-    const Evaluate& evaluate_;
+    const Watches& evaluate_;
+    const OneWatch& one_;
     std::vector<double> values_;
     std::vector<Samples> samples_;
     double from_;
@@ -273,12 +297,12 @@ private:
 
 } // namespace
 
-std::optional<Violation> firstViolation(std::size_t watches, const Evaluate& evaluate, double from,
-                                        double to, Care care) {
+std::optional<Violation> firstViolation(std::size_t watches, const Watches& evaluate, double from,
+                                        double to, Care care, const OneWatch& one) {
     if (watches == 0 || !(to > from))
         return std::nullopt;
     for (int left = care == Care::great ? mostSearches : 1;; --left) {
-        Search search(watches, evaluate, from,
+        Search search(watches, evaluate, one, from,
                       left > 1 ? Search::Next::another : Search::Next::none, care);
         if (auto found = search.in(from, to, 0))
             return found;

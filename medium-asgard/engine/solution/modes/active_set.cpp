@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace solution {
 
@@ -100,9 +101,19 @@ void ActiveSet::watch(std::span<double> values) {
         values[k] = valueOf(watches_[k]);
 }
 
+bool ActiveSet::readsForces(std::size_t watch) const {
+    const Kind kind = watches_[watch].kind;
+    return kind == Kind::least || kind == Kind::most || kind == Kind::cone;
+}
+
+double ActiveSet::watchOfPlaces(std::size_t watch) {
+    multipliers_.evaluateGaps();
+    return valueOf(watches_[watch]);
+}
+
 namespace {
 
-// A value that is 0 but for rounding is constant: one that trembles about 0 ends nothing.
+// What is 0 but for rounding has a constant value: what trembles about 0 ends nothing.
 double beyond(double none, double value) { return value >= -none ? std::max(value, none) : value; }
 
 } // namespace
@@ -171,6 +182,7 @@ void ActiveSet::decide(double t, std::span<double> y) {
     }
     if (!hit.empty())
         blow(hit, t, y);
+    halt(slowDiscs(closed, y), closed, t, y);
     slip(fastest, t, y);
     closed.insert(closed.end(), hit.begin(), hit.end());
     (void)settle(closed, fastest, t, y);
@@ -199,14 +211,16 @@ bool ActiveSet::cross(std::span<const std::size_t> watches, double t, std::span<
     const double elapsed = t - lastCross_;
     lastCross_ = t;
     const std::vector<State> before = mode_.kept;
-    std::vector<std::size_t> candidates, hit;
+    std::vector<std::size_t> candidates, hit, stopped;
     for (const std::size_t k : watches) {
         const auto [row, kind] = watches_[k];
         const bool isEnded = kind == Kind::parted || kind == Kind::invalid ||
                              (kind == Kind::gap && isContact(row) && !hasFallenLow(row));
         if (isEnded)
             mode_.kept[row] = Mode::gone;
-        else if (kind == Kind::cone || (kind == Kind::turn && hasStopped(row, elapsed, y)))
+        else if (kind == Kind::turn && hasStopped(row, elapsed, y))
+            stopped.push_back(row);
+        else if (kind == Kind::cone)
             candidates.push_back(discs()[row].rows[0]);
         else if (kind == Kind::turn)
             setSlip(row, multipliers_.slipOf(discs()[row]));
@@ -215,6 +229,11 @@ bool ActiveSet::cross(std::span<const std::size_t> watches, double t, std::span<
         if (kind == Kind::gap && !isContact(row))
             hit.push_back(row);
     }
+    for (const std::size_t disc : stopped)
+        candidates.push_back(discs()[disc].rows[0]);
+    const std::vector<double> moving(y.begin(), y.end());
+    const auto slips = mode_.slips;
+    halt(stopped, {}, t, y);
     double fastest = 0;
     bool isDone = false;
     if (!hit.empty()) {
@@ -229,6 +248,16 @@ bool ActiveSet::cross(std::span<const std::size_t> watches, double t, std::span<
         for (std::size_t i = 0; i < beyond.size(); ++i)
             beyond[i] += ahead_ * rates[i];
         isDone = settle(candidates, fastest, t + ahead_, beyond);
+    }
+    if (!isDone && slow_ > 0 && !stopped.empty()) { // none hold what slipped slowly: it slips on
+        std::ranges::copy(moving, y.begin());
+        mode_.kept = before;
+        mode_.slips = slips;
+        lastCross_ = t - elapsed;
+        const double slow = std::exchange(slow_, 0);
+        const bool isOn = cross(watches, t, y, rates);
+        slow_ = slow;
+        return isOn;
     }
     multipliers_.project(t, y);
     noteOpened(before, t, y);
@@ -400,9 +429,46 @@ bool ActiveSet::hasStopped(std::size_t disc, double elapsed, std::span<const dou
     double second = 0;
     for (const std::size_t row : of.rows)
         second = std::max(second, std::abs(multipliers_.secondRate(row)));
-    const double none = std::max({2 * rateOf * law(of.rows[0]).resolution,
-                                  ofLost * second * elapsed, ofSpeeds * multipliers_.fastest(y)});
+    const double none =
+        std::max({2 * rateOf * law(of.rows[0]).resolution, ofLost * second * elapsed,
+                  std::max(slow_, ofSpeeds) * multipliers_.fastest(y)});
     return multipliers_.slipOf(of).norm() <= none;
+}
+
+// Of contacts that are closed, or close: friction that does not slip, or next to not at all. None
+// where all of it does not.
+std::vector<std::size_t> ActiveSet::slowDiscs(std::span<const std::size_t> closed,
+                                              std::span<const double> y) const {
+    std::vector<std::size_t> found;
+    const double none = slow_ * multipliers_.fastest(y);
+    bool isAnySlipping = false;
+    for (std::size_t disc = 0; disc < discs().size() && none > 0; ++disc) {
+        const BoundModel::Disc& of = discs()[disc];
+        const double slip = multipliers_.slipOf(of).norm();
+        const bool isClosed =
+            std::ranges::any_of(of.normals, [&](std::size_t row) { return isIn(closed, row); });
+        if (isGone(of.rows[0]) || !isClosed || slip > none)
+            continue;
+        found.push_back(disc);
+        isAnySlipping = isAnySlipping || slip > rateOf * law(of.rows[0]).resolution;
+    }
+    return isAnySlipping ? found : std::vector<std::size_t>{};
+}
+
+// By the least change of velocities that leaves what is closed.
+void ActiveSet::halt(std::span<const std::size_t> discs, std::span<const std::size_t> closed,
+                     double t, std::span<double> y) {
+    if (discs.empty())
+        return;
+    const std::vector<State> before = mode_.kept;
+    for (const std::size_t disc : discs)
+        setDisc(disc, State::inside);
+    for (const std::size_t row : closed)
+        mode_.kept[row] = State::inside;
+    multipliers_.project(t, y);
+    mode_.kept = before;
+    f_.fill(t, y);
+    multipliers_.evaluateGaps();
 }
 
 bool ActiveSet::mayHold(std::size_t disc, std::span<const std::size_t> fallen,

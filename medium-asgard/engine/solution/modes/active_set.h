@@ -17,6 +17,9 @@
 // has parted, or has lost its place, is told by its mode: then it is gone, and the source of events
 // that made it says how all goes on from there.
 //
+// The direction of a slip that is next to none turns within next to no time, which no step follows:
+// such a slip is 0, and the laws say whether it rests or which way it goes on.
+//
 // LIMIT: hops lower than a condition's resolution are left out. A blow of a stop passes through
 // contacts without friction.
 #pragma once
@@ -33,6 +36,9 @@ class ActiveSet {
 public:
     ActiveSet(ModelFunctions& functions, Multipliers& multipliers, Mode& mode);
 
+    // Of the fastest velocity: contacts that slip slower than that rest, when their slip turns or
+    // an event begins. The integration errs by more.
+    void setSlow(double part) { slow_ = part; }
     // There are bounds.
     [[nodiscard]] bool empty() const { return bounded_.empty(); }
     // The set is another.
@@ -43,6 +49,9 @@ public:
     [[nodiscard]] std::size_t rowOf(std::size_t watch) const;
     // At the point of the functions, for which the multipliers are solved.
     void watch(std::span<double> values);
+    // A watch that does not read forces, at the point of the functions.
+    [[nodiscard]] bool readsForces(std::size_t watch) const;
+    [[nodiscard]] double watchOfPlaces(std::size_t watch);
     // The set that follows from the values alone, where some may touch and approach.
     void decide(double t, std::span<double> y);
     // The set after these watches fell; y with what blows give. False: no forces keep the laws.
@@ -99,6 +108,10 @@ private:
     [[nodiscard]] bool hasFallenLow(std::size_t row) const;
     [[nodiscard]] bool isCandidate(std::size_t row, double fastest) const;
     [[nodiscard]] bool hasStopped(std::size_t disc, double elapsed, std::span<const double> y);
+    void halt(std::span<const std::size_t> discs, std::span<const std::size_t> closed, double t,
+              std::span<double> y);
+    [[nodiscard]] std::vector<std::size_t> slowDiscs(std::span<const std::size_t> closed,
+                                                     std::span<const double> y) const;
     [[nodiscard]] bool mayHold(std::size_t disc, std::span<const std::size_t> fallen,
                                double fastest) const;
     // `slipping`: discs that slip, though they have no velocity yet.
@@ -117,6 +130,7 @@ private:
     bool hasContacts_ = false;
     std::vector<double> opened_;       // by multiplier: the gap at which a stop opened, at most 0
     double largest_ = 0;               // of the multipliers, where watches are asked
+    double slow_ = 0;                  // of the fastest velocity
     double lastCross_ = 0, ahead_ = 0; // the last event, and how far its laws looked ahead
 };
 

@@ -70,6 +70,14 @@ void Guards::watch(double t, std::span<const double> y, std::span<double> values
     }
 }
 
+std::optional<double> Guards::watchOfPlaces(std::size_t k, double t, std::span<const double> y) {
+    const std::size_t first = watches_.size() + mode_.sticking.size();
+    if (k < first || active_.readsForces(k - first))
+        return std::nullopt;
+    f_.fill(t, y);
+    return active_.watchOfPlaces(k - first);
+}
+
 bool Guards::leadsInside(const Watch& watch, std::span<const double> rates) {
     const Surface& surface = model_.surfaces()[watch.surface];
     if (watch.kind != Watch::Kind::side || surface.whole ||

@@ -9,6 +9,7 @@
 #include "modes/active_set.h"
 #include "modes/stick_slip.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -32,6 +33,9 @@ public:
         return watches_.size() + mode_.sticking.size() + active_.size();
     }
     void watch(double t, std::span<const double> y, std::span<double> values);
+    // One of them, where it follows from places and velocities alone: no forces are solved for.
+    [[nodiscard]] std::optional<double> watchOfPlaces(std::size_t k, double t,
+                                                      std::span<const double> y);
     // At its time the rates lead away from all its surfaces, to the sides that hold: only an error
     // of polynomials crosses them, where a guard is smaller than that.
     [[nodiscard]] bool contradicts(const Violation& violation, double t, std::span<const double> y);

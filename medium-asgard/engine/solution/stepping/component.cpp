@@ -177,6 +177,8 @@ void Component::makeControl() {
         scales.push_back(scale);
     }
     memory_.now.control = ErrorControl(std::move(scales), context_.tolerance);
+    constexpr double ofTolerance = 0.01; // of what a step may err in velocities
+    equations_->setSlow(ofTolerance * context_.tolerance);
 }
 
 // Of multipliers the histories keep the mode.

@@ -12,6 +12,14 @@ std::optional<Violation> StepContext::violationOn(const StateCurves& curves) con
         curves.at(t, y);
         equations().guards().watch(t, y, values);
     };
+    std::vector<double> all(equations().watches());
+    const auto one = [&](double t, std::size_t k) {
+        curves.at(t, y);
+        if (const auto value = equations().guards().watchOfPlaces(k, t, y))
+            return *value;
+        equations().guards().watch(t, y, all);
+        return all[k];
+    };
     // A switch for a moment only is looked at in its middle.
     const ComponentModel::PeakFunctions& peaks = equations().model().guardPeaks();
     std::vector<double> ends;
@@ -20,7 +28,7 @@ std::optional<Violation> StepContext::violationOn(const StateCurves& curves) con
     ends.push_back(curves.until);
     double from = curves.origin;
     for (const double end : ends) {
-        if (auto found = firstViolation(equations().watches(), watch, from, end))
+        if (auto found = firstViolation(equations().watches(), watch, from, end, Care::great, one))
             return found;
         from = end;
     }

@@ -1,0 +1,66 @@
+#!/usr/bin/env python3
+"""How much work do stacks and piles take? Counts of `--stats`, which are the same on every machine.
+
+usage: pile_counts.py ASGARD
+
+Each line of CASES has a scene and the most of each count that it may take. `seed` names a pile of random_piles.py.
+"""
+import json
+import re
+import subprocess
+import sys
+import tempfile
+import os
+
+import random_piles
+
+
+def stack(count, apart):
+    lines = ["simulator -finish 3 -accuracy 1e-3", "shape_set brick -desc {-sub {-box {1 0.5 1}}}",
+             "shape_set ground -desc {-sub {-box {20 1 20}}}", "body floor ground -init_pos {0 -0.5 0} -fixed 1 -friction 0.5"]
+    for k in range(count):
+        lines.append(f"body b{k} brick -init_pos {{0 {0.25 + apart + (0.5 + apart) * k!r} 0}} -friction 0.5 -restitution 0")
+        lines.append(f"force -body b{k} -gravitational {{0 -9.81 0}}")
+    return "\n".join(lines) + "\n"
+
+
+def pile(seed, finish):
+    return re.sub(r"-finish \S+", f"-finish {finish!r}", random_piles.Pile(seed).text(), count=1)
+
+
+CASES = [
+    ("ten boxes at rest", stack(10, 0), {"steps": 30, "rejected_steps": 0, "evaluations": 600, "collisions": 0}),
+    ("ten boxes that fall on each other", stack(10, 0.05), {"steps": 60, "rejected_steps": 10, "evaluations": 1000}),
+    # Slips of next to nothing turned to and fro: 2100 steps, 2357 rejected, 75162 evaluations.
+    ("a tray, slips that turn", pile(1, 0.38), {"steps": 1500, "rejected_steps": 1800, "evaluations": 60000}),
+    # An edge of a tilted box landed anew at the instant at which it had landed: 20002 events.
+    ("a tray, edges on each other", pile(4, 0.55), {"steps": 6000, "collisions": 300}),
+    # Velocities of 1e-34 hit each other without end.
+    ("a wall that stands", pile(5, 0.1), {"steps": 200, "collisions": 20}),
+]
+
+
+def main():
+    asgard, faults = sys.argv[1], 0
+    with tempfile.TemporaryDirectory() as folder:
+        path, stats = os.path.join(folder, "scene.al"), os.path.join(folder, "stats.json")
+        for name, text, most in CASES:
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(text)
+            run = subprocess.run([asgard, "simulate", path, "--csv", os.devnull, "--stats", stats], capture_output=True,
+                                 text=True, check=False)
+            if run.returncode != 0:
+                print(f"{name}: {run.stderr.strip().splitlines()[-1] if run.stderr.strip() else run.returncode}")
+                faults += 1
+                continue
+            with open(stats, encoding="utf-8") as file:
+                counts = json.load(file)
+            took = {count: counts[count] for count in most}
+            is_more = any(took[count] > most[count] for count in most)
+            faults += is_more
+            print(f"{name}: {took}" + (f", more than {most}" if is_more else ""))
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
