@@ -20,7 +20,7 @@ public:
     using Button = render::CameraControl::Button;
     enum class Key { away, nearer, free, left, right, up, down, escape };
 
-    // What the grasp says, but for the removal of a point: see removalOf(). `scale`: device pixels
+    // The handle of the grasp, but to remove a point: see removalOf(). `scale`: device pixels
     // for each of the reader's.
     void take(Ground ground, const Sight& sight, const Grasp& grasp, Button button,
               const Eigen::Vector2d& pixels, double scale);
@@ -38,7 +38,7 @@ public:
     // `scale`: device pixels for each of the reader's. False: nothing is held by it.
     bool key(Key key, bool pressed, double scale);
 
-    // What was let go: the change is a step of undo, or there is none.
+    // The drag that was let go: its change is a step of undo, or there is none.
     struct LetGo {
         std::unique_ptr<HandleDrag> drag; // none: it was a new point
         std::string fault;                // why there is no change, though one was asked for

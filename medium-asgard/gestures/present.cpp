@@ -2,11 +2,13 @@
 
 #include "editing/creation.h"
 #include "editing/number_text.h"
+#include "editing/options.h"
+#include "element_edits/property_edit.h"
 #include "geometry/pose.h"
 #include "render/handles.h"
+#include "reports/instants.h"
 
 #include <algorithm>
-#include <set>
 #include <utility>
 
 namespace gestures {
@@ -19,25 +21,37 @@ namespace {
 
 std::vector<double> numbersOf(const Vector& v) { return {v.x(), v.y(), v.z()}; }
 
-// What would count from another start then: "" nothing.
-std::string countsFromStart(const scene::Scene& scene) {
+// The values that would count from another start then: "" none.
+std::string countsFromStart(const scene::Scene& scene, const scene::Released& released) {
     const auto says = [&](const editing::Element& element, const std::string& what) {
         return editing::describe(scene, element) + " takes " + what +
                " from the start of the motion: write it first.";
     };
     for (std::size_t i = 0; i < scene.joints.size(); ++i)
         for (const scene::JointCoordinate& q : scene.joints[i].coordinates)
-            if (q.lower || q.upper || q.position || q.stiffness != 0)
+            if (!released.joints.contains(i) &&
+                (q.lower || q.upper || q.position || q.stiffness != 0))
                 return editing::describe(scene, {Kind::joint, i}) +
                        " has limits, a position or a spring that count from the start of the "
                        "motion: it cannot begin elsewhere.";
     for (std::size_t i = 0; i < scene.links.size(); ++i)
-        if (scene.links[i].spring && !scene.links[i].spring->rest)
+        if (!released.links.contains(i) && scene.links[i].spring && !scene.links[i].spring->rest)
             return says({Kind::link, i}, "its length -rest");
     for (std::size_t i = 0; i < scene.ropes.size(); ++i)
-        if (!scene.ropes[i].length)
+        if (!released.ropes.contains(i) && !scene.ropes[i].length)
             return says({Kind::rope, i}, "its -length");
     return {};
+}
+
+std::vector<editing::Element> elementsOf(const scene::Released& released) {
+    std::vector<editing::Element> elements;
+    for (const auto& [kind, indices] :
+         {std::pair(Kind::joint, &released.joints), std::pair(Kind::gear, &released.gears),
+          std::pair(Kind::rope, &released.ropes), std::pair(Kind::link, &released.links),
+          std::pair(Kind::force, &released.forces)})
+        for (const std::size_t index : *indices)
+            elements.push_back({kind, index});
+    return elements;
 }
 
 class Moment {
@@ -49,8 +63,6 @@ public:
                       return render::constantValue(*ground.scene, ground.motion.get(), name);
                   }),
           time_(time) {
-        for (const scene::Constraint& held : ground.scene->constraints)
-            led_.insert(held.body);
         for (std::size_t i = 0; i < ground.scene->bodies.size(); ++i)
             size_ = std::max(size_, ground.motion->at(i, time).position.norm());
     }
@@ -59,7 +71,7 @@ public:
         std::vector<Wish> wishes;
         const auto& bodies = ground_.scene->bodies;
         for (std::size_t i = 0; i < bodies.size(); ++i)
-            if (!bodies[i].fixed && !led_.contains(bodies[i].name))
+            if (!bodies[i].fixed)
                 add(wishes, i);
         if (ground_.scene->simulator.source)
             wishes.push_back({{Kind::simulator, 0},
@@ -73,6 +85,21 @@ public:
         if (all.possible() && !ground_.scene->simulator.source)
             addSimulator(all.edits);
         return all;
+    }
+    // Of what is gone by then: it is from the start on.
+    void release(editing::Answer& all, const scene::Released& released) const {
+        const editing::Properties properties(ground_.text, ground_.scene);
+        for (const editing::Element& element : elementsOf(released)) {
+            const auto& command = editing::hintOf(*ground_.scene, element);
+            const editing::Answer answer =
+                properties.set({element}, *editing::hintOf(command, "-release"), {"1"});
+            if (!answer.possible())
+                all = answer;
+            if (!all.possible())
+                return;
+            all.edits.insert(all.edits.end(), answer.edits.begin(), answer.edits.end());
+        }
+        text::putInOrder(all.edits);
     }
 
 private:
@@ -114,18 +141,24 @@ private:
     editing::Mapper mapper_;
     double time_;
     double size_ = 1e-3;
-    std::set<std::string> led_; // by a trajectory: that says where they are
 };
 
 } // namespace
 
 editing::Answer startingAt(const Ground& ground, double time) {
-    editing::Answer no;
-    if (!ground.motion || time > ground.motion->computed() || ground.motion->draft())
-        no.reason = "The motion is not computed up to this time yet.";
-    else
-        no.reason = countsFromStart(*ground.scene);
-    return no.possible() ? Moment(ground, time).answer() : no;
+    editing::Answer answer;
+    if (!ground.motion || time > ground.motion->computed() || ground.motion->draft()) {
+        answer.reason = "The motion is not computed up to this time yet.";
+        return answer;
+    }
+    const scene::Released released = simulation::releasedBy(*ground.scene, *ground.motion, time);
+    answer.reason = countsFromStart(*ground.scene, released);
+    if (!answer.possible())
+        return answer;
+    const Moment moment(ground, time);
+    answer = moment.answer();
+    moment.release(answer, released);
+    return answer;
 }
 
 } // namespace gestures

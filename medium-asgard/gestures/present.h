@@ -2,7 +2,9 @@
 // changed here (a body put elsewhere, a velocity given to it: thrown).
 //
 // The bodies' places, attitudes and velocities of the moment are written as initial values, and the
-// moment as the simulator's -start, so that forces and paths in time stay as they are.
+// moment as the simulator's -start, so that forces and paths in time stay as they are. A body that
+// a path leads in part, or for a while, begins with all of these values, too. An element that a
+// -release has ended by then gets -release 1: it is gone from the start on.
 //
 // LIMIT: a value that counts from the start (a joint's coordinate with a limit, a spring's or
 // rope's length that is not written) would mean something else: then there is no answer but a

@@ -45,6 +45,51 @@ TEST(Present, TheMotionGoesOnFromHereAsItWould) {
     }
 }
 
+// Of the first body, at a time after the moment.
+void expectSame(const Ground& before, const Ground& after, double time) {
+    const auto a = before.motion->at(0, time), b = after.motion->at(0, time);
+    EXPECT_LT((a.position - b.position).norm(), 1e-6) << time;
+    EXPECT_LT((a.velocity - b.velocity).norm(), 1e-6) << time;
+    EXPECT_LT(a.attitude.angularDistance(b.attitude), 1e-5) << time;
+}
+
+TEST(Present, ABodyThatIsLedInPartOrForAWhileGoesOnToo) {
+    const std::string turned = "simulator -finish 3\nshape_set ball -desc {-sub {-sphere 0.5}}\n"
+                               "body b ball -init_dpos {1 0 2} -init_drot {0 0 1}\n"
+                               "trajectory up -points {{0 0 0 0} {1 0 1 0} {3 0 2 0}}\n";
+    for (const char* led : {"constrain b -pos up\n", "constrain b -pos up -to 1\n"}) {
+        const Ground before = groundOf(turned + led);
+        for (const double time : {0.5, 2.0}) {
+            const editing::Answer answer = startingAt(before, time);
+            ASSERT_TRUE(answer.possible()) << answer.reason;
+            const Ground after = groundOf(text::applied(before.text, answer.edits));
+            expectSame(before, after, time);
+            expectSame(before, after, 2.5);
+        }
+    }
+}
+
+TEST(Present, AnElementThatWasReleasedStaysSo) {
+    const std::string held = "simulator -finish 2\nshape_set ball -desc {-sub {-sphere 0.2}}\n"
+                             "body b ball -init_pos {1 0 0}\n"
+                             "force -body b -gravitational {0 -10 0}\n";
+    for (const char* torn :
+         {"joint pin -type hinge -body1 b -offset1 {-1 0 0} -offset2 {0 0 0} -axis {0 0 1} "
+          "-release {t > 0.4}\n",
+          "force -body b -x 3 -release {t > 0.4}\n",
+          "spring s -body1 b -x 0 -y 0 -z 0 -stiffness 10 -release {t > 0.4}\n",
+          "rope r -points {{b {0 0 0}} {0 0 0}} -release {t > 0.4}\n"}) {
+        const Ground before = groundOf(held + torn);
+        const editing::Answer answer = startingAt(before, 1);
+        ASSERT_TRUE(answer.possible()) << answer.reason;
+        const std::string text = text::applied(before.text, answer.edits);
+        EXPECT_THAT(text, HasSubstr("-release 1\n"));
+        expectSame(before, groundOf(text), 1.7);
+        const editing::Answer early = startingAt(before, 0.2); // it holds still
+        EXPECT_THAT(text::applied(before.text, early.edits), HasSubstr("t > 0.4"));
+    }
+}
+
 TEST(Present, WhatCountsFromTheStartSaysWhyItCannotBe) {
     const Ground spring = groundOf(thrown + "spring s -body1 b -x 0 -y 8 -z 0 -stiffness 10\n");
     EXPECT_THAT(startingAt(spring, 0.5).reason, HasSubstr("takes its length -rest from the start"));

@@ -27,7 +27,7 @@ struct Snapped {
 class Snapping {
 public:
     // The things stand where the drawing shows them. `scale`: device pixels for each of the
-    // reader's. `held`: the handle that the hand moves. Whatever moves with it draws nothing.
+    // reader's. `held`: the handle that the hand moves. Things that move with it draw nothing.
     Snapping(const render::Drawing& drawing, const Sight& sight, double scale,
              const render::Handle* held = nullptr);
 

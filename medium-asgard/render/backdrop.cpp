@@ -35,7 +35,7 @@ struct Stop {
     Shade shade;
 };
 
-// What is straight ahead, from the horizon upwards and downwards.
+// The colours straight ahead, from the horizon upwards and downwards.
 std::array<Stop, 7> stopsOf(const Shades& s) {
     return {{{-30, s.near},
              {-1.5, s.near},

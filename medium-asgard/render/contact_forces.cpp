@@ -61,8 +61,9 @@ std::vector<std::pair<std::size_t, std::size_t>> nearPairs(const scene::Scene& s
     return pairs;
 }
 
-// A name for the pair's contact, which gets one where the scene gives none.
-std::string nameOfContact(scene::Scene& scene, const std::string& one, const std::string& other) {
+// A name for the pair's contact, which gets one where the scene gives none: then `isNew`.
+std::string nameOfContact(scene::Scene& scene, const std::string& one, const std::string& other,
+                          bool& isNew) {
     const auto found = std::ranges::find_if(scene.contacts, [&](const scene::Contact& contact) {
         return (contact.body1 == one && contact.body2 == other) ||
                (contact.body1 == other && contact.body2 == one);
@@ -72,8 +73,10 @@ std::string nameOfContact(scene::Scene& scene, const std::string& one, const std
     // As the pair is told here, whichever way the scene has it.
     contact.body1 = one;
     contact.body2 = other;
-    if (contact.name.empty())
+    if (contact.name.empty()) {
         contact.name = "contact_of_" + std::to_string(&contact - scene.contacts.data());
+        isNew = true;
+    }
     return contact.name;
 }
 
@@ -136,12 +139,14 @@ void ContactForces::follow(const scene::Scene& scene, const simulation::MotionPo
     }
     scene::Scene named = scene;
     std::vector<std::string> expressions;
+    bool isNew = false; // the motion has no readings of one of them
     for (const auto& [i, j] : pairs_) {
-        const std::string name = nameOfContact(named, scene.bodies[i].name, scene.bodies[j].name);
+        const std::string name =
+            nameOfContact(named, scene.bodies[i].name, scene.bodies[j].name, isNew);
         for (const char* reading : {".n", ".fx", ".fy", ".fz", ".px", ".py", ".pz"})
             expressions.push_back(name + reading);
     }
-    read_ = named.contacts.size() == scene.contacts.size() ? motion : computedAgain(named, *motion);
+    read_ = isNew ? computedAgain(named, *motion) : motion;
     std::vector<std::string> faults;
     if (!expressions.empty() && read_)
         quantities_.emplace(named, simulation::Options{}, read_, expressions, faults);

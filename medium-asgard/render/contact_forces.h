@@ -3,7 +3,8 @@
 // Of each pair of bodies that touch: what one does to the other, at the centre of pressure.
 // Where the scene names no contact of a pair, the motion is computed again with names for all.
 // LIMIT: of a scene of more bodies those of the first 60, which may be a crowd already; where the
-// motion takes longer than two seconds, those of its beginning.
+// motion takes longer than two seconds, those of its beginning. The picture's thread computes it,
+// anew for each motion, and nobody can cancel that.
 #pragma once
 
 #include "geometry/shape.h"

@@ -356,7 +356,7 @@ Extent directionsOf(const scene::Scene& scene) {
     return extent;
 }
 
-// What follows from the balls.
+// The parts of an extent that follow from its balls.
 void settle(Extent& extent) {
     if (extent.box.isEmpty())
         keep(extent, {Vector::Zero(), 1});

@@ -52,7 +52,7 @@ struct Extent {
 
 [[nodiscard]] Extent extentOf(const scene::Scene& scene, const simulation::Motion* motion);
 
-// What is to be in the picture at that time: of those bodies, or of all when none are given, fixed
+// The extent of a picture at that time: of those bodies, or of all when none are given, fixed
 // ones included. Half spaces have no size: their place near the others counts. Empty scenes have
 // the extent of a ball of radius 1.
 [[nodiscard]] Extent extentAt(const scene::Scene& scene, const simulation::Motion* motion,

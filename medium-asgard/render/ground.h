@@ -1,4 +1,4 @@
-// What a scene stands on, and the shadows on it.
+// The ground that a scene stands on, and the shadows on it.
 //
 // A scene's own floor (a large level face of something that never moves) bears the grid. Without
 // one the ground lies under everything, at a round height, so that it stays where it is while one

@@ -137,7 +137,7 @@ TEST(ShadowMap, HoldsAllThatThrowsAShadow) {
                     const Vector p = sight->toMap(solid.middle + sign * solid.radius * side);
                     EXPECT_LE(p.cwiseAbs().maxCoeff(), 1) << place.transpose();
                 }
-        // What is nearer to the light has the lesser depth.
+        // A point nearer to the light has the lesser depth.
         const Vector to = light.isPoint ? Vector(light.place.normalized()) : light.place;
         EXPECT_LT(sight->toMap(0.1 * to).z(), sight->toMap(-0.1 * to).z());
         EXPECT_GT(sight->texel, 0);

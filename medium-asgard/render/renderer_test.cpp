@@ -491,7 +491,7 @@ TEST(Handles, ArrowsHaveASteadyScaleOfTheScreen) {
     EXPECT_LT(lengths[0], 240);
 }
 
-// What a force follows is no path in space: its values are arrows from where it acts.
+// A trajectory of a force is no path in space: its values are arrows from where it acts.
 TEST(Handles, TheTrajectoryOfAForceIsItsArrows) {
     scene::Scene scene;
     addBody(scene, sphere(0.1), {3, 0, 0}, red);
@@ -510,7 +510,7 @@ TEST(Handles, TheTrajectoryOfAForceIsItsArrows) {
     EXPECT_EQ(set.handles[1].base, Vector(3, 0, 0));
     EXPECT_LT((set.handles[1].valueAt(set.handles[1].place) - Vector(0, 40, 0)).norm(), 1e-9);
     EXPECT_TRUE(set.handles[1].movable);
-    // What bodies follow is one.
+    // One that bodies follow is a path.
     scene.constraints.push_back({scene.bodies[0].name, scene::Held::position, "push", {}, {}, {}});
     EXPECT_EQ(Handles(scene, nullptr).at(0, display).lines.size(), 1U);
 }
@@ -638,7 +638,7 @@ TEST_F(RendererTest, TheTriadAndTheCentreOfRotationAreMarks) {
 }
 
 // A box that rests on a floor: its weight, upwards, within the cone of friction.
-TEST(ContactForces, AreReadOfContactsThatTheSceneDoesNotName) {
+void expectWeightOnFloor(bool isDeclared) {
     scene::Scene scene;
     scene::Body& floor = addBody(scene, box({4, 0.2, 4}), {0, -0.1, 0}, red);
     floor.fixed = true;
@@ -656,6 +656,11 @@ TEST(ContactForces, AreReadOfContactsThatTheSceneDoesNotName) {
                             {},
                             {}});
     scene.simulator.finish = 1;
+    if (isDeclared) { // without a name
+        scene::Contact& contact = scene.contacts.emplace_back();
+        contact.body1 = scene.bodies[1].name;
+        contact.body2 = scene.bodies[0].name;
+    }
     const auto motion = simulation::simulate(scene).motion;
     ASSERT_NE(motion, nullptr);
     ContactForces forces;
@@ -665,6 +670,11 @@ TEST(ContactForces, AreReadOfContactsThatTheSceneDoesNotName) {
     EXPECT_LT((seen[0].normal - Vector(0, -1, 0)).norm(), 1e-6);
     EXPECT_NEAR(seen[0].friction, 0.5, 1e-12);
     EXPECT_NEAR(seen[0].point.y(), 0, 1e-6);
+}
+
+TEST(ContactForces, AreReadOfContactsThatTheSceneDoesNotName) {
+    expectWeightOnFloor(false);
+    expectWeightOnFloor(true);
 }
 
 TEST_F(RendererTest, MoreSamplesThanThereAreAreClamped) {

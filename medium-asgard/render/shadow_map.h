@@ -23,7 +23,7 @@ namespace render {
 [[nodiscard]] std::optional<LightSight> sightOf(const Light& light, std::span<const Solid> solids,
                                                 const Eigen::AlignedBox3d& room, int texels);
 
-// What the picture shows between two depths, as a box of the view.
+// The room that the picture shows between two depths, as a box of the view.
 [[nodiscard]] Eigen::AlignedBox3d visibleRoom(const Frame& frame, double nearestZ,
                                               double furthestZ);
 

@@ -193,7 +193,7 @@ TEST_F(HandleEditingTest, ADragIsOneChangeOfItsNumbersAndTheHostHasItWhenItEnds)
     EXPECT_NEAR(scene().bodies[0].initialPosition.x(), -0.9, 1e-9);
 }
 
-// What the host accepts is shown already.
+// A text that the host accepts is shown already.
 TEST_F(HandleEditingTest, TheEndOfADragIsNotReadAgain) {
     open(ball + "body b1 ball -init_pos {-1 0 0}\n", {"position-handles"});
     const int opened = readings;

@@ -27,6 +27,14 @@ CASES = (
      "body k rod -mass 2 -ct 1 -init_pos {10.8 0 0.1}\njoint h1 -type hinge -body1 v -motor 2\njoint h2 -type hinge -body1 w\n"
      "joint c1 -type hinge -body1 k -offset1 {-0.5 0 0} -body2 v\njoint c2 -type hinge -body1 k -offset1 {0.5 0 0} -body2 w\n"
      "force -body k -gravitational {0 -9.81 0}", "the joints stand in a singular position, as a flat linkage does"),
+    ("body v rod -mass 10 -inertia {1 1 1} -ct 1 -init_pos {10 0 0}\nbody w rod -mass 10 -inertia {1 1 1} -ct 1 -init_pos {11 0 0}\n"
+     "body k rod -mass 2 -ct 1 -init_pos {10.8 0 0.1}\njoint h1 -type hinge -body1 v -motor 2\njoint h2 -type hinge -body1 w\n"
+     "joint c1 -type hinge -body1 k -offset1 {-0.5 0 0} -body2 v\njoint c2 -type hinge -body1 k -offset1 {0.5 0 0} -body2 w\n"
+     "force -body k -gravitational {0 -9.81 0}\nbody u rod -init_pos {30 0 0}\njoint far -type hinge -body1 u -speed 1",
+     "the joints stand in a singular position, as a flat linkage does"),
+    (PIN + "-offset2 {0 2 0} -release 1", ""),
+    (PIN + "-offset2 {0 2 0} -release {t > 1}", "its bodies miss each other by 2 at the start"),
+    (PIN + "-motor {log(1-t)}", 'the joint "pin" on body "a", -motor "log(1-t)", is not finite'),
     ("joint u -type universal -body1 a -axis {1 0 0} -axis2 {1 0 0}",
      ':4:1: error: joint "u": -axis and -axis2 are parallel, and a universal joint wants two directions'),
     ("joint p -type planar -body1 a -axis {0 0 1} -axis2 {0 0 -2}",

@@ -17,15 +17,14 @@ using script::Word;
 
 namespace {
 
-// A coordinate's option has its number behind it where the type has several: -limits2.
-bool hasCoordinate(const scene::Joint& joint, std::string_view option) {
-    constexpr std::string_view ofCoordinates[] = {
-        "-limits",    "-limit_restitution", "-motor", "-speed",   "-position",
-        "-max_motor", "-stiffness",         "-rest",  "-damping", "-friction"};
+// A coordinate's option has its number behind it where the type has several: -limits2. The list of
+// options has it without a number, with 1 and with 2.
+bool hasCoordinate(const scene::Joint& joint, const CommandHint& command, std::string_view option) {
     const bool isNumbered = option.ends_with('1') || option.ends_with('2');
     const std::string_view stem = isNumbered ? option.substr(0, option.size() - 1) : option;
-    if (std::ranges::find(ofCoordinates, stem) == std::end(ofCoordinates))
-        return true;
+    for (const char* number : {"", "1", "2"})
+        if (!hintOf(command, std::string(stem) + number))
+            return true;
     for (std::size_t i = 0; i < scene::traitsOf(joint.type).coordinates.size(); ++i)
         if (std::string(stem) + scene::coordinateSuffix(joint.type, i) == option)
             return true;
@@ -66,8 +65,10 @@ std::string trimmed(const std::string& text) {
 
 std::vector<const OptionHint*> optionsOf(const scene::Scene& scene, const Element& element) {
     std::vector<const OptionHint*> options;
-    for (const OptionHint& option : hintOf(scene, element).options)
-        if (element.kind != Kind::joint || hasCoordinate(scene.joints[element.index], option.name))
+    const CommandHint& command = hintOf(scene, element);
+    for (const OptionHint& option : command.options)
+        if (element.kind != Kind::joint ||
+            hasCoordinate(scene.joints[element.index], command, option.name))
             options.push_back(&option);
     return options;
 }

@@ -39,6 +39,9 @@ struct Friction {
     double sticking = 0, sliding = 0;
 };
 
+// The initial value of a multiplier whose condition is gone from the start on.
+inline constexpr double goneFromStart = 4;
+
 struct Condition {
     std::optional<Node> gap; // none: the condition is one of velocities
     // None: the multiplier is in the gap's rate, which is the derivative. With a gap, a tie: it is

@@ -40,6 +40,23 @@ std::string shortened(const std::string& expression) {
     return line.substr(0, end) + " ... " + line.substr(begin);
 }
 
+std::string nameOf(const scene::Scene& scene, const Contribution& c) {
+    return c.kind == Contribution::Kind::joint ? " \"" + scene.joints[c.element].name + "\"" : "";
+}
+
+// The author's expressions that drive a joint.
+std::string drivesOf(const scene::Scene& scene, const Contribution& c) {
+    std::string drives;
+    if (c.kind == Contribution::Kind::joint)
+        for (const scene::JointCoordinate& q : scene.joints[c.element].coordinates)
+            for (const auto& [option, given] :
+                 {std::pair("-motor", &q.motor), std::pair("-speed", &q.speed),
+                  std::pair("-position", &q.position)})
+                if (*given)
+                    drives += std::string(", ") + option + " \"" + shortened(**given) + "\",";
+    return drives;
+}
+
 } // namespace
 
 Suspects::Suspects(const EquationsOfMotion& equations) : equations_(equations) {
@@ -128,8 +145,9 @@ std::string inWords(const scene::Scene& scene, const EquationsOfMotion& equation
     const bool isSpring =
         c.kind == Contribution::Kind::link && scene.links[c.element].spring.has_value();
     return std::string("the ") + (isSpring ? "spring" : kinds[static_cast<std::size_t>(c.kind)]) +
-           " on body \"" + scene.bodies[c.body].name + "\" " +
-           (isFinite ? "grows without bound" : "is not finite") + ": its " + axes[blame.axis] +
+           nameOf(scene, c) + " on body \"" + scene.bodies[c.body].name + "\"" +
+           drivesOf(scene, c) + " " + (isFinite ? "grows without bound" : "is not finite") +
+           ": its " + axes[blame.axis] +
            (texts ? ", \"" + shortened((*texts)[blame.axis]) + "\"," : "") + " is " + value;
 }
 

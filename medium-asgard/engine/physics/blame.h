@@ -55,6 +55,7 @@ private:
 
 // the force on body "b1" is not finite: its y, "sqrt(-t)", is not a number
 // the force on body "b1" grows without bound: its x, "1/(2-t)^2", is 3.2e+17
+// the joint "p" on body "b1", -motor "log(1-t)", is not finite: its z is infinite
 [[nodiscard]] std::string inWords(const scene::Scene& scene, const EquationsOfMotion& equations,
                                   const Blame& blame);
 

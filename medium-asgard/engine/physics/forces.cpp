@@ -90,6 +90,10 @@ Contribution ForceReader::at(std::size_t body, const Vector& arm, const NodeVect
     return made;
 }
 
+std::string multiplierName(const scene::Force& force, std::size_t index) {
+    return force.body + ".force" + std::to_string(index + 1);
+}
+
 std::string multiplierName(const scene::Link& link, std::size_t index) {
     return link.name.empty() ? link.first.body + ".link" + std::to_string(index + 1) : link.name;
 }
@@ -149,8 +153,7 @@ void ForceReader::readForce(std::size_t index, std::vector<Contribution>& contri
             made.torque = cross(g_, constant(g_, arm), value);
     }
     const Node strength =
-        strengthOf(force.release, "force", force.body + ".force" + std::to_string(index + 1),
-                   std::span(&*body, 1));
+        strengthOf(force.release, "force", multiplierName(force, index), std::span(&*body, 1));
     made.force = scaled(g_, strength, made.force);
     made.torque = scaled(g_, strength, made.torque);
     made.kind = Contribution::Kind::force;

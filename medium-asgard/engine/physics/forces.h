@@ -19,7 +19,8 @@
 
 namespace physics {
 
-// Of the multiplier that a -release of a link ends: the link's name, or one of its place.
+// Of the multiplier that a -release of a force or link ends: the link's name, or one of its place.
+[[nodiscard]] std::string multiplierName(const scene::Force& force, std::size_t index);
 [[nodiscard]] std::string multiplierName(const scene::Link& link, std::size_t index);
 
 // Sentences about expressions that cannot be read go to `faults`.

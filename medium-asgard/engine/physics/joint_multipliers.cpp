@@ -311,6 +311,7 @@ std::vector<JointRow> JointMultipliers::addUnknowns(expression::EquationSet& set
         addUnknown(set, kept);
         owners.push_back(kept.element.moving.front());
     }
+    markReleased(set, first);
     if (checksStart && first < set.unknowns.size())
         checkStart(set, first, notes);
     for (JointRow& row : rows_)
@@ -339,27 +340,57 @@ void JointMultipliers::putGiven(const expression::EquationSet& set, std::span<co
     }
 }
 
-// Gaps and their rates as the scene was written.
-void JointMultipliers::checkStart(const expression::EquationSet& set, std::size_t first,
-                                  std::vector<std::string>& notes) {
-    std::vector<Node> inputs{set.time}, outputs;
+// The time and the unknowns, which are the inputs.
+std::vector<double> JointMultipliers::startValues(const expression::EquationSet& set,
+                                                  std::vector<Node>& inputs) const {
+    inputs = {set.time};
     std::vector<double> values{scene_.simulator.start};
     for (const expression::Unknown& unknown : set.unknowns) {
         inputs.push_back(unknown.symbol);
         values.push_back(unknown.initial);
     }
+    putGiven(set, inputs, values);
+    return values;
+}
+
+// Conditions whose release is not 0 at the start were never there. A release that reads forces of
+// joints is none of those: nobody knows these yet.
+void JointMultipliers::markReleased(expression::EquationSet& set, std::size_t first) const {
+    if (releases_.empty())
+        return;
+    std::vector<Node> inputs;
+    const std::vector<double> values = startValues(set, inputs);
+    const auto isForce = [&](Node symbol) {
+        return std::ranges::find(kept_, symbol, &Kept::multiplier) != kept_.end();
+    };
+    for (std::size_t k = 0; k < kept_.size(); ++k) {
+        const auto release = std::ranges::find_if(releases_, [&](const Release& one) {
+            return kept_[k].release && one.symbol == *kept_[k].release;
+        });
+        if (release != releases_.end() && isReleased(kept_[k], values) &&
+            std::ranges::none_of(expression::symbolsOf(g_, std::span(&release->value, 1)), isForce))
+            set.unknowns[first + k].initial = expression::goneFromStart;
+    }
+}
+
+// Gaps and their rates as the scene was written.
+void JointMultipliers::checkStart(const expression::EquationSet& set, std::size_t first,
+                                  std::vector<std::string>& notes) {
+    std::vector<Node> inputs, outputs;
+    const std::vector<double> values = startValues(set, inputs);
     for (std::size_t k = 0; k < kept_.size(); ++k) {
         const auto& condition = *phaseAt(set.unknowns[first + k], scene_.simulator.start).condition;
         outputs.push_back(condition.gap.value_or(g_.constant(0)));
         outputs.push_back(condition.rate.value_or(g_.constant(0)));
     }
-    putGiven(set, inputs, values);
     std::vector<double> found(outputs.size());
     expression::Tape::Scratch scratch;
     expression::Tape(g_, inputs, outputs).evaluate(values, found, scratch);
     std::map<std::string, std::pair<double, double>> worst; // by element
     for (std::size_t k = 0; k < kept_.size(); ++k) {
         const Element& element = kept_[k].element;
+        if (set.unknowns[first + k].initial == expression::goneFromStart)
+            continue;
         const bool isStop = kept_[k].bounds.low == 0;
         if (isStop && found[2 * k] < -startResolution * extents().first)
             faults_.push_back(nameOf(element) + (element.kind == "rope"
@@ -374,6 +405,12 @@ void JointMultipliers::checkStart(const expression::EquationSet& set, std::size_
     }
     for (const auto& [element, miss] : worst)
         tell(element + ": ", miss.first, miss.second, notes);
+}
+
+// `values`: the time, and the unknowns.
+bool JointMultipliers::isReleased(const Kept& kept, const std::vector<double>& values) const {
+    const auto place = kept.release ? unknownOf_.find(kept.release->index) : unknownOf_.end();
+    return place != unknownOf_.end() && values[1 + place->second] != 0;
 }
 
 void JointMultipliers::tell(const std::string& where, double gap, double rate,

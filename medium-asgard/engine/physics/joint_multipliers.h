@@ -115,8 +115,12 @@ private:
     [[nodiscard]] expression::Phase phaseOf(const Kept& kept, const Along& along) const;
     void putGiven(const expression::EquationSet& set, std::span<const Node> inputs,
                   std::vector<double>& values) const;
+    [[nodiscard]] std::vector<double> startValues(const expression::EquationSet& set,
+                                                  std::vector<Node>& inputs) const;
+    void markReleased(expression::EquationSet& set, std::size_t first) const;
     void checkStart(const expression::EquationSet& set, std::size_t first,
                     std::vector<std::string>& notes);
+    [[nodiscard]] bool isReleased(const Kept& kept, const std::vector<double>& values) const;
     void tell(const std::string& where, double gap, double rate, std::vector<std::string>& notes);
     [[nodiscard]] std::pair<double, double> extents() const;
 

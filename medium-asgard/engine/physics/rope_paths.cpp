@@ -369,7 +369,8 @@ Node RopePaths::slidRate(std::size_t rope, std::size_t stretch) {
     return slid(rope, stretch, {}).rate;
 }
 
-// What a straight span past the wheel before a stretch saves: l + l + |r| angle - straight.
+// The length that a straight span past the wheel before a stretch saves: l + l + |r| angle -
+// straight.
 Jet RopePaths::joining(std::size_t rope, std::size_t stretch, const Along& along) {
     const RopePath& path = paths_[rope];
     const std::size_t behind = path.stretches[stretch].first;

@@ -62,7 +62,7 @@ public:
 
     [[nodiscard]] const RopePath& operator[](std::size_t rope) const { return paths_[rope]; }
     [[nodiscard]] std::size_t size() const { return paths_.size(); }
-    // What is left of a stretch, of which each has so much rope: negative where its ends are too
+    // The slack of a stretch, of which each has so much rope: negative where its ends are too
     // far apart. Behind a wheel that is off the stretch belongs to the one before it: 0.
     [[nodiscard]] Jet gap(std::size_t rope, std::size_t stretch, std::span<const double> material,
                           const Along& along);

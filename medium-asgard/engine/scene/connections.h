@@ -59,9 +59,10 @@ struct Connections {
     bool isBroken = false;
 };
 
-// Indices of joints and links that a -release has ended.
+// Indices of elements that a -release has ended.
 struct Released {
     std::set<std::size_t> joints, links;
+    std::set<std::size_t> forces = {}, gears = {}, ropes = {};
 };
 
 // The bodies that never collide with each other, by body, since a link or a joint joins them

@@ -85,7 +85,7 @@ void Events::apply(const Event& event) {
         return;
     flights_.land(touched);
     resume(event, changes, touched);
-    // What stays 0 has no component that could be touched, and may be woken.
+    // An unknown that stays 0 has no component that could be touched, and may be woken.
     if (touched.empty() && roused(network_, event.time, changes.jumps).empty())
         return;
     network_.goBack(touched, event.time);

@@ -1,4 +1,4 @@
-// What flies: event_source.h says what that is.
+// Bodies in flight: event_source.h says which those are.
 //
 // The six components of a body's flight, single unknowns in closed form, share one history from
 // their first turn on: a step for each turn, with place, velocity and, where there is one, half the
@@ -22,7 +22,7 @@ namespace solution {
 
 class Flights {
 public:
-    // What flies along several axes meets itself: it is one island.
+    // A body that flies along several axes meets itself: it is one island.
     Flights(Network& network, EventIslands& islands) : network_(network), islands_(islands) {}
 
     // All of them stay in the plane or on the line on which they were: what is 0 for ever stays so,

@@ -17,7 +17,7 @@ std::string megabytes(std::size_t bytes) {
 
 } // namespace
 
-// What components that were replaced kept beside their motion may have been counted too often.
+// The memory of components that were replaced may have been counted too often.
 bool MemoryLimit::isFull() {
     const std::size_t ofSource = source_ ? source_->bytesBefore(infinity) : 0;
     if (!network_.kept.isFullWith(ofSource))

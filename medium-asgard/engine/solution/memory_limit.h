@@ -1,4 +1,4 @@
-// What is kept of a motion has a limit: a motion that would need more ends, and says so.
+// A motion has a limit of memory: one that would need more ends, and says so.
 //
 // It ends at the time up to which all that is kept takes the limit. That follows from the motion
 // alone: neither threads, rounds, observers nor the finish change it. What needs most of it ends,

@@ -1,4 +1,4 @@
-// What needs most of the memory ends where the limit is.
+// The component that needs most of the memory ends where the limit is.
 #include "solution/memory_limit.h"
 #include "solution/network_testing.h"
 

@@ -97,7 +97,7 @@ std::shared_ptr<const History> Network::constant(double value) const {
     return history;
 }
 
-// What is not solved: one piece for all that stay 0, and one for all that nobody reads.
+// Unknowns that are not solved: one piece for all that stay 0, and one for all that nobody reads.
 void Network::addConstantTracks() {
     const auto none = constant(0), unread = constant(std::numeric_limits<double>::quiet_NaN());
     for (std::size_t u = 0; u < histories.tracks_.size(); ++u)
@@ -236,7 +236,7 @@ void Network::noteStops() {
 }
 
 // ---------------------------------------------------------------------------------------------
-// What is kept
+// Memory
 
 void Network::noteKept(std::size_t place) {
     if (const Component* component = components[place].get())

@@ -70,7 +70,7 @@ public:
              const std::string& sentence);
     // Stops of components, for readers; after each change that could bring or lift one.
     void noteStops();
-    // What the component keeps, after it stepped or was cut.
+    // The memory that the component keeps, after it stepped or was cut.
     void noteKept(std::size_t place);
 
     [[nodiscard]] double known() const { return schedule.known(); }

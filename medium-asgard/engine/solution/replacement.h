@@ -1,4 +1,4 @@
-// What an event's new equations make of the components.
+// An event's new equations make other components.
 //
 // Groups of components that read what changed are cut anew. Components that keep their unknowns and
 // equations stay as they are; others are replaced by new ones, from the values at the event.

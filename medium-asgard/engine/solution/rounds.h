@@ -1,6 +1,6 @@
 // Makes the steps of one round (schedule.h): groups on any thread, alike components side by side.
 //
-// What a thread does concerns no other, so that motion and counts are the same for any number.
+// Threads do not concern each other, so that motion and counts are the same for any number.
 #pragma once
 
 #include "solution/interruption.h"

@@ -60,7 +60,7 @@ QPainterPath filled(Icon which) {
     return path;
 }
 
-// What a command makes, or acts on.
+// The thing that a command makes, or acts on.
 QPainterPath accented(Icon which) {
     QPainterPath path;
     switch (which) {

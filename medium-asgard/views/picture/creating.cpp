@@ -68,7 +68,7 @@ Vector besideMiddle(Vector place, const Vector& up, const Vector& middle, double
 
 Creating::Creating(SceneDocument& document, SceneDisplay& display)
     : document_(document), display_(display) {
-    // What was clicked on may be gone, or another one.
+    // A thing that was clicked on may be gone, or another one.
     connect(&document_, &SceneDocument::textChanged, this, [this] {
         if (!recipe_)
             return;

@@ -1,4 +1,4 @@
-// What is done with the selected elements as a whole: copies, other names.
+// Commands for the selected elements as a whole: copies, other names.
 #pragma once
 
 #include "properties/trial.h"

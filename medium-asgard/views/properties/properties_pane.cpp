@@ -10,7 +10,6 @@
 #include "plain/plain.h"
 #include "script/numbers.h"
 
-#include <QComboBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -159,12 +158,10 @@ void PropertiesPane::showEvent(QShowEvent* event) {
 
 void PropertiesPane::begin() {
     refresh();
-    for (const PropertyRow* row : rows_)
-        for (QWidget* one :
-             {row->fields().empty() ? nullptr : static_cast<QWidget*>(row->fields()[0]),
-              static_cast<QWidget*>(row->box())})
-            if (one && one->isEnabled())
-                return one->setFocus();
+    const auto first =
+        std::ranges::find_if(rows_, [](const PropertyRow* row) { return !row->fields().empty(); });
+    if (first != rows_.end())
+        (*first)->fields()[0]->setFocus(Qt::TabFocusReason); // with all of it selected
 }
 
 QString PropertiesPane::title() const { return title_->text(); }
@@ -302,7 +299,7 @@ void PropertiesPane::showRow(PropertyRow& row) {
     row.setNote(faultsAt(row));
 }
 
-// What the text or the motion has against the value that stands there.
+// Faults of the text or the motion at the value that stands there.
 QString PropertiesPane::faultsAt(const PropertyRow& row) const {
     QStringList faults;
     for (const Element& element : elements()) {

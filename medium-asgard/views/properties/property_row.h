@@ -39,7 +39,7 @@ public:
 
     [[nodiscard]] const editing::OptionHint& option() const { return option_; }
     // Parts that are none differ between the elements. `absent`: shown in place of empty ones.
-    // What somebody is typing stays.
+    // A text that somebody is typing stays.
     void show(const PropertyParts& parts, const QString& absent, const QString& source);
     void setChoices(const QStringList& choices); // of names
     void setNames(const QStringList& names);     // of its parts, in place of x, y and z

@@ -116,7 +116,7 @@ Session Editor::session() {
             }};
 }
 
-// What is selected is marked in all of them: a window that is open, else a pane of a picture.
+// The selected is marked in all of them: a window that is open, else a pane of a picture.
 void Editor::showText() {
     for (LanguageViewer* viewer : languageViewers())
         if (!viewer->isPane()) {

@@ -73,7 +73,7 @@ QString helpTopicOf(editing::Kind kind) {
     }
 }
 
-// What is seen becomes the start of the scene, as one step of undo; else why it cannot.
+// The moment that is seen becomes the start of the scene, as one step of undo; else why it cannot.
 void startFromHere(SceneDocument& document, SceneDisplay& display) {
     if (!document.sceneIsCurrent())
         return display.editing().say(document.whyNotCurrent());
@@ -514,7 +514,8 @@ void GraphicalViewer::resizeEvent(QResizeEvent* event) {
     showHint();
 }
 
-// What is being created is given up first, wherever the keyboard is; nothing stays selected.
+// An element that is being created is given up first, wherever the keyboard is; nothing stays
+// selected.
 void GraphicalViewer::stop() {
     if (display_->creating().active())
         display_->creating().cancel();

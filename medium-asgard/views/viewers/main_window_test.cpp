@@ -308,6 +308,12 @@ TEST_F(MainWindowTest, TheSceneListCopiesCommandsAndShowsValues) {
     auto* field = qobject_cast<QLineEdit*>(viewer.focusWidget());
     ASSERT_NE(field, nullptr);
     EXPECT_EQ(field->objectName(), "-value");
+    const auto bodies = list->findItems("b1", Qt::MatchExactly | Qt::MatchRecursive);
+    ASSERT_FALSE(bodies.isEmpty());
+    list->setFocus();
+    list->setCurrentItem(bodies.front());
+    QTest::keyClick(list, Qt::Key_Return);
+    EXPECT_EQ(viewer.focusWidget()->objectName(), "-init_pos1"); // no key changes the shape
 }
 
 TEST_F(MainWindowTest, QuittingEndsTheFirstPageTooFromEitherWindow) {

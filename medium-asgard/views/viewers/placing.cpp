@@ -13,7 +13,7 @@ namespace {
 
 constexpr int frame = 8, title = 32; // of the window manager, around a window
 
-// What a window's contents may fill of its screen.
+// The part of its screen that a window's contents may fill.
 QRect roomOf(const QWidget& window) {
     return window.screen()->availableGeometry().adjusted(frame, title, -frame, -frame);
 }

@@ -99,7 +99,7 @@ bool SceneFiles::mayLeave() {
     if (const QString why = TypedField::settleAll(document_);
         !why.isEmpty() && plain::Message::ask(QMessageBox::Question, from, tr("Asgard"),
                                               tr("A value that was typed is not taken: %1\n\n"
-                                                 "Leave it all the same?")
+                                                 "Go on without it?")
                                                   .arg(why),
                                               QMessageBox::Yes | QMessageBox::No,
                                               QMessageBox::No) != QMessageBox::Yes)

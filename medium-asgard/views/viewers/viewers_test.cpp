@@ -29,7 +29,7 @@ protected:
         ASSERT_TRUE(settle(editor.document()));
     }
 
-    // What the picture shows: pixels that are not background, on a bare page.
+    // Pixels of the picture that are not background, on a bare page.
     static int drawn(GraphicalViewer& viewer) {
         render::Display page = viewer.display().display();
         page.studio = page.triad = false;

@@ -1,12 +1,14 @@
 #include "reports/instants.h"
 
 #include "equations/prepared_equations.h"
+#include "physics/forces.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
 #include <set>
+#include <string_view>
 #include <tuple>
 
 namespace simulation {
@@ -243,6 +245,55 @@ void Lister::addContacts(std::size_t part) {
 std::vector<ListedInstant> instantsOf(const scene::Scene& scene, const Motion& motion) {
     const auto* computed = dynamic_cast<const ComputedMotion*>(&motion);
     return computed ? Lister(scene, *computed).all() : std::vector<ListedInstant>();
+}
+
+namespace {
+
+// Of multipliers that are gone; of those that sleep, as they bear nothing, the expression tells.
+std::set<std::string> namesGone(const ComputedMotion::Part& part, double start, double time) {
+    constexpr std::string_view ending = ".release"; // the name of the expression's unknown
+    std::set<std::string> gone;
+    for (std::size_t row = 0; row < part.equations->unknowns.size(); ++row) {
+        const expression::Unknown& unknown = part.equations->unknowns[row];
+        if (unknown.phases[solution::phaseAt(unknown, time)].condition) {
+            if (modeAt(*part.histories, row, time) == Mode::gone)
+                gone.insert(unknown.name);
+        } else if (unknown.name.ends_with(ending)) {
+            bool isTrue = part.histories->value(row, start) != 0;
+            followMode(*part.histories, row, start, time, [&](double at, Mode) {
+                isTrue = isTrue || part.histories->value(row, at) != 0;
+            });
+            if (isTrue)
+                gone.insert(unknown.name.substr(0, unknown.name.size() - ending.size()));
+        }
+    }
+    return gone;
+}
+
+} // namespace
+
+scene::Released releasedBy(const scene::Scene& scene, const Motion& motion, double time) {
+    std::set<std::string> gone;
+    if (const auto* computed = dynamic_cast<const ComputedMotion*>(&motion))
+        for (const ComputedMotion::Part& part : computed->contents().parts)
+            if (part.equations && part.histories)
+                gone.merge(namesGone(part, motion.start(), time));
+    scene::Released released;
+    const auto add = [&](const auto& elements, std::set<std::size_t>& indices, const auto& nameOf) {
+        for (std::size_t i = 0; i < elements.size(); ++i)
+            if (elements[i].release && gone.contains(nameOf(elements[i], i)))
+                indices.insert(i);
+    };
+    const auto own = [](const auto& element, std::size_t) { return element.name; };
+    const auto multipliers = [](const auto& element, std::size_t i) {
+        return physics::multiplierName(element, i);
+    };
+    add(scene.joints, released.joints, own);
+    add(scene.gears, released.gears, own);
+    add(scene.ropes, released.ropes, own);
+    add(scene.links, released.links, multipliers);
+    add(scene.forces, released.forces, multipliers);
+    return released;
 }
 
 } // namespace simulation

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "motion/computed_motion.h"
+#include "scene/connections.h"
 #include "scene/scene.h"
 
 #include <string>
@@ -24,5 +25,9 @@ struct ListedInstant {
 // In order of time; one for each pair and kind at one time.
 [[nodiscard]] std::vector<ListedInstant> instantsOf(const scene::Scene& scene,
                                                     const Motion& motion);
+
+// What a -release has ended by that time.
+[[nodiscard]] scene::Released releasedBy(const scene::Scene& scene, const Motion& motion,
+                                         double time);
 
 } // namespace simulation

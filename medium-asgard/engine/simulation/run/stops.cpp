@@ -31,16 +31,20 @@ physics::Instant instantOf(const Problem& problem, const solution::Histories& hi
     return {.value = value, .time = time};
 }
 
-// What is not finite at the end, or just after it; else what grew much over the last tenth.
+// Forces that are not finite at the end, or just after it; else, if asked, the one that grew much
+// over the last tenth.
 std::vector<physics::Blame> blamesFor(const Problem& problem, const physics::Suspects& suspects,
                                       const solution::Histories& histories,
-                                      const std::vector<std::size_t>& bodies, double stop) {
+                                      const std::vector<std::size_t>& bodies, double stop,
+                                      bool orGrowing) {
     for (const double part : {0.0, 1e-12, 1e-9, 1e-6}) {
         const double time = stop + part * std::max(1.0, std::abs(stop));
         auto found = suspects.notFinite(instantOf(problem, histories, stop, time), bodies);
         if (!found.empty())
             return found;
     }
+    if (!orGrowing)
+        return {};
     const double earlier = stop - (stop - problem.start()) / 10;
     if (const auto grown = suspects.growing(instantOf(problem, histories, stop, earlier),
                                             instantOf(problem, histories, stop, stop), bodies))
@@ -71,6 +75,7 @@ std::string adviceFor(solution::Stop::Reason reason, bool isBlamed) {
     using Reason = solution::Stop::Reason;
     switch (reason) {
     case Reason::notFinite:
+    case Reason::contradiction:
     case Reason::overflow:
     case Reason::stepUnderflow:
     case Reason::notConverged:
@@ -88,14 +93,25 @@ std::string adviceFor(solution::Stop::Reason reason, bool isBlamed) {
     }
 }
 
-// Joints that contradict each other where nothing is held and nothing driven: a flat linkage.
-bool areSingular(const scene::Scene& scene) {
+// Joints of these bodies that contradict each other where nothing is held and nothing driven: a
+// flat linkage.
+bool areSingular(const scene::Scene& scene, const std::vector<std::size_t>& bodies) {
+    const auto isOne = [&](const std::string& name) {
+        return std::ranges::any_of(bodies,
+                                   [&](std::size_t b) { return scene.bodies[b].name == name; });
+    };
+    const auto isTheirs = [&](const scene::Joint& joint) {
+        return isOne(joint.body1) || (joint.body2 && isOne(*joint.body2));
+    };
     const auto isDriven = [](const scene::Joint& joint) {
         return std::ranges::any_of(joint.coordinates, [](const scene::JointCoordinate& c) {
             return c.speed || c.position;
         });
     };
-    return scene.constraints.empty() && std::ranges::none_of(scene.joints, isDriven);
+    return std::ranges::any_of(scene.joints, isTheirs) &&
+           std::ranges::none_of(scene.joints,
+                                [&](const auto& one) { return isTheirs(one) && isDriven(one); }) &&
+           std::ranges::none_of(scene.constraints, isOne, &scene::Constraint::body);
 }
 
 struct Why {
@@ -109,18 +125,18 @@ Why whyOf(const Problem& problem, const physics::Suspects& suspects,
     using Reason = solution::Stop::Reason;
     std::string reason = stop.sentence;
     std::vector<physics::Blame> blames;
-    if (stop.reason == Reason::notFinite || stop.reason == Reason::overflow ||
-        stop.reason == Reason::stepUnderflow || stop.reason == Reason::notConverged) {
-        std::vector<std::size_t> bodies;
-        for (const std::size_t unknown : stop.unknowns)
-            bodies.push_back(owners[unknown]);
-        blames = blamesFor(problem, suspects, histories, bodies, stop.time);
-    }
+    std::vector<std::size_t> bodies;
+    for (const std::size_t unknown : stop.unknowns)
+        bodies.push_back(owners[unknown]);
+    std::ranges::sort(bodies);
+    bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+    const bool contradicts = stop.reason == Reason::contradiction;
+    if (contradicts || stop.reason == Reason::notFinite || stop.reason == Reason::overflow ||
+        stop.reason == Reason::stepUnderflow || stop.reason == Reason::notConverged)
+        blames = blamesFor(problem, suspects, histories, bodies, stop.time, !contradicts);
     // Beside a flat linkage forces grow without a limit where no force has a fault of its own.
-    const bool areJoints =
-        stop.reason == Reason::contradiction ||
-        (stop.reason == Reason::notFinite && blames.empty() && !problem.scene.joints.empty());
-    if (areJoints && areSingular(problem.scene))
+    if ((contradicts || stop.reason == Reason::notFinite) && blames.empty() &&
+        areSingular(problem.scene, bodies))
         reason = reason.substr(0, reason.find(", which")) +
                  ": the joints stand in a singular position, as a flat linkage does, from which "
                  "they can move in two ways; let them start a little beside it";
@@ -128,7 +144,7 @@ Why whyOf(const Problem& problem, const physics::Suspects& suspects,
     for (const physics::Blame& blame : blames)
         named +=
             (named.empty() ? "" : "; ") + physics::inWords(problem.scene, problem.equations, blame);
-    if (stop.reason == Reason::notFinite && !named.empty())
+    if ((contradicts || stop.reason == Reason::notFinite) && !named.empty())
         reason = named;
     else if (!named.empty())
         reason += ", since " + named;

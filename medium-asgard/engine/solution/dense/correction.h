@@ -1,4 +1,4 @@
-// What the start of the step before adds to the polynomial of a step: of one step (dense_output.h),
+// The terms of a step's polynomial from the start of the step before: of one step (dense_output.h),
 // and of several side by side (dense_formulas.h).
 #pragma once
 

@@ -113,7 +113,7 @@ double ActiveSet::watchOfPlaces(std::size_t watch) {
 
 namespace {
 
-// What is 0 but for rounding has a constant value: what trembles about 0 ends nothing.
+// A value that is 0 but for rounding is constant: one that trembles about 0 ends nothing.
 double beyond(double none, double value) { return value >= -none ? std::max(value, none) : value; }
 
 } // namespace

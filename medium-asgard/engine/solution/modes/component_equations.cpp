@@ -17,6 +17,7 @@ ComponentEquations::ComponentEquations(std::shared_ptr<const BoundModel> bound,
       readsInputs_(!functions_.bound()->inputs.empty()) {}
 
 static_assert(1 + static_cast<int>(Mode::gone) == static_cast<int>(releasedMode));
+static_assert(releasedMode == expression::goneFromStart);
 static_assert(1 + static_cast<int>(complementarity::State::inside) == static_cast<int>(heldMode));
 
 namespace {

@@ -8,7 +8,7 @@
 // roots of its diagonal. Where conditions are redundant, as the joints of a plane mechanism in
 // space, the shortest m is taken.
 //
-// What is chosen depends on the mode and on the numbers at the point alone: the same point has the
+// The choice depends on the mode and on the numbers at the point alone: the same point has the
 // same answer, whatever was asked before.
 #pragma once
 
