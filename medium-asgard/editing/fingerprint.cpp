@@ -34,6 +34,8 @@ private:
     void put(const scene::CapsuleShape& shape) { putRound(shape); }
     void put(const scene::EllipsoidShape& shape) { put(shape.axes); }
     void put(const scene::PlaneShape&) {}
+    void put(const scene::TubeShape& shape) { add(shape.inner, shape.outer, shape.height); }
+    void put(const scene::BowlShape& shape) { add(shape.inner, shape.outer); }
     template <class Round> void putRound(const Round& shape) { add(shape.radius, shape.height); }
     void put(const scene::Part& p) {
         add(p.shape, p.position, p.rotation, p.appearance, p.density);

@@ -24,7 +24,8 @@ constexpr OptionHint simulatorOptions[] = {
 constexpr OptionHint shapeOptions[] = {
     {"-desc", list,
      "parts: -sub {... -sphere R | -box {a b c} | -cylinder {r h} | -cone {r h} | -capsule {r h} | "
-     "-ellipsoid {a b c} | -plane | -points {...}} and -face {{x y z} ...}",
+     "-ellipsoid {a b c} | -tube {r R h} | -bowl {r R} | -plane | -points {...}} and -face {{x y "
+     "z} ...}",
      "", "Parts"},
     {"-color", color, "#rrggbb, a name, or {r g b} from 0 to 1", "", "Colour"},
     {"-shininess", number, "from 0, matt, to 1", ""},

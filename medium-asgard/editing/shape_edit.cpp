@@ -28,7 +28,8 @@ std::string pointsText(const std::vector<Vector>& points) {
 }
 
 constexpr std::string_view shapeOptions[] = { // in the order of the variant
-    "-sphere", "-box", "-points", "-cylinder", "-cone", "-capsule", "-ellipsoid", "-plane"};
+    "-sphere",  "-box",       "-points", "-cylinder", "-cone",
+    "-capsule", "-ellipsoid", "-plane",  "-tube",     "-bowl"};
 
 std::string_view optionOf(const scene::Part& part) { return shapeOptions[part.shape.index()]; }
 

@@ -120,10 +120,12 @@ TEST(ShapeEditTest, RoundPartsAreWrittenInTheirSizes) {
               "shape_set f -desc {-sub {-sphere 2 -pos {0  1 0}}}\n");
     EXPECT_THAT(after(floor,
                       [](auto& draft) {
-                          for (const auto& part : {cone(1, 2), capsule(1, 2), ellipsoid({1, 2, 3})})
+                          for (const auto& part : {cone(1, 2), capsule(1, 2), ellipsoid({1, 2, 3}),
+                                                   tube(1, 2, 3), bowl(1, 2)})
                               draft.push_back({part, std::nullopt});
                       }),
-                HasSubstr("-sub {-cone {1 2}} -sub {-capsule {1 2}} -sub {-ellipsoid {1 2 3}}"));
+                HasSubstr("-sub {-cone {1 2}} -sub {-capsule {1 2}} -sub {-ellipsoid {1 2 3}} "
+                          "-sub {-tube {1 2 3}} -sub {-bowl {1 2}}"));
 }
 
 // What goes together is one stretch of the text, wherever it stands.
@@ -252,7 +254,8 @@ TEST(ShapePointsTest, AreWhatOneTakesHoldOf) {
 }
 
 TEST(ShapePointsTest, OfRoundPartsSetTheirSizes) {
-    for (scene::Part part : {cylinder(1, 2), cone(1, 2), capsule(1, 2), ellipsoid({1, 2, 3})}) {
+    for (scene::Part part : {cylinder(1, 2), cone(1, 2), capsule(1, 2), ellipsoid({1, 2, 3}),
+                             tube(1, 2, 3), bowl(1, 2)}) {
         part.position = {1, 2, 3};
         part.rotation = {0.3, -1, 0.5};
         const auto points = pointsOf(part);

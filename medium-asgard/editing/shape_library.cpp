@@ -104,6 +104,18 @@ Part plane() {
     return part;
 }
 
+Part tube(double inner, double outer, double height) {
+    Part part;
+    part.shape = scene::TubeShape{inner, outer, height};
+    return part;
+}
+
+Part bowl(double inner, double outer) {
+    Part part;
+    part.shape = scene::BowlShape{inner, outer};
+    return part;
+}
+
 Part tetrahedron(double size) {
     const double a = size / 2;
     return hull({{a, a, a}, {a, -a, -a}, {-a, a, -a}, {-a, -a, a}});
@@ -125,6 +137,9 @@ const std::vector<LibraryShape>& shapeLibrary() {
         {"Capsule", {capsule(0.3, 1)}},
         {"Cone", {cone(0.5, 1)}},
         {"Egg", {ellipsoid({0.4, 0.6, 0.4})}},
+        {"Tube", {tube(0.45, 0.5, 1)}},
+        {"Hoop", {turned(tube(0.9, 1, 0.3), {std::numbers::pi / 2, 0, 0})}}, // about z
+        {"Bowl", {bowl(0.9, 1)}},
         {"Floor", {plane()}},
         {"Tetrahedron", {tetrahedron(1)}},
         {"Octahedron",

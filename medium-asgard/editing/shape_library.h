@@ -21,6 +21,9 @@ struct LibraryShape {
 [[nodiscard]] scene::Part capsule(double radius, double height);
 [[nodiscard]] scene::Part ellipsoid(const geometry::Vector& halfAxes);
 [[nodiscard]] scene::Part plane();
+// Radii of the hollow and of the outside; a bowl is open above.
+[[nodiscard]] scene::Part tube(double inner, double outer, double height);
+[[nodiscard]] scene::Part bowl(double inner, double outer);
 [[nodiscard]] scene::Part tetrahedron(double size);
 
 [[nodiscard]] const std::vector<LibraryShape>& shapeLibrary();

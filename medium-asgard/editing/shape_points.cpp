@@ -10,6 +10,7 @@
 namespace editing {
 
 using geometry::Vector;
+using scene::BowlShape;
 using scene::BoxShape;
 using scene::CapsuleShape;
 using scene::ConeShape;
@@ -19,6 +20,7 @@ using scene::HullShape;
 using scene::Part;
 using scene::PlaneShape;
 using scene::SphereShape;
+using scene::TubeShape;
 
 namespace {
 
@@ -62,6 +64,10 @@ struct Sizes {
     std::vector<double> operator()(const CapsuleShape& c) const { return {c.radius, c.height}; }
     std::vector<double> operator()(const HullShape&) const { return {}; }
     std::vector<double> operator()(const PlaneShape&) const { return {}; }
+    std::vector<double> operator()(const TubeShape& t) const {
+        return {t.inner, t.outer, t.height};
+    }
+    std::vector<double> operator()(const BowlShape& b) const { return {b.inner, b.outer}; }
     static std::vector<double> listed(const Vector& v) { return {v.x(), v.y(), v.z()}; }
 };
 
@@ -75,7 +81,19 @@ struct Resize {
     void operator()(CapsuleShape& c) const { c = {sizes.at(0), sizes.at(1)}; }
     void operator()(HullShape&) const {}
     void operator()(PlaneShape&) const {}
+    void operator()(TubeShape& t) const { t = {inner(), outer(), sizes.at(2)}; }
+    void operator()(BowlShape& b) const { b = {inner(), outer()}; }
+    // The wall is never without thickness.
+    [[nodiscard]] double inner() const { return std::min(sizes.at(0), sizes.at(1)); }
+    [[nodiscard]] double outer() const {
+        return std::max({sizes.at(0), sizes.at(1), inner() * (1 + 1e-3)});
+    }
 };
+
+bool isHollow(const Part& part) {
+    return std::holds_alternative<TubeShape>(part.shape) ||
+           std::holds_alternative<BowlShape>(part.shape);
+}
 
 // Of a round part: its centre, a point that sets each size.
 std::vector<Vector> sizingPoints(const Part& part) {
@@ -83,7 +101,11 @@ std::vector<Vector> sizingPoints(const Part& part) {
     std::vector<Vector> points{Vector::Zero()};
     if (!sizes.empty())
         points.emplace_back(sizes[0], 0, 0);
-    if (sizes.size() == 2) {
+    if (isHollow(part)) {
+        points.emplace_back(sizes[1], 0, 0);
+        if (sizes.size() == 3)
+            points.emplace_back(0, sizes[2] / 2, 0);
+    } else if (sizes.size() == 2) {
         const bool isCapsule = std::holds_alternative<CapsuleShape>(part.shape);
         points.emplace_back(0, sizes[1] / 2 + (isCapsule ? sizes[0] : 0), 0);
     } else if (sizes.size() == 3) {
@@ -100,7 +122,9 @@ Part withSizingPoint(const Part& part, std::size_t point, const Vector& local) {
         return part;
     const double least = 1e-3 * *std::ranges::max_element(sizes);
     double now = std::abs(local[static_cast<Eigen::Index>(point - 1)]);
-    if (sizes.size() == 2)
+    if (isHollow(part))
+        now = point < 3 ? std::hypot(local.x(), local.z()) : 2 * std::abs(local.y());
+    else if (sizes.size() == 2)
         now = point == 1 ? std::hypot(local.x(), local.z()) : 2 * std::abs(local.y());
     if (point == 2 && std::holds_alternative<CapsuleShape>(part.shape))
         now -= 2 * sizes[0];
@@ -108,14 +132,26 @@ Part withSizingPoint(const Part& part, std::size_t point, const Vector& local) {
     return withSizes(part, sizes);
 }
 
-// Points of the surface, for drawing: in rings about y.
+template <typename Shape> Part withShape(Part part, const Shape& shape) {
+    part.shape = shape;
+    return part;
+}
+
+// Points of the surface, for drawing: in rings about y; of what is hollow its hull's.
 std::vector<Vector> surfaceOf(const Part& part) {
     constexpr int sides = 24, rings = 12;
     std::vector<std::pair<double, double>> profile; // radius, height
     const std::vector<double> sizes = sizesOf(part);
     if (std::holds_alternative<PlaneShape>(part.shape))
         return {{1, 0, 1}, {1, 0, -1}, {-1, 0, 1}, {-1, 0, -1}, {0, -1e-3, 0}};
-    if (std::holds_alternative<CylinderShape>(part.shape)) {
+    if (const auto* tube = std::get_if<TubeShape>(&part.shape))
+        return surfaceOf(withShape(part, CylinderShape{tube->outer, tube->height}));
+    if (const auto* bowl = std::get_if<BowlShape>(&part.shape)) {
+        for (int k = 0; k <= rings / 2; ++k) {
+            const double angle = std::numbers::pi * k / rings;
+            profile.emplace_back(bowl->outer * std::cos(angle), -bowl->outer * std::sin(angle));
+        }
+    } else if (std::holds_alternative<CylinderShape>(part.shape)) {
         const double half = std::max(sizes[1] / 2, 1e-3 * sizes[0]);
         profile = {{sizes[0], half}, {sizes[0], -half}};
     } else if (std::holds_alternative<ConeShape>(part.shape)) {
@@ -131,7 +167,8 @@ std::vector<Vector> surfaceOf(const Part& part) {
                 profile.emplace_back(radius, -lift);
         }
     }
-    const Vector scale = sizes.size() == 3 ? Vector(sizes.data()) : Vector(Vector::Ones());
+    const bool isEllipsoid = std::holds_alternative<EllipsoidShape>(part.shape);
+    const Vector scale = isEllipsoid ? Vector(sizes.data()) : Vector(Vector::Ones());
     std::vector<Vector> points;
     for (const auto& [radius, height] : profile)
         for (int k = 0; k < sides; ++k) {

@@ -70,6 +70,15 @@ Features featuresOf(const scene::ConeShape& one) {
 Features featuresOf(const scene::CapsuleShape& one) {
     return endsOf(one.height, "the middle of an end", "the middle of an end");
 }
+Features featuresOf(const scene::TubeShape& one) {
+    return endsOf(one.height, "the middle of an end", "the middle of an end");
+}
+Features featuresOf(const scene::BowlShape& one) {
+    return {{{Vector::Zero(), "the middle of the rim"},
+             {Vector(0, -one.inner, 0), "the bottom inside"},
+             {Vector(0, -one.outer, 0), "the bottom"}},
+            {}};
+}
 Features featuresOf(const scene::SphereShape&) { return {}; }
 Features featuresOf(const scene::EllipsoidShape&) { return {}; }
 Features featuresOf(const scene::PlaneShape&) { return {}; }

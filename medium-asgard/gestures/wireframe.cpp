@@ -82,6 +82,22 @@ Lines linesOf(const scene::CapsuleShape& one) {
     }
     return lines;
 }
+Lines linesOf(const scene::TubeShape& one) {
+    Lines lines = tube(one.outer, one.outer, one.height);
+    for (const double end : {one.height / 2, -one.height / 2})
+        lines.push_back(ellipse(y(end), x(one.inner), z(one.inner)));
+    return lines;
+}
+Lines linesOf(const scene::BowlShape& one) {
+    const Vector zero = Vector::Zero();
+    Lines lines;
+    for (const double radius : {one.inner, one.outer}) {
+        lines.push_back(ellipse(zero, x(radius), z(radius)));
+        for (const Vector& side : {x(radius), z(radius)})
+            lines.push_back(ellipse(zero, side, y(-radius), 0, M_PI));
+    }
+    return lines;
+}
 Lines linesOf(const scene::PlaneShape&) {
     Lines lines;
     constexpr double half = 5;

@@ -40,6 +40,13 @@ void addPart(std::vector<Ball>& outline, const scene::Part& part) {
     } else if (const auto* cylinder = std::get_if<scene::CylinderShape>(&part.shape)) {
         ring(cylinder->radius, cylinder->height / 2);
         ring(cylinder->radius, -cylinder->height / 2);
+    } else if (const auto* tube = std::get_if<scene::TubeShape>(&part.shape)) {
+        ring(tube->outer, tube->height / 2);
+        ring(tube->outer, -tube->height / 2);
+    } else if (const auto* bowl = std::get_if<scene::BowlShape>(&part.shape)) {
+        for (const double angle : {0.0, M_PI / 4})
+            ring(bowl->outer * std::cos(angle), -bowl->outer * std::sin(angle));
+        outline.push_back({pose.toWorld({0, -bowl->outer, 0}), 0});
     } else if (const auto* cone = std::get_if<scene::ConeShape>(&part.shape)) {
         outline.push_back({pose.toWorld({0, cone->height / 2, 0}), 0});
         ring(cone->radius, -cone->height / 2);

@@ -99,6 +99,18 @@ public:
                 mesh.indices.insert(mesh.indices.end(), {first, first + k + 1, first + k});
             else
                 mesh.indices.insert(mesh.indices.end(), {first, first + k, first + k + 1});
+        edge(radius, height);
+    }
+
+    // A flat end with a hole, and both edges of it.
+    void ring(double inner, double outer, double height, double up) {
+        add(up > 0 ? inner : outer, height, 0, up);
+        add(up > 0 ? outer : inner, height, 0, up);
+        join();
+        for (const double radius : {inner, outer})
+            edge(radius, height);
+    }
+    void edge(double radius, double height) {
         for (int k = 0; k < sides_; ++k) {
             const double from = 2 * M_PI * k / sides_, to = 2 * M_PI * (k + 1) / sides_;
             mesh.edges.emplace_back(
@@ -152,6 +164,38 @@ Mesh capsuleMesh(double radius, double height, int sides) {
         const double outward = std::cos(angle), up = std::sin(angle);
         rings.add(radius * outward, radius * up + (isUpper ? height : -height) / 2, outward, up);
         if (k > 0)
+            rings.join();
+    }
+    return std::move(rings.mesh);
+}
+
+Mesh tubeMesh(double inner, double outer, double height, int sides) {
+    Rings rings(sides);
+    rings.ring(inner, outer, height / 2, 1);
+    rings.add(outer, height / 2, 1, 0);
+    rings.add(outer, -height / 2, 1, 0);
+    rings.join();
+    rings.ring(inner, outer, -height / 2, -1);
+    rings.add(inner, -height / 2, -1, 0);
+    rings.add(inner, height / 2, -1, 0);
+    rings.join();
+    return std::move(rings.mesh);
+}
+
+Mesh bowlMesh(double inner, double outer, int sides) {
+    Rings rings(sides);
+    const int quarter = sides / 4;
+    rings.ring(inner, outer, 0, 1);
+    for (int k = 0; k <= quarter; ++k) {
+        const double angle = M_PI / 2 * k / quarter, out = std::cos(angle), up = -std::sin(angle);
+        rings.add(outer * out, outer * up, out, up);
+        if (k > 0)
+            rings.join();
+    }
+    for (int k = quarter; k >= 0; --k) {
+        const double angle = M_PI / 2 * k / quarter, out = std::cos(angle), up = -std::sin(angle);
+        rings.add(inner * out, inner * up, -out, -up);
+        if (k < quarter)
             rings.join();
     }
     return std::move(rings.mesh);

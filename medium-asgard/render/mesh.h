@@ -34,6 +34,9 @@ inline constexpr int finestRing = 1536; // sides
 [[nodiscard]] Mesh cylinderMesh(double radius, double height, int sides);
 [[nodiscard]] Mesh coneMesh(double radius, double height, int sides);
 [[nodiscard]] Mesh capsuleMesh(double radius, double height, int sides);
+// Both with a hollow of the radius `inner`; a bowl is the lower half of a shell.
+[[nodiscard]] Mesh tubeMesh(double inner, double outer, double height, int sides);
+[[nodiscard]] Mesh bowlMesh(double inner, double outer, int sides);
 // A sphere of that level, drawn out along its axes.
 [[nodiscard]] Mesh ellipsoidMesh(const geometry::Vector& halfAxes, int level);
 // From -1 to 1 along x and z, seen from above.

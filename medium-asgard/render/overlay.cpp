@@ -19,6 +19,10 @@ public:
           eye_(solid.linear.inverse() * (eye - solid.place)) {}
 
     void operator()(const scene::CylinderShape& c) const { addSides(c.radius, c.height); }
+    void operator()(const scene::TubeShape& t) const { addSides(t.outer, t.height); }
+    void operator()(const scene::BowlShape& b) const {
+        addEllipse(Vector::Constant(b.outer), Vector::Zero(), -1);
+    }
     void operator()(const scene::CapsuleShape& c) const {
         addSides(c.radius, c.height);
         for (const double end : {-1.0, 1.0})

@@ -196,6 +196,12 @@ struct MeshKey {
         return {6, level(), e.axes.x(), e.axes.y(), e.axes.z()};
     }
     std::vector<double> operator()(const scene::PlaneShape&) const { return {7}; }
+    std::vector<double> operator()(const scene::TubeShape& t) const {
+        return {8, sides(), t.inner, t.outer, t.height};
+    }
+    std::vector<double> operator()(const scene::BowlShape& b) const {
+        return {9, sides(), b.inner, b.outer};
+    }
 };
 
 struct MeshMaker {
@@ -220,6 +226,12 @@ struct MeshMaker {
         return ellipsoidMesh(e.axes, fineness());
     }
     Mesh operator()(const scene::PlaneShape&) const { return squareMesh(); }
+    Mesh operator()(const scene::TubeShape& t) const {
+        return tubeMesh(t.inner, t.outer, t.height, fineness());
+    }
+    Mesh operator()(const scene::BowlShape& b) const {
+        return bowlMesh(b.inner, b.outer, fineness());
+    }
 };
 
 } // namespace

@@ -115,6 +115,15 @@ TEST(ShapeSet, HasRoundPartsAndHalfSpaces) {
     EXPECT_EQ(parts[4].rotation, Vector(0, 0, 1));
 }
 
+TEST(ShapeSet, HasHollowParts) {
+    const Scene scene =
+        read("shape_set h -desc {-sub {-tube {1 2 3}} -sub {-pos {0 5 0} -bowl {0.5 0.6}}}");
+    const std::vector<scene::Part>& parts = scene.shapeSets.back().parts;
+    ASSERT_EQ(parts.size(), 2u);
+    EXPECT_EQ(std::get<scene::TubeShape>(parts[0].shape), (scene::TubeShape{1, 2, 3}));
+    EXPECT_EQ(std::get<scene::BowlShape>(parts[1].shape), (scene::BowlShape{0.5, 0.6}));
+}
+
 TEST(Force, IsOfOneOfThreeKinds) {
     const Scene scene = read("body b s\ntrajectory T -points {{0 0 0 0} {1 1 1 1}}\n"
                              "force -body b -y {-9.81 * b.mass} -offset {1 0 0} -frame body\n"

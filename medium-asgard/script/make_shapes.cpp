@@ -137,6 +137,33 @@ bool SceneMaker::roundPart(Arguments& arguments, const std::string& option, cons
     return true;
 }
 
+// {r R h} of a tube, {r R} of a bowl: the hollow is the smaller.
+bool SceneMaker::hollowPart(Arguments& arguments, const std::string& option, const Value& value,
+                            scene::Part& part) {
+    const bool isTube = option == "-tube";
+    const std::string wants =
+        isTube ? "{r R h}, the radii inside and outside and the height, with 0 < r < R and 0 < h"
+               : "{r R}, the radii inside and outside, with 0 < r < R";
+    const auto numbers = arguments.numbersIn(option, value, wants);
+    if (!numbers)
+        return false;
+    const std::size_t count = isTube ? 3 : 2;
+    if (numbers->size() != count) {
+        arguments.wrong(option, value.range, wants, "and gets " + std::to_string(numbers->size()));
+        return false;
+    }
+    const double inner = (*numbers)[0], outer = (*numbers)[1];
+    if (!(inner > 0) || !(outer > inner) || !(numbers->back() > 0)) {
+        arguments.wrong(option, value.range, wants, "not " + quoted(value.text));
+        return false;
+    }
+    if (isTube)
+        part.shape = scene::TubeShape{inner, outer, (*numbers)[2]};
+    else
+        part.shape = scene::BowlShape{inner, outer};
+    return true;
+}
+
 // Those with a value; of -plane in partOf().
 bool SceneMaker::shapeOfPart(Arguments& arguments, const std::string& option, const Value& value,
                              scene::Part& part) {
@@ -159,6 +186,8 @@ bool SceneMaker::shapeOfPart(Arguments& arguments, const std::string& option, co
         return roundPart<scene::ConeShape>(arguments, option, value, false, part);
     if (option == "-capsule")
         return roundPart<scene::CapsuleShape>(arguments, option, value, true, part);
+    if (option == "-tube" || option == "-bowl")
+        return hollowPart(arguments, option, value, part);
     if (option == "-ellipsoid") {
         const auto axes = arguments.vectorIn(option, value, "three positive half axes");
         if (axes && axes->minCoeff() <= 0)
@@ -183,8 +212,9 @@ bool SceneMaker::shapeOfPart(Arguments& arguments, const std::string& option, co
 
 std::optional<scene::Part> SceneMaker::partOf(Arguments& arguments, const Value& description) {
     static const std::vector<std::string> options = {
-        "-sphere", "-box", "-points", "-cylinder", "-cone",  "-capsule",   "-ellipsoid",
-        "-plane",  "-pos", "-rot",    "-density",  "-color", "-shininess", "-transparency"};
+        "-sphere",    "-box",   "-points",    "-cylinder",    "-cone", "-capsule",
+        "-ellipsoid", "-tube",  "-bowl",      "-plane",       "-pos",  "-rot",
+        "-density",   "-color", "-shininess", "-transparency"};
     const auto words = arguments.listIn("-sub", description, "a list of options");
     if (!words)
         return std::nullopt;
@@ -229,8 +259,8 @@ std::optional<scene::Part> SceneMaker::partOf(Arguments& arguments, const Value&
     }
     if (!shaped && good)
         arguments.wrong("-sub", description.range,
-                        "one of -sphere, -box, -cylinder, -cone, -capsule, -ellipsoid, -points and "
-                        "-plane",
+                        "one of -sphere, -box, -cylinder, -cone, -capsule, -ellipsoid, -tube, "
+                        "-bowl, -points and -plane",
                         "and gets none");
     if (part.density && std::holds_alternative<scene::PlaneShape>(part.shape)) {
         arguments.wrong("-density", description.range, "a part with a volume",

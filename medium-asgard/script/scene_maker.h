@@ -74,6 +74,8 @@ private:
     std::optional<scene::Part> partOf(Arguments& arguments, const Value& description);
     bool shapeOfPart(Arguments& arguments, const std::string& option, const Value& value,
                      scene::Part& part);
+    bool hollowPart(Arguments& arguments, const std::string& option, const Value& value,
+                    scene::Part& part);
     template <typename Round>
     bool roundPart(Arguments& arguments, const std::string& option, const Value& value,
                    bool mayBeFlat, scene::Part& part);

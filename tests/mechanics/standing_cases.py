@@ -31,6 +31,20 @@ def coin():
     return rows
 
 
+def bowl():
+    """(1 + j) a q'' = -g sin q, j = 2/5 of the ball that rolls; the third keeps its height."""
+    rows, a, q = Rows(), 0.88, 1.0
+    w, x, y = math.sqrt(G / (a * math.cos(q))), a * math.sin(q), -a * math.cos(q)
+    for name, inertia, middle in (("rolls", 2 / 5, -2.3), ("slides", 0, 0)):
+        at = steps(6, 8)
+        for t, (angle, rate) in zip(at, solve(lambda t, s, j=inertia: [s[1], -G / a / (1 + j) * math.sin(s[0])], [q, 0], at)):
+            rows.place(t, 6, name, [middle + a * math.sin(angle), -a * math.cos(angle), 0])
+            rows.vector(t, 60, name + ".", "wx wy wz", [0, 0, -rate * a / 0.12 if inertia else 0])
+    for t in steps(6, 8):
+        rows.place(t, 6, "circles", [2.3 + x * math.cos(w * t), y, -x * math.sin(w * t)])
+    return rows
+
+
 def top():
     rows, at, l = Rows(), steps(1, 5), 0.07
     start, side = attitude([0, 0, 0.2]), 0.0004 + 0.3 * l * l

@@ -1,6 +1,7 @@
 #include "collision/advancement.h"
 
 #include "collision/curved_separation.h"
+#include "collision/hollow_separation.h"
 #include "collision/polynomial.h"
 #include "collision/spheres.h"
 #include "collision/turning_axis.h"
@@ -36,6 +37,7 @@ public:
     Encounter run() {
         while (result_.evaluations < mostEvaluations && !finished_) {
             const Separation now = pair_.separationAt(t_, warm_);
+            isInHollow_ = now.isInside;
             ++result_.evaluations;
             const double roundOff = pair_.roundOff(t_);
             if (now.gap < -std::max(deepest(), roundOff))
@@ -133,6 +135,8 @@ private:
             gained += (now->angular - was->angular).norm() * part->reach +
                       spin * (t_ - then) * (spin * part->reach + speed);
         }
+        if (isInHollow_) // the wall turns towards what goes along it
+            gained += (t_ - then) * speed * speed / roomInHollow(pair_);
         return gained;
     }
 
@@ -177,24 +181,41 @@ private:
     // Seconds until the gap, which is `gap` now, can become zero along the present normal; more
     // than is left when it cannot. With `leaving`, the root at 0 is divided out.
     double nextContact(const Vector& n, double gap, bool leaving) {
+        if (isInHollow_)
+            return nextInHollow(gap, leaving);
         const Polynomial along = motionAlong(n);
         if (!pair_.first.turns() && !pair_.second.turns())
             return root(withGap(along, gap), left(), leaving);
-        double best = 0;
         // A root close to 0 that is divided out says nothing about the next one's window.
         double& lastWindow = leaving ? windowAway_ : window_;
-        double window = std::min(left(), lastWindow);
+        double best = inWindows(
+            lastWindow, [&](double window) { return rootWithin(along, n, gap, window, leaving); });
+        if (result_.evaluations > patience && !isCurvedPair(*pair_.first.part, *pair_.second.part))
+            best = std::max(best, nextAlongTurningAxes(n, gap));
+        lastWindow = std::max(16 * best, 1e-12 * left());
+        // Nothing within the window: only that much is known.
+        return best >= left() ? 2 * left() : best;
+    }
+
+    // The longest time that `within` finds in a window; more than that window: all of it.
+    template <typename Within> double inWindows(double first, Within&& within) const {
+        double best = 0, window = std::min(left(), first);
         for (int i = 0; i < 4; ++i) {
-            const double s = rootWithin(along, n, gap, window, leaving);
+            const double s = within(window);
             best = std::max(best, std::min(s, window));
             if (s > window / 16) // wide enough; a narrower window has tighter bounds
                 break;
             window = std::max(4 * s, window / 4096);
         }
-        if (result_.evaluations > patience && !isCurvedPair(*pair_.first.part, *pair_.second.part))
-            best = std::max(best, nextAlongTurningAxes(n, gap));
+        return best;
+    }
+
+    double nextInHollow(double gap, bool leaving) {
+        double& lastWindow = leaving ? windowAway_ : window_;
+        const double best = inWindows(lastWindow, [&](double window) {
+            return clearFor({pair_, t_, gap, window, leaving});
+        });
         lastWindow = std::max(16 * best, 1e-12 * left());
-        // Nothing within the window: only that much is known.
         return best >= left() ? 2 * left() : best;
     }
 
@@ -328,7 +349,7 @@ private:
     double size_, unnoticed_;
     double window_ = HUGE_VAL, windowAway_ = HUGE_VAL, turningWindow_ = HUGE_VAL;
     WarmStart warm_;
-    bool stalled_ = false, finished_ = false;
+    bool stalled_ = false, finished_ = false, isInHollow_ = false;
     std::optional<std::pair<double, Contact>> pressed_;
     Encounter result_;
 };

@@ -148,11 +148,10 @@ Vector normalOfHit(const PartPair& pair, double t, const Separation& separation)
     return normalOf(before, now, 3 * flatLanding * pair.smallerSize());
 }
 
-Contact contactAlong(const PartPair& pair, double t, const Vector& normal, double gap) {
+// The patch's places are from the pair's origin.
+Contact contactIn(const PartPair& pair, double t, const Vector& normal, double gap,
+                  const Patch& patch) {
     const Vector origin = pair.originAt(t);
-    const double tolerance = std::max(flatLanding * pair.smallerSize(), 2 * pair.roundOff(t));
-    const Patch patch = patchOf(pair.first.posedAt(t, origin), pair.second.posedAt(t, origin),
-                                normal, tolerance, tolerance);
     const Velocity va = velocityAt(pair.first.piece, t), vb = velocityAt(pair.second.piece, t);
     const Vector pivotA = positionAt(pair.first.piece, t) - origin;
     Contact contact;
@@ -166,6 +165,14 @@ Contact contactAlong(const PartPair& pair, double t, const Vector& normal, doubl
             contact.closingSpeed, closingSpeed(va, pivotA, vb, Vector::Zero(), corner, normal));
     }
     return contact;
+}
+
+Contact contactAlong(const PartPair& pair, double t, const Vector& normal, double gap) {
+    const Vector origin = pair.originAt(t);
+    const double tolerance = std::max(flatLanding * pair.smallerSize(), 2 * pair.roundOff(t));
+    return contactIn(pair, t, normal, gap,
+                     patchOf(pair.first.posedAt(t, origin), pair.second.posedAt(t, origin), normal,
+                             tolerance, tolerance));
 }
 
 // Of those that are all but the same, the one along which they are farthest apart: along the others
@@ -247,6 +254,9 @@ bool isPassing(const PartPair& pair, double t, const Contact& contact) {
 } // namespace
 
 Contact contactOf(const PartPair& pair, double t, const Separation& separation) {
+    if (separation.touch)
+        return contactIn(pair, t, separation.normal, separation.gap,
+                         {{*separation.touch}, *separation.touch});
     return contactAlong(pair, t, normalOfHit(pair, t, separation), separation.gap);
 }
 

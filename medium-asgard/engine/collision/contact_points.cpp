@@ -34,6 +34,8 @@ double fallOf(const Feature& f, const Vector& direction) {
 
 double heightOf(const Feature& f, const Vector& direction) {
     const double place = direction.dot(f.place);
+    if (f.kind == Kind::point)
+        return place + f.radius;
     return f.kind == Kind::circle ? place + f.radius * f.axis.cross(direction).norm() : place;
 }
 

@@ -93,6 +93,18 @@ void addCone(std::vector<Feature>& features, const Curved& curved, double along,
         features.push_back({.kind = Kind::point, .place = tip});
 }
 
+// Its outside, edge and lid.
+void addBowl(std::vector<Feature>& features, const Curved& curved, double along, double across,
+             double depth) {
+    const double r = curved.radius();
+    if (along > 0 && 2 * r * across <= depth)
+        features.push_back(disc(Kind::face, curved, 1));
+    if (along * r <= depth)
+        features.push_back({.kind = Kind::point, .place = curved.center, .radius = r});
+    if (along > 0 || r * across >= r - depth)
+        features.push_back(disc(Kind::circle, curved, 1));
+}
+
 } // namespace
 
 std::vector<Feature> featuresAlong(const Part& part, const Vector& direction, double depth) {
@@ -105,7 +117,11 @@ std::vector<Feature> featuresAlong(const Part& part, const Vector& direction, do
     const Vector d = curved.frame.transpose() * direction;
     switch (curved.kind) {
     case Curved::Kind::cylinder:
+    case Curved::Kind::tube:
         addCylinder(features, curved, d.y(), depth);
+        break;
+    case Curved::Kind::bowl:
+        addBowl(features, curved, d.y(), std::hypot(d.x(), d.z()), depth);
         break;
     case Curved::Kind::cone:
         addCone(features, curved, d.y(), std::hypot(d.x(), d.z()), depth);

@@ -8,6 +8,7 @@
 //     circle     the rim of an end or a base
 //     cone       its side: normals n with n.axis = sine, one for each line through the apex
 //     ellipsoid  one normal at each point
+// Of a hollow part they are its hull's; a bowl's outside is a piece of a sphere.
 // On each the support function h(n) = max n.x is smooth, so that closest pairs of two pieces are
 // found by Newton's method (curved_separation.h), and those who keep a contact know what rolls or
 // slides on what.

@@ -195,7 +195,9 @@ std::vector<Vector> furthestOfCurved(const Posed& posed, const Vector& direction
     const Axis axis(posed, direction);
     const double r = curved.radius(), h = curved.half();
     const bool isAcross = 2 * r * axis.across <= tolerance; // an end lies in the plane
-    if (curved.kind == Curved::Kind::cylinder) {
+    if (curved.kind == Curved::Kind::bowl && isAcross && axis.along > 0)
+        return axis.disc(0, r);
+    if (curved.kind == Curved::Kind::cylinder || curved.kind == Curved::Kind::tube) {
         const double end = std::copysign(h, axis.along);
         if (isAcross)
             return axis.disc(end, r);

@@ -5,6 +5,7 @@
 #include "geometry/shape.h"
 
 #include <cstddef>
+#include <optional>
 
 namespace collision {
 
@@ -38,6 +39,10 @@ struct Separation {
     double coreDistance = 0;         // upper bound of the cores' distance, 0 when they overlap
     std::size_t iterations = 0;
     bool isBlurred = false; // of curved parts: the normal is lost in rounding
+    // Of a ball and a hollow part (hollow_separation.h): the ball is inside, or at the rim; where
+    // they touch, halfway between the surfaces.
+    bool isInside = false;
+    std::optional<Vector> touch = {};
 };
 
 } // namespace collision

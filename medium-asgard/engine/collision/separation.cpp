@@ -1,6 +1,7 @@
 #include "collision/separation.h"
 
 #include "collision/curved_separation.h"
+#include "collision/hollow_separation.h"
 #include "collision/nearest_feature.h"
 #include "collision/simplex.h"
 
@@ -235,6 +236,8 @@ Separation separateByAxes(const Posed& first, const Posed& second) {
 }
 
 Separation separate(const Posed& first, const Posed& second, WarmStart& warm) {
+    if (isHollowPair(*first.part, *second.part))
+        return separateHollow(first, second);
     if (isCurvedPair(*first.part, *second.part))
         return separateCurved(first, second);
     const double size = extent(first) + extent(second);

@@ -25,7 +25,7 @@ struct WarmStart {
     std::size_t count = 0;
 };
 
-// Capsules and curved parts: curved_separation.h.
+// Capsules and curved parts: curved_separation.h; balls and hollow ones: hollow_separation.h.
 [[nodiscard]] Separation separate(const Posed& first, const Posed& second, WarmStart& warm);
 
 // Axes along which the parts are apart, touch, or overlap by no more than `depth`: normals of faces

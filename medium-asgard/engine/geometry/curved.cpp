@@ -1,5 +1,7 @@
 #include "geometry/curved.h"
 
+#include "geometry/hollow.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -131,8 +133,12 @@ Vector supportPoint(const Curved& curved, const Vector& direction) {
     Vector own = Vector::Zero();
     switch (curved.kind) {
     case Curved::Kind::cylinder:
+    case Curved::Kind::tube:
         own = onCircle(d, curved.radius());
         own.y() = std::copysign(half, d.y());
+        break;
+    case Curved::Kind::bowl:
+        own = d.y() < 0 ? Vector(curved.radius() / d.norm() * d) : onCircle(d, curved.radius());
         break;
     case Curved::Kind::cone:
         if (half * d.y() >= curved.radius() * std::hypot(d.x(), d.z()) - half * d.y()) {
@@ -159,7 +165,10 @@ double radiusAbout(const Curved& curved, const Vector& center) {
     const double across = std::hypot(q.x(), q.z()) + curved.radius(), half = curved.half();
     switch (curved.kind) {
     case Curved::Kind::cylinder:
+    case Curved::Kind::tube:
         return std::hypot(across, std::abs(q.y()) + half);
+    case Curved::Kind::bowl:
+        return q.y() > 0 ? q.norm() + curved.radius() : std::hypot(across, q.y());
     case Curved::Kind::cone:
         return std::max(std::hypot(across, q.y() + half), (q - Vector(0, half, 0)).norm());
     case Curved::Kind::ellipsoid:
@@ -176,7 +185,10 @@ std::optional<std::pair<double, double>> insideAlong(const Curved& curved, const
     const Vector d = curved.frame.transpose() * direction;
     const double half = curved.half(), radius = curved.radius();
     switch (curved.kind) {
+    case Curved::Kind::bowl:
+        return common(inBall(o / radius, d / radius), between(o.y(), d.y(), -infinity, 0));
     case Curved::Kind::cylinder:
+    case Curved::Kind::tube:
         return common(inBall(Vector(o.x(), 0, o.z()) / radius, Vector(d.x(), 0, d.z()) / radius),
                       between(o.y(), d.y(), -half, half));
     case Curved::Kind::cone:
@@ -217,6 +229,9 @@ Vector normalAt(const Curved& curved, const Vector& point) {
     case Curved::Kind::ellipsoid:
         own = p.cwiseQuotient(curved.sizes).cwiseQuotient(curved.sizes).normalized();
         break;
+    case Curved::Kind::tube:
+    case Curved::Kind::bowl:
+        return nearestOf(curved, point).normal;
     case Curved::Kind::plane:
         break;
     }

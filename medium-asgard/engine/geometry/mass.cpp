@@ -1,5 +1,6 @@
 #include "geometry/mass.h"
 
+#include <cmath>
 #include <numbers>
 #include <vector>
 
@@ -66,12 +67,29 @@ Moments ofCapsule(const Part& part) {
     return about((a + b) / 2, (b - a) / h, volume, across, along);
 }
 
+// Half of what the shell about the same centre has.
+Moments ofBowl(const Curved& bowl) {
+    const auto power = [&](int n) { return std::pow(bowl.radius(), n) - std::pow(bowl.inner, n); };
+    const double volume = 2 * std::numbers::pi / 3 * power(3);
+    const double depth = 3 * power(4) / (8 * power(3)); // of the centroid
+    const double square = power(5) / (5 * power(3));
+    return about(bowl.center - depth * bowl.axis(), bowl.axis(), volume, square,
+                 square - depth * depth);
+}
+
 Moments ofCurved(const Curved& curved) {
     const double r = curved.radius(), h = 2 * curved.half();
     const double disc = std::numbers::pi * r * r;
     switch (curved.kind) {
     case Curved::Kind::cylinder:
         return about(curved.center, curved.axis(), disc * h, r * r / 4, h * h / 12);
+    case Curved::Kind::tube: {
+        const double bore = std::numbers::pi * curved.inner * curved.inner;
+        return about(curved.center, curved.axis(), (disc - bore) * h,
+                     (r * r + curved.inner * curved.inner) / 4, h * h / 12);
+    }
+    case Curved::Kind::bowl:
+        return ofBowl(curved);
     case Curved::Kind::cone:
         return about(curved.center - h / 4 * curved.axis(), curved.axis(), disc * h / 3,
                      3 * r * r / 20, 3 * h * h / 80);

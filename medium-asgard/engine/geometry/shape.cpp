@@ -46,6 +46,18 @@ Part ellipsoidPart(const Vector& halfAxes, const Pose& pose) {
     return curvedPart(Curved::Kind::ellipsoid, halfAxes, pose);
 }
 
+Part tubePart(double inner, double outer, double height, const Pose& pose) {
+    Part part = curvedPart(Curved::Kind::tube, {outer, height / 2, outer}, pose);
+    part.curved->inner = inner;
+    return part;
+}
+
+Part bowlPart(double inner, double outer, const Pose& pose) {
+    Part part = curvedPart(Curved::Kind::bowl, {outer, 0, outer}, pose);
+    part.curved->inner = inner;
+    return part;
+}
+
 Part planePart(const Pose& pose) { return curvedPart(Curved::Kind::plane, Vector::Zero(), pose); }
 
 Vector supportPoint(const Part& part, const Vector& direction) {
@@ -114,8 +126,33 @@ std::optional<double> crossing(const std::optional<std::pair<double, double>>& i
     return distance >= 0 && std::isfinite(distance) ? std::optional(distance) : std::nullopt;
 }
 
+// The hollow of one as a body of its own: longer than the tube, and of the bowl the whole ball.
+Part hollowOf(const Curved& curved) {
+    Part hollow = curved.kind == Curved::Kind::tube ? cylinderPart(curved.inner, 4 * curved.half())
+                                                    : ellipsoidPart(Vector::Constant(curved.inner));
+    hollow.curved->center = curved.center;
+    hollow.curved->frame = curved.frame;
+    return hollow;
+}
+
+// The wall before the hollow and the wall behind it.
+std::optional<double> crossingWall(const Curved& curved, const Vector& origin,
+                                   const Vector& direction) {
+    const auto hull = insideAlong(curved, origin, direction);
+    const auto hollow = insideAlong(*hollowOf(curved).curved, origin, direction);
+    if (!hull || !hollow || hollow->second <= hull->first || hollow->first >= hull->second)
+        return crossing(hull);
+    std::optional<double> first;
+    if (hollow->first > hull->first)
+        first = crossing(std::pair(hull->first, hollow->first));
+    if (!first && hollow->second < hull->second)
+        first = crossing(std::pair(hollow->second, hull->second));
+    return first;
+}
+
 std::optional<RayHit> hitCurved(const Part& part, const Vector& origin, const Vector& direction) {
-    const auto distance = crossing(insideAlong(*part.curved, origin, direction));
+    const auto distance = part.isHollow() ? crossingWall(*part.curved, origin, direction)
+                                          : crossing(insideAlong(*part.curved, origin, direction));
     if (!distance)
         return std::nullopt;
     const Vector point = origin + *distance * direction;

@@ -1,4 +1,4 @@
-// The shape of a body: a union of convex parts in the body's own frame.
+// The shape of a body: a union of parts in the body's own frame, convex but for tubes and bowls.
 //
 // Spheres, capsules and polyhedra are one kind of thing: a polyhedral core and a radius around it.
 // The core of a sphere is its centre, that of a capsule its axis; polyhedra have radius 0. What is
@@ -6,6 +6,7 @@
 #pragma once
 
 #include "geometry/curved.h"
+#include "geometry/hollow.h"
 #include "geometry/polyhedron.h"
 
 #include <cstddef>
@@ -23,6 +24,8 @@ struct Part {
     [[nodiscard]] bool isSphere() const { return core.vertices.size() == 1 && !curved; }
     [[nodiscard]] bool isCapsule() const { return core.vertices.size() == 2; }
     [[nodiscard]] bool isPlane() const { return curved && curved->kind == Curved::Kind::plane; }
+    // A tube or a bowl: not convex; what counts it so takes its hull.
+    [[nodiscard]] bool isHollow() const { return curved && geometry::isHollow(*curved); }
     [[nodiscard]] const Vector& center() const { return core.vertices.front(); } // of a sphere
 };
 
@@ -34,6 +37,9 @@ struct Part {
 [[nodiscard]] Part cylinderPart(double radius, double height, const Pose& pose = {});
 [[nodiscard]] Part conePart(double radius, double height, const Pose& pose = {});
 [[nodiscard]] Part ellipsoidPart(const Vector& halfAxes, const Pose& pose = {});
+// Their radii inside and outside. A bowl is the lower half of a shell about the pose's origin.
+[[nodiscard]] Part tubePart(double inner, double outer, double height, const Pose& pose = {});
+[[nodiscard]] Part bowlPart(double inner, double outer, const Pose& pose = {});
 // Everything below the pose's y = 0. It has no mass and no extent: it counts as its origin.
 [[nodiscard]] Part planePart(const Pose& pose = {});
 

@@ -18,6 +18,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace physics {
@@ -34,5 +35,12 @@ struct Assembly {
 };
 
 [[nodiscard]] Assembly assembled(const scene::Scene& scene);
+
+// A fault's sentence tells of a joint that its bodies miss at the start.
+inline constexpr const char* assembleAdvice =
+    "place them so that the joint closes, or let \"asgard assemble SCENE\" place them";
+[[nodiscard]] inline bool asksToAssemble(std::string_view sentence) {
+    return sentence.ends_with(assembleAdvice);
+}
 
 } // namespace physics

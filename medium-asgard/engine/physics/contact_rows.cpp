@@ -123,7 +123,11 @@ ContactRows::Frame ContactRows::frameOf(const ContactPlace& place) {
                        owner.toWorld(g_, constant(g_, second))};
         return frame;
     }
-    const NodeVector fixed = constant(g_, acrossAxis(place.normal));
+    NodeVector fixed = constant(g_, acrossAxis(place.normal));
+    for (const auto& [piece, owner] :
+         {std::pair(&gap.body, place.body), std::pair(&gap.support, place.support)})
+        if (piece->kind == Kind::line && piece->radius < 0) // round a tube there is no other
+            fixed = symbols(owner).toWorld(g_, constant(g_, piece->axis));
     const NodeVector second =
         unit(g_, subtract(g_, fixed, scaled(g_, dot(g_, fixed, frame.normal), frame.normal)));
     frame.along = {cross(g_, frame.normal, second), second};

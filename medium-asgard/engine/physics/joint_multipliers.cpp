@@ -1,5 +1,6 @@
 #include "physics/joint_multipliers.h"
 
+#include "physics/assembly.h"
 #include "physics/contact_readings.h"
 
 #include "expression/operation.h"
@@ -418,10 +419,8 @@ void JointMultipliers::tell(const std::string& where, double gap, double rate,
     const auto [size, speed] = extents();
     char text[200];
     if (!(gap <= startResolution * size)) {
-        std::snprintf(text, sizeof text,
-                      "its bodies miss each other by %.4g at the start; place them so that the "
-                      "joint closes, or let \"asgard assemble SCENE\" place them",
-                      gap);
+        std::snprintf(text, sizeof text, "its bodies miss each other by %.4g at the start; %s", gap,
+                      assembleAdvice);
         faults_.push_back(where + text);
     } else if (!(rate <= startResolution * speed)) {
         std::snprintf(text, sizeof text,

@@ -22,6 +22,10 @@
 //     point and cone      g = n.d - r                         n.a = sine of the cone
 //     line and line       g = n.d - r, n along a x b          x where they cross
 //
+// A point or a line with a radius below 0 is the inside of a shell or a tube; with a point within
+// it
+//     g = -r - |d|, -r - |d - b (b.d)|       r: both radii together, and below 0.
+//
 // That holds for expressions (contact_rows.h) and for numbers alike: surface_nearest.h has the
 // formulas once.
 #pragma once
@@ -40,7 +44,7 @@ struct SurfacePiece {
     // centre; the apex.
     Vector place = Vector::Zero();
     Vector axis = Vector::UnitX(); // outward; along the line; across the circle; to the apex
-    double radius = 0;             // around a point or a line; of the circle
+    double radius = 0;             // around a point or a line, below 0: hollow; of the circle
     double sine = 0;               // cone: of the angle between its axis and its side
     Matrix axes = Matrix::Zero();  // ellipsoid: its half axes are the columns
 };

@@ -89,7 +89,8 @@ Extent<S> lowest(const SurfacePiece& piece, const Place<S>& owner, const Triple<
     return {owner.number(piece.radius), owner.number(-piece.radius) * n};
 }
 
-// From b to a; `d` from b's place to a's. a's kind does not come after b's. Places: from a's place.
+// From b to a; `d` from b's place to a's. a's kind does not come after b's, and a is not hollow.
+// Places: from a's place.
 template <class S>
 Nearest<S> between(const SurfacePiece& a, const Place<S>& ofA, const SurfacePiece& b,
                    const Place<S>& ofB, const Triple<S>& d, bool isFlipped) {
@@ -102,12 +103,14 @@ Nearest<S> between(const SurfacePiece& a, const Place<S>& ofA, const SurfacePiec
                 a.kind == Kind::point ? none : extent.offset};
     }
     const S radius = ofA.number(a.radius);
-    const auto round = [&](const Triple<S>& way, const S& length, const S& both) {
-        const Triple<S> n = way / length;
-        return Nearest<S>{length - both, n, ofA.number(-a.radius) * n, none};
+    const auto round = [&](const Triple<S>& way, const S& length, double both) {
+        const bool isWithin = both < 0; // a in the hollow of b
+        const Triple<S> n = (isWithin ? ofA.number(-1) * way : way) / length;
+        const S gap = isWithin ? ofA.number(-both) - length : length - ofA.number(both);
+        return Nearest<S>{gap, n, ofA.number(-a.radius) * n, none};
     };
     if (b.kind == Kind::point)
-        return round(d, lengthOf(d), ofA.number(a.radius + b.radius));
+        return round(d, lengthOf(d), a.radius + b.radius);
     const Triple<S> axis = ofB.toWorld(b.axis);
     const Triple<S> across = d - dot(axis, d) * axis;
     if (a.kind == Kind::line) {
@@ -120,10 +123,10 @@ Nearest<S> between(const SurfacePiece& a, const Place<S>& ofA, const SurfacePiec
         return {dot(n, d) - ofA.number(a.radius + b.radius), n, on, on};
     }
     if (b.kind == Kind::line)
-        return round(across, lengthOf(across), ofA.number(a.radius + b.radius));
+        return round(across, lengthOf(across), a.radius + b.radius);
     if (b.kind == Kind::circle) {
         const Triple<S> foot = (ofA.number(b.radius) / lengthOf(across)) * across;
-        return round(d - foot, lengthOf(d - foot), radius);
+        return round(d - foot, lengthOf(d - foot), a.radius);
     }
     const double cosine = std::sqrt(1 - b.sine * b.sine);
     const Triple<S> n =
@@ -133,7 +136,8 @@ Nearest<S> between(const SurfacePiece& a, const Place<S>& ofA, const SurfacePiec
 
 template <class S>
 Nearest<S> nearestOf(const SurfaceGap& gap, const Place<S>& body, const Place<S>& support) {
-    const bool isSwapped = gap.body.kind > gap.support.kind;
+    const bool isSwapped = gap.body.kind > gap.support.kind ||
+                           (gap.body.kind == gap.support.kind && gap.body.radius < 0);
     const auto& [first, second] =
         isSwapped ? std::pair(&gap.support, &gap.body) : std::pair(&gap.body, &gap.support);
     const Place<S>&a = isSwapped ? support : body, &b = isSwapped ? body : support;

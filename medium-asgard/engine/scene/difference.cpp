@@ -36,6 +36,12 @@ bool same(const ConeShape& a, const ConeShape& b) { return sameRound(a, b); }
 bool same(const CapsuleShape& a, const CapsuleShape& b) { return sameRound(a, b); }
 bool same(const EllipsoidShape& a, const EllipsoidShape& b) { return same(a.axes, b.axes); }
 bool same(const PlaneShape&, const PlaneShape&) { return true; }
+bool same(const TubeShape& a, const TubeShape& b) {
+    return same(a.inner, b.inner) && same(a.outer, b.outer) && same(a.height, b.height);
+}
+bool same(const BowlShape& a, const BowlShape& b) {
+    return same(a.inner, b.inner) && same(a.outer, b.outer);
+}
 bool same(const ComponentForce& a, const ComponentForce& b) {
     return a.frame == b.frame && same(a.components, b.components);
 }

@@ -48,6 +48,10 @@ struct Reach {
     }
     double operator()(const EllipsoidShape& ellipsoid) const { return ellipsoid.axes.maxCoeff(); }
     double operator()(const PlaneShape&) const { return 0; }
+    double operator()(const TubeShape& tube) const {
+        return std::hypot(tube.outer, tube.height / 2);
+    }
+    double operator()(const BowlShape& bowl) const { return bowl.outer; }
     double operator()(const HullShape& hull) const {
         double farthest = 0;
         for (const Vector& point : hull.points)

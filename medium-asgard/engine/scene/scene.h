@@ -95,6 +95,15 @@ struct EllipsoidShape {
     Vector axes = Vector::Ones(); // half axes along x, y, z
     bool operator==(const EllipsoidShape&) const = default;
 };
+// Hollow: the radius of the hollow, then that of the outside.
+struct TubeShape { // along y
+    double inner = 0.9, outer = 1, height = 1;
+    bool operator==(const TubeShape&) const = default;
+};
+struct BowlShape { // the lower half of a shell about the part's origin
+    double inner = 0.9, outer = 1;
+    bool operator==(const BowlShape&) const = default;
+};
 // Everything below y = 0, without mass and extent; of bodies that are fixed or held.
 struct PlaneShape {
     bool operator==(const PlaneShape&) const = default;
@@ -102,7 +111,7 @@ struct PlaneShape {
 
 struct Part {
     std::variant<SphereShape, BoxShape, HullShape, CylinderShape, ConeShape, CapsuleShape,
-                 EllipsoidShape, PlaneShape>
+                 EllipsoidShape, PlaneShape, TubeShape, BowlShape>
         shape;
     Vector position = Vector::Zero(); // in the shape's frame; the part is turned, then moved
     Vector rotation = Vector::Zero(); // rotation vector

@@ -32,6 +32,12 @@ struct PartMaker {
         return geometry::ellipsoidPart(ellipsoid.axes, pose);
     }
     Made operator()(const PlaneShape&) const { return geometry::planePart(pose); }
+    Made operator()(const TubeShape& tube) const {
+        return geometry::tubePart(tube.inner, tube.outer, tube.height, pose);
+    }
+    Made operator()(const BowlShape& bowl) const {
+        return geometry::bowlPart(bowl.inner, bowl.outer, pose);
+    }
     Made operator()(const HullShape& hull) const {
         const auto made = geometry::convexHull(hull.points, meanwhile);
         if (const auto* refusal = std::get_if<geometry::HullRefusal>(&made))

@@ -1,8 +1,10 @@
 #include "faults/fault_list.h"
 
 #include "editing/changes.h"
+#include "faults/close_joints.h"
 #include "plain/plain.h"
 
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QStyle>
@@ -19,7 +21,10 @@ FaultList::FaultList(SceneDocument& document, FaultListActions actions, QWidget*
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(8, 8, 8, 8);
     column->setSpacing(6);
-    column->addWidget(summary_);
+    auto* head = new QHBoxLayout;
+    head->addWidget(summary_, 1);
+    head->addWidget(new CloseJoints(document_, this));
+    column->addLayout(head);
     column->addWidget(list_, 1);
     list_->setObjectName(QStringLiteral("faultItems"));
     list_->setAccessibleName(tr("Faults and warnings"));

@@ -1,5 +1,7 @@
 // Faults of text and motion in one list, and where they lead.
 #include "faults/fault_list.h"
+
+#include "faults/close_joints.h"
 #include "views/test_workshop.h"
 
 #include <gmock/gmock.h>
@@ -56,6 +58,27 @@ TEST_F(FaultListTest, TheSameFaultsKeepTheirPlaceInTheList) {
     document.undo();
     ASSERT_TRUE(settle(document));
     EXPECT_EQ(list.list().topLevelItemCount(), 0);
+}
+
+TEST_F(FaultListTest, OffersToCloseAJointThatItsBodiesMiss) {
+    const auto offer = [&] { return list.findChild<CloseJoints*>(); };
+    open(ballScene);
+    EXPECT_FALSE(offer()->isVisibleTo(&list));
+    const std::string text = ballScene +
+                             "body arm ball -init_pos {3 0.5 0} -mass 1\n"
+                             "joint pin -type ball -body1 arm -offset1 {0 0 0} -offset2 {3 0 0}\n";
+    open(text);
+    ASSERT_TRUE(offer()->isVisibleTo(&list));
+    EXPECT_EQ(offer()->text(), "Close It");
+    offer()->click();
+    EXPECT_EQ(offer()->reason(), "");
+    ASSERT_TRUE(settle(document));
+    EXPECT_FALSE(offer()->isVisibleTo(&list));
+    EXPECT_THAT(document.text(), HasSubstr("body arm ball -init_pos {3 0 0}"));
+    document.undo();
+    ASSERT_TRUE(settle(document));
+    EXPECT_EQ(document.text(), text);
+    EXPECT_TRUE(offer()->isVisibleTo(&list));
 }
 
 TEST_F(FaultListTest, AClickSelectsTheElementAndGoesToTheTime) {

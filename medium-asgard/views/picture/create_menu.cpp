@@ -60,7 +60,9 @@ void fillBodies(QMenu* menu, SceneDocument& document, SceneDisplay& display) {
                     [&display] { display.creating().start(newBody(BasicShape::box)); });
     const std::pair<QString, const char*> round[] = {{QObject::tr("New &Wheel"), "Wheel"},
                                                      {QObject::tr("New &Capsule"), "Capsule"},
-                                                     {QObject::tr("New C&one"), "Cone"}};
+                                                     {QObject::tr("New C&one"), "Cone"},
+                                                     {QObject::tr("New &Tube"), "Tube"},
+                                                     {QObject::tr("New Bo&wl"), "Bowl"}};
     for (const auto& [label, name] : round)
         menu->addAction(plain::ours(label), &display,
                         [&display, &shape = editing::libraryShape(name)] {

@@ -522,6 +522,32 @@ TEST_F(CreatingTest, AParametersSliderIsItsNumberInTheText) {
     EXPECT_EQ(text(), before);
 }
 
+TEST_F(CreatingTest, AMotorsSliderIsItsNumberInTheText) {
+    open(balls + "joint pin -type hinge -body1 b1 -offset1 {0 0 0} -speed 2 ;# turns\n"
+                 "joint rail -type cylindrical -body1 b2 -motor2 {0.5}\n"
+                 "joint free -type hinge -body1 b2 -offset1 {1 0 0} -motor {sin(t)}\n");
+    auto* panel = viewer->findChild<ParametersPanel*>();
+    EXPECT_EQ(panel->title(), "Motors");
+    EXPECT_EQ(panel->slider("free -motor"), nullptr); // it is no number
+    ASSERT_NE(panel->slider("rail -motor2"), nullptr);
+    QSlider* slider = panel->slider("pin -speed");
+    ASSERT_NE(slider, nullptr);
+    EXPECT_EQ(slider->value(), 750); // between -4 and 4
+    slider->setSliderDown(true);
+    slider->setSliderPosition(500);
+    slider->setSliderPosition(250);
+    EXPECT_THAT(text(), HasSubstr("-speed -2 ;# turns"));
+    slider->setSliderDown(false);
+    done();
+    EXPECT_EQ(scene().joints[0].coordinates[0].speed, "-2");
+    panel->slider("rail -motor2")->setValue(1000);
+    done();
+    EXPECT_THAT(text(), HasSubstr("-motor2 {1}"));
+    editor.document().undo();
+    editor.document().undo();
+    EXPECT_THAT(text(), HasSubstr("-speed 2 ;# turns"));
+}
+
 TEST_F(CreatingTest, UnderAHostASliderChangesTheTextToo) {
     open("parameter g -value 1 -min 0 -max 4\n" + balls);
     std::vector<std::string> told;

@@ -242,12 +242,14 @@ TEST_F(ShapeEditorTest, SizesAndColoursAreTheTexts) {
 }
 
 TEST_F(ShapeEditorTest, RoundPartsComeFromButtonsAndTakeSizes) {
-    for (const char* name : {"addCylinder", "addCone", "addCapsule", "addEllipsoid"}) {
+    for (const char* name :
+         {"addCylinder", "addCone", "addCapsule", "addEllipsoid", "addTube", "addBowl"}) {
         editor->findChild<QPushButton*>(name)->click();
         ASSERT_TRUE(settle(document));
     }
-    for (const char* part : {"-sub {-cylinder {0.5 1}}", "-sub {-cone {0.5 1}}",
-                             "-sub {-capsule {0.3 1}}", "-sub {-ellipsoid {0.6 0.4 0.4}}"})
+    for (const char* part :
+         {"-sub {-cylinder {0.5 1}}", "-sub {-cone {0.5 1}}", "-sub {-capsule {0.3 1}}",
+          "-sub {-ellipsoid {0.6 0.4 0.4}}", "-sub {-tube {0.4 0.5 1}}", "-sub {-bowl {0.4 0.5}}"})
         EXPECT_NE(document.text().find(part), std::string::npos) << document.text();
     Q_EMIT editor->display().chosen(2, 0);
     type("Height", "2.5");

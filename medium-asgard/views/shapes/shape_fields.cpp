@@ -44,6 +44,11 @@ void fill(const std::array<QLineEdit*, 3>& fields, const std::vector<double>& va
 } // namespace
 
 QStringList sizeNames(const scene::Part& part) {
+    const QString inside = ShapeFields::tr("Radius inside"), outside = ShapeFields::tr("outside");
+    if (std::holds_alternative<scene::TubeShape>(part.shape))
+        return {inside, outside, ShapeFields::tr("Height")};
+    if (std::holds_alternative<scene::BowlShape>(part.shape))
+        return {inside, outside};
     switch (editing::sizesOf(part).size()) {
     case 1:
         return {ShapeFields::tr("Radius")};

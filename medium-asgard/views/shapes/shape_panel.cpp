@@ -21,7 +21,8 @@ QString kindOf(const scene::Part& part) {
     const QString names[] = {ShapePanel::tr("Sphere"),     ShapePanel::tr("Box"),
                              ShapePanel::tr("Polyhedron"), ShapePanel::tr("Cylinder"),
                              ShapePanel::tr("Cone"),       ShapePanel::tr("Capsule"),
-                             ShapePanel::tr("Ellipsoid"),  ShapePanel::tr("Floor")};
+                             ShapePanel::tr("Ellipsoid"),  ShapePanel::tr("Floor"),
+                             ShapePanel::tr("Tube"),       ShapePanel::tr("Bowl")};
     if (std::holds_alternative<scene::HullShape>(part.shape))
         return ShapePanel::tr("Polyhedron, %1 vertices").arg(editing::pointsOf(part).size());
     return names[part.shape.index()]; // in the order of the variant
@@ -96,6 +97,8 @@ void ShapePanel::buildNewParts(QVBoxLayout* column) {
         {"addCone", tr("Co&ne"), editing::cone(0.5, 1)},
         {"addCapsule", tr("Ca&psule"), editing::capsule(0.3, 1)},
         {"addEllipsoid", tr("&Ellipsoid"), editing::ellipsoid({0.6, 0.4, 0.4})},
+        {"addTube", tr("&Tube"), editing::tube(0.4, 0.5, 1)},
+        {"addBowl", tr("Bo&wl"), editing::bowl(0.4, 0.5)},
     };
     int place = 0;
     for (const auto& [name, text, part] : kinds) {

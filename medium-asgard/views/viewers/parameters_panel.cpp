@@ -38,6 +38,14 @@ QString shortest(double value, double resolution) {
     return text;
 }
 
+// Of an expression that is one.
+std::optional<double> numberOf(const std::string& expression) {
+    const QString text = QString::fromStdString(expression).trimmed();
+    bool isNumber = false;
+    const double value = text.toDouble(&isNumber);
+    return isNumber && std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
 // For the longest that a drag can show: then the name beside it breaks its lines once for all.
 void reserveWidth(QLabel& label, const std::function<QString(double)>& text, double least,
                   double most) {
@@ -58,14 +66,54 @@ ParametersPanel::ParametersPanel(SceneDocument& document, QWidget* parent)
     refresh();
 }
 
-QSlider* ParametersPanel::slider(const QString& parameter) const {
+QSlider* ParametersPanel::slider(const QString& name) const {
     for (const Row& row : rows_)
-        if (row.name == parameter.toStdString())
+        if (row.of.name == name.toStdString())
             return row.slider;
     return nullptr;
 }
 
-void ParametersPanel::rebuild() {
+std::vector<ParametersPanel::Control> ParametersPanel::controlsOf(const scene::Scene& scene) {
+    std::vector<Control> controls;
+    for (std::size_t i = 0; i < scene.parameters.size(); ++i) {
+        const scene::Parameter& one = scene.parameters[i];
+        controls.push_back(
+            {one.name,
+             QString::fromStdString(one.label.empty() ? one.name : one.label),
+             one.unit,
+             {editing::Kind::parameter, i},
+             "-value",
+             one.value,
+             one.minimum.value_or(std::min(0.0, 2 * one.value)),
+             one.maximum.value_or(one.value == 0 ? 1 : std::max(0.0, 2 * one.value))});
+    }
+    for (std::size_t j = 0; j < scene.joints.size(); ++j) {
+        const scene::Joint& joint = scene.joints[j];
+        for (std::size_t k = 0; k < joint.coordinates.size(); ++k) {
+            const std::string digit = joint.coordinates.size() > 1 ? std::to_string(k + 1) : "";
+            const auto add = [&](const std::optional<scene::Expression>& text,
+                                 const std::string& option, const QString& label) {
+                const auto value = text ? numberOf(*text) : std::nullopt;
+                if (!value)
+                    return;
+                const double most = *value == 0 ? 1 : 2 * std::abs(*value);
+                controls.push_back({joint.name + " " + option + digit,
+                                    label.arg(QString::fromStdString(joint.name)),
+                                    {},
+                                    {editing::Kind::joint, j},
+                                    option + digit,
+                                    *value,
+                                    -most,
+                                    most});
+            };
+            add(joint.coordinates[k].motor, "-motor", tr("Motor of %1"));
+            add(joint.coordinates[k].speed, "-speed", tr("Speed of %1"));
+        }
+    }
+    return controls;
+}
+
+void ParametersPanel::rebuild(const std::vector<Control>& controls) {
     delete content_;
     rows_.clear();
     drag_.reset();
@@ -73,28 +121,26 @@ void ParametersPanel::rebuild() {
     auto* column = new QVBoxLayout(content_);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(2);
-    for (const scene::Parameter& parameter : document_.shown().scene->parameters) {
+    for (const Control& control : controls) {
         const std::size_t index = rows_.size();
         auto* head = new QHBoxLayout;
-        const QString label =
-            QString::fromStdString(parameter.label.empty() ? parameter.name : parameter.label);
-        auto* name = plain::label(label);
+        auto* name = plain::label(control.label);
         name->setWordWrap(true);
-        name->setToolTip(plain::tip(QString::fromStdString(parameter.name)));
+        name->setToolTip(plain::tip(QString::fromStdString(control.name)));
         auto* value = plain::label();
         value->setAlignment(Qt::AlignRight | Qt::AlignBottom);
         auto* slider = new QSlider(Qt::Horizontal);
         slider->setRange(0, whole);
         slider->setPageStep(whole / 20);
         slider->setSingleStep(whole / 100);
-        slider->setAccessibleName(label);
+        slider->setAccessibleName(control.label);
         slider->setFocusPolicy(Qt::TabFocus); // a drag leaves the keys to the picture
         slider->installEventFilter(this);
         head->addWidget(name, 1);
         head->addWidget(value);
         column->addLayout(head);
         column->addWidget(slider);
-        rows_.push_back({parameter.name, value, slider, 0, 1, parameter.unit});
+        rows_.push_back({control, value, slider});
         connect(slider, &QSlider::sliderPressed, this, &ParametersPanel::begin);
         connect(slider, &QSlider::valueChanged, this,
                 [this, index](int position) { moved(index, position); });
@@ -104,56 +150,61 @@ void ParametersPanel::rebuild() {
 }
 
 void ParametersPanel::refresh() {
-    const auto& parameters = document_.shown().scene->parameters;
-    const bool same =
-        content_ && std::ranges::equal(parameters, rows_, {}, &scene::Parameter::name, &Row::name);
+    const std::vector<Control> controls = controlsOf(*document_.shown().scene);
+    const bool same = content_ && std::ranges::equal(controls, rows_, {}, &Control::name,
+                                                     [](const Row& row) { return row.of.name; });
     if (!same)
-        rebuild();
-    setVisible(!parameters.empty());
+        rebuild(controls);
+    setVisible(!controls.empty());
+    const auto isMotor = [](const Control& of) { return of.element.kind == editing::Kind::joint; };
+    const bool areMotors = std::ranges::any_of(controls, isMotor);
+    setTitle(!areMotors                               ? tr("Parameters")
+             : std::ranges::all_of(controls, isMotor) ? tr("Motors")
+                                                      : tr("Parameters and Motors"));
     refreshing_ = true;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         Row& row = rows_[i];
-        const scene::Parameter& parameter = parameters[i];
-        const double value = parameter.value;
         if (!row.slider->isSliderDown()) { // the ends stay while one drags
-            row.least = parameter.minimum.value_or(std::min(0.0, 2 * value));
-            row.most = parameter.maximum.value_or(value == 0 ? 1 : std::max(0.0, 2 * value));
-            row.slider->setValue(positionOf(row, value));
+            row.of = controls[i];
+            row.slider->setValue(positionOf(row, row.of.value));
             reserveWidth(
-                *row.value, [&row](double any) { return valueText(row, any); }, row.least,
-                row.most);
+                *row.value, [&row](double any) { return valueText(row, any); }, row.of.least,
+                row.of.most);
         }
-        show(row, value);
+        show(row, controls[i].value);
     }
     refreshing_ = false;
     if (drag_ || !document_.sceneIsCurrent())
         return;
     const editing::Mapper now(document_.text(), document_.shown().scene);
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-        const auto answer = asked(now, i, (rows_[i].least + rows_[i].most) / 2);
+        const auto answer = asked(now, i, (rows_[i].of.least + rows_[i].of.most) / 2);
         rows_[i].slider->setEnabled(answer.possible());
         rows_[i].slider->setToolTip(plain::tip(QString::fromStdString(answer.reason)));
     }
     // What keys asked for while the scene was being read.
     if (const auto wanted = std::exchange(wanted_, std::nullopt)) {
-        const auto row = std::ranges::find(rows_, wanted->first, &Row::name);
+        const auto row = std::ranges::find_if(
+            rows_, [&](const Row& one) { return one.of.name == wanted->first; });
         if (row != rows_.end())
             row->slider->setValue(positionOf(*row, wanted->second));
     }
 }
 
 int ParametersPanel::positionOf(const Row& row, double value) {
-    const double share = row.most > row.least ? (value - row.least) / (row.most - row.least) : 0;
+    const auto& [least, most] = std::pair(row.of.least, row.of.most);
+    const double share = most > least ? (value - least) / (most - least) : 0;
     return static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * whole));
 }
 
 double ParametersPanel::valueOf(const Row& row, int position) {
-    return row.least + (row.most - row.least) * position / whole;
+    return row.of.least + (row.of.most - row.of.least) * position / whole;
 }
 
 QString ParametersPanel::valueText(const Row& row, double value) {
-    const QString unit = row.unit.empty() ? QString() : " " + QString::fromStdString(row.unit);
-    return shortest(value, resolutionOf(row.least, row.most)) + unit;
+    const QString unit =
+        row.of.unit.empty() ? QString() : " " + QString::fromStdString(row.of.unit);
+    return shortest(value, resolutionOf(row.of.least, row.of.most)) + unit;
 }
 
 void ParametersPanel::show(Row& row, double value) { row.value->setText(valueText(row, value)); }
@@ -161,11 +212,12 @@ void ParametersPanel::show(Row& row, double value) { row.value->setText(valueTex
 editing::Answer ParametersPanel::asked(const editing::Mapper& mapper, std::size_t row,
                                        double value) const {
     editing::Wish wish;
-    wish.element = {editing::Kind::parameter, row};
-    wish.option = "-value";
+    const Control& of = rows_[row].of;
+    wish.element = of.element;
+    wish.option = of.option;
     wish.values = {value};
     wish.absent = {0};
-    wish.resolution = resolutionOf(rows_[row].least, rows_[row].most);
+    wish.resolution = resolutionOf(of.least, of.most);
     return mapper.answer(wish);
 }
 
@@ -208,7 +260,7 @@ void ParametersPanel::moved(std::size_t index, int position) {
     }
     if (!drag_) {
         if (!dragged)
-            wanted_ = {row.name, valueOf(row, position)};
+            wanted_ = {row.of.name, valueOf(row, position)};
         return;
     }
     const double value = valueOf(row, position);
@@ -231,7 +283,7 @@ void ParametersPanel::finish(std::size_t index) {
         return;
     const std::unique_ptr<Drag> drag = std::move(drag_);
     document_.finishPreview(drag->wanted(),
-                            tr("Change %1").arg(QString::fromStdString(rows_[index].name)),
+                            tr("Change %1").arg(QString::fromStdString(rows_[index].of.name)),
                             drag->since, this);
 }
 

@@ -1,7 +1,9 @@
-// Sliders for the scene's parameters: what one drags is the number in the text.
+// Sliders for the scene's parameters and for the motors of its joints: what one drags is the number
+// in the text.
 //
 // A drag is one step of undo, a press of a key another. A parameter without -min and -max goes from
-// 0 to twice its value. One whose number cannot be rewritten says why.
+// 0 to twice its value, a -motor or -speed that is a number as far backwards as forwards. One whose
+// number cannot be rewritten says why.
 #pragma once
 
 #include "editing/value_edit.h"
@@ -22,20 +24,30 @@ class ParametersPanel : public QGroupBox {
 public:
     explicit ParametersPanel(SceneDocument& document, QWidget* parent = nullptr);
 
-    [[nodiscard]] QSlider* slider(const QString& parameter) const; // null: there is none
-    [[nodiscard]] std::optional<Asked> asked() const;              // by the slider that is dragged
+    // Of a parameter; of a joint's option by "pin -speed". Null: there is none.
+    [[nodiscard]] QSlider* slider(const QString& name) const;
+    [[nodiscard]] std::optional<Asked> asked() const; // by the slider that is dragged
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    // What a slider sets.
+    struct Control {
+        std::string name; // of the parameter; "pin -speed"
+        QString label;
+        std::string unit;
+        editing::Element element;
+        std::string option;
+        double value = 0;
+        double least = 0, most = 1;
+    };
     struct Row {
-        std::string name;
+        Control of;
         QLabel* value;
         QSlider* slider;
-        double least = 0, most = 1;
-        std::string unit;
     };
+    [[nodiscard]] static std::vector<Control> controlsOf(const scene::Scene& scene);
     struct Drag { // of the text as it was when it began
         int since;
         std::string text;
@@ -45,7 +57,7 @@ private:
         [[nodiscard]] std::string wanted() const { return text::applied(text, last.edits); }
     };
     void refresh();
-    void rebuild();
+    void rebuild(const std::vector<Control>& controls);
     void show(Row& row, double value);
     [[nodiscard]] static QString valueText(const Row& row, double value);
     [[nodiscard]] static int positionOf(const Row& row, double value);
@@ -62,7 +74,7 @@ private:
     std::vector<Row> rows_;
     std::unique_ptr<Drag> drag_;
     bool refreshing_ = false;
-    // Parameter and value, once the scene is read.
+    // Name and value, once the scene is read.
     std::optional<std::pair<std::string, double>> wanted_;
 };
 

@@ -1,5 +1,6 @@
 #include "viewers/status_panel.h"
 
+#include "faults/close_joints.h"
 #include "motion/known_span.h"
 #include "plain/plain.h"
 #include "render/handles.h"
@@ -79,6 +80,7 @@ StatusPanel::StatusPanel(SceneDocument& document, Playback& playback,
     state_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     state_->setAccessibleName(tr("State"));
     form->addRow(state_);
+    form->addRow(new CloseJoints(document_));
     column->addWidget(status);
     column->addWidget(new ParametersPanel(document_));
     addSwitches(display);
@@ -210,7 +212,9 @@ void StatusPanel::showMotion() {
                             ? tr("Computing the motion… what is shown is stale.")
                             : tr("Computing the motion…"));
     else if (document_.hasErrors())
-        state_->setText(document_.sceneIsCurrent()
+        state_->setText(document_.sceneIsCurrent() && openJoints(document_) > 0
+                            ? tr("The bodies of a joint do not meet at the start.")
+                        : document_.sceneIsCurrent()
                             ? tr("The motion has faults: see the text.")
                             : tr("The text has errors. This is the last good scene."));
     else if (document_.waitsToBeAsked())

@@ -115,13 +115,20 @@ void addCellOf(const Curved& curved, const Vector& centroid, const SurfacePiece&
                Sides& sides) {
     const Vector axis = curved.axis(), middle = curved.center - centroid;
     const double r = curved.radius(), half = curved.half();
-    const bool isCylinder = curved.kind == Curved::Kind::cylinder;
+    const bool isCylinder =
+        curved.kind == Curved::Kind::cylinder || curved.kind == Curved::Kind::tube;
     if (isCylinder && piece.kind == Piece::line)
         return sides.addEnds(middle - half * axis, middle + half * axis);
     if (isCylinder && piece.kind == Piece::circle) {
         const Vector out = axis.dot(piece.place - middle) > 0 ? axis : Vector(-axis);
         sides.add(out, piece.place);
         return sides.addRound(Vector::Zero(), 1, -r, axis, piece.place);
+    }
+    if (curved.kind == Curved::Kind::bowl && piece.kind == Piece::point)
+        return sides.add(-axis, middle);
+    if (curved.kind == Curved::Kind::bowl && piece.kind == Piece::circle) {
+        sides.add(axis, middle);
+        return sides.addRound(Vector::Zero(), 1, -r, axis, middle);
     }
     if (curved.kind != Curved::Kind::cone)
         return;
@@ -166,6 +173,30 @@ void addCellOf(const Placed& owner, std::size_t index, const SurfacePiece& piece
         if (isOn(edge.from) && isOn(edge.to))
             return addCell(part, centroid, {edge.from, edge.to}, sides);
     }
+}
+
+// Of a hollow part's piece, where it is what is nearest to a ball's centre.
+void addWall(const Curved& curved, const Vector& centroid, const SurfacePiece& piece,
+             Sides& sides) {
+    const Vector axis = curved.axis(), middle = curved.center - centroid;
+    const bool isTube = curved.kind == Curved::Kind::tube;
+    if (isTube && piece.kind == Piece::line)
+        return sides.addEnds(middle - curved.half() * axis, middle + curved.half() * axis);
+    if (!isTube && piece.kind == Piece::point)
+        return sides.add(-axis, middle);
+    const Vector out = axis.dot(piece.place - middle) < 0 ? Vector(-axis) : axis;
+    sides.add(out, piece.place); // beyond an end
+    const auto from = [&](double radius) {
+        sides.addRound(Vector::Zero(), 1, -radius, axis, middle);
+    };
+    const auto upTo = [&](double radius) {
+        sides.addRound(Vector::Zero(), -1, radius, axis, middle);
+    };
+    const bool isEdge = piece.kind == Piece::circle && piece.radius > curved.inner;
+    if (piece.kind == Piece::plane || isEdge)
+        from(isEdge ? curved.radius() : curved.inner);
+    if (!isEdge)
+        upTo(piece.kind == Piece::plane ? curved.radius() : curved.inner);
 }
 
 } // namespace
@@ -214,6 +245,14 @@ std::vector<ContactPoint::Side> sidesOfPieces(const physics::SurfaceGap& gap, co
         if (gap.isOnPlane() && piece.kind != Piece::plane)
             continue; // others land
         Sides sides(owner->index, localOf(*owner, at.place), touch.size);
+        const Part &own = owner->shape->parts[part],
+                   &other = (isBodys ? support : body)
+                                .shape->parts[isBodys ? touch.supportPart : touch.bodyPart];
+        if (own.isHollow() && other.isSphere()) {
+            addWall(*own.curved, owner->record->centroid, piece, sides);
+            found.insert(found.end(), sides.sides.begin(), sides.sides.end());
+            continue;
+        }
         const std::optional<FlatFace> face = faceTowards(*owner, part, outward);
         if (piece.kind == Piece::plane && face && !face->outline.empty()) {
             sides.addOutline(face->outline, face->plane.axis);

@@ -1,6 +1,7 @@
 #include "contacts/surface_pieces.h"
 
 #include "collision/contact_points.h"
+#include "collision/hollow_separation.h"
 #include "collision/patch.h"
 #include "contacts/contact_resolution.h"
 
@@ -116,6 +117,8 @@ private:
         const physics::SurfacePose& ofOwner = isBodys ? ofBody_ : ofSupport_;
         bool isBeyond = false; // the border of the face
         for (const SurfacePiece& piece : extremesOf(round, isBodys ? supportPart_ : bodyPart_)) {
+            if (isOverEdge(round, isBodys ? supportPart_ : bodyPart_, piece))
+                continue;
             const PiecePoint point = pointOf(isBodys ? SurfaceGap{face.plane, piece, false}
                                                      : SurfaceGap{piece, face.plane, false});
             if (!(point.at.gap <= tolerance_))
@@ -129,6 +132,16 @@ private:
         }
         if (isBeyond || found_.points.empty())
             acrossBorder(face, isBodys);
+    }
+
+    // The outside of a bowl whose edge is lower.
+    [[nodiscard]] bool isOverEdge(const Placed& round, std::size_t part,
+                                  const SurfacePiece& piece) const {
+        const Part& of = partOf(round, part);
+        if (!of.isHollow() || of.curved->kind != Curved::Kind::bowl || piece.kind != Kind::point)
+            return false;
+        const Vector up = found_.normal * (&round == &body_ ? 1 : -1); // from the face
+        return up.dot(toWorld(round, of.curved->axis())) < 0;
     }
 
     // A line of contact ends where it crosses an edge of the face.
@@ -247,6 +260,59 @@ private:
     PieceTouch found_;
 };
 
+// The piece of a hollow part that a ball touches, by its centre in the part's frame.
+SurfacePiece wallOf(const Curved& curved, const Vector& centre, const Vector& centroid) {
+    using Piece = geometry::HollowNearest::Piece;
+    const geometry::HollowNearest nearest = geometry::nearestOf(curved, centre);
+    const Vector middle = curved.center - centroid;
+    const Vector end = middle + nearest.end * curved.half() * curved.axis();
+    const auto round = [&](double radius) {
+        const bool isTube = curved.kind == Curved::Kind::tube;
+        return SurfacePiece{.kind = isTube ? Kind::line : Kind::point,
+                            .place = middle,
+                            .axis = curved.axis(),
+                            .radius = radius};
+    };
+    const auto circle = [&](double radius) {
+        return SurfacePiece{
+            .kind = Kind::circle, .place = end, .axis = curved.axis(), .radius = radius};
+    };
+    switch (nearest.piece) {
+    case Piece::hollow:
+        return round(-curved.inner);
+    case Piece::rim:
+        return circle(curved.inner);
+    case Piece::end:
+        return {.kind = Kind::plane, .place = end, .axis = nearest.end * curved.axis()};
+    case Piece::edge:
+        return circle(curved.radius());
+    case Piece::outside:
+        break;
+    }
+    return round(curved.radius());
+}
+
+PieceTouch ballAtWall(const Placed& body, std::size_t bodyPart, const Placed& support,
+                      std::size_t supportPart) {
+    const bool isBodys = partOf(body, bodyPart).isSphere(); // the ball
+    const Placed &owner = isBodys ? body : support, &other = isBodys ? support : body;
+    const Part& ball = partOf(owner, isBodys ? bodyPart : supportPart);
+    const Part& wall = partOf(other, isBodys ? supportPart : bodyPart);
+    const SurfacePiece round = pointAt(ball.center() - owner.record->centroid, ball.radius);
+    const Vector centre =
+        other.state.attitude.conjugate() *
+        Vector(owner.state.position - other.state.position + toWorld(owner, round.place));
+    const SurfacePiece piece =
+        wallOf(*wall.curved, centre + other.record->centroid, other.record->centroid);
+    const SurfaceGap gap =
+        isBodys ? SurfaceGap{round, piece, false} : SurfaceGap{piece, round, false};
+    const physics::SurfacePose at{Vector::Zero(), body.state.attitude.toRotationMatrix()};
+    const physics::SurfacePose under{support.state.position - body.state.position,
+                                     support.state.attitude.toRotationMatrix()};
+    const physics::NearestSurfaces nearest = physics::nearest(gap, at, under);
+    return {.normal = nearest.normal, .points = {{gap, nearest}}, .isModelled = true};
+}
+
 } // namespace
 
 double depthIn(const FlatFace& face, const Vector& point) {
@@ -290,7 +356,8 @@ std::optional<FlatFace> faceTowards(const Placed& owner, std::size_t part,
         return std::nullopt;
     const double sign = of.isPlane() ? 1 : of.curved->axis().dot(local) > 0 ? 1 : -1;
     face.plane.axis = sign * of.curved->axis();
-    const bool isTip = of.curved->kind == Curved::Kind::cone && sign > 0;
+    const bool isTip = (of.curved->kind == Curved::Kind::cone && sign > 0) ||
+                       (of.curved->kind == Curved::Kind::bowl && sign < 0);
     if (isTip || !isAlong(face.plane.axis))
         return std::nullopt;
     face.radius = of.isPlane() ? 0 : of.curved->radius();
@@ -310,7 +377,11 @@ std::vector<SurfacePiece> extremesOf(const Placed& owner, std::size_t part) {
     if (!of.curved)
         return pieces;
     switch (of.curved->kind) {
+    case Curved::Kind::bowl: // what of it is lowest: its outside, or the edge
+        return {pointAt(of.curved->center - centroid, of.curved->radius()),
+                rimOf(*of.curved, centroid, 1)};
     case Curved::Kind::cylinder:
+    case Curved::Kind::tube:
         if (!(of.curved->half() > 0)) // a disc
             return {rimOf(*of.curved, centroid, 1)};
         return {rimOf(*of.curved, centroid, -1), rimOf(*of.curved, centroid, 1)};
@@ -330,6 +401,8 @@ std::vector<SurfacePiece> extremesOf(const Placed& owner, std::size_t part) {
 
 PieceTouch pieceTouch(const Placed& body, std::size_t bodyPart, const Placed& support,
                       std::size_t supportPart, const Vector& normal, double tolerance) {
+    if (collision::isHollowPair(partOf(body, bodyPart), partOf(support, supportPart)))
+        return ballAtWall(body, bodyPart, support, supportPart);
     return Pieces(body, bodyPart, support, supportPart, tolerance).find(normal);
 }
 

@@ -2,6 +2,7 @@
 //
 //     on a flat face   what of the other is furthest: both rims of a cylinder that lies, both ends
 //                      of a capsule, apex and rim of a cone, one rim, a tip, a sphere, an ellipsoid
+//     a hollow part    a ball touches one of its pieces, inside or outside (geometry/hollow.h)
 //     else             the pieces that bear along the normal: sphere on a side, a rim or a cone,
 //                      side across side or edge; side by side, both ends of the common stretch
 //

@@ -1,5 +1,6 @@
 #include "contacts/touching.h"
 
+#include "collision/hollow_separation.h"
 #include "collision/nearest_feature.h"
 #include "collision/patch.h"
 #include "collision/separation.h"
@@ -59,9 +60,11 @@ Vector faceNormal(const Posed& owner, const Vector& direction) {
     double most = -1;
     if (owner.part->curved) { // of a cylinder the end that is meant; of a cone the base
         const Vector axis = owner.rotation * owner.part->curved->axis();
-        const bool isUp = owner.part->isPlane() ||
-                          (owner.part->curved->kind == geometry::Curved::Kind::cylinder &&
-                           axis.dot(direction) > 0);
+        using Curved = geometry::Curved::Kind;
+        const Curved kind = owner.part->curved->kind;
+        const bool hasTwo = kind == Curved::cylinder || kind == Curved::tube;
+        const bool isUp =
+            owner.part->isPlane() || kind == Curved::bowl || (hasTwo && axis.dot(direction) > 0);
         return isUp ? axis : Vector(-axis);
     }
     for (const geometry::Face& face : owner.part->core.faces) {
@@ -166,6 +169,8 @@ private:
 
     // A round end that lies flat is a face with many corners. All else touches with pieces.
     void addCurved() {
+        if (collision::isHollowPair(*first_.part, *second_.part))
+            return addPieces();
         auto facing = collision::facingFeatures(first_, second_, touch.normal, tolerance_);
         ofBody_ = std::move(facing.first);
         ofSupport_ = std::move(facing.second);

@@ -1,0 +1,83 @@
+#include "geometry/hollow.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace geometry {
+namespace {
+
+using Piece = HollowNearest::Piece;
+
+// A point in its half plane: how far from the axis, which way, how high.
+struct Section {
+    double rho = 0, height = 0;
+    Vector radial = Vector::UnitX(); // own axes; any on the axis itself
+    explicit Section(const Vector& own)
+        : rho(std::hypot(own.x(), own.z())), height(own.y()),
+          radial(rho > 0 ? Vector(own.x() / rho, 0, own.z() / rho) : Vector(Vector::UnitX())) {}
+};
+
+// From the circle of that radius at height 0.
+HollowNearest fromCircle(Piece piece, const Section& at, double radius, double above) {
+    const Vector way = (at.rho - radius) * at.radial + above * Vector::UnitY();
+    HollowNearest nearest{.piece = piece, .distance = way.norm(), .across = at.rho, .above = above};
+    if (nearest.distance > 0)
+        nearest.normal = way / nearest.distance;
+    return nearest;
+}
+
+// Of what is above the plane of an end, with y up.
+HollowNearest beyondEnd(const Curved& hollow, const Section& at, double above) {
+    if (at.rho < hollow.inner)
+        return fromCircle(Piece::rim, at, hollow.inner, above);
+    if (at.rho > hollow.radius())
+        return fromCircle(Piece::edge, at, hollow.radius(), above);
+    return {.piece = Piece::end, .distance = above, .across = at.rho, .above = above};
+}
+
+// Of what is between the ends, `across` from the axis or centre and that way from it: of the wall
+// inside, outside, or in it the least depth.
+HollowNearest betweenEnds(const Curved& hollow, double across, const Vector& way, double above) {
+    const double in = hollow.inner - across, out = across - hollow.radius();
+    HollowNearest nearest{.distance = out, .normal = way, .across = across, .above = above};
+    if (in >= out) {
+        nearest.piece = Piece::hollow;
+        nearest.distance = in;
+        nearest.normal = -way;
+    }
+    if (nearest.distance <= 0 && above > nearest.distance) {
+        nearest.piece = Piece::end;
+        nearest.distance = above;
+        nearest.normal = Vector::UnitY();
+    }
+    return nearest;
+}
+
+} // namespace
+
+HollowNearest nearestOf(const Curved& hollow, const Vector& point) {
+    Vector own = hollow.frame.transpose() * (point - hollow.center);
+    const bool isBelow = hollow.kind == Curved::Kind::tube && own.y() < 0;
+    if (isBelow)
+        own.y() = -own.y();
+    const Section at(own);
+    const double above = own.y() - hollow.half();
+    HollowNearest nearest;
+    if (above > 0) {
+        nearest = beyondEnd(hollow, at, above);
+    } else if (hollow.kind == Curved::Kind::tube) {
+        nearest = betweenEnds(hollow, at.rho, at.radial, above);
+    } else {
+        const double across = own.norm();
+        nearest = betweenEnds(hollow, across,
+                              across > 0 ? Vector(own / across) : Vector(-Vector::UnitY()), above);
+    }
+    if (isBelow) {
+        nearest.normal.y() = -nearest.normal.y();
+        nearest.end = -1;
+    }
+    nearest.normal = hollow.frame * nearest.normal;
+    return nearest;
+}
+
+} // namespace geometry
