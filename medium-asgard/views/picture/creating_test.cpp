@@ -524,8 +524,9 @@ TEST_F(CreatingTest, AParametersSliderIsItsNumberInTheText) {
 
 TEST_F(CreatingTest, AMotorsSliderIsItsNumberInTheText) {
     open(balls + "joint pin -type hinge -body1 b1 -offset1 {0 0 0} -speed 2 ;# turns\n"
-                 "joint rail -type cylindrical -body1 b2 -motor2 {0.5}\n"
-                 "joint free -type hinge -body1 b2 -offset1 {1 0 0} -motor {sin(t)}\n");
+                 "joint rail -type cylindrical -body1 b2 -axis {0 1 0} -motor2 {0.5}\n"
+                 "body b3 ball -init_pos {5 0 0}\n"
+                 "joint free -type hinge -body1 b3 -offset1 {1 0 0} -motor {sin(t)}\n");
     auto* panel = viewer->findChild<ParametersPanel*>();
     EXPECT_EQ(panel->title(), "Motors");
     EXPECT_EQ(panel->slider("free -motor"), nullptr); // it is no number
@@ -542,7 +543,7 @@ TEST_F(CreatingTest, AMotorsSliderIsItsNumberInTheText) {
     EXPECT_EQ(scene().joints[0].coordinates[0].speed, "-2");
     panel->slider("rail -motor2")->setValue(1000);
     done();
-    EXPECT_THAT(text(), HasSubstr("-motor2 {1}"));
+    EXPECT_THAT(text(), HasSubstr("-motor2 {1.0}"));
     editor.document().undo();
     editor.document().undo();
     EXPECT_THAT(text(), HasSubstr("-speed 2 ;# turns"));

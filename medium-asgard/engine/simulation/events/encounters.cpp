@@ -451,6 +451,7 @@ void CollisionSource::keepImpulses(const Instant& at, const ImpactCluster& clust
         if (settling > 0 && contact.restitution == 0) {
             const double e = world_.restitutionOf({first, second});
             impact.time = at.time + settling;
+            impact.isEndOfHops = true;
             impact.impulse *= (1 + e) / (1 - e);
         }
         record_.addImpact(impact, at.time);

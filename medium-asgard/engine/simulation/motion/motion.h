@@ -52,6 +52,8 @@ struct Impact {
     std::size_t first = 0, second = 0; // indices into Scene::bodies
     Vector point, normal;              // world; the normal points from second to first
     double impulse = 0;
+    bool isEndOfHops =
+        false; // all later hops of a bouncing that ends in rest, at the time of the last
 };
 
 class Motion {

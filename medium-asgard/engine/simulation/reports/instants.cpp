@@ -2,6 +2,8 @@
 
 #include "equations/prepared_equations.h"
 #include "physics/forces.h"
+#include "reports/switch_instants.h"
+#include "run/stops.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,12 +49,16 @@ public:
 
     std::vector<ListedInstant> all() {
         addImpacts();
+        addSwitches();
         const auto& parts = motion_.contents().parts;
         for (std::size_t p = 0; p < parts.size(); ++p)
             if (parts[p].equations && parts[p].histories) {
                 addConditions(parts[p]);
                 addContacts(p);
             }
+        for (const ComputedMotion::Part& part : parts)
+            if (part.histories)
+                addEnds(part);
         dropPassedOn();
         std::ranges::stable_sort(found_, {}, &ListedInstant::time);
         return std::move(found_);
@@ -60,6 +66,8 @@ public:
 
 private:
     void addImpacts();
+    void addSwitches();
+    void addEnds(const ComputedMotion::Part& part);
     void dropPassedOn();
     void addConditions(const ComputedMotion::Part& part);
     void addCondition(const ComputedMotion::Part& part, std::size_t row);
@@ -82,13 +90,68 @@ private:
     std::set<std::tuple<double, std::string, std::string>> seen_;
 };
 
+// Of one pair in order of time: those that are not listed, since a bouncing that ends in rest has
+// more than so many. It is as long as each of its hops is shorter than the one before, but for
+// rounding at the end.
+std::set<double> leftOut(const std::vector<Impact>& impacts) {
+    constexpr std::size_t most = 100;
+    constexpr double rounding = 2; // the last hops are hardly more
+    const auto hop = [&](std::size_t i) { return impacts[i + 1].time - impacts[i].time; };
+    std::set<double> out;
+    for (std::size_t end = 0; end < impacts.size(); ++end) {
+        if (!impacts[end].isEndOfHops)
+            continue;
+        std::size_t first = end;
+        while (first > 0 && !impacts[first - 1].isEndOfHops &&
+               (first + 1 >= end || hop(first - 1) * rounding > hop(first)))
+            --first;
+        for (std::size_t i = first + most; i < end; ++i)
+            out.insert(impacts[i].time);
+    }
+    return out;
+}
+
 // One for each pair and time.
 void Lister::addImpacts() {
-    std::map<std::pair<double, Pair>, double> impulses;
-    for (const Impact& impact : motion_.impacts())
-        impulses[{impact.time, std::minmax(impact.first, impact.second)}] += impact.impulse;
-    for (const auto& [at, impulse] : impulses)
-        found_.push_back({at.first, "impact", namesOf(at.second), impulse});
+    std::map<Pair, std::vector<Impact>> byPair;
+    for (const Impact& impact : motion_.impacts()) {
+        std::vector<Impact>& known = byPair[std::minmax(impact.first, impact.second)];
+        if (known.empty() || known.back().time != impact.time)
+            known.push_back(impact);
+        else
+            known.back().impulse += impact.impulse;
+    }
+    for (const auto& [pair, impacts] : byPair) {
+        const std::set<double> out = leftOut(impacts);
+        for (const Impact& impact : impacts)
+            if (impact.isEndOfHops)
+                add(impact.time, "rest", namesOf(pair));
+            else if (!out.contains(impact.time))
+                found_.push_back({impact.time, "impact", namesOf(pair), impact.impulse});
+    }
+}
+
+void Lister::addSwitches() {
+    for (const auto& [time, body] : switchInstants(scene_, motion_))
+        add(time, "switch", scene_.bodies[body].name);
+}
+
+// Where no forces keep the laws, or several motions do, the motion ends.
+void Lister::addEnds(const ComputedMotion::Part& part) {
+    using Reason = solution::Stop::Reason;
+    for (const auto& [body, stop] : motion_.contents().stops) {
+        const ComputedMotion::Place place = motion_.contents().places[body];
+        if (&motion_.contents().parts[place.part] != &part)
+            continue;
+        for (const solution::Stop& ended : part.histories->stops()) {
+            if (ended.time != stop.time)
+                continue;
+            if (ended.reason == Reason::contradiction && areSingular(scene_, {body}))
+                add(stop.time, "indeterminate", scene_.bodies[body].name);
+            else if (ended.reason == Reason::contradiction || ended.reason == Reason::bounds)
+                add(stop.time, "inconsistent", scene_.bodies[body].name);
+        }
+    }
 }
 
 // A rope that lifts off a wheel or touches it again is neither slack nor taut of late: one of its

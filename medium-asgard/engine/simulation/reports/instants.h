@@ -1,9 +1,12 @@
 // The instants at which the laws of a motion change, as a list: impacts, contacts that begin, end,
 // stick and slip, stops, ropes, brakes and motors, releases (command lines, "simulate --events").
 //
-// They are read off the motion: its impacts, and the modes of multipliers, which change where the
-// solver located it. LIMIT: a contact that is no condition (docs/numerics.md, "Rest") and switches
-// of expressions are not in the list, and of a contact not where its slip turns round.
+// They are read off the motion: its impacts, its ends, and the modes of multipliers, which change
+// where the solver located it; switches of expressions off their branches (switch_instants.h).
+// LIMIT: a contact that is no condition (docs/numerics.md, "Rest") is not in the list, and of a
+// contact not where its slip turns round.
+//
+// A bouncing that ends in rest has one line for that, and lines of its first 100 impacts.
 #pragma once
 
 #include "motion/computed_motion.h"

@@ -93,27 +93,6 @@ std::string adviceFor(solution::Stop::Reason reason, bool isBlamed) {
     }
 }
 
-// Joints of these bodies that contradict each other where nothing is held and nothing driven: a
-// flat linkage.
-bool areSingular(const scene::Scene& scene, const std::vector<std::size_t>& bodies) {
-    const auto isOne = [&](const std::string& name) {
-        return std::ranges::any_of(bodies,
-                                   [&](std::size_t b) { return scene.bodies[b].name == name; });
-    };
-    const auto isTheirs = [&](const scene::Joint& joint) {
-        return isOne(joint.body1) || (joint.body2 && isOne(*joint.body2));
-    };
-    const auto isDriven = [](const scene::Joint& joint) {
-        return std::ranges::any_of(joint.coordinates, [](const scene::JointCoordinate& c) {
-            return c.speed || c.position;
-        });
-    };
-    return std::ranges::any_of(scene.joints, isTheirs) &&
-           std::ranges::none_of(scene.joints,
-                                [&](const auto& one) { return isTheirs(one) && isDriven(one); }) &&
-           std::ranges::none_of(scene.constraints, isOne, &scene::Constraint::body);
-}
-
 struct Why {
     std::string reason; // no time in it
     std::optional<Stop::Culprit> culprit = {};
@@ -137,9 +116,13 @@ Why whyOf(const Problem& problem, const physics::Suspects& suspects,
     // Beside a flat linkage forces grow without a limit where no force has a fault of its own.
     if ((contradicts || stop.reason == Reason::notFinite) && blames.empty() &&
         areSingular(problem.scene, bodies))
-        reason = reason.substr(0, reason.find(", which")) +
-                 ": the joints stand in a singular position, as a flat linkage does, from which "
-                 "they can move in two ways; let them start a little beside it";
+        reason =
+            reason.substr(0, reason.find(", which")) +
+            ": there are several solutions: the joints stand in a singular position, as a flat "
+            "linkage does, from which they can move in two ways; let them start a little "
+            "beside it";
+    if (stop.reason == Reason::bounds)
+        reason += ": there is no solution";
     std::string named;
     for (const physics::Blame& blame : blames)
         named +=
@@ -307,6 +290,25 @@ void addOverflows(const Problem& problem, const solution::Histories& histories, 
 }
 
 } // namespace
+
+bool areSingular(const scene::Scene& scene, const std::vector<std::size_t>& bodies) {
+    const auto isOne = [&](const std::string& name) {
+        return std::ranges::any_of(bodies,
+                                   [&](std::size_t b) { return scene.bodies[b].name == name; });
+    };
+    const auto isTheirs = [&](const scene::Joint& joint) {
+        return isOne(joint.body1) || (joint.body2 && isOne(*joint.body2));
+    };
+    const auto isDriven = [](const scene::Joint& joint) {
+        return std::ranges::any_of(joint.coordinates, [](const scene::JointCoordinate& c) {
+            return c.speed || c.position;
+        });
+    };
+    return std::ranges::any_of(scene.joints, isTheirs) &&
+           std::ranges::none_of(scene.joints,
+                                [&](const auto& one) { return isTheirs(one) && isDriven(one); }) &&
+           std::ranges::none_of(scene.constraints, isOne, &scene::Constraint::body);
+}
 
 std::map<std::size_t, Stop> stopsOf(const Problem& problem, const solution::Histories& histories,
                                     double until) {

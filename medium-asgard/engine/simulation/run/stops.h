@@ -9,6 +9,10 @@
 
 namespace simulation {
 
+// Joints of these bodies that contradict each other, where nothing is held and nothing driven,
+// stand in a singular position: they can move on in several ways.
+[[nodiscard]] bool areSingular(const scene::Scene& scene, const std::vector<std::size_t>& bodies);
+
 // By body, of what is known up to a time.
 [[nodiscard]] std::map<std::size_t, Stop>
 stopsOf(const Problem& problem, const solution::Histories& histories, double until);
