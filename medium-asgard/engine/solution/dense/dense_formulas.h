@@ -30,14 +30,14 @@ template <class Real> inline Column<Real> cubic(const Ends<Real>& y, const Real&
 
 inline double chosen(bool first, double x, double y) { return first ? x : y; }
 
-// By how much a place rises. What rounding of the place takes from so small a rise would show in
-// the velocity, divided by h: there the velocity tells it, where both agree but for rounding.
+// By how much a place rises: by the velocity, where both agree but for rounding of the place, which
+// would show in the velocity, divided by h. (Friction watches velocities of 1e-12 of a size in a
+// second.)
 template <class Real> inline Real riseOf(const Real& start, const Real& end, const Real& bySpeed) {
     using std::abs, std::max;
-    constexpr double rounding = std::numeric_limits<double>::epsilon(), small = 65536;
+    constexpr double rounding = std::numeric_limits<double>::epsilon();
     const Real rise = end - start, ulp = rounding * max(abs(start), abs(end));
-    const Real lacks = max(small * (abs(rise - bySpeed) - 2 * ulp), abs(rise) - small * ulp);
-    return chosen(lacks <= Real(0), bySpeed, rise);
+    return chosen(abs(rise - bySpeed) <= 2 * ulp, bySpeed, rise);
 }
 
 // Of a place whose ends are x, with its velocity's.
