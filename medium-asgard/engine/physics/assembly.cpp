@@ -1,6 +1,7 @@
 #include "physics/assembly.h"
 
 #include "expression/tape.h"
+#include "physics/carried_points.h"
 #include "physics/equations_of_motion.h"
 
 #include <Eigen/Geometry>
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <unordered_map>
 
 namespace physics {
 namespace {
@@ -19,13 +21,6 @@ constexpr double closed = 1e-13;    // of the largest radius
 constexpr double unmoved = 1e-12;   // of the largest radius
 constexpr double longestTurn = 0.3; // radians in one step
 constexpr double isIndependent = 1e-9;
-
-const expression::Phase& phaseAt(const expression::Unknown& unknown, double time) {
-    std::size_t i = unknown.phases.size() - 1;
-    while (i > 0 && unknown.phases[i].from > time)
-        --i;
-    return unknown.phases[i];
-}
 
 // Gaps and their derivatives by the places of the bodies that may move.
 class Closing {
@@ -43,7 +38,7 @@ public:
             inputs_.push_back(unknown.symbol);
             values_.push_back(unknown.initial);
         }
-        putGiven();
+        putGiven(graph(), equations.set, start_, values_);
         findGaps();
         for (const std::size_t b : free_)
             first_.push_back(poseOf(b));
@@ -52,13 +47,14 @@ public:
     [[nodiscard]] bool close() {
         constexpr int most = 60;
         Eigen::VectorXd gaps = gapsNow();
-        for (int k = 0; k < most && gaps.size() > 0; ++k) {
-            if (gaps.lpNorm<Eigen::Infinity>() <= closed * size_)
+        for (int k = 0; k < most; ++k) {
+            if (largest(gaps) <= closed * size_)
                 return true;
-            step(-solver().solve(gaps));
+            step(jacobian_.rows() == 0 ? Eigen::VectorXd::Zero(jacobian_.cols())
+                                       : Eigen::VectorXd(-solver().solve(gaps)));
             gaps = gapsNow();
         }
-        return gaps.size() == 0 || gaps.lpNorm<Eigen::Infinity>() <= 1e3 * closed * size_;
+        return largest(gaps) <= 1e3 * closed * size_;
     }
     // Along what opens nothing, back towards where the bodies were.
     void shorten() {
@@ -77,10 +73,7 @@ public:
             }
         }
     }
-    [[nodiscard]] double largestGap() {
-        const Eigen::VectorXd gaps = gapsNow();
-        return gaps.size() == 0 ? 0 : gaps.lpNorm<Eigen::Infinity>();
-    }
+    [[nodiscard]] double largestGap() { return largest(gapsNow()); }
     [[nodiscard]] std::vector<Assembly::Moved> moved() const {
         std::vector<Assembly::Moved> all;
         const Eigen::VectorXd way = movement();
@@ -99,51 +92,62 @@ public:
     }
 
 private:
+    [[nodiscard]] double largest(const Eigen::VectorXd& gaps) const {
+        return std::max(gaps.size() == 0 ? 0 : gaps.lpNorm<Eigen::Infinity>(),
+                        tied_.size() == 0 ? 0 : tied_.lpNorm<Eigen::Infinity>());
+    }
     [[nodiscard]] bool isHeld(const BodyMotion& body) const {
         const Held& held = body.heldAt(start_);
         return held.attitude || std::ranges::count(held.position, true) > 0;
     }
-    void putGiven() {
-        std::vector<Node> nodes;
-        std::vector<std::size_t> places;
-        for (std::size_t u = 0; u < equations_.set.unknowns.size(); ++u)
-            if (const auto& given = phaseAt(equations_.set.unknowns[u], start_).given) {
-                nodes.push_back(*given);
-                places.push_back(1 + u);
-            }
-        const std::vector<double> found =
-            valuesOf(expression::Tape(graph(), inputs_, nodes), nodes);
-        for (std::size_t k = 0; k < places.size(); ++k)
-            values_[places[k]] = found[k];
-    }
+    // Ties first: conditions that make an unknown the angle of a joint, or what a drum has wound.
     void findGaps() {
-        std::vector<Node> gaps, ropes;
-        for (const expression::Unknown& unknown : equations_.set.unknowns) {
-            const auto& condition = phaseAt(unknown, start_).condition;
-            if (!condition || !condition->gap)
-                continue;
-            const bool isBounded = std::isfinite(condition->low) || std::isfinite(condition->high);
-            (isBounded ? ropes : gaps).push_back(*condition->gap);
-        }
-        const std::vector<double> left = valuesOf(expression::Tape(graph(), inputs_, ropes), ropes);
-        for (std::size_t k = 0; k < ropes.size(); ++k)
-            if (left[k] < -unmoved * size_)
-                gaps.push_back(ropes[k]); // too short
-        std::vector<Node> symbols;
+        std::vector<Node> ties, gaps, ropes, symbols;
+        std::unordered_map<std::uint32_t, Node> unturned;
         for (const std::size_t b : free_) {
             const BodySymbols& s = equations_.bodies[b].symbols;
             symbols.insert(symbols.end(), s.position.begin(), s.position.end());
             symbols.insert(symbols.end(), s.attitude.begin(), s.attitude.end());
         }
-        count_ = gaps.size();
-        outputs_ = gaps;
-        const auto rows = expression::gradients(graph(), gaps, symbols);
+        const auto& unknowns = equations_.set.unknowns;
+        for (std::size_t u = 0; u < unknowns.size(); ++u) {
+            const expression::Phase& phase = phaseAt(unknowns[u], start_);
+            if (!phase.condition && !phase.given && u >= afterBodies()) {
+                angles_.push_back(1 + u);
+                unturned.emplace(unknowns[u].symbol.index, graph().constant(unknowns[u].initial));
+                symbols.push_back(unknowns[u].symbol);
+            }
+            if (!phase.condition || !phase.condition->gap ||
+                unknowns[u].initial == expression::goneFromStart)
+                continue;
+            const auto& condition = *phase.condition;
+            const bool isBounded = std::isfinite(condition.low) || std::isfinite(condition.high);
+            (isBounded ? ropes : condition.rate ? gaps : ties).push_back(*condition.gap);
+        }
+        for (Node& rope : ropes) // a wheel winds nothing before the start
+            rope = expression::substitute(graph(), rope, unturned);
+        const std::vector<double> left = valuesOf(expression::Tape(graph(), inputs_, ropes), ropes);
+        for (std::size_t k = 0; k < ropes.size(); ++k)
+            if (left[k] < -unmoved * size_)
+                gaps.push_back(ropes[k]); // too short
+        ties_ = ties.size();
+        ties.insert(ties.end(), gaps.begin(), gaps.end());
+        count_ = ties.size();
+        outputs_ = ties;
+        const auto rows = expression::gradients(graph(), ties, symbols);
         for (std::size_t r = 0; r < rows.size(); ++r)
             for (const auto& [symbol, derivative] : rows[r]) {
                 entries_.push_back({r, symbol});
                 outputs_.push_back(derivative);
             }
         tape_ = expression::Tape(graph(), inputs_, outputs_);
+    }
+    [[nodiscard]] std::size_t afterBodies() const {
+        std::size_t after = 0;
+        for (const BodyMotion& body : equations_.bodies)
+            if (!body.isFixed)
+                after = std::max(after, body.firstUnknown + bodyUnknowns);
+        return after;
     }
     [[nodiscard]] expression::Graph& graph() { return equations_.set.graph; }
     [[nodiscard]] std::vector<double> valuesOf(const expression::Tape& tape,
@@ -158,33 +162,53 @@ private:
         return {Vector(v[x], v[y], v[z]), Quaternion(v[qw], v[qx], v[qy], v[qz]).normalized()};
     }
 
-    // Of six for each body: a way, and an arc about the world's axes.
+    // Gaps, and their derivatives by six of each body (a way, and an arc about the world's axes)
+    // and by the angles. The angles follow the bodies and cost nothing, so the ties solve them
+    // away.
     Eigen::VectorXd gapsNow() {
         const std::vector<double> all = valuesOf(tape_, outputs_);
         const auto rows = static_cast<Eigen::Index>(count_),
-                   columns = static_cast<Eigen::Index>(6 * free_.size());
-        jacobian_ = Eigen::MatrixXd::Zero(rows, columns);
-        for (std::size_t k = 0; k < entries_.size(); ++k) {
-            const auto [row, symbol] = entries_[k];
-            const auto r = static_cast<Eigen::Index>(row),
-                       at = static_cast<Eigen::Index>(6 * (symbol / 7));
-            const double derivative = all[count_ + k];
-            if (symbol % 7 < 3) {
-                jacobian_(r, at + static_cast<Eigen::Index>(symbol % 7)) += derivative;
-                continue;
-            }
-            const std::size_t b = free_[symbol / 7];
-            const Quaternion q = poseOf(b).attitude;
-            const double radius = equations_.bodies[b].mass.radius;
-            for (Eigen::Index axis = 0; axis < 3; ++axis) { // q' = (0, w) q / 2
-                Quaternion turn(0, 0, 0, 0);
-                turn.vec()[axis] = 0.5 / radius;
-                const Quaternion rate = turn * q;
-                const std::array<double, 4> rates{rate.w(), rate.x(), rate.y(), rate.z()};
-                jacobian_(r, at + 3 + axis) += derivative * rates[symbol % 7 - 3];
-            }
+                   ties = static_cast<Eigen::Index>(ties_),
+                   columns = static_cast<Eigen::Index>(6 * free_.size()),
+                   angles = static_cast<Eigen::Index>(angles_.size());
+        Eigen::MatrixXd by = Eigen::MatrixXd::Zero(rows, columns + angles);
+        for (std::size_t k = 0; k < entries_.size(); ++k)
+            addDerivative(by, entries_[k].first, entries_[k].second, all[count_ + k]);
+        const Eigen::Map<const Eigen::VectorXd> gaps(all.data(), rows);
+        tied_ = gaps.head(ties);
+        jacobian_ = by.bottomLeftCorner(rows - ties, columns);
+        if (ties == 0 || angles == 0)
+            return gaps.tail(rows - ties);
+        const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> own(
+            by.topRightCorner(ties, angles));
+        anglesBy_ = own.solve(by.topLeftCorner(ties, columns));
+        anglesOff_ = own.solve(tied_);
+        const auto through = by.bottomRightCorner(rows - ties, angles);
+        jacobian_ -= through * anglesBy_;
+        return gaps.tail(rows - ties) - through * anglesOff_;
+    }
+    void addDerivative(Eigen::MatrixXd& by, std::size_t row, std::size_t symbol,
+                       double derivative) {
+        const auto r = static_cast<Eigen::Index>(row);
+        if (symbol >= 7 * free_.size()) {
+            by(r, static_cast<Eigen::Index>(symbol - free_.size())) += derivative;
+            return;
         }
-        return Eigen::Map<const Eigen::VectorXd>(all.data(), rows);
+        const auto at = static_cast<Eigen::Index>(6 * (symbol / 7));
+        if (symbol % 7 < 3) {
+            by(r, at + static_cast<Eigen::Index>(symbol % 7)) += derivative;
+            return;
+        }
+        const std::size_t b = free_[symbol / 7];
+        const Quaternion q = poseOf(b).attitude;
+        const double radius = equations_.bodies[b].mass.radius;
+        for (Eigen::Index axis = 0; axis < 3; ++axis) { // q' = (0, w) q / 2
+            Quaternion turn(0, 0, 0, 0);
+            turn.vec()[axis] = 0.5 / radius;
+            const Quaternion rate = turn * q;
+            const std::array<double, 4> rates{rate.w(), rate.x(), rate.y(), rate.z()};
+            by(r, at + 3 + axis) += derivative * rates[symbol % 7 - 3];
+        }
     }
     [[nodiscard]] Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver() const {
         Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> least(jacobian_.rows(),
@@ -200,6 +224,11 @@ private:
                                       equations_.bodies[free_[i]].mass.radius);
         if (turn > longestTurn)
             by *= longestTurn / turn;
+        if (anglesOff_.size() > 0) {
+            const Eigen::VectorXd angles = anglesOff_ + anglesBy_ * by;
+            for (std::size_t k = 0; k < angles_.size(); ++k)
+                values_[angles_[k]] -= angles[static_cast<Eigen::Index>(k)];
+        }
         for (std::size_t i = 0; i < free_.size(); ++i) {
             const BodyMotion& body = equations_.bodies[free_[i]];
             const auto at = static_cast<Eigen::Index>(6 * i);
@@ -237,7 +266,11 @@ private:
     std::vector<geometry::Pose> first_;
     std::vector<Node> inputs_, outputs_; // gaps, then derivatives
     std::vector<double> values_;
-    std::size_t count_ = 0;
+    std::size_t ties_ = 0, count_ = 0;
+    std::vector<std::size_t> angles_; // places in values_
+    Eigen::VectorXd tied_,
+        anglesOff_;            // how far the ties miss; the angles, with the bodies as they are
+    Eigen::MatrixXd anglesBy_; // how the angles follow the bodies
     std::vector<std::pair<std::size_t, std::uint32_t>> entries_; // row, symbol
     expression::Tape tape_;
     Eigen::MatrixXd jacobian_;

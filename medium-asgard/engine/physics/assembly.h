@@ -5,10 +5,13 @@
 //
 //     dy = - W J' (J W J')^+ g,
 //
-// closes them; W counts a turn as an arc of the body's radius. From there the movement as a whole
+// closes them; W counts a turn as an arc of the body's radius. Angles of joints and what drums have
+// wound follow the bodies at no cost. From there the movement as a whole
 // is made smaller along the directions that open no joint, as long as that shortens it. Bodies that
 // are fixed, or that a trajectory holds at the start, stay. A joint whose -offset2 is not given
 // stays as the text has it.
+//
+// LIMIT: a straight chain of rods that must become shorter has no first step, and stays open.
 //
 // Contract: docs/scene-language.md, "Joints".
 #pragma once
@@ -26,8 +29,8 @@ namespace physics {
 struct Assembly {
     struct Moved {
         std::size_t body = 0; // of the scene
-        geometry::Pose pose;  // of its reference point
-        double by = 0;        // the larger of the way of its centre and the arc of its turn
+        geometry::Pose pose;  // of its reference point, in the world
+        double by = 0;        // m: the larger of the way of its centre and the arc of its turn
         bool turns = false;
     };
     std::vector<Moved> moved; // those that move at all

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 namespace physics {
 namespace {
 
@@ -55,6 +57,30 @@ TEST(Assembly, MovesBothBodiesOfAJoint) {
     ASSERT_EQ(made.moved.size(), 2u);
     EXPECT_NEAR(made.moved[0].by, 1, 1e-9);
     EXPECT_NEAR(made.moved[1].by, 1, 1e-9);
+}
+
+// Two rods and an elbow, one of which must reach farther: the angles of the hinges follow.
+TEST(Assembly, HingesTurnWhileALinkageCloses) {
+    scene::Scene scene = ballAndRod();
+    scene::Body second = scene.bodies[1];
+    scene.bodies[1].initialPosition = {1, 0, 0};
+    second.name = "other";
+    second.initialPosition = {2, 1, 0};
+    second.initialAttitude = geometry::fromRotationVector(Vector(0, 0, std::numbers::pi / 2));
+    scene.bodies.push_back(second);
+    scene.joints.push_back(joint("p", scene::JointType::hinge, "rod", {-1, 0, 0}, {0, 0, 0}));
+    scene.joints.push_back(joint("q", scene::JointType::hinge, "rod", {1, 0, 0}, {-1, 0, 0}));
+    scene.joints[1].body2 = "other";
+    scene.joints.push_back(joint("r", scene::JointType::hinge, "other", {1, 0, 0}, {3, 0, 0}));
+    const Assembly made = assembled(scene);
+    EXPECT_EQ(made.reason, "");
+    ASSERT_EQ(made.moved.size(), 2u);
+    const auto end = [&](std::size_t i, double x) {
+        return Vector(made.moved[i].pose.position + made.moved[i].pose.attitude * Vector(x, 0, 0));
+    };
+    EXPECT_LT(end(0, -1).norm(), 1e-12);
+    EXPECT_LT((end(0, 1) - end(1, -1)).norm(), 1e-12);
+    EXPECT_LT((end(1, 1) - Vector(3, 0, 0)).norm(), 1e-12);
 }
 
 TEST(Assembly, SaysWhatIsLeftWhereNothingCloses) {

@@ -1,5 +1,7 @@
 #include "physics/carried_points.h"
 
+#include "expression/tape.h"
+
 #include <algorithm>
 
 namespace physics {
@@ -7,6 +9,28 @@ namespace physics {
 const expression::Phase& phaseAt(const expression::Unknown& unknown, double time) {
     const auto after = std::ranges::upper_bound(unknown.phases, time, {}, &expression::Phase::from);
     return after == unknown.phases.begin() ? unknown.phases.front() : *(after - 1);
+}
+
+void putGiven(const Graph& g, const expression::EquationSet& set, double time,
+              std::span<double> values) {
+    std::vector<Node> inputs{set.time}, nodes;
+    std::vector<std::size_t> places;
+    for (std::size_t u = 0; u < set.unknowns.size(); ++u) {
+        inputs.push_back(set.unknowns[u].symbol);
+        if (const auto& given = phaseAt(set.unknowns[u], time).given) {
+            nodes.push_back(*given);
+            places.push_back(1 + u);
+        }
+    }
+    const expression::Tape tape(g, inputs, nodes);
+    std::vector<double> found(nodes.size());
+    expression::Tape::Scratch scratch;
+    constexpr int depth = 3; // a point of a body that is held, of a body that is held
+    for (int i = 0; i < depth && !nodes.empty(); ++i) {
+        tape.evaluate(values, found, scratch);
+        for (std::size_t k = 0; k < places.size(); ++k)
+            values[places[k]] = found[k];
+    }
 }
 
 BodyRates CarriedPoints::ratesOf(const CarriedPoint& point, const Along& along) const {

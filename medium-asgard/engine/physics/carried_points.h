@@ -15,6 +15,11 @@ struct Along {
 // The phase of an unknown at a time.
 [[nodiscard]] const expression::Phase& phaseAt(const expression::Unknown& unknown, double time);
 
+// Values of the time and of all unknowns, in this order: those that trajectories give at a time,
+// which may be made of others that are given (a place that turns with an attitude that is held).
+void putGiven(const Graph& g, const expression::EquationSet& set, double time,
+              std::span<double> values);
+
 // A point of a body, from its centre of mass along its axes, or of the world.
 struct CarriedPoint {
     std::optional<std::size_t> body; // none: the world

@@ -320,27 +320,6 @@ std::vector<JointRow> JointMultipliers::addUnknowns(expression::EquationSet& set
     return std::move(rows_);
 }
 
-// Values that trajectories give at the start; some are made of others.
-void JointMultipliers::putGiven(const expression::EquationSet& set, std::span<const Node> inputs,
-                                std::vector<double>& values) const {
-    std::vector<Node> nodes;
-    std::vector<std::size_t> places;
-    for (std::size_t u = 0; u < set.unknowns.size(); ++u)
-        if (const auto& given = phaseAt(set.unknowns[u], scene_.simulator.start).given) {
-            nodes.push_back(*given);
-            places.push_back(1 + u);
-        }
-    const expression::Tape tape(g_, inputs, nodes);
-    std::vector<double> found(nodes.size());
-    expression::Tape::Scratch scratch;
-    constexpr int depth = 3; // a place that turns with an attitude that is held
-    for (int i = 0; i < depth && !nodes.empty(); ++i) {
-        tape.evaluate(values, found, scratch);
-        for (std::size_t k = 0; k < places.size(); ++k)
-            values[places[k]] = found[k];
-    }
-}
-
 // The time and the unknowns, which are the inputs.
 std::vector<double> JointMultipliers::startValues(const expression::EquationSet& set,
                                                   std::vector<Node>& inputs) const {
@@ -350,7 +329,7 @@ std::vector<double> JointMultipliers::startValues(const expression::EquationSet&
         inputs.push_back(unknown.symbol);
         values.push_back(unknown.initial);
     }
-    putGiven(set, inputs, values);
+    physics::putGiven(g_, set, scene_.simulator.start, values);
     return values;
 }
 

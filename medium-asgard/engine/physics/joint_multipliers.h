@@ -113,8 +113,6 @@ private:
     void addUnknown(expression::EquationSet& set, const Kept& kept) const;
     void addUnknown(expression::EquationSet& set, const Release& release) const;
     [[nodiscard]] expression::Phase phaseOf(const Kept& kept, const Along& along) const;
-    void putGiven(const expression::EquationSet& set, std::span<const Node> inputs,
-                  std::vector<double>& values) const;
     [[nodiscard]] std::vector<double> startValues(const expression::EquationSet& set,
                                                   std::vector<Node>& inputs) const;
     void markReleased(expression::EquationSet& set, std::size_t first) const;
