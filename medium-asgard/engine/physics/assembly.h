@@ -11,8 +11,8 @@
 // are fixed, or that a trajectory holds at the start, stay. A joint whose -offset2 is not given
 // stays as the text has it.
 //
-// LIMIT: a straight chain of rods that must become shorter has no first step, and stays open. A rope
-// that is too short around a wheel stays so.
+// LIMIT: a straight chain of rods that must become shorter has no first step, and stays open. A
+// rope that is too short around a wheel stays so.
 //
 // Contract: docs/scene-language.md, "Joints".
 #pragma once
