@@ -160,6 +160,26 @@ case("bowl_rocks", "# zero: b.z\nsimulator -finish 2\n" + SHAPES.replace("shape_
      [row for t, (q, w) in zip(times, solve(rocking, [tilt, 0], times))
       for row in ((t, 2, outer * (tilt - q) + depth * math.sin(q), "b.x"), (t, 2, outer - depth * math.cos(q), "b.y"), (t, 10, w, "b.wz"))])
 
+# A rod slides in a bowl on both of its ends: a pendulum of the length from the middle of the bowl to that of the rod.
+radius, length = 0.1, 1.0
+tube, balls = radius ** 2 * length, radius ** 3 * 4 / 3  # volumes over pi
+rod_across = (tube * (length ** 2 / 12 + radius ** 2 / 4) +
+              balls * (length ** 2 / 4 + 3 * length * radius / 8 + 2 * radius ** 2 / 5)) / (tube + balls)
+hang = math.sqrt(A * A - length * length / 4)
+times = [0.2, 0.5, 1, 1.5, 2]
+case("rod_in_bowl", "# zero: b.x^2+b.y^2-%r\n# zero: b.z\nsimulator -finish 2\n" % (hang * hang) + SHAPES +
+     "shape_set rod -desc {-sub {-rot {0 0 1.5707963267948966} -capsule {0.1 1}}}\nbody still bowl -fixed 1\n"
+     f"body b rod -init_pos {{{hang * math.sin(0.5)!r} {-hang * math.cos(0.5)!r} 0}} -init_rot {{0 0 0.5}} -restitution 0\n" + gravity("b"),
+     [row for t, (q, w) in zip(times, solve(lambda t, y: [y[1], -G * hang / (hang * hang + rod_across) * math.sin(y[0])], [0.5, 0], times))
+      for row in ((t, 2, hang * math.sin(q), "b.x"), (t, 2, -hang * math.cos(q), "b.y"), (t, 10, w, "b.wz"))])
+# A box slides along a pipe on its lower edges: its weight wedges it, so friction is larger by the slope of the wall.
+low = math.sqrt(0.5 ** 2 - 0.2 ** 2)
+slows, v = 0.25 * G * 0.5 / low, 2
+case("box_in_pipe", f"# zero: b.y+{low - 0.1!r}\nsimulator -finish 0.7\n" + SHAPES + "shape_set box -desc {-sub {-box {0.6 0.2 0.4}}}\n"
+     "body still pipe -fixed 1 -friction 0.25\n"
+     f"body b box -init_pos {{0 {0.1 - low!r} 0}} -init_dpos {{{v} 0 0}} -mass 1 -restitution 0 -friction 0.25\n" + gravity("b"),
+     [(t, 2, v * min(t, v / slows) - slows * min(t, v / slows) ** 2 / 2, "b.x") for t in (0.1, 0.4, 0.7)])
+
 
 if __name__ == "__main__":
     contact_cases.main()

@@ -1,6 +1,7 @@
 #include "collision/contact.h"
 
 #include "collision/curved_separation.h"
+#include "collision/hollow_separation.h"
 #include "collision/part_motion.h"
 #include "collision/patch.h"
 
@@ -293,6 +294,17 @@ std::vector<Contact> contactsAt(const MovingShape& first, const MovingShape& sec
             const Separation separation = pair.separationAt(t, cold);
             if (std::abs(separation.gap) > tolerance)
                 continue;
+            if (separation.isInside) { // each ball has a normal of its own
+                const Vector origin = pair.originAt(t);
+                for (const BallAtWall& ball :
+                     ballsAtWall(pair.first.posedAt(t, origin), pair.second.posedAt(t, origin),
+                                 tolerance)) {
+                    contacts.push_back(contactOf(pair, t, ball.separation));
+                    contacts.back().firstPart = i;
+                    contacts.back().secondPart = j;
+                }
+                continue;
+            }
             Contact contact = contactOf(pair, t, separation);
             if (isPassing(pair, t, contact))
                 continue;

@@ -1,5 +1,6 @@
 #include "collision/hollow_separation.h"
 
+#include "collision/curved_separation.h"
 #include "collision/polynomial.h"
 #include "collision/spheres.h"
 
@@ -26,28 +27,31 @@ double rootOf(Polynomial p, double length, bool isLeaving) {
     return firstDescent(p, length).value_or(2 * length);
 }
 
-// The ball and the wall now, and how they move within the window.
+// A ball and the wall now, and how they move within the window.
 class Passage {
 public:
-    explicit Passage(const HollowQuestion& question)
-        : question_(question), isFirst_(question.pair.first.part->isSphere()),
+    Passage(const HollowQuestion& question, std::size_t vertex)
+        : question_(question), isFirst_(!question.pair.first.part->isHollow()),
           ball_(isFirst_ ? question.pair.first : question.pair.second),
           wall_(isFirst_ ? question.pair.second : question.pair.first),
           path_(relativePath(ball_.piece, wall_.piece, question.t)) {
         const Posed ball = ball_.posedAt(question.t, positionAt(ball_.piece, question.t));
         const Posed wall = wall_.posedAt(question.t, positionAt(wall_.piece, question.t));
-        lever_ = ball.world(0);
+        lever_ = ball.world(vertex);
         arm_ = positionAt(ball_.piece, question.t) - positionAt(wall_.piece, question.t) + lever_;
         nearest_ = geometry::nearestOf(*wall.part->curved, turnedInto(wall, arm_));
         normal_ = wall.rotation * nearest_.normal;
         axis_ = wall.rotation * wall.part->curved->axis();
+        const double own = nearest_.distance - ball_.part->radius;
+        if (!question.isLeaving || own > question.pair.unnoticedDepth(question.t))
+            gap_ = std::max({own, question.gap, 0.0});
     }
 
     [[nodiscard]] double clear() {
         const double speed = speedWithin(question_.window);
         double clear = 0;
-        if (question_.gap > 0)
-            clear = speed > 0 ? question_.gap / speed : 2 * question_.window;
+        if (gap_ > 0)
+            clear = speed > 0 ? gap_ / speed : 2 * question_.window;
         if (!wall_.turns())
             clear = std::max(clear, alongNormal(speed));
         return clear;
@@ -93,7 +97,7 @@ private:
             for (std::size_t k = 1; k < path_[c].count; ++k)
                 gap.terms[k] += normal_[static_cast<Eigen::Index>(c)] * path_[c].terms[k];
         }
-        gap.terms[0] = question_.isLeaving ? 0 : question_.gap;
+        gap.terms[0] = gap_;
         if (speed > 0)
             gap.terms[2] -= speed * speed / nearest_.across;
         if (ball_.turns() && lever_.norm() > 0) {
@@ -105,7 +109,7 @@ private:
         }
         if (!std::isfinite(gap.terms[2]))
             return 0;
-        const double root = rootOf(gap, window, question_.isLeaving);
+        const double root = rootOf(gap, window, gap_ == 0);
         return window < question_.window ? std::min(root, window) : root;
     }
 
@@ -117,14 +121,32 @@ private:
     Vector lever_, arm_; // of the ball's centre, from the ball's pivot and from the wall's
     HollowNearest nearest_;
     Vector normal_, axis_;
+    double gap_ = 0; // with what is allowed to sink in; 0: it touches
 };
 
-} // namespace
+// The other part lies on the lid of the hollow, and nothing of it on the wall beside.
+bool isOverLid(const Posed& wall, const Posed& other, const Vector& normal) {
+    const geometry::Curved& curved = *wall.part->curved;
+    const Vector axis = wall.rotation * curved.axis();
+    const double along = axis.dot(normal); // towards the other
+    const bool isTube = curved.kind == geometry::Curved::Kind::tube;
+    if ((isTube ? std::abs(along) : along) < 1 - 1e-9)
+        return false;
+    const Vector middle = wall.rotation * curved.center + wall.offset;
+    double lowest = HUGE_VAL;
+    for (std::size_t v = 0; v < other.part->core.vertices.size(); ++v)
+        lowest = std::min(lowest, normal.dot(other.world(v)));
+    for (std::size_t v = 0; v < other.part->core.vertices.size(); ++v) {
+        const Vector from = other.world(v) - middle;
+        if (normal.dot(other.world(v)) <= lowest + 1e-6 * curved.radius() &&
+            axis.cross(from).norm() >= curved.inner)
+            return false;
+    }
+    return true;
+}
 
-Separation separateHollow(const Posed& first, const Posed& second) {
-    const bool isFirst = first.part->isSphere(); // the ball
-    const Posed &ball = isFirst ? first : second, &wall = isFirst ? second : first;
-    const Vector centre = ball.world(0);
+Separation ofBall(const Posed& ball, std::size_t vertex, const Posed& wall, bool isFirst) {
+    const Vector centre = ball.world(vertex);
     const HollowNearest nearest = geometry::nearestOf(*wall.part->curved, turnedInto(wall, centre));
     const Vector normal = wall.rotation * nearest.normal;
     Separation result;
@@ -136,13 +158,61 @@ Separation separateHollow(const Posed& first, const Posed& second) {
     return result;
 }
 
+// Of what is no sphere: by the hull where it is outside of it, or only just within its wall.
+std::optional<Separation> fromOutside(const Posed& first, const Posed& second) {
+    const bool isFirst = !first.part->isHollow();
+    const Posed &other = isFirst ? first : second, &wall = isFirst ? second : first;
+    if (other.part->isSphere())
+        return std::nullopt;
+    const Separation hull = separateCurved(first, second);
+    const double thickness = wall.part->curved->radius() - wall.part->curved->inner;
+    if (hull.gap <= -thickness / 2 ||
+        isOverLid(wall, other, isFirst ? hull.normal : Vector(-hull.normal)))
+        return std::nullopt;
+    return hull;
+}
+
+} // namespace
+
+Separation separateHollow(const Posed& first, const Posed& second) {
+    if (const auto outside = fromOutside(first, second))
+        return *outside;
+    const bool isFirst = !first.part->isHollow();
+    const Posed &other = isFirst ? first : second, &wall = isFirst ? second : first;
+    Separation least = ofBall(other, 0, wall, isFirst);
+    for (std::size_t v = 1; v < other.part->core.vertices.size(); ++v)
+        if (Separation one = ofBall(other, v, wall, isFirst); one.gap < least.gap)
+            least = std::move(one);
+    least.isInside = least.isInside || !other.part->isSphere();
+    return least;
+}
+
+std::vector<BallAtWall> ballsAtWall(const Posed& first, const Posed& second, double tolerance) {
+    std::vector<BallAtWall> found;
+    if (fromOutside(first, second))
+        return found;
+    const bool isFirst = !first.part->isHollow();
+    const Posed &other = isFirst ? first : second, &wall = isFirst ? second : first;
+    for (std::size_t v = 0; v < other.part->core.vertices.size(); ++v)
+        if (Separation one = ofBall(other, v, wall, isFirst); std::abs(one.gap) <= tolerance)
+            found.push_back({v, std::move(one)});
+    return found;
+}
+
 double roomInHollow(const PartPair& pair) {
-    const bool isFirst = pair.first.part->isSphere(); // the ball
+    const bool isFirst = !pair.first.part->isHollow(); // the ball
     const Part &ball = *(isFirst ? pair.first : pair.second).part,
                &wall = *(isFirst ? pair.second : pair.first).part;
     return wall.curved->inner - ball.radius;
 }
 
-double clearFor(const HollowQuestion& question) { return Passage(question).clear(); }
+double clearFor(const HollowQuestion& question) {
+    const Part& other =
+        *(question.pair.first.part->isHollow() ? question.pair.second : question.pair.first).part;
+    double clear = 2 * question.window;
+    for (std::size_t v = 0; v < other.core.vertices.size() && clear > 0; ++v)
+        clear = std::min(clear, Passage(question, v).clear());
+    return clear;
+}
 
 } // namespace collision

@@ -1,25 +1,38 @@
-// How far is a ball from the wall of a tube or a bowl, inside and outside of it?
+// How far is a part from the wall of a tube or a bowl, inside and outside of it?
 //
-// A hollow part is not convex: no plane parts it from a ball within. Its gap is that of the ball's
-// centre from the nearest piece of its surface (geometry/hollow.h) less the radius. How long the
-// gap stays open follows from the motion of the centre along the normal; beside that, of a wall
-// that bends towards the ball, a way d across the normal takes at most d^2 / (2 c), where c is the
-// least distance from the hollow's axis or centre on the way (time of impact: advancement.h).
+// A hollow part is not convex: no plane parts it from what is within. What reaches furthest there
+// are balls: a sphere, the ends of a capsule, the vertices of a polyhedron, of radius 0. The gap of
+// a ball is that of its centre from the nearest piece of the wall's surface (geometry/hollow.h)
+// less its radius. How long it stays open follows from the motion of the centre along the normal;
+// beside that, of a wall that bends towards the ball, a way d across the normal takes at most
+// d^2 / (2 c), where c is the least distance from the hollow's axis or centre on the way (time of
+// impact: advancement.h). From outside all but spheres meet the hull, as other curved parts do.
 //
-// LIMIT: to all but balls a hollow is closed by a lid, and nothing else goes in. A ball that is as
-// wide as the hollow touches along a circle, which is no contact that lasts.
+// LIMIT: to cylinders, cones and ellipsoids a hollow is closed by a lid. What has its ends inside
+// and outside at once goes through the rim. A ball that is as wide as the hollow touches along a
+// circle, which is no contact that lasts.
 #pragma once
 
 #include "collision/part_motion.h"
 #include "geometry/hollow.h"
 
-#include <optional>
+#include <vector>
 
 namespace collision {
 
+// One of the two is hollow, and the other may go into it.
 [[nodiscard]] inline bool isHollowPair(const Part& first, const Part& second) {
-    return (first.isHollow() && second.isSphere()) || (second.isHollow() && first.isSphere());
+    return (first.isHollow() && !second.curved) || (second.isHollow() && !first.curved);
 }
+
+// Of the other's core its vertices, around each of which it has its radius: those that come within
+// `tolerance` of the hollow's wall, where the part is inside, or at its rim. None: it is outside.
+struct BallAtWall {
+    std::size_t vertex = 0;
+    Separation separation; // of this ball
+};
+[[nodiscard]] std::vector<BallAtWall> ballsAtWall(const Posed& first, const Posed& second,
+                                                  double tolerance);
 
 [[nodiscard]] Separation separateHollow(const Posed& first, const Posed& second);
 
@@ -33,7 +46,7 @@ struct HollowQuestion {
     // The gap is 0 now, and opens: when does it close again? Its root now is divided out.
     bool isLeaving = false;
 };
-// A time during which the ball, which is inside, stays clear of the wall; more than the window: all
+// A time during which the part, which is inside, stays clear of the wall; more than the window: all
 // of it.
 [[nodiscard]] double clearFor(const HollowQuestion& question);
 

@@ -179,6 +179,11 @@ std::vector<Node> ContactRows::landingsOf(const ContactPlace& place) {
                           : gap.body.kind == Kind::plane  ? at(place.body, gap.body.place)
                                                           : meeting.contact;
     for (const ContactPlace::Landing& landing : place.landings) {
+        if (landing.gap) {
+            heights.push_back(
+                g_.add(meetingOf(place, *landing.gap).gap, g_.constant(landing.room)));
+            continue;
+        }
         const NodeVector up =
             landing.isAbove ? meeting.normal : scaled(g_, g_.constant(-1), meeting.normal);
         const Node reach =

@@ -71,6 +71,7 @@ struct ContactPlace {
         SurfacePiece piece;
         bool isAbove = true; // of the body, else below, of the support
         double room = 0;
+        std::optional<SurfaceGap> gap = {}; // in a hollow: that of the piece itself
     };
     std::vector<Landing> landings;
 

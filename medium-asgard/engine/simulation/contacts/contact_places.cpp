@@ -262,6 +262,27 @@ private:
     physics::ContactPlace& place_;
 };
 
+// In a hollow the other vertices, or ends of a capsule, may land on the wall.
+void addLandingsInHollow(const Touch& touch, const Placed& body, const Placed& support,
+                         double tolerance, physics::ContactPlace& place) {
+    const bool isBodys = !body.shape->parts[touch.bodyPart].isHollow(); // the vertices
+    const Placed& owner = isBodys ? body : support;
+    const geometry::Part& part = owner.shape->parts[isBodys ? touch.bodyPart : touch.supportPart];
+    for (std::size_t v = 0; v < part.core.vertices.size(); ++v) {
+        if (v == *touch.vertex)
+            continue;
+        const PieceTouch found = vertexAtWall(body, touch.bodyPart, support, touch.supportPart, v);
+        const SurfaceGap& gap = found.points[0].gap;
+        const bool isInside = (isBodys ? gap.support : gap.body).radius < 0;
+        if (isInside && found.points[0].at.gap > tolerance)
+            place.landings.push_back({.body = owner.index,
+                                      .piece = isBodys ? gap.body : gap.support,
+                                      .isAbove = isBodys,
+                                      .room = 0,
+                                      .gap = gap});
+    }
+}
+
 // Where each of the points goes in the plane: the place of the one that stands for it, or, between
 // the outermost two, none; nothing where they do not lie symmetrically.
 std::vector<std::size_t> standing(const std::vector<Vector>& points, const MotionPlane& plane,
@@ -449,6 +470,8 @@ LastingContact contactOf(const Touch& touch, const Placed& body, const Placed& s
         place.centre.reset();
     if (!(touch.isRound && !touch.isCurved) && !isWhole)
         Landings(touch, body, support, limits.plane, place).add();
+    if (touch.vertex)
+        addLandingsInHollow(touch, body, support, limits.gap * touch.size, place);
     for (ContactPoint& point : place.points)
         if (const double gap = nearestOf(point.gap, body, support).gap;
             limits.isStart || (point.parts && gap < 0) || std::abs(gap) <= kept * touch.size)

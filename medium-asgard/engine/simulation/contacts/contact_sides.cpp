@@ -245,11 +245,9 @@ std::vector<ContactPoint::Side> sidesOfPieces(const physics::SurfaceGap& gap, co
         if (gap.isOnPlane() && piece.kind != Piece::plane)
             continue; // others land
         Sides sides(owner->index, localOf(*owner, at.place), touch.size);
-        const Part &own = owner->shape->parts[part],
-                   &other = (isBodys ? support : body)
-                                .shape->parts[isBodys ? touch.supportPart : touch.bodyPart];
-        if (own.isHollow() && other.isSphere()) {
-            addWall(*own.curved, owner->record->centroid, piece, sides);
+        if (touch.vertex) { // at a wall
+            if (const Part& own = owner->shape->parts[part]; own.isHollow())
+                addWall(*own.curved, owner->record->centroid, piece, sides);
             found.insert(found.end(), sides.sides.begin(), sides.sides.end());
             continue;
         }

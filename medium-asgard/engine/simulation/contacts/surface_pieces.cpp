@@ -1,7 +1,6 @@
 #include "contacts/surface_pieces.h"
 
 #include "collision/contact_points.h"
-#include "collision/hollow_separation.h"
 #include "collision/patch.h"
 #include "contacts/contact_resolution.h"
 
@@ -292,13 +291,15 @@ SurfacePiece wallOf(const Curved& curved, const Vector& centre, const Vector& ce
     return round(curved.radius());
 }
 
-PieceTouch ballAtWall(const Placed& body, std::size_t bodyPart, const Placed& support,
-                      std::size_t supportPart) {
-    const bool isBodys = partOf(body, bodyPart).isSphere(); // the ball
+// A vertex of the one, with its radius, and the piece of the hollow part that is nearest to it.
+PiecePoint pointAtWall(const Placed& body, std::size_t bodyPart, const Placed& support,
+                       std::size_t supportPart, std::size_t vertex) {
+    const bool isBodys = !partOf(body, bodyPart).isHollow(); // the vertex
     const Placed &owner = isBodys ? body : support, &other = isBodys ? support : body;
     const Part& ball = partOf(owner, isBodys ? bodyPart : supportPart);
     const Part& wall = partOf(other, isBodys ? supportPart : bodyPart);
-    const SurfacePiece round = pointAt(ball.center() - owner.record->centroid, ball.radius);
+    const SurfacePiece round =
+        pointAt(ball.core.vertices[vertex] - owner.record->centroid, ball.radius);
     const Vector centre =
         other.state.attitude.conjugate() *
         Vector(owner.state.position - other.state.position + toWorld(owner, round.place));
@@ -309,8 +310,7 @@ PieceTouch ballAtWall(const Placed& body, std::size_t bodyPart, const Placed& su
     const physics::SurfacePose at{Vector::Zero(), body.state.attitude.toRotationMatrix()};
     const physics::SurfacePose under{support.state.position - body.state.position,
                                      support.state.attitude.toRotationMatrix()};
-    const physics::NearestSurfaces nearest = physics::nearest(gap, at, under);
-    return {.normal = nearest.normal, .points = {{gap, nearest}}, .isModelled = true};
+    return {gap, physics::nearest(gap, at, under)};
 }
 
 } // namespace
@@ -399,10 +399,14 @@ std::vector<SurfacePiece> extremesOf(const Placed& owner, std::size_t part) {
     return pieces;
 }
 
+PieceTouch vertexAtWall(const Placed& body, std::size_t bodyPart, const Placed& support,
+                        std::size_t supportPart, std::size_t vertex) {
+    const PiecePoint point = pointAtWall(body, bodyPart, support, supportPart, vertex);
+    return {.normal = point.at.normal, .points = {point}, .isModelled = true};
+}
+
 PieceTouch pieceTouch(const Placed& body, std::size_t bodyPart, const Placed& support,
                       std::size_t supportPart, const Vector& normal, double tolerance) {
-    if (collision::isHollowPair(partOf(body, bodyPart), partOf(support, supportPart)))
-        return ballAtWall(body, bodyPart, support, supportPart);
     return Pieces(body, bodyPart, support, supportPart, tolerance).find(normal);
 }
 

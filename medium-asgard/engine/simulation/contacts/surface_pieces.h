@@ -2,7 +2,8 @@
 //
 //     on a flat face   what of the other is furthest: both rims of a cylinder that lies, both ends
 //                      of a capsule, apex and rim of a cone, one rim, a tip, a sphere, an ellipsoid
-//     a hollow part    a ball touches one of its pieces, inside or outside (geometry/hollow.h)
+//     a hollow part    a sphere, the end of a capsule or a vertex touches one of its pieces, inside
+//                      of it (geometry/hollow.h); a sphere outside, too
 //     else             the pieces that bear along the normal: sphere on a side, a rim or a cone,
 //                      side across side or edge; side by side, both ends of the common stretch
 //
@@ -34,6 +35,11 @@ struct PieceTouch {
 [[nodiscard]] PieceTouch pieceTouch(const Placed& body, std::size_t bodyPart, const Placed& support,
                                     std::size_t supportPart, const Vector& normal,
                                     double tolerance);
+
+// A sphere, an end of a capsule or a vertex, by its number, and a hollow part.
+[[nodiscard]] PieceTouch vertexAtWall(const Placed& body, std::size_t bodyPart,
+                                      const Placed& support, std::size_t supportPart,
+                                      std::size_t vertex);
 
 // The flat face of a part that looks along a direction of the world, within tolerances.
 struct FlatFace {

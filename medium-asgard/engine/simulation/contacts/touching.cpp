@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -134,6 +135,27 @@ public:
         return true;
     }
 
+    // In a hollow each vertex touches for itself.
+    [[nodiscard]] std::vector<Touch> atWall() const {
+        std::vector<Touch> found;
+        for (const collision::BallAtWall& ball :
+             collision::ballsAtWall(first_, second_, 10 * tolerance_)) {
+            if (ball.separation.gap > tolerance_)
+                continue;
+            Pairing one = *this;
+            one.touch.gap = ball.separation.gap;
+            one.touch.normal = ball.separation.normal;
+            one.touch.vertex = ball.vertex;
+            one.addPieces(
+                vertexAtWall(body_, touch.bodyPart, support_, touch.supportPart, ball.vertex));
+            found.push_back(std::move(one.touch));
+        }
+        return found;
+    }
+    [[nodiscard]] bool isHollow() const {
+        return collision::isHollowPair(*first_.part, *second_.part);
+    }
+
     Touch touch;
 
 private:
@@ -169,8 +191,6 @@ private:
 
     // A round end that lies flat is a face with many corners. All else touches with pieces.
     void addCurved() {
-        if (collision::isHollowPair(*first_.part, *second_.part))
-            return addPieces();
         auto facing = collision::facingFeatures(first_, second_, touch.normal, tolerance_);
         ofBody_ = std::move(facing.first);
         ofSupport_ = std::move(facing.second);
@@ -189,8 +209,11 @@ private:
     }
 
     void addPieces() {
-        const PieceTouch found = pieceTouch(body_, touch.bodyPart, support_, touch.supportPart,
-                                            touch.normal, tolerance_);
+        addPieces(pieceTouch(body_, touch.bodyPart, support_, touch.supportPart, touch.normal,
+                             tolerance_));
+    }
+
+    void addPieces(const PieceTouch& found) {
         touch.hasPieces = found.isModelled;
         if (!found.isModelled)
             return;
@@ -539,6 +562,11 @@ std::vector<Touch> touchesOf(const Placed& body, const Placed& support, double t
             if (body.shape->parts[i].isPlane() && support.shape->parts[j].isPlane())
                 continue; // each is everywhere
             Pairing pairing(body, i, support, j, tolerance, resting);
+            if (pairing.isHollow())
+                if (std::vector<Touch> found = pairing.atWall(); !found.empty()) {
+                    std::ranges::move(found, std::back_inserter(touches));
+                    continue;
+                }
             if (pairing.find())
                 touches.push_back(std::move(pairing.touch));
         }

@@ -51,10 +51,11 @@ struct Touch { // of one pair of parts
     double size = 0; // of the two parts
     bool isFlat = false;
     bool isModelled = true;
-    bool isRound = false;       // one of the two is a sphere
-    bool isCurved = false;      // one of the two is a capsule, cylinder, cone or ellipsoid
-    bool hasPieces = false;     // ... and each corner has its pieces of the surfaces
-    bool isRoundOnEdge = false; // a sphere on an edge or a vertex
+    bool isRound = false;              // one of the two is a sphere
+    bool isCurved = false;             // one of the two is a capsule, cylinder, cone or ellipsoid
+    bool hasPieces = false;            // ... and each corner has its pieces of the surfaces
+    bool isRoundOnEdge = false;        // a sphere on an edge or a vertex
+    std::optional<std::size_t> vertex; // of a part at a hollow part's wall: it touches alone
     std::vector<Corner> corners;
     std::vector<Vector> bodyFace, supportFace; // outlines, world; of polyhedra
     // The same parts along the other axes along which they touch: with these none of their own.
