@@ -158,9 +158,10 @@ void ParametersPanel::refresh() {
     setVisible(!controls.empty());
     const auto isMotor = [](const Control& of) { return of.element.kind == editing::Kind::joint; };
     const bool areMotors = std::ranges::any_of(controls, isMotor);
-    setTitle(!areMotors                               ? tr("Parameters")
-             : std::ranges::all_of(controls, isMotor) ? tr("Motors")
-                                                      : tr("Parameters and Motors"));
+    const QString title = !areMotors                               ? tr("Parameters")
+                          : std::ranges::all_of(controls, isMotor) ? tr("Motors")
+                                                                   : tr("Parameters and Motors");
+    setTitle(plain::ours(title));
     refreshing_ = true;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         Row& row = rows_[i];

@@ -80,7 +80,8 @@ StatusPanel::StatusPanel(SceneDocument& document, Playback& playback,
     state_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     state_->setAccessibleName(tr("State"));
     form->addRow(state_);
-    form->addRow(new CloseJoints(document_));
+    auto* close = new CloseJoints(document_);
+    form->addRow(close);
     column->addWidget(status);
     column->addWidget(new ParametersPanel(document_));
     addSwitches(display);
