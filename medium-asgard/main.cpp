@@ -84,6 +84,7 @@ void addRender(CLI::App& app, batch::RenderArguments& a) {
     c.add_option("--size", a.size, "WIDTHxHEIGHT in pixels (640x480)");
     c.add_option("--view", a.view, "name of the scene's view, instead of its first");
     c.add_flag("--wireframe", a.wireframe, "edges instead of faces");
+    c.add_option("--background", a.background, "#rrggbb or a colour's name (white)");
     c.add_option("--output", a.output, "FRAME.png, FRAME.ppm or DIR/")->required();
 }
 

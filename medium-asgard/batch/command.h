@@ -64,6 +64,7 @@ struct RenderArguments {
     std::string size = "640x480";
     std::string view;
     bool wireframe = false;
+    std::string background; // as -color of a shape; "": white
     std::string output;
 };
 

@@ -3,6 +3,7 @@
 #include "batch/picture_file.h"
 #include "batch/waiting.h"
 #include "render/view.h"
+#include "script/svg_colors.h"
 #include "simulation/simulation.h"
 
 #include <algorithm>
@@ -85,6 +86,20 @@ std::string fileName(const std::string& output, bool folder, std::size_t index) 
     return (std::filesystem::path(output) / name).string();
 }
 
+std::optional<scene::Color> colorOf(const std::string& written) {
+    if (written.empty())
+        return scene::Color{1, 1, 1};
+    if (!written.starts_with('#'))
+        return script::namedColor(written);
+    unsigned value = 0;
+    const char* end = written.data() + written.size();
+    const auto read = std::from_chars(written.data() + 1, end, value, 16);
+    if (written.size() != 7 || read.ec != std::errc{} || read.ptr != end)
+        return std::nullopt;
+    const auto part = [value](int shift) { return ((value >> shift) & 0xFFU) / 255.0; };
+    return scene::Color{part(16), part(8), part(0)};
+}
+
 std::optional<std::string> unknownView(const scene::Scene& scene, const std::string& name) {
     std::string names;
     for (const scene::View& view : scene.views) {
@@ -112,6 +127,7 @@ int drawAll(const SceneText& scene, const simulation::MotionPointer& motion,
     const render::Image image{pixels, stride, size};
     render::Drawing drawing{&scene.reading.scene, motion, 0, {}, {}};
     drawing.display.wireframe = arguments.wireframe;
+    drawing.display.background = colorOf(arguments.background).value_or(scene::Color{1, 1, 1});
     drawing.display.samples = 8;
     for (std::size_t i = 0; i < times.size(); ++i) {
         drawing.time = times[i];
@@ -133,6 +149,10 @@ int renderCommand(script::Reader& reader, const RenderArguments& arguments) {
     const auto size = sizeOf(arguments.size);
     if (!size)
         return refuseFor("--size wants WIDTHxHEIGHT in pixels, not \"" + arguments.size + "\"",
+                         wrongUsage);
+    if (!colorOf(arguments.background))
+        return refuseFor("--background wants #rrggbb or a colour's name, not \"" +
+                             arguments.background + "\"",
                          wrongUsage);
     const auto read = readScene(reader, arguments.scene);
     if (const auto* refusal = std::get_if<Refusal>(&read))

@@ -28,6 +28,20 @@ void Hand::take(Ground ground, const Sight& sight, const Grasp& grasp, Button bu
         drag_->setSnaps(scale);
 }
 
+void Hand::setUpright(const std::optional<HandleDrag::Along>& along) {
+    if (!drag_)
+        return;
+    drag_->setUpright();
+    drag_->setAlong(along);
+}
+
+bool Hand::keepAlong(const HandleDrag::Along& along) {
+    if (!drag_ || !drag_->isUpright())
+        return false;
+    drag_->setAlong(drag_->along() == along ? std::nullopt : std::optional(along));
+    return true;
+}
+
 void Hand::takeByKeys(Ground ground, const Sight& sight, const render::Handle& handle) {
     button_.reset();
     drag_ = std::make_unique<HandleDrag>(std::move(ground), sight, handle, std::nullopt);

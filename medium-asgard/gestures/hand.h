@@ -24,6 +24,10 @@ public:
     // for each of the reader's.
     void take(Ground ground, const Sight& sight, const Grasp& grasp, Button button,
               const Eigen::Vector2d& pixels, double scale);
+    // What is held then moves upright or level, and maybe along an axis: a body that is dragged.
+    void setUpright(const std::optional<HandleDrag::Along>& along);
+    // Once more for the same: as the hand goes. False: nothing is held that moves so.
+    bool keepAlong(const HandleDrag::Along& along);
     void takeByKeys(Ground ground, const Sight& sight, const render::Handle& handle);
 
     [[nodiscard]] bool active() const { return drag_ || newPoint_; }

@@ -139,11 +139,48 @@ Vector HandleDrag::wanted() {
         return onSphere();
     if (follows_ && !free_) // beside the body it waits where it was
         return onSurface().value_or(place_);
-    Vector unsnapped = sight_.beside(held_ + grip_, plane_);
+    const Vector place = unsnapped();
     if (!snapping_ || snapsHeldOff_)
-        return unsnapped;
-    snapped_ = snapping_->at(unsnapped, handle_.place);
-    return snapped_.place;
+        return place;
+    snapped_ = snapping_->at(place, handle_.place);
+    const Vector on = kept(snapped_.place);
+    snapped_.isExact = snapped_.isExact && on == snapped_.place;
+    return on;
+}
+
+// Where the line of sight comes nearest to the axis, or meets the plane.
+Vector HandleDrag::unsnapped() const {
+    if (!along_)
+        return isUpright_ ? sight_.across(held_ + grip_, plane_)
+                          : sight_.beside(held_ + grip_, plane_);
+    constexpr double least = 0.03; // an axis or a plane that one looks along
+    const Line line = lineOfSight(sight_, held_ + grip_);
+    const Vector axis = Vector::Unit(along_->axis), way = handle_.place - line.from;
+    const double cosine = line.direction[along_->axis];
+    if (along_->isPlane)
+        return std::abs(cosine) < least
+                   ? place_
+                   : kept(line.from + line.direction * (way[along_->axis] / cosine));
+    if (1 - cosine * cosine < least * least)
+        return place_;
+    const double there = (cosine * line.direction.dot(way) - axis.dot(way)) / (1 - cosine * cosine);
+    return handle_.place + there * axis;
+}
+
+Vector HandleDrag::kept(const Vector& place) const {
+    if (!along_)
+        return place;
+    Vector on = along_->isPlane ? place : handle_.place;
+    on[along_->axis] = along_->isPlane ? handle_.place[along_->axis] : place[along_->axis];
+    return on;
+}
+
+void HandleDrag::setAlong(const std::optional<Along>& along) {
+    if (!isPlace() || along == along_)
+        return;
+    along_ = along;
+    if (moved_)
+        update();
 }
 
 std::vector<editing::Wish> HandleDrag::wishes() const {
@@ -229,6 +266,8 @@ std::string HandleDrag::words() const {
     return subjectOf(*ground_.scene, handle_) + ": " + quantityOf(*ground_.scene, handle_) + " " +
            valuesOf(wishes()) + (follows_ && !free_ ? ", on the surface; a takes it off" : "") +
            (snapped_.to.empty() ? "" : ", at " + snapped_.to + "; Ctrl takes it off") +
+           (along_ ? std::string(along_->isPlane ? "; across " : "; along ") + "xyz"[along_->axis]
+                   : "") +
            (isPlace() && moved_
                 ? "; moved " + distanceText((place_ - handle_.place).norm(), pixelLength_)
                 : "");

@@ -34,6 +34,16 @@ public:
     // `scale`: device pixels for each of the reader's.
     void setSnaps(double scale);
     void holdSnapsOff(bool off) { snapsHeldOff_ = off; }
+    // A place moves along one axis of the world, or in the plane across it; none: as the hand goes.
+    struct Along {
+        int axis = 0;
+        bool isPlane = false;
+        bool operator==(const Along&) const = default;
+    };
+    void setAlong(const std::optional<Along>& along);
+    [[nodiscard]] const std::optional<Along>& along() const { return along_; }
+    void setUpright() { isUpright_ = true; } // in the upright or level plane that faces the viewer
+    [[nodiscard]] bool isUpright() const { return isUpright_; }
     void setRolls(); // an orientation, about the line of sight, as far as one goes sideways
     void finish();   // the change becomes a step of undo
     void cancel();   // the text is as it was
@@ -52,6 +62,8 @@ public:
 
 private:
     [[nodiscard]] geometry::Vector wanted();
+    [[nodiscard]] geometry::Vector unsnapped() const;
+    [[nodiscard]] geometry::Vector kept(const geometry::Vector& place) const; // on what it is along
     [[nodiscard]] bool isPlace() const; // of a thing, which others may meet
     [[nodiscard]] double resolution() const;
     [[nodiscard]] geometry::Vector onSphere() const;
@@ -75,7 +87,8 @@ private:
     Snapped snapped_; // of the last move
     editing::Answer answer_;
     bool quaternion_ = false, moved_ = false, follows_ = false, free_ = false;
-    bool snapsHeldOff_ = false;
+    bool snapsHeldOff_ = false, isUpright_ = false;
+    std::optional<Along> along_;
 };
 
 } // namespace gestures

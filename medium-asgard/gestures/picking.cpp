@@ -91,7 +91,7 @@ std::vector<Picked> bodiesAt(const render::Drawing& drawing, const Sight& sight,
         const auto [place, isNew] = shapes.try_emplace(body.shape);
         if (isNew)
             place->second = shapeOf(*drawing.scene, body.name);
-        if (!place->second)
+        if (!place->second || render::isHidden(drawing.display, body))
             continue;
         const geometry::Pose pose =
             render::poseOf(*drawing.scene, drawing.motion.get(), i, drawing.time);

@@ -56,8 +56,8 @@ std::vector<editing::Element> elementsOf(const scene::Released& released) {
 
 class Moment {
 public:
-    Moment(const Ground& ground, double time)
-        : ground_(ground),
+    Moment(const Ground& ground, double time, const std::optional<Put>& put)
+        : ground_(ground), put_(put),
           mapper_(ground.text, ground.scene,
                   [&ground](const std::string& name) {
                       return render::constantValue(*ground.scene, ground.motion.get(), name);
@@ -116,9 +116,13 @@ private:
                               numbersOf(Vector::Zero()),
                               numbersOf(now)});
         };
-        wish("-init_pos", ground_.motion->shapePose(index, time_).position, body.initialPosition,
-             1e-9 * size_);
-        wish("-init_dpos", state.velocity, body.initialVelocity, 1e-9 * size_);
+        const bool isPut = put_ && put_->body == index;
+        wish("-init_pos", isPut ? put_->place : ground_.motion->shapePose(index, time_).position,
+             body.initialPosition, isPut ? put_->resolution : 1e-9 * size_);
+        if (isPut && put_->velocity)
+            wish("-init_dpos", *put_->velocity, body.initialVelocity, put_->resolution);
+        else
+            wish("-init_dpos", state.velocity, body.initialVelocity, 1e-9 * size_);
         wish("-init_drot", state.angularVelocity, body.initialAngularVelocity, 1e-9);
         if (state.attitude.angularDistance(body.initialAttitude) <= 1e-9)
             return;
@@ -138,6 +142,7 @@ private:
     }
 
     const Ground& ground_;
+    const std::optional<Put>& put_;
     editing::Mapper mapper_;
     double time_;
     double size_ = 1e-3;
@@ -145,7 +150,12 @@ private:
 
 } // namespace
 
-editing::Answer startingAt(const Ground& ground, double time) {
+double roundMoment(const simulation::Motion& motion, double time) {
+    const double step = editing::decimalStep((motion.finish() - motion.start()) / 2000);
+    return std::clamp(editing::roundedTo(time, step), motion.start(), motion.computed());
+}
+
+editing::Answer startingAt(const Ground& ground, double time, const std::optional<Put>& put) {
     editing::Answer answer;
     if (!ground.motion || time > ground.motion->computed() || ground.motion->draft()) {
         answer.reason = "The motion is not computed up to this time yet.";
@@ -155,7 +165,7 @@ editing::Answer startingAt(const Ground& ground, double time) {
     answer.reason = countsFromStart(*ground.scene, released);
     if (!answer.possible())
         return answer;
-    const Moment moment(ground, time);
+    const Moment moment(ground, time, put);
     answer = moment.answer();
     moment.release(answer, released);
     return answer;

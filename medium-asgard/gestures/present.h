@@ -12,10 +12,24 @@
 #pragma once
 
 #include "editing/value_edit.h"
+#include "geometry/pose.h"
 #include "gestures/ground.h"
+
+#include <optional>
 
 namespace gestures {
 
-[[nodiscard]] editing::Answer startingAt(const Ground& ground, double time);
+// The moment to begin at: rounded to some thousandth of the motion, and not before its start.
+[[nodiscard]] double roundMoment(const simulation::Motion& motion, double time);
+
+// A body that a hand has put elsewhere at that moment.
+struct Put {
+    std::size_t body = 0;
+    geometry::Vector place;                   // of its shape's origin
+    std::optional<geometry::Vector> velocity; // none: as it was
+    double resolution = 0;                    // what the hand tells apart
+};
+[[nodiscard]] editing::Answer startingAt(const Ground& ground, double time,
+                                         const std::optional<Put>& put = std::nullopt);
 
 } // namespace gestures

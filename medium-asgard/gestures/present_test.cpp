@@ -90,6 +90,28 @@ TEST(Present, AnElementThatWasReleasedStaysSo) {
     }
 }
 
+TEST(Present, ABodyThatWasPutElsewhereStartsThereWithItsVelocityOrTheHands) {
+    const Ground before = groundOf(thrown);
+    const auto after = [&](const Put& put) {
+        const editing::Answer answer = startingAt(before, 0.5, put);
+        EXPECT_TRUE(answer.possible()) << answer.reason;
+        return groundOf(text::applied(thrown, answer.edits)).motion->at(0, 0.5);
+    };
+    const geometry::Vector place(2, 3, 0), hand(-4, 1, 0);
+    const auto put = after({0, place, std::nullopt, 0.01});
+    EXPECT_LT((put.position - place).norm(), 1e-9);
+    EXPECT_LT((put.velocity - before.motion->at(0, 0.5).velocity).norm(), 1e-9);
+    const auto cast = after({0, place, hand, 0.01});
+    EXPECT_LT((cast.velocity - hand).norm(), 1e-9);
+}
+
+TEST(Present, AMomentIsRoundToAThousandthAndWithinTheMotion) {
+    const Ground two = groundOf(thrown);
+    EXPECT_DOUBLE_EQ(roundMoment(*two.motion, 0.5617432), 0.562);
+    EXPECT_EQ(roundMoment(*two.motion, -1), 0);
+    EXPECT_EQ(roundMoment(*two.motion, 9), 2);
+}
+
 TEST(Present, WhatCountsFromTheStartSaysWhyItCannotBe) {
     const Ground spring = groundOf(thrown + "spring s -body1 b -x 0 -y 8 -z 0 -stiffness 10\n");
     EXPECT_THAT(startingAt(spring, 0.5).reason, HasSubstr("takes its length -rest from the start"));

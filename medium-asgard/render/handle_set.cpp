@@ -394,7 +394,8 @@ HandleSet Handles::at(double time, const Display& display, const Camera& camera,
     HandleSet set;
     known_ = false;
     for (std::size_t i = 0; i < scene_.bodies.size(); ++i)
-        addBody(set, i, display);
+        if (!isHidden(display, scene_.bodies[i]))
+            addBody(set, i, display);
     if (display.forceHandles || display.torqueHandles || display.trajectories)
         addForces(set, time, display);
     if (display.linkHandles)

@@ -52,6 +52,9 @@ public:
         : signs_(signs), frame_(frame), joint_(joint), place_(place), pixel_(pixel) {}
 
     void draw();
+    // A thin line to a body that the joint lies outside of, as far as its surface: the rod of a
+    // pendulum, which nothing else shows.
+    void arm(const JointEnd& end, double radius);
 
 private:
     void hinge();
@@ -242,6 +245,13 @@ void Sign::rod() {
         solid(ballPart(), point, Eigen::Matrix3d::Identity(), Vector::Constant(px(2.8)));
 }
 
+void Sign::arm(const JointEnd& end, double radius) {
+    const Vector way = end.pose.position - end.point;
+    const double length = way.norm() - radius;
+    if (length > px(4))
+        stroke(end.point, end.point + length * way.normalized(), 1.6);
+}
+
 void Sign::draw() {
     switch (joint_.type) {
     case JointType::fixed:
@@ -275,6 +285,21 @@ void Sign::draw() {
 
 } // namespace
 
+namespace {
+
+bool isAboutAPoint(JointType type) {
+    return type == JointType::hinge || type == JointType::ball || type == JointType::universal;
+}
+
+double radiusOf(const scene::Scene& scene, std::size_t body) {
+    double radius = 0;
+    for (const Ball& ball : outlineOf(scene, scene.bodies[body]))
+        radius = std::max(radius, ball.center.norm() + ball.radius);
+    return radius;
+}
+
+} // namespace
+
 JointSigns jointSignsOf(const Drawing& drawing, const Extent& extent, const Frame& frame) {
     JointSigns signs;
     const auto& joints = drawing.scene->joints;
@@ -292,7 +317,11 @@ JointSigns jointSignsOf(const Drawing& drawing, const Extent& extent, const Fram
         // A sign is some 14 pixels across: a twelfth of the scene at most.
         const double pixel =
             std::min(crowd * onScreen / frame.camera().scale, extent.size / 12 / 14);
-        Sign(signs, frame, joint, *place, pixel).draw();
+        Sign sign(signs, frame, joint, *place, pixel);
+        for (const JointEnd& end : place->ends)
+            if (end.body && isAboutAPoint(joint.type))
+                sign.arm(end, radiusOf(*drawing.scene, *end.body));
+        sign.draw();
     }
     return signs;
 }

@@ -4,7 +4,8 @@
 // joint a small block, a cylindrical joint and a screw a sleeve on a rod, a universal joint a
 // cross, a planar joint a square of its plane, a distance a thin rod between its points. A hinge
 // and a slider with -limits show them: an arc with a hand, a rail with stops. What belongs to body
-// 1 moves with body 1. Signs have the size of handles on the screen and are smaller where there are
+// 1 moves with body 1. A thin line leads to a body that a hinge, a ball joint or a universal joint
+// lies outside of. Signs have the size of handles on the screen and are smaller where there are
 // many, or where the scene is small in the picture.
 #pragma once
 

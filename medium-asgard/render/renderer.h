@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <set>
 #include <span>
 #include <string>
 #include <variant>
@@ -39,9 +40,15 @@ struct Display {
     bool jointHandles = false;
     bool lightHandles = false;
     bool trajectories = false; // their paths and points
+    // Bodies that are left out, with their trails and handles, by their names; null: none.
+    std::shared_ptr<const std::set<std::string>> hidden = nullptr;
     scene::Color background{1, 1, 1};
     int samples = 4; // multisampling; clamped to what there is; 1 while it moves fast
 };
+
+[[nodiscard]] inline bool isHidden(const Display& display, const scene::Body& body) {
+    return display.hidden && display.hidden->contains(body.name);
+}
 
 struct HandleSet;
 

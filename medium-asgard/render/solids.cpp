@@ -102,7 +102,8 @@ std::vector<Solid> solidsOf(const Drawing& drawing, const Extent& extent, const 
         const scene::Body& body = drawing.scene->bodies[i];
         const scene::ShapeSet* shape = scene::findShapeSet(*drawing.scene, body.shape);
         const geometry::Pose pose = poseOf(*drawing.scene, drawing.motion.get(), i, drawing.time);
-        if (shape == nullptr || !pose.position.allFinite() || !pose.attitude.coeffs().allFinite())
+        if (shape == nullptr || isHidden(drawing.display, body) || !pose.position.allFinite() ||
+            !pose.attitude.coeffs().allFinite())
             continue;
         for (const scene::Part& part : shape->parts) {
             solids.push_back(solidOf(part, body, *shape, pose, frame));

@@ -68,6 +68,8 @@ void Trails::add(Lines& lines, const Drawing& drawing, const Frame& frame) const
     };
     for (const Trail& trail : trails_) {
         const scene::Body& body = drawing.scene->bodies[trail.body];
+        if (isHidden(drawing.display, body))
+            continue;
         Ink ink{colorOf(*drawing.scene, body), 1, frame.stroke(1.4)};
         for (std::size_t i = 1; i < trail.points.size(); ++i) {
             const Point& a = trail.points[i - 1];

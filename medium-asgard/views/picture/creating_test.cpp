@@ -141,7 +141,7 @@ TEST_F(CreatingTest, ASpringIsMadeByTwoClicks) {
     click({-1, 0, 0});
     click({1, 0, 0});
     done();
-    EXPECT_EQ(text(), balls + "\nspring spring1 -body1 b1 -body2 b2 -stiffness 20\n");
+    EXPECT_EQ(text(), balls + "\nspring spring1 -body1 b1 -body2 b2 -stiffness 20 -rest 2\n");
 }
 
 TEST_F(CreatingTest, AnEmptySceneGetsItsFirstBodyWithAShape) {

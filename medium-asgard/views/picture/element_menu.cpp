@@ -142,6 +142,11 @@ void Building::element() {
         trajectory();
     charts();
     menu_.addSeparator();
+    if (element.kind == Kind::body)
+        menu_.addAction(QObject::tr("Hid&e"), &display_,
+                        [&display = display_, element] { display.hide({element}); });
+    if (windows_.duplicate)
+        menu_.addAction(QObject::tr("Dupl&icate"), &display_, windows_.duplicate);
     menu_.addAction(QObject::tr("Show in the Te&xt"), &display_, [show = windows_.showText] {
         show(); // it is selected, and so is its command
     });
@@ -157,12 +162,20 @@ void Building::charts() {
     const std::vector<Quantity> all = quantitiesOf(scene(), *place_.element);
     if (all.empty())
         return;
-    QMenu* menu = menu_.addMenu(QObject::tr("New &Plot of"));
-    for (const Quantity& one : all)
-        menu->addAction(plain::ours(one.label), &display_,
-                        [&display = display_, expression = one.expression] {
-                            display.creating().start(newPlot(expression));
-                        });
+    SceneDisplay& display = display_;
+    QMenu* plots = menu_.addMenu(QObject::tr("New &Plot of"));
+    QMenu* beside = menu_.addMenu(QObject::tr("Show &Beside It"));
+    for (const Quantity& one : all) {
+        plots->addAction(plain::ours(one.label), &display_,
+                         [&display, expression = one.expression] {
+                             display.creating().start(newPlot(expression));
+                         });
+        QAction* meter = beside->addAction(
+            plain::ours(one.label), &display_,
+            [&display, element = *place_.element, one] { display.meters().toggle(element, one); });
+        meter->setCheckable(true);
+        meter->setChecked(display.meters().has(one));
+    }
 }
 
 // What is charted is no part of a picture; here it can be got at all the same.
@@ -190,6 +203,9 @@ void Building::background() {
     buildCreateMenu(menu_.addMenu(QObject::tr("&Create")), document_, display_);
     addPlots();
     menu_.addSeparator();
+    if (!display_.hidden().empty())
+        menu_.addAction(QObject::tr("Sho&w All Bodies"), &display_,
+                        [&display = display_] { display.setHidden({}); });
     menu_.addAction(QObject::tr("Centre of &Rotation Here"), &display_,
                     [&display = display_, at = place_.position] { display.centerAt(at); });
     menu_.addAction(QObject::tr("&Frame All"), &display_,

@@ -114,12 +114,14 @@ bool PictureEditing::press(QMouseEvent& event) {
     return true;
 }
 
-bool PictureEditing::pressBody(std::size_t body, const QPointF& position) {
+bool PictureEditing::pressBody(std::size_t body, const QPointF& position,
+                               const std::optional<gestures::HandleDrag::Along>& along) {
     const auto handle = positionOf(body);
     if (!handle || !mayChange())
         return false;
     button_ = Qt::LeftButton;
     take({gestures::Grasp::What::drag, *handle}, display_.inPixels(position));
+    hand_.setUpright(along);
     return true;
 }
 
@@ -296,6 +298,14 @@ void PictureEditing::markNext(int step) {
 bool PictureEditing::dragKey(QKeyEvent& event) {
     if (letGo())
         return true;
+    constexpr int axes[] = {Qt::Key_X, Qt::Key_Y, Qt::Key_Z};
+    const auto* axis = std::ranges::find(axes, event.key());
+    if (axis != std::end(axes) &&
+        hand_.keepAlong(
+            {static_cast<int>(axis - axes), event.modifiers().testFlag(Qt::ShiftModifier)})) {
+        Q_EMIT changed();
+        return true;
+    }
     const auto key = handKey(event.key());
     if (!key || !hand_.key(*key, true, display_.devicePixelRatioF()))
         return false;

@@ -39,13 +39,16 @@ public:
     bool release(QMouseEvent& event);
     bool doubleClick(QMouseEvent& event);
     // An unshifted drag of a body that is selected begins there. False: it cannot be moved now.
-    bool pressBody(std::size_t body, const QPointF& position);
+    // `along`: the axis that it keeps to, by its arrow.
+    bool pressBody(std::size_t body, const QPointF& position,
+                   const std::optional<gestures::HandleDrag::Along>& along = std::nullopt);
     bool keyPress(QKeyEvent& event);
     void keyRelease(QKeyEvent& event);
     void finish(); // what is dragged stays where it is
 
     void paint(QPainter& painter) const;
     [[nodiscard]] bool dragging() const { return hand_.active(); }
+    [[nodiscard]] bool keepsUpright() const { return hand_.drag() && hand_.drag()->isUpright(); }
     [[nodiscard]] std::optional<Asked> asked() const; // by what is dragged
     // The words of a drag, "" when there is none.
     [[nodiscard]] QString words() const;
@@ -97,6 +100,7 @@ private:
     bool dragKey(QKeyEvent& event);
     void offerOthers(const gestures::HandleDrag& drag);
     void paintLabels(QPainter& painter) const;
+    void paintAlong(QPainter& painter) const;
     void paintWords(QPainter& painter, const QString& words, bool possible) const;
     void paintStale(QPainter& painter) const;
 

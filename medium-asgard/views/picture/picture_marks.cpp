@@ -107,6 +107,23 @@ void PictureEditing::paintWords(QPainter& painter, const QString& words, bool po
     painter.drawText(space, Qt::AlignRight | Qt::TextWordWrap, words);
 }
 
+// The axes that a drag keeps to, as lines through the whole picture.
+void PictureEditing::paintAlong(QPainter& painter) const {
+    const gestures::HandleDrag* drag = hand_.drag();
+    if (!drag || !drag->along())
+        return;
+    const gestures::Sight sight = display_.sight();
+    const Vector place = drag->place();
+    const double reach = sight.pixelLength(place) * (sight.size.width + sight.size.height) / 8.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        if ((axis == drag->along()->axis) == drag->along()->isPlane)
+            continue;
+        painter.setPen(QPen(QColor::fromRgb(colorOfAxis(axis)), 1.3));
+        painter.drawLine(display_.fromPixels(sight.pixels(place - reach * Vector::Unit(axis))),
+                         display_.fromPixels(sight.pixels(place + reach * Vector::Unit(axis))));
+    }
+}
+
 // At the lower left: what moves is an older scene's.
 void PictureEditing::paintStale(QPainter& painter) const {
     if (!document_.motionIsStale())
@@ -138,6 +155,7 @@ void PictureEditing::paint(QPainter& painter) const {
         painter.setBrush(Qt::NoBrush);
         painter.drawEllipse(display_.fromPixels(display_.sight().pixels(place)), 11, 11);
     }
+    paintAlong(painter);
     if (const gestures::NewPoint* point = hand_.newPoint()) {
         painter.setPen(QPen(QColor(20, 90, 200), 2));
         painter.drawEllipse(display_.fromPixels(display_.sight().pixels(point->place())), 8, 8);

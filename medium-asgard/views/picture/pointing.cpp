@@ -105,6 +105,9 @@ void Pointing::showCursor() {
 QString Pointing::heldHint() const {
     const auto held = display_.editing().marked();
     const QString all = tr("z, x: away and nearer  ·  Escape: as it was");
+    if (display_.editing().keepsUpright())
+        return tr("x, y, z: along this axis only, with Shift across it  ·  Ctrl: nothing draws it "
+                  "to itself  ·  Escape: as it was");
     return held && held->kind == render::HandleKind::linkEnd
                ? tr("The end stays on its body; with a it goes anywhere  ·  %1").arg(all)
                : all;
@@ -115,6 +118,8 @@ QString Pointing::hint() const {
         return tr("A drag still turns the view  ·  Escape: nothing is created");
     if (display_.editing().dragging())
         return heldHint();
+    if (display_.throwing().active())
+        return display_.throwing().words();
     const QString menu = tr("right button: menu");
     if (const QString end = position_ ? display_.triadEndAt(*position_) : QString(); !end.isEmpty())
         return tr("A click looks along %1").arg(end);
@@ -122,6 +127,12 @@ QString Pointing::hint() const {
         return tr("Shift-drag moves %1  ·  Shift-middle: a new point  ·  Shift-right removes it  · "
                   " "
                   "double click: exact place  ·  %2")
+            .arg(subject_, menu);
+    const bool isLater =
+        document_.shown().motion && display_.time() > document_.shown().motion->start();
+    if (isSelected_ && isLater)
+        return tr("Drag puts %1 elsewhere from this moment on, and throws it while the motion "
+                  "plays  ·  Shift-drag changes its start  ·  %2")
             .arg(subject_, menu);
     if (handle_)
         return tr("Shift-drag changes %1  ·  double click: exact value  ·  %2").arg(subject_, menu);

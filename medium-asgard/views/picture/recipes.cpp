@@ -406,8 +406,8 @@ Recipe newSpring(Wanted second) {
     Recipe recipe = newLink(second);
     recipe.label = QObject::tr("New Spring");
     recipe.steps.front().prompt = QObject::tr("Click where the spring is fastened on a body.");
-    recipe.make = [make = recipe.make](const std::string& text, const scene::Scene& scene,
-                                       const std::vector<Indicated>& shown) {
+    recipe.make = [make = recipe.make, second](const std::string& text, const scene::Scene& scene,
+                                               const std::vector<Indicated>& shown) {
         auto made = make(text, scene, shown);
         NewElement& spring = made.back();
         spring.command = "spring";
@@ -416,6 +416,11 @@ Recipe newSpring(Wanted second) {
         const auto tightness = std::ranges::find(spring.words, "-tightness");
         spring.words.erase(tightness, spring.words.end());
         spring.words.insert(spring.words.end(), {"-stiffness", usual});
+        // Its length now, so that whoever moves an end stretches it.
+        const double rest = (shown[1].point - shown[0].point).norm();
+        if (second != Wanted::trajectory && rest > 0)
+            spring.words.insert(spring.words.end(),
+                                {"-rest", editing::numberText(rest, 0.01 * shown[0].resolution)});
         return made;
     };
     return recipe;

@@ -45,7 +45,8 @@ SceneDisplay::SceneDisplay(SceneDocument& document, std::shared_ptr<PictureThrea
                            QWidget* parent)
     : QWidget(parent), document_(document), pictures_(std::move(pictures)),
       editing_(document, *this), creating_(document, *this), pointing_(document, *this),
-      selecting_(document, *this) {
+      selecting_(document, *this), throwing_(document, *this), gizmo_(document, *this),
+      meters_(document, *this) {
     pictures_->open(this, [this] {
         QMetaObject::invokeMethod(this, &SceneDisplay::ready, Qt::QueuedConnection);
     });
@@ -73,6 +74,11 @@ SceneDisplay::SceneDisplay(SceneDocument& document, std::shared_ptr<PictureThrea
         update();
     });
     connect(&pointing_, &Pointing::changed, this, [this] { update(); });
+    connect(&meters_, &Meters::changed, this, [this] { update(); });
+    connect(&throwing_, &Throwing::changed, this, [this] {
+        update();
+        Q_EMIT handleDragged(); // the line below the picture says what it does
+    });
     connect(this, &SceneDisplay::cameraChanged, &pointing_, &Pointing::follow);
     sceneChanged();
 }
@@ -183,8 +189,31 @@ void SceneDisplay::setTime(double time, bool moving) {
 }
 
 void SceneDisplay::setDisplay(const render::Display& display) {
+    auto hidden = display_.hidden;
     display_ = display;
+    display_.hidden = std::move(hidden);
     redraw(false);
+}
+
+void SceneDisplay::setHidden(std::set<std::string> names) {
+    if (names == hidden())
+        return;
+    display_.hidden = std::make_shared<const std::set<std::string>>(std::move(names));
+    redraw(false);
+    Q_EMIT hiddenChanged();
+}
+
+const std::set<std::string>& SceneDisplay::hidden() const {
+    static const std::set<std::string> none;
+    return display_.hidden ? *display_.hidden : none;
+}
+
+void SceneDisplay::hide(const std::vector<editing::Element>& elements) {
+    std::set<std::string> names = hidden();
+    for (const editing::Element& element : elements)
+        if (element.kind == editing::Kind::body)
+            names.insert(editing::nameOf(*document_.shown().scene, element));
+    setHidden(std::move(names));
 }
 
 void SceneDisplay::sceneChanged() {
@@ -429,7 +458,7 @@ void SceneDisplay::mousePressEvent(QMouseEvent* event) {
 }
 
 void SceneDisplay::mouseMoveEvent(QMouseEvent* event) {
-    if (selecting_.move(*event))
+    if (throwing_.move(*event) || selecting_.move(*event))
         return;
     if (!control_.active() && !editing_.dragging()) {
         pointing_.moveTo(event->position(), event->modifiers());
@@ -439,19 +468,33 @@ void SceneDisplay::mouseMoveEvent(QMouseEvent* event) {
         moveView(*event);
 }
 
+bool SceneDisplay::beginDrag(QMouseEvent& event) {
+    const bool isPlain = selecting_.awaitsClick();
+    selecting_.forgetClick();
+    if (!isPlain)
+        return false;
+    const auto arrow = gizmo_.at(pressed_);
+    const auto body = arrow ? std::optional(arrow->body) : selecting_.selectedBodyAt(pressed_);
+    if (!body)
+        return false;
+    using Along = gestures::HandleDrag::Along;
+    if (!throwing_.press(*body, pressed_) &&
+        !editing_.pressBody(*body, pressed_,
+                            arrow ? std::optional(Along{arrow->axis}) : std::nullopt))
+        return false;
+    control_.release();
+    if (!throwing_.move(event))
+        editing_.move(event);
+    return true;
+}
+
 // A drag begins when the pointer has left its place; then a body that is selected goes with it.
 void SceneDisplay::moveView(QMouseEvent& event) {
     constexpr double still = 4; // pixels
     const bool isFar = (event.position() - pressed_).manhattanLength() >= still;
     if (isFar && !std::exchange(isDrag_, true)) {
-        const auto body = selecting_.awaitsClick() ? selecting_.selectedBodyAt(pressed_)
-                                                   : std::optional<std::size_t>();
-        selecting_.forgetClick();
-        if (body && editing_.pressBody(*body, pressed_)) {
-            control_.release();
-            editing_.move(event);
+        if (beginDrag(event))
             return;
-        }
         if (!pointing_.advice().isEmpty())
             editing_.say(pointing_.advice(), false);
     }
@@ -465,7 +508,9 @@ void SceneDisplay::moveView(QMouseEvent& event) {
 
 void SceneDisplay::mouseReleaseEvent(QMouseEvent* event) {
     constexpr double still = 4;
-    if (creating_.active() && event->button() == Qt::LeftButton) {
+    if (throwing_.release(*event)) {
+        // The body is let go.
+    } else if (creating_.active() && event->button() == Qt::LeftButton) {
         if ((event->position() - pressed_).manhattanLength() < still)
             creating_.click(event->position(), event->modifiers() & Qt::ControlModifier);
     } else if (!editing_.dragging() && selecting_.release(*event)) {
@@ -516,7 +561,7 @@ void SceneDisplay::keyPressEvent(QKeyEvent* event) {
     bringUpToDate();
     pointing_.setKeys(event->modifiers() |
                       (event->key() == Qt::Key_Shift ? Qt::ShiftModifier : Qt::NoModifier));
-    if (event->key() == Qt::Key_Escape && selecting_.cancel())
+    if (event->key() == Qt::Key_Escape && (throwing_.cancel() || selecting_.cancel()))
         return;
     if (creating_.key(*event) || editing_.keyPress(*event))
         return;
@@ -621,7 +666,10 @@ void SceneDisplay::paintEvent(QPaintEvent*) {
         painter.fillRect(rect(), palette().base());
     painter.drawImage(QPointF(0, 0), image);
     pointing_.paint(painter);
+    meters_.paint(painter);
+    gizmo_.paint(painter);
     editing_.paint(painter);
+    throwing_.paint(painter);
     creating_.paint(painter);
     selecting_.paint(painter);
 }

@@ -11,10 +11,13 @@
 #include "gestures/picking.h"
 #include "picture/creating.h"
 #include "picture/element_menu.h"
+#include "picture/gizmo.h"
+#include "picture/meters.h"
 #include "picture/picture_editing.h"
 #include "picture/picture_thread.h"
 #include "picture/pointing.h"
 #include "picture/selecting.h"
+#include "picture/throwing.h"
 #include "render/extent.h"
 #include "workbench/scene_document.h"
 
@@ -24,6 +27,9 @@
 
 #include <memory>
 #include <optional>
+#include <set>
+#include <string>
+#include <vector>
 
 namespace views {
 
@@ -41,7 +47,11 @@ public:
     void setTime(double time, bool moving);
     [[nodiscard]] double time() const { return time_; }
 
-    void setDisplay(const render::Display& display);
+    void setDisplay(const render::Display& display); // but for what is hidden
+    // Bodies that this picture does not show; the scene is as it was.
+    void setHidden(std::set<std::string> names);
+    [[nodiscard]] const std::set<std::string>& hidden() const;
+    void hide(const std::vector<editing::Element>& elements); // the bodies of them
     [[nodiscard]] const render::Display& display() const { return display_; }
 
     [[nodiscard]] const render::Camera& camera() const { return control_.camera(); }
@@ -69,6 +79,8 @@ public:
     [[nodiscard]] Creating& creating() { return creating_; }
     [[nodiscard]] Pointing& pointing() { return pointing_; }
     [[nodiscard]] Selecting& selecting() { return selecting_; }
+    [[nodiscard]] Throwing& throwing() { return throwing_; }
+    [[nodiscard]] Meters& meters() { return meters_; }
     [[nodiscard]] const Selecting& selecting() const { return selecting_; }
     // How long the arrow of a force, or a torque, of 1 is drawn.
     [[nodiscard]] double arrowLength(bool couple);
@@ -101,7 +113,8 @@ public:
 Q_SIGNALS:
     void cameraChanged();
     void handleDragged(); // its words changed
-    void viewFollowed();  // another named view, or none any more
+    void hiddenChanged();
+    void viewFollowed(); // another named view, or none any more
     void menuWanted(const MenuPlace& place);
 
 protected:
@@ -134,6 +147,7 @@ private:
     bool clickTriad(const QMouseEvent& event);
     bool turnKey(const QKeyEvent& event);
     void moveView(QMouseEvent& event);
+    bool beginDrag(QMouseEvent& event); // of a body; false: the view moves
     [[nodiscard]] std::vector<geometry::Vector> verticesAndHandles();
 
     SceneDocument& document_;
@@ -149,6 +163,9 @@ private:
     Creating creating_;
     Pointing pointing_;
     Selecting selecting_;
+    Throwing throwing_;
+    Gizmo gizmo_;
+    Meters meters_;
     QPointF pressed_;     // where the button was
     bool isDrag_ = false; // the pointer has left that place
     bool turned_ = false; // framed anew, with the attitude as it is

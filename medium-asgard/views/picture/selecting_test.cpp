@@ -194,5 +194,94 @@ TEST_F(SelectingTest, TheHintSaysWhatADragDoes) {
     EXPECT_EQ(display().cursor().shape(), Qt::SizeAllCursor);
 }
 
+TEST_F(SelectingTest, ADragAlongAnArrowOfTheGizmoMovesAlongItsAxisOnly) {
+    editor.document().select({leftOne});
+    display().grab();
+    const QPoint onX = at({-3, 0, 0}) + QPoint(50, 0);
+    drag(onX, onX + QPoint(40, 30));
+    const Vector place = editor.document().shown().scene->bodies[2].initialPosition;
+    EXPECT_GT(place.x(), -2.9);
+    EXPECT_EQ(place.y(), 0);
+    EXPECT_EQ(place.z(), 0);
+}
+
+TEST_F(SelectingTest, AKeyKeepsADragToAnAxisAndWithShiftAcrossIt) {
+    editor.document().select({leftOne});
+    display().lookAlong({0.4, 0.5, 1});
+    display().grab();
+    const QPoint from = at({-3, 0, 0}) + QPoint(-4, -4);
+    const auto place = [&] { return editor.document().shown().scene->bodies[2].initialPosition; };
+    const auto dragBy = [&](Qt::Key key, Qt::KeyboardModifiers keys) {
+        QTest::mousePress(&display(), Qt::LeftButton, {}, from);
+        for (const QPoint& to : {from + QPoint(8, 0), from + QPoint(30, 25)}) {
+            QMouseEvent move(QEvent::MouseMove, to, display().mapToGlobal(to), Qt::NoButton,
+                             Qt::LeftButton, {});
+            QApplication::sendEvent(&display(), &move);
+        }
+        QTest::keyClick(&display(), key, keys);
+        QTest::mouseRelease(&display(), Qt::LeftButton, {}, from + QPoint(30, 25));
+        ASSERT_TRUE(settle(editor.document()));
+    };
+    dragBy(Qt::Key_Y, {});
+    EXPECT_EQ(place().x(), -3);
+    EXPECT_EQ(place().z(), 0);
+    EXPECT_NE(place().y(), 0);
+    editor.document().undo();
+    ASSERT_TRUE(settle(editor.document()));
+    dragBy(Qt::Key_Y, Qt::ShiftModifier);
+    EXPECT_EQ(place().y(), 0);
+    EXPECT_NE(place().x(), -3);
+}
+
+// While the motion plays a body that is let go has the velocity of the hand.
+TEST_F(SelectingTest, ABodyIsThrownWhileTheMotionPlaysAndPutWhileItRests) {
+    for (const bool plays : {true, false}) {
+        editor.document().setText(three, "Edit");
+        ASSERT_TRUE(settle(editor.document()));
+        editor.document().select({leftOne});
+        viewer->playback().setClock([] { return 0.0; });
+        viewer->playback().seek(0.5);
+        if (plays)
+            viewer->playback().play();
+        display().grab();
+        const auto send = [&](QEvent::Type type, const QPoint& place, Qt::MouseButtons buttons,
+                              unsigned long long ms) {
+            QMouseEvent event(type, place, display().mapToGlobal(place),
+                              type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton, buttons,
+                              {});
+            event.setTimestamp(ms);
+            QApplication::sendEvent(&display(), &event);
+        };
+        const QPoint from = at({-3, 0, 0}) + QPoint(5, 5);
+        send(QEvent::MouseButtonPress, from, Qt::LeftButton, 0);
+        for (int i = 1; i <= 10; ++i)
+            send(QEvent::MouseMove, from + QPoint(6 * i, 0), Qt::LeftButton, 20ULL * i);
+        EXPECT_TRUE(display().throwing().active());
+        EXPECT_FALSE(viewer->playback().isPlaying()); // the time stands still
+        send(QEvent::MouseButtonRelease, from + QPoint(60, 0), {}, 205);
+        ASSERT_TRUE(settle(editor.document()));
+        const scene::Scene& scene = *editor.document().shown().scene;
+        EXPECT_EQ(scene.simulator.start, 0.5);
+        const double way = 60 * display().sight().pixelLength({-3, 0, 0});
+        EXPECT_NEAR(scene.bodies[2].initialPosition.x(), -3 + way, 0.05 * way);
+        EXPECT_NEAR(scene.bodies[2].initialVelocity.x(), plays ? way / 0.2 : 0, 0.15 * way / 0.2);
+        EXPECT_TRUE(waitFor([&] { return viewer->playback().isPlaying() == plays; }));
+        EXPECT_EQ(editor.document().undoLabel(),
+                  plays ? "Throw left at 0.5 s" : "Put left Elsewhere at 0.5 s");
+        viewer->playback().stop();
+    }
+}
+
+TEST_F(SelectingTest, AHiddenBodyIsNeitherSeenNorClicked) {
+    const QImage before = display().grab().toImage();
+    display().hide({nearOne});
+    EXPECT_NE(display().grab().toImage(), before);
+    click(middle);
+    EXPECT_THAT(selected(), ElementsAre(farOne));
+    EXPECT_EQ(editor.document().text(), three);
+    display().setHidden({});
+    EXPECT_TRUE(display().hidden().empty());
+}
+
 } // namespace
 } // namespace views

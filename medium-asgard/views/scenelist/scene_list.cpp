@@ -11,6 +11,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPainter>
+#include <QPainterPath>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -40,6 +41,27 @@ QIcon swatch(QRgb color) {
     painter.setPen(QPen(QColor(128, 128, 128), 1.5));
     painter.setBrush(QColor(color));
     painter.drawEllipse(QRectF(3, 3, 18, 18));
+    return QIcon(pixels);
+}
+
+// An eye, closed where the body is hidden.
+QIcon eye(bool isOpen, const QPalette& palette) {
+    QPixmap pixels(32, 32);
+    pixels.fill(Qt::transparent);
+    QPainter painter(&pixels);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(palette.color(isOpen ? QPalette::Text : QPalette::PlaceholderText), 2.4,
+                        Qt::SolidLine, Qt::RoundCap));
+    QPainterPath lid;
+    lid.moveTo(4, 16);
+    lid.quadTo(16, 28, 28, 16);
+    if (isOpen)
+        lid.quadTo(16, 4, 4, 16);
+    painter.drawPath(lid);
+    if (isOpen) {
+        painter.setBrush(palette.color(QPalette::Text));
+        painter.drawEllipse(QPointF(16, 16), 3.6, 3.6);
+    }
     return QIcon(pixels);
 }
 
@@ -95,13 +117,23 @@ void SceneList::buildTree() {
     tree_->setContextMenuPolicy(Qt::CustomContextMenu);
     tree_->setUniformRowHeights(true);
     tree_->setIndentation(14);
+    tree_->setColumnCount(2);
+    tree_->header()->setStretchLastSection(false);
+    tree_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+    tree_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+    connect(tree_, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* item, int column) {
+        const auto element = elementOf(*item);
+        if (column == 1 && element && element->kind == Kind::body && actions_.hide)
+            actions_.hide(*element, !actions_.isHidden(*element));
+    });
     tree_->installEventFilter(this);
     connect(tree_, &QTreeWidget::itemSelectionChanged, this, &SceneList::takeSelection);
     connect(tree_, &QTreeWidget::itemChanged, this, &SceneList::rename);
-    connect(tree_, &QTreeWidget::itemDoubleClicked, this, [this](QTreeWidgetItem* item) {
-        if (const auto element = elementOf(*item))
-            actions_.openValues(*element);
-    });
+    connect(tree_, &QTreeWidget::itemDoubleClicked, this,
+            [this](QTreeWidgetItem* item, int column) {
+                if (const auto element = elementOf(*item); element && column == 0)
+                    actions_.openValues(*element);
+            });
     connect(tree_, &QWidget::customContextMenuRequested, this, [this](const QPoint& place) {
         QTreeWidgetItem* item = tree_->itemAt(place);
         if (const auto element = item ? elementOf(*item) : std::nullopt)
@@ -159,11 +191,31 @@ QTreeWidgetItem* SceneList::addEntry(const Entry& entry, QTreeWidgetItem* group)
         item->setFlags(item->flags() | Qt::ItemIsEditable);
     if (entry.color != 0)
         item->setIcon(0, swatch(entry.color));
+    showEye(item);
     if (group)
         group->addChild(item);
     else
         tree_->addTopLevelItem(item);
     return item;
+}
+
+void SceneList::showEye(QTreeWidgetItem* item) {
+    const auto element = elementOf(*item);
+    if (!element || element->kind != Kind::body || !actions_.isHidden)
+        return;
+    const bool isHidden = actions_.isHidden(*element);
+    item->setIcon(1, eye(!isHidden, palette()));
+    item->setToolTip(1, isHidden ? tr("Hidden in the picture; a click shows it")
+                                 : tr("A click hides it in the picture"));
+    item->setData(1, Qt::AccessibleTextRole, isHidden ? tr("hidden") : tr("shown"));
+    item->setForeground(0, palette().color(isHidden ? QPalette::PlaceholderText : QPalette::Text));
+}
+
+void SceneList::showHidden() {
+    isBuilding_ = true;
+    for (QTreeWidgetItemIterator at(tree_); *at; ++at)
+        showEye(*at);
+    isBuilding_ = false;
 }
 
 // Groups that were folded stay so.

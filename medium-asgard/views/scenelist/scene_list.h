@@ -25,6 +25,9 @@ struct SceneListActions {
     std::function<void(const editing::Element&)> openValues;
     std::function<void(const editing::Element&, const QPoint& global)> showMenu;
     std::function<void(std::vector<editing::Element>)> remove; // after asking
+    // Whether the picture shows a body; none: nothing can be hidden.
+    std::function<bool(const editing::Element&)> isHidden = {};
+    std::function<void(const editing::Element&, bool hidden)> hide = {};
 };
 
 class SceneList : public QWidget {
@@ -37,6 +40,7 @@ public:
     [[nodiscard]] QComboBox& order() { return *order_; }
     [[nodiscard]] QTreeWidgetItem* itemOf(const editing::Element& element) const; // or null
     [[nodiscard]] QString fault() const;
+    void showHidden(); // another body is hidden, or shown again
 
     [[nodiscard]] QSize sizeHint() const override { return {220, 400}; }
 
@@ -62,6 +66,7 @@ private:
     void showSelection();
     void takeSelection();
     void rename(QTreeWidgetItem* item);
+    void showEye(QTreeWidgetItem* item);
     void say(const QString& why);
 
     SceneDocument& document_;

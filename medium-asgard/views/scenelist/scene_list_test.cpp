@@ -41,12 +41,17 @@ protected:
 
     TestWorkshop made;
     SceneDocument document{made.workshop()};
-    std::optional<Element> opened;
+    std::optional<Element> opened, hidden;
     std::vector<Element> removed;
     SceneList list{document,
                    {[this](const Element& element) { opened = element; },
                     [](const Element&, const QPoint&) {},
-                    [this](const std::vector<Element>& elements) { removed = elements; }}};
+                    [this](const std::vector<Element>& elements) { removed = elements; },
+                    [this](const Element& element) { return hidden == element; },
+                    [this](const Element& element, bool hides) {
+                        hidden = hides ? std::optional(element) : std::nullopt;
+                        list.showHidden();
+                    }}};
 };
 
 TEST_F(SceneListTest, HasEachElementByItsKind) {
@@ -117,6 +122,19 @@ TEST_F(SceneListTest, FoldedGroupsStayFoldedWhenTheSceneChanges) {
     QTest::qWait(60);
     EXPECT_EQ(list.itemOf({Kind::body, 2})->parent()->text(0), "Bodies (3)");
     EXPECT_FALSE(list.itemOf({Kind::body, 2})->parent()->isExpanded());
+}
+
+TEST_F(SceneListTest, AnEyeBesideABodyHidesIt) {
+    QTreeWidgetItem* item = list.itemOf({Kind::body, 1});
+    EXPECT_EQ(item->data(1, Qt::AccessibleTextRole).toString(), "shown");
+    Q_EMIT list.tree().itemClicked(item, 0);
+    EXPECT_FALSE(hidden);
+    Q_EMIT list.tree().itemClicked(item, 1);
+    EXPECT_EQ(hidden, (Element{Kind::body, 1}));
+    EXPECT_EQ(item->data(1, Qt::AccessibleTextRole).toString(), "hidden");
+    Q_EMIT list.tree().itemClicked(item, 1);
+    EXPECT_FALSE(hidden);
+    EXPECT_TRUE(list.itemOf({Kind::force, 0})->icon(1).isNull());
 }
 
 } // namespace

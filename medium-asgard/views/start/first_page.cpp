@@ -58,7 +58,8 @@ FirstPage::FirstPage(QList<Sample> samples, const QStringList& recent, SamplePic
         addSample(sample);
     if (pictures) {
         connect(pictures, &SamplePictures::drawn, this, &FirstPage::showPicture);
-        pictures->ask(samples_, card * 2); // sharp on a fine screen, too
+        // Sharp on a fine screen, too, and on the paper of the list.
+        pictures->ask(samples_, card * 2, list_->palette().color(QPalette::Base));
     }
     addAction(tr("Close"), QKeySequence(Qt::CTRL | Qt::Key_W), this, &QWidget::close);
     addAction(tr("Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), this, &FirstPage::quitWanted);

@@ -48,16 +48,18 @@ QString SamplePictures::pathOf(const Sample& sample) const {
                      .arg(program.size())
                      .arg(program.lastModified().toMSecsSinceEpoch())
                      .toUtf8());
-    const QString name = QStringLiteral("%1-%2-%3x%4.png")
+    const QString name = QStringLiteral("%1-%2-%3x%4-%5.png")
                              .arg(QString::fromLatin1(hash.result().toHex().left(16)))
                              .arg(sample.time)
                              .arg(pixels_.width())
-                             .arg(pixels_.height());
+                             .arg(pixels_.height())
+                             .arg(background_.name().mid(1));
     return QDir(folder_).filePath(name);
 }
 
-void SamplePictures::ask(QList<Sample> samples, const QSize& pixels) {
+void SamplePictures::ask(QList<Sample> samples, const QSize& pixels, const QColor& background) {
     pixels_ = pixels;
+    background_ = background;
     const bool idle = waiting_.isEmpty();
     for (Sample& sample : samples) {
         if (const QImage kept(pathOf(sample)); !kept.isNull())
@@ -76,8 +78,8 @@ void SamplePictures::next() {
     QDir().mkpath(folder_);
     process_.start(program_,
                    {"render", sample.path, "--time", QString::number(sample.time), "--size",
-                    QStringLiteral("%1x%2").arg(pixels_.width()).arg(pixels_.height()), "--output",
-                    pathOf(sample)});
+                    QStringLiteral("%1x%2").arg(pixels_.width()).arg(pixels_.height()),
+                    "--background", background_.name(), "--output", pathOf(sample)});
     QTimer::singleShot(longestMs, &process_, [this, path = sample.path] {
         if (!waiting_.isEmpty() && waiting_.front().path == path)
             process_.kill();

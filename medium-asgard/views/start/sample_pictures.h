@@ -4,6 +4,7 @@
 
 #include "start/samples.h"
 
+#include <QColor>
 #include <QImage>
 #include <QObject>
 #include <QProcess>
@@ -19,7 +20,7 @@ public:
     ~SamplePictures() override; // ends what is being drawn
 
     // The kept ones come at once, in the order of the list; the others as they are drawn.
-    void ask(QList<Sample> samples, const QSize& pixels);
+    void ask(QList<Sample> samples, const QSize& pixels, const QColor& background);
 
 Q_SIGNALS:
     void drawn(const views::Sample& sample, const QImage& image);
@@ -32,6 +33,7 @@ private:
 
     QString program_, folder_;
     QSize pixels_;
+    QColor background_;
     QList<Sample> waiting_; // the first is being drawn
     QProcess process_;
 };

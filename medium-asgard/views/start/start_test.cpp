@@ -74,26 +74,41 @@ TEST_F(StartTest, PicturesAreDrawnOnceAndKept) {
         SamplePictures pictures(program, kept);
         QSignalSpy drawn(&pictures, &SamplePictures::drawn);
         EXPECT_EQ(calls().count('\n'), calledBefore);
-        pictures.ask(samples(), {80, 60});
+        pictures.ask(samples(), {80, 60}, Qt::white);
         ASSERT_TRUE(waitFor([&] { return drawn.count() == 2; }));
     }
     EXPECT_EQ(calls().count('\n'), 2);
-    EXPECT_THAT(calls().toStdString(), HasSubstr("--time 1.5 --size 80x60"));
+    EXPECT_THAT(calls().toStdString(), HasSubstr("--time 1.5 --size 80x60 --background #ffffff"));
     QFile installed(program); // anew: it may draw other pictures
     ASSERT_TRUE(installed.open(QIODevice::Append));
     installed.write("# better\n");
     installed.close();
     SamplePictures pictures(program, kept);
     QSignalSpy drawn(&pictures, &SamplePictures::drawn);
-    pictures.ask(samples(), {80, 60});
+    pictures.ask(samples(), {80, 60}, Qt::white);
     ASSERT_TRUE(waitFor([&] { return drawn.count() == 2; }));
     EXPECT_EQ(calls().count('\n'), 4);
+}
+
+TEST_F(StartTest, PicturesLieOnThePaperOfThePageAlsoADarkOne) {
+    const QPalette light = QApplication::palette();
+    QPalette dark = light;
+    dark.setColor(QPalette::Base, QColor(30, 32, 34));
+    QApplication::setPalette(dark);
+    SamplePictures pictures(painter(), folder.filePath("kept"));
+    QSignalSpy drawn(&pictures, &SamplePictures::drawn);
+    {
+        const FirstPage page(samples(), {}, &pictures);
+        EXPECT_TRUE(waitFor([&] { return drawn.count() == 2; }));
+    }
+    QApplication::setPalette(light);
+    EXPECT_THAT(calls().toStdString(), HasSubstr("--background #1e2022"));
 }
 
 TEST_F(StartTest, APictureThatCannotBeDrawnIsLeftOut) {
     SamplePictures pictures(folder.filePath("no-program"), folder.filePath("kept"));
     QSignalSpy failed(&pictures, &SamplePictures::failed);
-    pictures.ask(samples(), {80, 60});
+    pictures.ask(samples(), {80, 60}, Qt::white);
     EXPECT_TRUE(waitFor([&] { return failed.count() == 2; }));
 }
 

@@ -129,11 +129,11 @@ void Tour::show() {
         line->setFont(font);
         line->setForegroundRole(i == done_ ? QPalette::WindowText : QPalette::PlaceholderText);
     }
-    what_->setText(done_ < steps
-                       ? tourSteps()[static_cast<std::size_t>(done_)].what
-                       : tr("It swings: the double pendulum of the dissertation.\n\nGo on: hold "
-                            "Shift and drag a rod, and look at its numbers in the text. F1 tells "
-                            "about the thing under the pointer."));
+    what_->setText(
+        done_ < steps ? tourSteps()[static_cast<std::size_t>(done_)].what
+                      : tr("It swings: the double pendulum of the dissertation.\n\nGo on: click on "
+                           "a rod and drag it, at the start or while it swings, and look at its "
+                           "numbers in the text. F1 tells about the thing under the pointer."));
     end_->setText(done_ < steps ? tr("&End the Tour") : tr("&Finish"));
 }
 

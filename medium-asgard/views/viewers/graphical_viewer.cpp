@@ -34,6 +34,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace views {
 
@@ -77,10 +78,12 @@ QString helpTopicOf(editing::Kind kind) {
 void startFromHere(SceneDocument& document, SceneDisplay& display) {
     if (!document.sceneIsCurrent())
         return display.editing().say(document.whyNotCurrent());
-    const editing::Answer answer = gestures::startingAt(document.ground(), display.time());
+    const auto& motion = document.shown().motion;
+    const double time = motion ? gestures::roundMoment(*motion, display.time()) : display.time();
+    const editing::Answer answer = gestures::startingAt(document.ground(), time);
     if (answer.possible())
         document.setText(text::applied(document.text(), answer.edits),
-                         QObject::tr("Start From %1 s").arg(display.time()));
+                         QObject::tr("Start From %1 s").arg(time));
     else
         display.editing().say(QString::fromStdString(answer.reason));
 }
@@ -100,6 +103,7 @@ GraphicalViewer::GraphicalViewer(SceneDocument& document, std::shared_ptr<Pictur
     buildMenus();
     connectParts();
     updateRange();
+    showFaults();
     updateState();
     updateTitle();
     fillViewsMenu();
@@ -241,7 +245,7 @@ void GraphicalViewer::showUsualPanes() {
     constexpr int wide = 1150; // enough for three columns
     const bool isWide = width() >= wide;
     if (text && !isWide)
-        tabifyDockWidget(text, findChild<QDockWidget*>("pane.status"));
+        tabifyDockWidget(findChild<QDockWidget*>("pane.status"), text);
     if (isWide)
         panes_.show("sceneList");
     if (text)
@@ -283,6 +287,7 @@ void GraphicalViewer::connectParts() {
     connect(&document_, &SceneDocument::motionChanged, this, &GraphicalViewer::updateRange);
     connect(&document_, &SceneDocument::workChanged, timeBar_,
             [this] { timeBar_->setStale(document_.motionIsStale()); });
+    connect(&document_, &SceneDocument::diagnosticsChanged, this, &GraphicalViewer::showFaults);
     connect(&document_, &SceneDocument::sceneChanged, this, &GraphicalViewer::fillViewsMenu);
     connect(&document_, &SceneDocument::nameChanged, this, &GraphicalViewer::updateTitle);
     connect(display_, &SceneDisplay::viewFollowed, this, &GraphicalViewer::fillViewsMenu);
@@ -293,6 +298,7 @@ void GraphicalViewer::connectParts() {
     for (QAbstractButton* button : findChildren<QAbstractButton*>())
         button->installEventFilter(this);
     connectTimeStrip();
+    connectThrowing();
     connect(display_, &SceneDisplay::menuWanted, this, [this](const MenuPlace& place) {
         showMenu(place, display_->mapToGlobal(place.position.toPoint()));
     });
@@ -375,14 +381,21 @@ void GraphicalViewer::buildEditMenu() {
     });
     QAction* remove =
         edit->addAction(tr("&Delete"), this, [this] { display_->editing().deleteMarked(); });
+    QAction* hide =
+        edit->addAction(tr("&Hide"), this, [this] { display_->hide(document_.selected()); });
+    QAction* showAll =
+        edit->addAction(tr("Sho&w All Bodies"), this, [this] { display_->setHidden({}); });
     QAction* value =
         edit->addAction(tr("E&xact Value…"), this, [this] { display_->editing().openEntry(); });
     // Nothing selected: nothing to delete, and no value. A new element's handle is known with its
     // first picture, which tells nobody: the menu looks when it opens.
-    connect(edit, &QMenu::aboutToShow, this, [this, remove, value] {
+    connect(edit, &QMenu::aboutToShow, this, [this, remove, value, hide, showAll] {
         const bool marked = display_->editing().marked().has_value();
         remove->setEnabled(marked || !document_.selected().empty());
         value->setEnabled(marked);
+        hide->setEnabled(std::ranges::any_of(
+            document_.selected(), [](const auto& one) { return one.kind == editing::Kind::body; }));
+        showAll->setEnabled(!display_->hidden().empty());
     });
 }
 
@@ -437,9 +450,14 @@ void GraphicalViewer::buildViewMenu() {
                     [this] { display_->frameNow(); });
     view->addAction(tr("Frame &Selected"), QKeySequence(Qt::SHIFT | Qt::Key_F), this,
                     [this] { display_->frameSelected(); });
-    QAction* parallel = view->addAction(tr("&Orthographic"), QKeySequence(Qt::Key_O), this,
-                                        [this](bool on) { display_->setOrthographic(on); });
+    QAction* parallel =
+        view->addAction(tr("&Orthographic"), QKeySequence(Qt::Key_O), this, [this](bool on) {
+            if (on != display_->camera().orthographic)
+                display_->setOrthographic(on);
+        });
     parallel->setCheckable(true);
+    connect(display_, &SceneDisplay::cameraChanged, parallel,
+            [this, parallel] { parallel->setChecked(display_->camera().orthographic); });
     viewsMenu_ = view->addMenu(tr("&Views of the Scene"));
     view->addSeparator();
     const struct {
@@ -559,6 +577,27 @@ void GraphicalViewer::showCreated(editing::Element element, HandleSwitch handles
     display_->editing().expect({element});
 }
 
+// While a body is held the time stands still. A motion that played goes on from there, as soon as
+// it is known.
+void GraphicalViewer::connectThrowing() {
+    Throwing& throwing = display_->throwing();
+    connect(&throwing, &Throwing::grabbed, this, [this, &throwing] {
+        goesOn_ = playback_.isPlaying();
+        if (goesOn_)
+            throwing.setRate(playback_.rate());
+        playback_.pause();
+    });
+    connect(&throwing, &Throwing::letGo, this, [this](bool isChanged) {
+        if (goesOn_ && !isChanged)
+            playback_.play();
+        goesOn_ = goesOn_ && isChanged;
+    });
+    connect(&document_, &SceneDocument::motionChanged, this, [this] {
+        if (!document_.motionIsStale() && std::exchange(goesOn_, false))
+            playback_.play();
+    });
+}
+
 // A point that is chosen in the strip is chosen in the picture, and the other way about.
 void GraphicalViewer::connectTimeStrip() {
     PictureEditing& editing = display_->editing();
@@ -591,10 +630,11 @@ void GraphicalViewer::showMenu(const MenuPlace& place, const QPoint& global) {
              std::ranges::find(document_.selected(), *place.element) == document_.selected().end())
         document_.select({*place.element});
     // It goes when it is closed, or with the window.
-    QMenu* menu = elementMenu(document_, *display_, place,
-                              {windows_.openTrajectoryEditor, windows_.showText,
-                               [this] { panes_.show("plots"); }})
-                      .release();
+    QMenu* menu =
+        elementMenu(document_, *display_, place,
+                    {windows_.openTrajectoryEditor, windows_.showText,
+                     [this] { panes_.show("plots"); }, [this] { commands_->duplicate(); }})
+            .release();
     menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->popup(global);
 }
@@ -629,6 +669,15 @@ void GraphicalViewer::updateRange() {
     timeBar_->setRange(playback_.start(), playback_.finish(), span.computed);
     timeBar_->setMarks(span.reliableUntil, impacts);
     timeBar_->setEnabled(known);
+}
+
+void GraphicalViewer::showFaults() {
+    std::vector<TimeBar::Fault> faults;
+    for (const scene::Diagnostic& one : document_.diagnostics())
+        if (one.time)
+            faults.push_back({*one.time, one.severity == scene::Severity::error,
+                              QString::fromStdString(one.message)});
+    timeBar_->setFaults(std::move(faults));
 }
 
 void GraphicalViewer::updateState() {

@@ -66,9 +66,11 @@ private:
     void connectParts();
     void buildLiveMenu(QMenu* menu);
     void connectTimeStrip();
+    void connectThrowing();
     void showMenu(const MenuPlace& place, const QPoint& global);
     void fillViewsMenu();
     void updateRange();
+    void showFaults();
     void updateState();
     void updateTitle();
     void showHint();
@@ -94,6 +96,7 @@ private:
     Panes panes_;
     QMenu *viewsMenu_ = nullptr, *textMenu_ = nullptr;
     UndoActions undo_{};
+    bool goesOn_ = false; // it played before a body was taken in the hand
 };
 
 } // namespace views

@@ -168,6 +168,21 @@ TEST_F(MainWindowTest, ThePaneOfTheTextTakesItsKeysAndLeavesTheOthers) {
     EXPECT_TRUE(viewer.display().hasFocus());
 }
 
+// A window on a small screen has its panes behind each other at one side.
+TEST_F(MainWindowTest, ANarrowWindowHasOneColumnOfPanes) {
+    GraphicalViewer* viewer = editor.openGraphicalViewer();
+    viewer->resize(750, 470);
+    viewer->showUsualPanes();
+    viewer->show();
+    QCoreApplication::processEvents();
+    const auto side = [&](const char* pane) {
+        return viewer->dockWidgetArea(viewer->findChild<QDockWidget*>(pane));
+    };
+    EXPECT_EQ(side("pane.text"), side("pane.properties"));
+    EXPECT_EQ(side("pane.status"), side("pane.properties"));
+    EXPECT_FALSE(viewer->panes().isShown("sceneList"));
+}
+
 TEST_F(MainWindowTest, PanesAreMadeWhenTheyAreShownAndRemembered) {
     GraphicalViewer* first = editor.openGraphicalViewer();
     EXPECT_EQ(first->text(), nullptr);

@@ -38,8 +38,25 @@ void addScenePanes(
     panes.add({"sceneList",
                QObject::tr("Scene List"),
                Qt::LeftDockWidgetArea,
-               [&document, open, showMenu, remove] {
-                   return new SceneList(document, {open, showMenu, remove});
+               [&document, &display, open, showMenu, remove] {
+                   const auto nameOf = [&document](const editing::Element& body) {
+                       return editing::nameOf(*document.shown().scene, body);
+                   };
+                   const auto isHidden = [&display, nameOf](const editing::Element& body) {
+                       return display.hidden().contains(nameOf(body));
+                   };
+                   const auto hide = [&display, nameOf](const editing::Element& body, bool hidden) {
+                       std::set<std::string> names = display.hidden();
+                       if (hidden)
+                           names.insert(nameOf(body));
+                       else
+                           names.erase(nameOf(body));
+                       display.setHidden(std::move(names));
+                   };
+                   auto* list = new SceneList(document, {open, showMenu, remove, isHidden, hide});
+                   QObject::connect(&display, &SceneDisplay::hiddenChanged, list,
+                                    &SceneList::showHidden);
+                   return list;
                },
                {},
                QKeySequence(Qt::SHIFT | Qt::Key_F4)});

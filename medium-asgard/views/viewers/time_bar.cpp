@@ -1,9 +1,12 @@
 #include "viewers/time_bar.h"
 
 #include "charts/scale.h"
+#include "plain/plain.h"
 
+#include <QHelpEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QToolTip>
 
 #include <algorithm>
 #include <cmath>
@@ -64,6 +67,33 @@ void TimeBar::setMarks(std::optional<double> predictableUntil, std::vector<doubl
     update();
 }
 
+void TimeBar::setFaults(std::vector<Fault> faults) {
+    faults_ = std::move(faults);
+    update();
+}
+
+QString TimeBar::faultsAt(double position) const {
+    constexpr double near = 6; // pixels
+    QStringList words;
+    for (const Fault& fault : faults_)
+        if (std::abs(this->position(fault.time) - position) <= near)
+            words << fault.words;
+    return words.join('\n');
+}
+
+bool TimeBar::event(QEvent* event) {
+    if (event->type() == QEvent::ToolTip) {
+        const auto* help = static_cast<QHelpEvent*>(event);
+        const QString words = faultsAt(help->pos().x());
+        if (words.isEmpty())
+            QToolTip::hideText();
+        else
+            QToolTip::showText(help->globalPos(), plain::tip(words), this);
+        return true;
+    }
+    return QAbstractSlider::event(event);
+}
+
 void TimeBar::setStale(bool stale) {
     if (std::exchange(isStale_, stale) != stale)
         update();
@@ -114,6 +144,7 @@ void TimeBar::paintEvent(QPaintEvent*) {
     paintTrough(painter);
     paintScale(painter);
     paintSlider(painter);
+    paintFaults(painter);
 }
 
 void TimeBar::paintTrough(QPainter& painter) const {
@@ -144,14 +175,27 @@ void TimeBar::paintTrough(QPainter& painter) const {
         }
 }
 
+// Triangles that point down at their times.
+void TimeBar::paintFaults(QPainter& painter) const {
+    const double top = trough().top();
+    painter.setPen(QPen(palette().color(QPalette::Window), 1));
+    for (const Fault& fault : faults_) {
+        const double x = position(fault.time);
+        painter.setBrush(fault.isError ? QColor(0xC8, 0x28, 0x1E) : QColor(0xE0, 0x9A, 0x10));
+        painter.drawPolygon(
+            QPolygonF({QPointF(x - 5, top - 1), QPointF(x + 5, top - 1), QPointF(x, top + 8)}));
+    }
+}
+
 // Seconds, or what is round, below.
 void TimeBar::paintScale(QPainter& painter) const {
     const QRectF area = trough();
     const double length = std::max(finish_ - start_, 1e-12);
     const double step = charts::roundStep(length * 64 / std::max(area.width(), 64.0));
     painter.setPen(faint(170));
-    for (int i = 0; start_ + i * step <= finish_ + 1e-9 * length; ++i) {
-        const double t = start_ + i * step, x = position(t);
+    const double first = std::ceil(start_ / step - 1e-9);
+    for (int i = 0; (first + i) * step <= finish_ + 1e-9 * length; ++i) {
+        const double t = (first + i) * step, x = position(t);
         painter.drawLine(QPointF(x, area.bottom() + 1), QPointF(x, area.bottom() + 4));
         const QString label = QString::number(t, 'g', 6);
         const double half = fontMetrics().horizontalAdvance(label) / 2.0;

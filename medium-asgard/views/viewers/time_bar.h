@@ -19,8 +19,15 @@ public:
     void setRange(double start, double finish, double computed);
     [[nodiscard]] double computed() const { return computed_; } // filled to there
     void setMarks(std::optional<double> predictableUntil, std::vector<double> impacts);
-    void setTime(double time); // emits nothing
-    void setStale(bool stale); // the motion is an older scene's
+    struct Fault {
+        double time = 0;
+        bool isError = false;
+        QString words;
+    };
+    void setFaults(std::vector<Fault> faults);             // marks with their words as tips
+    [[nodiscard]] QString faultsAt(double position) const; // "" where there is no mark
+    void setTime(double time);                             // emits nothing
+    void setStale(bool stale);                             // the motion is an older scene's
 
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
@@ -32,6 +39,7 @@ Q_SIGNALS:
     void timeChosen(double time);
 
 protected:
+    bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
@@ -44,12 +52,14 @@ private:
     [[nodiscard]] QRectF slider() const;
     [[nodiscard]] QColor faint(int alpha) const;
     void paintTrough(QPainter& painter) const;
+    void paintFaults(QPainter& painter) const;
     void paintScale(QPainter& painter) const;
     void paintSlider(QPainter& painter) const;
 
     double start_ = 0, finish_ = 1, computed_ = 0, time_ = 0;
     std::optional<double> predictableUntil_;
     std::vector<double> impacts_;
+    std::vector<Fault> faults_;
     bool isStale_ = false;
     double grip_ = 0;      // where the slider was taken, from its left edge
     bool setting_ = false; // the value changes because the time does

@@ -169,6 +169,27 @@ TEST_F(ViewersTest, AViewerThatOpensAgainFramesTheSceneUnlessSomebodyMovedItsVie
     EXPECT_EQ(again(moved)->display().camera().scale, camera.scale);
 }
 
+TEST_F(ViewersTest, AFaultStandsAtItsTimeOnTheBar) {
+    TimeBar bar;
+    bar.resize(400, 40);
+    bar.setRange(0, 10, 10);
+    const QImage before = bar.grab().toImage();
+    bar.setFaults({{4, true, "It stops."}, {4.01, false, "It slips."}});
+    EXPECT_EQ(bar.faultsAt(bar.position(4)), "It stops.\nIt slips.");
+    EXPECT_EQ(bar.faultsAt(bar.position(7)), "");
+    EXPECT_NE(bar.grab().toImage(), before);
+}
+
+TEST_F(ViewersTest, AViewerThatOpensAgainIsAsOrthographicAndHidesTheSame) {
+    GraphicalViewer* viewer = editor.openGraphicalViewer();
+    viewer->display().setOrthographic(true);
+    viewer->display().setHidden({"b"});
+    editor.restoreWindows(editor.windowsState(), {});
+    SceneDisplay& again = editor.graphicalViewers().back()->display();
+    EXPECT_TRUE(again.camera().orthographic);
+    EXPECT_EQ(again.hidden(), std::set<std::string>{"b"});
+}
+
 TEST_F(ViewersTest, AClickOnTheTriadLooksAlongItsAxis) {
     GraphicalViewer* viewer = editor.openGraphicalViewer();
     SceneDisplay& display = viewer->display();

@@ -62,6 +62,19 @@ QJsonObject written(GraphicalViewer& viewer, bool withDraft) {
     window["time"] = viewer.playback().time();
     if (!viewer.display().framesItself())
         window["camera"] = written(viewer.display().camera());
+    window["orthographic"] = viewer.display().camera().orthographic;
+    QJsonArray hidden;
+    for (const std::string& name : viewer.display().hidden())
+        hidden.append(QString::fromStdString(name));
+    window["hidden"] = hidden;
+    QJsonArray meters;
+    for (const Meter& meter : viewer.display().meters().all())
+        meters.append(
+            QJsonObject{{"kind", static_cast<int>(meter.kind)},
+                        {"element", QString::fromStdString(meter.element)},
+                        {"label", meter.quantity.label},
+                        {"expression", QString::fromStdString(meter.quantity.expression)}});
+    window["meters"] = meters;
     window["view"] = viewer.display().followedView();
     window["panes"] = QString::fromLatin1(viewer.panes().arrangement().toBase64());
     if (LanguageViewer* text = viewer.text())
@@ -93,6 +106,23 @@ void restore(GraphicalViewer& viewer, const QJsonObject& as) {
         viewer.display().followView(view);
     else if (const auto camera = cameraOf(as["camera"].toArray()))
         viewer.display().setCamera(*camera);
+    if (as["orthographic"].toBool())
+        viewer.display().setOrthographic(true);
+    std::set<std::string> hidden;
+    for (const QJsonValue& name : as["hidden"].toArray())
+        hidden.insert(name.toString().toStdString());
+    viewer.display().setHidden(std::move(hidden));
+    std::vector<Meter> meters;
+    for (const QJsonValue& each : as["meters"].toArray()) {
+        const QJsonObject one = each.toObject();
+        meters.push_back(
+            {one["kind"].toInt() == static_cast<int>(editing::Kind::joint)  ? editing::Kind::joint
+             : one["kind"].toInt() == static_cast<int>(editing::Kind::link) ? editing::Kind::link
+                                                                            : editing::Kind::body,
+             one["element"].toString().toStdString(),
+             {one["label"].toString(), one["expression"].toString().toStdString()}});
+    }
+    viewer.display().meters().set(std::move(meters));
     viewer.playback().seek(as["time"].toDouble());
     viewer.panes().restore(QByteArray::fromBase64(as["panes"].toString().toLatin1()));
     if (as.contains("text"))

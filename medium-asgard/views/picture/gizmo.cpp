@@ -1,0 +1,85 @@
+#include "picture/gizmo.h"
+
+#include "picture/scene_display.h"
+
+#include <QLineF>
+#include <QPainter>
+
+#include <array>
+
+namespace views {
+
+using geometry::Vector;
+
+namespace {
+
+constexpr double tail = 18, length = 74, nearArrow = 7, least = 14; // pixels
+
+} // namespace
+
+unsigned colorOfAxis(int axis) {
+    constexpr std::array<unsigned, 3> colors{0xFFDC4446, 0xFF4E9A2E, 0xFF3468D6};
+    return colors[static_cast<std::size_t>(axis)];
+}
+
+std::optional<std::pair<std::size_t, Vector>> Gizmo::place() const {
+    const auto& selected = document_.selected();
+    const Shown& shown = document_.shown();
+    if (selected.size() != 1 || selected.front().kind != editing::Kind::body ||
+        selected.front().index >= shown.scene->bodies.size() || display_.creating().active())
+        return std::nullopt;
+    const double start = shown.motion ? shown.motion->start() : display_.time();
+    if (display_.time() > start)
+        return std::nullopt; // there it is thrown
+    const std::size_t body = selected.front().index;
+    return std::pair(
+        body, render::poseOf(*shown.scene, shown.motion.get(), body, display_.time()).position);
+}
+
+std::optional<std::pair<QPointF, QPointF>> Gizmo::arrow(const Vector& place, int axis) const {
+    const gestures::Sight sight = display_.sight();
+    const double unit = sight.pixelLength(place) * display_.devicePixelRatioF();
+    const QPointF from = display_.fromPixels(sight.pixels(place));
+    const QPointF to =
+        display_.fromPixels(sight.pixels(place + length * unit * Vector::Unit(axis)));
+    const QLineF whole(from, to);
+    if (whole.length() < least + tail)
+        return std::nullopt;
+    return std::pair(whole.pointAt(tail / whole.length()), to);
+}
+
+std::optional<Gizmo::Arrow> Gizmo::at(const QPointF& position) const {
+    const auto of = place();
+    for (int axis = 0; of && axis < 3; ++axis) {
+        const auto ends = arrow(of->second, axis);
+        if (!ends)
+            continue;
+        const QPointF way = ends->second - ends->first, to = position - ends->first;
+        const double along =
+            std::clamp(QPointF::dotProduct(to, way) / QPointF::dotProduct(way, way), 0.0, 1.1);
+        if (QLineF(ends->first + along * way, position).length() < nearArrow)
+            return Arrow{of->first, axis};
+    }
+    return std::nullopt;
+}
+
+void Gizmo::paint(QPainter& painter) const {
+    const auto of = place();
+    for (int axis = 0; of && axis < 3; ++axis) {
+        const auto ends = arrow(of->second, axis);
+        if (!ends)
+            continue;
+        const QColor color = QColor::fromRgb(colorOfAxis(axis));
+        const QLineF line(ends->first, ends->second);
+        painter.setPen(QPen(color, 2.5, Qt::SolidLine, Qt::RoundCap));
+        painter.drawLine(line);
+        const QPointF back = (line.p1() - line.p2()) / line.length();
+        const QPointF side(-back.y(), back.x());
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(color);
+        painter.drawPolygon(QPolygonF({line.p2() - 4 * back, line.p2() + 7 * back + 4.5 * side,
+                                       line.p2() + 7 * back - 4.5 * side}));
+    }
+}
+
+} // namespace views

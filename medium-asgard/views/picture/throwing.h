@@ -1,0 +1,67 @@
+// A body in the hand while the motion is past its start: the moment becomes the start, with the
+// body where it is let go. While the motion plays the body is thrown: it has the velocity of the
+// hand. One step of undo brings the motion back as it was.
+#pragma once
+
+#include "gestures/ground.h"
+#include "gestures/picking.h"
+
+#include <QObject>
+#include <QPointF>
+
+#include <optional>
+#include <vector>
+
+class QMouseEvent;
+class QPainter;
+
+namespace views {
+
+class SceneDisplay;
+class SceneDocument;
+
+class Throwing : public QObject {
+    Q_OBJECT
+public:
+    Throwing(SceneDocument& document, SceneDisplay& display);
+
+    // False: it is the start, where a drag changes initial values, or nothing can be changed.
+    bool press(std::size_t body, const QPointF& position);
+    bool move(const QMouseEvent& event);    // false: nothing is held
+    bool release(const QMouseEvent& event); // false: nothing is held
+    bool cancel();                          // false: nothing is held
+    [[nodiscard]] bool active() const { return held_.has_value(); }
+    // Seconds of the motion for each of the hand; none: it is put where it is let go, and keeps its
+    // velocity. For what is held now.
+    void setRate(std::optional<double> rate) { rate_ = rate; }
+    [[nodiscard]] QString words() const;
+    void paint(QPainter& painter) const;
+
+Q_SIGNALS:
+    void changed();
+    void grabbed();
+    void letGo(bool isChanged); // the text has the moment as its start
+
+private:
+    struct Moment {
+        double seconds; // of the hand's clock
+        geometry::Vector place;
+    };
+    struct Held {
+        gestures::Ground ground;
+        double time;
+        std::size_t body;
+        geometry::Pose pose;  // when it was taken
+        geometry::Vector off; // from the place under the pointer to the body's
+        std::vector<Moment> way;
+    };
+    [[nodiscard]] geometry::Vector under(const QPointF& position) const;
+    [[nodiscard]] geometry::Vector velocity(double seconds) const; // of the motion's seconds
+
+    SceneDocument& document_;
+    SceneDisplay& display_;
+    std::optional<Held> held_;
+    std::optional<double> rate_;
+};
+
+} // namespace views
