@@ -85,6 +85,17 @@ def rope_slack():
     return rows
 
 
+def rope_light_wheel():
+    """Over a wheel of a hundred thousandth of the weights the tensions are as without one."""
+    rows, wheel = Rows(), 1e-5
+    a = G / (3 + wheel / 2)
+    for t in steps(0.6, 3):
+        rows.put(t, 2, {"a.y": a * t * t / 2, "b.y": -a * t * t / 2})
+        rows.put(t, 20, {"w.wz": -a * t / 0.1})
+        rows.put(t, 40, {"line.tension1": G + a, "line.tension2": 2 * (G - a)})
+    return rows
+
+
 def rope_atwood():
     """Three masses hang over a wheel, over a point without friction, and on a block: constant accelerations."""
     rows = Rows()
@@ -323,5 +334,5 @@ def rope_corner():
     return rows
 
 
-CASES = (rope_drop, rope_slack, rope_atwood, rope_swinging, rope_peg, rope_galileo, rope_yoyo, rope_winch, rope_belt, rope_snaps,
-         hit_stop, coupled_brakes, weak_servo, speed_jump, rope_corner)
+CASES = (rope_drop, rope_slack, rope_atwood, rope_light_wheel, rope_swinging, rope_peg, rope_galileo, rope_yoyo, rope_winch,
+         rope_belt, rope_snaps, hit_stop, coupled_brakes, weak_servo, speed_jump, rope_corner)

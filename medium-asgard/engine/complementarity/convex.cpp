@@ -41,17 +41,22 @@ public:
     [[nodiscard]] const Vector& forces() const { return forces_; }
     [[nodiscard]] const States& states() const { return states_; }
 
-    // The shortest forces of the rows inside for which their rates are 0, by `of`, which has no
-    // ridge; the other rows keep their bounds.
-    [[nodiscard]] Vector shortest(const Matrix& of) const {
-        const Set set = inside();
+    // The forces with which all rows inside stand at 0, as a start of shortest().
+    [[nodiscard]] Vector atBounds() const {
         Vector forces = forces_;
-        forces(set).setZero();
+        forces(inside()).setZero();
+        return forces;
+    }
+
+    // The shortest change of the forces of the rows inside for which their rates are 0, by `of`,
+    // which has no ridge; the other rows keep their bounds.
+    [[nodiscard]] Vector shortest(const Matrix& of, Vector forces) const {
+        const Set set = inside();
         if (!set.empty()) {
             const Vector right = -wanted(of, forces, set);
             const Vector some =
                 Eigen::CompleteOrthogonalDecomposition<Matrix>(of(set, set)).solve(right);
-            forces(set) = some;
+            forces(set) += some;
         }
         return forces;
     }
@@ -163,10 +168,15 @@ std::optional<Answer> solveConvex(const Matrix& a, const Vector& b, const Laws& 
     const auto answerOf = [&](const Vector& forces) {
         return Answer{forces, a * forces + b, set.states()};
     };
-    // Without it, on the same rows: the shortest solution to the last bits.
-    const Answer exact = answerOf(set.shortest(a));
-    if (violation(a, b, laws, exact) <= 1e-11)
-        return exact;
+    // Without it, on the same rows: the shortest solution to the last bits. Where rows of very
+    // different masses meet, a force that is 0 has last places of the largest, which a second
+    // solution takes away (iterative refinement; Higham, 2002, 12).
+    Vector forces = set.atBounds();
+    for (int round = 0; round < 3; ++round) {
+        forces = set.shortest(a, forces);
+        if (const Answer exact = answerOf(forces); violation(a, b, laws, exact) <= 1e-11)
+            return exact;
+    }
     const Answer close = answerOf(set.forces());
     if (violation(a, b, laws, close) <= 1e-7)
         return close;

@@ -50,6 +50,21 @@ TEST(Convex, JointsThatContradictEachOtherHaveNoForces) {
     EXPECT_NEAR(agreed->forces[1], 1.5, 1e-14);
 }
 
+// A rope over a wheel of 1e-5 kg: the hinge's force along x is 0, beside tensions of 13 N.
+TEST(Convex, AForceOfNothingBesideLightThingsIsFoundToTheLastBits) {
+    Matrix m(4, 4);
+    m << 1, 0, 0, 0, 0, 1, -1, -1, -1e-17, -1, 3 + 1e-5, -1, 1e-17, -1, -1, 3 + 5e-6;
+    Laws laws;
+    addEquality(laws);
+    addEquality(laws);
+    addUnilateral(laws);
+    addUnilateral(laws);
+    const auto answer = solveConvex(99999.999999999985 * m, Vector::Unit(4, 1) * -9.81, laws);
+    ASSERT_TRUE(answer);
+    EXPECT_NEAR(answer->forces[0], 0, 1e-20);
+    EXPECT_NEAR(answer->forces[2], 9.81 / 0.75, 1e-4);
+}
+
 // Against every choice of states: the rates are unique, whatever is redundant.
 TEST(Convex, RandomRowsAgreeWithEveryChoiceOfStates) {
     std::mt19937_64 random(7);
