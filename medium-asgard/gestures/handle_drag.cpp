@@ -139,11 +139,11 @@ Vector HandleDrag::wanted() {
         return onSphere();
     if (follows_ && !free_) // beside the body it waits where it was
         return onSurface().value_or(place_);
-    const Vector place = unsnapped();
+    Vector place = unsnapped();
     if (!snapping_ || snapsHeldOff_)
         return place;
     snapped_ = snapping_->at(place, handle_.place);
-    const Vector on = kept(snapped_.place);
+    Vector on = kept(snapped_.place);
     snapped_.isExact = snapped_.isExact && on == snapped_.place;
     return on;
 }

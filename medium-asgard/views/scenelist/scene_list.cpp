@@ -166,6 +166,7 @@ std::vector<SceneList::Entry> SceneList::entries() const {
                            color ? color->rgb() : 0});
     }
     std::vector<Entry*> inText;
+    inText.reserve(entries.size());
     for (Entry& entry : entries)
         inText.push_back(&entry);
     std::ranges::stable_sort(inText, {}, &Entry::place);

@@ -109,11 +109,11 @@ void restore(GraphicalViewer& viewer, const QJsonObject& as) {
     if (as["orthographic"].toBool())
         viewer.display().setOrthographic(true);
     std::set<std::string> hidden;
-    for (const QJsonValue& name : as["hidden"].toArray())
+    for (const auto& name : as["hidden"].toArray())
         hidden.insert(name.toString().toStdString());
     viewer.display().setHidden(std::move(hidden));
     std::vector<Meter> meters;
-    for (const QJsonValue& each : as["meters"].toArray()) {
+    for (const auto& each : as["meters"].toArray()) {
         const QJsonObject one = each.toObject();
         meters.push_back(
             {one["kind"].toInt() == static_cast<int>(editing::Kind::joint)  ? editing::Kind::joint
