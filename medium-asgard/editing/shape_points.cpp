@@ -159,7 +159,8 @@ std::vector<Vector> surfaceOf(const Part& part) {
     } else {
         const bool isCapsule = sizes.size() == 2;
         for (int k = 0; k <= rings; ++k) {
-            const double angle = std::numbers::pi * (k - rings / 2) / rings;
+            const int above = k - rings / 2;
+            const double angle = std::numbers::pi * above / rings;
             const double lift = isCapsule ? std::copysign(sizes[1] / 2, angle) : 0;
             const double radius = isCapsule ? sizes[0] : 1;
             profile.emplace_back(radius * std::cos(angle), radius * std::sin(angle) + lift);

@@ -74,7 +74,7 @@ std::string Backdrop::build() {
     for (GLuint i = 0; i < 2; ++i) {
         gl_.EnableVertexAttribArray(i);
         gl_.VertexAttribPointer(i, i == 0 ? 2 : 3, GL_FLOAT, GL_FALSE, 5 * sizeof(float),
-                                reinterpret_cast<const void*>(2 * i * sizeof(float)));
+                                asPointer(2 * i * sizeof(float)));
     }
     return "";
 }

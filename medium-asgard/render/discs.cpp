@@ -28,7 +28,7 @@ std::string Discs::build() {
     for (GLuint i = 0; i < 4; ++i) {
         gl_.EnableVertexAttribArray(i);
         gl_.VertexAttribPointer(i, attributes[i].count, GL_FLOAT, GL_FALSE, sizeof(Instance),
-                                reinterpret_cast<const void*>(attributes[i].offset));
+                                asPointer(attributes[i].offset));
         gl_.VertexAttribDivisor(i, 1);
     }
     return "";

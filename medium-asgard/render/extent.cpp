@@ -55,9 +55,10 @@ void addPart(std::vector<Ball>& outline, const scene::Part& part) {
             outline.push_back({pose.toWorld({0, end * capsule->height, 0}), capsule->radius});
     } else if (const auto* ellipsoid = std::get_if<scene::EllipsoidShape>(&part.shape)) {
         for (int i = 0; i < 27; ++i)
-            if (const Vector way(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1); !way.isZero(0))
+            if (const Eigen::Vector3i way(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1); !way.isZero(0))
                 outline.push_back(
-                    {pose.toWorld(ellipsoid->axes.cwiseProduct(way.normalized())), 0});
+                    {pose.toWorld(ellipsoid->axes.cwiseProduct(way.cast<double>().normalized())),
+                     0});
     } else if (const auto* hull = std::get_if<scene::HullShape>(&part.shape)) {
         if (hull->points.size() <= 24) {
             for (const Vector& p : hull->points)

@@ -6,6 +6,7 @@
 
 #include <GL/glcorearb.h>
 
+#include <cstddef>
 #include <string>
 
 namespace render {
@@ -97,5 +98,10 @@ struct Gl {
     // Loads all of them; the name of one that the driver lacks, or "".
     [[nodiscard]] std::string load();
 };
+
+// It takes an offset into a buffer (bytes) as a pointer.
+inline const void* asPointer(std::size_t offset) {
+    return reinterpret_cast<const void*>(offset); // NOLINT(performance-no-int-to-ptr)
+}
 
 } // namespace render

@@ -29,7 +29,7 @@ std::string Lines::build() {
     for (GLuint i = 0; i < 5; ++i) {
         gl_.EnableVertexAttribArray(i);
         gl_.VertexAttribPointer(i, attributes[i].count, GL_FLOAT, GL_FALSE, sizeof(Segment),
-                                reinterpret_cast<const void*>(attributes[i].offset));
+                                asPointer(attributes[i].offset));
         gl_.VertexAttribDivisor(i, 1);
     }
     return "";

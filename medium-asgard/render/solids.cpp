@@ -10,11 +10,6 @@ namespace render {
 
 namespace {
 
-// The graphics library takes an offset into a buffer as a pointer.
-const void* asPointer(std::size_t offset) {
-    return reinterpret_cast<const void*>(offset); // NOLINT(performance-no-int-to-ptr)
-}
-
 // Where a part's mesh stands in the part's frame, and the ball about it.
 struct Fit {
     Vector edges = Vector::Ones(); // the mesh is scaled by these
