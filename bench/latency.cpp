@@ -71,7 +71,7 @@ public:
             paints_.await();
             const auto begin = Clock::now();
             // To and fro, so that the scene stays one of its kind.
-            send(QEvent::MouseMove, start + QPointF(i % 40 < 20 ? i % 20 : 20 - i % 20, i % 7),
+            send(QEvent::MouseMove, start + 3 * QPointF(i % 40 < 20 ? i % 20 : 20 - i % 20, i % 7),
                  Qt::NoButton);
             handleEventsUntil([&] { return paints_.came(); });
             all.toHandle.push_back(between(begin, paints_.first)); // drawn over the picture
@@ -116,6 +116,8 @@ private:
 };
 
 void add(const Measurement& m, const std::string& what, std::vector<double> seconds) {
+    if (seconds.empty())
+        stop("no move of a drag changed the motion");
     std::ranges::sort(seconds);
     const auto at = [&](double share) {
         return seconds[static_cast<std::size_t>(share * static_cast<double>(seconds.size() - 1))];
@@ -154,7 +156,7 @@ int main(int argc, char** argv) {
         return editor.document().work() == views::Work::none && editor.document().sceneIsCurrent();
     });
     Drag drag(editor, viewer);
-    const int moves = m.smoke() ? 3 : 400;
+    const int moves = m.smoke() ? 12 : 400;
     const Latencies velocity = drag.measure(render::HandleKind::velocity, 2, moves);
     add(m, "velocity dragged, to the moved handle", velocity.toHandle);
     add(m, "velocity dragged, to the new motion", velocity.toMotion);
