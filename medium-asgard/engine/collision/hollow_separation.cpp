@@ -158,7 +158,8 @@ Separation ofBall(const Posed& ball, std::size_t vertex, const Posed& wall, bool
     return result;
 }
 
-// Of what is no sphere: by the hull where it is outside of it, or only just within its wall.
+// The hull separates a shape that is no sphere where that is outside of it, or only just within its
+// wall.
 std::optional<Separation> fromOutside(const Posed& first, const Posed& second) {
     const bool isFirst = !first.part->isHollow();
     const Posed &other = isFirst ? first : second, &wall = isFirst ? second : first;

@@ -26,7 +26,7 @@ HollowNearest fromCircle(Piece piece, const Section& at, double radius, double a
     return nearest;
 }
 
-// Of what is above the plane of an end, with y up.
+// A point above the plane of an end, with y up.
 HollowNearest beyondEnd(const Curved& hollow, const Section& at, double above) {
     if (at.rho < hollow.inner)
         return fromCircle(Piece::rim, at, hollow.inner, above);
@@ -35,8 +35,8 @@ HollowNearest beyondEnd(const Curved& hollow, const Section& at, double above) {
     return {.piece = Piece::end, .distance = above, .across = at.rho, .above = above};
 }
 
-// Of what is between the ends, `across` from the axis or centre and that way from it: of the wall
-// inside, outside, or in it the least depth.
+// The wall nearest to a point between the ends, `across` from the axis or centre and that way from
+// it: the inside, the outside, or in the wall the one with the least depth.
 HollowNearest betweenEnds(const Curved& hollow, double across, const Vector& way, double above) {
     const double in = hollow.inner - across, out = across - hollow.radius();
     HollowNearest nearest{.distance = out, .normal = way, .across = across, .above = above};

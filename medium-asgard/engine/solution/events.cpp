@@ -56,8 +56,8 @@ bool Events::handleNext(double finish) {
     return true;
 }
 
-// Of what meets what, however many events there are elsewhere at that instant. False: no event is
-// asked for any more.
+// The count is that of the bodies that meet, whatever happens elsewhere at that instant. False: no
+// event is asked for any more.
 bool Events::goesOnAfter(const Event& event) {
     const std::size_t most = network_.options.maximumEventsAtOnce;
     const std::size_t atOnce = islands_.atOnce(event.time, event.touched);

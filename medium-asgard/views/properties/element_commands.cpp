@@ -35,16 +35,26 @@ geometry::Vector besideThem(const scene::Scene& scene) {
 ElementCommands::ElementCommands(SceneDocument& document, QObject* parent)
     : QObject(parent), document_(document), trial_(document) {}
 
+std::optional<std::string> ElementCommands::copied(const QString& nothing) {
+    std::optional<std::string> commands;
+    if (document_.selected().empty()) {
+        Q_EMIT refused(nothing);
+    } else if (!document_.sceneIsCurrent()) {
+        Q_EMIT refused(document_.whyNotCurrent());
+    } else {
+        const editing::Copied copy =
+            editing::copied(document_.text(), *document_.shown().scene, document_.selected());
+        if (copy.possible())
+            commands = copy.commands;
+        else
+            Q_EMIT refused(QString::fromStdString(copy.reason));
+    }
+    return commands;
+}
+
 void ElementCommands::copy() {
-    if (document_.selected().empty())
-        return Q_EMIT refused(tr("Nothing is selected to be copied."));
-    if (!document_.sceneIsCurrent())
-        return Q_EMIT refused(document_.whyNotCurrent());
-    const editing::Copied copy =
-        editing::copied(document_.text(), *document_.shown().scene, document_.selected());
-    if (!copy.possible())
-        return Q_EMIT refused(QString::fromStdString(copy.reason));
-    QGuiApplication::clipboard()->setText(QString::fromStdString(copy.commands));
+    if (const auto commands = copied(tr("Nothing is selected to be copied.")))
+        QGuiApplication::clipboard()->setText(QString::fromStdString(*commands));
 }
 
 void ElementCommands::paste() {
@@ -52,15 +62,8 @@ void ElementCommands::paste() {
 }
 
 void ElementCommands::duplicate() {
-    if (document_.selected().empty())
-        return Q_EMIT refused(tr("Nothing is selected to be duplicated."));
-    if (!document_.sceneIsCurrent())
-        return Q_EMIT refused(document_.whyNotCurrent());
-    const editing::Copied copy =
-        editing::copied(document_.text(), *document_.shown().scene, document_.selected());
-    if (!copy.possible())
-        return Q_EMIT refused(QString::fromStdString(copy.reason));
-    put(copy.commands, tr("Duplicate"));
+    if (const auto commands = copied(tr("Nothing is selected to be duplicated.")))
+        put(*commands, tr("Duplicate"));
 }
 
 void ElementCommands::put(const std::string& commands, const QString& label) {

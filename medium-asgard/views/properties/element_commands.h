@@ -3,6 +3,9 @@
 
 #include "properties/trial.h"
 
+#include <optional>
+#include <string>
+
 namespace views {
 
 class ElementCommands : public QObject {
@@ -20,6 +23,8 @@ Q_SIGNALS:
     void refused(const QString& why);
 
 private:
+    // The commands of the selected elements; none: why not was told.
+    [[nodiscard]] std::optional<std::string> copied(const QString& nothing);
     void put(const std::string& commands, const QString& label);
 
     SceneDocument& document_;

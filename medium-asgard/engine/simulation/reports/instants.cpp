@@ -136,7 +136,7 @@ void Lister::addSwitches() {
         add(time, "switch", scene_.bodies[body].name);
 }
 
-// Where no forces keep the laws, or several motions do, the motion ends.
+// The motion ends if no forces keep the laws, or several motions do.
 void Lister::addEnds(const ComputedMotion::Part& part) {
     using Reason = solution::Stop::Reason;
     for (const auto& [body, stop] : motion_.contents().stops) {

@@ -29,7 +29,7 @@ struct ListedInstant {
 [[nodiscard]] std::vector<ListedInstant> instantsOf(const scene::Scene& scene,
                                                     const Motion& motion);
 
-// What a -release has ended by that time.
+// The elements that a -release has ended by that time.
 [[nodiscard]] scene::Released releasedBy(const scene::Scene& scene, const Motion& motion,
                                          double time);
 

@@ -121,7 +121,7 @@ void OpenRun::makeMachinery(const std::shared_ptr<const solution::TakenMotion>& 
 
 bool OpenRun::canGoOn(const Run* before) const {
     const double finish = problem_.finish();
-    // Where memory ended motion on its way to the old finish, it may well reach the new one.
+    // A motion that memory ended on its way to the old finish may well reach the new one.
     const auto isFull = [](const solution::Stop& stop) {
         return stop.reason == solution::Stop::Reason::tooMuchKept;
     };

@@ -3,7 +3,7 @@
 //
 //     A m = -b
 //
-// Where a condition reads few others, as in a tree of joints, A is eliminated as a sparse matrix
+// A tree of joints has conditions that read few others: there, A is eliminated as a sparse matrix
 // (elimination.h); where it reads most, or where A is not definite, as a dense one, scaled by the
 // roots of its diagonal. Where conditions are redundant, as the joints of a plane mechanism in
 // space, the shortest m is taken.
