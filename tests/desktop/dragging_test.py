@@ -46,21 +46,35 @@ class Dragging(unittest.TestCase):
 
         window = until(f"{name} has a window", named)
         self.person.screen.do("windowsize", window.id, 700, 900, "windowmove", window.id, left, 20)
-        until(f"{name} stands in its half",
-              lambda: b"WIDTH=700" in self.person.screen.output("xdotool", "getwindowgeometry", "--shell", window.id))
+        frame = 30  # more than the window manager draws about it
+
+        def placed():
+            x, y, width = self.placed(window.title)
+            return width == 700 and 0 <= x - left <= frame and 0 <= y - 20 <= frame
+
+        until(f"{name} stands in its half", placed)
         return window.title
 
     def placed(self, title):
+        """The left, the top and the width of what is inside its frame."""
         words = self.person.screen.output("xdotool", "getwindowgeometry", "--shell", self.person.window(title).id)
         values = dict(line.split("=") for line in words.decode().split())
-        return int(values["X"]), int(values["Y"])
+        return tuple(int(values[name]) for name in ("X", "Y", "WIDTH"))
+
+    def selectAllToDrag(self):
+        self.person.press(self.source, "ctrl+a")
+        until("the text is selected", lambda: self.person.action(self.source, "Edit", "Copy").enabled)
+
+    def write(self):
+        self.person.press(self.target, "ctrl+e")
+        until("the other document is written", lambda: self.person.action(self.target, "Edit", "Write").checked)
 
     def test_its_words_come_into_the_other_and_stay_where_they_were(self):
-        self.person.press(self.target, "ctrl+e")
-        self.person.press(self.source, "ctrl+a")
+        self.write()
+        self.selectAllToDrag()
         start = self.person.widget(self.source, "pages").middle
         end = self.person.widget(self.target, "pages").middle
-        (fromX, fromY), (toX, toY) = self.placed(self.source), self.placed(self.target)
+        (fromX, fromY, _), (toX, toY, _) = self.placed(self.source), self.placed(self.target)
         self.person.drag(self.source, start, (end[0] + toX - fromX, end[1] + toY - fromY))
         until("the other document is modified", lambda: self.person.isModified(self.target))
         self.person.press(self.target, "ctrl+s")

@@ -138,11 +138,13 @@ class Person:
 
     # --- keys
     def activate(self, name):
+        """Its process and the window manager both say so: Qt calls a window active for 400 ms after it lost the keys."""
         def active():
             window = self.find(name)
-            if window and not window.active:
+            has = window and window.active and self.screen.active() == window.id
+            if window and not has:
                 self.screen.output("xdotool", "windowactivate", window.id)
-            return window and window.active
+            return has
 
         until(f"the window {name} is active", active)
 

@@ -65,6 +65,11 @@ class Screen:
     def windows(self, title=""):
         return self.output("xdotool", "search", "--onlyvisible", "--name", title).decode().split()
 
+    def active(self):
+        """The window that the window manager gave the keys; None where none has them."""
+        number = self.output("xdotool", "getactivewindow").strip()
+        return int(number) if number else None
+
     def picture(self, window, rect=None):
         """Of a window or a part of it; None while it cannot be read."""
         part = ["-crop", "%dx%d+%d+%d" % (rect[2], rect[3], rect[0], rect[1]), "+repage"] if rect else []
