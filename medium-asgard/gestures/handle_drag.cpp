@@ -97,8 +97,7 @@ std::optional<Vector> HandleDrag::onSurface() const {
 
 // As the view rolls (render/camera.h), about the axis that points out of the screen.
 Vector HandleDrag::rolled() const {
-    const double half = 0.5 * std::min(sight_.size.width, sight_.size.height);
-    double angle = -1.5 * (held_.x() - *rollsFrom_) / half;
+    double angle = -1.5 * (held_.x() - *rollsFrom_) / render::pixelsPerUnit(sight_.size);
     if (std::abs(std::remainder(angle, 2 * M_PI)) > M_PI - 1e-3)
         angle += 2e-3; // half a turn has no axis of its own
     const geometry::Quaternion back = sight_.camera.rotation.conjugate();

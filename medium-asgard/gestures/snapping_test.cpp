@@ -46,7 +46,7 @@ protected:
     }
 
     scene::Scene scene;
-    Sight sight{{}, {800, 800}};
+    Sight sight{{}, {1200, 800}};
     render::Drawing drawing;
 };
 

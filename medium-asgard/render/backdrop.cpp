@@ -93,8 +93,8 @@ void Backdrop::show(const Frame& frame, const Vector& upInView, bool dark) const
         const Shade& one = upInView.z() > 0 ? shades.near : shades.high;
         stops = {{-4, one}, {4, one}};
     }
-    const double shorter = std::min(frame.size().width, frame.size().height);
-    const Eigen::Vector2d toClip(shorter / frame.size().width, -shorter / frame.size().height);
+    const double units = 2 * pixelsPerUnit(frame.size());
+    const Eigen::Vector2d toClip(units / frame.size().width, -units / frame.size().height);
     const Eigen::Vector2d along(horizon.toSky.y(), -horizon.toSky.x());
     const double reach = 2 * Eigen::Vector2d(toClip.cwiseInverse()).norm();
     std::vector<float> vertices;

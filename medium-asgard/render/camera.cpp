@@ -11,8 +11,6 @@ namespace {
 // projection of points beside and behind the eye finite.
 constexpr double nearest = 1e-3;
 
-double pixelsPerUnit(Size size) { return 0.5 * std::min(size.width, size.height); }
-
 Eigen::Vector2d middle(Size size) { return {0.5 * size.width, 0.5 * size.height}; }
 
 // Where a pixel's line of sight meets a plane of constant view z.
@@ -31,6 +29,8 @@ Vector onVirtualSphere(Size size, const Eigen::Vector2d& pixels) {
 }
 
 } // namespace
+
+double pixelsPerUnit(Size size) { return 0.5 * std::min(0.75 * size.width, 1.0 * size.height); }
 
 bool Camera::operator==(const Camera& other) const {
     return center == other.center && rotation.coeffs() == other.rotation.coeffs() &&

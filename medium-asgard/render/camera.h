@@ -2,8 +2,9 @@
 //
 // A point p of the world is seen at view = scale * R(rotation) * (p - center) + position, the
 // screen's x right, y up, z towards the viewer (dissertation 4.1.7; scene language, `view`).
-// The picture shows view coordinates -1..1 over its shorter side: in perspective about the plane
-// view z = 0, where lengths are exact, or orthographic, where all lengths across are.
+// The picture shows view coordinates -1..1 over its height and at least -4/3..4/3 over its width:
+// one that is narrower than 4:3 shows more above and below, and cuts nothing at its sides. Lengths
+// are exact in perspective in the plane view z = 0, orthographic everywhere.
 #pragma once
 
 #include "geometry/pose.h"
@@ -31,6 +32,9 @@ struct Size {
     int width = 640, height = 480; // device pixels
     bool operator==(const Size&) const = default;
 };
+
+// Of one view unit across, where lengths are exact.
+[[nodiscard]] double pixelsPerUnit(Size size);
 
 // The eye of a perspective picture stands on the view's z axis, this far in front of z = 0.
 inline constexpr double eyeDistance = 5;

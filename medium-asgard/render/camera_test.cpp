@@ -28,11 +28,22 @@ TEST(Camera, TheCentreIsInTheMiddleAndUnitsAreHalfTheShorterSide) {
 
 TEST(Camera, WhatIsNearerIsLarger) {
     const Camera camera;
-    const Size size{100, 100};
-    const double far = toPixels(camera, size, Vector(0.5, 0, -1)).x() - 50;
-    const double near = toPixels(camera, size, Vector(0.5, 0, 1)).x() - 50;
+    const Size size{200, 100};
+    const double far = toPixels(camera, size, Vector(0.5, 0, -1)).x() - 100;
+    const double near = toPixels(camera, size, Vector(0.5, 0, 1)).x() - 100;
     EXPECT_NEAR(far, 25 * eyeDistance / (eyeDistance + 1), 1e-9);
     EXPECT_NEAR(near, 25 * eyeDistance / (eyeDistance - 1), 1e-9);
+}
+
+// Else a window with panes at both sides would cut what a view of the text shows.
+TEST(Camera, ANarrowPictureCutsNothingAtItsSides) {
+    const Camera camera;
+    for (const Size size : {Size{400, 300}, Size{300, 300}, Size{300, 900}}) {
+        const double side = toPixels(camera, size, Vector(4.0 / 3, 0, 0)).x();
+        EXPECT_NEAR(side, size.width, 1e-9) << size.height;
+        EXPECT_GE(toPixels(camera, size, Vector(0, 1, 0)).y(), 0);
+    }
+    EXPECT_NEAR(toPixels(camera, {900, 300}, Vector(0, 1, 0)).y(), 0, 1e-9);
 }
 
 TEST(Camera, IsAnotherOneWhenAnyPartOfItDiffers) {
@@ -49,9 +60,9 @@ TEST(Camera, IsAnotherOneWhenAnyPartOfItDiffers) {
 TEST(Camera, AnOrthographicPictureShowsEqualLengthsEqually) {
     Camera camera;
     camera.orthographic = true;
-    const Size size{100, 100};
+    const Size size{200, 100};
     for (const double z : {-20.0, -1.0, 0.0, 4.0, 30.0})
-        EXPECT_NEAR(toPixels(camera, size, Vector(0.5, 0.2, z)).x(), 75, 1e-9) << z;
+        EXPECT_NEAR(toPixels(camera, size, Vector(0.5, 0.2, z)).x(), 125, 1e-9) << z;
     camera.rotation = geometry::fromRotationVector({0.3, -0.5, 0.1});
     for (const double z : {-3.0, 0.0, 8.0}) {
         const Vector world = toWorld(camera, size, {12, 77}, z);
@@ -116,8 +127,8 @@ TEST(CameraControl, AFrontPointFollowsTheLeftButton) {
     const Vector front(0, 0, virtualSphere);
     drag(control, CameraControl::Button::left, from, to, 10);
     const Vector after = control.camera().rotation * front;
-    EXPECT_NEAR(after.x(), 40.0 / 250, 0.002);
-    EXPECT_NEAR(after.y(), 20.0 / 250, 0.002);
+    EXPECT_NEAR(after.x(), 40 / pixelsPerUnit(picture), 0.002);
+    EXPECT_NEAR(after.y(), 20 / pixelsPerUnit(picture), 0.002);
     EXPECT_EQ(control.camera().position, Vector::Zero());
     EXPECT_EQ(control.camera().scale, 1);
 }

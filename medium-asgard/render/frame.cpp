@@ -13,7 +13,7 @@ Frame::Frame(const Drawing& drawing, Size size)
 
 double Frame::pixels(double viewLength, double viewZ) const {
     const double toward = enlargement(camera_, std::min(viewZ, eyeDistance - 0.02));
-    return viewLength * toward * 0.5 * std::min(size_.width, size_.height);
+    return viewLength * toward * pixelsPerUnit(size_);
 }
 
 float Frame::stroke(double width) const {
@@ -22,12 +22,12 @@ float Frame::stroke(double width) const {
 }
 
 std::array<float, 16> Frame::projection(double nearestZ, double furthestZ) const {
-    const double shorter = std::min(size_.width, size_.height);
+    const double units = 2 * pixelsPerUnit(size_);
     std::array<float, 16> m{};
     if (camera_.orthographic) {
         const double deep = std::max(nearestZ - furthestZ, 1e-3);
-        m[0] = static_cast<float>(shorter / size_.width);
-        m[5] = static_cast<float>(-shorter / size_.height);
+        m[0] = static_cast<float>(units / size_.width);
+        m[5] = static_cast<float>(-units / size_.height);
         m[10] = static_cast<float>(-2 / deep);
         m[14] = static_cast<float>((nearestZ + furthestZ) / deep);
         m[15] = 1;
@@ -37,8 +37,8 @@ std::array<float, 16> Frame::projection(double nearestZ, double furthestZ) const
     const double far = std::max(eyeDistance - furthestZ, near * 1.001);
     const double a = (far + near) / (far - near), b = -2 * far * near / (far - near);
     // With the distance from the eye d = D - z: clip z = a d + b, clip w = d.
-    m[0] = static_cast<float>(eyeDistance * shorter / size_.width);
-    m[5] = static_cast<float>(-eyeDistance * shorter / size_.height);
+    m[0] = static_cast<float>(eyeDistance * units / size_.width);
+    m[5] = static_cast<float>(-eyeDistance * units / size_.height);
     m[10] = static_cast<float>(-a);
     m[11] = -1;
     m[14] = static_cast<float>(a * eyeDistance + b);

@@ -11,8 +11,8 @@ namespace {
 constexpr double filled = 0.88; // of the picture's half width and height
 
 Eigen::Vector2d halfExtent(Size size) {
-    const double shorter = std::min(size.width, size.height);
-    return {size.width / shorter, size.height / shorter};
+    const double units = 2 * pixelsPerUnit(size);
+    return {size.width / units, size.height / units};
 }
 
 // A ball at (x, y, z) about the centre, radius r, seen at scale s, reaches on screen to

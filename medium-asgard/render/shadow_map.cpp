@@ -106,10 +106,10 @@ std::optional<LightSight> sightOf(const Light& light, std::span<const Solid> sol
 }
 
 Eigen::AlignedBox3d visibleRoom(const Frame& frame, double nearestZ, double furthestZ) {
-    const double shorter = std::min(frame.size().width, frame.size().height);
+    const double units = 2 * pixelsPerUnit(frame.size());
     Eigen::AlignedBox3d room;
     for (const double z : {std::min(nearestZ, eyeDistance - 0.02), furthestZ}) {
-        const double wider = 1 / enlargement(frame.camera(), z) / shorter;
+        const double wider = 1 / enlargement(frame.camera(), z) / units;
         const Vector corner(frame.size().width * wider, frame.size().height * wider, z);
         room.extend(corner);
         room.extend(Vector(-corner.x(), -corner.y(), z));

@@ -21,8 +21,8 @@ Frame pageOf(Size size) {
 }
 
 Vector onPage(Size size, const Eigen::Vector2d& pixels) {
-    const double half = 0.5 * std::min(size.width, size.height);
-    return {(pixels.x() - 0.5 * size.width) / half, (0.5 * size.height - pixels.y()) / half, 0};
+    const double unit = pixelsPerUnit(size);
+    return {(pixels.x() - 0.5 * size.width) / unit, (0.5 * size.height - pixels.y()) / unit, 0};
 }
 
 } // namespace

@@ -4,16 +4,68 @@
 
 #include <QAction>
 #include <QDockWidget>
+#include <QEvent>
 #include <QMainWindow>
 #include <QMenu>
+#include <QScrollArea>
+#include <QScrollBar>
+
+#include <algorithm>
+#include <utility>
 
 namespace views {
 
 namespace {
 
-constexpr int version = 1; // of arrangements: another set of panes begins anew
+constexpr int version = 2; // of arrangements: another set of panes begins anew
+
+class ScrolledContent : public QScrollArea {
+public:
+    ScrolledContent(QWidget* content, bool isLow) : isLow_(isLow) {
+        setFrameShape(QFrame::NoFrame);
+        setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+        setWidgetResizable(true);
+        setFocusPolicy(Qt::NoFocus);
+        setWidget(content);
+        content->show();
+        fit();
+    }
+
+    [[nodiscard]] QSize sizeHint() const override {
+        const QSize hint = QScrollArea::sizeHint();
+        return isLow_ ? QSize(hint.width(), maximumHeight()) : hint;
+    }
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        const bool is = QScrollArea::eventFilter(watched, event);
+        if (watched == widget() && event->type() == QEvent::LayoutRequest)
+            fit();
+        return is;
+    }
+    void resizeEvent(QResizeEvent* event) override {
+        QScrollArea::resizeEvent(event);
+        fit();
+    }
+
+private:
+    void fit() {
+        const QWidget& content = *widget();
+        setMinimumWidth(std::max(content.minimumWidth(), content.minimumSizeHint().width()) +
+                        verticalScrollBar()->sizeHint().width());
+        if (!isLow_)
+            return;
+        const int height = content.hasHeightForWidth() ? content.heightForWidth(viewport()->width())
+                                                       : content.sizeHint().height();
+        setMaximumHeight(std::max(height, 1));
+    }
+
+    bool isLow_;
+};
 
 } // namespace
+
+QWidget* scrolled(QWidget* content, bool isLow) { return new ScrolledContent(content, isLow); }
 
 Panes::Panes(QMainWindow& window) : QObject(&window), window_(window) {
     window_.setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowNestedDocks |
@@ -52,6 +104,10 @@ const Panes::Placed* Panes::find(const QString& name) const {
     return nullptr;
 }
 
+Panes::Placed* Panes::find(const QString& name) {
+    return const_cast<Placed*>(std::as_const(*this).find(name));
+}
+
 QWidget* Panes::contentOf(const Placed& placed) {
     if (QWidget* known = placed.dock->widget())
         return known;
@@ -80,6 +136,23 @@ void Panes::hide(const QString& name) {
         placed->dock->hide();
 }
 
+void Panes::update(const QString& name) {
+    Placed* placed = find(name);
+    const bool isEmpty = placed->pane.isEmpty();
+    placed->dock->toggleViewAction()->setEnabled(!isEmpty);
+    if (std::exchange(placed->wasEmpty, isEmpty) == isEmpty)
+        return;
+    if (isEmpty)
+        return hide(name);
+    show(name);
+    window_.resizeDocks({placed->dock}, {placed->dock->sizeHint().height()}, Qt::Vertical);
+}
+
+void Panes::setTitle(const QString& name, const QString& title) {
+    if (const Placed* placed = find(name))
+        placed->dock->setWindowTitle(plain::ours(title));
+}
+
 bool Panes::isShown(const QString& name) const {
     const Placed* placed = find(name);
     return placed && !placed->dock->isHidden();
@@ -100,9 +173,12 @@ QByteArray Panes::arrangement() const { return window_.saveState(version); }
 bool Panes::restore(const QByteArray& arrangement) {
     if (!window_.restoreState(arrangement, version))
         return false;
-    for (const Placed& one : panes_)
+    for (const Placed& one : panes_) {
+        if (one.pane.isEmpty)
+            one.dock->setVisible(!one.pane.isEmpty());
         if (!one.dock->isHidden())
             contentOf(one);
+    }
     return true;
 }
 

@@ -24,7 +24,13 @@ struct Pane {
     std::function<QWidget*()> make; // called when the pane is first shown
     QString behind = {};            // the name of a pane whose place it shares
     QKeySequence key = {};          // shows and closes it
+    // Given: the pane is open while there is something in it (Panes::update()).
+    std::function<bool()> isEmpty = {};
 };
+
+// A content that scrolls up and down where its pane is low. `isLow`: the pane is no higher than its
+// content.
+[[nodiscard]] QWidget* scrolled(QWidget* content, bool isLow = false);
 
 class Panes : public QObject {
     Q_OBJECT
@@ -35,6 +41,10 @@ public:
     void add(Pane pane);
     void show(const QString& name); // made if need be, and in front
     void hide(const QString& name);
+    // Shows a pane that is not empty any more, hides one that is empty now. In between the user's
+    // choice counts.
+    void update(const QString& name);
+    void setTitle(const QString& name, const QString& title);
     [[nodiscard]] bool isShown(const QString& name) const;
     // nullptr: it was never shown, or there is no such pane.
     [[nodiscard]] QWidget* content(const QString& name) const;
@@ -54,7 +64,9 @@ private:
     struct Placed {
         Pane pane;
         QDockWidget* dock;
+        bool wasEmpty = true;
     };
+    [[nodiscard]] Placed* find(const QString& name);
     [[nodiscard]] const Placed* find(const QString& name) const;
     QWidget* contentOf(const Placed& placed);
 

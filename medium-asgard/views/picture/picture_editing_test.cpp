@@ -355,8 +355,7 @@ TEST_F(PictureEditingTest, TheRightButtonRollsABody) {
     release(on + QPoint(60, 25), Qt::RightButton);
     ASSERT_TRUE(settle(editor.document()));
     const Vector turned = geometry::toRotationVector(scene().bodies[0].initialAttitude);
-    EXPECT_NEAR(turned.z(), -1.5 * 60 / (0.5 * std::min(display().width(), display().height())),
-                0.02);
+    EXPECT_NEAR(turned.z(), -1.5 * 60 / render::pixelsPerUnit(display().sight().size), 0.02);
     EXPECT_LT(std::abs(turned.x()) + std::abs(turned.y()), 1e-3);
     EXPECT_EQ(editor.document().undoLabel(), "Turn b1");
 }

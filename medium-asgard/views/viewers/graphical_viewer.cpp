@@ -17,6 +17,7 @@
 #include "properties/element_commands.h"
 #include "shapes/shapes_menu.h"
 #include "start/tour.h"
+#include "viewers/parameters_panel.h"
 #include "viewers/scene_panes.h"
 #include "viewers/time_controls.h"
 #include "viewers/tool_bar.h"
@@ -29,8 +30,6 @@
 #include <QKeyEvent>
 #include <QMenu>
 #include <QMenuBar>
-#include <QScrollArea>
-#include <QScrollBar>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -154,19 +153,19 @@ void GraphicalViewer::buildPicture(std::shared_ptr<PictureThread> pictures) {
 void GraphicalViewer::buildPanes() {
     panel_ = new StatusPanel(document_, playback_, display_->display());
     panel_->setObjectName("status");
+    sliders_ = new ParametersPanel(document_, this); // before it is in its pane, too
+    sliders_->hide();
     if (windows_.makeText)
         panes_.add({"text", tr("Text"), Qt::LeftDockWidgetArea, windows_.makeText});
-    panes_.add({"status", tr("Motion and Handles"), Qt::RightDockWidgetArea, [this] {
-                    auto* scroll = new QScrollArea; // a low window has room for the picture
-                    scroll->setFrameShape(QFrame::NoFrame);
-                    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-                    scroll->setWidgetResizable(true);
-                    scroll->setWidget(panel_);
-                    scroll->setMinimumWidth(panel_->minimumWidth() +
-                                            scroll->verticalScrollBar()->sizeHint().width());
-                    scroll->setFocusPolicy(Qt::NoFocus);
-                    return scroll;
-                }});
+    panes_.add({"parameters",
+                tr("Parameters"),
+                Qt::RightDockWidgetArea,
+                [this] { return scrolled(sliders_, true); },
+                {},
+                {},
+                [this] { return sliders_->isEmpty(); }});
+    panes_.add({"status", tr("Motion and Handles"), Qt::RightDockWidgetArea,
+                [this] { return scrolled(panel_); }});
     panes_.add({"plots", tr("Plots"), Qt::BottomDockWidgetArea, [this] { return makePlots(); }});
     addScenePanes(panes_, document_, *display_, playback_, windows_,
                   [this](const editing::Element& element, const QPoint& global) {
@@ -178,13 +177,19 @@ void GraphicalViewer::buildPanes() {
         const std::pair<const char*, const char*> topics[] = {
             {"text", "The text"},         {"status", "Motion and handles"}, {"plots", "Plots"},
             {"properties", "Properties"}, {"sceneList", "Scene list"},      {"faults", "Faults"},
-            {"tour", "The tour"}};
+            {"tour", "The tour"},         {"parameters", "Parameters"}};
         for (const auto& [pane, topic] : topics)
             if (name == QLatin1String(pane))
                 setHelp(*content, QLatin1String(topic));
         if (auto* text = qobject_cast<LanguageViewer*>(content))
             fillTextMenu(*text);
     });
+    const auto showSliders = [this] {
+        panes_.setTitle("parameters", sliders_->title());
+        panes_.update("parameters");
+    };
+    connect(sliders_, &ParametersPanel::rebuilt, this, showSliders);
+    showSliders();
     panes_.show("status");
 }
 
@@ -252,6 +257,10 @@ void GraphicalViewer::showUsualPanes() {
         panes_.show("text");
     panes_.show("status");
     panes_.show("properties");
+    if (auto* sliders = findChild<QDockWidget*>("pane.parameters"); !sliders->isHidden())
+        resizeDocks({sliders}, {sliders->sizeHint().height()}, Qt::Vertical);
+    if (!isWide) // the picture has the most
+        resizeDocks({findChild<QDockWidget*>("pane.properties")}, {width() / 3}, Qt::Horizontal);
     if (!text || !isWide)
         return;
     constexpr int usual = 460;

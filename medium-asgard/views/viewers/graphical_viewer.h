@@ -21,6 +21,7 @@ namespace views {
 
 class ElementCommands;
 class LanguageViewer;
+class ParametersPanel;
 class TimeControls;
 class ToldBar;
 
@@ -89,6 +90,7 @@ private:
     ElementCommands* commands_;
     ToldBar* told_;
     StatusPanel* panel_;
+    ParametersPanel* sliders_;
     TimeBar* timeBar_;
     TimeStrip* timeStrip_;
     TimeControls* controls_;

@@ -6,6 +6,7 @@
 #include "start/first_page.h"
 #include "trajectories/trajectory_editor.h"
 #include "viewers/editor.h"
+#include "viewers/parameters_panel.h"
 #include "viewers/placing.h"
 #include "viewers/scene_files.h"
 #include "viewers/starting.h"
@@ -181,6 +182,42 @@ TEST_F(MainWindowTest, ANarrowWindowHasOneColumnOfPanes) {
     EXPECT_EQ(side("pane.text"), side("pane.properties"));
     EXPECT_EQ(side("pane.status"), side("pane.properties"));
     EXPECT_FALSE(viewer->panes().isShown("sceneList"));
+}
+
+// 750 points are what a screen of 1500 pixels has at scale 2.
+TEST_F(MainWindowTest, TheWindowFitsASmallScreen) {
+    editor.document().setText(
+        "parameter pull -value 1 -label {The pull of the spring}\n" + ballScene, "Edit");
+    ASSERT_TRUE(settle(editor.document()));
+    GraphicalViewer* viewer = editor.openMainWindow();
+    viewer->resize(700, 450);
+    viewer->showUsualPanes();
+    editor.document().select({{editing::Kind::body, 0}});
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(viewer, longestWait));
+    EXPECT_LE(viewer->minimumSizeHint().width(), 700);
+    EXPECT_LE(viewer->minimumSizeHint().height(), 450);
+    EXPECT_EQ(viewer->size(), QSize(700, 450));
+}
+
+// The sliders are seen beside the values of the selected, while there are any.
+TEST_F(MainWindowTest, SlidersHaveAPaneOfTheirOwn) {
+    GraphicalViewer& viewer = open();
+    EXPECT_FALSE(viewer.panes().isShown("parameters"));
+    editor.document().setText("parameter pull -value 1\n" + ballScene, "Edit");
+    ASSERT_TRUE(settle(editor.document()));
+    EXPECT_TRUE(viewer.panes().isShown("parameters"));
+    const QSlider* slider = viewer.findChild<ParametersPanel*>()->slider("pull");
+    EXPECT_TRUE(waitFor([&] { return !slider->visibleRegion().isEmpty(); }));
+    EXPECT_FALSE(viewer.panes().content("properties")->visibleRegion().isEmpty());
+    viewer.panes().hide("parameters"); // the user's choice stays
+    editor.document().setText("parameter pull -value 2\n" + ballScene, "Edit");
+    ASSERT_TRUE(settle(editor.document()));
+    EXPECT_FALSE(viewer.panes().isShown("parameters"));
+    editor.document().setText(ballScene, "Edit");
+    ASSERT_TRUE(settle(editor.document()));
+    editor.document().undo();
+    ASSERT_TRUE(settle(editor.document()));
+    EXPECT_TRUE(viewer.panes().isShown("parameters"));
 }
 
 TEST_F(MainWindowTest, PanesAreMadeWhenTheyAreShownAndRemembered) {

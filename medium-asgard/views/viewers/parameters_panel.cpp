@@ -60,8 +60,8 @@ void reserveWidth(QLabel& label, const std::function<QString(double)>& text, dou
 } // namespace
 
 ParametersPanel::ParametersPanel(SceneDocument& document, QWidget* parent)
-    : QGroupBox(tr("Parameters"), parent), document_(document), column_(new QVBoxLayout(this)) {
-    column_->setContentsMargins(10, 6, 10, 8);
+    : QWidget(parent), document_(document), column_(new QVBoxLayout(this)) {
+    column_->setContentsMargins(8, 4, 8, 6);
     connect(&document_, &SceneDocument::sceneChanged, this, &ParametersPanel::refresh);
     refresh();
 }
@@ -147,6 +147,14 @@ void ParametersPanel::rebuild(const std::vector<Control>& controls) {
         connect(slider, &QSlider::sliderReleased, this, [this, index] { finish(index); });
     }
     column_->addWidget(content_);
+    Q_EMIT rebuilt();
+}
+
+QString ParametersPanel::title() const {
+    const auto isMotor = [](const Row& row) { return row.of.element.kind == editing::Kind::joint; };
+    if (std::ranges::none_of(rows_, isMotor))
+        return tr("Parameters");
+    return std::ranges::all_of(rows_, isMotor) ? tr("Motors") : tr("Parameters and Motors");
 }
 
 void ParametersPanel::refresh() {
@@ -155,13 +163,6 @@ void ParametersPanel::refresh() {
                                                      [](const Row& row) { return row.of.name; });
     if (!same)
         rebuild(controls);
-    setVisible(!controls.empty());
-    const auto isMotor = [](const Control& of) { return of.element.kind == editing::Kind::joint; };
-    const bool areMotors = std::ranges::any_of(controls, isMotor);
-    const QString title = !areMotors                               ? tr("Parameters")
-                          : std::ranges::all_of(controls, isMotor) ? tr("Motors")
-                                                                   : tr("Parameters and Motors");
-    setTitle(plain::ours(title));
     refreshing_ = true;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         Row& row = rows_[i];
@@ -232,7 +233,7 @@ bool ParametersPanel::eventFilter(QObject* watched, QEvent* event) {
             return true;
         }
     }
-    return QGroupBox::eventFilter(watched, event);
+    return QWidget::eventFilter(watched, event);
 }
 
 void ParametersPanel::begin() {

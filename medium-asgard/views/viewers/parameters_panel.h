@@ -9,9 +9,9 @@
 #include "editing/value_edit.h"
 #include "workbench/scene_document.h"
 
-#include <QGroupBox>
 #include <QLabel>
 #include <QSlider>
+#include <QWidget>
 
 #include <memory>
 
@@ -19,14 +19,19 @@ class QVBoxLayout;
 
 namespace views {
 
-class ParametersPanel : public QGroupBox {
+class ParametersPanel : public QWidget {
     Q_OBJECT
 public:
     explicit ParametersPanel(SceneDocument& document, QWidget* parent = nullptr);
 
+    [[nodiscard]] bool isEmpty() const { return rows_.empty(); }
+    [[nodiscard]] QString title() const; // by what its sliders set
     // Of a parameter; of a joint's option by "pin -speed". Null: there is none.
     [[nodiscard]] QSlider* slider(const QString& name) const;
     [[nodiscard]] std::optional<Asked> asked() const; // by the slider that is dragged
+
+Q_SIGNALS:
+    void rebuilt(); // other sliders
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -4,7 +4,6 @@
 #include "motion/known_span.h"
 #include "plain/plain.h"
 #include "render/handles.h"
-#include "viewers/parameters_panel.h"
 
 #include <QFormLayout>
 #include <QGridLayout>
@@ -83,7 +82,6 @@ StatusPanel::StatusPanel(SceneDocument& document, Playback& playback,
     auto* close = new CloseJoints(document_);
     form->addRow(close);
     column->addWidget(status);
-    column->addWidget(new ParametersPanel(document_));
     addSwitches(display);
     column->addStretch();
     setMinimumWidth(190);

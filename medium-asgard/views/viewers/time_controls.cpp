@@ -42,9 +42,9 @@ TimeControls::TimeControls(SceneDocument& document, Playback& playback, QWidget*
     loopButton_->setCheckable(true);
     addRates(row);
     row->addStretch();
-    auto* span = new MotionSpan(document);
-    connect(span, &MotionSpan::left, this, &TimeControls::left);
-    row->addWidget(span);
+    span_ = new MotionSpan(document);
+    connect(span_, &MotionSpan::left, this, &TimeControls::left);
+    row->addWidget(span_);
     row->addSpacing(12);
     time_ = plain::label();
     time_->setObjectName("time");
@@ -110,6 +110,53 @@ void TimeControls::togglePlaying() {
         playback_.pause();
     else
         playback_.play();
+}
+
+std::vector<QWidget*> TimeControls::folding() const {
+    std::vector<QWidget*> all;
+    for (const char* name : {"last", "first", "stop", "stepBack", "stepForward", "loop"})
+        all.push_back(findChild<QToolButton*>(name));
+    all.push_back(rateButton_);
+    return all;
+}
+
+int TimeControls::widthOfAll() const {
+    int sum = 0;
+    for (int i = 0; i < layout()->count(); ++i) {
+        QLayoutItem* item = layout()->itemAt(i); // a hidden one has a hint, too
+        const QWidget* widget = item->widget();
+        sum += (widget ? widget->sizeHint() : item->sizeHint()).width() + layout()->spacing();
+    }
+    return sum;
+}
+
+QSize TimeControls::minimumSizeHint() const {
+    int least = widthOfAll();
+    for (const QWidget* one : folding())
+        least -= one->sizeHint().width() + layout()->spacing();
+    return {least, sizeHint().height()};
+}
+
+void TimeControls::fold() {
+    int needed = widthOfAll();
+    for (QWidget* one : folding()) {
+        const bool fits = needed <= width();
+        one->setVisible(fits);
+        if (!fits)
+            needed -= one->sizeHint().width() + layout()->spacing();
+    }
+}
+
+void TimeControls::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    fold();
+}
+
+bool TimeControls::event(QEvent* event) {
+    const bool is = QWidget::event(event);
+    if (event->type() == QEvent::LayoutRequest) // a longer time, another rate
+        fold();
+    return is;
 }
 
 void TimeControls::showTime() {

@@ -19,6 +19,9 @@ class QToolButton;
 
 namespace views {
 
+class MotionSpan;
+
+// In a narrow row the buttons that have keys fold away, those that are needed least first.
 class TimeControls : public QWidget {
     Q_OBJECT
 public:
@@ -29,11 +32,15 @@ public:
 
     void togglePlaying();
 
+    [[nodiscard]] QSize minimumSizeHint() const override; // folded
+
 Q_SIGNALS:
     void left(); // a field, with Return or Escape, or for something else
 
 protected:
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    bool event(QEvent* event) override;
 
 private:
     QToolButton* addButton(QHBoxLayout* row, const char* name, Icon which, const QString& tip,
@@ -42,11 +49,15 @@ private:
     void showTime();
     void showState();
     void showIcons();
+    [[nodiscard]] std::vector<QWidget*> folding() const; // the first goes first
+    [[nodiscard]] int widthOfAll() const;
+    void fold();
 
     Playback& playback_;
     QAction *playAction_ = nullptr, *loopAction_ = nullptr;
     QToolButton *playButton_ = nullptr, *loopButton_ = nullptr, *rateButton_ = nullptr;
     std::vector<std::pair<QToolButton*, Icon>> buttons_;
+    MotionSpan* span_ = nullptr;
     QLabel* time_ = nullptr;
 };
 

@@ -3,6 +3,8 @@
 #include "plain/plain.h"
 
 #include <QAction>
+#include <QApplication>
+#include <QCursor>
 #include <QEvent>
 #include <QMainWindow>
 #include <QMenu>
@@ -27,6 +29,16 @@ QAction* namedIn(const QMainWindow& window, const char* name) {
     return window.findChild<QAction*>(name);
 }
 
+// The pointer left it for its menu, of which Qt tells nothing when an entry is chosen.
+void leave(QToolButton& button) {
+    if (button.rect().contains(button.mapFromGlobal(QCursor::pos())))
+        return;
+    QEvent left(QEvent::Leave);
+    QApplication::sendEvent(&button, &left);
+    button.setAttribute(Qt::WA_UnderMouse, false);
+    button.update();
+}
+
 } // namespace
 
 ToolBar::ToolBar(QMainWindow& window) : QToolBar(tr("Tools"), &window), window_(window) {
@@ -46,8 +58,11 @@ void ToolBar::add(const char* name, Icon which) {
     auto* button = qobject_cast<QToolButton*>(widgetForAction(command));
     button->setFocusPolicy(Qt::NoFocus); // the keys stay where one works
     button->setObjectName(QStringLiteral("tool.") + QString::fromLatin1(name));
-    if (command->menu())
+    if (QMenu* menu = command->menu()) {
         button->setPopupMode(QToolButton::InstantPopup);
+        connect(
+            menu, &QMenu::aboutToHide, button, [button] { leave(*button); }, Qt::QueuedConnection);
+    }
     const auto show = [command] { command->setToolTip(plain::tip(tipOf(*command))); };
     connect(command, &QAction::changed, this, [command, show] {
         if (command->toolTip() != plain::tip(tipOf(*command)))

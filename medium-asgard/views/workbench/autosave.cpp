@@ -47,7 +47,7 @@ QMessageBox::StandardButton ask(QWidget* over, const files::Kept& kept) {
     QPushButton* recover = box.addButton(Autosave::tr("&Recover"), QMessageBox::AcceptRole);
     QPushButton* discard = box.addButton(Autosave::tr("&Discard"), QMessageBox::DestructiveRole);
     QPushButton* later = box.addButton(Autosave::tr("&Later"), QMessageBox::RejectRole);
-    box.setDefaultButton(recover);
+    box.setDefaultButton(later); // a Return that was meant for something else loses nothing
     box.setEscapeButton(later);
     box.exec();
     if (box.clickedButton() == recover)
