@@ -81,9 +81,15 @@ struct Turn {
     std::array<double, 3> place, velocity;         // as the source has them; then as they became
 };
 
+// What a source may ask of the solver within next().
 class Turns {
 public:
     virtual ~Turns() = default;
+    // An event of these unknowns is to be at `time`. Nothing: their values there are on the
+    // conditions of their multipliers. Else their steps, and those of what reads them, end at this
+    // time now, a little before, from where the source must look again.
+    [[nodiscard]] virtual std::optional<double> approach(double time,
+                                                         std::span<const std::size_t> unknowns) = 0;
     // At `time`, which is that of an event. True: it is done, and the values are what they became.
     // False: the source must announce the event, as if it had not asked.
     [[nodiscard]] virtual bool turn(double time, std::span<Turn> turns) = 0;

@@ -41,6 +41,7 @@ bool Events::handleNext(double finish) {
     auto event = source_->next(network_.histories, until);
     if (!event) {
         asked_ = until;
+        network_.setKnown(std::min(network_.known(), finish)); // it may have gone back
         return false;
     }
     event->time = std::clamp(event->time, std::max(lastEvent_, network_.options.start), until);
@@ -114,6 +115,24 @@ bool Events::turn(double time, std::span<Turn> turns) {
     islands_.note(time, turning_);
     interruption_.poll(time);
     return true;
+}
+
+std::optional<double> Events::approach(double time, std::span<const std::size_t> unknowns) {
+    const Event event{.time = time, .touched = {unknowns.begin(), unknowns.end()}, .tag = 0};
+    const std::vector<std::size_t> touched = network_.touchedBy(event, {});
+    std::optional<double> end;
+    for (const std::size_t c : touched)
+        if (const auto before =
+                network_.components[c] ? network_.components[c]->endBefore(time) : std::nullopt)
+            end = std::min(end.value_or(*before), *before);
+    if (!end ||
+        std::ranges::any_of(touched, [this](std::size_t c) { return !network_.components[c]; }))
+        return std::nullopt;
+    flights_.land(touched);
+    network_.goBack(touched, *end);
+    network_.restart(touched, {});
+    network_.noteStops();
+    return end;
 }
 
 // Those that go on in closed form are done with at once; the others are left, and all after them,

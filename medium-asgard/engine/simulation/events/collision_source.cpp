@@ -49,6 +49,8 @@ std::optional<solution::Event> CollisionSource::next(const Histories& histories,
             continue;
         }
         const Found hit = search_.takeHit();
+        if (isOffConditions(histories, hit))
+            return std::nullopt;
         Handled handled = handle(histories, hit);
         if (handled.event)
             return announced(std::move(*handled.event));
@@ -109,7 +111,7 @@ void CollisionSource::lengthen(double finish) {
 
 // An event cuts the bodies that it touches and all that read them: what was found beyond it for
 // them no longer holds.
-std::optional<solution::Event> CollisionSource::announced(Event event) {
+void CollisionSource::cut(const Event& event) {
     std::vector<std::size_t> cut = readers_.cutBy(event);
     if (!resting_.contacts().empty()) {
         const auto together = resting_.contacts().island({cut.begin(), cut.end()});
@@ -118,8 +120,24 @@ std::optional<solution::Event> CollisionSource::announced(Event event) {
     resting_.lookAgain(cut, event.time);
     for (const std::size_t body : cut)
         search_.cut(body, event.time);
+}
+
+solution::Event CollisionSource::announced(Event event) {
+    cut(event);
     record_.addEvent(event.time);
     return event;
+}
+
+// A blow reads which contacts hold, and how near and how fast all is, from places and velocities.
+bool CollisionSource::isOffConditions(const Histories& histories, const Found& hit) {
+    if (!turns_ ||
+        !(resting_.contacts().isIn(hit.pair.first) || resting_.contacts().isIn(hit.pair.second)))
+        return false;
+    const std::vector<std::size_t> unknowns = at(histories, hit.time).unknownsOf(hit.pair);
+    const auto end = turns_->approach(hit.time, unknowns);
+    if (end)
+        cut({.time = *end, .touched = unknowns, .tag = 0});
+    return end.has_value();
 }
 
 void CollisionSource::apply(const Histories& histories, const Event& event,

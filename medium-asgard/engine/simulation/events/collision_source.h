@@ -52,7 +52,10 @@ public:
                     std::function<bool()> cancelled = {});
     ~CollisionSource() override;
 
-    void use(solution::Turns& turns) override { flights_.use(turns); }
+    void use(solution::Turns& turns) override {
+        turns_ = &turns;
+        flights_.use(turns);
+    }
     [[nodiscard]] std::optional<solution::Event> next(const solution::Histories& histories,
                                                       double known) override;
     void apply(const solution::Histories& histories, const solution::Event& event,
@@ -80,7 +83,10 @@ private:
     [[nodiscard]] Instant at(const Histories& histories, double time) const {
         return {world_, resting_, search_, histories, time};
     }
-    [[nodiscard]] std::optional<Event> announced(Event event);
+    [[nodiscard]] Event announced(Event event);
+    void cut(const Event& event);
+    // Steps of the two are ended before it: it must be found again.
+    [[nodiscard]] bool isOffConditions(const Histories& histories, const Found& hit);
     // Windows and partners. An event: two that had met overlap without having met again, which ends
     // their motion.
     [[nodiscard]] std::optional<Event> renew(const Histories& histories);
@@ -136,6 +142,7 @@ private:
     [[nodiscard]] Event endWithoutEnd(const Instant& instant, const Pair& pair);
 
     Colliders world_;
+    solution::Turns* turns_ = nullptr;
     double finish_;
     std::function<bool()> cancelled_; // then next() answers early, and nobody reads it
     BodyReaders readers_;

@@ -117,6 +117,17 @@ void ComponentEquations::takeKept(std::span<const double> states) {
     guards_.refresh();
 }
 
+bool ComponentEquations::isOff(double t, std::span<const double> y, std::span<const double> kept) {
+    const std::vector<complementarity::State> now = mode_.kept;
+    takeKept(kept);
+    functions_.fill(t, y);
+    field_.multipliers().evaluateGaps();
+    const bool isOff = field_.multipliers().isOff(y);
+    mode_.kept = now;
+    guards_.refresh();
+    return isOff;
+}
+
 void ComponentEquations::takeGone(std::span<const double> values) {
     for (std::size_t k = 0; k < multipliers().size(); ++k) {
         complementarity::State& kept = mode_.kept[k];

@@ -127,6 +127,8 @@ public:
     [[nodiscard]] const Mode& mode() const { return mode_; }
     // Whether conditions of multipliers hold, as their histories keep it.
     void takeKept(std::span<const double> states);
+    // With conditions that hold as these say, for this question alone: Multipliers::isOff().
+    [[nodiscard]] bool isOff(double t, std::span<const double> y, std::span<const double> kept);
     // Contacts that slip by less than that part of the fastest velocity rest (active_set.h).
     void setSlow(double part) { active_.setSlow(part); }
     // Contacts that slip do so as these states move.

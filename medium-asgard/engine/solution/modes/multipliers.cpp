@@ -239,6 +239,17 @@ void Multipliers::rest(double none, std::span<double> y) const {
             y[push.row] = 0;
 }
 
+bool Multipliers::isOff(std::span<const double> y) const {
+    constexpr double ofResolution = 0.1, ofVelocities = 1e-9;
+    const double slow = ofVelocities * fastest(y);
+    for (std::size_t row = 0; row < size(); ++row)
+        if (const BoundModel::Law& law = f_.bound()->laws[row];
+            holds(row) && law.isStop &&
+            (std::abs(gap(row)) > ofResolution * law.resolution || std::abs(rate(row)) > slow))
+            return true;
+    return false;
+}
+
 double Multipliers::fastest(std::span<const double> y) const {
     double most = 0;
     for (const ComponentModel::Entry& push : model_.conditions().pushes)

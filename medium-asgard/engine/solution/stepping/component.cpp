@@ -300,6 +300,7 @@ void Component::backTo(double t) {
     openRegime(false);
     if (stop_)
         return;
+    landOnConditions();
     memory_.now.choice = last.state.choice;
     if (last.state.phases != memory_.now.phases)
         return;
@@ -310,6 +311,44 @@ void Component::backTo(double t) {
             seen.push_back(history.piece(k, place).coefficients[0]);
         memory_.now.control.observe(seen);
     }
+}
+
+// A whole step is on them already.
+void Component::landOnConditions() {
+    if (equations_->multipliers().empty() || writer_.history()->empty())
+        return;
+    std::vector<double> kept, y = states();
+    for (const std::size_t place : equations_->multipliers())
+        kept.push_back(progress_.values[place]);
+    if (!equations_->isOff(progress_.time, y, kept))
+        return;
+    equations_->takeKept(kept);
+    equations_->project(progress_.time, y);
+    progress_.put(equations_->states(), y);
+}
+
+// Near its beginning a polynomial errs by next to nothing. What is left is more than what a
+// projection moves, so that the event still lies ahead.
+std::optional<double> Component::endBefore(double t) {
+    constexpr double left = 0.01; // of the step up to t
+    constexpr double least = 1e-12;
+    const History& history = *writer_.history();
+    if (!equations_ || stop_ || equations_->multipliers().empty() || history.empty())
+        return std::nullopt;
+    const std::size_t index = history.find(t);
+    const History::Step step = history.step(index);
+    const double end = t - left * (t - step.origin);
+    if (!(t < step.until && boundary_.phasesFrom() <= t && t - end > least * std::max(1.0, t)))
+        return std::nullopt;
+    const auto valuesOf = [&](std::span<const std::size_t> places) {
+        std::vector<double> values;
+        for (const std::size_t place : places)
+            values.push_back(history.piece(index, place).value(t));
+        return values;
+    };
+    if (!equations_->isOff(t, valuesOf(equations_->states()), valuesOf(equations_->multipliers())))
+        return std::nullopt;
+    return end;
 }
 
 void Component::restart(std::span<const Jump> jumps) {

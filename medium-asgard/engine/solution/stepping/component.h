@@ -63,7 +63,11 @@ public:
     // With the values at time(), from where it steps by itself again.
     void leaveStride(std::span<const double> y) { progress_.put(equations_->states(), y); }
 
+    // Its values at t are on the conditions that held up to there.
     void backTo(double t);
+    // Where to end the step that has t within, so that from there on values at t are on the
+    // conditions that hold: its polynomials are not. Nothing: they are, or nothing can be done.
+    [[nodiscard]] std::optional<double> endBefore(double t);
     struct Jump {
         std::size_t place; // in unknowns()
         double value;
@@ -103,6 +107,7 @@ private:
     void takeHeldValues();
     void takeModes();
     void releaseConditions();
+    void landOnConditions();
     [[nodiscard]] std::vector<double> states() const { return progress_.at(equations_->states()); }
 
     // Steps.
