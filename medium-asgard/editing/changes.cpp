@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
+#include <utility>
 
 namespace editing {
 
@@ -118,6 +120,25 @@ Changes changesBetween(const Reading& before, const Reading& after) {
     return Matching(cardsOf(before.scene, places),
                     cardsOf(after.scene, [](std::size_t at) { return std::optional(at); }))
         .changes();
+}
+
+std::vector<Renamed> renamedBetween(const scene::Scene& before, const scene::Scene& after) {
+    std::vector<Renamed> all;
+    const std::vector<Element> elements = elementsOf(before);
+    if (elements != elementsOf(after))
+        return all;
+    std::set<std::pair<Kind, std::string>> old, now;
+    for (const Element& element : elements) {
+        old.emplace(element.kind, nameOf(before, element));
+        now.emplace(element.kind, nameOf(after, element));
+    }
+    for (const Element& element : elements) {
+        const std::string was = nameOf(before, element), is = nameOf(after, element);
+        if (!was.empty() && !is.empty() && !now.contains({element.kind, was}) &&
+            !old.contains({element.kind, is}))
+            all.push_back({element, was, is});
+    }
+    return all;
 }
 
 std::vector<Element> elementsOf(const scene::Scene& scene) {

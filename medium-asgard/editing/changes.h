@@ -40,6 +40,15 @@ struct Changes {
 
 [[nodiscard]] Changes changesBetween(const Reading& before, const Reading& after);
 
+struct Renamed {
+    Element element; // of both scenes
+    std::string before, now;
+};
+// Elements that stand at their place as before, under a name that is new; none where elements came
+// or went.
+[[nodiscard]] std::vector<Renamed> renamedBetween(const scene::Scene& before,
+                                                  const scene::Scene& after);
+
 // All elements of a scene, by kind and in order; the simulator only where the text has one.
 [[nodiscard]] std::vector<Element> elementsOf(const scene::Scene& scene);
 

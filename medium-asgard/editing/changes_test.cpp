@@ -56,6 +56,20 @@ TEST(Changes, ANamedElementIsTheOneOfItsName) {
               "+ body c\n- body b\n");
 }
 
+TEST(Changes, AnElementUnderANewNameAtItsPlaceIsRenamed) {
+    const std::string shape = "shape_set s -desc {-sub {-sphere 1}}\n";
+    const auto renamed = [&](const std::string& before, const std::string& after) {
+        std::string all;
+        for (const Renamed& one : renamedBetween(reader().read(shape + before).scene,
+                                                 reader().read(shape + after).scene))
+            all += one.before + " to " + one.now + "; ";
+        return all;
+    };
+    EXPECT_EQ(renamed("body a s\nbody b s\n", "body a s\nbody c s\n"), "b to c; ");
+    EXPECT_EQ(renamed("body a s\nbody b s\n", "body b s\nbody a s\n"), "");
+    EXPECT_EQ(renamed("body a s\nbody b s\n", "body c s\n"), "");
+}
+
 TEST(Changes, AJointAndAGearAreModifiedByEachOfTheirValues) {
     const std::string pins = head + "joint p -type hinge -body1 a -offset1 {0 1 0}\n"
                                     "joint q -type hinge -body1 b -offset1 {0 1 0}\n";

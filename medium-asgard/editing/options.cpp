@@ -69,24 +69,16 @@ constexpr OptionHint forceOptions[] = {
     {"-release", expression, "an expression: the force is gone as soon as it is not 0", "",
      "Released when"},
 };
-constexpr OptionHint linkOptions[] = {
-    {"-body1", body, "the body that it holds", "", "First body"},
-    {"-offset1", vector, "three numbers: where, in the first body's frame", "",
-     "Place on first body"},
-    {"-body2", body, "the body that it holds on to", "", "Second body"},
-    {"-offset2", vector, "three numbers: where, in the second body's frame", "",
-     "Place on second body"},
-    {"-x", expression, "an expression: x of the point that it holds on to", "", "Along x"},
-    {"-y", expression, "an expression: y of the point", "", "Along y"},
-    {"-z", expression, "an expression: z of the point", "", "Along z"},
-    {"-trajectory", trajectory, "a trajectory that it holds on to", ""},
-    {"-tightness", number, "the force for each unit of distance", ""},
-    {"-damping", number, "the force for each unit of velocity; critical by default", ""},
-    {"-release", expression, "an expression: the link is gone as soon as it is not 0", "",
-     "Released when"},
-};
-constexpr OptionHint springOptions[] = {
-    {"-body1", body, "the body that it pulls", "", "First body"},
+template <std::size_t... Counts> constexpr auto joined(const OptionHint (&... parts)[Counts]) {
+    std::array<OptionHint, (Counts + ...)> all{};
+    auto next = all.begin();
+    ((next = std::copy(std::begin(parts), std::end(parts), next)), ...);
+    return all;
+}
+
+// Of a link and of a spring.
+constexpr OptionHint endOptions[] = {
+    {"-body1", body, "the body at its first end", "", "First body"},
     {"-offset1", vector, "three numbers: where, in the first body's frame", "",
      "Place on first body"},
     {"-body2", body, "the body at its other end", "", "Second body"},
@@ -96,6 +88,14 @@ constexpr OptionHint springOptions[] = {
     {"-y", expression, "an expression: y of the point", "", "Along y"},
     {"-z", expression, "an expression: z of the point", "", "Along z"},
     {"-trajectory", trajectory, "a trajectory that leads its other end", ""},
+};
+constexpr OptionHint ownLinkOptions[] = {
+    {"-tightness", number, "the force for each unit of distance", ""},
+    {"-damping", number, "the force for each unit of velocity; critical by default", ""},
+    {"-release", expression, "an expression: the link is gone as soon as it is not 0", "",
+     "Released when"},
+};
+constexpr OptionHint ownSpringOptions[] = {
     {"-stiffness", number, "the force for each unit of length", ""},
     {"-rest", number, "the length without a force; by default the length at the start", "",
      "Length at rest"},
@@ -104,6 +104,8 @@ constexpr OptionHint springOptions[] = {
     {"-release", expression, "an expression: the spring is gone as soon as it is not 0", "",
      "Released when"},
 };
+constexpr auto linkOptions = joined(endOptions, ownLinkOptions);
+constexpr auto springOptions = joined(endOptions, ownSpringOptions);
 constexpr OptionHint jointOptions[] = {
     {"-type", choice, "what it leaves free",
      "fixed hinge slider cylindrical universal ball planar distance screw"},

@@ -57,17 +57,18 @@ Vector recentred(const std::vector<Ball>& seen, const Vector& center, double sca
 
 } // namespace
 
-Quaternion bestAttitude(const Extent& extent) {
-    if (extent.planeNormal)
-        return facing(*extent.planeNormal, extent.up);
-    // 28 degrees to the side of the front, 20 above. The front is z, or -y where z is up.
+// 28 degrees to the side of the front, 20 above. The front is z, or -y where z is up.
+Vector sideAndAbove(const Vector& up) {
     const Vector front =
-        std::abs(extent.up.z()) < 0.5 ? Vector(Vector::UnitZ()) : Vector(-Vector::UnitY());
-    const Vector right = extent.up.cross(front);
+        std::abs(up.z()) < 0.5 ? Vector(Vector::UnitZ()) : Vector(-Vector::UnitY());
+    const Vector right = up.cross(front);
     const double side = 28 * M_PI / 180, above = 20 * M_PI / 180;
-    const Vector toward = std::cos(above) * (std::cos(side) * front + std::sin(side) * right) +
-                          std::sin(above) * extent.up;
-    return facing(toward, extent.up);
+    return std::cos(above) * (std::cos(side) * front + std::sin(side) * right) +
+           std::sin(above) * up;
+}
+
+Quaternion bestAttitude(const Extent& extent) {
+    return facing(extent.planeNormal.value_or(sideAndAbove(extent.up)), extent.up);
 }
 
 Vector sunOf(const Extent& extent) {

@@ -6,6 +6,9 @@
 
 namespace render {
 
+// From the front, a little to the side and above: the direction towards the viewer.
+[[nodiscard]] Vector sideAndAbove(const Vector& up);
+
 // The attitude from which an extent is best seen: straight on when the motion is flat, else from
 // slightly above and to the side; up is up.
 [[nodiscard]] Quaternion bestAttitude(const Extent& extent);

@@ -73,6 +73,9 @@ std::optional<double> floorHeight(std::span<const Solid> solids, const Extent& e
 double groundHeight(const Extent& extent) {
     if (extent.lowestStands)
         return extent.lowest;
+    constexpr double far = 1.5; // sizes: then 0 would be out of the picture
+    if (extent.lowest >= -1e-6 * extent.size && extent.lowest <= far * extent.size)
+        return 0;
     const double step = roundBelow(extent.size / 8);
     return step * std::floor(extent.lowest / step + 0.02);
 }

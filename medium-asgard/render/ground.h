@@ -23,7 +23,8 @@ struct Ground {
 [[nodiscard]] Ground groundOf(std::span<const Solid> solids, const Extent& extent,
                               const Frame& frame, Solids& meshes);
 
-// Under everything, a little lower where that is not round; under what is fixed exactly.
+// 0 while all is above it and not far; else under everything, a little lower where that is not
+// round. Under what is fixed exactly.
 [[nodiscard]] double groundHeight(const Extent& extent);
 
 class GroundShadow {

@@ -62,6 +62,10 @@ TEST(Ground, IsARoundHeightThatSmallChangesLeaveAlone) {
     }
     extent.lowest = -3 - 1e-9; // what rests on it at a round height rests on it
     EXPECT_NEAR(groundHeight(extent), -3, 1e-12);
+    for (const double above : {0.0, 0.7, 9.0}) { // a body that is lifted leaves it behind
+        extent.lowest = above;
+        EXPECT_EQ(groundHeight(extent), 0);
+    }
     extent.lowest = -3.3;
     extent.lowestStands = true;
     EXPECT_EQ(groundHeight(extent), -3.3);

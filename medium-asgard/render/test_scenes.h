@@ -23,7 +23,7 @@ public:
     simulation::BodyState at(std::size_t body, double time) const override {
         return laws_[body](time);
     }
-    std::optional<simulation::Stop> stop(std::size_t) const override { return std::nullopt; }
+    std::optional<simulation::Stop> stop(std::size_t) const override { return stopped; }
     Vector centroid(std::size_t) const override { return Vector::Zero(); }
     double mass(std::size_t) const override { return 1; }
     const std::vector<simulation::Impact>& impacts() const override { return impacts_; }
@@ -33,6 +33,7 @@ public:
     const std::vector<std::string>& notes() const override { return notes_; }
 
     std::vector<double> jumpTimes;
+    std::optional<simulation::Stop> stopped; // all bodies
 
 private:
     double finish_;

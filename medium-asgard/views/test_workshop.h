@@ -85,6 +85,16 @@ private:
     QThread* interface_ = QThread::currentThread();
 };
 
+// The same with the engine's own motion, for values that are read from it.
+inline Workshop engineWorkshop() {
+    static TestWorkshop made;
+    Workshop workshop = made.workshop();
+    workshop.simulate = [](const auto& scene, const auto& options, const auto& observer) {
+        return simulation::simulate(*scene, options, observer);
+    };
+    return workshop;
+}
+
 // How long a test waits for something at most, in milliseconds: only a hang reaches it.
 constexpr int longestWait = 120'000;
 

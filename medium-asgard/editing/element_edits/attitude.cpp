@@ -6,14 +6,15 @@ namespace editing {
 
 using geometry::Vector;
 
-Turn turnOf(const Vector& rotationVector) {
+Turn turnOf(const Vector& rotationVector, const Vector& like) {
     // The same attitude by the shorter way round.
     const Vector shortest =
         geometry::toRotationVector(geometry::fromRotationVector(rotationVector));
     const double angle = shortest.norm();
     if (angle == 0)
         return {};
-    return {angle * 180 / M_PI, shortest / angle};
+    const double sense = shortest.dot(like) < 0 ? -1 : 1;
+    return {sense * angle * 180 / M_PI, sense * shortest / angle};
 }
 
 Vector rotationVectorOf(const Turn& turn) {

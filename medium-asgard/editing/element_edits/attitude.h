@@ -6,11 +6,14 @@
 namespace editing {
 
 struct Turn {
-    double degrees = 0;                                // 0 to 180
+    double degrees = 0;                                // -180 to 180
     geometry::Vector axis = geometry::Vector::UnitY(); // of length 1
 };
 
-[[nodiscard]] Turn turnOf(const geometry::Vector& rotationVector); // radians
+// Of radians. Of the two ways to say it the one whose axis goes along `like`, as it was said
+// before.
+[[nodiscard]] Turn turnOf(const geometry::Vector& rotationVector,
+                          const geometry::Vector& like = geometry::Vector::Zero());
 // Any axis but none: its length does not count. About no axis nothing turns.
 [[nodiscard]] geometry::Vector rotationVectorOf(const Turn& turn);
 

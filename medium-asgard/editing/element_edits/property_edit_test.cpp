@@ -148,6 +148,9 @@ TEST(Properties, AnAttitudeIsSoManyDegreesAboutAnAxis) {
     EXPECT_NEAR(turn.degrees, 90, 1e-12);
     EXPECT_TRUE(turn.axis.isApprox(Vector::UnitY()));
     EXPECT_NEAR(turnOf(Vector(0, 0, 1.5 * M_PI)).degrees, 90, 1e-9);
+    const Turn back = turnOf(Vector(0, 0, -M_PI / 12), Vector(0, 0, 2)); // "-15 about z"
+    EXPECT_NEAR(back.degrees, -15, 1e-9);
+    EXPECT_TRUE(back.axis.isApprox(Vector::UnitZ()));
     EXPECT_TRUE(rotationVectorOf({180, Vector(0, 0, 2)}).isApprox(Vector(0, 0, M_PI)));
     EXPECT_TRUE(rotationVectorOf({90, Vector::Zero()}).isZero());
 }

@@ -151,7 +151,29 @@ TEST_F(CreatingTest, AnEmptySceneGetsItsFirstBodyWithAShape) {
     done();
     ASSERT_EQ(scene().bodies.size(), 1U);
     EXPECT_EQ(text(), "# nothing yet\n\nshape_set block1 -desc {-sub {-box {1 1 1}}}\n"
-                      "body body1 block1 -init_pos {0 0 0}\n");
+                      "body body1 block1 -init_pos {0 0 0} -restitution 0 -friction 0.3\n");
+}
+
+// Things of a room: what falls comes to rest, a ball bounces. The floor is where the grid is.
+TEST_F(CreatingTest, ABallThatIsLiftedBouncesOnAFloorAtZero) {
+    open("# nothing yet\n");
+    display().creating().start(newBody(BasicShape::sphere));
+    key(Qt::Key_Return);
+    done();
+    EXPECT_THAT(text(), HasSubstr("-restitution 0.7 -friction 0.3"));
+    editor.document().setText(text() + "body up ball1 -init_pos {0 3 0}\n", "Edit");
+    done();
+    display().creating().start(newFloor());
+    done();
+    EXPECT_NEAR(scene().bodies.back().initialPosition.y(), -0.5, 1e-9); // under the lowest
+    const std::string lifted =
+        "shape_set s -desc {-sub {-sphere 0.5}}\nbody b s -init_pos {0 3 0}\n";
+    editor.document().setText(lifted, "Edit");
+    done();
+    display().creating().start(newFloor());
+    done();
+    EXPECT_EQ(scene().bodies.back().initialPosition.y(), 0);
+    EXPECT_TRUE(scene().bodies.back().fixed);
 }
 
 TEST_F(CreatingTest, FromTheFirstMomentEverythingCanBeMade) {

@@ -170,6 +170,8 @@ void Building::charts() {
                          [&display, expression = one.expression] {
                              display.creating().start(newPlot(expression));
                          });
+        if (one.isIntegral)
+            continue;
         QAction* meter = beside->addAction(
             plain::ours(one.label), &display_,
             [&display, element = *place_.element, one] { display.meters().toggle(element, one); });

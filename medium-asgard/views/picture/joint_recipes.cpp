@@ -32,8 +32,9 @@ QString labelOf(JointType type) {
 std::vector<Step> stepsOf(JointType type) {
     const bool isDistance = type == JointType::distance;
     Step first{Wanted::body,
-               isDistance ? QObject::tr("Click where the rod is fastened on a body.")
-                          : QObject::tr("Click on the body that is to be held."),
+               isDistance
+                   ? QObject::tr("Click where the rod is fastened on a body.")
+                   : QObject::tr("Click on the body that is to be held, for a wheel on the car."),
                ""};
     first.whole = !isDistance;
     first.deep = isDistance;
@@ -41,8 +42,8 @@ std::vector<Step> stepsOf(JointType type) {
                       isDistance
                           ? QObject::tr("Click where its other end is: on another body, or beside "
                                         "all of them on the ground.")
-                          : QObject::tr("Click where the joint is: on another body, which it is "
-                                        "joined to, or where there is none, for the ground."),
+                          : QObject::tr("Click where the joint is: on another body, as the middle "
+                                        "of a wheel, or where there is none, for the ground."),
                       ""};
     std::vector<Step> steps{first, second};
     if (type == JointType::slider)

@@ -39,6 +39,7 @@ Meters::Meters(SceneDocument& document, SceneDisplay& display)
                   this, [this, plots = std::move(plots)] { take(plots); }, Qt::QueuedConnection);
           },
           mostMeters) {
+    connect(&document_, &SceneDocument::elementsRenamed, this, &Meters::rename);
     connect(&document_, &SceneDocument::motionChanged, this, &Meters::ask);
 }
 
@@ -48,6 +49,21 @@ void Meters::set(std::vector<Meter> meters) {
         meters_.resize(mostMeters);
     ask();
     Q_EMIT changed();
+}
+
+void Meters::rename(const std::vector<editing::Renamed>& renamed) {
+    std::vector<Meter> meters = meters_;
+    for (Meter& meter : meters)
+        for (const editing::Renamed& one : renamed) {
+            if (meter.kind != one.element.kind || meter.element != one.before)
+                continue;
+            const auto all = quantitiesOf(*document_.shown().scene, one.element);
+            const auto same = std::ranges::find(all, meter.quantity.label, &Quantity::label);
+            meter.element = one.now;
+            if (same != all.end())
+                meter.quantity = *same;
+        }
+    set(std::move(meters));
 }
 
 bool Meters::has(const Quantity& quantity) const {
@@ -98,7 +114,8 @@ QString Meters::words(const Meter& meter, double time) const {
         return label + QStringLiteral(" –");
     const charts::Range range = charts::rangeOf(found->second);
     const double noise = 1e-9 * std::max(std::abs(range.low), std::abs(range.high));
-    return label + ' ' + QString::number(std::abs(value) < noise ? 0 : value, 'g', 3);
+    const QString number = QString::number(std::abs(value) <= noise ? 0 : value, 'g', 3);
+    return QStringLiteral("%1 %2 %3").arg(label, number, meter.quantity.unit).trimmed();
 }
 
 std::optional<QPointF> Meters::placeOf(const Meter& meter) const {

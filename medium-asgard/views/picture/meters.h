@@ -45,6 +45,7 @@ Q_SIGNALS:
 
 private:
     void ask();
+    void rename(const std::vector<editing::Renamed>& renamed);
     void take(std::vector<charts::Plot> plots);
     // In the display; none: it is gone or hidden.
     [[nodiscard]] std::optional<QPointF> placeOf(const Meter& meter) const;

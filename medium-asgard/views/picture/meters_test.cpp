@@ -9,7 +9,7 @@ namespace {
 
 const std::string flying = "simulator -finish 2\n"
                            "shape_set s -desc {-sub {-sphere 0.5}}\n"
-                           "body b s -init_pos {1 5 0} -init_dpos {3 0 0}\n";
+                           "body b s -init_pos {1 5 0} -init_dpos {3 0 0} -init_drot {0 0 1}\n";
 
 class MetersTest : public testing::Test {
 protected:
@@ -18,15 +18,7 @@ protected:
         editor.document().setText(flying, "Edit");
         ASSERT_TRUE(settle(editor.document()));
     }
-    static Workshop workshop() { // values are read from the engine's own motion
-        static TestWorkshop made;
-        Workshop workshop = made.workshop();
-        workshop.simulate = [](const auto& scene, const auto& options, const auto& observer) {
-            return simulation::simulate(*scene, options, observer);
-        };
-        return workshop;
-    }
-    Editor editor{workshop()};
+    Editor editor{engineWorkshop()};
     const editing::Element body{editing::Kind::body, 0};
 };
 
@@ -45,6 +37,44 @@ TEST_F(MetersTest, AValueStandsBesideItsBodyAtEachTime) {
     EXPECT_TRUE(meters.all().empty());
     EXPECT_NE(display.grab().toImage(), with);
     EXPECT_EQ(editor.document().text(), flying);
+}
+
+TEST_F(MetersTest, AnAngleHasItsUnit) {
+    Meters& meters = editor.openGraphicalViewer()->display().meters();
+    const auto all = quantitiesOf(*editor.document().shown().scene, body);
+    const auto angle = std::ranges::find(all, "b.wz", &Quantity::expression);
+    ASSERT_NE(angle, all.end());
+    meters.toggle(body, *angle);
+    const auto words = [&] { return meters.words(meters.all().front(), 0); };
+    ASSERT_TRUE(waitFor([&] { return !words().contains(u'…'); }));
+    EXPECT_EQ(words().toStdString(), "Angular velocity about z 1 rad/s");
+}
+
+// A name is not what a picture shows: whatever is renamed is as hidden, and as watched, as before.
+TEST_F(MetersTest, ARenamedBodyStaysHiddenAndKeepsItsValues) {
+    SceneDisplay& display = editor.openGraphicalViewer()->display();
+    const Quantity x = quantitiesOf(*editor.document().shown().scene, body).front();
+    display.meters().toggle(body, x);
+    display.setHidden({"b"});
+    editor.document().select({body});
+    const auto rename = [&](const std::string& from, const std::string& to) {
+        std::string text = editor.document().text();
+        text.replace(text.find("body " + from + " "), 6 + from.size(), "body " + to + " ");
+        editor.document().setText(text, "Edit");
+        EXPECT_TRUE(settle(editor.document()));
+    };
+    rename("b", "stone");
+    EXPECT_EQ(display.hidden(), std::set<std::string>{"stone"});
+    ASSERT_EQ(display.meters().all().size(), 1U);
+    EXPECT_EQ(display.meters().all()[0].element, "stone");
+    EXPECT_EQ(display.meters().all()[0].quantity.expression, "stone.x");
+    EXPECT_EQ(editor.document().selected(), std::vector{body});
+    editor.document().undo();
+    ASSERT_TRUE(settle(editor.document()));
+    EXPECT_EQ(display.hidden(), std::set<std::string>{"b"});
+    editor.document().reset("shape_set s -desc {-sub {-sphere 1}}\nbody other s\n");
+    ASSERT_TRUE(settle(editor.document()));
+    EXPECT_FALSE(display.hidden().contains("other"));
 }
 
 TEST_F(MetersTest, AViewerThatOpensAgainHasThem) {

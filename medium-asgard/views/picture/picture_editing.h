@@ -51,6 +51,7 @@ public:
     [[nodiscard]] bool keepsUpright() const { return hand_.drag() && hand_.drag()->isUpright(); }
     [[nodiscard]] std::optional<Asked> asked() const; // by what is dragged
     // The words of a drag, "" when there is none.
+    [[nodiscard]] QString caveat() const; // what of the picture is not to be trusted; "": nothing
     [[nodiscard]] QString words() const;
     // A sentence in the picture until something else is done.
     void say(const QString& sentence, bool isFault = true);
@@ -102,7 +103,7 @@ private:
     void paintLabels(QPainter& painter) const;
     void paintAlong(QPainter& painter) const;
     void paintWords(QPainter& painter, const QString& words, bool possible) const;
-    void paintStale(QPainter& painter) const;
+    void paintCaveat(QPainter& painter) const;
 
     struct Mark { // a handle by what it belongs to
         render::HandleKind kind;

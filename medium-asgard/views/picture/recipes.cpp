@@ -125,6 +125,8 @@ Recipe newBody(const std::string& shape, std::vector<scene::Part> ghost) {
 
 namespace {
 
+// Things of a room, not the language's ideal ones: balls bounce, all else comes to rest where it
+// falls, and wheels roll.
 Recipe newBody(const std::string& stem, const std::string& description, bool isFixed = false) {
     Recipe recipe = views::newBody(std::string());
     recipe.make = [stem, description, isFixed](const std::string& text, const scene::Scene& scene,
@@ -138,6 +140,9 @@ Recipe newBody(const std::string& stem, const std::string& description, bool isF
                         shape};
         if (isFixed)
             body.words.insert(body.words.end(), {"-fixed", "1"});
+        else
+            body.words.insert(body.words.end(), {"-restitution", stem == "ball" ? "0.7" : "0"});
+        body.words.insert(body.words.end(), {"-friction", "0.3"});
         return std::vector{set, body};
     };
     return recipe;
@@ -185,7 +190,8 @@ double lowestOf(const scene::Scene& scene, const Vector& up) {
 
 } // namespace
 
-// A plane is what lies below its y, so that it is turned where things fall another way.
+// At 0, or under the lowest body. A plane is what lies below its y, so that it is turned where
+// things fall another way.
 Recipe newFloor() {
     Recipe recipe;
     recipe.label = QObject::tr("New Floor");
@@ -193,7 +199,7 @@ Recipe newFloor() {
                      const std::vector<Indicated>&) {
         const Vector up = render::upOf(scene);
         Indicated below;
-        below.point = lowestOf(scene, up) * up;
+        below.point = std::min(lowestOf(scene, up), 0.0) * up;
         below.resolution = 1e-6;
         std::vector<NewElement> made =
             newBody(editing::libraryShape("Floor")).make(text, scene, {below});

@@ -61,6 +61,7 @@ SceneDisplay::SceneDisplay(SceneDocument& document, std::shared_ptr<PictureThrea
     settle_.setSingleShot(true);
     settle_.setInterval(180);
     connect(&settle_, &QTimer::timeout, this, [this] { redraw(false); });
+    connect(&document_, &SceneDocument::elementsRenamed, this, &SceneDisplay::rename);
     connect(&document_, &SceneDocument::sceneChanged, this, &SceneDisplay::sceneChanged);
     connect(&document_, &SceneDocument::motionChanged, this, &SceneDisplay::motionChanged);
     connect(&document_, &SceneDocument::workChanged, this, [this] { update(); });
@@ -213,6 +214,14 @@ void SceneDisplay::hide(const std::vector<editing::Element>& elements) {
     for (const editing::Element& element : elements)
         if (element.kind == editing::Kind::body)
             names.insert(editing::nameOf(*document_.shown().scene, element));
+    setHidden(std::move(names));
+}
+
+void SceneDisplay::rename(const std::vector<editing::Renamed>& renamed) {
+    std::set<std::string> names = hidden();
+    for (const editing::Renamed& one : renamed)
+        if (one.element.kind == editing::Kind::body && names.erase(one.before) > 0)
+            names.insert(one.now);
     setHidden(std::move(names));
 }
 

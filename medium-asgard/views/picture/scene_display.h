@@ -136,6 +136,7 @@ private:
     [[nodiscard]] render::Size pixelSize() const;
     void sceneChanged();
     void motionChanged();
+    void rename(const std::vector<editing::Renamed>& renamed); // of what is hidden
     // The newest wish is asked for, and waited for as long as there is patience.
     void bringUpToDate();
     void ask();

@@ -104,6 +104,16 @@ PlotDialog::PlotDialog(std::shared_ptr<const scene::Scene> scene, QWidget* paren
     setMinimumWidth(420);
 }
 
+namespace {
+
+// "Angle about z, rad"
+QString worded(const Quantity& quantity) {
+    const QString label = QString(quantity.label).remove('&');
+    return quantity.unit.isEmpty() ? label : QStringLiteral("%1, %2").arg(label, quantity.unit);
+}
+
+} // namespace
+
 // The quantities below their elements; the one that is chosen stands in the field.
 QTreeWidget* PlotDialog::makeList(const std::optional<editing::Element>& about) {
     auto* list = new QTreeWidget;
@@ -124,8 +134,8 @@ QTreeWidget* PlotDialog::makeList(const std::optional<editing::Element>& about) 
         auto* element = new QTreeWidgetItem(
             list, {QString::fromStdString(editing::describe(*scene_, one.element))});
         for (const Quantity& quantity : one.quantities)
-            new QTreeWidgetItem(element, {QString(quantity.label).remove('&'),
-                                          QString::fromStdString(quantity.expression)});
+            new QTreeWidgetItem(element,
+                                {worded(quantity), QString::fromStdString(quantity.expression)});
         constexpr std::size_t few = 6; // elements: their quantities are seen at once
         element->setExpanded(all.size() <= few || one.element == about);
         if (one.element == about)

@@ -66,6 +66,12 @@ void PlotsPanel::makeCharts() {
         column_->insertWidget(column_->count() - 1, charts_.back(), 1); // before the button
         charts_.back()->setNow(time_);
         connect(charts_.back(), &PlotChart::timeChosen, this, &PlotsPanel::timeChosen);
+        PlotChart* chart = charts_.back();
+        chart->setContextMenuPolicy(Qt::CustomContextMenu);
+        connect(chart, &QWidget::customContextMenuRequested, this,
+                [this, chart, plot = charts_.size() - 1](const QPoint& position) {
+                    Q_EMIT menuWanted(plot, chart->mapToGlobal(position));
+                });
         charts::Plot soon = charts::named(scene, scene.plots[charts_.size() - 1]);
         soon.fault = tr("The values are being computed…").toStdString();
         charts_.back()->setPlot(std::move(soon), scene.simulator.start, scene.simulator.finish);

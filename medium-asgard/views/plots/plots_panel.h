@@ -22,7 +22,8 @@ public:
 
 Q_SIGNALS:
     void plotWanted();
-    void timeChosen(double time); // by the pointer in a chart
+    void timeChosen(double time);                            // by the pointer in a chart
+    void menuWanted(std::size_t plot, const QPoint& global); // by the right button on a chart
 
 protected:
     void showEvent(QShowEvent* event) override;

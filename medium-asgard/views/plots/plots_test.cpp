@@ -4,6 +4,8 @@
 #include "viewers/editor.h"
 #include "views/test_workshop.h"
 
+#include <QMenu>
+#include <QTimer>
 #include <QTreeWidget>
 
 #include <gtest/gtest.h>
@@ -23,15 +25,7 @@ protected:
         editor.document().setText(text, "Edit");
         ASSERT_TRUE(settle(editor.document()));
     }
-    static Workshop workshop() { // values are read from the engine's own motion
-        static TestWorkshop made;
-        Workshop workshop = made.workshop();
-        workshop.simulate = [](const auto& scene, const auto& options, const auto& observer) {
-            return simulation::simulate(*scene, options, observer);
-        };
-        return workshop;
-    }
-    Editor editor{workshop()};
+    Editor editor{engineWorkshop()};
 };
 
 TEST_F(PlotsTest, TheDialogOffersTheQuantitiesOfTheScene) {
@@ -41,12 +35,39 @@ TEST_F(PlotsTest, TheDialogOffersTheQuantitiesOfTheScene) {
     EXPECT_EQ(whole.expression(), "b.y");
     auto* list = whole.findChild<QTreeWidget*>("quantities");
     ASSERT_EQ(list->topLevelItemCount(), 2); // a fixed body has none
-    EXPECT_EQ(list->topLevelItem(1)->child(0)->text(0), "Angle");
+    EXPECT_EQ(list->topLevelItem(1)->child(0)->text(0), "Angle, rad");
     list->setCurrentItem(list->topLevelItem(1)->child(0));
     EXPECT_EQ(whole.expression(), "pin.q");
     const PlotDialog about(editor.document().shown().scene, nullptr,
                            editing::Element{editing::Kind::joint, 0});
     EXPECT_EQ(about.expression(), "pin.q");
+}
+
+// What one asks of a pendulum is an angle, though its rod has none.
+TEST_F(PlotsTest, ARodThatHangsFromAPointHasAnAngle) {
+    show("shape_set s -desc {-sub {-sphere 0.5}}\nbody b s -init_pos {1 2 0}\n"
+         "joint rod -type distance -body1 b -offset2 {0 3 0}\n");
+    const auto all =
+        quantitiesOf(*editor.document().shown().scene, editing::Element{editing::Kind::joint, 0});
+    const auto angle = std::ranges::find(all, QStringLiteral("rad"), &Quantity::unit);
+    ASSERT_NE(angle, all.end());
+    EXPECT_EQ(angle->expression, "atan2(b.x - (0), 3 - b.y)");
+}
+
+TEST_F(PlotsTest, TheRightButtonOnAChartAsksForItsMenu) {
+    show(flying);
+    PlotsPanel* window = editor.openPlots();
+    ASSERT_EQ(window->charts().size(), 1U);
+    QMenu* menu = nullptr;
+    QTimer::singleShot(0, window, [&] {
+        menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+        if (menu)
+            menu->close();
+    });
+    Q_EMIT window->charts()[0]->customContextMenuRequested(QPoint(20, 20));
+    EXPECT_TRUE(waitFor([&] { return menu != nullptr; }));
+    EXPECT_EQ(editor.document().selected(),
+              (std::vector{editing::Element{editing::Kind::plot, 0}}));
 }
 
 TEST_F(PlotsTest, EachQuantityIsACurveOverTheWholeMotion) {

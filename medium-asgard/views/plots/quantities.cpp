@@ -1,5 +1,6 @@
 #include "plots/quantities.h"
 
+#include "editing/number_text.h"
 #include "scene/joint_types.h"
 
 #include <QObject>
@@ -34,8 +35,18 @@ std::vector<Quantity> ofBody(const Names& names) {
             {QObject::tr("Velocity along x"), names.of("dx")},
             {QObject::tr("Velocity along y"), names.of("dy")},
             {QObject::tr("Velocity along z"), names.of("dz")},
-            {QObject::tr("&Angle about z"), names.of("rz")},
-            {QObject::tr("Angular velocity about z"), names.of("wz")}};
+            {QObject::tr("&Angle about z"), names.of("rz"), QStringLiteral("rad"), true},
+            {QObject::tr("Angular velocity about z"), names.of("wz"), QStringLiteral("rad/s")}};
+}
+
+// Of a pendulum: a rod from a point of the world to a body's centre of mass. "": another joint.
+std::string angleOfRod(const scene::Joint& joint) {
+    if (joint.type != scene::JointType::distance || joint.offset1 || joint.body2 || !joint.offset2)
+        return {};
+    const auto number = [](double value) { return editing::numberText(value, 0); };
+    const geometry::Vector& top = *joint.offset2;
+    return "atan2(" + joint.body1 + ".x - (" + number(top.x()) + "), " + number(top.y()) + " - " +
+           joint.body1 + ".y)";
 }
 
 std::vector<Quantity> ofJoint(const Names& names, const scene::Joint& joint) {
@@ -46,12 +57,15 @@ std::vector<Quantity> ofJoint(const Names& names, const scene::Joint& joint) {
         const QString shown = which.empty() ? QString() : QString::fromStdString(" " + which);
         const bool isAngle = coordinates[i] == scene::CoordinateKind::angle;
         all.push_back({(isAngle ? QObject::tr("&Angle") : QObject::tr("&Distance")) + shown,
-                       names.of("q" + which)});
-        all.push_back({QObject::tr("&Rate") + shown, names.of("dq" + which)});
+                       names.of("q" + which), isAngle ? QStringLiteral("rad") : QString()});
+        all.push_back({QObject::tr("&Rate") + shown, names.of("dq" + which),
+                       isAngle ? QStringLiteral("rad/s") : QString()});
         const scene::JointCoordinate& own = joint.coordinates[i];
         if (own.motor || own.speed || own.position)
             all.push_back({QObject::tr("&Motor") + shown, names.of("motor" + which)});
     }
+    if (const auto angle = angleOfRod(joint); !angle.empty())
+        all.push_back({QObject::tr("&Angle from below, about z"), angle, QStringLiteral("rad")});
     all.push_back({QObject::tr("&Force"), names.length("fx", "fy", "fz")});
     all.push_back({QObject::tr("C&ouple"), names.length("tx", "ty", "tz")});
     return all;

@@ -15,6 +15,8 @@ namespace views {
 struct Quantity {
     QString label; // "&Angle"
     std::string expression;
+    QString unit = {};       // of angles; lengths, masses and forces have the author's own
+    bool isIntegral = false; // over the motion: known only where the scene's text reads it
 };
 
 // None of an element without a name, or of which nothing changes.

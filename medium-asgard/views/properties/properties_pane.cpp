@@ -40,8 +40,8 @@ QString defaultIn(std::string_view words) {
                : toText(words.substr(from + 1, words.size() - from - 2));
 }
 
-std::string shownNumber(double value) {
-    return editing::numberText(value, 1e-9 * std::max(1.0, std::abs(value)));
+std::string shownNumber(double value, double resolution = 1e-9) {
+    return editing::numberText(value, resolution * std::max(1.0, std::abs(value)));
 }
 
 // The rotation vector that stands in these parts.
@@ -354,10 +354,15 @@ PropertyParts PropertiesPane::turnParts(const std::vector<Element>& elements,
                                                   std::string(option.name)))
             vector = geometry::Vector((*values)[0], (*values)[1], (*values)[2]);
     if (vector) {
-        const editing::Turn turn = editing::turnOf(*vector);
-        parts[0] = shownNumber(turn.degrees);
+        const PropertyParts& shown = turn_->shown();
+        const auto like = shown.size() == 4 ? vectorOf({shown[1], shown[2], shown[3]})
+                                            : std::optional<geometry::Vector>();
+        const editing::Turn turn =
+            editing::turnOf(*vector, like.value_or(geometry::Vector::Zero()));
+        constexpr double written = 1e-7; // degrees: of a vector with nine decimals
+        parts[0] = shownNumber(turn.degrees, written);
         for (int i = 0; i < 3; ++i)
-            parts[static_cast<std::size_t>(i) + 1] = shownNumber(turn.axis[i]);
+            parts[static_cast<std::size_t>(i) + 1] = shownNumber(turn.axis[i], written);
     }
     return parts;
 }

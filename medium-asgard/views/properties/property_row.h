@@ -41,6 +41,7 @@ public:
     // Parts that are none differ between the elements. `absent`: shown in place of empty ones.
     // A text that somebody is typing stays.
     void show(const PropertyParts& parts, const QString& absent, const QString& source);
+    [[nodiscard]] const PropertyParts& shown() const { return shown_; }
     void setChoices(const QStringList& choices); // of names
     void setNames(const QStringList& names);     // of its parts, in place of x, y and z
     void setVisible(bool visible);

@@ -15,6 +15,7 @@
 #include "plain/plain.h"
 #include "plots/plots_panel.h"
 #include "properties/element_commands.h"
+#include "render/framing.h"
 #include "shapes/shapes_menu.h"
 #include "start/tour.h"
 #include "viewers/parameters_panel.h"
@@ -85,6 +86,22 @@ void startFromHere(SceneDocument& document, SceneDisplay& display) {
                          QObject::tr("Start From %1 s").arg(time));
     else
         display.editing().say(QString::fromStdString(answer.reason));
+}
+
+// There are bodies, and nothing that would move one.
+bool nothingMoves(const scene::Scene& scene) {
+    const auto rests = [](const scene::Body& body) {
+        return body.fixed ||
+               (body.initialVelocity.isZero() && body.initialAngularVelocity.isZero());
+    };
+    const auto isDriven = [](const scene::Joint& joint) {
+        return std::ranges::any_of(joint.coordinates, [](const scene::JointCoordinate& one) {
+            return one.motor || one.speed || one.position || one.stiffness != 0;
+        });
+    };
+    return !scene.bodies.empty() && scene.forces.empty() && scene.links.empty() &&
+           scene.ropes.empty() && scene.constraints.empty() &&
+           std::ranges::all_of(scene.bodies, rests) && std::ranges::none_of(scene.joints, isDriven);
 }
 
 } // namespace
@@ -200,6 +217,10 @@ QWidget* GraphicalViewer::makePlots() {
             [this, plots] { plots->setTime(playback_.time()); });
     connect(plots, &PlotsPanel::timeChosen, &playback_, &Playback::seek);
     connect(plots, &PlotsPanel::plotWanted, this, [this] { askForPlot(document_, *display_); });
+    connect(plots, &PlotsPanel::menuWanted, this, [this](std::size_t plot, const QPoint& global) {
+        document_.select({{editing::Kind::plot, plot}});
+        showMenu(menuPlaceOfSelection(document_, *display_), global);
+    });
     return plots;
 }
 
@@ -291,7 +312,11 @@ void GraphicalViewer::connectParts() {
         timeBar_->setTime(playback_.time());
         timeStrip_->setTime(playback_.time());
     });
-    connect(&playback_, &Playback::stateChanged, this, &GraphicalViewer::updateState);
+    connect(&playback_, &Playback::stateChanged, this, [this] {
+        updateState();
+        if (!std::exchange(wasPlaying_, playback_.isPlaying()) && wasPlaying_)
+            beginPlaying();
+    });
     connect(timeBar_, &TimeBar::timeChosen, &playback_, &Playback::seek);
     connect(&document_, &SceneDocument::motionChanged, this, &GraphicalViewer::updateRange);
     connect(&document_, &SceneDocument::workChanged, timeBar_,
@@ -342,8 +367,17 @@ QString GraphicalViewer::helpAt(const QWidget& under) const {
 
 // The text's own menus, once it is in a pane of this window.
 void GraphicalViewer::fillTextMenu(LanguageViewer& text) {
-    for (QAction* menu : text.menuBar()->actions())
-        textMenu_->addAction(menu);
+    // Only while it is open: else its keys and the window's would count twice where the menu bar
+    // has the keyboard.
+    const QList<QAction*> menus = text.menuBar()->actions();
+    connect(textMenu_, &QMenu::aboutToShow, &text, [this, menus] { textMenu_->addActions(menus); });
+    connect(
+        textMenu_, &QMenu::aboutToHide, &text,
+        [this, menus] {
+            for (QAction* menu : menus)
+                textMenu_->removeAction(menu);
+        },
+        Qt::QueuedConnection);
     textMenu_->menuAction()->setVisible(true);
     // While there is a draft, Undo has something to do.
     connect(&text, &LanguageViewer::draftChanged, this, [this, &text] {
@@ -481,6 +515,9 @@ void GraphicalViewer::buildViewMenu() {
         {tr("Against x"), QKeySequence(Qt::SHIFT | Qt::Key_1), -geometry::Vector::UnitX()},
         {tr("Against y"), QKeySequence(Qt::SHIFT | Qt::Key_2), -geometry::Vector::UnitY()},
     };
+    view->addAction(tr("From the &Side and Above"), QKeySequence(Qt::Key_4), this, [this] {
+        display_->lookAlong(render::sideAndAbove(render::upOf(*document_.shown().scene)));
+    });
     for (const auto& direction : directions)
         view->addAction(plain::ours(direction.label), direction.key, this,
                         [this, toward = direction.toward] { display_->lookAlong(toward); });
@@ -660,6 +697,15 @@ void GraphicalViewer::fillViewsMenu() {
         action->setCheckable(true);
         action->setChecked(name == display_->followedView());
     }
+}
+
+void GraphicalViewer::beginPlaying() {
+    if (document_.waitsToBeAsked())
+        document_.recompute();
+    if (document_.sceneIsCurrent() && nothingMoves(*document_.shown().scene))
+        display_->editing().say(tr("Nothing moves: no force acts. Create > Force > Gravity for All "
+                                   "Bodies lets the bodies fall."),
+                                false);
 }
 
 void GraphicalViewer::updateRange() {

@@ -70,6 +70,7 @@ private:
     void connectThrowing();
     void showMenu(const MenuPlace& place, const QPoint& global);
     void fillViewsMenu();
+    void beginPlaying(); // computes what is stale, and says why nothing moves
     void updateRange();
     void showFaults();
     void updateState();
@@ -98,6 +99,7 @@ private:
     Panes panes_;
     QMenu *viewsMenu_ = nullptr, *textMenu_ = nullptr;
     UndoActions undo_{};
+    bool wasPlaying_ = false;
     bool goesOn_ = false; // it played before a body was taken in the hand
 };
 

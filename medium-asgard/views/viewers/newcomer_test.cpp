@@ -56,6 +56,51 @@ TEST_F(NewcomerTest, FrameAllShowsTheHandlesToo) {
     }
 }
 
+TEST_F(NewcomerTest, PlayingSaysWhyNothingMoves) {
+    open("shape_set s -desc {-sub {-sphere 0.5}}\nbody a s -init_pos {0 1 0}\n");
+    GraphicalViewer* viewer = editor.openGraphicalViewer();
+    viewer->playback().play();
+    EXPECT_TRUE(viewer->display().editing().said().contains("Gravity for All Bodies"));
+    viewer->playback().stop();
+    open(ballScene); // it flies
+    viewer->display().editing().say({});
+    viewer->playback().play();
+    EXPECT_EQ(viewer->display().editing().said(), "");
+}
+
+TEST_F(NewcomerTest, PlayingComputesAStaleMotion) {
+    open(ballScene);
+    GraphicalViewer* viewer = editor.openGraphicalViewer();
+    editor.document().setLive(Live::never);
+    editor.document().setText("# other\n" + ballScene + "body b2 ball -init_pos {0 3 0}\n", "Edit");
+    ASSERT_TRUE(waitFor([&] { return editor.document().waitsToBeAsked(); }));
+    viewer->playback().play();
+    ASSERT_TRUE(settle(editor.document()));
+    EXPECT_FALSE(editor.document().motionIsStale());
+}
+
+// Others go on, as though these stood in their way: one must not take that for the motion.
+TEST_F(NewcomerTest, APictureSaysWhichBodiesAreNotComputedAnyMore) {
+    Workshop workshop = made.workshop();
+    workshop.simulate = [](const auto&, const auto&, const auto&) {
+        auto motion = std::make_shared<render::GivenMotion>(
+            2, std::vector<render::GivenMotion::Law>{
+                   [](double) { return render::placed(Vector::Zero()); }});
+        motion->stopped = simulation::Stop{0.5, "It stopped."};
+        simulation::Result result;
+        result.motion = motion;
+        return result;
+    };
+    Editor other(workshop);
+    other.document().setText(ballScene, "Edit");
+    ASSERT_TRUE(settle(other.document()));
+    SceneDisplay& display = other.openGraphicalViewer()->display();
+    display.setTime(0.4, false);
+    EXPECT_EQ(display.editing().caveat(), "");
+    display.setTime(0.6, false);
+    EXPECT_TRUE(display.editing().caveat().contains("b1"));
+}
+
 TEST_F(NewcomerTest, ANewSceneIsSeenFromItsStart) {
     open(ballScene);
     GraphicalViewer* viewer = editor.openGraphicalViewer();

@@ -73,6 +73,7 @@ QJsonObject written(GraphicalViewer& viewer, bool withDraft) {
             QJsonObject{{"kind", static_cast<int>(meter.kind)},
                         {"element", QString::fromStdString(meter.element)},
                         {"label", meter.quantity.label},
+                        {"unit", meter.quantity.unit},
                         {"expression", QString::fromStdString(meter.quantity.expression)}});
     window["meters"] = meters;
     window["view"] = viewer.display().followedView();
@@ -120,7 +121,8 @@ void restore(GraphicalViewer& viewer, const QJsonObject& as) {
              : one["kind"].toInt() == static_cast<int>(editing::Kind::link) ? editing::Kind::link
                                                                             : editing::Kind::body,
              one["element"].toString().toStdString(),
-             {one["label"].toString(), one["expression"].toString().toStdString()}});
+             {one["label"].toString(), one["expression"].toString().toStdString(),
+              one["unit"].toString()}});
     }
     viewer.display().meters().set(std::move(meters));
     viewer.playback().seek(as["time"].toDouble());

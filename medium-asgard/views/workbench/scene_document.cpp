@@ -96,7 +96,8 @@ void SceneDocument::select(std::vector<editing::Element> elements) {
     Q_EMIT selectionChanged();
 }
 
-void SceneDocument::followSelection(const scene::Scene& before, const std::string& text) {
+void SceneDocument::followSelection(const scene::Scene& before, const std::string& text,
+                                    const std::vector<editing::Renamed>& renamed) {
     const std::string textBefore = std::exchange(shownText_, text);
     if (selected_.empty())
         return;
@@ -110,6 +111,8 @@ void SceneDocument::followSelection(const scene::Scene& before, const std::strin
     for (const editing::Element& element : selected_)
         if (const auto after = changes.now(element))
             now.push_back(*after);
+        else if (std::ranges::find(renamed, element, &editing::Renamed::element) != renamed.end())
+            now.push_back(element);
     select(std::move(now));
 }
 
@@ -215,7 +218,12 @@ void SceneDocument::setComputed(Computed computed) {
     const bool stale = computed.stale || behind;
     const bool otherStale = std::exchange(motionIsStale_, stale) != stale;
     if (otherScene) {
-        followSelection(*before, computed.text);
+        const auto renamed = std::exchange(isAnother_, false)
+                                 ? std::vector<editing::Renamed>()
+                                 : editing::renamedBetween(*before, *shown_.scene);
+        followSelection(*before, computed.text, renamed);
+        if (!renamed.empty())
+            Q_EMIT elementsRenamed(renamed);
         Q_EMIT sceneChanged();
     }
     if (otherMotion)
@@ -361,6 +369,7 @@ void SceneDocument::begin(const QString& path, const files::KnownFile& file,
     done_.clear();
     undone_.clear();
     gesture_.reset();
+    isAnother_ = true;
     if (follower_)
         follower_->forgetPace();
     Q_EMIT opened();

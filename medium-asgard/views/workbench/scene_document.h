@@ -12,6 +12,7 @@
 #pragma once
 
 #include "computing/follower.h"
+#include "editing/changes.h"
 #include "editing/value_edit.h"
 #include "files/save.h"
 #include "gestures/ground.h"
@@ -174,6 +175,8 @@ Q_SIGNALS:
     void opened(); // another scene, or file: drafts and gestures of the one before are no more
     void textChanged();
     void diagnosticsChanged();
+    // Just before sceneChanged(): of the scene that is shown then.
+    void elementsRenamed(const std::vector<editing::Renamed>& renamed);
     void sceneChanged(); // another scene is shown
     void selectionChanged();
     void motionChanged(); // more or other motion of it
@@ -193,7 +196,8 @@ private:
     void begin(const QString& path, const files::KnownFile& file, const std::string& text);
     void start(bool asked);
     // After another scene came, which was read from that text.
-    void followSelection(const scene::Scene& before, const std::string& text);
+    void followSelection(const scene::Scene& before, const std::string& text,
+                         const std::vector<editing::Renamed>& renamed);
     void setWork(Work work);
     void update(); // what the follower has come to is shown
 
@@ -203,7 +207,8 @@ private:
     int revision_ = 0;
     int sceneRevision_ = 0; // no text is the empty scene
     Shown shown_;
-    std::string shownText_; // that the shown scene was read from
+    std::string shownText_;  // that the shown scene was read from
+    bool isAnother_ = false; // a scene was opened that is not shown yet
     std::vector<editing::Element> selected_;
     std::vector<scene::Diagnostic> diagnostics_;
     std::optional<simulation::Statistics> statistics_;
