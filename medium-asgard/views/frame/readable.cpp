@@ -70,6 +70,11 @@ void ReadablePalette::adapt() {
         for (const auto& [ink, paper] : pairs) {
             const bool known = changed.isBrushSet(group, ink);
             const QColor is = (known ? changed : now).color(group, ink);
+            if (ink == QPalette::HighlightedText) { // white stays white: blue gets darker
+                changed.setColor(group, paper, readable(now.color(group, paper), is));
+                any = any || changed.color(group, paper).rgba() != now.color(group, paper).rgba();
+                continue;
+            }
             const QColor made = readable(is, now.color(group, paper));
             if (made.rgba() == is.rgba())
                 continue;

@@ -100,7 +100,7 @@ Recipe newWeight(SceneDisplay& display) {
 void buildCreateMenu(QMenu* menu, SceneDocument& document, SceneDisplay& display) {
     QMenu* bodies = menu->addMenu(QObject::tr("&Body"));
     bodies->setObjectName("createBody");
-    QObject::connect(menu, &QMenu::aboutToShow, bodies,
+    QObject::connect(bodies, &QMenu::aboutToShow, bodies,
                      [bodies, &document, &display] { fillBodies(bodies, document, display); });
     fillBodies(bodies, document, display);
     const auto add = [&](QMenu* to, const QString& label, std::function<Recipe()> recipe) {

@@ -52,6 +52,11 @@ std::optional<gestures::Hand::Key> handKey(int key) {
 PictureEditing::PictureEditing(SceneDocument& document, SceneDisplay& display)
     : document_(document), display_(display) {
     connect(&document_, &SceneDocument::selectionChanged, this, &PictureEditing::followSelection);
+    connect(&document_, &SceneDocument::textChanged, this, [this] {
+        if (saidFault_) // it was about the text before
+            say({});
+    });
+    connect(&document_, &SceneDocument::opened, this, [this] { say({}); });
     connect(&document_, &SceneDocument::sceneChanged, this, [this] {
         if (!expected_.empty())
             document_.select(std::exchange(expected_, {}));

@@ -1,5 +1,7 @@
 #include "plots/plot_chart.h"
 
+#include "frame/readable.h"
+
 #include "charts/scale.h"
 
 #include <QMouseEvent>
@@ -28,7 +30,8 @@ QPen PlotChart::penOf(std::size_t curve, double width) const {
     const QColor color =
         QColor::fromRgbF(static_cast<float>(one.color.red), static_cast<float>(one.color.green),
                          static_cast<float>(one.color.blue));
-    return {color, width, lines[static_cast<std::size_t>(one.stroke)]};
+    return {readable(color, palette().color(QPalette::Base)), width,
+            lines[static_cast<std::size_t>(one.stroke)]};
 }
 
 PlotChart::PlotChart() {

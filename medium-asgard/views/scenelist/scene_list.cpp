@@ -10,6 +10,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
 #include <QVBoxLayout>
@@ -127,6 +128,7 @@ void SceneList::buildTree() {
             actions_.hide(*element, !actions_.isHidden(*element));
     });
     tree_->installEventFilter(this);
+    tree_->viewport()->installEventFilter(this);
     connect(tree_, &QTreeWidget::itemSelectionChanged, this, &SceneList::takeSelection);
     connect(tree_, &QTreeWidget::itemChanged, this, &SceneList::rename);
     connect(tree_, &QTreeWidget::itemDoubleClicked, this,
@@ -319,6 +321,12 @@ void SceneList::say(const QString& why) {
 }
 
 bool SceneList::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == tree_->viewport() && event->type() == QEvent::MouseButtonPress) {
+        const bool extends = static_cast<QMouseEvent*>(event)->modifiers() != Qt::NoModifier;
+        tree_->setEditTriggers(extends ? QAbstractItemView::EditKeyPressed
+                                       : QAbstractItemView::EditKeyPressed |
+                                             QAbstractItemView::SelectedClicked);
+    }
     const bool isShortcut = event->type() == QEvent::ShortcutOverride;
     if (watched != tree_ || (event->type() != QEvent::KeyPress && !isShortcut))
         return QWidget::eventFilter(watched, event);

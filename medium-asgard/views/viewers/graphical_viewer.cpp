@@ -585,6 +585,8 @@ void GraphicalViewer::stop() {
         display_->creating().cancel();
     else if (!playback_.isPlaying() && !document_.selected().empty())
         document_.select({});
+    else if (!playback_.isPlaying() && isFullScreen())
+        toggleFullScreen();
     else
         playback_.stop();
 }

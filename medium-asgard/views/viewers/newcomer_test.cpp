@@ -5,6 +5,8 @@
 #include "views/test_workshop.h"
 
 #include <QAction>
+#include <QMenu>
+#include <QMenuBar>
 #include <QSlider>
 #include <QTemporaryDir>
 
@@ -66,6 +68,41 @@ TEST_F(NewcomerTest, PlayingSaysWhyNothingMoves) {
     viewer->display().editing().say({});
     viewer->playback().play();
     EXPECT_EQ(viewer->display().editing().said(), "");
+}
+
+TEST_F(NewcomerTest, ARefusalGoesWithTheNextChange) {
+    open(ballScene);
+    GraphicalViewer* viewer = editor.openGraphicalViewer();
+    viewer->display().editing().say("That cannot be.");
+    open("# other\n" + ballScene);
+    EXPECT_EQ(viewer->display().editing().said(), "");
+}
+
+TEST_F(NewcomerTest, EscapeLeavesAFullScreen) {
+    open(ballScene);
+    GraphicalViewer* viewer = editor.openGraphicalViewer();
+    viewer->showFullScreen();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(viewer, longestWait));
+    QTest::keyClick(&viewer->display(), Qt::Key_Escape);
+    EXPECT_FALSE(viewer->isFullScreen());
+}
+
+// Keys of the text's menus and of the window's are one, also where a menu was left by Escape.
+TEST_F(NewcomerTest, TheTextsMenusAreInTheWindowsOnlyWhileTheyAreOpen) {
+    open(ballScene);
+    GraphicalViewer* viewer = editor.openGraphicalViewer();
+    viewer->panes().show("text");
+    QMenu* menu = nullptr;
+    for (QAction* one : viewer->menuBar()->actions())
+        if (one->text().remove('&') == "Text")
+            menu = one->menu();
+    ASSERT_NE(menu, nullptr);
+    EXPECT_TRUE(menu->menuAction()->isVisible());
+    EXPECT_TRUE(menu->actions().isEmpty());
+    menu->popup({});
+    EXPECT_GT(menu->actions().size(), 2);
+    menu->close();
+    EXPECT_TRUE(waitFor([&] { return menu->actions().isEmpty(); }));
 }
 
 TEST_F(NewcomerTest, PlayingComputesAStaleMotion) {
