@@ -1,7 +1,7 @@
 #include "batch/command.h"
 #include "batch/input.h"
 #include "batch/output.h"
-#include "editing/closing.h"
+#include "element_edits/closing.h"
 #include "files/save.h"
 #include "physics/assembly.h"
 #include "terminal/terminal.h"

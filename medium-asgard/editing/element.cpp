@@ -108,4 +108,13 @@ std::string describe(const scene::Scene& scene, const Element& element) {
            (source && source->line > 0 ? " of line " + std::to_string(source->line) : "");
 }
 
+std::size_t countOf(const scene::Scene& scene, Kind kind) {
+    if (kind == Kind::simulator) // whatever its index
+        return sourceOf(scene, {kind, 0}) ? 1 : 0;
+    std::size_t count = 0;
+    while (sourceOf(scene, {kind, count}))
+        ++count;
+    return count;
+}
+
 } // namespace editing

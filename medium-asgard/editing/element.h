@@ -44,4 +44,7 @@ struct Element {
 // "body \"b1\"", "the force of line 7".
 [[nodiscard]] std::string describe(const scene::Scene& scene, const Element& element);
 
+// The elements of that kind; of the simulator those that the text has: 0 or 1.
+[[nodiscard]] std::size_t countOf(const scene::Scene& scene, Kind kind);
+
 } // namespace editing

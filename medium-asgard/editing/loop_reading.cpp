@@ -15,9 +15,9 @@ namespace {
 
 bool isWithin(Range inner, Range outer) { return inner.from >= outer.from && inner.to <= outer.to; }
 
-class Reading {
+class LoopSearch {
 public:
-    Reading(const Making& making, const Origins& origins)
+    LoopSearch(const Making& making, const Origins& origins)
         : making_(making), origins_(origins), structure_(origins.structure()) {}
 
     [[nodiscard]] std::optional<Loop> loop() const;
@@ -34,7 +34,7 @@ private:
     const Structure& structure_;
 };
 
-std::optional<Loop> Reading::loop() const {
+std::optional<Loop> LoopSearch::loop() const {
     const Command* maker = origins_.makerOf(making_.command);
     // The command runs once for each round: nothing stands between it and the loop.
     if (!maker || maker->parent >= 0 ||
@@ -51,7 +51,7 @@ std::optional<Loop> Reading::loop() const {
 }
 
 // The variables have the values that the loop gives them.
-bool Reading::isPlain(const Loop& loop) const {
+bool LoopSearch::isPlain(const Loop& loop) const {
     if (hidesUses({0, origins_.text().size()}, origins_)) // a procedure's body, too
         return false;
     return std::ranges::none_of(structure_.commands, [&](const Command& command) {
@@ -64,7 +64,7 @@ bool Reading::isPlain(const Loop& loop) const {
     });
 }
 
-std::optional<Loop> Reading::ofForeach(const Command& loop) const {
+std::optional<Loop> LoopSearch::ofForeach(const Command& loop) const {
     if (loop.words.size() != 4 || !loop.words[1].literal)
         return std::nullopt;
     const auto names = script::elementsOf(origins_.slice(loop.words[1].content));
@@ -89,7 +89,7 @@ std::optional<Loop> Reading::ofForeach(const Command& loop) const {
 }
 
 // The one command in a word.
-const Command* Reading::only(const Word& word, std::string_view name) const {
+const Command* LoopSearch::only(const Word& word, std::string_view name) const {
     const Command* found = nullptr;
     for (const Command& command : structure_.commands)
         if (isWithin(command.range, word.content)) {
@@ -100,7 +100,7 @@ const Command* Reading::only(const Word& word, std::string_view name) const {
     return found && origins_.slice(found->words.front().content) == name ? found : nullptr;
 }
 
-std::optional<Loop> Reading::ofFor(const Command& loop) const {
+std::optional<Loop> LoopSearch::ofFor(const Command& loop) const {
     if (loop.words.size() != 5)
         return std::nullopt;
     const Command* start = only(loop.words[1], "set");
@@ -124,7 +124,7 @@ std::optional<Loop> Reading::ofFor(const Command& loop) const {
 }
 
 // Its calls, each at the top of the script, with words that are what they stand for.
-std::optional<Loop> Reading::ofProcedure(const Command& definition) const {
+std::optional<Loop> LoopSearch::ofProcedure(const Command& definition) const {
     if (definition.words.size() != 4 || !definition.words[2].literal)
         return std::nullopt;
     const std::string name = origins_.slice(definition.words[1].content);
@@ -201,7 +201,7 @@ bool isTakenByProcedures(const std::string& name, const Origins& origins) {
 } // namespace
 
 std::optional<Loop> loopOf(const Making& making, const Origins& origins) {
-    return Reading(making, origins).loop();
+    return LoopSearch(making, origins).loop();
 }
 
 bool readElsewhere(const LoopVariable& variable, const Loop& loop, Range word,

@@ -11,8 +11,6 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-const std::string ball = "shape_set s -desc {-sub {-sphere 1}}\n";
-
 struct LoopCase {
     const char* name;
     const char* text;
@@ -33,7 +31,7 @@ class LoopOffers : public testing::TestWithParam<LoopCase> {};
 
 TEST_P(LoopOffers, MakeTheValueWhatItIsToBe) {
     const LoopCase& one = GetParam();
-    const std::string text = ball + one.text;
+    const std::string text = ballShape + one.text;
     const auto before = reader().read(text);
     ASSERT_TRUE(before.usable);
     const Mapper mapper(text, std::make_shared<const scene::Scene>(before.scene));
@@ -47,7 +45,7 @@ TEST_P(LoopOffers, MakeTheValueWhatItIsToBe) {
         labels += offer.label + "\n";
         if (offer.label != one.label)
             continue;
-        EXPECT_EQ(text::applied(text, offer.edits), ball + one.after);
+        EXPECT_EQ(text::applied(text, offer.edits), ballShape + one.after);
         const auto after = reader().read(text::applied(text, offer.edits));
         ASSERT_TRUE(after.usable);
         EXPECT_EQ(namesOf(after.scene), namesOf(before.scene));
@@ -61,8 +59,8 @@ TEST_P(LoopOffers, MakeTheValueWhatItIsToBe) {
 
 // Numbers are worked out by approximation: its rounding is nothing to write down.
 TEST(LoopOffer, IsTheShortestNumberThatMeansTheSame) {
-    const std::string text = ball + "for {set i 0} {$i < 4} {incr i} {\n"
-                                    "  body b$i s -init_pos \"[expr {$i * 0.19 - 2}] 0 0\"\n}";
+    const std::string text = ballShape + "for {set i 0} {$i < 4} {incr i} {\n"
+                                         "  body b$i s -init_pos \"[expr {$i * 0.19 - 2}] 0 0\"\n}";
     const auto read = reader().read(text);
     ASSERT_TRUE(read.usable);
     const Mapper mapper(text, std::make_shared<const scene::Scene>(read.scene));
@@ -147,9 +145,9 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& one) { return std::string(one.param.name); });
 
 std::vector<std::string> labels(const std::string& text, std::size_t body, std::vector<double> to) {
-    const auto result = reader().read(ball + text);
+    const auto result = reader().read(ballShape + text);
     EXPECT_TRUE(result.usable);
-    const Mapper mapper(ball + text, std::make_shared<const scene::Scene>(result.scene));
+    const Mapper mapper(ballShape + text, std::make_shared<const scene::Scene>(result.scene));
     std::vector<std::string> all;
     for (const Offer& offer : mapper
                                   .answer({.element = {Kind::body, body},
@@ -164,7 +162,7 @@ std::vector<std::string> labels(const std::string& text, std::size_t body, std::
 
 TEST(LoopOffer, WritesNoRounding) {
     const std::string text =
-        ball +
+        ballShape +
         "for {set i 0} {$i < 4} {incr i} {body b$i s -init_pos \"[expr {$i * 0.8 - 1}] 0 0\"}";
     const auto result = reader().read(text);
     ASSERT_TRUE(result.usable);
@@ -204,7 +202,7 @@ class LoopTraps : public testing::TestWithParam<Trap> {};
 TEST_P(LoopTraps, OfferOnlyWhatTheTextThenGives) {
     const Trap& one = GetParam();
     EXPECT_EQ(labels(one.text, one.body, one.to), one.labels);
-    const std::string text = ball + one.text;
+    const std::string text = ballShape + one.text;
     const auto before = readScene(text);
     const Mapper mapper(text, before);
     const Answer answer = mapper.answer({.element = {Kind::body, one.body},

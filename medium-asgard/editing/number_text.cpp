@@ -82,8 +82,6 @@ std::string numberText(double value, double resolution, std::string_view before)
 
 namespace {
 
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
-
 // The end of the number without a sign that begins here; `from` itself: none does.
 std::size_t numberEnd(std::string_view text, std::size_t from) {
     std::size_t at = from;

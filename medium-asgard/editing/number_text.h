@@ -9,6 +9,8 @@
 
 namespace editing {
 
+[[nodiscard]] constexpr bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
 // The shortest decimal that means `value` to the gesture, with as many decimals as the author wrote
 // before: "-5" dragged to -4.3712 by hundredths is "-4.37", "1.50" dragged to 2 is "2.00". Reads
 // back as a number within half of `resolution` of `value`; 0: exactly, but for what rounding adds

@@ -3,11 +3,11 @@
 //
 // ASGARD_GRAPHICAL_EDITS sets how many (20,000 otherwise), ASGARD_SEED where they begin. One in a
 // hundred is read by the real evaluator.
-#include "editing/creation.h"
-#include "editing/deletion.h"
 #include "editing/random_corpus.h"
 #include "editing/test_reading.h"
-#include "editing/trajectory_edit.h"
+#include "element_edits/creation.h"
+#include "element_edits/deletion.h"
+#include "point_edits/trajectory_edit.h"
 
 #include "expression/parse.h"
 #include "script/numbers.h"

@@ -1,5 +1,7 @@
 #include "editing/tcl_expression.h"
 
+#include "editing/number_text.h"
+
 #include "script/numbers.h"
 
 #include <array>
@@ -12,7 +14,6 @@ namespace editing {
 
 namespace {
 
-bool isDigit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 bool isWord(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
 constexpr std::array<std::pair<std::string_view, double (*)(double)>, 8> functions = {

@@ -15,6 +15,8 @@ inline script::Reader& reader() {
     return shared;
 }
 
+inline const std::string ballShape = "shape_set s -desc {-sub {-sphere 1}}\n";
+
 inline std::shared_ptr<const scene::Scene> readScene(const std::string& text) {
     const auto result = reader().read(text);
     EXPECT_TRUE(result.usable) << (result.diagnostics.empty() ? ""

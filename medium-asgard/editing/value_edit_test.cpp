@@ -11,8 +11,6 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-const std::string ball = "shape_set s -desc {-sub {-sphere 1}}\n";
-
 struct Mapped {
     std::string text;
     std::shared_ptr<const scene::Scene> scene;
@@ -61,9 +59,9 @@ struct Case {
 class Moves : public testing::TestWithParam<Case> {};
 
 TEST_P(Moves, RewriteTheNumbersWhereTheyStand) {
-    const Mapped scene(ball + GetParam().before);
+    const Mapped scene(ballShape + GetParam().before);
     const std::string after = scene.after(move(0, GetParam().to));
-    EXPECT_EQ(after, ball + GetParam().after);
+    EXPECT_EQ(after, ballShape + GetParam().after);
     // What is written means what was wished.
     const auto moved = Mapped::read(after);
     for (int i = 0; i < 3; ++i)
@@ -131,7 +129,7 @@ struct Refused {
 class Refusals : public testing::TestWithParam<Refused> {};
 
 TEST_P(Refusals, SayWhatMakesTheValueAndWhere) {
-    const Mapped scene(ball + GetParam().before);
+    const Mapped scene(ballShape + GetParam().before);
     const Answer answer = scene.mapper.answer(move(0, {7, 8, 9}));
     EXPECT_THAT(answer.reason, HasSubstr(GetParam().reason));
     EXPECT_THAT(answer.edits, IsEmpty());
@@ -162,7 +160,8 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& one) { return std::string(one.param.name); });
 
 TEST(Offers, OfALoopAreThisOneAndAll) {
-    const Mapped scene(ball + "foreach i {1 2 3} {\n  body b$i s -init_pos \"$i 0 0\" ;# row\n}\n");
+    const Mapped scene(ballShape +
+                       "foreach i {1 2 3} {\n  body b$i s -init_pos \"$i 0 0\" ;# row\n}\n");
     const Answer answer = scene.mapper.answer(move(1, {2, 1.5, 0}));
     ASSERT_EQ(answer.offers.size(), 2u);
     EXPECT_EQ(answer.offers[0].label, "Only b2");
@@ -178,7 +177,7 @@ TEST(Offers, OfALoopAreThisOneAndAll) {
 }
 
 TEST(Offers, ForAnOptionThatIsNotThereStartFromWhatItWas) {
-    const Mapped scene(ball + "foreach i {1 2} {body b$i s}\n");
+    const Mapped scene(ballShape + "foreach i {1 2} {body b$i s}\n");
     const Answer answer = scene.mapper.answer(move(0, {4, 5, 6}));
     ASSERT_EQ(answer.offers.size(), 1u);
     const auto one = Mapped::read(text::applied(scene.text, answer.offers[0].edits));
@@ -188,7 +187,8 @@ TEST(Offers, ForAnOptionThatIsNotThereStartFromWhatItWas) {
 
 // "All 2" would have to make two numbers of one: it is not offered.
 TEST(Offers, DoNotChangeOneNumberTwice) {
-    const Mapped scene(ball + "set x 1\nforeach i {1 2} {body b$i s -init_pos \"$x $x $i\"}\n");
+    const Mapped scene(ballShape +
+                       "set x 1\nforeach i {1 2} {body b$i s -init_pos \"$x $x $i\"}\n");
     const Answer apart = scene.mapper.answer(move(0, {2, 3, 1}));
     ASSERT_FALSE(apart.possible());
     for (const Offer& offer : apart.offers)
@@ -197,12 +197,12 @@ TEST(Offers, DoNotChangeOneNumberTwice) {
     const auto all = std::ranges::find(same.offers, "All 2", &Offer::label);
     ASSERT_NE(all, same.offers.end());
     EXPECT_EQ(text::applied(scene.text, all->edits),
-              ball + "set x 2\nforeach i {1 2} {body b$i s -init_pos \"$x $x $i\"}\n");
+              ballShape + "set x 2\nforeach i {1 2} {body b$i s -init_pos \"$x $x $i\"}\n");
 }
 
 TEST(Offers, OfSeveralOptionsDoNotChangeOneNumberTwice) {
     const auto offered = [&](const std::string& second, double x, double y) {
-        const Mapped scene(ball +
+        const Mapped scene(ballShape +
                            "set v 1; set w 1\nforeach i {1 2} {body b$i s\n"
                            "force -body b$i -x $v -y $" +
                            second + " -z 0}\n");
@@ -217,7 +217,7 @@ TEST(Offers, OfSeveralOptionsDoNotChangeOneNumberTwice) {
 }
 
 TEST(Forces, AreDraggedByTheFactorOfTheirExpression) {
-    const std::string head = ball + "body b s -mass 2\n";
+    const std::string head = ballShape + "body b s -mass 2\n";
     EXPECT_EQ(Mapped(head + "force -body b -x 0 -y {-10 * b.mass} -z 0").after(push("-y", -25)),
               head + "force -body b -x 0 -y {-12.5 * b.mass} -z 0");
     EXPECT_EQ(Mapped(head + "force -body b -x 0 -y {b.mass*3} -z 0").after(push("-y", 5)),

@@ -1,6 +1,6 @@
 #include "gestures/hand.h"
 
-#include "editing/deletion.h"
+#include "element_edits/deletion.h"
 #include "gestures/handle_meaning.h"
 
 #include <algorithm>
@@ -35,7 +35,16 @@ void Hand::setUpright(const std::optional<HandleDrag::Along>& along) {
     drag_->setAlong(along);
 }
 
+void Hand::setTurns(int axis) {
+    if (drag_)
+        drag_->setTurns(axis);
+}
+
 bool Hand::keepAlong(const HandleDrag::Along& along) {
+    if (drag_ && drag_->turnsAbout()) {
+        drag_->setTurns(along.axis);
+        return true;
+    }
     if (!drag_ || !drag_->isUpright())
         return false;
     drag_->setAlong(drag_->along() == along ? std::nullopt : std::optional(along));

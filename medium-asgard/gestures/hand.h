@@ -26,6 +26,7 @@ public:
               const Eigen::Vector2d& pixels, double scale);
     // What is held then moves upright or level, and maybe along an axis: a body that is dragged.
     void setUpright(const std::optional<HandleDrag::Along>& along);
+    void setTurns(int axis); // a body's attitude, about an axis of the world
     // Once more for the same: as the hand goes. False: nothing is held that moves so.
     bool keepAlong(const HandleDrag::Along& along);
     void takeByKeys(Ground ground, const Sight& sight, const render::Handle& handle);

@@ -105,6 +105,41 @@ Vector HandleDrag::rolled() const {
     return handle_.base + reach * (back * Vector(std::cos(angle), std::sin(angle), 0));
 }
 
+// About the axis, from the next axis on. An axis across the line of sight has its ring seen from
+// the side: there the hand goes along it.
+double HandleDrag::angleOfHand() const {
+    constexpr double slanting = 0.2; // cosine
+    const Line line = lineOfSight(sight_, held_);
+    const int axis = turning_->axis;
+    const double cosine = line.direction[axis];
+    if (std::abs(cosine) > slanting) {
+        const Vector hit = line.from + line.direction * ((handle_.base - line.from)[axis] / cosine);
+        const Vector way = hit - handle_.base;
+        return std::atan2(way[(axis + 2) % 3], way[(axis + 1) % 3]);
+    }
+    const Vector front = Vector::Unit(axis).cross(-line.direction).normalized();
+    const Eigen::Vector2d along =
+        sight_.pixels(handle_.base + handle_.perUnit * front) - sight_.pixels(handle_.base);
+    return held_.dot(along) / along.squaredNorm();
+}
+
+void HandleDrag::setTurns(int axis) {
+    const bool wasTurned = turning_ && moved_;
+    turning_ = Turning{axis, 0};
+    turning_->last = angleOfHand();
+    if (wasTurned) // another axis: from the attitude that it had
+        update();
+}
+
+double HandleDrag::turned() const {
+    constexpr double round = 15, near = 2.5;
+    const double degrees = turning_ ? turning_->angle * 180 / M_PI : 0;
+    if (snapsHeldOff_)
+        return editing::roundedTo(degrees, 0.1);
+    const double nearest = round * std::round(degrees / round);
+    return std::abs(degrees - nearest) < near ? nearest : std::round(degrees);
+}
+
 void HandleDrag::setRolls() { rollsFrom_ = held_.x(); }
 
 bool HandleDrag::isPlace() const {
@@ -132,6 +167,8 @@ double HandleDrag::resolution() const {
 Vector HandleDrag::wanted() {
     snapped_.isExact = false;
     snapped_.to.clear();
+    if (turning_)
+        return handle_.place;
     if (rollsFrom_)
         return rolled();
     if (handle_.kind == render::HandleKind::orientation)
@@ -183,6 +220,12 @@ void HandleDrag::setAlong(const std::optional<Along>& along) {
 }
 
 std::vector<editing::Wish> HandleDrag::wishes() const {
+    constexpr double exact = 1e-9;
+    if (turning_)
+        return {turnWish(*ground_.scene, handle_,
+                         geometry::Quaternion(Eigen::AngleAxisd(turned() * M_PI / 180,
+                                                                Vector::Unit(turning_->axis))),
+                         exact, quaternion_)};
     return wishesFor(*ground_.scene, handle_, place_, resolution(), quaternion_);
 }
 
@@ -210,6 +253,10 @@ editing::Answer HandleDrag::asked(bool offers) const {
 
 void HandleDrag::update() {
     moved_ = true;
+    if (turning_) {
+        const double now = angleOfHand();
+        turning_->angle += std::remainder(now - std::exchange(turning_->last, now), 2 * M_PI);
+    }
     const bool followed = follows_ && !free_;
     place_ = wanted();
     if (followed)
@@ -262,6 +309,9 @@ std::string HandleDrag::label() const { return labelOf(*ground_.scene, handle_);
 std::string HandleDrag::words() const {
     if (!answer_.possible())
         return answer_.reason;
+    if (turning_)
+        return subjectOf(*ground_.scene, handle_) + ": turned by " +
+               editing::numberText(turned(), 0.1) + " degrees about " + "xyz"[turning_->axis];
     return subjectOf(*ground_.scene, handle_) + ": " + quantityOf(*ground_.scene, handle_) + " " +
            valuesOf(wishes()) + (follows_ && !free_ ? ", on the surface; a takes it off" : "") +
            (snapped_.to.empty() ? "" : ", at " + snapped_.to + "; Ctrl takes it off") +

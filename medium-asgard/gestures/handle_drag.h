@@ -8,10 +8,10 @@
 // handle without a possible change says why.
 #pragma once
 
-#include "editing/trajectory_edit.h"
 #include "editing/value_edit.h"
 #include "gestures/ground.h"
 #include "gestures/snapping.h"
+#include "point_edits/trajectory_edit.h"
 
 #include <optional>
 #include <string>
@@ -44,9 +44,16 @@ public:
     [[nodiscard]] const std::optional<Along>& along() const { return along_; }
     void setUpright() { isUpright_ = true; } // in the upright or level plane that faces the viewer
     [[nodiscard]] bool isUpright() const { return isUpright_; }
-    void setRolls(); // an orientation, about the line of sight, as far as one goes sideways
-    void finish();   // the change becomes a step of undo
-    void cancel();   // the text is as it was
+    void setRolls(); // an attitude, about the line of sight, as far as one goes sideways
+    // An attitude turns about an axis of the world, by the angle that the hand goes round it: whole
+    // degrees, drawn to each 15, unless snapping is held off.
+    void setTurns(int axis);
+    [[nodiscard]] std::optional<int> turnsAbout() const {
+        return turning_ ? std::optional(turning_->axis) : std::nullopt;
+    }
+    [[nodiscard]] double turned() const; // degrees
+    void finish();                       // the change becomes a step of undo
+    void cancel();                       // the text is as it was
 
     [[nodiscard]] const render::Handle& handle() const { return handle_; }
     [[nodiscard]] const geometry::Vector& place() const { return place_; }
@@ -69,6 +76,7 @@ private:
     [[nodiscard]] geometry::Vector onSphere() const;
     [[nodiscard]] geometry::Vector rolled() const;
     [[nodiscard]] std::optional<geometry::Vector> onSurface() const;
+    [[nodiscard]] double angleOfHand() const;
     [[nodiscard]] editing::Answer asked(bool offers) const;
     [[nodiscard]] bool isOnSurface(const geometry::Vector& place) const;
     void update();
@@ -83,6 +91,12 @@ private:
     std::optional<editing::TrajectoryEdits> path_; // of a trajectory's point
     ShapePointer surface_;
     std::optional<double> rollsFrom_; // pixels, of where it was pressed
+    struct Turning {
+        int axis;
+        double last;      // the angle of the hand
+        double angle = 0; // radians, since it was taken
+    };
+    std::optional<Turning> turning_;
     std::optional<Snapping> snapping_;
     Snapped snapped_; // of the last move
     editing::Answer answer_;

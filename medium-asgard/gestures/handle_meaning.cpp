@@ -1,7 +1,7 @@
 #include "gestures/handle_meaning.h"
 
 #include "editing/number_text.h"
-#include "editing/trajectory_edit.h"
+#include "point_edits/trajectory_edit.h"
 
 #include <algorithm>
 #include <array>
@@ -48,14 +48,7 @@ Wish attitude(const scene::Scene& scene, const Handle& handle, const Vector& pla
               bool quaternion) {
     const geometry::Quaternion turn =
         geometry::Quaternion::FromTwoVectors(handle.place - handle.base, place - handle.base);
-    const geometry::Quaternion now = scene.bodies[handle.element].initialAttitude;
-    const geometry::Quaternion turned = (turn * now).normalized();
-    Wish wish = one(handle, "-init_rot", geometry::toRotationVector(turned), Vector::Zero(),
-                    length / std::max(handle.perUnit, 1e-300));
-    wish.now.clear(); // one attitude has many rotation vectors
-    if (quaternion)
-        wish.values = {turned.w(), turned.x(), turned.y(), turned.z()};
-    return wish;
+    return turnWish(scene, handle, turn, length / std::max(handle.perUnit, 1e-300), quaternion);
 }
 
 // By the trajectory's value: of a force's its arrow, else the place.
@@ -96,6 +89,18 @@ const scene::Force* forceOf(const scene::Scene& scene, const Handle& handle) {
 }
 
 } // namespace
+
+Wish turnWish(const scene::Scene& scene, const Handle& handle, const geometry::Quaternion& turn,
+              double resolution, bool quaternion) {
+    const geometry::Quaternion now = scene.bodies[handle.element].initialAttitude;
+    const geometry::Quaternion turned = (turn * now).normalized();
+    Wish wish =
+        one(handle, "-init_rot", geometry::toRotationVector(turned), Vector::Zero(), resolution);
+    wish.now.clear(); // one attitude has many rotation vectors
+    if (quaternion)
+        wish.values = {turned.w(), turned.x(), turned.y(), turned.z()};
+    return wish;
+}
 
 editing::Element elementOf(const Handle& handle) {
     switch (handle.kind) {

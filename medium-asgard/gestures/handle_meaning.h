@@ -16,6 +16,11 @@ namespace gestures {
                                                    const render::Handle& handle,
                                                    const geometry::Vector& place, double length,
                                                    bool quaternion);
+
+// Of the attitude handle of a body: it is turned so from its attitude at the start.
+[[nodiscard]] editing::Wish turnWish(const scene::Scene& scene, const render::Handle& handle,
+                                     const geometry::Quaternion& turn, double resolution,
+                                     bool quaternion);
 // With other numbers for the same options, in their order.
 [[nodiscard]] std::vector<editing::Wish> withValues(std::vector<editing::Wish> wishes,
                                                     const std::vector<double>& values);

@@ -2,9 +2,9 @@
 // direction in which the pointer goes (dissertation 4.1.4). One step of undo, as HandleDrag.
 #pragma once
 
-#include "editing/trajectory_edit.h"
 #include "gestures/ground.h"
 #include "gestures/picking.h"
+#include "point_edits/trajectory_edit.h"
 
 namespace gestures {
 

@@ -1,8 +1,8 @@
 #include "gestures/present.h"
 
-#include "editing/creation.h"
 #include "editing/number_text.h"
-#include "editing/options.h"
+#include "element_edits/creation.h"
+#include "element_edits/options.h"
 #include "element_edits/property_edit.h"
 #include "geometry/pose.h"
 #include "render/handles.h"

@@ -1,9 +1,9 @@
 #include "element_edits/copying.h"
 
-#include "editing/creation.h"
-#include "editing/deletion.h"
 #include "editing/number_text.h"
-#include "editing/options.h"
+#include "element_edits/creation.h"
+#include "element_edits/deletion.h"
+#include "element_edits/options.h"
 #include "element_edits/renaming.h"
 #include "element_edits/words.h"
 #include "script/numbers.h"
@@ -133,13 +133,6 @@ std::optional<Kind> kindOf(std::string_view command) {
         if (commandOf(kind) == command)
             return kind;
     return std::nullopt;
-}
-
-std::size_t countOf(const scene::Scene& scene, Kind kind) {
-    std::size_t count = 0;
-    while (sourceOf(scene, {kind, count}))
-        ++count;
-    return count;
 }
 
 class Pasting {

@@ -7,8 +7,8 @@
 // is for the reader to say.
 #pragma once
 
-#include "editing/options.h"
 #include "editing/value_edit.h"
+#include "element_edits/options.h"
 #include "script/structure.h"
 
 #include <memory>

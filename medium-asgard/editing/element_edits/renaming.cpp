@@ -1,7 +1,7 @@
 #include "element_edits/renaming.h"
 
-#include "editing/creation.h"
-#include "editing/options.h"
+#include "element_edits/creation.h"
+#include "element_edits/options.h"
 #include "element_edits/words.h"
 #include "text/places.h"
 

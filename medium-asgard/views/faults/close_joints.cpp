@@ -1,6 +1,6 @@
 #include "faults/close_joints.h"
 
-#include "editing/closing.h"
+#include "element_edits/closing.h"
 #include "physics/assembly.h"
 #include "plain/plain.h"
 

@@ -1,12 +1,12 @@
 // Completion while one writes: commands, options and names in a list below the caret, and what a
-// value is to be (editing/completion.h).
+// value is to be (element_edits/completion.h).
 //
 // The list comes by itself after two letters of a word, after "-" and after "."; Ctrl+Space asks
 // for it anywhere. Return and Tab take the chosen word, Escape closes the list. A word that is
 // typed in full stands first in the list: Return leaves it and makes a new line.
 #pragma once
 
-#include "editing/completion.h"
+#include "element_edits/completion.h"
 #include "language/scene_editor.h"
 #include "workbench/scene_document.h"
 

@@ -1,7 +1,7 @@
 #include "language/number_drag.h"
 
 #include "editing/number_text.h"
-#include "editing/options.h"
+#include "element_edits/options.h"
 #include "language/scene_lexer.h"
 #include "plain/plain.h"
 #include "script/numbers.h"

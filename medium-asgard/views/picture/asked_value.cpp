@@ -1,10 +1,10 @@
 #include "picture/asked_value.h"
 
-#include "editing/shape_edit.h"
-#include "editing/shape_points.h"
-#include "editing/trajectory_edit.h"
 #include "gestures/handle_meaning.h"
 #include "gestures/new_point.h"
+#include "point_edits/shape_edit.h"
+#include "point_edits/shape_points.h"
+#include "point_edits/trajectory_edit.h"
 #include "shapes/shape_fields.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 #include "picture/create_menu.h"
 
-#include "editing/shape_library.h"
 #include "picture/scene_display.h"
 #include "plain/plain.h"
 #include "plots/plot_dialog.h"
+#include "point_edits/shape_library.h"
 #include "script/numbers.h"
 
 #include <QDialog>

@@ -1,6 +1,6 @@
 #include "picture/edit_preview.h"
 
-#include "editing/preview.h"
+#include "element_edits/preview.h"
 
 namespace views {
 

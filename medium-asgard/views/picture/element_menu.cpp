@@ -214,13 +214,6 @@ void Building::background() {
                     [&display = display_] { display.frameAll(); });
 }
 
-std::size_t countOf(const scene::Scene& scene, Kind kind) {
-    std::size_t count = 0;
-    while (editing::sourceOf(scene, {kind, count}))
-        ++count;
-    return count;
-}
-
 // While its scene changes it stays, unless what it is about may be another element.
 void closeWithElement(QMenu& menu, SceneDocument& document, const Element& element) {
     const auto before = document.shown().scene;

@@ -5,7 +5,9 @@
 #include <QLineF>
 #include <QPainter>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace views {
 
@@ -13,7 +15,8 @@ using geometry::Vector;
 
 namespace {
 
-constexpr double tail = 18, length = 74, nearArrow = 7, least = 14; // pixels
+constexpr double tail = 18, length = 74, nearArrow = 7, nearRing = 7, least = 14,
+                 atBody = 34; // pixels
 
 } // namespace
 
@@ -48,7 +51,29 @@ std::optional<std::pair<QPointF, QPointF>> Gizmo::arrow(const Vector& place, int
     return std::pair(whole.pointAt(tail / whole.length()), to);
 }
 
-std::optional<Gizmo::Arrow> Gizmo::at(const QPointF& position) const {
+QPolygonF Gizmo::ringOf(const Vector& place, int axis) const {
+    const gestures::Sight sight = display_.sight();
+    const double radius = ring * sight.pixelLength(place) * display_.devicePixelRatioF();
+    const Vector toViewer = sight.camera.rotation.conjugate() * Vector::UnitZ();
+    const Vector normal = Vector::Unit(axis);
+    Vector side = normal.cross(toViewer);
+    constexpr double faces = 0.15, slants = 0.12;
+    const bool isWhole = side.norm() < faces; // it faces the viewer
+    if (std::abs(normal.dot(toViewer)) < slants)
+        return {}; // a line across the body
+    side = isWhole ? Vector(Vector::Unit((axis + 1) % 3)) : Vector(side.normalized());
+    const Vector front = side.cross(normal);
+    QPolygonF points;
+    constexpr int count = 40;
+    for (int i = 0; i <= count; ++i) {
+        const double angle = (isWhole ? 2 * M_PI : M_PI) * i / count;
+        const Vector at = place + radius * (std::cos(angle) * side + std::sin(angle) * front);
+        points << display_.fromPixels(sight.pixels(at));
+    }
+    return points;
+}
+
+std::optional<Gizmo::Part> Gizmo::at(const QPointF& position) const {
     const auto of = place();
     for (int axis = 0; of && axis < 3; ++axis) {
         const auto ends = arrow(of->second, axis);
@@ -58,13 +83,33 @@ std::optional<Gizmo::Arrow> Gizmo::at(const QPointF& position) const {
         const double along =
             std::clamp(QPointF::dotProduct(to, way) / QPointF::dotProduct(way, way), 0.0, 1.1);
         if (QLineF(ends->first + along * way, position).length() < nearArrow)
-            return Arrow{of->first, axis};
+            return Part{of->first, axis};
+    }
+    for (int axis = 0; of && axis < 3; ++axis) {
+        const QPolygonF points = ringOf(of->second, axis);
+        const QPointF middle = display_.fromPixels(display_.sight().pixels(of->second));
+        if (QLineF(middle, position).length() < atBody)
+            break;
+        for (qsizetype i = 0; i + 1 < points.size(); ++i) {
+            const QPointF way = points[i + 1] - points[i], to = position - points[i];
+            const double length = std::max(QPointF::dotProduct(way, way), 1e-9);
+            const double along = std::clamp(QPointF::dotProduct(to, way) / length, 0.0, 1.0);
+            if (QLineF(points[i] + along * way, position).length() < nearRing)
+                return Part{of->first, axis, true};
+        }
     }
     return std::nullopt;
 }
 
 void Gizmo::paint(QPainter& painter) const {
     const auto of = place();
+    for (int axis = 0; of && axis < 3; ++axis) {
+        QColor faint = QColor::fromRgb(colorOfAxis(axis));
+        faint.setAlphaF(0.75F);
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(faint, 1.6));
+        painter.drawPolyline(ringOf(of->second, axis));
+    }
     for (int axis = 0; of && axis < 3; ++axis) {
         const auto ends = arrow(of->second, axis);
         if (!ends)

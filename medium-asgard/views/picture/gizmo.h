@@ -1,9 +1,11 @@
-// The three arrows of the body that is selected: a drag of one moves the body along that axis.
+// The arrows and rings of the body that is selected: a drag of an arrow moves the body along that
+// axis, a drag of a ring turns it about that axis.
 #pragma once
 
 #include "geometry/pose.h"
 
 #include <QPointF>
+#include <QPolygonF>
 
 #include <optional>
 #include <utility>
@@ -20,11 +22,14 @@ public:
     Gizmo(SceneDocument& document, SceneDisplay& display)
         : document_(document), display_(display) {}
 
-    struct Arrow {
+    static constexpr double ring = 92; // pixels: the rings' radius
+
+    struct Part {
         std::size_t body;
         int axis;
+        bool isRing = false;
     };
-    [[nodiscard]] std::optional<Arrow> at(const QPointF& position) const;
+    [[nodiscard]] std::optional<Part> at(const QPointF& position) const;
     void paint(QPainter& painter) const;
 
 private:
@@ -33,6 +38,9 @@ private:
     // From its tail to its head on the screen; none: it looks at the viewer.
     [[nodiscard]] std::optional<std::pair<QPointF, QPointF>> arrow(const geometry::Vector& place,
                                                                    int axis) const;
+
+    // The half of the ring that is in front.
+    [[nodiscard]] QPolygonF ringOf(const geometry::Vector& place, int axis) const;
 
     SceneDocument& document_;
     SceneDisplay& display_;

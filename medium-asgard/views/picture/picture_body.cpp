@@ -5,6 +5,25 @@
 
 namespace views {
 
+bool PictureEditing::turnBody(std::size_t body, const QPointF& position, int axis) {
+    const auto handle = positionOf(body);
+    if (!handle || !mayChange())
+        return false;
+    const render::Drawing drawing = display_.drawing();
+    const geometry::Pose pose =
+        render::poseOf(*drawing.scene, drawing.motion.get(), body, drawing.time);
+    render::Handle turned = *handle;
+    turned.kind = render::HandleKind::orientation;
+    turned.base = turned.place = pose.position;
+    turned.frame = pose;
+    turned.perUnit =
+        Gizmo::ring * display_.devicePixelRatioF() * display_.sight().pixelLength(pose.position);
+    button_ = Qt::LeftButton;
+    take({gestures::Grasp::What::drag, turned}, display_.inPixels(position));
+    hand_.setTurns(axis);
+    return true;
+}
+
 bool PictureEditing::openBodyAt(const QPointF& position) {
     const auto body =
         gestures::bodyAt(display_.drawing(), display_.sight(), display_.inPixels(position));

@@ -1,6 +1,6 @@
 #include "picture/picture_editing.h"
 
-#include "editing/deletion.h"
+#include "element_edits/deletion.h"
 #include "gestures/handle_meaning.h"
 #include "picture/scene_display.h"
 #include "picture/value_entry.h"

@@ -38,6 +38,8 @@ public:
     bool move(QMouseEvent& event);
     bool release(QMouseEvent& event);
     bool doubleClick(QMouseEvent& event);
+    // A drag of a ring of the selected body begins there: it turns about that axis of the world.
+    bool turnBody(std::size_t body, const QPointF& position, int axis);
     // An unshifted drag of a body that is selected begins there. False: it cannot be moved now.
     // `along`: the axis that it keeps to, by its arrow.
     bool pressBody(std::size_t body, const QPointF& position,
@@ -49,9 +51,10 @@ public:
     void paint(QPainter& painter) const;
     [[nodiscard]] bool dragging() const { return hand_.active(); }
     [[nodiscard]] bool keepsUpright() const { return hand_.drag() && hand_.drag()->isUpright(); }
+    [[nodiscard]] bool turns() const { return hand_.drag() && hand_.drag()->turnsAbout(); }
     [[nodiscard]] std::optional<Asked> asked() const; // by what is dragged
-    // The words of a drag, "" when there is none.
     [[nodiscard]] QString caveat() const; // what of the picture is not to be trusted; "": nothing
+    // The words of a drag, "" when there is none.
     [[nodiscard]] QString words() const;
     // A sentence in the picture until something else is done.
     void say(const QString& sentence, bool isFault = true);

@@ -86,7 +86,7 @@ void Pointing::rest() {
             subject_ = QString::fromStdString(drawing.scene->trajectories[*path].name);
     }
     showCursor();
-    if (body_ || path_)
+    if (body_ || path_ || display_.gizmo().at(*position_))
         Q_EMIT changed();
 }
 
@@ -96,7 +96,8 @@ void Pointing::showCursor() {
         display_.setCursor(Qt::CrossCursor);
     else if ((shifted && (handle_ || body_)) || isSelected_)
         display_.setCursor(Qt::SizeAllCursor);
-    else if (handle_ || (position_ && !display_.triadEndAt(*position_).isEmpty()))
+    else if (handle_ || (position_ && display_.gizmo().at(*position_)) ||
+             (position_ && !display_.triadEndAt(*position_).isEmpty()))
         display_.setCursor(Qt::PointingHandCursor);
     else
         display_.unsetCursor();
@@ -105,6 +106,8 @@ void Pointing::showCursor() {
 QString Pointing::heldHint() const {
     const auto held = display_.editing().marked();
     const QString all = tr("z, x: away and nearer  ·  Escape: as it was");
+    if (display_.editing().turns())
+        return tr("x, y, z: about this axis  ·  Ctrl: tenths of a degree  ·  Escape: as it was");
     if (display_.editing().keepsUpright())
         return tr("x, y, z: along this axis only, with Shift across it  ·  Ctrl: nothing draws it "
                   "to itself  ·  Escape: as it was");
@@ -123,6 +126,10 @@ QString Pointing::hint() const {
     const QString menu = tr("right button: menu");
     if (const QString end = position_ ? display_.triadEndAt(*position_) : QString(); !end.isEmpty())
         return tr("A click looks along %1").arg(end);
+    if (const auto part = position_ ? display_.gizmo().at(*position_) : std::nullopt)
+        return (part->isRing ? tr("Drag turns it about %1, to whole degrees")
+                             : tr("Drag moves it along %1"))
+            .arg(QLatin1Char("xyz"[part->axis]));
     if (handle_ && handle_->kind == render::HandleKind::trajectoryPoint)
         return tr("Shift-drag moves %1  ·  Shift-middle: a new point  ·  Shift-right removes it  · "
                   " "

@@ -1,8 +1,8 @@
 #include "picture/recipes.h"
 
 #include "editing/number_text.h"
-#include "editing/shape_edit.h"
 #include "picture/recipe_words.h"
+#include "point_edits/shape_edit.h"
 #include "render/extent.h"
 
 #include <QObject>

@@ -2,9 +2,9 @@
 // (dissertation 4.1.2, 4.1.4 to 4.1.8).
 #pragma once
 
-#include "editing/creation.h"
-#include "editing/shape_library.h"
+#include "element_edits/creation.h"
 #include "geometry/pose.h"
+#include "point_edits/shape_library.h"
 #include "render/renderer.h"
 
 #include <QString>

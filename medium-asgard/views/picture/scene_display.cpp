@@ -486,6 +486,13 @@ bool SceneDisplay::beginDrag(QMouseEvent& event) {
     const auto body = arrow ? std::optional(arrow->body) : selecting_.selectedBodyAt(pressed_);
     if (!body)
         return false;
+    if (arrow && arrow->isRing) {
+        if (!editing_.turnBody(*body, pressed_, arrow->axis))
+            return false;
+        control_.release();
+        editing_.move(event);
+        return true;
+    }
     using Along = gestures::HandleDrag::Along;
     if (!throwing_.press(*body, pressed_) &&
         !editing_.pressBody(*body, pressed_,

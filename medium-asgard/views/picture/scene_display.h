@@ -81,6 +81,7 @@ public:
     [[nodiscard]] Selecting& selecting() { return selecting_; }
     [[nodiscard]] Throwing& throwing() { return throwing_; }
     [[nodiscard]] Meters& meters() { return meters_; }
+    [[nodiscard]] const Gizmo& gizmo() const { return gizmo_; }
     [[nodiscard]] const Selecting& selecting() const { return selecting_; }
     // How long the arrow of a force, or a torque, of 1 is drawn.
     [[nodiscard]] double arrowLength(bool couple);

@@ -205,6 +205,38 @@ TEST_F(SelectingTest, ADragAlongAnArrowOfTheGizmoMovesAlongItsAxisOnly) {
     EXPECT_EQ(place.z(), 0);
 }
 
+TEST_F(SelectingTest, ARingTurnsTheSelectedBodyAboutItsAxis) {
+    editor.document().select({leftOne});
+    display().lookAlong({0.4, 0.5, 1});
+    display().grab();
+    const gestures::Sight sight = display().sight();
+    const Vector middle(-3, 0, 0);
+    const double radius = Gizmo::ring * sight.pixelLength(middle) * display().devicePixelRatioF();
+    const auto onRing = [&](double degrees) { // of z, from x on
+        const double angle = degrees * M_PI / 180;
+        return display()
+            .fromPixels(sight.pixels(middle + radius * Vector(std::cos(angle), std::sin(angle), 0)))
+            .toPoint();
+    };
+    const auto turned = [&] {
+        return Vector(
+            180 / M_PI *
+            geometry::toRotationVector(editor.document().shown().scene->bodies[2].initialAttitude));
+    };
+    const double from = 110; // in front, beside the arrows
+    const auto part = display().gizmo().at(onRing(from));
+    ASSERT_TRUE(part && part->isRing && part->axis == 2);
+    drag(onRing(from), onRing(from + 43.5)); // drawn to 45
+    EXPECT_TRUE(turned().isApprox(Vector(0, 0, 45), 1e-6)) << turned().transpose();
+    EXPECT_EQ(editor.document().undoLabel(), "Turn left");
+    editor.document().undo();
+    ASSERT_TRUE(settle(editor.document()));
+    drag(onRing(from), onRing(from + 37)); // a whole degree
+    EXPECT_NEAR(turned().z(), std::round(turned().z()), 1e-6);
+    EXPECT_NEAR(turned().z(), 37, 1.01);
+    EXPECT_EQ(editor.document().shown().scene->bodies[2].initialPosition, middle);
+}
+
 TEST_F(SelectingTest, AKeyKeepsADragToAnAxisAndWithShiftAcrossIt) {
     editor.document().select({leftOne});
     display().lookAlong({0.4, 0.5, 1});

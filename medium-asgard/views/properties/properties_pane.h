@@ -1,7 +1,7 @@
 // The values of what is selected: each option of each kind of element, as the language has them.
 //
-// The rows come from the language's table of options (editing/options.h). A field's change is one
-// step of undo and goes the way of a gesture: the number at its place, through a variable, or
+// The rows come from the language's table of options (element_edits/options.h). A field's change is
+// one step of undo and goes the way of a gesture: the number at its place, through a variable, or
 // offers where a loop makes it; an empty field removes its option. A value that the reader refuses
 // leaves the text as it is, and says why below its field. Of several elements it shows what they
 // share. Nothing is done while it is hidden.

@@ -5,8 +5,8 @@
 // types in one stays while another is answered.
 #pragma once
 
-#include "editing/options.h"
 #include "editing/value_edit.h"
+#include "element_edits/options.h"
 #include "workbench/scene_document.h"
 
 #include <QObject>

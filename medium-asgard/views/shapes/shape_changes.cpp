@@ -1,8 +1,8 @@
 // What the gestures of a shape editor change of its shape.
 #include "editing/number_text.h"
-#include "editing/preview.h"
-#include "editing/shape_points.h"
+#include "element_edits/preview.h"
 #include "plain/plain.h"
+#include "point_edits/shape_points.h"
 
 #include "shapes/shape_editor.h"
 #include "shapes/shape_fields.h"

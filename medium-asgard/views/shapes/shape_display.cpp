@@ -2,8 +2,8 @@
 
 #include "frame/readable.h"
 
-#include "editing/shape_points.h"
 #include "geometry/hull.h"
+#include "point_edits/shape_points.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>

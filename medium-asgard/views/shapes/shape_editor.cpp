@@ -1,11 +1,11 @@
 #include "shapes/shape_editor.h"
 
-#include "editing/shape_library.h"
-#include "editing/shape_points.h"
 #include "frame/manual.h"
 #include "frame/names_box.h"
 #include "frame/undo_actions.h"
 #include "plain/plain.h"
+#include "point_edits/shape_library.h"
+#include "point_edits/shape_points.h"
 #include "shapes/shape_fields.h"
 #include "shapes/shape_import.h"
 #include "shapes/shape_names.h"

@@ -1,5 +1,5 @@
-#include "editing/shape_library.h"
-#include "editing/shape_points.h"
+#include "point_edits/shape_library.h"
+#include "point_edits/shape_points.h"
 #include "shapes/shape_editor.h"
 #include "views/test_workshop.h"
 

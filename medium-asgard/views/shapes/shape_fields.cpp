@@ -1,7 +1,7 @@
 #include "shapes/shape_fields.h"
 
-#include "editing/shape_points.h"
 #include "plain/plain.h"
+#include "point_edits/shape_points.h"
 #include "script/numbers.h"
 
 #include <QHBoxLayout>

@@ -1,7 +1,7 @@
 #include "shapes/shape_gesture.h"
 
 #include "editing/number_text.h"
-#include "editing/shape_points.h"
+#include "point_edits/shape_points.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // (dissertation 4.1.1).
 #pragma once
 
-#include "editing/shape_edit.h"
+#include "point_edits/shape_edit.h"
 #include "workbench/scene_document.h"
 
 namespace views {

@@ -1,8 +1,8 @@
 #include "shapes/shape_import.h"
 
 #include "editing/number_text.h"
-#include "editing/shape_edit.h"
 #include "plain/plain.h"
+#include "point_edits/shape_edit.h"
 #include "script/numbers.h"
 
 #include "shapes/shape_display.h"

@@ -1,6 +1,6 @@
 #include "shapes/shape_import.h"
 
-#include "editing/shape_edit.h"
+#include "point_edits/shape_edit.h"
 
 #include "shapes/mesh_job.h"
 #include "shapes/shape_display.h"

@@ -1,7 +1,7 @@
 #include "shapes/shape_names.h"
 
-#include "editing/creation.h"
-#include "editing/shape_edit.h"
+#include "element_edits/creation.h"
+#include "point_edits/shape_edit.h"
 
 #include <QRegularExpression>
 

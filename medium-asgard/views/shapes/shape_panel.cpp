@@ -1,8 +1,8 @@
 #include "shapes/shape_panel.h"
 
-#include "editing/shape_library.h"
-#include "editing/shape_points.h"
 #include "plain/plain.h"
+#include "point_edits/shape_library.h"
+#include "point_edits/shape_points.h"
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>

@@ -1,8 +1,8 @@
 #include "shapes/shapes_menu.h"
 
-#include "editing/shape_library.h"
 #include "frame/windows.h"
 #include "plain/plain.h"
+#include "point_edits/shape_library.h"
 #include "shapes/shape_names.h"
 
 #include <QMenu>

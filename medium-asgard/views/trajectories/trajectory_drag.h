@@ -1,7 +1,7 @@
 // A gesture on a trajectory: the text follows it, and it is one step of undo (dissertation 4.1.4).
 #pragma once
 
-#include "editing/trajectory_edit.h"
+#include "point_edits/trajectory_edit.h"
 #include "workbench/scene_document.h"
 
 namespace views {

@@ -2,8 +2,8 @@
 // 4.4). Draws and takes gestures; what they mean is the editor's.
 #pragma once
 
-#include "editing/trajectory_edit.h"
 #include "plots/chart_axes.h"
+#include "point_edits/trajectory_edit.h"
 
 #include <QWidget>
 

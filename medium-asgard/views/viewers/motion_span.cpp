@@ -1,8 +1,8 @@
 #include "viewers/motion_span.h"
 
-#include "editing/creation.h"
 #include "editing/number_text.h"
 #include "editing/value_edit.h"
+#include "element_edits/creation.h"
 #include "frame/typed_field.h"
 #include "plain/plain.h"
 #include "script/numbers.h"

@@ -7,10 +7,10 @@
 //
 // ASGARD_UNDO_SEQUENCES and ASGARD_INTERLEAVED_EDITS set how many (a hundredth of what
 // tests/edits/undo_at_length.sh asks for otherwise; 0: none), ASGARD_SEED where they begin.
-#include "editing/deletion.h"
 #include "editing/random_corpus.h"
-#include "editing/shape_points.h"
+#include "element_edits/deletion.h"
 #include "gestures/handle_meaning.h"
+#include "point_edits/shape_points.h"
 #include "views/test_desk.h"
 
 #include <QMessageBox>

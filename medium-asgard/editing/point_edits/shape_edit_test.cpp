@@ -1,8 +1,8 @@
 // (text, gesture, text) of shapes; and that the text reads as the parts that were wanted.
-#include "editing/shape_edit.h"
-#include "editing/shape_library.h"
-#include "editing/shape_points.h"
 #include "editing/test_reading.h"
+#include "point_edits/shape_edit.h"
+#include "point_edits/shape_library.h"
+#include "point_edits/shape_points.h"
 
 #include "geometry/hull.h"
 

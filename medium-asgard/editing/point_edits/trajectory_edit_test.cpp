@@ -1,6 +1,6 @@
 // (text, gesture, text) of trajectories; and that what is drawn meanwhile is what the text becomes.
 #include "editing/test_reading.h"
-#include "editing/trajectory_edit.h"
+#include "point_edits/trajectory_edit.h"
 
 #include "scene/curves.h"
 

@@ -1,4 +1,4 @@
-#include "editing/deletion.h"
+#include "element_edits/deletion.h"
 
 #include "editing/lines.h"
 

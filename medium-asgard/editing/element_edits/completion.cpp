@@ -1,4 +1,4 @@
-#include "editing/completion.h"
+#include "element_edits/completion.h"
 
 #include "expression/parse.h"
 #include "scene/joint_types.h"

@@ -1,4 +1,4 @@
-#include "editing/closing.h"
+#include "element_edits/closing.h"
 
 #include <Eigen/Geometry>
 

@@ -1,4 +1,4 @@
-#include "editing/shape_points.h"
+#include "point_edits/shape_points.h"
 
 #include "geometry/hull.h"
 #include "geometry/pose.h"

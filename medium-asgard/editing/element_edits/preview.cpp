@@ -1,4 +1,4 @@
-#include "editing/preview.h"
+#include "element_edits/preview.h"
 
 #include "text/characters.h"
 #include "text/difference.h"

@@ -1,8 +1,8 @@
-#include "editing/shape_edit.h"
+#include "point_edits/shape_edit.h"
 
 #include "editing/number_text.h"
 #include "editing/origin.h"
-#include "editing/shape_points.h"
+#include "point_edits/shape_points.h"
 
 #include "script/numbers.h"
 

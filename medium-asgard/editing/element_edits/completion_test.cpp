@@ -1,5 +1,5 @@
 // "|" stands for the place of the caret.
-#include "editing/completion.h"
+#include "element_edits/completion.h"
 
 #include "script/commands.h"
 #include "script/reader.h"

@@ -1,4 +1,4 @@
-#include "editing/options.h"
+#include "element_edits/options.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "editing/creation.h"
+#include "element_edits/creation.h"
 
 #include "editing/lines.h"
 
@@ -22,15 +22,6 @@ constexpr Kind order[] = {Kind::parameter, Kind::shapeSet, Kind::trajectory, Kin
                           Kind::force,     Kind::link,     Kind::joint,      Kind::gear,
                           Kind::rope,      Kind::contact,  Kind::constraint, Kind::light,
                           Kind::view,      Kind::plot};
-
-std::size_t countOf(const scene::Scene& scene, Kind kind) {
-    if (kind == Kind::simulator) // whatever its index
-        return sourceOf(scene, {kind, 0}) ? 1 : 0;
-    std::size_t count = 0;
-    while (sourceOf(scene, {kind, count}))
-        ++count;
-    return count;
-}
 
 class Writing {
 public:

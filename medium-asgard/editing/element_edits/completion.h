@@ -5,7 +5,7 @@
 // offered to the force below it.
 #pragma once
 
-#include "editing/options.h"
+#include "element_edits/options.h"
 
 #include "scene/scene.h"
 #include "script/structure.h"

@@ -1,4 +1,4 @@
-#include "editing/shape_library.h"
+#include "point_edits/shape_library.h"
 
 #include <algorithm>
 #include <cmath>

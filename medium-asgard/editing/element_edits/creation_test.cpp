@@ -1,8 +1,8 @@
 // (text, gesture, text): what is put into a text, and what is taken out.
-#include "editing/creation.h"
-#include "editing/deletion.h"
-#include "editing/preview.h"
 #include "editing/test_reading.h"
+#include "element_edits/creation.h"
+#include "element_edits/deletion.h"
+#include "element_edits/preview.h"
 
 namespace editing {
 namespace {

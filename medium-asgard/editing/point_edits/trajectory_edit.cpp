@@ -1,4 +1,4 @@
-#include "editing/trajectory_edit.h"
+#include "point_edits/trajectory_edit.h"
 
 #include "editing/lines.h"
 #include "editing/number_text.h"
