@@ -7,8 +7,11 @@
 namespace solution {
 namespace {
 
-constexpr double leastPivot = 1e-10; // of the diagonal; less may be what rounding leaves of 0
-constexpr double differing = 1e-11;  // of the diagonal; mirrored entries do by rounding
+// Of the diagonal:
+constexpr double leastPivot = 1e-10; // less may be what rounding leaves of 0
+constexpr double rounding = 1e-13;   // less is that
+constexpr double leastOfAny = 1e-4;  // where the matrix is not symmetric
+constexpr double differing = 1e-11;  // mirrored entries do by rounding
 
 } // namespace
 
@@ -98,19 +101,28 @@ bool Elimination::isSymmetric() const {
     return true;
 }
 
-bool Elimination::factorise() {
-    if (!isSymmetric())
-        return false;
+bool Elimination::factorise(Take take) {
+    std::copy_n(values_.data(), rowOf_.size(), own_.data());
+    dependent_.clear();
+    isLu_ = !isSymmetric();
+    if (isLu_)
+        return take == Take::all && factoriseAny();
+    return factoriseSymmetric(take);
+}
+
+bool Elimination::factoriseSymmetric(Take take) {
     const std::size_t size = rowOf_.size();
     double* const values = values_.data();
     double* const lower = values + size;
     const Index* target = targets_.data();
-    std::copy_n(values, size, own_.data());
     for (std::size_t rank = 0; rank < size; ++rank) {
         const double pivot = values[rank];
-        if (!(pivot > leastPivot * own_[rank]))
+        const bool isNone = take == Take::all && std::abs(pivot) <= rounding * own_[rank];
+        if (!isNone && !(pivot > leastPivot * own_[rank]))
             return false;
-        const double inverse = 1 / pivot;
+        if (isNone)
+            dependent_.push_back(static_cast<Index>(rank));
+        const double inverse = isNone ? 0 : 1 / pivot;
         values[rank] = inverse;
         const Index begin = firstBelow_[rank];
         for (Index a = firstBelow_[rank + 1]; a-- > begin;) {
@@ -123,27 +135,103 @@ bool Elimination::factorise() {
     return true;
 }
 
+bool Elimination::factoriseAny() {
+    const std::size_t size = rowOf_.size(), entries = below_.size();
+    double* const values = values_.data();
+    double* const lower = values + size;
+    double* const upper = lower + entries;
+    const Index* target = targets_.data();
+    idle_.assign(entries, 0);
+    for (std::size_t rank = 0; rank < size; ++rank) {
+        const double pivot = values[rank];
+        const bool isNone = std::abs(pivot) <= rounding * own_[rank];
+        if (isNone ? !isLeftOut(rank) : !(pivot > leastOfAny * own_[rank]))
+            return false;
+        if (isNone)
+            dependent_.push_back(static_cast<Index>(rank));
+        const double inverse = isNone ? 0 : 1 / pivot;
+        values[rank] = inverse;
+        const Index begin = firstBelow_[rank];
+        for (Index a = firstBelow_[rank + 1]; a-- > begin;) {
+            if (isNone)
+                idle_[a] = lower[a];
+            const double l = lower[a] * inverse, mirrored = upper[a];
+            for (Index b = begin; b < a; ++b, ++target) {
+                values[*target] -= l * upper[b];
+                values[*target + entries] -= lower[b] * inverse * mirrored;
+            }
+            values[*target++] -= l * mirrored;
+            lower[a] = l;
+        }
+    }
+    return true;
+}
+
+// Nothing is left of its row.
+bool Elimination::isLeftOut(std::size_t rank) const {
+    const double* const upper = values_.data() + rowOf_.size() + below_.size();
+    for (Index a = firstBelow_[rank]; a < firstBelow_[rank + 1]; ++a)
+        if (!(upper[a] * upper[a] <= rounding * rounding * own_[rank] * own_[below_[a]]))
+            return false;
+    return true;
+}
+
 void Elimination::solve(std::span<double> x) {
     const std::size_t size = rowOf_.size();
-    const double* const inverse = values_.data();
-    const double* const lower = inverse + size;
-    const Index* const below = below_.data();
+    const double* const lower = values_.data() + size;
     double* const y = ordered_.data();
     for (std::size_t rank = 0; rank < size; ++rank)
         y[rank] = x[rowOf_[rank]];
-    for (std::size_t rank = 0; rank < size; ++rank) {
-        const double known = y[rank];
+    for (const Index rank : dependent_)
+        y[rank] = 0;
+    for (std::size_t rank = 0; rank < size; ++rank)
         for (Index a = firstBelow_[rank]; a < firstBelow_[rank + 1]; ++a)
-            y[below[a]] -= lower[a] * known;
-        y[rank] = known * inverse[rank];
-    }
+            y[below_[a]] -= lower[a] * y[rank];
+    for (const Index rank : dependent_)
+        y[rank] = 0;
+    substituteBack();
+    for (std::size_t rank = 0; rank < size; ++rank)
+        x[rowOf_[rank]] = y[rank];
+}
+
+// Of rows that others make, `ordered_` has their value already, and `values_` has 0.
+void Elimination::substituteBack() {
+    const std::size_t size = rowOf_.size();
+    const double* const inverse = values_.data();
+    const double* const lower = inverse + size;
+    const double* const row = isLu_ ? lower + below_.size() : lower;
+    double* const y = ordered_.data();
+    auto left = dependent_.rbegin();
     for (std::size_t rank = size; rank-- > 0;) {
-        double known = y[rank];
+        if (left != dependent_.rend() && *left == rank) {
+            ++left;
+            continue;
+        }
+        double known = isLu_ ? y[rank] : y[rank] * inverse[rank];
         for (Index a = firstBelow_[rank]; a < firstBelow_[rank + 1]; ++a)
-            known -= lower[a] * y[below[a]];
-        y[rank] = known;
-        x[rowOf_[rank]] = known;
+            known -= row[a] * y[below_[a]];
+        y[rank] = isLu_ ? known * inverse[rank] : known;
     }
+}
+
+void Elimination::kernel(std::size_t which, std::span<double> x) {
+    const std::size_t size = rowOf_.size(), own = dependent_[which];
+    const double* const lower = values_.data() + size;
+    double* const y = ordered_.data();
+    std::fill_n(y, size, 0);
+    if (isLu_) { // what its column has below it
+        for (Index a = firstBelow_[own]; a < firstBelow_[own + 1]; ++a)
+            y[below_[a]] = -idle_[a];
+        for (std::size_t rank = own + 1; rank < size; ++rank)
+            for (Index a = firstBelow_[rank]; a < firstBelow_[rank + 1]; ++a)
+                y[below_[a]] -= lower[a] * y[rank];
+        for (const Index rank : dependent_)
+            y[rank] = 0;
+    }
+    y[own] = 1;
+    substituteBack();
+    for (std::size_t rank = 0; rank < size; ++rank)
+        x[rowOf_[rank]] = y[rank];
 }
 
 } // namespace solution

@@ -1,4 +1,5 @@
-// Gauss' elimination of a sparse symmetric matrix, L D L', in an order that is found once.
+// Gauss' elimination of a sparse matrix, in an order that is found once: L D L' of a symmetric one,
+// else L U.
 //
 // A joint couples its conditions with those of neighbouring joints alone. From the leaves of a tree
 // of joints on, elimination makes no entry that was 0 another number (Featherstone, Rigid Body
@@ -8,7 +9,10 @@
 //
 // Of a positive definite matrix, as J M^-1 J' is, elimination needs no search for pivots: its
 // backward error is rounding for each product (Higham, Accuracy and Stability of Numerical
-// Algorithms, 2002, 10.1). Any other matrix is refused.
+// Algorithms, 2002, 10.1). A pivot that rounding alone keeps from 0 belongs to a row that those
+// before it make, as the fourth corner of a face does: such a row is left out, and what it may have
+// is the matrix' kernel, of which kernel() gives a basis. A matrix that is not symmetric, as
+// friction that slips makes it, is taken where its pivots are far from 0. Any other is refused.
 #pragma once
 
 #include <cstdint>
@@ -35,14 +39,25 @@ public:
     [[nodiscard]] Index indexOf(Place place) const;
     // Of the matrix, before it is factorised.
     [[nodiscard]] std::span<double> values() { return values_; }
-    // Of values(). False: the matrix is not symmetric, or not definite but for rounding.
-    [[nodiscard]] bool factorise();
-    // Puts the solution in the place of the right-hand side.
+    // Of values(). False: the matrix is refused; so is one that is singular or not symmetric, where
+    // it is to be regular.
+    enum class Take { regular, all };
+    [[nodiscard]] bool factorise(Take take = Take::regular);
+    // Rows that others make, in the order of elimination.
+    [[nodiscard]] std::span<const Index> dependent() const { return dependent_; }
+    // Puts the solution in the place of the right-hand side; 0 for rows that others make.
     void solve(std::span<double> x);
+    // Puts in x what the matrix makes 0: 1 for this of the rows that others make, 0 for the rest of
+    // them.
+    void kernel(std::size_t which, std::span<double> x);
 
 private:
     void layOut(std::span<const std::vector<Index>> below);
     [[nodiscard]] bool isSymmetric() const;
+    [[nodiscard]] bool factoriseSymmetric(Take take);
+    [[nodiscard]] bool factoriseAny();
+    [[nodiscard]] bool isLeftOut(std::size_t rank) const;
+    void substituteBack();
 
     // By rank, the order in which rows are eliminated; a row's `below` are the later ranks where
     // its entries may be another number than 0: firstBelow_[rank] to firstBelow_[rank + 1].
@@ -54,6 +69,9 @@ private:
         values_;              // diagonal; then what is below it by columns; what is above by rows
     std::vector<double> own_; // the diagonal, before it is factorised
     std::vector<double> ordered_;
+    bool isLu_ = false; // not symmetric
+    std::vector<Index> dependent_;
+    std::vector<double> idle_; // of rows left out: what was left of their columns; else 0
 };
 
 } // namespace solution

@@ -120,14 +120,55 @@ TEST(Elimination, RefusesWhatMayBeSingular) {
     twice.join({0, 1}, 2);
     Elimination elimination;
     ASSERT_TRUE(elimination.plan(2, twice.places(), 1e9));
-    put(twice, Eigen::Matrix2d{{1, 1}, {1, 1}}, elimination);
-    EXPECT_FALSE(elimination.factorise());
     put(twice, Eigen::Matrix2d{{1, 1}, {1, 1 + 1e-12}}, elimination);
     EXPECT_FALSE(elimination.factorise());
 }
 
+// Bricks on each other: four forces along the normals at each face, of which the others make one,
+// and one of friction.
+TEST(Elimination, LeavesOutRowsThatOthersMake) {
+    constexpr int bricks = 8;
+    std::mt19937 random(3);
+    std::normal_distribution<double> number;
+    Mechanism tower;
+    for (int i = 0; i < bricks; ++i)
+        tower.join(i == 0 ? std::vector{0} : std::vector{i - 1, i}, 5);
+    const auto n = static_cast<Eigen::Index>(tower.size());
+    Eigen::MatrixXd j = Eigen::MatrixXd::Zero(n, 6 * bricks);
+    for (Eigen::Index face = 0; face < bricks; ++face) {
+        const Eigen::Index first = 5 * face;
+        for (Eigen::Index row = 0; row < 5; ++row)
+            for (Eigen::Index k = 0; k < (face == 0 ? 6 : 12); ++k)
+                j(first + row, k + (face == 0 ? 0 : 6 * (face - 1))) = number(random);
+        j.row(first + 3) = j.row(first) - j.row(first + 1) + j.row(first + 2);
+    }
+    for (const double friction : {0.0, 0.1}) { // of each first row of friction against its normals
+        Eigen::MatrixXd slipping = j;
+        for (Eigen::Index face = 1; face < bricks; face += 2)
+            for (Eigen::Index row = 0; row < 4; ++row)
+                slipping.row(5 * face + row) -= friction * j.row(5 * face + 4);
+        const Eigen::MatrixXd a = j * slipping.transpose();
+        Elimination elimination;
+        ASSERT_TRUE(elimination.plan(tower.size(), tower.places(), 1e9));
+        put(tower, a, elimination);
+        EXPECT_FALSE(elimination.factorise());
+        put(tower, a, elimination);
+        ASSERT_TRUE(elimination.factorise(Elimination::Take::all));
+        ASSERT_EQ(elimination.dependent().size(), static_cast<std::size_t>(bricks));
+        const Eigen::VectorXd wanted = a * Eigen::VectorXd::LinSpaced(n, -1, 2);
+        Eigen::VectorXd x = wanted;
+        elimination.solve({x.data(), tower.size()});
+        EXPECT_LT((a * x - wanted).cwiseAbs().maxCoeff(), 1e-9 * wanted.cwiseAbs().maxCoeff());
+        for (std::size_t k = 0; k < bricks; ++k) {
+            elimination.kernel(k, {x.data(), tower.size()});
+            EXPECT_GE(x.cwiseAbs().maxCoeff(), 1);
+            EXPECT_LT((a * x).cwiseAbs().maxCoeff(), 1e-9 * x.cwiseAbs().maxCoeff());
+        }
+    }
+}
+
 // As friction that slips makes it.
-TEST(Elimination, RefusesWhatIsNotSymmetricOrNotDefinite) {
+TEST(Elimination, TakesWhatIsNotSymmetricAndRefusesWhatIsNotDefinite) {
     Mechanism pair;
     pair.join({0, 1}, 2);
     Elimination elimination;
@@ -136,6 +177,12 @@ TEST(Elimination, RefusesWhatIsNotSymmetricOrNotDefinite) {
     EXPECT_FALSE(elimination.factorise());
     put(pair, Eigen::Matrix2d{{1, 0.5}, {0.4, 1}}, elimination);
     EXPECT_FALSE(elimination.factorise());
+    put(pair, Eigen::Matrix2d{{1, 0.5}, {0.4, 1}}, elimination);
+    EXPECT_TRUE(elimination.factorise(Elimination::Take::all));
+    std::vector<double> y{2, 2.4};
+    elimination.solve(y);
+    EXPECT_NEAR(y[0], 1, 1e-15);
+    EXPECT_NEAR(y[1], 2, 1e-15);
     put(pair, Eigen::Matrix2d{{1, 0.5}, {0.5, 0}}, elimination);
     EXPECT_FALSE(elimination.factorise());
     put(pair, Eigen::Matrix2d{{1, std::numeric_limits<double>::quiet_NaN()}, {0, 1}}, elimination);

@@ -13,6 +13,8 @@ namespace {
 constexpr double noPivot = 1e-13; // of 1, of what is left of a scaled condition that others make
 // A dense multiplication costs less than a sparse one, and a dense factorization something besides.
 constexpr double cost = 4, besides = 500;
+// Contacts are redundant as a rule, and a dense factorization that finds their rank costs most.
+constexpr double many = 3e6;
 
 Eigen::Index count(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
@@ -24,6 +26,7 @@ void HeldConditions::makePlan(std::vector<std::size_t> slipping) {
     plan_.ofFriction.clear();
     plan_.entries.clear();
     plan_.indices.clear();
+    plan_.frictionIndices.clear();
     plan_.isSparse = false;
     plan_.isMade = true;
     constexpr auto none = std::numeric_limits<Elimination::Index>::max();
@@ -44,17 +47,23 @@ void HeldConditions::makePlan(std::vector<std::size_t> slipping) {
                 plan_.ofFriction.push_back(
                     {.entry = k, .place = {placeOf[row], placeOf[normal]}, .friction = column});
     }
-    if (!plan_.ofFriction.empty())
-        return; // it is not symmetric
     std::vector<Elimination::Place> places;
     std::ranges::transform(plan_.terms, std::back_inserter(places), &Term::place);
+    std::ranges::transform(plan_.ofFriction, std::back_inserter(places), &Term::place);
+    plan_.hasContacts = std::ranges::any_of(
+        plan_.rows, [this](std::size_t row) { return bound_.laws[row].leaving.has_value(); });
     const auto n = static_cast<double>(plan_.rows.size());
-    plan_.isSparse = elimination_.plan(plan_.rows.size(), places, n * n * n / 3 / cost + besides);
-    for (const Term& term : plan_.terms)
-        if (plan_.isSparse) {
-            plan_.entries.push_back(static_cast<Elimination::Index>(term.entry));
-            plan_.indices.push_back(elimination_.indexOf(term.place));
-        }
+    const double dense = n * n * n / 3 / cost + besides;
+    plan_.isSparse = elimination_.plan(plan_.rows.size(), places,
+                                       plan_.hasContacts ? std::max(dense, many) : dense);
+    if (!plan_.isSparse)
+        return;
+    for (const Term& term : plan_.terms) {
+        plan_.entries.push_back(static_cast<Elimination::Index>(term.entry));
+        plan_.indices.push_back(elimination_.indexOf(term.place));
+    }
+    for (const Term& term : plan_.ofFriction)
+        plan_.frictionIndices.push_back(elimination_.indexOf(term.place));
 }
 
 void HeldConditions::followMode(bool hasFriction) {
@@ -78,12 +87,52 @@ void HeldConditions::followMode(bool hasFriction) {
     makePlan(std::move(slipping));
 }
 
-bool HeldConditions::eliminate(std::span<const double> values) {
+bool HeldConditions::eliminate(std::span<const double> values, std::span<const double> friction) {
     const std::span<double> into = elimination_.values();
     std::ranges::fill(into, 0);
     for (std::size_t k = 0; k < plan_.indices.size(); ++k)
         into[plan_.indices[k]] = values[plan_.entries[k]];
-    return elimination_.factorise();
+    for (std::size_t k = 0; k < plan_.frictionIndices.size(); ++k)
+        into[plan_.frictionIndices[k]] +=
+            friction[plan_.ofFriction[k].friction] * values[plan_.ofFriction[k].entry];
+    if (!elimination_.factorise(plan_.hasContacts ? Elimination::Take::all
+                                                  : Elimination::Take::regular))
+        return false;
+    findKernel(values, friction);
+    return true;
+}
+
+void HeldConditions::findKernel(std::span<const double> values, std::span<const double> friction) {
+    const std::size_t n = plan_.rows.size(), idle = elimination_.dependent().size();
+    kernel_.resize(count(n), count(idle));
+    if (idle == 0)
+        return;
+    for (std::size_t k = 0; k < idle; ++k)
+        elimination_.kernel(k, {kernel_.col(count(k)).data(), n});
+    ofKernel_.compute(kernel_.transpose() * kernel_);
+    redundant_.clear();
+    scale_.setOnes(count(n));
+    for (const Term& term : plan_.terms) {
+        const double value = values[term.entry];
+        redundant_.push_back(value);
+        if (term.place.row == term.place.column && value != 0)
+            scale_[term.place.row] = 1 / std::sqrt(std::abs(value));
+    }
+    for (const Term& term : plan_.ofFriction)
+        redundant_.push_back(friction[term.friction] * values[term.entry]);
+}
+
+Eigen::VectorXd HeldConditions::left() const {
+    if (way_ != Way::sparse)
+        return matrix_ * answer_ - right_;
+    Eigen::VectorXd left = Eigen::VectorXd::Zero(answer_.size());
+    for (std::size_t k = 0; k < redundant_.size(); ++k) {
+        const auto& [row, column] =
+            (k < plan_.terms.size() ? plan_.terms[k] : plan_.ofFriction[k - plan_.terms.size()])
+                .place;
+        left[row] += redundant_[k] * answer_[column];
+    }
+    return scale_.cwiseProduct(left) - right_;
 }
 
 void HeldConditions::putMatrix(std::span<const double> values, std::span<const double> friction) {
@@ -104,7 +153,7 @@ void HeldConditions::putMatrix(std::span<const double> values, std::span<const d
 bool HeldConditions::factorise(std::span<const double> values, std::span<const double> friction) {
     followMode(!friction.empty());
     way_ = Way::sparse;
-    if (plan_.isSparse && eliminate(values))
+    if (plan_.isSparse && eliminate(values, friction))
         return true;
     way_ = Way::dense;
     putMatrix(values, friction);
@@ -127,7 +176,7 @@ std::string HeldConditions::how() const {
         return "";
     const std::string forces = n == 1 ? "the force of 1 condition is"
                                       : "the forces of " + std::to_string(n) + " conditions are";
-    if (way_ == Way::least)
+    if (!isRegular())
         return forces + " the shortest of those that keep them";
     if (way_ == Way::dense)
         return forces + " solved for together";
@@ -158,9 +207,14 @@ void HeldConditions::solve(Eigen::Ref<Eigen::VectorXd> rates) {
         right_[count(i)] = -rates[count(plan_.rows[i])];
     rates.setZero();
     if (way_ == Way::sparse) {
-        elimination_.solve({right_.data(), n});
+        answer_ = right_;
+        elimination_.solve({answer_.data(), n});
+        if (kernel_.cols() > 0) {
+            answer_ -= kernel_ * ofKernel_.solve(kernel_.transpose() * answer_);
+            right_ = scale_.cwiseProduct(right_);
+        }
         for (std::size_t i = 0; i < n; ++i)
-            rates[count(plan_.rows[i])] = right_[count(i)];
+            rates[count(plan_.rows[i])] = answer_[count(i)];
         return;
     }
     right_ = scale_.cwiseProduct(right_);

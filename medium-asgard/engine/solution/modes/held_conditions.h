@@ -3,10 +3,10 @@
 //
 //     A m = -b
 //
-// A tree of joints has conditions that read few others: there, A is eliminated as a sparse matrix
-// (elimination.h); where it reads most, or where A is not definite, as a dense one, scaled by the
-// roots of its diagonal. Where conditions are redundant, as the joints of a plane mechanism in
-// space, the shortest m is taken.
+// A tree of joints has conditions that read few others, and so has a stack: there, A is eliminated
+// as a sparse matrix (elimination.h); where it reads most, or where A is not definite, as a dense
+// one, scaled by the roots of its diagonal. Where conditions are redundant, as the four corners of
+// a face or the joints of a plane mechanism in space, the shortest m is taken.
 //
 // The choice depends on the mode and on the numbers at the point alone: the same point has the
 // same answer, whatever was asked before.
@@ -16,6 +16,7 @@
 #include "modes/elimination.h"
 #include "modes/mode.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <Eigen/LU>
 #include <Eigen/QR>
@@ -40,9 +41,11 @@ public:
     // Of conditions with these rates the m that keep them; 0 of others than those that hold.
     void solve(Eigen::Ref<Eigen::VectorXd> rates);
     // Conditions are not redundant.
-    [[nodiscard]] bool isRegular() const { return way_ != Way::least; }
+    [[nodiscard]] bool isRegular() const {
+        return way_ == Way::dense || (way_ == Way::sparse && kernel_.cols() == 0);
+    }
     // Where they are, what the last solution left of rates, by row(), scaled; the rates; a scale.
-    [[nodiscard]] Eigen::VectorXd left() const { return matrix_ * answer_ - right_; }
+    [[nodiscard]] Eigen::VectorXd left() const;
     [[nodiscard]] const Eigen::VectorXd& right() const { return right_; }
     [[nodiscard]] double scale(std::size_t i) const { return scale_[static_cast<Eigen::Index>(i)]; }
 
@@ -59,9 +62,9 @@ private:
         std::vector<std::size_t> rows;
         std::vector<std::size_t> slipping; // discs
         std::vector<Term> terms, ofFriction;
-        std::vector<Elimination::Index> entries, indices; // of terms, where it is sparse
+        std::vector<Elimination::Index> entries, indices, frictionIndices; // where it is sparse
         bool isSparse = false;
-        bool isMade = false;
+        bool isMade = false, hasContacts = false;
     };
     enum class Way { sparse, dense, least };
 
@@ -70,7 +73,8 @@ private:
     }
     void followMode(bool hasFriction);
     void makePlan(std::vector<std::size_t> slipping);
-    [[nodiscard]] bool eliminate(std::span<const double> values);
+    [[nodiscard]] bool eliminate(std::span<const double> values, std::span<const double> friction);
+    void findKernel(std::span<const double> values, std::span<const double> friction);
     void putMatrix(std::span<const double> values, std::span<const double> friction);
     [[nodiscard]] Eigen::VectorXd leastSolution() const;
 
@@ -80,7 +84,10 @@ private:
     Plan plan_;
     Way way_ = Way::dense;
     Elimination elimination_;
-    Eigen::MatrixXd matrix_; // scaled, where it is not eliminated as a sparse one
+    Eigen::MatrixXd kernel_; // of the sparse matrix: what redundant conditions may have
+    Eigen::LDLT<Eigen::MatrixXd> ofKernel_;
+    std::vector<double> redundant_; // the terms' values, then
+    Eigen::MatrixXd matrix_;        // scaled, where it is not eliminated as a sparse one
     Eigen::VectorXd scale_, right_, answer_;
     Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> least_;
