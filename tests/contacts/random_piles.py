@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
 """Random piles of 3 to 20 bodies as people build them: do they come to rest, without sinking in, without new energy?
 
-usage: random_piles.py ASGARD [--count N] [--seed S] [--seconds T] [--most M] [--kind K] [--keep FOLDER]
+usage: random_piles.py ASGARD [--count N] [--seed S] [--seeds S,S,...] [--seconds T] [--most M] [--kind K] [--keep FOLDER]
 
 Kinds: boxes dropped on each other, boxes and balls into a tray, dominoes, a tower and a wall hit by a ball, what is
 round on boxes. Frictions and restitutions differ from pile to pile. A pile is right when it reaches its end without a
 word and within M seconds of a processor, when no two bodies overlap by more than SUNK of the smaller one at any of its times (by the
 separating axes of boxes and balls, computed here), and when its energy grows by less than GAIN of what it could lose.
 Piles that stop are told, and may be few. T ends the trial early: piles so far count. Too many piles take too long yet
-for ./test (docs/numerics/limits.md). At length:
+for ./test (docs/numerics/limits.md), which plays some that are quick, and so guards that none of these sinks in, gains
+energy or stops. At length:
 
     nice -n 10 tests/contacts/random_piles.py build/release/bin/asgard --count 10000
 """
@@ -289,6 +290,7 @@ def main():
     parser.add_argument("asgard")
     parser.add_argument("--count", type=int, default=100)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--seeds", default="")
     parser.add_argument("--seconds", type=float, default=math.inf)
     parser.add_argument("--most", type=float, default=60)
     parser.add_argument("--kind", default="", choices=["", *KINDS])
@@ -296,7 +298,8 @@ def main():
     options = parser.parse_args()
     began, answers = time.monotonic(), []
     with tempfile.TemporaryDirectory() as made:
-        for seed in range(options.seed, options.seed + options.count):
+        named = [int(seed) for seed in options.seeds.split(",") if seed]
+        for seed in named or range(options.seed, options.seed + options.count):
             if time.monotonic() - began > options.seconds:
                 break
             kind, fault, stopped, took = check(options.asgard, seed, options, options.keep or made)
@@ -311,7 +314,7 @@ def main():
     for kind, times in sorted(by_kind.items()):
         print(f"{kind}: {len(times)} piles, median {sorted(times)[len(times) // 2]:.2g} s, longest {max(times):.2g} s")
     print(f"{len(answers)} piles: {stops} stop, {faults} wrong")
-    return 1 if faults or stops > MOST_STOPS * max(len(answers), 30) else 0
+    return 1 if faults or stops > (0 if named else MOST_STOPS * max(len(answers), 30)) else 0
 
 
 if __name__ == "__main__":
