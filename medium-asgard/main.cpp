@@ -6,7 +6,7 @@
 #include "screen/display.h"
 #include "screen/numbers.h"
 #include "terminal/terminal.h"
-#include "viewers/editor.h"
+#include "viewers/run_editor.h"
 #include "wrong_usage.h"
 
 #include <CLI/CLI.hpp>

@@ -1,19 +1,10 @@
 #include "frame/manual.h"
 
-#include "frame/help_page.h"
 #include "frame/manual_window.h"
 
-#include <QAction>
-#include <QApplication>
-#include <QCursor>
 #include <QFile>
-#include <QMainWindow>
-#include <QMenu>
-#include <QMenuBar>
 #include <QPointer>
 #include <QTimer>
-
-#include <utility>
 
 namespace views {
 
@@ -22,21 +13,6 @@ namespace {
 QString read(const QString& name) {
     QFile file(QStringLiteral(":/manual/") + name);
     return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
-}
-
-} // namespace
-
-namespace {
-
-// Of the thing under the pointer; with the pointer elsewhere, of the one that has the keyboard.
-QString topicAt(const QMainWindow& window, const std::function<QString(const QWidget&)>& pointed) {
-    const QWidget* under = QApplication::widgetAt(QCursor::pos());
-    if (under && (under == &window || window.isAncestorOf(under))) {
-        const QString exactly = pointed ? pointed(*under) : QString();
-        return exactly.isEmpty() ? helpOf(under) : exactly;
-    }
-    const QWidget* focused = QApplication::focusWidget();
-    return helpOf(focused && window.isAncestorOf(focused) ? focused : &window);
 }
 
 } // namespace
@@ -51,19 +27,6 @@ void showManual(const QString& chapter) {
     manual->activateWindow();
     if (!chapter.isEmpty()) // once it is laid out
         QTimer::singleShot(0, manual, [chapter] { manual->goTo(chapter); });
-}
-
-QMenu* addHelpMenu(QMainWindow* window, const QString& topic,
-                   std::function<QString(const QWidget&)> pointed) {
-    setHelp(*window, topic);
-    QMenu* help = window->menuBar()->addMenu(QObject::tr("&Help"));
-    QAction* what = help->addAction(
-        QObject::tr("&What Is This?"), QKeySequence(Qt::Key_F1), window,
-        [window, pointed = std::move(pointed)] { showHelp(topicAt(*window, pointed)); });
-    what->setObjectName("help");
-    help->addAction(QObject::tr("&Manual"), window, [] { showManual(); });
-    help->addAction(QObject::tr("&About Asgard"), window, [window] { showAbout(window); });
-    return help;
 }
 
 } // namespace views

@@ -1,7 +1,7 @@
 #include "language/language_viewer.h"
 
 #include "editing/changes.h"
-#include "frame/manual.h"
+#include "frame/help_menu.h"
 #include "language/completer.h"
 #include "language/element_marks.h"
 #include "language/elision.h"

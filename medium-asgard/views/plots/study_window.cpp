@@ -1,7 +1,7 @@
 #include "plots/study_window.h"
 
 #include "charts/study_chart.h"
-#include "frame/manual.h"
+#include "frame/help_menu.h"
 #include "frame/session_actions.h"
 #include "plain/plain.h"
 

@@ -1,6 +1,6 @@
 #include "shapes/shape_editor.h"
 
-#include "frame/manual.h"
+#include "frame/help_menu.h"
 #include "frame/names_box.h"
 #include "frame/undo_actions.h"
 #include "plain/plain.h"

@@ -14,15 +14,13 @@
 #include <QObject>
 #include <QPointer>
 
-namespace script {
-class Reader;
-}
+#include <functional>
+#include <utility>
 
 namespace views {
 
 class PlotsPanel;
 class SceneFiles;
-class Starting;
 class ShapeEditor;
 class StudyWindow;
 class TrajectoryEditor;
@@ -38,7 +36,10 @@ public:
     // From now on windows have the commands of a session with a file of its own, and the last one
     // to be closed asks about unsaved work.
     SceneFiles& beginSession();
-    void setStarting(Starting* starting) { starting_ = starting; } // for the entry Samples
+    struct FirstPageActions {
+        std::function<void()> show, close; // none: there is no such page
+    };
+    void setFirstPage(FirstPageActions actions) { firstPage_ = std::move(actions); }
 
     // A graphical viewer with the panes that one begins with, arranged as the last time.
     GraphicalViewer* openMainWindow();
@@ -81,7 +82,7 @@ private:
     SceneDocument document_;
     std::shared_ptr<PictureThread> pictures_; // of all viewers
     SceneFiles* files_ = nullptr;             // none: under a host
-    Starting* starting_ = nullptr;
+    FirstPageActions firstPage_;
     QPointer<TrajectoryEditor> trajectoryEditor_;
     QPointer<ShapeEditor> shapeEditor_;
     QList<QPointer<GraphicalViewer>> graphical_;
@@ -91,9 +92,5 @@ private:
     bool closing_ = false; // all of them: nobody asks again
     dialogs::WindowsStay stay_;
 };
-
-// The stand-alone editor: one window with the picture and its panes; `file` may be "".
-// `reader` was made before anything else of this process. Returns the exit code.
-int runEditor(int argc, char** argv, const std::string& file, script::Reader& reader);
 
 } // namespace views

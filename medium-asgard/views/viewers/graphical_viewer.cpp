@@ -2,10 +2,8 @@
 
 #include "frame/help_page.h"
 #include "frame/icons.h"
-#include "frame/manual.h"
 #include "frame/typed_field.h"
 #include "gestures/new_point.h"
-#include "gestures/present.h"
 #include "language/language_viewer.h"
 #include "language/notice_bar.h"
 #include "language/scene_editor.h"
@@ -15,15 +13,12 @@
 #include "plain/plain.h"
 #include "plots/plots_panel.h"
 #include "properties/element_commands.h"
-#include "render/framing.h"
-#include "shapes/shapes_menu.h"
 #include "start/tour.h"
 #include "viewers/parameters_panel.h"
 #include "viewers/scene_panes.h"
 #include "viewers/time_controls.h"
 #include "viewers/tool_bar.h"
 
-#include <QActionGroup>
 #include <QCloseEvent>
 #include <QCursor>
 #include <QDockWidget>
@@ -39,15 +34,6 @@
 namespace views {
 
 namespace {
-
-// A switch of the panel as an entry of a menu.
-void addSwitch(QMenu& menu, const StatusPanel::Switch& one) {
-    QAction* action = menu.addAction(plain::ours(one.box->text()));
-    action->setCheckable(true);
-    action->setChecked(one.box->isChecked());
-    QObject::connect(action, &QAction::toggled, one.box, &QCheckBox::setChecked);
-    QObject::connect(one.box, &QCheckBox::toggled, action, &QAction::setChecked);
-}
 
 QString helpTopicOf(editing::Kind kind) {
     using editing::Kind;
@@ -72,20 +58,6 @@ QString helpTopicOf(editing::Kind kind) {
     default:
         return {};
     }
-}
-
-// The moment that is seen becomes the start of the scene, as one step of undo; else why it cannot.
-void startFromHere(SceneDocument& document, SceneDisplay& display) {
-    if (!document.sceneIsCurrent())
-        return display.editing().say(document.whyNotCurrent());
-    const auto& motion = document.shown().motion;
-    const double time = motion ? gestures::roundMoment(*motion, display.time()) : display.time();
-    const editing::Answer answer = gestures::startingAt(document.ground(), time);
-    if (answer.possible())
-        document.setText(text::applied(document.text(), answer.edits),
-                         QObject::tr("Start From %1 s").arg(time));
-    else
-        display.editing().say(QString::fromStdString(answer.reason));
 }
 
 // There are bodies, and nothing that would move one.
@@ -342,20 +314,6 @@ void GraphicalViewer::connectParts() {
     connect(&document_, &SceneDocument::sceneChanged, this, &GraphicalViewer::showHint);
 }
 
-void GraphicalViewer::buildMenus() {
-    buildFileMenu();
-    buildEditMenu();
-    buildShapesMenu(menuBar()->addMenu(tr("&Shapes")), document_, windows_);
-    buildCreateMenu(menuBar()->addMenu(tr("&Create")), document_, *display_);
-    buildViewMenu();
-    buildHandlesMenu();
-    buildMotionMenu();
-    textMenu_ = menuBar()->addMenu(tr("&Text"));
-    textMenu_->menuAction()->setVisible(false);
-    addHelpMenu(this, QStringLiteral("The picture"),
-                [this](const QWidget& under) { return helpAt(under); });
-}
-
 // Of the element of the scene under the pointer.
 QString GraphicalViewer::helpAt(const QWidget& under) const {
     if (&under != display_)
@@ -363,182 +321,6 @@ QString GraphicalViewer::helpAt(const QWidget& under) const {
     const auto element =
         menuPlaceAt(document_, *display_, display_->mapFromGlobal(QCursor::pos())).element;
     return element ? helpTopicOf(element->kind) : QString();
-}
-
-// The text's own menus, once it is in a pane of this window.
-void GraphicalViewer::fillTextMenu(LanguageViewer& text) {
-    // Only while it is open: else its keys and the window's would count twice where the menu bar
-    // has the keyboard.
-    const QList<QAction*> menus = text.menuBar()->actions();
-    connect(textMenu_, &QMenu::aboutToShow, &text, [this, menus] { textMenu_->addActions(menus); });
-    connect(
-        textMenu_, &QMenu::aboutToHide, &text,
-        [this, menus] {
-            for (QAction* menu : menus)
-                textMenu_->removeAction(menu);
-        },
-        Qt::QueuedConnection);
-    textMenu_->menuAction()->setVisible(true);
-    // While there is a draft, Undo has something to do.
-    connect(&text, &LanguageViewer::draftChanged, this, [this, &text] {
-        undo_.undo->setEnabled(text.hasDraft() || document_.canUndo());
-        undo_.redo->setEnabled(text.hasDraft() || document_.canRedo());
-        updateTitle();
-    });
-    connect(&text, &QObject::destroyed, textMenu_,
-            [menu = textMenu_] { menu->menuAction()->setVisible(false); });
-}
-
-void GraphicalViewer::buildFileMenu() {
-    QMenu* file = menuBar()->addMenu(tr("&File"));
-    file->addAction(tr("New &Graphical Viewer"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N),
-                    this, [this] { windows_.openGraphicalViewer(); });
-    file->addAction(tr("New &Language Viewer"), QKeySequence(Qt::CTRL | Qt::Key_L), this,
-                    [this] { windows_.openLanguageViewer(); });
-    file->addSeparator();
-    if (document_.hasHost())
-        file->addAction(tr("&Save"), QKeySequence::Save, this, [this] {
-            display_->editing().say(tr("What is changed here is in the document already; the "
-                                       "document is saved in its own window, with Ctrl+S."),
-                                    false);
-        });
-    file->addAction(tr("&Close"), QKeySequence(Qt::CTRL | Qt::Key_W), this, &QWidget::close);
-}
-
-void GraphicalViewer::buildEditMenu() {
-    QMenu* edit = menuBar()->addMenu(tr("&Edit"));
-    undo_ = addUndoActions(edit, document_, [this](bool redo) { return typing(redo); });
-    edit->addSeparator();
-    // Where the picture or a pane of elements has the keyboard: a text copies words.
-    const QList<QAction*> copying{
-        edit->addAction(tr("&Copy"), QKeySequence::Copy, commands_, &ElementCommands::copy),
-        edit->addAction(tr("&Paste"), QKeySequence::Paste, commands_, &ElementCommands::paste),
-        edit->addAction(tr("Dup&licate"), QKeySequence(Qt::CTRL | Qt::Key_D), commands_,
-                        &ElementCommands::duplicate)};
-    for (QAction* one : copying)
-        one->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-    display_->addActions(copying);
-    connect(&panes_, &Panes::contentMade, this, [copying](const QString& name, QWidget* content) {
-        if (name == QLatin1String("sceneList") || name == QLatin1String("properties"))
-            content->addActions(copying);
-    });
-    QAction* remove =
-        edit->addAction(tr("&Delete"), this, [this] { display_->editing().deleteMarked(); });
-    QAction* hide =
-        edit->addAction(tr("&Hide"), this, [this] { display_->hide(document_.selected()); });
-    QAction* showAll =
-        edit->addAction(tr("Sho&w All Bodies"), this, [this] { display_->setHidden({}); });
-    QAction* value =
-        edit->addAction(tr("E&xact Value…"), this, [this] { display_->editing().openEntry(); });
-    // Nothing selected: nothing to delete, and no value. A new element's handle is known with its
-    // first picture, which tells nobody: the menu looks when it opens.
-    connect(edit, &QMenu::aboutToShow, this, [this, remove, value, hide, showAll] {
-        const bool marked = display_->editing().marked().has_value();
-        remove->setEnabled(marked || !document_.selected().empty());
-        value->setEnabled(marked);
-        hide->setEnabled(std::ranges::any_of(
-            document_.selected(), [](const auto& one) { return one.kind == editing::Kind::body; }));
-        showAll->setEnabled(!display_->hidden().empty());
-    });
-}
-
-bool GraphicalViewer::typing(bool redo) {
-    LanguageViewer* viewer = text();
-    if (!viewer || !viewer->hasDraft() || !viewer->isAncestorOf(focusWidget()))
-        return false;
-    redo ? viewer->redo() : viewer->undo();
-    return true;
-}
-
-void GraphicalViewer::buildMotionMenu() {
-    QMenu* motion = menuBar()->addMenu(tr("A&nimation"));
-    controls_->fillMenu(*motion, [this] { stop(); });
-    motion->addSeparator();
-    motion->addAction(tr("Start From &Here"), this,
-                      [this] { startFromHere(document_, *display_); });
-    motion->addAction(tr("&Recompute Motion"), QKeySequence(Qt::Key_F5), this,
-                      [this] { document_.recompute(); });
-    buildLiveMenu(motion->addMenu(tr("Compute &While Editing")));
-    motion->addAction(tr("&Trajectory Editor"), QKeySequence(Qt::CTRL | Qt::Key_T), this,
-                      [this] { windows_.openTrajectoryEditor(); });
-    motion->addAction(tr("Plo&ts"), this, [this] { panes_.show("plots"); })->setObjectName("plots");
-    motion->addAction(tr("Speed and &Accuracy…"), this, [this] { windows_.openStudy(); });
-}
-
-void GraphicalViewer::buildLiveMenu(QMenu* menu) {
-    auto* choices = new QActionGroup(menu);
-    const std::pair<Live, QString> all[] = {
-        {Live::automatic, tr("&Automatically, While It Is Quick")},
-        {Live::always, tr("&Always")},
-        {Live::never, tr("&Only When Asked (F5)")},
-    };
-    for (const auto& choice : all) {
-        const Live live = choice.first;
-        QAction* action = choices->addAction(plain::ours(choice.second));
-        action->setCheckable(true);
-        connect(action, &QAction::triggered, this, [this, live] { document_.setLive(live); });
-        connect(menu, &QMenu::aboutToShow, action,
-                [this, action, live] { action->setChecked(document_.live() == live); });
-    }
-    menu->addActions(choices->actions());
-}
-
-void GraphicalViewer::buildViewMenu() {
-    QMenu* view = menuBar()->addMenu(tr("&View"));
-    view->addAction(tr("&Frame All"), QKeySequence(Qt::Key_F), this,
-                    [this] { display_->frameAll(); })
-        ->setObjectName("frameAll");
-    view->addAction(tr("Frame the &Motion, From Here"), this, [this] { display_->frameMotion(); });
-    view->addAction(tr("Frame &Now"), QKeySequence(Qt::Key_N), this,
-                    [this] { display_->frameNow(); });
-    view->addAction(tr("Frame &Selected"), QKeySequence(Qt::SHIFT | Qt::Key_F), this,
-                    [this] { display_->frameSelected(); });
-    QAction* parallel =
-        view->addAction(tr("&Orthographic"), QKeySequence(Qt::Key_O), this, [this](bool on) {
-            if (on != display_->camera().orthographic)
-                display_->setOrthographic(on);
-        });
-    parallel->setCheckable(true);
-    connect(display_, &SceneDisplay::cameraChanged, parallel,
-            [this, parallel] { parallel->setChecked(display_->camera().orthographic); });
-    viewsMenu_ = view->addMenu(tr("&Views of the Scene"));
-    view->addSeparator();
-    const struct {
-        QString label;
-        QKeySequence key;
-        geometry::Vector toward;
-    } directions[] = {
-        {tr("Along &z: the Plane x y"), QKeySequence(Qt::Key_3), geometry::Vector::UnitZ()},
-        {tr("Along &x: the Plane y z"), QKeySequence(Qt::Key_1), geometry::Vector::UnitX()},
-        {tr("Along &y: the Plane x z"), QKeySequence(Qt::Key_2), geometry::Vector::UnitY()},
-        {tr("Against z"), QKeySequence(Qt::SHIFT | Qt::Key_3), -geometry::Vector::UnitZ()},
-        {tr("Against x"), QKeySequence(Qt::SHIFT | Qt::Key_1), -geometry::Vector::UnitX()},
-        {tr("Against y"), QKeySequence(Qt::SHIFT | Qt::Key_2), -geometry::Vector::UnitY()},
-    };
-    view->addAction(tr("From the &Side and Above"), QKeySequence(Qt::Key_4), this, [this] {
-        display_->lookAlong(render::sideAndAbove(render::upOf(*document_.shown().scene)));
-    });
-    for (const auto& direction : directions)
-        view->addAction(plain::ours(direction.label), direction.key, this,
-                        [this, toward = direction.toward] { display_->lookAlong(toward); });
-    view->addSeparator();
-    view->addAction(tr("&Level the Horizon"), QKeySequence(Qt::Key_U), this,
-                    [this] { display_->levelHorizon(); });
-    view->addAction(tr("&Centre of Rotation in the Middle"), this,
-                    [this] { display_->centerAt(QRectF(display_->rect()).center()); });
-    view->addAction(tr("&Keep This View"), QKeySequence(Qt::CTRL | Qt::Key_K), this,
-                    [this] { keepView(); });
-    view->addSeparator();
-    QMenu* panes = view->addMenu(tr("&Panes"));
-    panes_.fillMenu(*panes);
-    view->addAction(tr("Te&xt and Picture"), QKeySequence(Qt::Key_F6), this,
-                    &GraphicalViewer::switchPane);
-    view->addAction(tr("F&ull Screen"), QKeySequence(Qt::Key_F11), this,
-                    &GraphicalViewer::toggleFullScreen);
-    view->addSeparator();
-    for (const StatusPanel::Switch& one : panel_->switches())
-        if (!one.isHandle)
-            addSwitch(*view, one);
 }
 
 // The keyboard goes to the text, and back to the picture.
@@ -550,21 +332,6 @@ void GraphicalViewer::switchPane() {
 }
 
 void GraphicalViewer::toggleFullScreen() { setWindowState(windowState() ^ Qt::WindowFullScreen); }
-
-void GraphicalViewer::buildHandlesMenu() {
-    QMenu* handles = menuBar()->addMenu(tr("&Handles"));
-    const auto all = [this](bool on) {
-        for (const StatusPanel::Switch& one : panel_->switches())
-            if (one.isHandle)
-                one.box->setChecked(on);
-    };
-    handles->addAction(tr("&All"), this, [all] { all(true); });
-    handles->addAction(tr("&None"), this, [all] { all(false); });
-    handles->addSeparator();
-    for (const StatusPanel::Switch& one : panel_->switches())
-        if (one.isHandle)
-            addSwitch(*handles, one);
-}
 
 void GraphicalViewer::tell(const QString& sentence) { told_->tell(sentence); }
 
@@ -685,20 +452,6 @@ void GraphicalViewer::showMenu(const MenuPlace& place, const QPoint& global) {
             .release();
     menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->popup(global);
-}
-
-void GraphicalViewer::fillViewsMenu() {
-    viewsMenu_->clear();
-    const auto& views = document_.shown().scene->views;
-    viewsMenu_->setEnabled(!views.empty());
-    for (const scene::View& view : views) {
-        const QString name = QString::fromStdString(view.name);
-        QAction* action =
-            viewsMenu_->addAction(name.isEmpty() ? tr("(unnamed)") : plain::caption(name), this,
-                                  [this, name] { display_->followView(name); });
-        action->setCheckable(true);
-        action->setChecked(name == display_->followedView());
-    }
 }
 
 void GraphicalViewer::beginPlaying() {

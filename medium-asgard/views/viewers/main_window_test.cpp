@@ -371,7 +371,6 @@ TEST_F(MainWindowTest, TheSceneListCopiesCommandsAndShowsValues) {
 TEST_F(MainWindowTest, QuittingEndsTheFirstPageTooFromEitherWindow) {
     SceneFiles& files = editor.beginSession();
     Starting starting(editor, files);
-    editor.setStarting(&starting);
     for (const bool fromPage : {false, true}) {
         editor.document().reset();
         const QPointer<QWidget> viewer = &open(), page = starting.showFirstPage();
@@ -382,7 +381,6 @@ TEST_F(MainWindowTest, QuittingEndsTheFirstPageTooFromEitherWindow) {
         for (const auto& window : {viewer, page})
             EXPECT_TRUE(waitFor([&] { return !window || !window->isVisible(); }));
     }
-    editor.setStarting(nullptr);
 }
 
 TEST_F(MainWindowTest, AnotherWindowOpensBesideWhereThereIsRoom) {

@@ -14,7 +14,11 @@
 namespace views {
 
 Starting::Starting(Editor& editor, SceneFiles& files)
-    : QObject(&files), editor_(editor), files_(files) {}
+    : QObject(&files), editor_(editor), files_(files) {
+    editor_.setFirstPage({[this] { showFirstPage(); }, [this] { closeFirstPage(); }});
+}
+
+Starting::~Starting() { editor_.setFirstPage({}); }
 
 FirstPage* Starting::showFirstPage() {
     if (page_) {

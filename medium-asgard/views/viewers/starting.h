@@ -20,6 +20,7 @@ class Starting : public QObject {
 public:
     // Both outlive it.
     Starting(Editor& editor, SceneFiles& files);
+    ~Starting() override;
 
     // In place of no window, or over those that are open; one at a time.
     FirstPage* showFirstPage();
