@@ -43,9 +43,9 @@ HandleDrag::HandleDrag(Ground ground, const Sight& sight, const render::Handle& 
         const scene::Link& link = ground_.scene->links[handle_.element];
         const auto* second = std::get_if<scene::BodyEnd>(&link.second);
         const std::string body = handle_.part == 0 ? link.first.body : second ? second->body : "";
-        surface_ = shapeOf(*ground_.scene, body);
+        hold_.surface = shapeOf(*ground_.scene, body);
         // One that does not lie on the surface is not drawn to it.
-        follows_ = isOnSurface(handle_.place);
+        hold_.follows = isOnSurface(handle_.place);
     }
     if (handle_.kind == render::HandleKind::trajectoryPoint)
         path_.emplace(ground_.text, ground_.scene, handle_.element);
@@ -62,12 +62,12 @@ HandleDrag::HandleDrag(Ground ground, const Sight& sight, const render::Handle& 
 }
 
 bool HandleDrag::isOnSurface(const Vector& place) const {
-    if (!surface_)
+    if (!hold_.surface)
         return false;
     const double near = 2 * pixelLength_;
     const Line sight = lineOfSight(sight_, sight_.pixels(place));
     const auto hit =
-        geometry::castRay(*surface_, handle_.frame.toLocal(place - near * sight.direction),
+        geometry::castRay(*hold_.surface, handle_.frame.toLocal(place - near * sight.direction),
                           handle_.frame.attitude.conjugate() * sight.direction);
     return hit && hit->distance <= 2 * near;
 }
@@ -90,7 +90,7 @@ Vector HandleDrag::onSphere() const {
 
 std::optional<Vector> HandleDrag::onSurface() const {
     const Line sight = lineOfSight(sight_, held_ + grip_);
-    const auto hit = geometry::castRay(*surface_, handle_.frame.toLocal(sight.from),
+    const auto hit = geometry::castRay(*hold_.surface, handle_.frame.toLocal(sight.from),
                                        handle_.frame.attitude.conjugate() * sight.direction);
     return hit ? std::optional(handle_.frame.toWorld(hit->point)) : std::nullopt;
 }
@@ -134,7 +134,7 @@ void HandleDrag::setTurns(int axis) {
 double HandleDrag::turned() const {
     constexpr double round = 15, near = 2.5;
     const double degrees = turning_ ? turning_->angle * 180 / M_PI : 0;
-    if (snapsHeldOff_)
+    if (snaps_.areHeldOff)
         return editing::roundedTo(degrees, 0.1);
     const double nearest = round * std::round(degrees / round);
     return std::abs(degrees - nearest) < near ? nearest : std::round(degrees);
@@ -156,31 +156,31 @@ void HandleDrag::setSnaps(double scale) {
     drawing.scene = ground_.scene.get();
     drawing.motion = ground_.motion;
     drawing.time = ground_.motion ? ground_.motion->start() : ground_.scene->simulator.start;
-    snapping_.emplace(drawing, sight_, scale, &handle_);
+    snaps_.by.emplace(drawing, sight_, scale, &handle_);
 }
 
 // A place that a thing draws is written so finely that it meets the thing.
 double HandleDrag::resolution() const {
-    return snapped_.isExact ? 0.01 * pixelLength_ : pixelLength_;
+    return snaps_.last.isExact ? 0.01 * pixelLength_ : pixelLength_;
 }
 
 Vector HandleDrag::wanted() {
-    snapped_.isExact = false;
-    snapped_.to.clear();
+    snaps_.last.isExact = false;
+    snaps_.last.to.clear();
     if (turning_)
         return handle_.place;
     if (rollsFrom_)
         return rolled();
     if (handle_.kind == render::HandleKind::orientation)
         return onSphere();
-    if (follows_ && !free_) // beside the body it waits where it was
+    if (hold_.follows && !hold_.isFree) // beside the body it waits where it was
         return onSurface().value_or(place_);
     Vector place = unsnapped();
-    if (!snapping_ || snapsHeldOff_)
+    if (!snaps_.by || snaps_.areHeldOff)
         return place;
-    snapped_ = snapping_->at(place, handle_.place);
-    Vector on = kept(snapped_.place);
-    snapped_.isExact = snapped_.isExact && on == snapped_.place;
+    snaps_.last = snaps_.by->at(place, handle_.place);
+    Vector on = kept(snaps_.last.place);
+    snaps_.last.isExact = snaps_.last.isExact && on == snaps_.last.place;
     return on;
 }
 
@@ -257,12 +257,12 @@ void HandleDrag::update() {
         const double now = angleOfHand();
         turning_->angle += std::remainder(now - std::exchange(turning_->last, now), 2 * M_PI);
     }
-    const bool followed = follows_ && !free_;
+    const bool followed = hold_.follows && !hold_.isFree;
     place_ = wanted();
     if (followed)
         plane_ = place_; // freed, it goes on from here
-    else if (surface_ && !free_)
-        follows_ = isOnSurface(place_);
+    else if (hold_.surface && !hold_.isFree)
+        hold_.follows = isOnSurface(place_);
     answer_ = asked(false); // which nobody sees before it ends
     if (answer_.possible())
         ground_.preview(text::applied(ground_.text, answer_.edits));
@@ -283,15 +283,15 @@ void HandleDrag::nudge(const Eigen::Vector2d& byPixels) {
 void HandleDrag::push(double pixels) {
     plane_ += pixels * pixelLength_ * lineOfSight(sight_, held_ + grip_).direction;
     // The handle stays under the pointer.
-    if (follows_)
-        follows_ = false;
+    if (hold_.follows)
+        hold_.follows = false;
     update();
 }
 
 void HandleDrag::setFree(bool free) {
-    free_ = free;
-    if (!free && surface_)
-        follows_ = isOnSurface(place_);
+    hold_.isFree = free;
+    if (!free && hold_.surface)
+        hold_.follows = isOnSurface(place_);
 }
 
 void HandleDrag::finish() {
@@ -313,8 +313,9 @@ std::string HandleDrag::words() const {
         return subjectOf(*ground_.scene, handle_) + ": turned by " +
                editing::numberText(turned(), 0.1) + " degrees about " + "xyz"[turning_->axis];
     return subjectOf(*ground_.scene, handle_) + ": " + quantityOf(*ground_.scene, handle_) + " " +
-           valuesOf(wishes()) + (follows_ && !free_ ? ", on the surface; a takes it off" : "") +
-           (snapped_.to.empty() ? "" : ", at " + snapped_.to + "; Ctrl takes it off") +
+           valuesOf(wishes()) +
+           (hold_.follows && !hold_.isFree ? ", on the surface; a takes it off" : "") +
+           (snaps_.last.to.empty() ? "" : ", at " + snaps_.last.to + "; Ctrl takes it off") +
            (along_ ? std::string(along_->isPlane ? "; across " : "; along ") + "xyz"[along_->axis]
                    : "") +
            (isPlace() && moved_

@@ -33,7 +33,7 @@ public:
     // A place is drawn to things and round numbers nearby (snapping.h), unless that is held off.
     // `scale`: device pixels for each of the reader's.
     void setSnaps(double scale);
-    void holdSnapsOff(bool off) { snapsHeldOff_ = off; }
+    void holdSnapsOff(bool off) { snaps_.areHeldOff = off; }
     // A place moves along one axis of the world, or in the plane across it; none: as the hand goes.
     struct Along {
         int axis = 0;
@@ -89,7 +89,10 @@ private:
     geometry::Vector place_, plane_; // plane_: a point of the screen's plane that it moves in
     Eigen::Vector2d held_, grip_;    // pixels: of the pointer, and from it to the handle
     std::optional<editing::TrajectoryEdits> path_; // of a trajectory's point
-    ShapePointer surface_;
+    struct Hold {                                  // on the body's surface
+        ShapePointer surface;
+        bool follows = false, isFree = false;
+    } hold_;
     std::optional<double> rollsFrom_; // pixels, of where it was pressed
     struct Turning {
         int axis;
@@ -97,11 +100,13 @@ private:
         double angle = 0; // radians, since it was taken
     };
     std::optional<Turning> turning_;
-    std::optional<Snapping> snapping_;
-    Snapped snapped_; // of the last move
+    struct Snaps {
+        std::optional<Snapping> by;
+        Snapped last; // move
+        bool areHeldOff = false;
+    } snaps_;
     editing::Answer answer_;
-    bool quaternion_ = false, moved_ = false, follows_ = false, free_ = false;
-    bool snapsHeldOff_ = false, isUpright_ = false;
+    bool quaternion_ = false, moved_ = false, isUpright_ = false;
     std::optional<Along> along_;
 };
 

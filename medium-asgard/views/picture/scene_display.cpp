@@ -40,9 +40,9 @@ SceneDisplay::SceneDisplay(SceneDocument& document, std::shared_ptr<PictureThrea
     setAccessibleDescription(tr("Picture of the scene. Click to select. Drag with the left button "
                                 "to turn it, the middle one to move it, the right one to scale or "
                                 "roll it."));
-    settle_.setSingleShot(true);
-    settle_.setInterval(180);
-    connect(&settle_, &QTimer::timeout, this, [this] { redraw(false); });
+    asking_.settle.setSingleShot(true);
+    asking_.settle.setInterval(180);
+    connect(&asking_.settle, &QTimer::timeout, this, [this] { redraw(false); });
     connect(&document_, &SceneDocument::elementsRenamed, this, &SceneDisplay::rename);
     connect(&document_, &SceneDocument::sceneChanged, this, &SceneDisplay::sceneChanged);
     connect(&document_, &SceneDocument::motionChanged, this, &SceneDisplay::motionChanged);
@@ -89,36 +89,36 @@ QPointF SceneDisplay::placeOf(double x, double y, double z) const {
 }
 
 void SceneDisplay::redraw(bool moving) {
-    moving_ = moving;
-    isOld_ = true;
+    asking_.moving = moving;
+    asking_.isOld = true;
     if (moving)
-        settle_.start();
+        asking_.settle.start();
     update();
 }
 
 void SceneDisplay::ask() {
-    if (!isOld_)
+    if (!asking_.isOld)
         return;
-    isOld_ = false;
+    asking_.isOld = false;
     PictureWish wish;
-    wish.serial = ++wished_;
+    wish.serial = ++asking_.wished;
     wish.shown = document_.shown();
     wish.time = time_;
     wish.display = display_;
-    wish.display.samples = moving_ ? 1 : 4;
+    wish.display.samples = asking_.moving ? 1 : 4;
     const QColor paper = palette().color(QPalette::Base);
     wish.display.background = {paper.redF(), paper.greenF(), paper.blueF()};
-    wish.display.rotationCenter = turning_;
-    wish.display.shadows = display_.shadows && !(moving_ && isHeavy_);
+    wish.display.rotationCenter = press_.turns;
+    wish.display.shadows = display_.shadows && !(asking_.moving && asking_.isHeavy);
     wish.size = pixelSize();
     wish.pixelRatio = devicePixelRatioF();
     wish.camera = control_.camera();
-    wish.view = followed_.toStdString();
-    wish.framing = framing_;
-    wish.from = !followed_.isEmpty() ? SeenFrom::view
-                : framesItself_      ? SeenFrom::framed
-                : turned_            ? SeenFrom::turned
-                                     : SeenFrom::camera;
+    wish.view = seen_.followed.toStdString();
+    wish.framing = seen_.framing;
+    wish.from = !seen_.followed.isEmpty() ? SeenFrom::view
+                : seen_.framesItself      ? SeenFrom::framed
+                : seen_.turned            ? SeenFrom::turned
+                                          : SeenFrom::camera;
     pictures_->draw(this, std::move(wish));
 }
 
@@ -129,9 +129,10 @@ void SceneDisplay::take() {
     // Where it is seen from, unless that was changed meanwhile: then another one is on its way, and
     // what is pointed at stays where it is seen.
     const PictureWish& of = last->of;
-    const bool follows = of.from == SeenFrom::view && of.view == followed_.toStdString();
-    const bool frames = of.from == SeenFrom::framed && followed_.isEmpty() && framesItself_;
-    const bool turns = of.from == SeenFrom::turned && turned_;
+    const bool follows = of.from == SeenFrom::view && of.view == seen_.followed.toStdString();
+    const bool frames =
+        of.from == SeenFrom::framed && seen_.followed.isEmpty() && seen_.framesItself;
+    const bool turns = of.from == SeenFrom::turned && seen_.turned;
     if (picture_ &&
         ((of.from == SeenFrom::framed && !frames) || (of.from == SeenFrom::turned && !turns)))
         return;
@@ -139,11 +140,11 @@ void SceneDisplay::take() {
         pictures_->drop(std::move(old));
     // Once it was seen to be slow; a scene with other bodies is tried again.
     if (of.display.shadows && of.display.samples == 1 && picture_->lasted > smooth)
-        isHeavy_ = true;
+        asking_.isHeavy = true;
     if (!follows && !frames && !turns)
         return;
-    if (picture_->of.serial == wished_)
-        turned_ = false;
+    if (picture_->of.serial == asking_.wished)
+        seen_.turned = false;
     control_.set(picture_->camera);
     Q_EMIT cameraChanged();
 }
@@ -151,9 +152,10 @@ void SceneDisplay::take() {
 void SceneDisplay::bringUpToDate() {
     ask();
     const bool isHeavy = picture_ && picture_->lasted > 2 * patience;
-    if (waitedFor_ != wished_ && !isHeavy) { // once for each: many may ask before it comes
-        waitedFor_ = wished_;
-        pictures_->wait(this, wished_, patience);
+    if (asking_.waitedFor != asking_.wished &&
+        !isHeavy) { // once for each: many may ask before it comes
+        asking_.waitedFor = asking_.wished;
+        pictures_->wait(this, asking_.wished, patience);
     }
     take();
 }
@@ -208,26 +210,27 @@ void SceneDisplay::rename(const std::vector<editing::Renamed>& renamed) {
 }
 
 void SceneDisplay::sceneChanged() {
-    isHeavy_ = isHeavy_ && picture_ &&
-               picture_->of.shown.scene->bodies.size() == document_.shown().scene->bodies.size();
+    asking_.isHeavy =
+        asking_.isHeavy && picture_ &&
+        picture_->of.shown.scene->bodies.size() == document_.shown().scene->bodies.size();
     const auto& views = document_.shown().scene->views;
     const bool known = std::any_of(views.begin(), views.end(), [&](const auto& v) {
-        return QString::fromStdString(v.name) == followed_;
+        return QString::fromStdString(v.name) == seen_.followed;
     });
     // A scene with views opens in its first one.
-    if (framesItself_ && !known && !views.empty())
+    if (seen_.framesItself && !known && !views.empty())
         followView(QString::fromStdString(views.front().name));
-    else if (!followed_.isEmpty() && !known)
+    else if (!seen_.followed.isEmpty() && !known)
         followView({});
     motionChanged();
 }
 
 // While a handle is dragged pictures are many: each is coarse, and the last one fine.
-void SceneDisplay::motionChanged() { redraw(moving_ || editing_.dragging()); }
+void SceneDisplay::motionChanged() { redraw(asking_.moving || editing_.dragging()); }
 
 void SceneDisplay::movedByUser() {
-    framesItself_ = turned_ = false;
-    if (!followed_.isEmpty())
+    seen_.framesItself = seen_.turned = false;
+    if (!seen_.followed.isEmpty())
         followView({});
     Q_EMIT cameraChanged();
     redraw(true);
@@ -240,8 +243,8 @@ void SceneDisplay::setCamera(const render::Camera& camera) {
 
 void SceneDisplay::frameAll() {
     followView({});
-    framesItself_ = true;
-    framing_ = display_; // switching handles on later moves nothing
+    seen_.framesItself = true;
+    seen_.framing = display_; // switching handles on later moves nothing
     redraw(false);
 }
 
@@ -305,9 +308,9 @@ void SceneDisplay::lookAlong(const geometry::Vector& toward) {
             std::abs(up.z()) < 0.5 ? geometry::Vector(0, 0, -along) : geometry::Vector(0, along, 0);
     render::Camera camera = control_.camera();
     camera.rotation = render::facing(toward, upright);
-    const bool wasFraming = framesItself_;
+    const bool wasFraming = seen_.framesItself;
     setCamera(camera);
-    turned_ = wasFraming;
+    seen_.turned = wasFraming;
     redraw(false);
 }
 
@@ -321,16 +324,16 @@ void SceneDisplay::levelHorizon() {
     const geometry::Quaternion level = render::facing(toward, up);
     camera.position = level * (camera.rotation.conjugate() * camera.position);
     camera.rotation = level;
-    const bool wasFraming = framesItself_;
+    const bool wasFraming = seen_.framesItself;
     setCamera(camera);
-    turned_ = wasFraming;
+    seen_.turned = wasFraming;
     redraw(false);
 }
 
 void SceneDisplay::followView(const QString& name) {
-    if (name != followed_) {
-        followed_ = name;
-        lastView_ = name.isEmpty() ? lastView_ : name;
+    if (name != seen_.followed) {
+        seen_.followed = name;
+        seen_.last = name.isEmpty() ? seen_.last : name;
         Q_EMIT viewFollowed();
     }
     redraw(false);
@@ -368,9 +371,9 @@ double SceneDisplay::arrowLength(bool couple) {
 }
 
 void SceneDisplay::keepCamera() {
-    if ((!framesItself_ && !turned_) || !picture_)
+    if ((!seen_.framesItself && !seen_.turned) || !picture_)
         return;
-    framesItself_ = turned_ = false;
+    seen_.framesItself = seen_.turned = false;
     if (!showsNewest()) // what is on its way may be seen from elsewhere
         redraw(false);
 }
@@ -419,7 +422,7 @@ double SceneDisplay::massOf(std::size_t body) const {
     return std::isfinite(mass) && mass > 0 ? mass : 1;
 }
 
-void SceneDisplay::resizeEvent(QResizeEvent*) { isOld_ = true; }
+void SceneDisplay::resizeEvent(QResizeEvent*) { asking_.isOld = true; }
 
 void SceneDisplay::paintEvent(QPaintEvent*) {
     bringUpToDate();

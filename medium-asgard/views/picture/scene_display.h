@@ -55,8 +55,10 @@ public:
     [[nodiscard]] const render::Display& display() const { return display_; }
 
     [[nodiscard]] const render::Camera& camera() const { return control_.camera(); }
-    void setCamera(const render::Camera& camera);                     // the user's own from now on
-    [[nodiscard]] bool framesItself() const { return framesItself_; } // nobody has moved it yet
+    void setCamera(const render::Camera& camera); // the user's own from now on
+    [[nodiscard]] bool framesItself() const {
+        return seen_.framesItself;
+    } // nobody has moved it yet
     void setOrthographic(bool orthographic);
     void frameAll();
     // Frames what stands there at this time, the selected bodies (none: all), or the whole motion;
@@ -68,8 +70,8 @@ public:
     void levelHorizon(); // rolls the picture until what is upright in the world is so in it
     // The scene's view of that name; "" leaves it where it is.
     void followView(const QString& name);
-    [[nodiscard]] const QString& followedView() const { return followed_; }
-    [[nodiscard]] const QString& lastView() const { return lastView_; } // that was followed
+    [[nodiscard]] const QString& followedView() const { return seen_.followed; }
+    [[nodiscard]] const QString& lastView() const { return seen_.last; } // that was followed
     // The centre of rotation becomes the vertex or handle near the pixel, else what is at
     // mid-depth.
     void centerAt(const QPointF& position);
@@ -92,7 +94,7 @@ public:
     [[nodiscard]] const render::HandleSet& handles();
     // The picture is the one that was wished for last.
     [[nodiscard]] bool showsNewest() const {
-        return !isOld_ && picture_ && picture_->of.serial == wished_;
+        return !asking_.isOld && picture_ && picture_->of.serial == asking_.wished;
     }
     // The things to see in the picture as it is.
     [[nodiscard]] const render::HandleSet& drawnHandles() const;
@@ -152,15 +154,34 @@ private:
     bool beginDrag(QMouseEvent& event); // of a body; false: the view moves
     [[nodiscard]] std::vector<geometry::Vector> verticesAndHandles();
 
+    // Where it is seen from, as long as the user has not moved the view.
+    struct Seen {
+        bool framesItself = true;
+        bool turned = false;     // framed anew, with the attitude as it is
+        render::Display framing; // whose handles it frames, too
+        QString followed, last;  // views of the scene
+    };
+    // The picture that was asked for last, and those that are on their way.
+    struct Asking {
+        unsigned wished = 0, waitedFor = 0;
+        bool isOld = true; // what is shown is not what was wished for last
+        bool moving = false;
+        bool isHeavy = false; // with shadows it would not move smoothly
+        QTimer settle;        // then the fine picture is drawn
+    };
+    struct Press {
+        QPointF at;          // where the button was
+        bool isDrag = false; // the pointer has left that place
+        bool turns = false;  // it has moved the view, which shows its centre of rotation
+    };
+
     SceneDocument& document_;
     std::shared_ptr<PictureThread> pictures_;
     PictureThread::PicturePointer picture_; // the last one, maybe of something older
     render::CameraControl control_;
     render::Display display_;
     double time_ = 0;
-    bool framesItself_ = true;
-    render::Display framing_; // whose handles it frames, too
-    QString followed_, lastView_;
+    Seen seen_;
     PictureEditing editing_;
     Creating creating_;
     Pointing pointing_;
@@ -168,15 +189,8 @@ private:
     Throwing throwing_;
     Gizmo gizmo_;
     Meters meters_;
-    QPointF pressed_;     // where the button was
-    bool isDrag_ = false; // the pointer has left that place
-    bool turned_ = false; // framed anew, with the attitude as it is
-    unsigned wished_ = 0, waitedFor_ = 0;
-    bool isOld_ = true; // what is shown is not what was wished for last
-    bool moving_ = false;
-    bool turning_ = false; // a drag has moved the view: it shows its centre of rotation
-    bool isHeavy_ = false; // with shadows it would not move smoothly
-    QTimer settle_;        // then the fine picture is drawn
+    Press press_;
+    Asking asking_;
 };
 
 } // namespace views

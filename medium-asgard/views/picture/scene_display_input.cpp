@@ -43,8 +43,8 @@ bool SceneDisplay::clickTriad(const QMouseEvent& event) {
 
 void SceneDisplay::mousePressEvent(QMouseEvent* event) {
     if (!control_.active()) {
-        pressed_ = event->position();
-        isDrag_ = false;
+        press_.at = event->position();
+        press_.isDrag = false;
     }
     const auto button = buttonOf(event->button());
     bringUpToDate();
@@ -75,20 +75,20 @@ bool SceneDisplay::beginDrag(QMouseEvent& event) {
     selecting_.forgetClick();
     if (!isPlain)
         return false;
-    const auto arrow = gizmo_.at(pressed_);
-    const auto body = arrow ? std::optional(arrow->body) : selecting_.selectedBodyAt(pressed_);
+    const auto arrow = gizmo_.at(press_.at);
+    const auto body = arrow ? std::optional(arrow->body) : selecting_.selectedBodyAt(press_.at);
     if (!body)
         return false;
     if (arrow && arrow->isRing) {
-        if (!editing_.turnBody(*body, pressed_, arrow->axis))
+        if (!editing_.turnBody(*body, press_.at, arrow->axis))
             return false;
         control_.release();
         editing_.move(event);
         return true;
     }
     using Along = gestures::HandleDrag::Along;
-    if (!throwing_.press(*body, pressed_) &&
-        !editing_.pressBody(*body, pressed_,
+    if (!throwing_.press(*body, press_.at) &&
+        !editing_.pressBody(*body, press_.at,
                             arrow ? std::optional(Along{arrow->axis}) : std::nullopt))
         return false;
     control_.release();
@@ -100,17 +100,17 @@ bool SceneDisplay::beginDrag(QMouseEvent& event) {
 // A drag begins when the pointer has left its place; then a body that is selected goes with it.
 void SceneDisplay::moveView(QMouseEvent& event) {
     constexpr double still = 4; // pixels
-    const bool isFar = (event.position() - pressed_).manhattanLength() >= still;
-    if (isFar && !std::exchange(isDrag_, true)) {
+    const bool isFar = (event.position() - press_.at).manhattanLength() >= still;
+    if (isFar && !std::exchange(press_.isDrag, true)) {
         if (beginDrag(event))
             return;
         if (!pointing_.advice().isEmpty())
             editing_.say(pointing_.advice(), false);
     }
-    if ((event.buttons() & Qt::LeftButton) && !isDrag_)
+    if ((event.buttons() & Qt::LeftButton) && !press_.isDrag)
         return;
     if (control_.move(inPixels(event.position()), pixelSize())) {
-        turning_ = true;
+        press_.turns = true;
         movedByUser();
     }
 }
@@ -120,19 +120,19 @@ void SceneDisplay::mouseReleaseEvent(QMouseEvent* event) {
     if (throwing_.release(*event)) {
         // The body is let go.
     } else if (creating_.active() && event->button() == Qt::LeftButton) {
-        if ((event->position() - pressed_).manhattanLength() < still)
+        if ((event->position() - press_.at).manhattanLength() < still)
             creating_.click(event->position(), event->modifiers() & Qt::ControlModifier);
     } else if (!editing_.dragging() && selecting_.release(*event)) {
         // It is selected.
     } else if (!editing_.release(*event) && control_.active() &&
                event->button() == Qt::RightButton &&
-               (event->position() - pressed_).manhattanLength() < still) {
+               (event->position() - press_.at).manhattanLength() < still) {
         control_.release();
         Q_EMIT menuWanted(menuPlaceAt(document_, *this, event->position()));
         return;
     }
     control_.release();
-    if (std::exchange(turning_, false))
+    if (std::exchange(press_.turns, false))
         redraw(true);
     pointing_.moveTo(event->position(), event->modifiers());
 }
