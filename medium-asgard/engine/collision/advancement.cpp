@@ -135,8 +135,9 @@ private:
             gained += (now->angular - was->angular).norm() * part->reach +
                       spin * (t_ - then) * (spin * part->reach + speed);
         }
-        if (isInHollow_) // the wall turns towards what goes along it
-            gained += (t_ - then) * speed * speed / roomInHollow(pair_);
+        // The wall turns towards what goes along it.
+        if (const double room = isInHollow_ ? roomInHollow(pair_) : 0; room > 0)
+            gained += (t_ - then) * speed * speed / room;
         return gained;
     }
 

@@ -1,10 +1,12 @@
 #include "collision/hollow_separation.h"
 
+#include "collision/contact.h"
 #include "collision/curved_separation.h"
 #include "collision/polynomial.h"
 #include "collision/spheres.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace collision {
@@ -47,7 +49,7 @@ public:
             gap_ = std::max({own, question.gap, 0.0});
     }
 
-    [[nodiscard]] double clear() {
+    [[nodiscard]] double clear() const {
         const double speed = speedWithin(question_.window);
         double clear = 0;
         if (gap_ > 0)
@@ -57,7 +59,6 @@ public:
         return clear;
     }
 
-private:
     // No faster does the ball's centre go in the wall's frame, but for turning about its axis.
     [[nodiscard]] double speedWithin(double window) const {
         double speed = 0, way = 0, power = 1;
@@ -79,6 +80,24 @@ private:
         return speed;
     }
 
+    // Nor does it change its velocity faster; of a wall that does not turn.
+    [[nodiscard]] double accelerationWithin(double window) const {
+        double most = 0, power = 1;
+        for (std::size_t k = 2; k <= maximumDegree; ++k, power *= window) {
+            Vector term = Vector::Zero();
+            for (std::size_t c = 0; c < 3; ++c)
+                if (k < path_[c].count)
+                    term[static_cast<Eigen::Index>(c)] = path_[c].terms[k];
+            most += static_cast<double>(k * (k - 1)) * term.norm() * power;
+        }
+        if (!ball_.turns())
+            return most;
+        const TurnBounds turning = turnBounds(ball_.piece, question_.t, question_.t + window);
+        return most + (turning.angularSpeed * turning.angularSpeed + turning.angularAcceleration) *
+                          lever_.norm();
+    }
+
+private:
     // Of a wall that does not turn.
     [[nodiscard]] double alongNormal(double speed) const {
         double window = question_.window;
@@ -124,8 +143,8 @@ private:
     double gap_ = 0; // with what is allowed to sink in; 0: it touches
 };
 
-// The other part lies on the lid of the hollow, and nothing of it on the wall beside.
-bool isOverLid(const Posed& wall, const Posed& other, const Vector& normal) {
+// What of the other part is lowest over the lid of the hollow is in its mouth, or partly.
+bool isOverMouth(const Posed& wall, const Posed& other, const Vector& normal) {
     const geometry::Curved& curved = *wall.part->curved;
     const Vector axis = wall.rotation * curved.axis();
     const double along = axis.dot(normal); // towards the other
@@ -139,36 +158,232 @@ bool isOverLid(const Posed& wall, const Posed& other, const Vector& normal) {
     for (std::size_t v = 0; v < other.part->core.vertices.size(); ++v) {
         const Vector from = other.world(v) - middle;
         if (normal.dot(other.world(v)) <= lowest + 1e-6 * curved.radius() &&
-            axis.cross(from).norm() >= curved.inner)
-            return false;
+            axis.cross(from).norm() < curved.inner)
+            return true;
     }
-    return true;
+    return false;
+}
+
+Separation separationOf(const Vector& place, double gap, const Vector& normal, double radius,
+                        bool isFirst) {
+    Separation result;
+    result.coreDistance = std::max(gap, 0.0);
+    result.gap = gap - radius;
+    result.normal = isFirst ? normal : Vector(-normal);
+    result.touch = place - (radius + result.gap / 2) * normal;
+    return result;
 }
 
 Separation ofBall(const Posed& ball, std::size_t vertex, const Posed& wall, bool isFirst) {
     const Vector centre = ball.world(vertex);
     const HollowNearest nearest = geometry::nearestOf(*wall.part->curved, turnedInto(wall, centre));
-    const Vector normal = wall.rotation * nearest.normal;
-    Separation result;
-    result.coreDistance = std::max(nearest.distance, 0.0);
-    result.gap = nearest.distance - ball.part->radius;
-    result.normal = isFirst ? normal : Vector(-normal);
+    Separation result = separationOf(centre, nearest.distance, wall.rotation * nearest.normal,
+                                     ball.part->radius, isFirst);
     result.isInside = nearest.isInside();
-    result.touch = centre - (ball.part->radius + result.gap / 2) * normal;
     return result;
 }
 
+// An edge of the one, and the wall.
+struct EdgeAtWall {
+    std::size_t from = 0, to = 0;
+    Separation separation;
+    bool isThrough = false; // the wall: that tells how deep, and of no place where they touch
+    // Of the angle between the edge and the circle of that radius.
+    double sine = 0, radius = 0;
+};
+
+// The edges of a part that is, in part, in a hollow, at the circles of its mouths.
+class EdgesAtWall {
+public:
+    EdgesAtWall(const Posed& other, const Posed& wall, bool isFirst)
+        : other_(other), wall_(wall), isFirst_(isFirst), curved_(*wall.part->curved) {
+        const auto& vertices = other.part->core.vertices;
+        for (std::size_t v = 0; v < vertices.size(); ++v)
+            own_.emplace_back(curved_.frame.transpose() *
+                              (turnedInto(wall, other.world(v)) - curved_.center));
+    }
+
+    std::vector<EdgeAtWall> find() {
+        if (own_.size() == 2)
+            edge(0, 1);
+        for (const geometry::Edge& each : other_.part->core.edges)
+            edge(each.from, each.to);
+        return std::move(found_);
+    }
+
+private:
+    [[nodiscard]] bool isTube() const { return curved_.kind == geometry::Curved::Kind::tube; }
+    [[nodiscard]] double thickness() const { return curved_.radius() - curved_.inner; }
+    // Over the plane of the nearer mouth.
+    [[nodiscard]] double above(const Vector& own) const {
+        return (isTube() ? std::abs(own.y()) : own.y()) - curved_.half();
+    }
+    [[nodiscard]] double across(const Vector& own) const {
+        return isTube() ? std::hypot(own.x(), own.z()) : own.norm();
+    }
+    void keep(std::size_t from, std::size_t to, const Vector& own, double gap, const Vector& normal,
+              bool isThrough = false) {
+        const Vector place = wall_.rotation * (curved_.frame * own + curved_.center) + wall_.offset;
+        found_.push_back({from, to,
+                          separationOf(place, gap, wall_.rotation * (curved_.frame * normal),
+                                       other_.part->radius, isFirst_),
+                          isThrough});
+        found_.back().separation.isInside = true;
+    }
+
+    void edge(std::size_t from, std::size_t to) {
+        const Vector &a = own_[from], &b = own_[to];
+        throughWall(from, to);
+        for (const double end : {1.0, -1.0}) {
+            if (end < 0 && !isTube())
+                continue;
+            if (std::max(end * a.y(), end * b.y()) <= curved_.half() - thickness())
+                continue; // it is below the mouth
+            atCircle(from, to, end, curved_.inner);
+            atCircle(from, to, end, curved_.radius());
+        }
+    }
+
+    // What of the edge is between the planes of the mouths is in the hollow or beyond the wall, or
+    // it goes through that.
+    void throughWall(std::size_t from, std::size_t to) {
+        const Vector& a = own_[from];
+        const Vector way = own_[to] - a;
+        double first = 0, last = 1;
+        for (const double end : {1.0, -1.0}) {
+            if (end < 0 && !isTube())
+                continue;
+            const double over = end * a.y() - curved_.half(), rise = end * way.y();
+            if (rise > 0)
+                last = std::min(last, -over / rise);
+            else if (rise < 0)
+                first = std::max(first, -over / rise);
+            else if (over >= 0)
+                return;
+        }
+        if (!(first < last))
+            return;
+        const std::array<Vector, 2> ends{a + first * way, a + last * way};
+        const double middle = curved_.inner + thickness() / 2;
+        const bool isFirstIn = across(ends[0]) < middle, isLastIn = across(ends[1]) < middle;
+        Vector along = way, at = a;
+        if (isTube())
+            along.y() = at.y() = 0;
+        const double square = along.squaredNorm();
+        const double nearest =
+            square > 0 ? std::clamp(-at.dot(along) / square, first, last) : first;
+        const double least = across(a + nearest * way);
+        if (!isFirstIn && !isLastIn && least >= middle)
+            return; // beyond
+        const double flattest = std::clamp(way.y() != 0 ? -a.y() / way.y() : 0, first, last);
+        double depth = thickness();
+        if (isTube()) // how far from the mouths' planes it goes
+            depth = std::min(depth, -above(a + flattest * way));
+        else
+            depth = std::min(depth, -std::min(ends[0].y(), ends[1].y()));
+        if (!isFirstIn && !isLastIn)
+            depth = std::min(depth, curved_.radius() - least);
+        else if (isFirstIn && isLastIn && first == 0 && last == 1)
+            return;
+        const double slope = std::abs(way.y()) / way.norm();
+        bool isBeyond = isFirstIn != isLastIn || !isFirstIn;
+        for (const auto& [s, place] : {std::pair(first, ends[0]), {last, ends[1]}})
+            if (s == 0 || s == 1) {
+                if (isFirstIn != isLastIn)
+                    depth = std::min(depth, std::max(-above(place), 0.0));
+            } else if (const double beyond = across(place) - curved_.inner; beyond > 0) {
+                depth = std::min(depth, beyond * slope);
+                isBeyond = true;
+            }
+        if (!isBeyond || !(depth > 0))
+            return;
+        const Vector& out = isFirstIn ? ends[1] : ends[0];
+        Vector normal = -out;
+        if (isTube())
+            normal.y() = 0;
+        if (depth < thickness())
+            normal = Vector(0, isTube() && out.y() < 0 ? -1 : 1, 0);
+        keep(from, to, out, -depth, normal.normalized(), true);
+    }
+
+    void atCircle(std::size_t from, std::size_t to, double end, double radius) {
+        const Vector raise = end * curved_.half() * Vector::UnitY();
+        const Vector a = own_[from] - raise, way = own_[to] - own_[from];
+        for (const double s : geometry::nearestToCircle(a, way, radius))
+            take(from, to, own_[from] + s * way, end, radius);
+    }
+    void setAngle(const Vector& along, const Vector& radial, double radius) {
+        found_.back().sine = along.normalized().cross(radial.cross(Vector(Vector::UnitY()))).norm();
+        found_.back().radius = radius;
+    }
+    // Where an edge comes nearest to a circle. Out of the wall lead all ways between the axis of
+    // the hollow, away from it, and the way across, away from the wall.
+    void take(std::size_t from, std::size_t to, const Vector& at, double end, double radius) {
+        const double out = radius == curved_.inner ? -1 : 1, rho = std::hypot(at.x(), at.z());
+        if (!(rho > 0))
+            return;
+        const Vector radial(at.x() / rho, 0, at.z() / rho), up = end * Vector::UnitY();
+        double over = end * at.y() - curved_.half(), beside = out * (rho - radius);
+        const double distance = std::hypot(over, beside);
+        const Vector along = own_[to] - own_[from];
+        constexpr double near = 1e-7; // of the radius: there the edge itself has the normal
+        constexpr double slack = 1e-6;
+        if (distance > near * radius) {
+            const double least = std::min(over, beside), most = std::max(over, beside);
+            const bool isClear = least >= -slack * distance;
+            const bool isWithin = most <= slack * distance && distance < thickness();
+            if (!isClear && !isWithin)
+                return;
+            const double sign = isClear ? 1 : -1;
+            keep(from, to, at, sign * distance,
+                 sign / distance * (over * up + beside * out * radial));
+            setAngle(along, radial, radius);
+            return;
+        }
+        Vector normal = along.cross(radial.cross(Vector::UnitY())).normalized();
+        double lift = normal.dot(up), push = normal.dot(out * radial);
+        if (lift + push < 0) {
+            normal = -normal;
+            lift = -lift;
+            push = -push;
+        }
+        if (lift < -slack || push < -slack)
+            return;
+        keep(from, to, at, over * lift + beside * push, normal);
+        setAngle(along, radial, radius);
+    }
+
+    const Posed& other_;
+    const Posed& wall_;
+    bool isFirst_;
+    const geometry::Curved& curved_;
+    std::vector<Vector> own_; // vertices in the hollow's own axes
+    std::vector<EdgeAtWall> found_;
+};
+
+bool isInHollow(const Posed& other, std::size_t vertex, const Posed& wall) {
+    const geometry::Curved& curved = *wall.part->curved;
+    const Vector own =
+        curved.frame.transpose() * (turnedInto(wall, other.world(vertex)) - curved.center);
+    return curved.kind == geometry::Curved::Kind::tube
+               ? std::abs(own.y()) < curved.half() && std::hypot(own.x(), own.z()) < curved.inner
+               : own.y() < 0 && own.norm() < curved.inner;
+}
+
 // The hull separates a shape that is no sphere where that is outside of it, or only just within its
-// wall.
+// wall. Deep in the hull its own depth would be vague.
 std::optional<Separation> fromOutside(const Posed& first, const Posed& second) {
     const bool isFirst = !first.part->isHollow();
     const Posed &other = isFirst ? first : second, &wall = isFirst ? second : first;
     if (other.part->isSphere())
         return std::nullopt;
+    for (std::size_t v = 0; v < other.part->core.vertices.size(); ++v)
+        if (isInHollow(other, v, wall))
+            return std::nullopt;
     const Separation hull = separateCurved(first, second);
     const double thickness = wall.part->curved->radius() - wall.part->curved->inner;
     if (hull.gap <= -thickness / 2 ||
-        isOverLid(wall, other, isFirst ? hull.normal : Vector(-hull.normal)))
+        isOverMouth(wall, other, isFirst ? hull.normal : Vector(-hull.normal)))
         return std::nullopt;
     return hull;
 }
@@ -184,6 +399,9 @@ Separation separateHollow(const Posed& first, const Posed& second) {
     for (std::size_t v = 1; v < other.part->core.vertices.size(); ++v)
         if (Separation one = ofBall(other, v, wall, isFirst); one.gap < least.gap)
             least = std::move(one);
+    for (EdgeAtWall& edge : EdgesAtWall(other, wall, isFirst).find())
+        if (edge.separation.gap < least.gap)
+            least = std::move(edge.separation);
     least.isInside = least.isInside || !other.part->isSphere();
     return least;
 }
@@ -197,6 +415,9 @@ std::vector<BallAtWall> ballsAtWall(const Posed& first, const Posed& second, dou
     for (std::size_t v = 0; v < other.part->core.vertices.size(); ++v)
         if (Separation one = ofBall(other, v, wall, isFirst); std::abs(one.gap) <= tolerance)
             found.push_back({v, std::move(one)});
+    for (EdgeAtWall& edge : EdgesAtWall(other, wall, isFirst).find())
+        if (!edge.isThrough && std::abs(edge.separation.gap) <= tolerance)
+            found.push_back({std::nullopt, std::move(edge.separation)});
     return found;
 }
 
@@ -207,12 +428,91 @@ double roomInHollow(const PartPair& pair) {
     return wall.curved->inner - ball.radius;
 }
 
+namespace {
+
+// How long an edge stays clear of a circle. The gap is along the common normal of the two, which
+// turns as the place where they are nearest goes along both: with V the speed of the edge's ends,
+// w that of its turning, r the circle's radius and f the angle between the two, the gap's second
+// derivative is above -(a + 4 V^2 / (r sin^2 f) + 4 V w / sin f) until that place has gone r/4.
+class EdgePassage {
+public:
+    EdgePassage(const HollowQuestion& question, const PartMotion& other, const PartMotion& wall,
+                const EdgeAtWall& edge, const Passage& from, const Passage& to)
+        : question_(question), other_(other), wall_(wall), edge_(edge), from_(from), to_(to) {
+        const double own = edge.separation.gap;
+        if (!question.isLeaving || own > question.pair.unnoticedDepth(question.t))
+            gap_ = std::max({own, question.gap, 0.0});
+    }
+
+    [[nodiscard]] double clear() const {
+        const double speed = speedWithin(question_.window);
+        double clear = 0;
+        if (gap_ > 0)
+            clear = speed > 0 ? gap_ / speed : 2 * question_.window;
+        return std::max(clear, alongNormal());
+    }
+
+private:
+    [[nodiscard]] double speedWithin(double window) const {
+        return std::max(from_.speedWithin(window), to_.speedWithin(window));
+    }
+    [[nodiscard]] double alongNormal() const {
+        constexpr double least = 0.01; // sine
+        if (wall_.turns() || edge_.sine < least)
+            return 0;
+        double window = question_.window;
+        const double speed = speedWithin(window);
+        if (speed > 0)
+            window = std::min(window, edge_.radius * edge_.sine / (4 * speed));
+        const double turning =
+            other_.turns()
+                ? turnBounds(other_.piece, question_.t, question_.t + window).angularSpeed
+                : 0;
+        Polynomial gap;
+        gap.count = 3;
+        gap.terms[0] = gap_;
+        gap.terms[1] = -contactOf(question_.pair, question_.t, edge_.separation).closingSpeed;
+        gap.terms[2] =
+            -(std::max(from_.accelerationWithin(window), to_.accelerationWithin(window)) +
+              4 * speed * (speed / (edge_.radius * edge_.sine) + turning) / edge_.sine) /
+            2;
+        if (!std::isfinite(gap.terms[1] + gap.terms[2]))
+            return 0;
+        const double root = rootOf(gap, window, gap_ == 0);
+        return window < question_.window ? std::min(root, window) : root;
+    }
+
+    const HollowQuestion& question_;
+    const PartMotion& other_;
+    const PartMotion& wall_;
+    const EdgeAtWall& edge_;
+    const Passage& from_;
+    const Passage& to_;
+    double gap_ = 0; // 0: it touches
+};
+
+} // namespace
+
 double clearFor(const HollowQuestion& question) {
-    const Part& other =
-        *(question.pair.first.part->isHollow() ? question.pair.second : question.pair.first).part;
+    const PartPair& pair = question.pair;
+    const bool isFirst = !pair.first.part->isHollow();
+    const PartMotion &other = isFirst ? pair.first : pair.second,
+                     &wall = isFirst ? pair.second : pair.first;
     double clear = 2 * question.window;
-    for (std::size_t v = 0; v < other.core.vertices.size() && clear > 0; ++v)
-        clear = std::min(clear, Passage(question, v).clear());
+    std::vector<Passage> ends;
+    for (std::size_t v = 0; v < other.part->core.vertices.size() && clear > 0; ++v) {
+        ends.emplace_back(question, v);
+        clear = std::min(clear, ends.back().clear());
+    }
+    if (!(clear > 0) || ends.size() < 2)
+        return clear;
+    const Vector origin = pair.originAt(question.t);
+    const Posed posed = other.posedAt(question.t, origin),
+                hollow = wall.posedAt(question.t, origin);
+    for (const EdgeAtWall& edge : EdgesAtWall(posed, hollow, isFirst).find())
+        clear = std::min(
+            clear,
+            EdgePassage(question, other, wall, edge, ends[edge.from], ends[edge.to]).clear());
     return clear;
 }
 

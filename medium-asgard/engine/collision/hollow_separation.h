@@ -8,14 +8,20 @@
 // d^2 / (2 c), where c is the least distance from the hollow's axis or centre on the way (time of
 // impact: advancement.h). From outside all but spheres meet the hull, as other curved parts do.
 //
-// LIMIT: to cylinders, cones and ellipsoids a hollow is closed by a lid. What has its ends inside
-// and outside at once goes through the rim. A ball that is as wide as the hollow touches along a
-// circle, which is no contact that lasts.
+// Between its ends an edge, or the side of a capsule, can touch the circles of a mouth alone, the
+// rim of the hollow and the outer one: the hollow bends away from it, and a convex part that is in
+// the hollow and goes through its mouth crosses the plane of the mouth within the rim. Faces touch
+// there with their edges for the same reason. How long an edge stays clear follows from the speed
+// of its ends.
+//
+// LIMIT: to cylinders, cones and ellipsoids a hollow is closed by a lid. A ball that is as wide as
+// the hollow touches its rim along a circle (contacts/hollow_faults.h).
 #pragma once
 
 #include "collision/part_motion.h"
 #include "geometry/hollow.h"
 
+#include <optional>
 #include <vector>
 
 namespace collision {
@@ -25,11 +31,12 @@ namespace collision {
     return (first.isHollow() && !second.curved) || (second.isHollow() && !first.curved);
 }
 
-// Of the other's core its vertices, around each of which it has its radius: those that come within
-// `tolerance` of the hollow's wall, where the part is inside, or at its rim. None: it is outside.
+// Of the other's core its vertices and its edges, around each of which it has its radius: those
+// that come within `tolerance` of the hollow's wall, where the part is inside, or at its rim. None:
+// it is outside.
 struct BallAtWall {
-    std::size_t vertex = 0;
-    Separation separation; // of this ball
+    std::optional<std::size_t> vertex; // none: a place on an edge
+    Separation separation;             // there
 };
 [[nodiscard]] std::vector<BallAtWall> ballsAtWall(const Posed& first, const Posed& second,
                                                   double tolerance);

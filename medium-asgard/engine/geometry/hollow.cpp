@@ -80,4 +80,30 @@ HollowNearest nearestOf(const Curved& hollow, const Vector& point) {
     return nearest;
 }
 
+// Half the square of the distance has the derivative (1 - r/rho) q(s) + y(s) y', with q = rho rho'.
+std::vector<double> nearestToCircle(const Vector& a, const Vector& way, double radius) {
+    const auto rising = [&](double s) {
+        const Vector at = a + s * way;
+        const double rho = std::hypot(at.x(), at.z());
+        const double beside = rho > 0 ? 1 - radius / rho : 0;
+        return beside * (at.x() * way.x() + at.z() * way.z()) + at.y() * way.y();
+    };
+    constexpr int stretches = 16;
+    std::vector<double> found;
+    double from = 0, before = rising(0);
+    for (int i = 1; i <= stretches; ++i) {
+        const double to = static_cast<double>(i) / stretches, now = rising(to);
+        if (before < 0 && now >= 0) {
+            double low = from, high = to;
+            for (double middle = (low + high) / 2; low < middle && middle < high;
+                 middle = (low + high) / 2)
+                (rising(middle) < 0 ? low : high) = middle;
+            found.push_back(high);
+        }
+        from = to;
+        before = now;
+    }
+    return found;
+}
+
 } // namespace geometry

@@ -14,6 +14,8 @@
 
 #include "geometry/curved.h"
 
+#include <vector>
+
 namespace geometry {
 
 [[nodiscard]] inline bool isHollow(const Curved& curved) {
@@ -29,10 +31,15 @@ struct HollowNearest {
     // From what the hollow turns about, a tube's axis or a bowl's centre, of a rim its axis.
     double across = 0;
     double above = 0; // over the plane of the nearest end; negative: between the ends
-    // Beyond the hollow, its rim included: what comes nearer may be inside.
+    // The nearest place is the hollow's own, its rim included; else it is one of the outside.
     [[nodiscard]] bool isInside() const { return piece == Piece::hollow || piece == Piece::rim; }
 };
 // Of a point of the shape's frame.
 [[nodiscard]] HollowNearest nearestOf(const Curved& hollow, const Vector& point);
+
+// Where a + s way, with s between 0 and 1, comes nearest to the circle about the origin in the
+// plane y = 0, or nearer than all around; its ends do not count.
+[[nodiscard]] std::vector<double> nearestToCircle(const Vector& a, const Vector& way,
+                                                  double radius);
 
 } // namespace geometry

@@ -1,5 +1,7 @@
 #include "contacts/colliders.h"
 
+#include <algorithm>
+
 #include <tuple>
 #include <utility>
 
@@ -35,6 +37,10 @@ void Colliders::read(const solution::Histories& histories) {
     if (std::exchange(read_, &histories) != &histories)
         for (MovingBody& body : moving)
             body.read(histories);
+}
+
+bool Colliders::isHollow(std::size_t body) const {
+    return std::ranges::any_of(moving[body].shape().parts, &geometry::Part::isHollow);
 }
 
 } // namespace simulation

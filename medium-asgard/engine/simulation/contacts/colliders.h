@@ -29,6 +29,8 @@ struct Colliders {
 
     [[nodiscard]] bool isFixed(std::size_t body) const { return records[body].isFixed; }
     [[nodiscard]] bool isBall(std::size_t body) const { return moving[body].isBall(); }
+    // It has a hollow part.
+    [[nodiscard]] bool isHollow(std::size_t body) const;
     [[nodiscard]] const std::string& name(std::size_t body) const {
         return scene.bodies[body].name;
     }

@@ -262,9 +262,10 @@ private:
     physics::ContactPlace& place_;
 };
 
-// In a hollow the other vertices, or ends of a capsule, may land on the wall.
+// In a hollow the other vertices, or ends of a capsule, may land on the wall: also those that touch
+// and part.
 void addLandingsInHollow(const Touch& touch, const Placed& body, const Placed& support,
-                         double tolerance, physics::ContactPlace& place) {
+                         const TouchLimits& limits, physics::ContactPlace& place) {
     const bool isBodys = !body.shape->parts[touch.bodyPart].isHollow(); // the vertices
     const Placed& owner = isBodys ? body : support;
     const geometry::Part& part = owner.shape->parts[isBodys ? touch.bodyPart : touch.supportPart];
@@ -274,11 +275,16 @@ void addLandingsInHollow(const Touch& touch, const Placed& body, const Placed& s
         const PieceTouch found = vertexAtWall(body, touch.bodyPart, support, touch.supportPart, v);
         const SurfaceGap& gap = found.points[0].gap;
         const bool isInside = (isBodys ? gap.support : gap.body).radius < 0;
-        if (isInside && found.points[0].at.gap > tolerance)
+        const double apart = found.points[0].at.gap, least = sideSlack * touch.size;
+        const Vector& at = found.points[0].at.contact;
+        const double rate = found.normal.dot(body.state.velocityAt(body.state.position + at) -
+                                             support.state.velocityAt(body.state.position + at));
+        const bool parts = !limits.wereInContact && rate > limits.slow;
+        if (isInside && (parts || apart > limits.gap * touch.size))
             place.landings.push_back({.body = owner.index,
                                       .piece = isBodys ? gap.body : gap.support,
                                       .isAbove = isBodys,
-                                      .room = 0,
+                                      .room = apart < least ? least - apart : 0,
                                       .gap = gap});
     }
 }
@@ -471,7 +477,7 @@ LastingContact contactOf(const Touch& touch, const Placed& body, const Placed& s
     if (!(touch.isRound && !touch.isCurved) && !isWhole)
         Landings(touch, body, support, limits.plane, place).add();
     if (touch.vertex)
-        addLandingsInHollow(touch, body, support, limits.gap * touch.size, place);
+        addLandingsInHollow(touch, body, support, limits, place);
     for (ContactPoint& point : place.points)
         if (const double gap = nearestOf(point.gap, body, support).gap;
             limits.isStart || (point.parts && gap < 0) || std::abs(gap) <= kept * touch.size)
@@ -549,6 +555,8 @@ std::vector<LastingContact> lastingContacts(const Placed& body, const Placed& su
         if (touch.passes(limits.slow))
             continue;
         LastingContact contact = contactOf(touch, body, support, limits);
+        if (!contact.isModelled && touch.rate() > limits.slow)
+            continue; // it parts
         if (!contact.place.points.empty() || !contact.isModelled)
             found.push_back(std::move(contact));
     }

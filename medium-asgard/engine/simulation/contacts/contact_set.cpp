@@ -45,6 +45,14 @@ void ContactSet::addSupports(std::map<std::size_t, std::vector<std::size_t>>& su
     }
 }
 
+std::vector<ContactSet::Parts> ContactSet::parts() const {
+    std::vector<Parts> found;
+    for (const Contact& contact : contacts_)
+        found.push_back({contact.of.place.body, contact.of.bodyPart, contact.of.place.support,
+                         contact.of.supportPart, contact.from});
+    return found;
+}
+
 void ContactSet::forget(std::size_t body) {
     std::erase_if(contacts_, [&](const Contact& contact) { return contact.has(body); });
     noteBodies();

@@ -52,6 +52,12 @@ public:
     // By body on whom it lies or leans.
     void addSupports(std::map<std::size_t, std::vector<std::size_t>>& supports) const;
 
+    struct Parts { // of two bodies in contact, since when
+        std::size_t body = 0, bodyPart = 0, support = 0, supportPart = 0;
+        double from = 0;
+    };
+    [[nodiscard]] std::vector<Parts> parts() const;
+
     struct Change {
         double time = 0;
         Pair bodies;

@@ -135,7 +135,7 @@ public:
         return true;
     }
 
-    // In a hollow each vertex touches for itself.
+    // In a hollow each vertex touches for itself, and so does each edge at the rim.
     [[nodiscard]] std::vector<Touch> atWall() const {
         std::vector<Touch> found;
         for (const collision::BallAtWall& ball :
@@ -146,8 +146,11 @@ public:
             one.touch.gap = ball.separation.gap;
             one.touch.normal = ball.separation.normal;
             one.touch.vertex = ball.vertex;
-            one.addPieces(
-                vertexAtWall(body_, touch.bodyPart, support_, touch.supportPart, ball.vertex));
+            if (ball.vertex)
+                one.addPieces(
+                    vertexAtWall(body_, touch.bodyPart, support_, touch.supportPart, *ball.vertex));
+            else
+                one.addUnmodelled(*ball.separation.touch);
             found.push_back(std::move(one.touch));
         }
         return found;
@@ -159,6 +162,11 @@ public:
     Touch touch;
 
 private:
+    void addUnmodelled(const Vector& point) {
+        touch.isModelled = false;
+        add(Kind::onSupportPlane, point, point, point, 0);
+        touch.corners.back().gap = touch.gap;
+    }
     void addOthers() {
         std::vector<Vector> known{touch.normal};
         for (const collision::Separation& axis : collision::axesOfTouch(first_, second_, beside_)) {

@@ -13,7 +13,8 @@ CollisionSource::CollisionSource(const Collision& of, double start, double finis
     : world_(of.scene, of.equations, of.shapes, start, std::move(resolution)), finish_(finish),
       cancelled_(std::move(cancelled)), readers_(of.equations, world_.records, start),
       resting_(world_, finish), search_(world_, resting_), releases_(of.scene, of.equations, start),
-      flights_(world_, search_, readers_, record_), counts_(world_.records.size(), start) {}
+      flights_(world_, search_, readers_, record_), counts_(world_.records.size(), start),
+      walls_(world_) {}
 
 CollisionSource::~CollisionSource() = default;
 
@@ -35,6 +36,10 @@ std::optional<solution::Event> CollisionSource::next(const Histories& histories,
         std::optional<ContactSet::Change> ended;
         if (!resting_.contacts().empty())
             ended = resting_.contacts().firstChange(histories, std::min(next.time, until));
+        const double horizon = std::min(
+            {next.time, until, ended ? ended->time : until, change ? change->time : until});
+        if (auto event = crossWall(histories, horizon))
+            return announced(std::move(*event));
         if (ended && ended->time < finish_ && !(change && change->time < ended->time) &&
             !(next.isHit && next.time <= ended->time))
             return announced(renewContacts(at(histories, ended->time), ended->bodies));
@@ -80,7 +85,9 @@ std::optional<solution::Event> CollisionSource::renew(const Histories& histories
     lookAtJoined(now.time);
     std::optional<Event> lost;
     for (const Pair& pair : search_.takeOverlaps()) {
-        if (hasMet(now, pair) && !lost)
+        if (const auto sentence = unmodelledOf(now, pair); sentence && !lost)
+            lost = end(now, pair, *sentence);
+        else if (hasMet(now, pair) && !lost)
             lost = search_.hasAnyEnded(pair) ? meetEnded(now, pair).event
                                              : end(now, pair, sentences::missed(world_, pair));
         else
@@ -109,6 +116,19 @@ void CollisionSource::lengthen(double finish) {
     resting_.lengthen(finish);
 }
 
+// A body that is in contact with a hollow one comes to lie across its wall.
+std::optional<solution::Event> CollisionSource::crossWall(const Histories& histories,
+                                                          double until) {
+    const auto crossing =
+        walls_.first(resting_.contacts(), until, [&](std::size_t body, double time) {
+            return at(histories, time).placed(body);
+        });
+    if (!crossing)
+        return std::nullopt;
+    return end(at(histories, crossing->time), crossing->bodies,
+               sentences::throughWall(world_, crossing->bodies));
+}
+
 // An event cuts the bodies that it touches and all that read them: what was found beyond it for
 // them no longer holds.
 void CollisionSource::cut(const Event& event) {
@@ -118,6 +138,8 @@ void CollisionSource::cut(const Event& event) {
         cut.assign(together.begin(), together.end());
     }
     resting_.lookAgain(cut, event.time);
+    walls_.cut(event.time);
+    releases_.cut(event.time);
     for (const std::size_t body : cut)
         search_.cut(body, event.time);
 }

@@ -21,6 +21,7 @@
 // (Galperin's billiard). collision_source.cpp has when something happens, encounters.cpp what.
 #pragma once
 
+#include "contacts/hollow_faults.h"
 #include "events/collision_record.h"
 #include "events/flight_impacts.h"
 #include "events/impact_cluster.h"
@@ -129,6 +130,10 @@ private:
                                                          const RestingBodies::States& states) const;
     [[nodiscard]] bool needsRows(const Instant& instant, std::size_t body,
                                  const RestingBodies::States& states) const;
+    // Of a pair with a hollow part: what of it is not modelled, and why not.
+    [[nodiscard]] std::optional<std::string> unmodelledOf(const Instant& instant,
+                                                          const Pair& pair) const;
+    [[nodiscard]] std::optional<Event> crossWall(const Histories& histories, double until);
     void refuse(const Instant& instant, const Pair& pair, const std::string& sentence,
                 Event& event);
     [[nodiscard]] Event renewContacts(const Instant& instant, const Pair& pair);
@@ -153,6 +158,7 @@ private:
     CollisionRecord record_;
     FlightImpacts flights_;
     MeetingCounts counts_;
+    WallWatch walls_;
     Outcome outcome_; // of the event that next() answered last
 };
 

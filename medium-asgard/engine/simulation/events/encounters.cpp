@@ -79,6 +79,8 @@ CollisionSource::Handled CollisionSource::handle(const Histories& histories, con
         passThrough(now, pair);
         return {};
     }
+    if (const auto sentence = unmodelledOf(now, pair))
+        return {end(now, pair, *sentence)};
     if (hit.isLost) {
         const bool bothGiveWay = now.canGiveWay(pair.first) && now.canGiveWay(pair.second);
         return {end(now, pair, sentences::lost(world_, pair, bothGiveWay))};
@@ -102,6 +104,19 @@ CollisionSource::Handled CollisionSource::handle(const Histories& histories, con
     if (cannotPart(now, pair))
         passThrough(now, pair);
     return {};
+}
+
+std::optional<std::string> CollisionSource::unmodelledOf(const Instant& at,
+                                                         const Pair& pair) const {
+    if (!world_.isHollow(pair.first) && !world_.isHollow(pair.second))
+        return std::nullopt;
+    const double tolerance =
+        std::min(world_.resolution[pair.first].gap, world_.resolution[pair.second].gap);
+    const auto fault = hollowFaultOf(at.placed(pair.first), at.placed(pair.second), tolerance);
+    if (!fault)
+        return std::nullopt;
+    return *fault == HollowFault::wideBall ? sentences::wideBall(world_, pair)
+                                           : sentences::closedMouth(world_, pair);
 }
 
 std::optional<CollisionSource::Handled> CollisionSource::meetInFlight(const Instant& at,
@@ -344,7 +359,11 @@ void CollisionSource::settle(const Instant& at, std::span<const std::size_t> bod
         for (const std::size_t body : {contact.place.body, contact.place.support}) {
             if (!contact.isModelled) {
                 const Pair pair{contact.place.body, contact.place.support};
-                return refuse(at, pair, sentences::onlyEdges(world_, pair), event);
+                const bool isRim = world_.isHollow(pair.first) || world_.isHollow(pair.second);
+                return refuse(at, pair,
+                              isRim ? sentences::onRim(world_, pair)
+                                    : sentences::onlyEdges(world_, pair),
+                              event);
             }
             if (resting_.restsAlone(body))
                 together.push_back(body);

@@ -44,6 +44,26 @@ std::string onlyEdges(const Colliders& world, const Pair& pair) {
            " rest on each other with edges or vertices only, which is not modelled";
 }
 
+std::string onRim(const Colliders& world, const Pair& pair) {
+    return bodies(world, pair) + " come to rest on each other with an edge or a side across the "
+                                 "rim of a hollow, which is not modelled";
+}
+
+std::string throughWall(const Colliders& world, const Pair& pair) {
+    return bodies(world, pair) + " lie on each other where one is hollow, and another edge, side "
+                                 "or vertex meets its wall or its rim, which is not modelled";
+}
+
+std::string wideBall(const Colliders& world, const Pair& pair) {
+    return bodies(world, pair) + " meet along a circle: a ball that is as wide as a hollow, or "
+                                 "wider, is not modelled on the rim of the hollow";
+}
+
+std::string closedMouth(const Colliders& world, const Pair& pair) {
+    return bodies(world, pair) + " meet at the mouth of a hollow: only balls, capsules, boxes and "
+                                 "polyhedra go into a hollow";
+}
+
 std::string meetsEnded(const Colliders& world, std::size_t body, std::size_t ended, double time) {
     char when[40];
     std::snprintf(when, sizeof when, "%.6g", time);

@@ -18,6 +18,10 @@ namespace simulation::sentences {
 [[nodiscard]] std::string withoutEnd(const Colliders& world, const Pair& pair,
                                      bool isBetweenSeveral);
 [[nodiscard]] std::string onlyEdges(const Colliders& world, const Pair& pair);
+[[nodiscard]] std::string onRim(const Colliders& world, const Pair& pair);
+[[nodiscard]] std::string throughWall(const Colliders& world, const Pair& pair);
+[[nodiscard]] std::string wideBall(const Colliders& world, const Pair& pair);
+[[nodiscard]] std::string closedMouth(const Colliders& world, const Pair& pair);
 [[nodiscard]] std::string meetsEnded(const Colliders& world, std::size_t body, std::size_t ended,
                                      double time);
 [[nodiscard]] std::string missed(const Colliders& world, const Pair& pair);

@@ -43,7 +43,7 @@ Releases::Releases(const scene::Scene& scene, const physics::EquationsOfMotion& 
     const auto add = [&](bool isJoint, std::size_t index, const std::string& name) {
         const auto multipliers = unknowns.find(name), release = unknowns.find(name + ".release");
         if (multipliers != unknowns.end() && release != unknowns.end())
-            kept_.push_back({isJoint, index, multipliers->second, release->second[0]});
+            kept_.push_back({isJoint, index, multipliers->second, release->second[0], start});
     };
     for (std::size_t j = 0; j < scene.joints.size(); ++j)
         if (scene.joints[j].release && scene.joints[j].body2)
@@ -54,30 +54,38 @@ Releases::Releases(const scene::Scene& scene, const physics::EquationsOfMotion& 
             add(false, l, physics::multiplierName(link, l));
 }
 
-std::optional<double> Releases::goneSince(const solution::Histories& histories,
-                                          const Element& element, double until) const {
+std::optional<double> Releases::goneSince(const solution::Histories& histories, Element& element,
+                                          double until) const {
     for (const std::size_t multiplier : element.multipliers)
         if (multiplier < histories.unknowns() && histories.value(multiplier, until) != 0)
             return goneFrom(histories, multiplier, start_, until);
-    return notZeroFrom(histories, element.release, start_, until);
+    const auto gone = notZeroFrom(histories, element.release, element.looked, until);
+    if (!gone)
+        element.looked = std::max(element.looked, until);
+    return gone;
 }
 
-std::optional<double> Releases::first(const solution::Histories& histories, double until) const {
+std::optional<double> Releases::first(const solution::Histories& histories, double until) {
     std::optional<double> first;
-    for (const Element& element : kept_)
+    for (Element& element : kept_)
         if (const auto gone = goneSince(histories, element, until))
             first = std::min(first.value_or(*gone), *gone);
     return first;
 }
 
 const scene::Released& Releases::take(const solution::Histories& histories, double time) {
-    std::erase_if(kept_, [&](const Element& element) {
+    std::erase_if(kept_, [&](Element& element) {
         const bool isGone = goneSince(histories, element, time).has_value();
         if (isGone)
             (element.isJoint ? released_.joints : released_.links).insert(element.index);
         return isGone;
     });
     return released_;
+}
+
+void Releases::cut(double time) {
+    for (Element& element : kept_)
+        element.looked = std::clamp(time, start_, element.looked);
 }
 
 } // namespace simulation

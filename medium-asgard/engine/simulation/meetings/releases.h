@@ -19,10 +19,11 @@ public:
     Releases(const scene::Scene& scene, const physics::EquationsOfMotion& equations, double start);
 
     // The first time up to `until` at which one is gone that was there.
-    [[nodiscard]] std::optional<double> first(const solution::Histories& histories,
-                                              double until) const;
+    [[nodiscard]] std::optional<double> first(const solution::Histories& histories, double until);
     // All that are gone at that time; they are no longer looked for.
     [[nodiscard]] const scene::Released& take(const solution::Histories& histories, double time);
+    // The motion is another from there on.
+    void cut(double time);
 
 private:
     struct Element {
@@ -30,9 +31,10 @@ private:
         std::size_t index = 0;                // of the scene's joints or links
         std::vector<std::size_t> multipliers; // unknowns
         std::size_t release = 0;              // the same
+        double looked = 0;                    // up to then its expression is 0
     };
     [[nodiscard]] std::optional<double> goneSince(const solution::Histories& histories,
-                                                  const Element& element, double until) const;
+                                                  Element& element, double until) const;
     double start_;
     std::vector<Element> kept_; // that may still be released
     scene::Released released_;

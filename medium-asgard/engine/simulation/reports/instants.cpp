@@ -90,23 +90,27 @@ private:
     std::set<std::tuple<double, std::string, std::string>> seen_;
 };
 
-// Of one pair in order of time: those that are not listed, since a bouncing that ends in rest has
-// more than so many. It is as long as each of its hops is shorter than the one before, but for
-// rounding at the end.
-std::set<double> leftOut(const std::vector<Impact>& impacts) {
+// Of one pair in order of time, first and end: those that are not listed, since a bouncing that
+// ends in rest has more than so many. It is as long as each of its hops is shorter than the one
+// before, but for rounding in short ones.
+std::vector<std::pair<std::size_t, std::size_t>> leftOut(const std::vector<Impact>& impacts) {
     constexpr std::size_t most = 100;
-    constexpr double rounding = 2; // the last hops are hardly more
+    constexpr double rounding = 2, isShort = 1e-3; // ratio of two hops, part of the longest
     const auto hop = [&](std::size_t i) { return impacts[i + 1].time - impacts[i].time; };
-    std::set<double> out;
+    std::vector<std::pair<std::size_t, std::size_t>> out;
     for (std::size_t end = 0; end < impacts.size(); ++end) {
         if (!impacts[end].isEndOfHops)
             continue;
         std::size_t first = end;
+        double longest = 0;
         while (first > 0 && !impacts[first - 1].isEndOfHops &&
                (first + 1 >= end || hop(first - 1) * rounding > hop(first)))
-            --first;
-        for (std::size_t i = first + most; i < end; ++i)
-            out.insert(impacts[i].time);
+            longest = std::max(longest, hop(--first));
+        for (std::size_t i = first + 1; i + 1 < end; ++i)
+            if (hop(i) > hop(i - 1) && hop(i) > isShort * longest)
+                first = i;
+        if (first + most < end)
+            out.emplace_back(first + most, end);
     }
     return out;
 }
@@ -122,11 +126,17 @@ void Lister::addImpacts() {
             known.back().impulse += impact.impulse;
     }
     for (const auto& [pair, impacts] : byPair) {
-        const std::set<double> out = leftOut(impacts);
-        for (const Impact& impact : impacts)
-            if (impact.isEndOfHops)
+        std::set<std::size_t> out;
+        for (const auto& [first, end] : leftOut(impacts)) {
+            found_.push_back({impacts[first].time, "omitted",
+                              namesOf(pair) + " " + std::to_string(end - first)});
+            for (std::size_t i = first; i < end; ++i)
+                out.insert(i);
+        }
+        for (std::size_t i = 0; i < impacts.size(); ++i)
+            if (const Impact& impact = impacts[i]; impact.isEndOfHops)
                 add(impact.time, "rest", namesOf(pair));
-            else if (!out.contains(impact.time))
+            else if (!out.contains(i))
                 found_.push_back({impact.time, "impact", namesOf(pair), impact.impulse});
     }
 }

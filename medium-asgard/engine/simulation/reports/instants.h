@@ -6,7 +6,8 @@
 // LIMIT: a contact that is no condition (docs/numerics.md, "Rest") is not in the list, and of a
 // contact not where its slip turns round.
 //
-// A bouncing that ends in rest has one line for that, and lines of its first 100 impacts.
+// A bouncing that ends in rest has one line for that, and lines of its first 100 impacts; a line
+// "omitted" has the number of the others after their names.
 #pragma once
 
 #include "motion/computed_motion.h"
