@@ -276,7 +276,7 @@ def check(asgard, seed, options, folder):
     if worst > SUNK:
         return pile.kind, f"sinks in by {worst:.2g} of the size", False, took
     energy = [row[columns["scene.energy"]] for row in rows]
-    scale = energy[0] - min(energy) or 1
+    scale = max(energy[0] - min(energy), 1e-6 * abs(energy[0])) or 1
     gain = max((b - a for a, b in zip(energy, energy[1:])), default=0) / scale
     if gain > GAIN:
         return pile.kind, f"energy grows by {gain:.2g}", False, took

@@ -16,8 +16,9 @@ using physics::SurfaceGap;
 using physics::SurfacePiece;
 using Kind = SurfacePiece::Kind;
 
-constexpr double same = 1e-9; // of the parts' size: a corner at a vertex, or on an edge
-constexpr double kept = 2e-9; // of the same: a gap that stays what it is
+constexpr double same = 1e-9;  // of the parts' size: a corner at a vertex, or on an edge
+constexpr double kept = 2e-9;  // of the same: a gap that stays what it is
+constexpr double sunk = 5e-10; // an overlap that does
 
 // Vertices in order of the angle about their middle.
 std::vector<Vector> inOrder(std::vector<Vector> corners, const Vector& normal) {
@@ -480,7 +481,8 @@ LastingContact contactOf(const Touch& touch, const Placed& body, const Placed& s
         addLandingsInHollow(touch, body, support, limits, place);
     for (ContactPoint& point : place.points)
         if (const double gap = nearestOf(point.gap, body, support).gap;
-            limits.isStart || (point.parts && gap < 0) || std::abs(gap) <= kept * touch.size)
+            limits.isStart || (point.parts && gap < 0) ||
+            (gap >= -sunk * touch.size && gap <= kept * touch.size))
             point.start = gap;
     return found;
 }

@@ -64,6 +64,8 @@ std::optional<double> goneFrom(const Histories& histories, std::size_t row, doub
     if (row >= histories.unknowns() || histories.value(row, until) != solution::releasedMode)
         return std::nullopt;
     const Histories::Place place = histories.place(row, until);
+    if (place.history->empty()) // of what an event has just made
+        return std::nullopt;
     std::size_t step = place.history->find(until);
     double since = place.history->origin(step);
     while (step > 0 && place.history->origin(step) > from) {
