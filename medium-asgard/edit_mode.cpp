@@ -45,6 +45,10 @@ public:
             subdocument().recompute(Clock::now());
             attend();
         };
+        link.stopComputing = [this] {
+            subdocument().cancel();
+            attend();
+        };
         link.preview = [this](const std::string& text) {
             if (text == subdocument().text())
                 subdocument().endPreview(Clock::now());
@@ -169,6 +173,7 @@ private:
         computed.work = now.work;
         computed.current = from.upToDate() && document().text() == from.shownText();
         computed.stale = from.motionIsStale();
+        computed.stopped = from.isCancelled();
         document().setComputed(std::move(computed));
     }
 

@@ -24,11 +24,10 @@ Follower::Follower(Tools tools, std::function<void()> wake)
 void Follower::follow(const std::string& text, const Ask& ask, Instant now) {
     Order order;
     order.parameters = ask.parameters;
-    order.moves = ask.asked || live_ == Live::always || (live_ == Live::automatic && !gaveUp_);
+    order.moves = ask.asked || live_ == Live::always;
     order.haste = ask.gesture ? Haste::gesture : Haste::now;
-    order.overlap = slow_.overlap;
-    if (live_ == Live::automatic && isSlow_ && !ask.asked)
-        order.budget = slow_.attempt;
+    order.overlap = overlap_;
+    order.mostBytes = mostBytes_.value_or(order.mostBytes);
     text_ = text;
     patience_ = ask.patience;
     worker_.start(text, std::move(order));
@@ -41,11 +40,6 @@ void Follower::follow(const std::string& text, const Ask& ask, Instant now) {
     readAt_.reset();
     cancelled_ = false;
     work_ = Work::reading;
-}
-
-void Follower::setLive(Live live) {
-    live_ = live;
-    forgetPace();
 }
 
 const ScenePointer& Follower::newestScene() const {
@@ -118,38 +112,26 @@ void Follower::take(Progress progress, Instant now) {
 }
 
 void Follower::take(Moved moved, Instant /*now*/) {
-    learnPace(moved);
+    if (!moved.result.cancelled)
+        lastMotion_ = moved.lasted;
     if (moved.serial < welcome_)
         return;
     if (partial_ && partial_->scene == moved.scene)
         partial_.reset();
-    const bool wanted = !moved.result.cancelled || (!moved.givenUp && isLast(moved.serial));
+    const bool wanted = !moved.result.cancelled || isLast(moved.serial);
     if (moved.scene && wanted)
         showMotion(moved.scene, moved.result.motion);
     if (!isLast(moved.serial))
         return;
     if (moved.result.cancelled) {
         showAwaited(nullptr);
-        cancelled_ = !moved.givenUp;
-        if (moved.givenUp)
-            motionOf_.reset(); // what is shown of it is not all
+        cancelled_ = true;
     } else {
         statistics_ = moved.result.statistics;
         reportFaults(moved);
     }
     work_ = Work::none;
     changes_.diagnostics = changes_.ended = true;
-}
-
-void Follower::learnPace(const Moved& moved) {
-    if (!moved.result.cancelled) {
-        lastMotion_ = moved.lasted;
-        isSlow_ = moved.lasted > slow_.motion;
-        gaveUp_ = false;
-    } else {
-        isSlow_ = isSlow_ || moved.lasted > slow_.motion;
-        gaveUp_ = gaveUp_ || moved.givenUp;
-    }
 }
 
 void Follower::reportFaults(const Moved& moved) {

@@ -7,7 +7,7 @@
 //     bodies: what is dragged follows the hand;
 //   - the new scene with as much of its motion as there is, once that reaches the time that is
 //     looked at (setSeen()), or after a while.
-// The motion of a scene that takes long is computed only when it is asked for (setLive()).
+// Where motion is computed only when it is asked for (setLive()), the motion of before stays.
 //
 // The owner is woken when there is something to do, and when deadline() has come; then update()
 // does it and says what changed. Nothing here reads a clock but for how long a motion took.
@@ -27,18 +27,7 @@ struct Shown {
 enum class Work { none, reading, simulating };
 
 // Whether an edit's motion is computed without being asked for.
-enum class Live {
-    automatic, // while that is quick: see Slow
-    always,
-    never,
-};
-
-// Automatic: a motion that took longer than `motion` makes the scene slow. Of a slow scene an
-// edit's motion is given up after `attempt`, and then none is begun until one is asked for.
-struct Slow {
-    std::chrono::milliseconds motion{3000}, attempt{1000};
-    std::chrono::milliseconds overlap{300}; // see Worker, of gestures
-};
+enum class Live { always, never };
 
 // How long a quick motion is waited for before its scene is shown without it.
 constexpr std::chrono::milliseconds quick{30};
@@ -64,16 +53,18 @@ public:
     Follower(Tools tools, std::function<void()> wake);
 
     void follow(const std::string& text, const Ask& ask, Instant now);
-    void cancel() { worker_.cancel(); } // ends soon, with the motion that there is
+    // Ends soon, with the motion that there is. The next edit's is computed as ever.
+    void cancel() { worker_.cancel(); }
     Changes update(Instant now);
     [[nodiscard]] std::optional<Instant> deadline() const;
 
     // The time that is looked at, if it is one: a motion that has got there is shown at once.
     void setSeen(double time) { seen_ = time; }
     [[nodiscard]] Live live() const { return live_; }
-    void setLive(Live live);
-    void setSlow(Slow slow) { slow_ = slow; }
-    void forgetPace() { isSlow_ = gaveUp_ = false; } // another scene altogether
+    void setLive(Live live) { live_ = live; }
+    // In a gesture the motion of an older text may go on for so long (Worker).
+    void setOverlap(std::chrono::milliseconds overlap) { overlap_ = overlap; }
+    void setMostBytes(std::size_t most) { mostBytes_ = most; } // of a motion; else Order's
 
     [[nodiscard]] const Shown& shown() const { return shown_; }
     // That the shown scene was read from.
@@ -89,7 +80,7 @@ public:
     // The scene that is shown was read from the newest text.
     [[nodiscard]] bool isCurrent() const { return shownSerial_ == worker_.serial(); }
     [[nodiscard]] bool isFaulty() const { return readAt_ && !makesScene_; } // the newest text
-    // The motion that is shown is an older scene's, or was given up.
+    // The motion that is shown is an older scene's.
     [[nodiscard]] bool motionIsStale() const { return motionOf_ != shown_.scene; }
     // It stays so until the motion is asked for.
     [[nodiscard]] bool waitsToBeAsked() const { return motionIsStale() && work_ == Work::none; }
@@ -116,7 +107,6 @@ private:
     void take(Moved moved, Instant now);
     [[nodiscard]] bool isLast(unsigned serial) const { return serial == worker_.serial(); }
     [[nodiscard]] Instant dueOf(const Progress& progress, Instant now) const;
-    void learnPace(const Moved& moved);
     void reportFaults(const Moved& moved);
     void showWhatIsDue(Instant now);
     void showAwaited(const simulation::MotionPointer* motion);
@@ -136,9 +126,9 @@ private:
     std::vector<scene::Diagnostic> diagnostics_;
     std::optional<simulation::Statistics> statistics_;
     Work work_ = Work::none;
-    Live live_ = Live::automatic;
-    Slow slow_;
-    bool isSlow_ = false, gaveUp_ = false;
+    Live live_ = Live::always;
+    std::chrono::milliseconds overlap_{300};
+    std::optional<std::size_t> mostBytes_;
     bool makesScene_ = false, cancelled_ = false;
     Clock::duration lastMotion_{}; // how long computing it took
     unsigned welcome_ = 0;         // results of older starts are of no use

@@ -41,12 +41,13 @@ protected:
                                 const simulation::Observer& observer) {
             ++motions;
             auto result = simulation::simulate(*scene, options);
+            const std::vector<char> taken(takes, 'x');
             while (held && !observer.cancelled()) {
                 if (publishes.exchange(false))
                     observer.progress(result.motion);
                 std::this_thread::sleep_for(milliseconds(1));
             }
-            result.cancelled = held;
+            result.cancelled = held && observer.cancelled();
             return result;
         };
         return tools;
@@ -71,6 +72,7 @@ protected:
 
     std::atomic<int> readings = 0, motions = 0;
     std::atomic<bool> held = false, publishes = false;
+    std::atomic<std::size_t> takes = 0; // bytes, while it is held
     Instant moment = Clock::now();
     Changes all;
     Follower follower{tools(), [] {}};
@@ -152,23 +154,33 @@ TEST_F(FollowerTest, WhatIsCancelledKeepsTheMotionThatThereIs) {
     EXPECT_EQ(x(1), 2);
 }
 
-TEST_F(FollowerTest, TheMotionOfASlowSceneWaitsToBeAskedFor) {
-    follower.setSlow({.motion = milliseconds(0), .attempt = milliseconds(5)});
-    follower.follow("1", {.asked = true}, moment);
-    settle();
+TEST_F(FollowerTest, AnEditIsComputedAfterAnotherWasCancelled) {
     held = true;
-    follower.follow("2", {}, moment); // an attempt, which is given up
-    settle();
-    EXPECT_TRUE(follower.waitsToBeAsked());
-    EXPECT_EQ(x(0), 2);
+    for (int i = 1; i < 4; ++i) {
+        follower.follow(std::to_string(i), {}, moment);
+        until([&] { return motions == i; });
+        follower.cancel();
+        settle();
+    }
     held = false;
-    follower.follow("3", {}, moment);
-    settle();
-    EXPECT_EQ(motions, 2);
-    follower.follow("3", {.asked = true}, moment);
+    follower.follow("4", {}, moment);
     settle();
     EXPECT_FALSE(follower.motionIsStale());
-    EXPECT_EQ(x(1), 3);
+    EXPECT_EQ(x(1), 4);
+}
+
+// Its motion so far is shown, and the fault says why there is no more.
+TEST_F(FollowerTest, AMotionThatTakesTooMuchMemoryEnds) {
+    held = true;
+    takes = std::size_t{64} << 20;
+    follower.setMostBytes(std::size_t{16} << 20);
+    follower.follow("1", {}, moment);
+    settle();
+    EXPECT_FALSE(follower.isCancelled());
+    EXPECT_FALSE(follower.motionIsStale());
+    EXPECT_EQ(x(1), 1);
+    ASSERT_EQ(follower.diagnostics().size(), 1U);
+    EXPECT_NE(follower.diagnostics()[0].message.find("16 MB"), std::string::npos);
 }
 
 TEST_F(FollowerTest, ValuesOfParametersThatAreNoMoreAreLeftOut) {

@@ -1,10 +1,45 @@
 #include "computing/worker.h"
 
+#include "computing/memory.h"
+
 #include <algorithm>
 #include <new>
 #include <utility>
 
 namespace computing {
+
+namespace {
+
+// Every now and then: has the process grown by more than so much since the motion was begun?
+class MemoryWatch {
+public:
+    explicit MemoryWatch(std::size_t most) : most_(most), before_(residentBytes()) {}
+    [[nodiscard]] bool isOver() { // on any thread
+        if (isOver_)
+            return true;
+        constexpr auto pause = std::chrono::milliseconds(100);
+        const auto now = Clock::now().time_since_epoch().count();
+        auto next = next_.load();
+        if (now < next ||
+            !next_.compare_exchange_strong(next, now + Clock::duration(pause).count()))
+            return false;
+        if (residentBytes() > before_ + most_)
+            isOver_ = true;
+        return isOver_;
+    }
+    [[nodiscard]] bool wasOver() const { return isOver_; }
+    [[nodiscard]] bool hasGrown() const {
+        constexpr std::size_t much = std::size_t{100} << 20;
+        return residentBytes() > before_ + much;
+    }
+
+private:
+    std::size_t most_, before_;
+    std::atomic<Clock::rep> next_ = 0;
+    std::atomic<bool> isOver_ = false;
+};
+
+} // namespace
 
 Worker::Worker(Tools tools, std::function<void()> wake)
     : tools_(std::move(tools)), wake_(std::move(wake)) {}
@@ -156,14 +191,10 @@ void Worker::moveOn() {
 
 void Worker::move(const Job& job) {
     const Clock::time_point began = Clock::now();
-    std::atomic<bool> givenUp = false; // asked on any thread
     const auto over = [&] { return overtaken(job.serial, began, job.order.overlap); };
     simulation::Observer observer;
-    observer.cancelled = [&] {
-        if (job.order.budget && Clock::now() - began > *job.order.budget)
-            givenUp = true;
-        return givenUp || isCancelled(job.serial) || over();
-    };
+    MemoryWatch memory(job.order.mostBytes);
+    observer.cancelled = [&] { return isCancelled(job.serial) || over() || memory.isOver(); };
     observer.progress = [&](simulation::MotionPointer motion) {
         if (!over())
             tell(Progress{job.serial, job.scene, std::move(motion), Clock::now() - began});
@@ -179,8 +210,14 @@ void Worker::move(const Job& job) {
         moved.result.refusal.emplace_back("the motion needs more memory than its process may have");
     }
     moved.lasted = Clock::now() - began;
-    moved.givenUp = givenUp;
-    moved.result.cancelled = moved.result.cancelled || givenUp;
+    if (memory.wasOver() && moved.result.cancelled) {
+        moved.result.cancelled = false;
+        moved.result.refusal.push_back("the motion up to here takes more than " +
+                                       std::to_string(job.order.mostBytes >> 20) +
+                                       " MB, which is the limit");
+    }
+    if (memory.hasGrown())
+        returnFreeMemory();
     if (!stop_)
         tell(std::move(moved));
 }

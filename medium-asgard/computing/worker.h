@@ -32,8 +32,8 @@ struct Order {
     ParameterValues parameters;
     bool moves = true; // its motion is wanted
     Haste haste = Haste::now;
-    std::optional<Clock::duration> budget; // for the motion; then it is given up
-    Clock::duration overlap{};             // for the motion after a newer start
+    Clock::duration overlap{};                       // for the motion after a newer start
+    std::size_t mostBytes = std::size_t{1500} << 20; // that a motion may add to the process
 };
 
 struct Reading {
@@ -51,14 +51,13 @@ struct Progress { // of a motion that is being computed: the newest only
     Clock::duration lasted{}; // since it was begun
 };
 
-// A motion that ended, or was given up or cancelled (result.cancelled), perhaps before it was
-// begun.
+// A motion that ended or was cancelled (result.cancelled), perhaps before it was begun. One that
+// takes more memory than its order allows ends there, with a refusal.
 struct Moved {
     unsigned serial = 0;
     ScenePointer scene; // none: the reading was cancelled
     simulation::Result result;
     Clock::duration lasted{};
-    bool givenUp = false; // the order's budget was spent
 };
 
 using News = std::variant<Reading, Progress, Moved>;

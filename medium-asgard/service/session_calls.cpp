@@ -44,8 +44,6 @@ auto Session::serve(const ipc::Initialize& call) -> Reply<ipc::Initialized> {
     if (platform_.confine)
         platform_.confine(call.mode);
     host_.mode = call.mode;
-    if (call.mode == ipc::Mode::edit)
-        subdocument_.setLive(computing::Live::automatic);
     told_.menu = menuNow();
     ipc::Initialized answer;
     answer.protocol = protocolVersion;

@@ -1,5 +1,7 @@
 #include "service/subdocument.h"
 
+#include "motion/known_span.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -111,9 +113,10 @@ Changes Subdocument::update(Instant now) {
     const bool isWhole = changes.ended && changes.motion; // the picture frames all of it
     viewGeneration_ += changes.scene || isWhole ? 1 : 0;
     generation_ += changes.scene || changes.otherMotion || isWhole ? 1 : 0;
-    if (const auto& moves = motion(); changes.motion && moves)
-        playback.setSpan({moves->start(), moves->finish(), moves->computed()}, now);
-    else if (changes.scene)
+    if (const auto& moves = motion(); (changes.motion || changes.ended) && moves) {
+        const simulation::KnownSpan known = simulation::knownSpan(*moves);
+        playback.setSpan({moves->start(), known.playsTo(*moves, computing()), known.computed}, now);
+    } else if (changes.scene)
         playback.setSpan({scene()->simulator.start,
                           std::max(scene()->simulator.start, scene()->simulator.finish),
                           scene()->simulator.start},

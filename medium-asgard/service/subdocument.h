@@ -26,9 +26,7 @@ using playing::Span;
 
 class Subdocument {
 public:
-    explicit Subdocument(Tools tools) : follower_(std::move(tools), [this] { bell_.ring(); }) {
-        follower_.setLive(computing::Live::always);
-    }
+    explicit Subdocument(Tools tools) : follower_(std::move(tools), [this] { bell_.ring(); }) {}
 
     void load(std::string text, ipc::Integer revision, Instant now);
     // All or none of the edits; the sentence says why not. Where they make the text that a gesture
@@ -73,7 +71,7 @@ public:
     // One that grows whenever the scene should be framed anew: for a new scene and a whole motion.
     [[nodiscard]] unsigned viewGeneration() const { return viewGeneration_; }
 
-    // Whether an edit's motion is computed without being asked for: always, unless this is called.
+    // Whether an edit's motion is computed without being asked for.
     void setLive(computing::Live live) { follower_.setLive(live); }
     [[nodiscard]] computing::Live live() const { return follower_.live(); }
     [[nodiscard]] computing::Work work() const { return follower_.work(); }
@@ -83,6 +81,7 @@ public:
     // The motion that is shown is an older scene's, for a moment or until one asks for its own.
     [[nodiscard]] bool motionIsStale() const { return follower_.motionIsStale(); }
     [[nodiscard]] bool waitsToBeAsked() const { return follower_.waitsToBeAsked(); }
+    [[nodiscard]] bool isCancelled() const { return follower_.isCancelled(); } // by cancel()
     // The motion of the text as it is now is known up to here; none: not yet, or it has none.
     [[nodiscard]] std::optional<double> knownUntil() const;
     // When reading the text had ended; none: it goes on.

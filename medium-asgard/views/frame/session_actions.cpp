@@ -3,6 +3,8 @@
 #include "plain/plain.h"
 
 #include <QAction>
+#include <QCoreApplication>
+#include <QKeyEvent>
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
@@ -76,6 +78,31 @@ void addFileActions(QMainWindow& window, QMenu& file, const Session& session) {
     first.separate();
 }
 
+// Escape in a menu leaves the bar, too; Qt's bar would keep the keyboard, and take the letters that
+// are typed next for its menus.
+class EscapeLeaves : public QObject {
+public:
+    explicit EscapeLeaves(QMenuBar& bar) : QObject(&bar), bar_(bar) {
+        for (QAction* one : bar.actions())
+            if (one->menu())
+                one->menu()->installEventFilter(this);
+    }
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() != QEvent::KeyPress ||
+            static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape)
+            return false;
+        static_cast<QMenu*>(watched)->close();
+        if (bar_.hasFocus()) { // the menu was opened by keys
+            QKeyEvent escape(QEvent::KeyPress, Qt::Key_Escape, Qt::NoModifier);
+            QCoreApplication::sendEvent(&bar_, &escape);
+        }
+        return true;
+    }
+
+private:
+    QMenuBar& bar_;
+};
+
 } // namespace
 
 void addSessionActions(QMainWindow& window, const Session& session) {
@@ -85,6 +112,7 @@ void addSessionActions(QMainWindow& window, const Session& session) {
     if (!withKey(*file, QKeySequence(Qt::CTRL | Qt::Key_W)))
         file->addAction(QObject::tr("&Close"), QKeySequence(Qt::CTRL | Qt::Key_W), &window,
                         &QWidget::close);
+    new EscapeLeaves(*window.menuBar());
     if (session.quit)
         file->addAction(QObject::tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), &window,
                         session.quit);

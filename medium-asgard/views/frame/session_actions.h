@@ -15,6 +15,7 @@ struct Session {
 
 // Into the menu File, which a window without one gets: New Scene, Open, Open Recent, Save, Save As,
 // Export and Quit, and Close where there was none. Without `quit`, under a host, only Close.
+// Escape in one of the window's menus gives the keyboard back to who had it.
 void addSessionActions(QMainWindow& window, const Session& session);
 
 // Closes it by Escape too: a window that is only looked at.

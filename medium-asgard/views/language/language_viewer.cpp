@@ -30,12 +30,35 @@ namespace views {
 namespace {
 
 // A key of the window that holds the text; a letter or an arrow is typed.
+// In a pane the keys of a command are no shortcuts: the menus of the window have the command, too,
+// and of each shortcut a window has one command. paneKey() looks for them.
+constexpr const char* paneKeys = "paneKeys";
+
+QList<QKeySequence> keysOf(const QAction& action) {
+    const QVariant own = action.property(paneKeys);
+    return own.isValid() ? own.value<QList<QKeySequence>>() : action.shortcuts();
+}
+
+void name(QAction& action, const QString& label) {
+    const bool isLeft = action.property(paneKeys).isValid();
+    action.setText(isLeft ? label + '\t' + keysOf(action).front().toString(QKeySequence::NativeText)
+                          : plain::ours(label));
+}
+
+void leaveKeys(QAction& action) {
+    if (action.shortcuts().isEmpty())
+        return;
+    action.setProperty(paneKeys, QVariant::fromValue(action.shortcuts()));
+    action.setShortcuts(QList<QKeySequence>());
+    name(action, action.text());
+}
+
 bool isCommandOf(const QWidget& window, const QKeyEvent& event) {
     const bool isTyped = !(event.modifiers() & (Qt::ControlModifier | Qt::AltModifier)) &&
                          (event.key() < Qt::Key_F1 || event.key() > Qt::Key_F35);
     const QKeySequence pressed(event.keyCombination());
     return !isTyped && std::ranges::any_of(window.findChildren<QAction*>(), [&](QAction* action) {
-        return action->shortcuts().contains(pressed);
+        return keysOf(*action).contains(pressed);
     });
 }
 
@@ -193,8 +216,8 @@ void LanguageViewer::buildMenus() {
     if (!isPane())
         addHelpMenu(this, QStringLiteral("The text"));
     else
-        for (QAction* action : findChildren<QAction*>()) // the window's keys go on, and paneKey()
-            action->setShortcutContext(Qt::WidgetShortcut);
+        for (QAction* action : findChildren<QAction*>())
+            leaveKeys(*action);
 }
 
 void LanguageViewer::buildEditMenu() {
@@ -202,11 +225,10 @@ void LanguageViewer::buildEditMenu() {
     QAction* undo = edit->addAction(tr("&Undo"), QKeySequence::Undo, this, &LanguageViewer::undo);
     QAction* redo = edit->addAction(tr("&Redo"), QKeySequence::Redo, this, &LanguageViewer::redo);
     connect(edit, &QMenu::aboutToShow, this, [this, undo, redo] {
-        undo->setText(typingIsUndone() ? tr("&Undo Typing")
-                                       : tr("&Undo %1").arg(plain::caption(document_.undoLabel())));
-        redo->setText(draft_->canRedo()
-                          ? tr("&Redo Typing")
-                          : tr("&Redo %1").arg(plain::caption(document_.redoLabel())));
+        name(*undo, typingIsUndone() ? tr("&Undo Typing")
+                                     : tr("&Undo %1").arg(plain::caption(document_.undoLabel())));
+        name(*redo, draft_->canRedo() ? tr("&Redo Typing")
+                                      : tr("&Redo %1").arg(plain::caption(document_.redoLabel())));
         undo->setEnabled(typingIsUndone() || document_.canUndo());
         redo->setEnabled(draft_->canRedo() || (!draft_->edited() && document_.canRedo()));
     });
@@ -464,7 +486,7 @@ bool LanguageViewer::eventFilter(QObject* watched, QEvent* event) {
 QAction* LanguageViewer::commandOf(const QKeyEvent& event) const {
     const QKeySequence pressed(event.keyCombination());
     for (QAction* action : findChildren<QAction*>())
-        if (action->shortcuts().contains(pressed))
+        if (keysOf(*action).contains(pressed))
             return action;
     return nullptr;
 }

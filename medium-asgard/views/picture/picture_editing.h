@@ -53,7 +53,6 @@ public:
     [[nodiscard]] bool keepsUpright() const { return hand_.drag() && hand_.drag()->isUpright(); }
     [[nodiscard]] bool turns() const { return hand_.drag() && hand_.drag()->turnsAbout(); }
     [[nodiscard]] std::optional<Asked> asked() const; // by what is dragged
-    [[nodiscard]] QString caveat() const; // what of the picture is not to be trusted; "": nothing
     // The words of a drag, "" when there is none.
     [[nodiscard]] QString words() const;
     // A sentence in the picture until something else is done.
@@ -106,7 +105,6 @@ private:
     void paintLabels(QPainter& painter) const;
     void paintAlong(QPainter& painter) const;
     void paintWords(QPainter& painter, const QString& words, bool possible) const;
-    void paintCaveat(QPainter& painter) const;
 
     struct Mark { // a handle by what it belongs to
         render::HandleKind kind;

@@ -124,44 +124,8 @@ void PictureEditing::paintAlong(QPainter& painter) const {
     }
 }
 
-// What of the picture is not as it would be; "": all is.
-QString PictureEditing::caveat() const {
-    if (document_.motionIsStale())
-        return document_.waitsToBeAsked()
-                   ? tr("Stale motion: F5 computes that of the scene as it is")
-                   : tr("Stale motion: computing…");
-    const auto& [scene, motion] = document_.shown();
-    QStringList still;
-    for (std::size_t i = 0; motion && i < motion->bodies() && i < scene->bodies.size(); ++i)
-        if (const auto stop = motion->stop(i); stop && stop->time < display_.time())
-            still << QString::fromStdString(scene->bodies[i].name);
-    constexpr int few = 3;
-    if (still.isEmpty())
-        return {};
-    const QString names =
-        still.size() <= few ? still.join(QStringLiteral(", ")) : tr("%1 bodies").arg(still.size());
-    return tr("From an earlier moment on the motion of %1 is not known: see Faults").arg(names);
-}
-
-// At the lower left.
-void PictureEditing::paintCaveat(QPainter& painter) const {
-    const QString words = caveat();
-    if (words.isEmpty())
-        return;
-    const int left = display_.display().triad ? 150 : 12; // beside the triad
-    const QRect space = display_.rect().adjusted(left, 10, -12, -10);
-    const QRect needed =
-        painter.boundingRect(space, Qt::AlignLeft | Qt::AlignBottom | Qt::TextWordWrap, words);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(QColor(255, 236, 190, 235));
-    painter.drawRoundedRect(needed.adjusted(-8, -4, 8, 4), 4, 4);
-    painter.setPen(QColor(110, 70, 0));
-    painter.drawText(space, Qt::AlignLeft | Qt::AlignBottom | Qt::TextWordWrap, words);
-}
-
 void PictureEditing::paint(QPainter& painter) const {
     painter.setRenderHint(QPainter::Antialiasing);
-    paintCaveat(painter);
     paintSelection(painter);
     paintLabels(painter);
     const auto answer = hand_.answer();

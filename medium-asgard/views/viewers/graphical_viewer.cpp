@@ -14,6 +14,7 @@
 #include "plots/plots_panel.h"
 #include "properties/element_commands.h"
 #include "start/tour.h"
+#include "viewers/motion_notice.h"
 #include "viewers/parameters_panel.h"
 #include "viewers/scene_panes.h"
 #include "viewers/time_controls.h"
@@ -116,6 +117,8 @@ void GraphicalViewer::buildPicture(std::shared_ptr<PictureThread> pictures) {
     told_->setObjectName("told");
     column->addWidget(told_);
     column->addWidget(frame, 1);
+    auto* notice = new MotionNotice(document_, playback_, *display_);
+    connect(notice, &MotionNotice::stopWanted, &document_, &SceneDocument::stopComputing);
     controls_ = new TimeControls(document_, playback_);
     column->addWidget(controls_);
     timeBar_ = new TimeBar;
@@ -291,8 +294,10 @@ void GraphicalViewer::connectParts() {
     });
     connect(timeBar_, &TimeBar::timeChosen, &playback_, &Playback::seek);
     connect(&document_, &SceneDocument::motionChanged, this, &GraphicalViewer::updateRange);
-    connect(&document_, &SceneDocument::workChanged, timeBar_,
-            [this] { timeBar_->setStale(document_.motionIsStale()); });
+    connect(&document_, &SceneDocument::workChanged, this, [this] {
+        timeBar_->setStale(document_.motionIsStale());
+        updateRange(); // a motion that is all there ends where it stops
+    });
     connect(&document_, &SceneDocument::diagnosticsChanged, this, &GraphicalViewer::showFaults);
     connect(&document_, &SceneDocument::sceneChanged, this, &GraphicalViewer::fillViewsMenu);
     connect(&document_, &SceneDocument::nameChanged, this, &GraphicalViewer::updateTitle);
@@ -348,14 +353,15 @@ void GraphicalViewer::resizeEvent(QResizeEvent* event) {
 // An element that is being created is given up first, wherever the keyboard is; nothing stays
 // selected.
 void GraphicalViewer::stop() {
+    const bool goesOn = playback_.isPlaying() || document_.work() == Work::simulating;
     if (display_->creating().active())
         display_->creating().cancel();
-    else if (!playback_.isPlaying() && !document_.selected().empty())
+    else if (!goesOn && !document_.selected().empty())
         document_.select({});
     else if (!playback_.isPlaying() && isFullScreen())
         toggleFullScreen();
     else
-        playback_.stop();
+        controls_->stop();
 }
 
 // What another part of the window has no use for belongs to what is being created.
@@ -455,7 +461,7 @@ void GraphicalViewer::showMenu(const MenuPlace& place, const QPoint& global) {
 }
 
 void GraphicalViewer::beginPlaying() {
-    if (document_.waitsToBeAsked())
+    if (document_.waitsToBeAsked() || document_.computingWasStopped())
         document_.recompute();
     if (document_.sceneIsCurrent() && nothingMoves(*document_.shown().scene))
         display_->editing().say(tr("Nothing moves: no force acts. Create > Force > Gravity for All "
@@ -463,20 +469,27 @@ void GraphicalViewer::beginPlaying() {
                                 false);
 }
 
+// Of the scene's motion, even where it stops before that.
+double GraphicalViewer::finish() const {
+    const Shown& shown = document_.shown();
+    return shown.motion ? shown.motion->finish() : shown.scene->simulator.finish;
+}
+
 void GraphicalViewer::updateRange() {
     const Shown& shown = document_.shown();
     const scene::Simulator& simulator = shown.scene->simulator;
     const bool known = shown.motion != nullptr;
+    const simulation::KnownSpan span = known ? simulation::knownSpan(*shown.motion)
+                                             : simulation::KnownSpan{simulator.start, {}, 0};
     playback_.setRange(known ? shown.motion->start() : simulator.start,
-                       known ? shown.motion->finish() : simulator.finish,
-                       known ? shown.motion->computed() : simulator.start);
+                       known ? span.playsTo(*shown.motion, document_.work() != Work::none)
+                             : simulator.finish,
+                       span.computed);
     std::vector<double> impacts;
     if (known)
         for (const simulation::Impact& impact : shown.motion->impacts())
             impacts.push_back(impact.time);
-    const simulation::KnownSpan span = known ? simulation::knownSpan(*shown.motion)
-                                             : simulation::KnownSpan{playback_.computed(), {}, 0};
-    timeBar_->setRange(playback_.start(), playback_.finish(), span.computed);
+    timeBar_->setRange(playback_.start(), finish(), span.computed);
     timeBar_->setMarks(span.reliableUntil, impacts);
     timeBar_->setEnabled(known);
 }
@@ -492,7 +505,7 @@ void GraphicalViewer::showFaults() {
 
 void GraphicalViewer::updateState() {
     timeBar_->setTime(playback_.time());
-    timeStrip_->setRange(playback_.start(), playback_.finish());
+    timeStrip_->setRange(playback_.start(), finish());
     timeStrip_->setTime(playback_.time());
     if (!playback_.isPlaying())
         display_->setTime(playback_.time(), false);

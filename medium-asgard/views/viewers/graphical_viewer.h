@@ -70,8 +70,9 @@ private:
     void connectThrowing();
     void showMenu(const MenuPlace& place, const QPoint& global);
     void fillViewsMenu();
-    void beginPlaying(); // computes what is stale, and says why nothing moves
+    void beginPlaying(); // computes what is not computed, and says why nothing moves
     void updateRange();
+    [[nodiscard]] double finish() const;
     void showFaults();
     void updateState();
     void updateTitle();

@@ -104,11 +104,9 @@ TEST_F(MainWindowTest, EachKeyMeansOneThingInAllWindows) {
             if (label.isEmpty())
                 continue; // Escape, which leaves what one looks at
             for (const QKeySequence& key : one->shortcuts()) {
-                if (one->shortcutContext() != Qt::WidgetShortcut) {
-                    EXPECT_TRUE(inWindow.emplace(key, label).second)
-                        << key.toString().toStdString() << " twice in "
-                        << window->windowTitle().toStdString();
-                }
+                EXPECT_TRUE(inWindow.emplace(key, label).second)
+                    << key.toString().toStdString() << " twice in "
+                    << window->windowTitle().toStdString();
                 const auto [known, isNew] = meaning.emplace(key.toString(), label);
                 EXPECT_EQ(known->second, label) << key.toString().toStdString();
             }
@@ -118,6 +116,38 @@ TEST_F(MainWindowTest, EachKeyMeansOneThingInAllWindows) {
     EXPECT_EQ(meaning["Ctrl+W"], "Close");
     EXPECT_EQ(meaning["Ctrl+Q"], "Quit");
     EXPECT_EQ(meaning["F11"], "Full");
+}
+
+// Whichever menus were open: the keyboard is where it was, and its keys do what they say.
+TEST_F(MainWindowTest, EscapeLeavesEachMenuAndTheKeysStay) {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("scene.al");
+    editor.beginSession();
+    ASSERT_EQ(editor.document().save(path).sentence, "");
+    GraphicalViewer& viewer = open();
+    ASSERT_NE(viewer.text(), nullptr); // whose menus the window has, too
+    viewer.display().setFocus();
+    QMenuBar& bar = *viewer.menuBar();
+    for (QAction* entry : bar.actions()) {
+        if (!entry->isVisible())
+            continue;
+        const std::string title = entry->text().toStdString();
+        QTest::mouseClick(&bar, Qt::LeftButton, {}, bar.actionGeometry(entry).center());
+        ASSERT_TRUE(waitFor([&] { return entry->menu()->isVisible(); })) << title;
+        QTest::keyClick(entry->menu(), Qt::Key_Escape);
+        ASSERT_TRUE(waitFor([&] { return viewer.focusWidget() == &viewer.display(); })) << title;
+        EXPECT_EQ(bar.activeAction(), nullptr) << title;
+        std::map<QKeySequence, const QAction*> owners;
+        for (const QAction* one : viewer.findChildren<QAction*>())
+            for (const QKeySequence& key : one->shortcuts())
+                if (one->isEnabled() && one->isVisible()) {
+                    EXPECT_TRUE(owners.emplace(key, one).second)
+                        << key.toString().toStdString() << " twice after " << title;
+                }
+        editor.document().setText("# " + title + "\n" + editor.document().text(), "Edit");
+        QTest::keyClick(viewer.focusWidget(), Qt::Key_S, Qt::ControlModifier);
+        EXPECT_FALSE(editor.document().isModified()) << title;
+    }
 }
 
 TEST_F(MainWindowTest, EveryWindowHasTheCommandsOfTheFile) {

@@ -87,24 +87,6 @@ TEST_F(NewcomerTest, EscapeLeavesAFullScreen) {
     EXPECT_FALSE(viewer->isFullScreen());
 }
 
-// Keys of the text's menus and of the window's are one, also where a menu was left by Escape.
-TEST_F(NewcomerTest, TheTextsMenusAreInTheWindowsOnlyWhileTheyAreOpen) {
-    open(ballScene);
-    GraphicalViewer* viewer = editor.openGraphicalViewer();
-    viewer->panes().show("text");
-    QMenu* menu = nullptr;
-    for (QAction* one : viewer->menuBar()->actions())
-        if (one->text().remove('&') == "Text")
-            menu = one->menu();
-    ASSERT_NE(menu, nullptr);
-    EXPECT_TRUE(menu->menuAction()->isVisible());
-    EXPECT_TRUE(menu->actions().isEmpty());
-    menu->popup({});
-    EXPECT_GT(menu->actions().size(), 2);
-    menu->close();
-    EXPECT_TRUE(waitFor([&] { return menu->actions().isEmpty(); }));
-}
-
 TEST_F(NewcomerTest, PlayingComputesAStaleMotion) {
     open(ballScene);
     GraphicalViewer* viewer = editor.openGraphicalViewer();
@@ -114,28 +96,6 @@ TEST_F(NewcomerTest, PlayingComputesAStaleMotion) {
     viewer->playback().play();
     ASSERT_TRUE(settle(editor.document()));
     EXPECT_FALSE(editor.document().motionIsStale());
-}
-
-// Others go on, as though these stood in their way: one must not take that for the motion.
-TEST_F(NewcomerTest, APictureSaysWhichBodiesAreNotComputedAnyMore) {
-    Workshop workshop = made.workshop();
-    workshop.simulate = [](const auto&, const auto&, const auto&) {
-        auto motion = std::make_shared<render::GivenMotion>(
-            2, std::vector<render::GivenMotion::Law>{
-                   [](double) { return render::placed(Vector::Zero()); }});
-        motion->stopped = simulation::Stop{0.5, "It stopped."};
-        simulation::Result result;
-        result.motion = motion;
-        return result;
-    };
-    Editor other(workshop);
-    other.document().setText(ballScene, "Edit");
-    ASSERT_TRUE(settle(other.document()));
-    SceneDisplay& display = other.openGraphicalViewer()->display();
-    display.setTime(0.4, false);
-    EXPECT_EQ(display.editing().caveat(), "");
-    display.setTime(0.6, false);
-    EXPECT_TRUE(display.editing().caveat().contains("b1"));
 }
 
 TEST_F(NewcomerTest, ANewSceneIsSeenFromItsStart) {

@@ -186,10 +186,11 @@ void StatusPanel::showTime() {
 void StatusPanel::showMotion() {
     showTime();
     const auto& motion = document_.shown().motion;
-    const double length = playback_.finish() - playback_.start();
+    const double finish = motion ? motion->finish() : playback_.finish();
+    const double length = finish - playback_.start();
     const simulation::KnownSpan known = motion ? simulation::knownSpan(*motion)
                                                : simulation::KnownSpan{playback_.computed(), {}, 0};
-    const bool whole = known.stopped == 0 && known.computed >= playback_.finish();
+    const bool whole = known.stopped == 0 && known.computed >= finish;
     computed_->setText(whole ? tr("all %1").arg(timeText(length, length))
                              : tr("to %1").arg(timeText(known.computed, length)));
     computed_->setToolTip(plain::tip(
@@ -218,6 +219,8 @@ void StatusPanel::showMotion() {
                             : tr("The text has errors. This is the last good scene."));
     else if (document_.waitsToBeAsked())
         state_->setText(tr("The motion is stale: it is that of an older scene. F5 computes it."));
+    else if (document_.computingWasStopped())
+        state_->setText(tr("Computing was stopped. F5 computes it again."));
     else
         state_->setText({});
 }

@@ -22,7 +22,7 @@ QString rateText(double rate) { return QStringLiteral("%1 × ").arg(rate); }
 } // namespace
 
 TimeControls::TimeControls(SceneDocument& document, Playback& playback, QWidget* parent)
-    : QWidget(parent), playback_(playback) {
+    : QWidget(parent), document_(document), playback_(playback) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(2);
@@ -32,7 +32,7 @@ TimeControls::TimeControls(SceneDocument& document, Playback& playback, QWidget*
               [this] { playback_.step(-1); });
     playButton_ = addButton(row, "play", Icon::play, tr("Play or pause (Space)"),
                             [this] { togglePlaying(); });
-    addButton(row, "stop", Icon::stop, tr("Stop (Escape)"), [this] { playback_.stop(); });
+    addButton(row, "stop", Icon::stop, tr("Stop (Escape)"), [this] { stop(); });
     addButton(row, "stepForward", Icon::stepForward, tr("Step (Right)"),
               [this] { playback_.step(1); });
     addButton(row, "last", Icon::last, tr("Last moment (End)"),
@@ -110,6 +110,12 @@ void TimeControls::togglePlaying() {
         playback_.pause();
     else
         playback_.play();
+}
+
+void TimeControls::stop() {
+    if (document_.work() == Work::simulating)
+        document_.stopComputing();
+    playback_.stop();
 }
 
 std::vector<QWidget*> TimeControls::folding() const {

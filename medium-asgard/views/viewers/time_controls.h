@@ -31,6 +31,8 @@ public:
     void fillMenu(QMenu& menu, std::function<void()> stop);
 
     void togglePlaying();
+    // Playing, and computing.
+    void stop();
 
     [[nodiscard]] QSize minimumSizeHint() const override; // folded
 
@@ -53,6 +55,7 @@ private:
     [[nodiscard]] int widthOfAll() const;
     void fold();
 
+    SceneDocument& document_;
     Playback& playback_;
     QAction *playAction_ = nullptr, *loopAction_ = nullptr;
     QToolButton *playButton_ = nullptr, *loopButton_ = nullptr, *rateButton_ = nullptr;

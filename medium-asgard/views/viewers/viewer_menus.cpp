@@ -61,17 +61,8 @@ void GraphicalViewer::buildMenus() {
 
 // The text's own menus, once it is in a pane of this window.
 void GraphicalViewer::fillTextMenu(LanguageViewer& text) {
-    // Only while it is open: else its keys and the window's would count twice where the menu bar
-    // has the keyboard.
-    const QList<QAction*> menus = text.menuBar()->actions();
-    connect(textMenu_, &QMenu::aboutToShow, &text, [this, menus] { textMenu_->addActions(menus); });
-    connect(
-        textMenu_, &QMenu::aboutToHide, &text,
-        [this, menus] {
-            for (QAction* menu : menus)
-                textMenu_->removeAction(menu);
-        },
-        Qt::QueuedConnection);
+    for (QAction* menu : text.menuBar()->actions())
+        textMenu_->addAction(menu);
     textMenu_->menuAction()->setVisible(true);
     // While there is a draft, Undo has something to do.
     connect(&text, &LanguageViewer::draftChanged, this, [this, &text] {
@@ -162,7 +153,6 @@ void GraphicalViewer::buildMotionMenu() {
 void GraphicalViewer::buildLiveMenu(QMenu* menu) {
     auto* choices = new QActionGroup(menu);
     const std::pair<Live, QString> all[] = {
-        {Live::automatic, tr("&Automatically, While It Is Quick")},
         {Live::always, tr("&Always")},
         {Live::never, tr("&Only When Asked (F5)")},
     };

@@ -216,7 +216,8 @@ void SceneDocument::setComputed(Computed computed) {
     // Of an older text than the host's session shows: that is stale, too.
     const bool behind = hasHost() && !computed.current && !hasErrors() && shown_.motion;
     const bool stale = computed.stale || behind;
-    const bool otherStale = std::exchange(motionIsStale_, stale) != stale;
+    const bool otherStopped = std::exchange(wasStopped_, computed.stopped) != computed.stopped;
+    const bool otherStale = std::exchange(motionIsStale_, stale) != stale || otherStopped;
     if (otherScene) {
         const auto renamed = std::exchange(isAnother_, false)
                                  ? std::vector<editing::Renamed>()
@@ -287,6 +288,13 @@ void SceneDocument::recompute() {
     start(true);
 }
 
+void SceneDocument::stopComputing() {
+    if (host_.stopComputing)
+        host_.stopComputing();
+    else if (follower_)
+        follower_->cancel();
+}
+
 void SceneDocument::setLive(Live live) {
     live_ = live;
     if (host_.setLive)
@@ -298,9 +306,9 @@ void SceneDocument::setLive(Live live) {
     Q_EMIT workChanged();
 }
 
-void SceneDocument::setSlow(Slow slow) {
+void SceneDocument::setOverlap(std::chrono::milliseconds overlap) {
     if (follower_)
-        follower_->setSlow(slow);
+        follower_->setOverlap(overlap);
 }
 
 void SceneDocument::start(bool asked) {
@@ -338,6 +346,7 @@ void SceneDocument::update() {
     computed.work = follower_->work();
     computed.current = follower_->isCurrent();
     computed.stale = follower_->motionIsStale();
+    computed.stopped = follower_->isCancelled();
     setComputed(std::move(computed));
 }
 
@@ -370,8 +379,6 @@ void SceneDocument::begin(const QString& path, const files::KnownFile& file,
     undone_.clear();
     gesture_.reset();
     isAnother_ = true;
-    if (follower_)
-        follower_->forgetPace();
     Q_EMIT opened();
     replaceText(text);
 }

@@ -33,7 +33,6 @@
 namespace views {
 
 using computing::Live;
-using computing::Slow;
 using computing::Work;
 // How texts become scenes and scenes motion. An empty one computes nothing: setComputed() is called
 // instead.
@@ -43,6 +42,7 @@ struct HostLink {
     std::function<void(const text::Edit& edit, const QString& label)> changed;
     std::function<void()> undo, redo;
     std::function<void()> recompute = nullptr; // where the motion is computed by another
+    std::function<void()> stopComputing = nullptr;
     // The text as a gesture has it, to be read and shown; it is no change. None: it waits for the
     // gesture's end.
     std::function<void(const std::string& text)> preview = nullptr;
@@ -65,6 +65,7 @@ struct Computed {
     Work work = Work::none;
     bool current = false; // the scene was read from the text as it is now
     bool stale = false;   // the motion is an older scene's
+    bool stopped = false; // the motion ends where stopComputing() found it
 };
 
 // The answer to a gesture that goes on, for the text as it was at the revision that it began at.
@@ -128,15 +129,18 @@ public:
     [[nodiscard]] gestures::Ground ground();
     // Computes the motion again from the current text, however long that takes.
     void recompute();
+    // Keeps the motion that there is.
+    void stopComputing();
+    [[nodiscard]] bool computingWasStopped() const { return wasStopped_; }
 
     // The scene is shown as soon as it is read; until its own motion is there the motion shown is
     // an older scene's, which is said wherever it is seen.
     [[nodiscard]] bool motionIsStale() const { return motionIsStale_; }
-    // It stays so until one asks for the motion: computing it takes long, or one wants it so.
+    // It stays so until one asks for the motion.
     [[nodiscard]] bool waitsToBeAsked() const { return motionIsStale() && work_ == Work::none; }
     [[nodiscard]] Live live() const { return live_; }
     void setLive(Live live);
-    void setSlow(Slow slow);
+    void setOverlap(std::chrono::milliseconds overlap); // of motions while a gesture lasts
 
     [[nodiscard]] bool canUndo() const;
     [[nodiscard]] bool canRedo() const;
@@ -213,9 +217,9 @@ private:
     std::vector<scene::Diagnostic> diagnostics_;
     std::optional<simulation::Statistics> statistics_;
     Work work_ = Work::none;
-    bool motionIsStale_ = false;
+    bool motionIsStale_ = false, wasStopped_ = false;
     QTimer due_; // the follower has something to do then
-    Live live_ = Live::automatic;
+    Live live_ = Live::always;
     HostLink host_;
     std::vector<Change> done_, undone_;
     struct Gesture {

@@ -1,0 +1,174 @@
+#include "viewers/motion_notice.h"
+
+#include "motion/known_span.h"
+#include "plain/plain.h"
+#include "viewers/status_panel.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+
+#include <algorithm>
+#include <utility>
+
+namespace views {
+
+namespace {
+
+// What is quick is not worth a word: it would flicker while one drags.
+constexpr int untilProgress = 1000, untilStale = 250; // ms
+
+// Of the bodies, the first that stops before the end.
+std::optional<simulation::Stop> firstStop(const simulation::Motion& motion) {
+    std::optional<simulation::Stop> first;
+    for (std::size_t body = 0; body < motion.bodies(); ++body)
+        if (auto stop = motion.stop(body); stop && (!first || stop->time < first->time))
+            first = std::move(stop);
+    return first;
+}
+
+void follow(QElapsedTimer& since, bool is) {
+    if (is && !since.isValid())
+        since.start();
+    else if (!is)
+        since.invalidate();
+}
+
+bool lasts(const QElapsedTimer& since, int milliseconds) {
+    return since.isValid() && since.hasExpired(milliseconds);
+}
+
+} // namespace
+
+MotionNotice::MotionNotice(SceneDocument& document, Playback& playback, QWidget& picture)
+    : QFrame(&picture), document_(document), playback_(playback), words_(plain::label()),
+      stop_(new QToolButton), compute_(new QToolButton) {
+    setObjectName("motionNotice");
+    setAutoFillBackground(true);
+    words_->setWordWrap(true);
+    words_->setAccessibleName(tr("State of the motion"));
+    stop_->setObjectName("stopComputing");
+    stop_->setText(tr("Stop"));
+    stop_->setToolTip(tr("Ends computing, and keeps the motion that there is (Escape)"));
+    compute_->setObjectName("compute");
+    compute_->setText(tr("Compute"));
+    compute_->setToolTip(tr("Computes the motion of the scene as it is (F5)"));
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(8, 4, 8, 4);
+    row->addWidget(words_, 1);
+    for (QToolButton* button : {stop_, compute_}) {
+        button->setFocusPolicy(Qt::NoFocus); // the keys stay with the picture
+        row->addWidget(button);
+    }
+    connect(stop_, &QToolButton::clicked, this, &MotionNotice::stopWanted);
+    connect(compute_, &QToolButton::clicked, &document_, &SceneDocument::recompute);
+    tick_.setInterval(250);
+    connect(&tick_, &QTimer::timeout, this, &MotionNotice::follow);
+    connect(&document_, &SceneDocument::textChanged, this, [this] { worksSince_.invalidate(); });
+    connect(&document_, &SceneDocument::workChanged, this, &MotionNotice::follow);
+    connect(&document_, &SceneDocument::motionChanged, this, &MotionNotice::follow);
+    connect(&playback_, &Playback::timeChanged, this, &MotionNotice::follow);
+    connect(&playback_, &Playback::stateChanged, this, &MotionNotice::follow);
+    picture.installEventFilter(this);
+    hide();
+}
+
+QString MotionNotice::words() const { return isHidden() ? QString() : words_->text(); }
+
+QString MotionNotice::progress() const {
+    const auto seconds = worksSince_.elapsed() / 1000;
+    const Shown& shown = document_.shown();
+    if (document_.work() == Work::reading || !shown.motion)
+        return document_.work() == Work::reading
+                   ? tr("Reading the text, %1 s so far.").arg(seconds)
+                   : tr("Computing the motion, %1 s so far.").arg(seconds);
+    if (document_.motionIsStale())
+        return tr("Computing the motion, %1 s so far; what is shown is stale, an older scene's.")
+            .arg(seconds);
+    const double length = shown.motion->finish() - shown.motion->start();
+    const double known = simulation::knownSpan(*shown.motion).computed;
+    return tr("Computing: at t = %1 of %2, %3 s so far.")
+        .arg(timeText(known, length), timeText(shown.motion->finish(), length))
+        .arg(seconds);
+}
+
+MotionNotice::Said MotionNotice::said() const {
+    const bool works = document_.work() != Work::none;
+    const auto& motion = document_.shown().motion;
+    if (works && lasts(worksSince_, untilProgress))
+        return {progress(), false, true, false};
+    if (motion && lasts(staleSince_, untilStale))
+        return works ? Said{tr("Stale motion: computing…")}
+                     : Said{tr("Stale motion: Play or F5 computes that of the scene as it is."),
+                            false, false, true};
+    if (works)
+        return {};
+    if (document_.computingWasStopped())
+        return {tr("Computing was stopped at t = %1. Play or F5 computes it again.")
+                    .arg(timeText(playback_.computed(), playback_.finish() - playback_.start())),
+                false, false, true};
+    if (!motion || playback_.time() < playback_.finish())
+        return {};
+    if (const auto stop = firstStop(*motion))
+        return {QString::fromStdString(stop->sentence), true, false, false};
+    const auto& faults = document_.diagnostics();
+    const auto error =
+        std::ranges::find(faults, scene::Severity::error, &scene::Diagnostic::severity);
+    if (motion->computed() < motion->finish() && error != faults.end())
+        return {QString::fromStdString(error->message), true, false, false};
+    return {};
+}
+
+void MotionNotice::follow() {
+    const bool works = document_.work() != Work::none;
+    views::follow(worksSince_, works);
+    views::follow(staleSince_, document_.motionIsStale());
+    if (works || document_.motionIsStale())
+        tick_.start();
+    else
+        tick_.stop();
+    show(said());
+}
+
+void MotionNotice::show(const Said& said) {
+    setVisible(!said.words.isEmpty());
+    if (said.words.isEmpty() ||
+        (said.words == words_->text() && said.mayStop == stop_->isVisibleTo(this)))
+        return;
+    QPalette colors = palette();
+    colors.setColor(QPalette::Window, said.isFault ? QColor(255, 222, 216) : QColor(255, 236, 190));
+    colors.setColor(QPalette::WindowText, said.isFault ? QColor(130, 20, 10) : QColor(90, 60, 0));
+    setPalette(colors);
+    words_->setText(said.words);
+    stop_->setVisible(said.mayStop);
+    compute_->setVisible(said.mayCompute);
+    place();
+}
+
+// Beside the triad, which has the lower left corner.
+void MotionNotice::place() {
+    constexpr int triad = 110, margin = 12;
+    const QWidget& picture = *parentWidget();
+    const int left = picture.width() > 4 * triad ? triad : margin;
+    const int most = std::max(picture.width() - left - margin, 1);
+    const QMargins around = layout()->contentsMargins();
+    int beside = around.left() + around.right() + 4;
+    for (const QToolButton* button : {stop_, compute_})
+        if (button->isVisibleTo(this))
+            beside += button->sizeHint().width() + layout()->spacing();
+    const int line = words_->fontMetrics().horizontalAdvance(words_->text()) + beside;
+    const int width = std::min(line, most);
+    const int height =
+        std::max(words_->heightForWidth(width - beside) + around.top() + around.bottom(),
+                 layout()->minimumSize().height());
+    setGeometry(left, picture.height() - height - margin, width, height);
+}
+
+bool MotionNotice::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Resize && !isHidden())
+        place();
+    return QFrame::eventFilter(watched, event);
+}
+
+} // namespace views

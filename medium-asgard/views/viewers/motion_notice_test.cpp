@@ -1,0 +1,116 @@
+// What a picture says of a motion that stops, that is computed, and that was stopped.
+#include "viewers/graphical_viewer.h"
+#include "viewers/motion_notice.h"
+#include "views/test_workshop.h"
+
+#include <gmock/gmock.h>
+
+#include <QToolButton>
+
+namespace views {
+namespace {
+
+using ::testing::HasSubstr;
+
+class MotionNoticeTest : public testing::Test {
+protected:
+    static void SetUpTestSuite() { theApplication(); }
+    static std::string wordsOf(QWidget& window) {
+        return window.findChild<MotionNotice*>()->words().toStdString();
+    }
+    std::shared_ptr<PictureThread> pictures = std::make_shared<PictureThread>(false);
+};
+
+Computed stopping(Work work) {
+    Computed computed;
+    computed.shown.scene = std::make_shared<scene::Scene>(
+        theReader().read(ballScene + "body b2 ball -init_pos {0 3 0}\n").scene);
+    auto motion = std::make_shared<render::GivenMotion>(
+        2,
+        std::vector<render::GivenMotion::Law>(2, [](double) { return simulation::BodyState(); }));
+    motion->stopped = simulation::Stop{0.5, "Stopped at t = 0.5: body \"b1\" is stuck.", {}};
+    computed.shown.motion = std::move(motion);
+    computed.work = work;
+    computed.current = true;
+    return computed;
+}
+
+TEST_F(MotionNoticeTest, ThePictureEndsWhereTheFirstBodyStopsAndSaysWhy) {
+    SceneDocument document{Workshop{}};
+    GraphicalViewer viewer(document, pictures, {}, 1);
+    viewer.resize(900, 640);
+    viewer.show();
+    double clock = 100;
+    viewer.playback().setClock([&] { return clock; });
+    document.setComputed(stopping(Work::none));
+    EXPECT_EQ(wordsOf(viewer), "");
+    viewer.playback().play();
+    clock += 1.5;
+    viewer.playback().advance();
+    EXPECT_EQ(viewer.playback().time(), 0.5);
+    EXPECT_FALSE(viewer.playback().isPlaying());
+    EXPECT_EQ(wordsOf(viewer), "Stopped at t = 0.5: body \"b1\" is stuck.");
+    EXPECT_GT(viewer.timeBar().width() / 2, viewer.timeBar().position(0.5)); // its scale is whole
+    viewer.playback().seek(2);
+    EXPECT_EQ(viewer.playback().time(), 0.5);
+    viewer.playback().seek(0.2);
+    EXPECT_EQ(wordsOf(viewer), "");
+}
+
+// Once it is computed the motion may go on beyond that.
+TEST_F(MotionNoticeTest, WhileItIsComputedPlayingWaitsAtAStop) {
+    SceneDocument document{Workshop{}};
+    GraphicalViewer viewer(document, pictures, {}, 1);
+    double clock = 100;
+    viewer.playback().setClock([&] { return clock; });
+    document.setComputed(stopping(Work::simulating));
+    viewer.playback().play();
+    clock += 1.5;
+    viewer.playback().advance();
+    EXPECT_EQ(viewer.playback().time(), 0.5);
+    EXPECT_TRUE(viewer.playback().isPlaying());
+    document.setComputed(stopping(Work::none));
+    EXPECT_FALSE(viewer.playback().isPlaying());
+}
+
+TEST_F(MotionNoticeTest, ComputingIsSaidStoppedAndBegunAgain) {
+    TestWorkshop made;
+    SceneDocument document{made.workshop()};
+    GraphicalViewer viewer(document, pictures, {}, 1);
+    viewer.show();
+    made.blocked = true;
+    document.setText(ballScene, "Edit");
+    ASSERT_TRUE(waitFor([&] { return !wordsOf(viewer).empty(); }));
+    EXPECT_THAT(wordsOf(viewer), HasSubstr("Computing the motion, "));
+    viewer.findChild<QToolButton*>("stop")->click(); // of playing ends computing, too
+    ASSERT_TRUE(settle(document));
+    EXPECT_THAT(wordsOf(viewer), HasSubstr("Computing was stopped"));
+    made.blocked = false;
+    viewer.findChild<QToolButton*>("play")->click();
+    ASSERT_TRUE(settle(document));
+    EXPECT_EQ(made.simulations, 2);
+    EXPECT_TRUE(viewer.playback().isPlaying());
+    EXPECT_EQ(wordsOf(viewer), "");
+}
+
+// The motion of the scene before is shown until one asks.
+TEST_F(MotionNoticeTest, PlayComputesWhatWaitsToBeAsked) {
+    TestWorkshop made;
+    SceneDocument document{made.workshop()};
+    GraphicalViewer viewer(document, pictures, {}, 1);
+    viewer.show();
+    document.setText(ballScene, "Edit");
+    ASSERT_TRUE(settle(document));
+    document.setLive(Live::never);
+    document.setText("# other\n" + ballScene, "Edit");
+    ASSERT_TRUE(settle(document));
+    ASSERT_TRUE(waitFor([&] { return !wordsOf(viewer).empty(); }));
+    EXPECT_THAT(wordsOf(viewer), HasSubstr("Stale motion"));
+    viewer.findChild<QToolButton*>("play")->click();
+    ASSERT_TRUE(settle(document));
+    EXPECT_FALSE(document.motionIsStale());
+    EXPECT_TRUE(viewer.playback().isPlaying());
+}
+
+} // namespace
+} // namespace views
