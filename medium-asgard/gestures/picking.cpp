@@ -122,6 +122,8 @@ std::vector<std::size_t> bodiesWithin(const render::Drawing& drawing, const Sigh
     const Eigen::AlignedBox2d band(one.cwiseMin(other), one.cwiseMax(other));
     std::vector<std::size_t> bodies;
     for (std::size_t i = 0; i < drawing.scene->bodies.size(); ++i) {
+        if (render::isHidden(drawing.display, drawing.scene->bodies[i]))
+            continue;
         const geometry::Pose pose =
             render::poseOf(*drawing.scene, drawing.motion.get(), i, drawing.time);
         Eigen::AlignedBox2d seen;

@@ -126,7 +126,7 @@ Snapping::Snapping(const render::Drawing& drawing, const Sight& sight, double sc
         moving_ = movedBy(*drawing.scene, *held);
     }
     for (std::size_t i = 0; i < std::min(mostBodies, bodies_.size()); ++i)
-        if (!moves(bodies_[i]))
+        if (!moves(bodies_[i]) && !render::isHidden(drawing.display, drawing.scene->bodies[i]))
             addBody(drawing, i);
     addHandles(drawing);
 }

@@ -1,5 +1,7 @@
 #include "frame/typed_field.h"
 
+#include "plain/plain.h"
+
 #include <QApplication>
 #include <QDeadlineTimer>
 #include <QEventLoop>
@@ -53,20 +55,38 @@ void TypedField::setRefusal(QLineEdit& field, const QString& why) {
 
 QString TypedField::refusalOf(const QLineEdit& field) { return field.property(refusal).toString(); }
 
-QString TypedField::settleAll(const SceneDocument& document) {
+QString TypedField::settleAll(const SceneDocument& document, QWidget* window) {
     QList<QPointer<QLineEdit>> typed;
-    for (QWidget* window : QApplication::topLevelWidgets())
-        for (TypedField* one : window->findChildren<TypedField*>())
-            if (&one->document_ == &document && one->field_.isModified() &&
-                !typed.contains(&one->field_)) { // a pane that is torn off is a window in another
-                typed << &one->field_;
-                one->take(false);
+    for (QWidget* one : window ? QWidgetList{window} : QApplication::topLevelWidgets())
+        for (TypedField* in : one->findChildren<TypedField*>())
+            if (&in->document_ == &document && in->field_.isModified() &&
+                !typed.contains(&in->field_)) { // a pane that is torn off is a window in another
+                typed << &in->field_;
+                in->take(false);
             }
+    if (typed.isEmpty())
+        return {};
     waitUntilRead(document);
     for (const QPointer<QLineEdit>& field : typed)
         if (field && !refusalOf(*field).isEmpty())
             return refusalOf(*field);
-    return {};
+    return document.isAwaited() ? document.whyNotCurrent() : QString();
+}
+
+bool TypedField::maySettle(const SceneDocument& document, QWidget* window) {
+    const QString why = settleAll(document, window);
+    if (why.isEmpty())
+        return true;
+    if (plain::Message::ask(
+            QMessageBox::Question, window ? window : QApplication::activeWindow(), tr("Asgard"),
+            tr("A value that was typed is not taken: %1\n\nGo on without it?").arg(why),
+            QMessageBox::Yes | QMessageBox::No, QMessageBox::No) != QMessageBox::Yes)
+        return false;
+    if (window) // it is not asked about again
+        for (TypedField* one : window->findChildren<TypedField*>())
+            if (&one->document_ == &document && one->field_.isModified())
+                one->uses_.bringBack();
+    return true;
 }
 
 void TypedField::take(bool asked) {

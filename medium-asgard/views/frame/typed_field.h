@@ -31,9 +31,11 @@ public:
     // Why the value that was typed last is not taken; "": it is, or nobody has answered yet.
     static void setRefusal(QLineEdit& field, const QString& why);
     [[nodiscard]] static QString refusalOf(const QLineEdit& field);
-    // Takes what was typed in all windows of the document, and waits until that is read. "", or why
-    // a value is not taken.
-    static QString settleAll(const SceneDocument& document);
+    // Takes what was typed in all windows of the document, or in one, and waits until that is read.
+    // "", or why a value is not taken.
+    static QString settleAll(const SceneDocument& document, QWidget* window = nullptr);
+    // The same, and asks whether one goes on without what is not taken.
+    static bool maySettle(const SceneDocument& document, QWidget* window = nullptr);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -130,9 +130,20 @@ TEST_F(CreatingTest, BodiesAttractEachOtherByOneConstant) {
                                   "hypot(sun.x - b2.x, sun.y - b2.y, sun.z - b2.z)^3}"));
     display().creating().start(attractionOfAll());
     done();
-    EXPECT_EQ(scene().forces.size(), 1U + 4U);
+    EXPECT_EQ(scene().forces.size(), 1U + 3U); // none twice
     EXPECT_EQ(scene().parameters.size(), 1U);
     EXPECT_FALSE(editor.document().hasErrors());
+}
+
+TEST_F(CreatingTest, AParameterGOfSomethingElseIsLeftToIt) {
+    open("parameter G -value 80e9\n" + balls);
+    display().creating().start(attractionOfAll());
+    done();
+    ASSERT_EQ(scene().parameters.size(), 2U);
+    EXPECT_EQ(scene().forces.size(), 2U);
+    const std::string own = scene().parameters[1].name;
+    EXPECT_NE(own, "G");
+    EXPECT_THAT(text(), HasSubstr("-x {" + own + " * b1.mass * b2.mass * "));
 }
 
 TEST_F(CreatingTest, ASpringIsMadeByTwoClicks) {
@@ -563,6 +574,7 @@ TEST_F(CreatingTest, AMotorsSliderIsItsNumberInTheText) {
     slider->setSliderDown(false);
     done();
     EXPECT_EQ(scene().joints[0].coordinates[0].speed, "-2");
+    EXPECT_EQ(slider->value(), 250); // its ends are as wide as they were
     panel->slider("rail -motor2")->setValue(1000);
     done();
     EXPECT_THAT(text(), HasSubstr("-motor2 {1.0}"));

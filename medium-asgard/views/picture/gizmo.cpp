@@ -29,7 +29,8 @@ std::optional<std::pair<std::size_t, Vector>> Gizmo::place() const {
     const auto& selected = document_.selected();
     const Shown& shown = document_.shown();
     if (selected.size() != 1 || selected.front().kind != editing::Kind::body ||
-        selected.front().index >= shown.scene->bodies.size() || display_.creating().active())
+        selected.front().index >= shown.scene->bodies.size() || display_.creating().active() ||
+        render::isHidden(display_.display(), shown.scene->bodies[selected.front().index]))
         return std::nullopt;
     const double start = shown.motion ? shown.motion->start() : display_.time();
     if (display_.time() > start)

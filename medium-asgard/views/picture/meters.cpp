@@ -138,6 +138,18 @@ std::optional<QPointF> Meters::placeOf(const Meter& meter) const {
         const auto link = named(scene.links);
         body = link == scene.links.end() ? std::string() : link->first.body;
     }
+    if (meter.kind == editing::Kind::rope)
+        if (const auto rope = named(scene.ropes); rope != scene.ropes.end()) {
+            const auto held = std::ranges::find_if(
+                rope->points, [](const scene::Rope::Point& one) { return one.body.has_value(); });
+            body = held == rope->points.end() ? std::string() : *held->body;
+        }
+    if (meter.kind == editing::Kind::contact)
+        if (const auto contact = named(scene.contacts); contact != scene.contacts.end()) {
+            const auto first = std::ranges::find(scene.bodies, contact->body1, &scene::Body::name);
+            const bool isFixed = first != scene.bodies.end() && first->fixed;
+            body = isFixed ? contact->body2 : contact->body1;
+        }
     const auto found = std::ranges::find(scene.bodies, body, &scene::Body::name);
     if (found == scene.bodies.end() || render::isHidden(drawing.display, *found))
         return std::nullopt;

@@ -50,6 +50,25 @@ TEST_F(MetersTest, AnAngleHasItsUnit) {
     EXPECT_EQ(words().toStdString(), "Angular velocity about z 1 rad/s");
 }
 
+// A rope's and a contact's stand at a body of theirs that moves.
+TEST_F(MetersTest, ValuesOfRopesAndContactsAreSeen) {
+    editor.document().setText(flying + "body floor s -fixed 1 -init_pos {9 0 0}\n"
+                                       "rope line -points {{0 9 0} {b}}\n"
+                                       "contact touch -body1 floor -body2 b -friction 0.1\n",
+                              "Edit");
+    ASSERT_TRUE(settle(editor.document()));
+    ASSERT_FALSE(editor.document().hasErrors()) << editor.document().diagnostics()[0].message;
+    SceneDisplay& display = editor.openGraphicalViewer()->display();
+    for (const editing::Kind kind : {editing::Kind::rope, editing::Kind::contact}) {
+        const QImage without = display.grab().toImage();
+        const editing::Element element{kind, 0};
+        const auto all = quantitiesOf(*editor.document().shown().scene, element);
+        ASSERT_FALSE(all.empty());
+        display.meters().toggle(element, all.front());
+        EXPECT_NE(display.grab().toImage(), without);
+    }
+}
+
 // A name is not what a picture shows: whatever is renamed is as hidden, and as watched, as before.
 TEST_F(MetersTest, ARenamedBodyStaysHiddenAndKeepsItsValues) {
     SceneDisplay& display = editor.openGraphicalViewer()->display();

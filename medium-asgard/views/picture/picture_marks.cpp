@@ -35,7 +35,8 @@ void PictureEditing::paintSelection(QPainter& painter) const {
             if (element.kind != editing::Kind::body && gestures::elementOf(handle) == element)
                 painter.drawEllipse(
                     display_.fromPixels(render::standOf(handle, sight.camera, sight.size)), 9, 9);
-        if (element.kind != editing::Kind::body || element.index >= drawing.scene->bodies.size())
+        if (element.kind != editing::Kind::body || element.index >= drawing.scene->bodies.size() ||
+            render::isHidden(drawing.display, drawing.scene->bodies[element.index]))
             continue;
         const geometry::Pose pose =
             render::poseOf(*drawing.scene, drawing.motion.get(), element.index, drawing.time);

@@ -434,15 +434,23 @@ Recipe newSpring(Wanted second) {
 
 namespace {
 
-const std::string gravityConstant = "G";
+std::string xOf(const scene::Force& force) {
+    const auto* parts = std::get_if<scene::ComponentForce>(&force.kind);
+    return parts ? parts->components[0] : std::string();
+}
 
-bool hasConstant(const scene::Scene& scene) {
-    return std::ranges::find(scene.parameters, gravityConstant, &scene::Parameter::name) !=
-           scene.parameters.end();
+// The parameter that attractions have already: what another one called G is for, nobody knows.
+std::optional<std::string> constantOf(const scene::Scene& scene) {
+    for (const scene::Parameter& one : scene.parameters)
+        for (const scene::Force& force : scene.forces)
+            if (xOf(force).starts_with(one.name + " * " + force.body + ".mass * "))
+                return one.name;
+    return std::nullopt;
 }
 
 // Newton's law of gravitation: the force on one body by another.
-NewElement attractionOn(const scene::Scene& scene, std::size_t one, std::size_t other) {
+NewElement attractionOn(const scene::Scene& scene, const std::string& constant, std::size_t one,
+                        std::size_t other) {
     const std::string a = scene.bodies[one].name, b = scene.bodies[other].name;
     const auto along = [&](const char* axis) { return b + "." + axis + " - " + a + "." + axis; };
     const std::string distance =
@@ -450,25 +458,52 @@ NewElement attractionOn(const scene::Scene& scene, std::size_t one, std::size_t 
     NewElement force{Kind::force, "", {"-body", a}, {{Kind::body, one}, {Kind::body, other}}};
     for (const auto& [option, axis] : {std::pair("-x", "x"), {"-y", "y"}, {"-z", "z"}})
         force.words.insert(force.words.end(),
-                           {option, "{" + gravityConstant + " * " + a + ".mass * " + b +
-                                        ".mass * (" + along(axis) + ") / " + distance + "}"});
+                           {option, "{" + constant + " * " + a + ".mass * " + b + ".mass * (" +
+                                        along(axis) + ") / " + distance + "}"});
     return force;
 }
 
-void addAttraction(std::vector<NewElement>& made, const scene::Scene& scene, std::size_t one,
-                   std::size_t other) {
-    for (const auto& [a, b] : {std::pair(one, other), std::pair(other, one)})
-        if (!scene.bodies[a].fixed)
-            made.push_back(attractionOn(scene, a, b));
-}
+// Of each pair on each that can move, but for what is there already.
+class Attractions {
+public:
+    Attractions(const std::string& text, const scene::Scene& scene)
+        : scene_(scene), known_(constantOf(scene)),
+          constant_(known_.value_or(nameOf(text, scene))) {}
 
-std::vector<NewElement> withConstant(const scene::Scene& scene, std::vector<NewElement> forces) {
-    if (!forces.empty() && !hasConstant(scene))
-        forces.insert(
-            forces.begin(),
-            {Kind::parameter, gravityConstant, {"-value", "1", "-min", "0", "-max", "10"}, {}});
-    return forces;
-}
+    void add(std::size_t one, std::size_t other) {
+        for (const auto& [a, b] : {std::pair(one, other), std::pair(other, one)})
+            if (!scene_.bodies[a].fixed && !isThere(a, b))
+                made_.push_back(attractionOn(scene_, constant_, a, b));
+    }
+    [[nodiscard]] std::vector<NewElement> withConstant() {
+        if (!made_.empty() && !known_)
+            made_.insert(
+                made_.begin(),
+                {Kind::parameter, constant_, {"-value", "1", "-min", "0", "-max", "10"}, {}});
+        return std::move(made_);
+    }
+
+private:
+    static std::string nameOf(const std::string& text, const scene::Scene& scene) {
+        const std::string usual = "G";
+        return std::ranges::find(scene.parameters, usual, &scene::Parameter::name) ==
+                       scene.parameters.end()
+                   ? usual
+                   : editing::unusedName(text, scene, Kind::parameter, usual);
+    }
+    [[nodiscard]] bool isThere(std::size_t one, std::size_t other) const {
+        const std::string &a = scene_.bodies[one].name, b = scene_.bodies[other].name;
+        return known_ && std::ranges::any_of(scene_.forces, [&](const scene::Force& force) {
+                   return force.body == a &&
+                          xOf(force).starts_with(constant_ + " * " + a + ".mass * " + b + ".mass ");
+               });
+    }
+
+    const scene::Scene& scene_;
+    std::optional<std::string> known_;
+    std::string constant_;
+    std::vector<NewElement> made_;
+};
 
 bool hasMass(const scene::Scene& scene, const scene::Body& body) {
     const auto set = std::ranges::find(scene.shapeSets, body.shape, &scene::ShapeSet::name);
@@ -485,29 +520,32 @@ Recipe newAttraction() {
     recipe.label = QObject::tr("New Attraction");
     recipe.steps = {wholeBody(QObject::tr("Click on a body: a sun.")),
                     wholeBody(QObject::tr("Click on the body that it attracts: a planet."))};
-    recipe.make = [](const std::string&, const scene::Scene& scene,
+    recipe.make = [](const std::string& text, const scene::Scene& scene,
                      const std::vector<Indicated>& shown) {
-        std::vector<NewElement> made;
+        Attractions made(text, scene);
         if (shown[0].body != shown[1].body)
-            addAttraction(made, scene, *shown[0].body, *shown[1].body);
-        return withConstant(scene, std::move(made));
+            made.add(*shown[0].body, *shown[1].body);
+        return made.withConstant();
     };
-    recipe.otherwise = QObject::tr("Two different bodies, please, one of which can move.");
+    recipe.otherwise = QObject::tr("Two different bodies, please, one of which can move, and which "
+                                   "do not attract each other yet.");
     return recipe;
 }
 
 Recipe attractionOfAll() {
     Recipe recipe;
     recipe.label = QObject::tr("Attraction of All Bodies");
-    recipe.make = [](const std::string&, const scene::Scene& scene, const std::vector<Indicated>&) {
-        std::vector<NewElement> made;
+    recipe.make = [](const std::string& text, const scene::Scene& scene,
+                     const std::vector<Indicated>&) {
+        Attractions made(text, scene);
         for (std::size_t i = 0; i < scene.bodies.size(); ++i)
             for (std::size_t k = i + 1; k < scene.bodies.size(); ++k)
                 if (hasMass(scene, scene.bodies[i]) && hasMass(scene, scene.bodies[k]))
-                    addAttraction(made, scene, i, k);
-        return withConstant(scene, std::move(made));
+                    made.add(i, k);
+        return made.withConstant();
     };
-    recipe.otherwise = QObject::tr("There are no two bodies one of which can move.");
+    recipe.otherwise = QObject::tr("There are no two bodies one of which can move and that do not "
+                                   "attract each other yet.");
     return recipe;
 }
 

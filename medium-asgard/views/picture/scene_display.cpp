@@ -199,6 +199,13 @@ void SceneDisplay::hide(const std::vector<editing::Element>& elements) {
         if (element.kind == editing::Kind::body)
             names.insert(editing::nameOf(*document_.shown().scene, element));
     setHidden(std::move(names));
+    // What nobody sees is not what the next Delete means.
+    std::vector<editing::Element> selected = document_.selected();
+    std::erase_if(selected, [&](const editing::Element& one) {
+        return one.kind == editing::Kind::body &&
+               std::ranges::find(elements, one) != elements.end();
+    });
+    document_.select(std::move(selected));
 }
 
 void SceneDisplay::rename(const std::vector<editing::Renamed>& renamed) {

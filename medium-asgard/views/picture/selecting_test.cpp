@@ -315,5 +315,33 @@ TEST_F(SelectingTest, AHiddenBodyIsNeitherSeenNorClicked) {
     EXPECT_TRUE(display().hidden().empty());
 }
 
+// Delete would remove what nobody sees.
+TEST_F(SelectingTest, AHiddenBodyIsNotSelectedAnyMoreNorByTheBand) {
+    editor.document().select({leftOne, nearOne});
+    display().hide({nearOne});
+    EXPECT_THAT(selected(), ElementsAre(leftOne));
+    const QRectF all = display().rect();
+    const auto bodies = gestures::bodiesWithin(display().drawing(), display().sight(),
+                                               display().inPixels(all.topLeft()),
+                                               display().inPixels(all.bottomRight()));
+    EXPECT_FALSE(bodies.empty());
+    EXPECT_EQ(std::ranges::find(bodies, nearOne.index), bodies.end());
+}
+
+// Where it is led or held a throw would not do what the hand asks.
+TEST_F(SelectingTest, WhatAPathOrAJointHoldsIsNotThrown) {
+    for (const std::string held :
+         {"joint pin -type hinge -body1 left -axis {0 0 1}\n",
+          "trajectory way -points {{0 -3 0 0} {1 -3 1 0}}\nconstrain left -pos way\n"}) {
+        editor.document().setText(three + held, "Edit");
+        ASSERT_TRUE(settle(editor.document()));
+        ASSERT_FALSE(editor.document().hasErrors()) << editor.document().diagnostics()[0].message;
+        viewer->playback().seek(0.5);
+        EXPECT_TRUE(display().throwing().press(leftOne.index, middle));
+        EXPECT_FALSE(display().throwing().active());
+        EXPECT_THAT(display().editing().said().toStdString(), HasSubstr("left is"));
+    }
+}
+
 } // namespace
 } // namespace views

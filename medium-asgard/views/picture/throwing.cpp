@@ -17,6 +17,23 @@ namespace {
 
 constexpr double lately = 0.1; // s: how the hand moved before it let go
 
+// What a hand could not take it away from: "led by path way"; "": nothing holds it.
+QString holderOf(const scene::Scene& scene, const std::string& body) {
+    const auto named = [](const char* kind, const std::string& name) {
+        return QObject::tr(kind).arg(QString::fromStdString(name));
+    };
+    for (const scene::Constraint& one : scene.constraints)
+        if (one.body == body)
+            return named("led by the path %1", one.trajectory);
+    for (const scene::Joint& one : scene.joints)
+        if (one.body1 == body || one.body2 == body)
+            return named("held by the joint %1", one.name);
+    for (const scene::Rope& one : scene.ropes)
+        if (std::ranges::find(one.points, body, &scene::Rope::Point::body) != one.points.end())
+            return named("held by the rope %1", one.name);
+    return {};
+}
+
 double secondsOf(const QMouseEvent& event) { return 1e-3 * static_cast<double>(event.timestamp()); }
 
 } // namespace
@@ -40,6 +57,14 @@ bool Throwing::press(std::size_t body, const QPointF& position) {
     if (!shown.motion || display_.time() <= start || shown.scene->bodies[body].fixed ||
         !document_.sceneIsCurrent() || document_.motionIsStale())
         return false;
+    const std::string& name = shown.scene->bodies[body].name;
+    if (const QString holder = holderOf(*shown.scene, name); !holder.isEmpty()) {
+        display_.editing().say(
+            tr("%1 is %2: it is neither thrown nor put elsewhere on its way. Its place at the "
+               "start can be dragged there.")
+                .arg(QString::fromStdString(name), holder));
+        return true;
+    }
     const double time = gestures::roundMoment(*shown.motion, display_.time());
     display_.keepCamera();
     held_.emplace(Held{document_.ground(),

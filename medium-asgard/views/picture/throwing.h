@@ -25,7 +25,8 @@ class Throwing : public QObject {
 public:
     Throwing(SceneDocument& document, SceneDisplay& display);
 
-    // False: it is the start, where a drag changes initial values, or nothing can be changed.
+    // False: it is the start, where a drag changes initial values, or nothing can be changed. What
+    // is held by something else is not taken, and the picture says why.
     bool press(std::size_t body, const QPointF& position);
     bool move(const QMouseEvent& event);    // false: nothing is held
     bool release(const QMouseEvent& event); // false: nothing is held

@@ -1,5 +1,6 @@
 #include "properties/properties_pane.h"
 
+#include "editing/changes.h"
 #include "editing/element_values.h"
 #include "editing/number_text.h"
 #include "element_edits/attitude.h"
@@ -433,17 +434,35 @@ void PropertiesPane::setSize(const Entered& entered) {
 void PropertiesPane::listen(PropertyRow& row, Enter enter) {
     connect(&row, &PropertyRow::entered, this, [this, &row, enter](const PropertyParts& parts) {
         const Entered entered{&row, &row.option(), elements(), parts};
-        whenRead(&row, [this, entered, enter] { take(entered, enter); });
+        whenRead(&row, [this, entered, now = following(entered.elements), enter] {
+            take(entered, now, enter);
+        });
     });
 }
 
-void PropertiesPane::take(const Entered& entered, Enter enter) {
+PropertiesPane::Follow PropertiesPane::following(const std::vector<Element>& elements) const {
+    return [this, elements, scene = document_.shown().scene,
+            text = document_.shownText()]() -> std::optional<std::vector<Element>> {
+        if (document_.shown().scene == scene)
+            return elements;
+        const editing::Changes changes = editing::changesBetween(
+            {text, *scene}, {document_.shownText(), *document_.shown().scene});
+        std::vector<Element> now;
+        for (const Element& element : elements)
+            if (const auto after = changes.now(element))
+                now.push_back(*after);
+        return now.size() == elements.size() ? std::optional(now) : std::nullopt;
+    };
+}
+
+void PropertiesPane::take(Entered entered, const Follow& now, Enter enter) {
     if (!document_.sceneIsCurrent())
         return answer(entered, document_.whyNotCurrent());
     const auto& scene = document_.shown().scene;
-    for (const Element& element : entered.elements)
-        if (!editing::sourceOf(*scene, element))
-            return; // it was deleted meanwhile
+    const auto elements = now();
+    if (!elements)
+        return; // it was deleted meanwhile
+    entered.elements = *elements;
     if (!properties_ || properties_->text() != document_.text())
         properties_ = std::make_unique<editing::Properties>(document_.text(), scene);
     (this->*enter)(entered);
@@ -507,8 +526,11 @@ void PropertiesPane::answer(const Entered& entered, const QString& why) {
 void PropertiesPane::rename() {
     if (elements().size() != 1)
         return;
-    whenRead(name_, [this, element = elements().front(), name = name_->text()] {
-        commands_.rename(element, name, [this, name](const QString& why) {
+    whenRead(name_, [this, now = following(elements()), name = name_->text()] {
+        const auto element = now();
+        if (!element)
+            return; // it was deleted meanwhile
+        commands_.rename(element->front(), name, [this, name](const QString& why) {
             if (name_->text() == name)
                 name_->setModified(false); // the name as it is comes back
             TypedField::setRefusal(*name_, why);

@@ -85,9 +85,13 @@ private:
         std::vector<editing::Element> elements;
         PropertyParts parts;
     };
+    // Elements of the scene that is shown now, and what they are in a later one; none: one of them
+    // is gone.
+    using Follow = std::function<std::optional<std::vector<editing::Element>>()>;
+    [[nodiscard]] Follow following(const std::vector<editing::Element>& elements) const;
     using Enter = void (PropertiesPane::*)(const Entered& entered);
     void listen(PropertyRow& row, Enter enter);
-    void take(const Entered& entered, Enter enter);
+    void take(Entered entered, const Follow& now, Enter enter);
     void whenRead(const QObject* field, std::function<void()> enter);
     void enterNext();
     void set(const Entered& entered);

@@ -192,6 +192,21 @@ TEST_F(PropertiesTest, ValuesThatAreEnteredWhileTheTextIsReadAreTakenThen) {
     EXPECT_EQ(document.text(), two);
 }
 
+// Its number in the scene is another one by then.
+TEST_F(PropertiesTest, AValueGoesToTheBodyThatItWasTypedForWhenAnotherIsDeletedMeanwhile) {
+    const std::string a = "body a s\n", b = "body b s -init_pos {4 0 0}\n",
+                      c = "body c s -init_pos {8 0 0}\n";
+    open(shape + a + b + c, {{Kind::body, 1}});
+    made.readsSlowly = true;
+    document.setText(shape + b + c, "Edit");
+    enter("-mass", "7");
+    made.readsSlowly = false;
+    ASSERT_TRUE(settle(document));
+    settleTimers();
+    ASSERT_TRUE(settle(document));
+    EXPECT_EQ(document.text(), shape + "body b s -init_pos {4 0 0} -mass 7\n" + c);
+}
+
 TEST_F(PropertiesTest, AValueThatNobodyHasReadIsNoStepOfUndo) {
     open(two, {{Kind::body, 0}});
     made.readsSlowly = true;

@@ -531,9 +531,9 @@ bool GraphicalViewer::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void GraphicalViewer::closeEvent(QCloseEvent* event) {
-    (void)TypedField::settleAll(document_); // asked about with the last window
     LanguageViewer* viewer = text();
-    event->setAccepted((!viewer || viewer->settleDraft()) &&
+    event->setAccepted(TypedField::maySettle(document_, this) &&
+                       (!viewer || viewer->settleDraft()) &&
                        (!windows_.mayClose || windows_.mayClose(*this)));
 }
 

@@ -80,6 +80,17 @@ protected:
     int asked = 0;
 };
 
+// Into the field of the properties that are shown, and no Return.
+void typeMass(QWidget& window, const QString& mass) {
+    window.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&window, longestWait));
+    QLineEdit* field = nullptr;
+    ASSERT_TRUE(waitFor([&] { return (field = window.findChild<QLineEdit*>("-mass")); }));
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, mass);
+}
+
 // A key of two commands in one window would call neither; of two meanings, surprise.
 TEST_F(MainWindowTest, EachKeyMeansOneThingInAllWindows) {
     editor.beginSession();
@@ -116,6 +127,23 @@ TEST_F(MainWindowTest, EachKeyMeansOneThingInAllWindows) {
     EXPECT_EQ(meaning["Ctrl+W"], "Close");
     EXPECT_EQ(meaning["Ctrl+Q"], "Quit");
     EXPECT_EQ(meaning["F11"], "Full");
+}
+
+// Its fields are gone with it; the other windows have theirs.
+TEST_F(MainWindowTest, AWindowThatHasARefusedValueAsksBeforeItCloses) {
+    editor.beginSession();
+    open();
+    GraphicalViewer* second = editor.openGraphicalViewer();
+    editor.document().select({{editing::Kind::body, 0}});
+    second->panes().show("properties");
+    typeMass(*second, "heavy");
+    answer("No");
+    EXPECT_FALSE(second->close());
+    EXPECT_EQ(asked, 1);
+    EXPECT_TRUE(second->isVisible());
+    answer("Yes");
+    EXPECT_TRUE(second->close());
+    EXPECT_EQ(asked, 2);
 }
 
 // Whichever menus were open: the keyboard is where it was, and its keys do what they say.
@@ -319,17 +347,6 @@ TEST_F(MainWindowTest, SavingTakesWhatIsTyped) {
     ASSERT_TRUE(file.open(QIODevice::ReadOnly));
     EXPECT_EQ(file.readAll().toStdString(), "# mine\n" + ballScene);
     EXPECT_FALSE(viewer.text()->hasDraft());
-}
-
-// Into the field of the properties that are shown, and no Return.
-void typeMass(QWidget& window, const QString& mass) {
-    window.activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(&window, longestWait));
-    QLineEdit* field = nullptr;
-    ASSERT_TRUE(waitFor([&] { return (field = window.findChild<QLineEdit*>("-mass")); }));
-    field->setFocus();
-    field->selectAll();
-    QTest::keyClicks(field, mass);
 }
 
 TEST_F(MainWindowTest, SavingAndQuittingTakeAValueThatIsTyped) {

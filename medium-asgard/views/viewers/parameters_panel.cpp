@@ -104,7 +104,8 @@ std::vector<ParametersPanel::Control> ParametersPanel::controlsOf(const scene::S
                                     option + digit,
                                     *value,
                                     -most,
-                                    most});
+                                    most,
+                                    true});
             };
             add(joint.coordinates[k].motor, "-motor", tr("Motor of %1"));
             add(joint.coordinates[k].speed, "-speed", tr("Speed of %1"));
@@ -167,7 +168,11 @@ void ParametersPanel::refresh() {
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         Row& row = rows_[i];
         if (!row.slider->isSliderDown()) { // the ends stay while one drags
-            row.of = controls[i];
+            const Control before = std::exchange(row.of, controls[i]);
+            if (row.of.isWide) { // a motor that was dragged to 0 finds its way back
+                row.of.least = std::min(row.of.least, before.least);
+                row.of.most = std::max(row.of.most, before.most);
+            }
             row.slider->setValue(positionOf(row, row.of.value));
             reserveWidth(
                 *row.value, [&row](double any) { return valueText(row, any); }, row.of.least,

@@ -46,6 +46,7 @@ private:
         std::string option;
         double value = 0;
         double least = 0, most = 1;
+        bool isWide = false; // the ends are ours: they stay as wide as they were
     };
     struct Row {
         Control of;

@@ -96,13 +96,7 @@ bool SceneFiles::saveAs() {
 
 bool SceneFiles::mayLeave() {
     QWidget* from = QApplication::activeWindow();
-    if (const QString why = TypedField::settleAll(document_);
-        !why.isEmpty() && plain::Message::ask(QMessageBox::Question, from, tr("Asgard"),
-                                              tr("A value that was typed is not taken: %1\n\n"
-                                                 "Go on without it?")
-                                                  .arg(why),
-                                              QMessageBox::Yes | QMessageBox::No,
-                                              QMessageBox::No) != QMessageBox::Yes)
+    if (!TypedField::maySettle(document_))
         return false;
     if (exports_->isBusy() &&
         plain::Message::ask(QMessageBox::Question, from, tr("Export"),
