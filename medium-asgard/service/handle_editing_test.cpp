@@ -173,7 +173,7 @@ TEST_F(HandleEditingTest, ADragIsOneChangeOfItsNumbersAndTheHostHasItWhenItEnds)
     const std::string before = ball + "body b1 ball -init_pos {-1   0 0} ;# left\n";
     open(before, {"position-handles"});
     const auto at = pixels(handle(HandleKind::position).place);
-    const auto to = pixels(handle(HandleKind::position).place + Vector(0.1, 0, 0));
+    const auto to = pixels(handle(HandleKind::position).place + render::Vector(0.1, 0, 0));
     press(at);
     move(to);
     settle();

@@ -403,8 +403,9 @@ TEST_F(SessionTest, AChartIsShownAndTakenWhenItsPlotsHaveBeenSampled) {
 TEST_F(SessionTest, AMotionThatStoppedIsSaidAtItsBody) {
     world.stops = {{3, "the force on \"b\" is not finite at t = 3"}};
     load("a");
-    computedTo(3); // it is shown no farther
+    world.allow(10);
     until([&] { return told->state == ipc::MotionState::failed; });
+    EXPECT_EQ(session->subdocument().playback.span().finish, 3); // it is played no farther
     ASSERT_THAT(diagnostics->items, testing::SizeIs(1));
     EXPECT_EQ(diagnostics->items[0].line, 3);
     EXPECT_THAT(diagnostics->items[0].message, HasSubstr("not finite"));
