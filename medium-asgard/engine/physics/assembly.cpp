@@ -278,7 +278,12 @@ private:
 
 } // namespace
 
-Assembly assembled(const scene::Scene& scene) {
+// A coordinate counts from the start, wherever that is: its drive is no gap.
+Assembly assembled(const scene::Scene& written) {
+    scene::Scene scene = written;
+    for (scene::Joint& joint : scene.joints)
+        for (scene::JointCoordinate& coordinate : joint.coordinates)
+            coordinate.position.reset();
     EquationsOfMotion equations(scene, {}, nullptr, EquationsOfMotion::Start::mayMiss);
     Assembly made;
     if (!equations.faults.empty()) {

@@ -378,10 +378,13 @@ void JointMultipliers::checkStart(const expression::EquationSet& set, std::size_
                                                      : ": it starts outside its limits"));
         if (isStop || kept_[k].bounds.high < std::numeric_limits<double>::infinity())
             continue;
+        if (!kept_[k].reads.empty()) {
+            tellDrive(nameOf(element), found[2 * k]);
+            continue;
+        }
         auto& [gap, rate] = worst[nameOf(element)];
         gap = std::hypot(gap, found[2 * k]);
-        if (kept_[k].reads.empty()) // a drive takes its speed without a word
-            rate = std::hypot(rate, found[2 * k + 1]);
+        rate = std::hypot(rate, found[2 * k + 1]);
     }
     for (const auto& [element, miss] : worst)
         tell(element + ": ", miss.first, miss.second, notes);
@@ -391,6 +394,18 @@ void JointMultipliers::checkStart(const expression::EquationSet& set, std::size_
 bool JointMultipliers::isReleased(const Kept& kept, const std::vector<double>& values) const {
     const auto place = kept.release ? unknownOf_.find(kept.release->index) : unknownOf_.end();
     return place != unknownOf_.end() && values[1 + place->second] != 0;
+}
+
+// A drive takes its speed without a word.
+void JointMultipliers::tellDrive(const std::string& element, double gap) {
+    if (std::abs(gap) <= startResolution * extents().first)
+        return;
+    char text[200];
+    std::snprintf(text, sizeof text,
+                  ": -position is %.4g at the start, where the joint's coordinate is 0; let it "
+                  "begin at 0, or turn its bodies and leave that part out",
+                  std::abs(gap));
+    faults_.push_back(element + text);
 }
 
 void JointMultipliers::tell(const std::string& where, double gap, double rate,
