@@ -450,19 +450,23 @@ LastingContact contactOf(const Touch& touch, const Placed& body, const Placed& s
     place.size = touch.size;
     place.leaving = 2 * limits.gap * touch.size;
     std::vector<Vector> corners;
+    bool isAnyOut = false;
     for (const Corner& corner : touch.corners) {
         if ((corner.rate > limits.slow && !limits.wereInContact) ||
             corner.gap > limits.gap * touch.size)
             continue;
         std::optional<ContactPoint> point = pointAt(touch, corner, body, support, limits);
+        // Where edges of two faces cross that are next to parallel, vertices on both sides carry.
         if (!point) {
-            found.isModelled = false;
+            found.isModelled = found.isModelled && touch.isFlat;
+            isAnyOut = true;
             continue;
         }
         point->parts = corner.rate > limits.slow;
         place.points.push_back(std::move(*point));
         corners.push_back(corner.point);
     }
+    found.isModelled = found.isModelled && !(corners.empty() && isAnyOut);
     if (corners.empty())
         return found;
     found.rolls = std::ranges::any_of(place.points, rolls);
