@@ -28,6 +28,17 @@ def pile(seed, finish):
     return re.sub(r"-finish \S+", f"-finish {finish!r}", random_piles.Pile(seed).text(), count=1)
 
 
+def struck(ball, finish):
+    """Three equal boxes on each other, without friction and with full bounce as in a new scene, and a ball that flies at them."""
+    lines = [f"simulator -finish {finish!r} -accuracy 1e-3", "shape_set floor -desc {-sub {-plane}}",
+             "shape_set block -desc {-sub {-box {1 1 1}}}", "shape_set ball -desc {-sub {-sphere 0.5}}", "body floor floor -fixed 1"]
+    for k, z in enumerate((0.805, 0.913, 0.85)):
+        lines.append(f"body b{k} block -init_pos {{0.416 {0.5 + k!r} {z!r}}}")
+        lines.append(f"force -body b{k} -gravitational {{0 -9.81 0}}")
+    lines += [f"body ball ball -init_pos {{-3 {ball!r} 0.8}} -init_dpos {{10 0 0}}", "force -body ball -gravitational {0 -9.81 0}"]
+    return "\n".join(lines) + "\n"
+
+
 CASES = [
     ("ten boxes at rest", stack(10, 0), {"steps": 30, "rejected_steps": 0, "evaluations": 600, "collisions": 0}),
     ("ten boxes that fall on each other", stack(10, 0.05), {"steps": 60, "rejected_steps": 10, "evaluations": 1000}),
@@ -35,6 +46,8 @@ CASES = [
     ("a tray, slips that turn", pile(1, 0.38), {"steps": 1500, "rejected_steps": 1800, "evaluations": 60000}),
     # An edge of a tilted box landed anew at the instant at which it had landed: 20002 events.
     ("a tray, edges on each other", pile(4, 0.55), {"steps": 6000, "collisions": 300}),
+    # Where edges of two boxes are next to parallel, their crossing ended a contact at one instant without end.
+    ("a stack that a ball hits", struck(2, 2), {"steps": 6000, "collisions": 300}),
     # Velocities of 1e-34 hit each other without end.
     ("a wall that stands", pile(5, 0.1), {"steps": 200, "collisions": 20}),
 ]

@@ -194,6 +194,27 @@ std::optional<Answer> solveStates(const Matrix& a, const Vector& b, const Laws& 
     return equations.answer();
 }
 
+States opened(const Laws& laws, const Answer& answer) {
+    States states = answer.states;
+    double most = 0;
+    std::optional<std::size_t> first;
+    const auto leaves = [&](std::size_t k) {
+        const Law& law = laws[k];
+        const double rate = law.kind == Law::Kind::interval ? answer.rates[law.first] : 0;
+        return (rate > 0 && law.low > -unbounded) || (rate < 0 && law.high < unbounded)
+                   ? std::abs(rate)
+                   : 0;
+    };
+    for (std::size_t k = 0; k < laws.size(); ++k)
+        if (states[k] == State::inside && leaves(k) > most) {
+            most = leaves(k);
+            first = k;
+        }
+    if (first)
+        states[*first] = answer.rates[laws[*first].first] > 0 ? State::low : State::high;
+    return states;
+}
+
 States improved(const Laws& laws, const Answer& answer) {
     States states = answer.states;
     for (std::size_t k = 0; k < laws.size(); ++k) {

@@ -3,6 +3,7 @@
 #include "complementarity/convex.h"
 #include "complementarity/interior.h"
 #include "complementarity/newton.h"
+#include "complementarity/pivots.h"
 #include "complementarity/sweeps.h"
 
 #include <Eigen/Cholesky>
@@ -27,11 +28,15 @@ std::vector<State> possibleStates(const Law& law) {
     return states;
 }
 
+bool areIntervals(const Laws& laws) {
+    return std::ranges::all_of(laws,
+                               [](const Law& law) { return law.kind == Law::Kind::interval; });
+}
+
 // Intervals on a symmetric A without a negative direction.
 bool isConvex(const Matrix& a, const Laws& laws) {
     const double largest = a.cwiseAbs().maxCoeff();
-    if (std::ranges::any_of(laws, [](const Law& law) { return law.kind != Law::Kind::interval; }) ||
-        (a - a.transpose()).cwiseAbs().maxCoeff() > 1e-12 * largest)
+    if (!areIntervals(laws) || (a - a.transpose()).cwiseAbs().maxCoeff() > 1e-12 * largest)
         return false;
     return Eigen::LDLT<Matrix>(a).vectorD().minCoeff() >= -1e-12 * largest;
 }
@@ -53,6 +58,10 @@ public:
         const Approach inside = approach(a_, b_, laws_);
         work_.steps = inside.steps;
         if (auto answer = near(inside.states, inside.forces))
+            return answer;
+        if (auto answer = alongSlips(inside.forces))
+            return answer;
+        if (auto answer = byPivots(inside.states))
             return answer;
         return bySweeps();
     }
@@ -76,10 +85,102 @@ private:
             }
             tried.push_back(states);
             states = improved(laws_, *answer);
+            if (states == tried.back() && !best)
+                states = opened(laws_, *answer);
             if (std::ranges::find(tried, states) != tried.end())
                 break;
         }
         return best;
+    }
+
+    std::optional<Answer> byPivots(const States& states) const {
+        if (!areIntervals(laws_))
+            return std::nullopt;
+        auto answer = solveByPivots(a_, b_, laws_, states);
+        return answer && violation(a_, b_, laws_, *answer) <= kept ? answer : std::nullopt;
+    }
+
+    // Friction of what slips so fast that the forces hardly turn the slip is known but for its
+    // normal force: it goes into the columns of that, and the slips are out of sight of the rest,
+    // whose rates may be millions of times smaller. Then the slips are turned, and all is again.
+    std::optional<Answer> alongSlips(const Vector& estimate) {
+        constexpr int most = 20;
+        const Slips slips = slipsOf(estimate);
+        if (slips.discs.empty())
+            return std::nullopt;
+        Vector rates = a_ * estimate + b_;
+        Answer last;
+        for (int round = 0; round < most; ++round) {
+            const auto answer = alongSlips(slips, rates, last);
+            if (!answer || violation(a_, b_, laws_, *answer) <= kept)
+                return answer;
+            rates = answer->rates;
+        }
+        return std::nullopt;
+    }
+
+    struct Slips {
+        std::vector<std::size_t> discs, others; // laws
+        std::vector<Index> rows;                // of the others
+    };
+    [[nodiscard]] Slips slipsOf(const Vector& estimate) const {
+        constexpr double fast = 10; // times what the forces change
+        const Vector change = a_ * estimate;
+        Slips slips;
+        for (std::size_t k = 0; k < laws_.size(); ++k) {
+            const Law& law = laws_[k];
+            const bool isFast = law.kind == Law::Kind::disc &&
+                                b_.segment(law.first, law.rows).norm() >
+                                    fast * change.segment(law.first, law.rows).norm();
+            (isFast ? slips.discs : slips.others).push_back(k);
+            for (Index i = 0; i < law.rows && !isFast; ++i)
+                slips.rows.push_back(law.first + i);
+        }
+        return slips;
+    }
+
+    // `rates` have the directions of the slips; `last`: the answer of the others, before and after.
+    std::optional<Answer> alongSlips(const Slips& slips, const Vector& rates, Answer& last) {
+        Matrix a = a_;
+        Vector b = b_;
+        for (const std::size_t k : slips.discs) {
+            const Law& law = laws_[k];
+            const Vector against = -rates.segment(law.first, law.rows).normalized();
+            const Vector given = a_.middleCols(law.first, law.rows) * against;
+            b += law.radius * given;
+            for (Index n = 0; law.normal >= 0 && n < law.normals; ++n)
+                a.col(law.normal + n) += law.coefficient * given;
+        }
+        Laws laws;
+        std::vector<Index> placeOf(static_cast<std::size_t>(b_.size()), -1);
+        for (std::size_t i = 0; i < slips.rows.size(); ++i)
+            placeOf[static_cast<std::size_t>(slips.rows[i])] = static_cast<Index>(i);
+        for (const std::size_t k : slips.others) {
+            laws.push_back(laws_[k]);
+            laws.back().first = placeOf[static_cast<std::size_t>(laws_[k].first)];
+            if (laws_[k].normal >= 0)
+                laws.back().normal = placeOf[static_cast<std::size_t>(laws_[k].normal)];
+        }
+        Work work;
+        auto others =
+            complementarity::solve(a(slips.rows, slips.rows), b(slips.rows), laws, last, &work);
+        work_.steps += work.steps;
+        work_.sweeps += work.sweeps;
+        work_.tries += work.tries;
+        if (!others)
+            return std::nullopt;
+        last = std::move(*others);
+        Answer answer{Vector::Zero(b_.size()), {}, States(laws_.size(), State::edge)};
+        answer.forces(slips.rows) = last.forces;
+        for (std::size_t i = 0; i < slips.others.size(); ++i)
+            answer.states[slips.others[i]] = last.states[i];
+        for (const std::size_t k : slips.discs) {
+            const Law& law = laws_[k];
+            answer.forces.segment(law.first, law.rows) =
+                -radiusOf(law, answer.forces) * rates.segment(law.first, law.rows).normalized();
+        }
+        answer.rates = a_ * answer.forces + b_;
+        return answer;
     }
 
     // A little on the diagonal leads redundant laws to short forces. Where the states do not tell

@@ -49,6 +49,64 @@ TEST(Solve, AContactThatOpensHasNoFriction) {
     EXPECT_EQ(answer.rates, b);
 }
 
+// Four feet of a plate at x, y = -1 or 1, of mass 1, on a floor; `slide` of each normal force is
+// friction that turns the plate about y. Feet that are not quite in a plane have rates that cannot
+// all be 0.
+struct Plate {
+    Matrix a = Matrix::Zero(4, 4);
+    Vector b = Vector::Zero(4);
+    Laws laws;
+    Plate(double slide, double bent) {
+        constexpr double weight = 9.81;
+        const double x[] = {-1, 1, 1, -1}, y[] = {-1, -1, 1, 1};
+        for (Index i = 0; i < 4; ++i) {
+            addUnilateral(laws);
+            b[i] = -weight + (i == 2 ? bent : 0);
+            for (Index k = 0; k < 4; ++k)
+                a(i, k) = 1 + 2 * y[i] * y[k] + 2 * x[i] * (x[k] - slide);
+        }
+    }
+};
+
+TEST(Solve, OfFourFeetThatBendTheFloorOneLeaves) {
+    for (const double slide : {0.0, 0.3}) {
+        const Plate plate(slide, 1e-5);
+        const auto answer = solve(plate.a, plate.b, plate.laws);
+        ASSERT_TRUE(answer) << slide;
+        EXPECT_LE(violation(plate.a, plate.b, plate.laws, *answer), 1e-11);
+        EXPECT_NEAR(answer->rates.maxCoeff(), 1e-5, 1e-10);
+        EXPECT_NEAR(answer->forces.sum(), 9.81, 1e-4);
+        EXPECT_GE(answer->forces.minCoeff(), 0);
+    }
+}
+
+// The same with all feet's friction in rows of their own, which slip a million times as fast as the
+// feet hit the floor.
+TEST(Solve, ASlipThatForcesHardlyTurnIsOutOfSightOfTheRest) {
+    constexpr double friction = 0.3, height = 1, fast = 2;
+    const Plate flat(0, 1e-11);
+    Matrix a = Matrix::Zero(8, 8);
+    Vector b(8);
+    Laws laws = flat.laws;
+    const double x[] = {-1, 1, 1, -1};
+    a.topLeftCorner(4, 4) = flat.a;
+    for (Index i = 0; i < 4; ++i) {
+        addFriction(laws, 1, i, friction);
+        b[i] = flat.b[i] * 1e-6;
+        b[4 + i] = fast;
+        for (Index k = 0; k < 4; ++k) {
+            a(4 + i, 4 + k) = 1 + 2 * height * height;
+            a(i, 4 + k) = a(4 + k, i) = 2 * x[i] * height;
+        }
+    }
+    const auto answer = solve(a, b, laws);
+    ASSERT_TRUE(answer);
+    EXPECT_LE(violation(a, b, laws, *answer), 1e-11);
+    EXPECT_LE(answer->rates.head(4).cwiseAbs().maxCoeff(), 1e-10);
+    for (Index i = 0; i < 4; ++i)
+        EXPECT_NEAR(answer->forces[4 + i], -friction * answer->forces[i], 1e-17);
+}
+
 // Two equal balls on a floor, one on both, in a plane; masses, radii and weights are 1. Rows: for
 // each contact its normal and its tangent. The pile stands where the friction between balls is at
 // least 2 - sqrt 3, and that on the floor a third of it.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace solution {
 
@@ -24,7 +25,7 @@ bool Events::handleAll(double finish) {
     }
     // A source that was interrupted has not said that nothing happens.
     interruption_.poll(network_.histories.known());
-    return any;
+    return std::exchange(hasGoneBack_, false) || any;
 }
 
 Statistics Events::statistics() const {
@@ -132,6 +133,7 @@ std::optional<double> Events::approach(double time, std::span<const std::size_t>
     network_.goBack(touched, *end);
     network_.restart(touched, {});
     network_.noteStops();
+    hasGoneBack_ = true;
     return end;
 }
 

@@ -21,7 +21,8 @@ public:
     // The source may be null: then nothing happens.
     Events(Network& network, Interruption& interruption, EventSource* source);
 
-    // All events up to `finish` that lie in what is known. True: there was one.
+    // All events up to `finish` that lie in what is known. True: there was one, or steps were ended
+    // before one: less is known now.
     [[nodiscard]] bool handleAll(double finish);
     void endWhereFull() { memory_.endWhereFull(asked_, lastEvent_); }
     // The bytes that are kept of all motion, of events, too.
@@ -49,6 +50,7 @@ private:
     std::size_t events_ = 0;
     double lastEvent_ = -infinity;
     double asked_ = -infinity;         // the source has answered up to here
+    bool hasGoneBack_ = false;         // by approach()
     std::vector<std::size_t> turning_; // of each motion that turns, one unknown
 };
 

@@ -19,6 +19,11 @@ using Kind = SurfacePiece::Kind;
 constexpr double same = 1e-9;  // of the parts' size: a corner at a vertex, or on an edge
 constexpr double kept = 2e-9;  // of the same: a gap that stays what it is
 constexpr double sunk = 5e-10; // an overlap that does
+// The sine of an angle: where edges of two faces on each other cross at a smaller one, the crossing
+// runs along them far faster than the bodies move, and it lies all but on the line between the
+// points on both sides, which carry. LIMIT: it would carry up to half of that part of an edge
+// farther out.
+constexpr double nextToParallel = 1e-3;
 
 // Vertices in order of the angle about their middle.
 std::vector<Vector> inOrder(std::vector<Vector> corners, const Vector& normal) {
@@ -53,6 +58,11 @@ std::optional<std::pair<Vector, Vector>> edgeThrough(const std::vector<Vector>& 
         }
     }
     return best;
+}
+
+physics::NearestSurfaces nearestOf(const SurfaceGap& gap, const Placed& body,
+                                   const Placed& support) {
+    return physics::nearest(gap, poseOf(body), poseOf(support));
 }
 
 class Polyhedra { // in touch
@@ -106,7 +116,8 @@ private:
         return point;
     }
     [[nodiscard]] std::optional<ContactPoint> crossingAt(const Corner& corner) const {
-        constexpr double parallel = 1e-6, near = 1e-5;
+        constexpr double near = 1e-5;
+        const double parallel = touch_.isFlat ? nextToParallel : 1e-6; // sine of the angle
         const auto a = edgeThrough(bodyFace_, corner.point, touch_.normal, near * touch_.size);
         const auto b = edgeThrough(supportFace_, corner.point, touch_.normal, near * touch_.size);
         if (!a || !b)
@@ -124,9 +135,11 @@ private:
                                  .place = localOf(support_, b->first),
                                  .axis = support_.state.attitude.conjugate() * ofSupport},
                      .isFlipped = across < 0};
-        Sides first(body_.index, localOf(body_, corner.point), touch_.size, beside_);
+        // The lines cross elsewhere than the outlines of faces that lie on each other with a tilt.
+        const Vector place = nearestOf(point.gap, body_, support_).contact;
+        Sides first(body_.index, localOf(body_, place), touch_.size, beside_);
         first.addEnds(localOf(body_, a->first), localOf(body_, a->second));
-        Sides second(support_.index, localOf(support_, corner.point), touch_.size, beside_);
+        Sides second(support_.index, localOf(support_, place), touch_.size, beside_);
         second.addEnds(localOf(support_, b->first), localOf(support_, b->second));
         point.sides = std::move(first.sides);
         point.sides.insert(point.sides.end(), second.sides.begin(), second.sides.end());
@@ -139,11 +152,6 @@ private:
     double beside_;
     std::vector<Vector> bodyFace_, supportFace_;
 };
-
-physics::NearestSurfaces nearestOf(const SurfaceGap& gap, const Placed& body,
-                                   const Placed& support) {
-    return physics::nearest(gap, poseOf(body), poseOf(support));
-}
 
 // A sphere of one of the two, by what keeps it at its distance.
 SurfaceGap roundGap(const Touch& touch, const physics::GapConstraint& of, const Placed& body,
@@ -456,7 +464,7 @@ LastingContact contactOf(const Touch& touch, const Placed& body, const Placed& s
             corner.gap > limits.gap * touch.size)
             continue;
         std::optional<ContactPoint> point = pointAt(touch, corner, body, support, limits);
-        // Where edges of two faces cross that are next to parallel, vertices on both sides carry.
+        // Of edges of two faces that are next to parallel, points on both sides carry.
         if (!point) {
             found.isModelled = found.isModelled && touch.isFlat;
             isAnyOut = true;
@@ -572,6 +580,8 @@ std::vector<LastingContact> lastingContacts(const Placed& body, const Placed& su
 std::vector<PointInTouch> pointsInTouch(const Placed& body, const Placed& support, double gap,
                                         const std::optional<MotionPlane>& plane) {
     const TouchLimits limits{.gap = gap, .wereInContact = true, .plane = plane};
+    // With one normal the rates of points on one face are those of a plane, however many they are:
+    // blows that are redundant agree.
     std::vector<PointInTouch> found;
     for (const Touch& touch : touchesOf(body, support, gap)) {
         const LastingContact contact = contactOf(touch, body, support, limits);
@@ -581,7 +591,8 @@ std::vector<PointInTouch> pointsInTouch(const Placed& body, const Placed& suppor
         if (contact.isModelled)
             for (const ContactPoint& point : contact.place.points) {
                 const auto near = nearestOf(point.gap, body, support);
-                add(near.contact, near.normal);
+                add(near.contact,
+                    isOneNormal(near.normal, touch.normal) ? touch.normal : near.normal);
             }
         else
             for (const Corner& corner : touch.corners)
