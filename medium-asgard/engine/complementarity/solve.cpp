@@ -3,7 +3,6 @@
 #include "complementarity/convex.h"
 #include "complementarity/interior.h"
 #include "complementarity/newton.h"
-#include "complementarity/pivots.h"
 #include "complementarity/sweeps.h"
 
 #include <Eigen/Cholesky>
@@ -28,15 +27,11 @@ std::vector<State> possibleStates(const Law& law) {
     return states;
 }
 
-bool areIntervals(const Laws& laws) {
-    return std::ranges::all_of(laws,
-                               [](const Law& law) { return law.kind == Law::Kind::interval; });
-}
-
 // Intervals on a symmetric A without a negative direction.
 bool isConvex(const Matrix& a, const Laws& laws) {
     const double largest = a.cwiseAbs().maxCoeff();
-    if (!areIntervals(laws) || (a - a.transpose()).cwiseAbs().maxCoeff() > 1e-12 * largest)
+    if (std::ranges::any_of(laws, [](const Law& law) { return law.kind != Law::Kind::interval; }) ||
+        (a - a.transpose()).cwiseAbs().maxCoeff() > 1e-12 * largest)
         return false;
     return Eigen::LDLT<Matrix>(a).vectorD().minCoeff() >= -1e-12 * largest;
 }
@@ -59,11 +54,11 @@ public:
         work_.steps = inside.steps;
         if (auto answer = near(inside.states, inside.forces))
             return answer;
+        if (auto answer = bySweeps())
+            return answer;
         if (auto answer = alongSlips(inside.forces))
             return answer;
-        if (auto answer = byPivots(inside.states))
-            return answer;
-        return bySweeps();
+        return bySmallerSteps(inside);
     }
 
 private:
@@ -93,11 +88,33 @@ private:
         return best;
     }
 
-    std::optional<Answer> byPivots(const States& states) const {
-        if (!areIntervals(laws_))
-            return std::nullopt;
-        auto answer = solveByPivots(a_, b_, laws_, states);
-        return answer && violation(a_, b_, laws_, *answer) <= kept ? answer : std::nullopt;
+    // Where bodies jam, as dominoes that lean on each other, many forces will do all but alike, and
+    // states lead from one to the other. With a force that pulls the answer to the last one there
+    // is one; that force fades (the proximal point method; Rockafellar, SIAM Journal on Control and
+    // Optimization 14, 1976).
+    std::optional<Answer> bySmallerSteps(const Approach& from) {
+        constexpr double strongest = 1, least = 1e-9, less = 0.1, more = 10;
+        constexpr int most = 60;
+        Vector forces = from.forces;
+        States states = from.states;
+        double pull = 1e-3;
+        for (int step = 0; step < most && pull <= strongest; ++step) {
+            const Vector added = pull * a_.diagonal();
+            const Matrix firm = a_ + Matrix(added.asDiagonal());
+            const Vector b = b_ - added.cwiseProduct(forces);
+            auto answer = Search(firm, b, laws_, work_).near(states, forces);
+            if (!answer) {
+                pull *= more;
+                continue;
+            }
+            forces = answer->forces;
+            states = answer->states;
+            answer->rates = a_ * forces + b_;
+            if (violation(a_, b_, laws_, *answer) <= kept)
+                return answer;
+            pull = std::max(least, less * pull);
+        }
+        return std::nullopt;
     }
 
     // Friction of what slips so fast that the forces hardly turn the slip is known but for its

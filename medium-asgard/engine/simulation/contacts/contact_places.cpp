@@ -580,8 +580,6 @@ std::vector<LastingContact> lastingContacts(const Placed& body, const Placed& su
 std::vector<PointInTouch> pointsInTouch(const Placed& body, const Placed& support, double gap,
                                         const std::optional<MotionPlane>& plane) {
     const TouchLimits limits{.gap = gap, .wereInContact = true, .plane = plane};
-    // With one normal the rates of points on one face are those of a plane, however many they are:
-    // blows that are redundant agree.
     std::vector<PointInTouch> found;
     for (const Touch& touch : touchesOf(body, support, gap)) {
         const LastingContact contact = contactOf(touch, body, support, limits);
@@ -591,8 +589,10 @@ std::vector<PointInTouch> pointsInTouch(const Placed& body, const Placed& suppor
         if (contact.isModelled)
             for (const ContactPoint& point : contact.place.points) {
                 const auto near = nearestOf(point.gap, body, support);
-                add(near.contact,
-                    isOneNormal(near.normal, touch.normal) ? touch.normal : near.normal);
+                // Of more points than a plane needs the rates agree with one normal alone.
+                const bool isOne =
+                    contact.place.points.size() > 3 && isOneNormal(near.normal, touch.normal);
+                add(near.contact, isOne ? touch.normal : near.normal);
             }
         else
             for (const Corner& corner : touch.corners)

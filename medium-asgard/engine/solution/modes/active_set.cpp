@@ -182,7 +182,6 @@ void ActiveSet::decide(double t, std::span<double> y) {
     }
     if (!hit.empty())
         blow(hit, t, y);
-    halt(slowDiscs(closed, y), closed, t, y);
     slip(fastest, t, y);
     closed.insert(closed.end(), hit.begin(), hit.end());
     (void)settle(closed, fastest, t, y);
@@ -233,7 +232,7 @@ bool ActiveSet::cross(std::span<const std::size_t> watches, double t, std::span<
         candidates.push_back(discs()[disc].rows[0]);
     const std::vector<double> moving(y.begin(), y.end());
     const auto slips = mode_.slips;
-    halt(stopped, {}, t, y);
+    halt(stopped, t, y);
     double fastest = 0;
     bool isDone = false;
     if (!hit.empty()) {
@@ -435,36 +434,13 @@ bool ActiveSet::hasStopped(std::size_t disc, double elapsed, std::span<const dou
     return multipliers_.slipOf(of).norm() <= none;
 }
 
-// Of contacts that are closed, or close: friction that does not slip, or next to not at all. None
-// where all of it does not.
-std::vector<std::size_t> ActiveSet::slowDiscs(std::span<const std::size_t> closed,
-                                              std::span<const double> y) const {
-    std::vector<std::size_t> found;
-    const double none = slow_ * multipliers_.fastest(y);
-    bool isAnySlipping = false;
-    for (std::size_t disc = 0; disc < discs().size() && none > 0; ++disc) {
-        const BoundModel::Disc& of = discs()[disc];
-        const double slip = multipliers_.slipOf(of).norm();
-        const bool isClosed =
-            std::ranges::any_of(of.normals, [&](std::size_t row) { return isIn(closed, row); });
-        if (isGone(of.rows[0]) || !isClosed || slip > none)
-            continue;
-        found.push_back(disc);
-        isAnySlipping = isAnySlipping || slip > rateOf * law(of.rows[0]).resolution;
-    }
-    return isAnySlipping ? found : std::vector<std::size_t>{};
-}
-
-// By the least change of velocities that leaves what is closed.
-void ActiveSet::halt(std::span<const std::size_t> discs, std::span<const std::size_t> closed,
-                     double t, std::span<double> y) {
+// By the least change of velocities.
+void ActiveSet::halt(std::span<const std::size_t> discs, double t, std::span<double> y) {
     if (discs.empty())
         return;
     const std::vector<State> before = mode_.kept;
     for (const std::size_t disc : discs)
         setDisc(disc, State::inside);
-    for (const std::size_t row : closed)
-        mode_.kept[row] = State::inside;
     multipliers_.project(t, y);
     mode_.kept = before;
     f_.fill(t, y);

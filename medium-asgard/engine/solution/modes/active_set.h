@@ -36,8 +36,8 @@ class ActiveSet {
 public:
     ActiveSet(ModelFunctions& functions, Multipliers& multipliers, Mode& mode);
 
-    // Of the fastest velocity: contacts that slip slower than that rest, when their slip turns or
-    // an event begins. The integration errs by more.
+    // Of the fastest velocity: contacts that slip slower than that rest when their slip turns. The
+    // integration errs by more.
     void setSlow(double part) { slow_ = part; }
     // There are bounds.
     [[nodiscard]] bool empty() const { return bounded_.empty(); }
@@ -108,10 +108,7 @@ private:
     [[nodiscard]] bool hasFallenLow(std::size_t row) const;
     [[nodiscard]] bool isCandidate(std::size_t row, double fastest) const;
     [[nodiscard]] bool hasStopped(std::size_t disc, double elapsed, std::span<const double> y);
-    void halt(std::span<const std::size_t> discs, std::span<const std::size_t> closed, double t,
-              std::span<double> y);
-    [[nodiscard]] std::vector<std::size_t> slowDiscs(std::span<const std::size_t> closed,
-                                                     std::span<const double> y) const;
+    void halt(std::span<const std::size_t> discs, double t, std::span<double> y);
     [[nodiscard]] bool mayHold(std::size_t disc, std::span<const std::size_t> fallen,
                                double fastest) const;
     // `slipping`: discs that slip, though they have no velocity yet.

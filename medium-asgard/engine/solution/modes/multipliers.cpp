@@ -242,11 +242,12 @@ void Multipliers::rest(double none, std::span<double> y) const {
 bool Multipliers::isOff(std::span<const double> y) const {
     constexpr double ofResolution = 0.1, ofVelocities = 1e-9;
     const double slow = ofVelocities * fastest(y);
-    for (std::size_t row = 0; row < size(); ++row)
-        if (const BoundModel::Law& law = f_.bound()->laws[row];
-            holds(row) && law.isStop &&
-            (std::abs(gap(row)) > ofResolution * law.resolution || std::abs(rate(row)) > slow))
+    for (std::size_t row = 0; row < size(); ++row) {
+        const BoundModel::Law& law = f_.bound()->laws[row];
+        const bool isApart = law.isStop && std::abs(gap(row)) > ofResolution * law.resolution;
+        if (holds(row) && (law.isStop || law.disc) && (isApart || std::abs(rate(row)) > slow))
             return true;
+    }
     return false;
 }
 

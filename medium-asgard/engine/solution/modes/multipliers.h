@@ -39,8 +39,8 @@ public:
     // How the last forces were found: a clause; "": there are none.
     [[nodiscard]] std::string how() const { return held_.how(); }
     [[nodiscard]] std::span<const double> values() const { return std::span(f_.in()).last(size()); }
-    // Of stops and contacts that hold, a gap or its rate is not 0 but for rounding: so it is within
-    // a step, whose polynomials know no conditions. Once gaps are evaluated.
+    // Of stops, contacts and friction that hold, a gap or a rate is not 0 but for rounding: so it
+    // is within a step, whose polynomials know no conditions. Once gaps are evaluated.
     [[nodiscard]] bool isOff(std::span<const double> y) const;
     // Moves the states onto the conditions that hold.
     void project(double t, std::span<double> y);
