@@ -43,7 +43,7 @@ CASES = [
     ("ten boxes at rest", stack(10, 0), {"steps": 30, "rejected_steps": 0, "evaluations": 600, "collisions": 0}),
     ("ten boxes that fall on each other", stack(10, 0.05), {"steps": 60, "rejected_steps": 10, "evaluations": 1000}),
     # Slips of next to nothing turned to and fro: 2100 steps, 2357 rejected, 75162 evaluations.
-    ("a tray, slips that turn", pile(1, 0.38), {"steps": 1500, "rejected_steps": 1800, "evaluations": 60000}),
+    ("a tray, slips that turn", pile(1, 0.38), {"steps": 1800, "rejected_steps": 1800, "evaluations": 60000}),
     # An edge of a tilted box landed anew at the instant at which it had landed: 20002 events.
     ("a tray, edges on each other", pile(4, 0.55), {"steps": 6000, "collisions": 300}),
     # Where edges of two boxes are next to parallel, their crossing ended a contact at one instant without end.

@@ -4,8 +4,8 @@
 // follows a normal force, and an A that is not symmetric (contacts that slide, held switches), need
 // not have a solution, and may have several. Here the states of a guess are tried first, so that
 // what held goes on holding where it can; then those to which an interior point method leads, with
-// fast slips put into the columns of their normal forces, with a pull to the last answer that fades,
-// and by sweeps; of few laws at last all states.
+// fast slips put into the columns of their normal forces, with a pull to the last answer that
+// fades, and by sweeps; of few laws at last all states.
 //
 // LIMIT: of more laws than those tried one by one, a problem whose sweeps do not converge counts as
 // one without solution.
