@@ -54,11 +54,11 @@ public:
         work_.steps = inside.steps;
         if (auto answer = near(inside.states, inside.forces))
             return answer;
-        if (auto answer = bySweeps())
-            return answer;
         if (auto answer = alongSlips(inside.forces))
             return answer;
-        return bySmallerSteps(inside);
+        if (auto answer = bySmallerSteps(inside))
+            return answer;
+        return bySweeps();
     }
 
 private:
