@@ -101,7 +101,7 @@ void GroundShadow::show(const GroundPlane& ground, const Light& light, const Lig
     // The map's four corners along their rays to the ground.
     const Eigen::Matrix4d back = sight.matrix.inverse();
     std::array<float, 12> corners;
-    for (int i = 0; i < 4; ++i) {
+    for (std::size_t i = 0; i < 4; ++i) {
         const double x = i % 2 == 0 ? -1 : 1, y = i < 2 ? -1 : 1;
         const Vector from = (back * Eigen::Vector4d(x, y, -1, 1)).hnormalized();
         const Vector way = (back * Eigen::Vector4d(x, y, 1, 1)).hnormalized() - from;
@@ -109,8 +109,8 @@ void GroundShadow::show(const GroundPlane& ground, const Light& light, const Lig
         if (falls < 1e-3 * way.norm())
             return; // LIMIT: light that comes level, or from below, throws no shadow on the ground
         const Vector hit = from + way * ((from - foot).dot(up) / falls);
-        for (int k = 0; k < 3; ++k)
-            corners[static_cast<std::size_t>(3 * i + k)] = static_cast<float>(hit[k]);
+        for (std::size_t k = 0; k < 3; ++k)
+            corners[3 * i + k] = static_cast<float>(hit[static_cast<Eigen::Index>(k)]);
     }
     const Vector toLight =
         light.isPoint ? Vector((light.place - foot).normalized()) : Vector(light.place);

@@ -128,7 +128,7 @@ private:
         Vector rates = a_ * estimate + b_;
         Answer last;
         for (int round = 0; round < most; ++round) {
-            const auto answer = alongSlips(slips, rates, last);
+            auto answer = alongSlips(slips, rates, last);
             if (!answer || violation(a_, b_, laws_, *answer) <= kept)
                 return answer;
             rates = answer->rates;

@@ -62,7 +62,7 @@ Multipliers::InDisc Multipliers::slipOf(const BoundModel::Disc& disc) const {
 Multipliers::InDisc Multipliers::directionOf(std::size_t disc) const {
     constexpr double atRest = 1e-3; // of a resolution, in the unit of time
     const BoundModel::Disc& of = f_.bound()->discs[disc];
-    const InDisc began =
+    InDisc began =
         Eigen::Map<const Eigen::Vector3d>(mode_.slips[disc].data()).head(indexOf(of.rows.size()));
     const InDisc slip = slipOf(of);
     if (slip.size() == 1)
