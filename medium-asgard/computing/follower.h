@@ -7,7 +7,7 @@
 //     bodies: what is dragged follows the hand;
 //   - the new scene with as much of its motion as there is, once that reaches the time that is
 //     looked at (setSeen()), or after a while.
-// Where motion is computed only when it is asked for (setLive()), the motion of before stays.
+// The motion of before stays while motion is computed only when it is asked for (setLive()).
 //
 // The owner is woken when there is something to do, and when deadline() has come; then update()
 // does it and says what changed. Nothing here reads a clock but for how long a motion took.

@@ -123,8 +123,24 @@ def check_growing_hops():
     return 0 if good else 1
 
 
+def check_finish():
+    """A seesaw strikes the floor just before the end: the step that is ended before the blow is taken up again."""
+    with tempfile.TemporaryDirectory() as folder:
+        base = os.path.join(folder, "scene")
+        with open(base + ".al", "w", encoding="utf-8") as file:
+            file.write(contacts.CASES["seesaw"][0])
+        subprocess.run([sys.argv[1], "simulate", base + ".al", "--csv", base + ".csv", "--accuracy", "1e-4", "--finish", "0.7"],
+                       capture_output=True, check=True)
+        with open(base + ".csv", encoding="utf-8") as file:
+            last = float(file.read().splitlines()[-1].split(",")[0])
+    if abs(last - 0.7) > 1e-9:
+        print(f"FAIL a blow just before the finish: the motion ends at {last}, and not at 0.7")
+        return 1
+    return 0
+
+
 def main():
-    faults = check_hops() + check_growing_hops()
+    faults = check_hops() + check_growing_hops() + check_finish()
     for name, scene, expected in cases():
         found = events(scene, stops=name == "painleve")
         listed = [(float(row["time"]), row["kind"], row["names"]) for row in found]

@@ -29,6 +29,19 @@ double rootOf(Polynomial p, double length, bool isLeaving) {
     return firstDescent(p, length).value_or(2 * length);
 }
 
+// The gap that a search counts with: 0 for what touches and leaves.
+double countedGap(const HollowQuestion& question, double own) {
+    const bool counts = !question.isLeaving || own > question.pair.unnoticedDepth(question.t);
+    return counts ? std::max({own, question.gap, 0.0}) : 0;
+}
+
+// How long it lasts at least, if nothing is faster.
+double clearAtSpeed(double gap, double speed, double window) {
+    if (!(gap > 0))
+        return 0;
+    return speed > 0 ? gap / speed : 2 * window;
+}
+
 // A ball and the wall now, and how they move within the window.
 class Passage {
 public:
@@ -44,19 +57,13 @@ public:
         nearest_ = geometry::nearestOf(*wall.part->curved, turnedInto(wall, arm_));
         normal_ = wall.rotation * nearest_.normal;
         axis_ = wall.rotation * wall.part->curved->axis();
-        const double own = nearest_.distance - ball_.part->radius;
-        if (!question.isLeaving || own > question.pair.unnoticedDepth(question.t))
-            gap_ = std::max({own, question.gap, 0.0});
+        gap_ = countedGap(question, nearest_.distance - ball_.part->radius);
     }
 
     [[nodiscard]] double clear() const {
         const double speed = speedWithin(question_.window);
-        double clear = 0;
-        if (gap_ > 0)
-            clear = speed > 0 ? gap_ / speed : 2 * question_.window;
-        if (!wall_.turns())
-            clear = std::max(clear, alongNormal(speed));
-        return clear;
+        const double clear = clearAtSpeed(gap_, speed, question_.window);
+        return wall_.turns() ? clear : std::max(clear, alongNormal(speed));
     }
 
     // No faster does the ball's centre go in the wall's frame, but for turning about its axis.
@@ -143,7 +150,7 @@ private:
     double gap_ = 0; // with what is allowed to sink in; 0: it touches
 };
 
-// What of the other part is lowest over the lid of the hollow is in its mouth, or partly.
+// A lowest vertex of the other part, over the lid of the hollow, is within its mouth.
 bool isOverMouth(const Posed& wall, const Posed& other, const Vector& normal) {
     const geometry::Curved& curved = *wall.part->curved;
     const Vector axis = wall.rotation * curved.axis();
@@ -244,8 +251,8 @@ private:
         }
     }
 
-    // What of the edge is between the planes of the mouths is in the hollow or beyond the wall, or
-    // it goes through that.
+    // Between the planes of the mouths an edge lies in the hollow, or beyond the wall, or it goes
+    // through the wall: then this keeps how deep.
     void throughWall(std::size_t from, std::size_t to) {
         const Vector& a = own_[from];
         const Vector way = own_[to] - a;
@@ -316,8 +323,8 @@ private:
         found_.back().sine = along.normalized().cross(radial.cross(Vector(Vector::UnitY()))).norm();
         found_.back().radius = radius;
     }
-    // Where an edge comes nearest to a circle. Out of the wall lead all ways between the axis of
-    // the hollow, away from it, and the way across, away from the wall.
+    // Keeps the place `at`, where an edge comes nearest to a circle. The wall pushes it along the
+    // hollow's axis, outwards, or across the axis, away from the wall, or between the two.
     void take(std::size_t from, std::size_t to, const Vector& at, double end, double radius) {
         const double out = radius == curved_.inner ? -1 : 1, rho = std::hypot(at.x(), at.z());
         if (!(rho > 0))
@@ -439,17 +446,12 @@ public:
     EdgePassage(const HollowQuestion& question, const PartMotion& other, const PartMotion& wall,
                 const EdgeAtWall& edge, const Passage& from, const Passage& to)
         : question_(question), other_(other), wall_(wall), edge_(edge), from_(from), to_(to) {
-        const double own = edge.separation.gap;
-        if (!question.isLeaving || own > question.pair.unnoticedDepth(question.t))
-            gap_ = std::max({own, question.gap, 0.0});
+        gap_ = countedGap(question, edge.separation.gap);
     }
 
     [[nodiscard]] double clear() const {
         const double speed = speedWithin(question_.window);
-        double clear = 0;
-        if (gap_ > 0)
-            clear = speed > 0 ? gap_ / speed : 2 * question_.window;
-        return std::max(clear, alongNormal());
+        return std::max(clearAtSpeed(gap_, speed, question_.window), alongNormal());
     }
 
 private:

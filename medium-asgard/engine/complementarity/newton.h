@@ -21,8 +21,8 @@ enum class Aim { shortest, nearest }; // of many solutions
 // The states that the answer's wrong forces and rates ask for: a law that is right keeps its own.
 [[nodiscard]] States improved(const Laws& laws, const Answer& answer);
 
-// Where rates of laws inside cannot all be 0, as of a table whose four feet bend a floor: the one
-// with the largest leaves, in the direction of its rate.
+// The law with the largest rate of those inside leaves, in the direction of its rate: for rates
+// that cannot all be 0, as those of a table with four feet that are not quite in one plane.
 [[nodiscard]] States opened(const Laws& laws, const Answer& answer);
 
 } // namespace complementarity

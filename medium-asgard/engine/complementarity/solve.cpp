@@ -88,9 +88,9 @@ private:
         return best;
     }
 
-    // Where bodies jam, as dominoes that lean on each other, many forces will do all but alike, and
-    // states lead from one to the other. With a force that pulls the answer to the last one there
-    // is one; that force fades (the proximal point method; Rockafellar, SIAM Journal on Control and
+    // Bodies that jam, as dominoes that lean on each other, have many answers that are all but
+    // alike, and the states of one lead to another. A pull towards the last answer leaves one of
+    // them; the pull fades (the proximal point method; Rockafellar, SIAM Journal on Control and
     // Optimization 14, 1976).
     std::optional<Answer> bySmallerSteps(const Approach& from) {
         constexpr double strongest = 1, least = 1e-9, less = 0.1, more = 10;

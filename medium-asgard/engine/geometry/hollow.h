@@ -37,8 +37,8 @@ struct HollowNearest {
 // Of a point of the shape's frame.
 [[nodiscard]] HollowNearest nearestOf(const Curved& hollow, const Vector& point);
 
-// Where a + s way, with s between 0 and 1, comes nearest to the circle about the origin in the
-// plane y = 0, or nearer than all around; its ends do not count.
+// The values of s between 0 and 1, without the ends, at which the distance of a + s way from a
+// circle has a minimum. The circle lies about the origin in the plane y = 0.
 [[nodiscard]] std::vector<double> nearestToCircle(const Vector& a, const Vector& way,
                                                   double radius);
 

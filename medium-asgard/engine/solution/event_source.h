@@ -86,8 +86,9 @@ class Turns {
 public:
     virtual ~Turns() = default;
     // An event of these unknowns is to be at `time`. Nothing: their values there are on the
-    // conditions of their multipliers. Else their steps, and those of what reads them, end at this
-    // time now, a little before, from where the source must look again.
+    // conditions of their multipliers, or no shorter step would bring them nearer. Else their
+    // steps, and those of all that read them, end at this time now, a little before, from where the
+    // source must look again.
     [[nodiscard]] virtual std::optional<double> approach(double time,
                                                          std::span<const std::size_t> unknowns) = 0;
     // At `time`, which is that of an event. True: it is done, and the values are what they became.

@@ -110,6 +110,12 @@ bool Elimination::factorise(Take take) {
     return factoriseSymmetric(take);
 }
 
+double Elimination::invert(std::size_t rank, bool isNone) {
+    if (isNone)
+        dependent_.push_back(static_cast<Index>(rank));
+    return values_[rank] = isNone ? 0 : 1 / values_[rank];
+}
+
 bool Elimination::factoriseSymmetric(Take take) {
     const std::size_t size = rowOf_.size();
     double* const values = values_.data();
@@ -120,10 +126,7 @@ bool Elimination::factoriseSymmetric(Take take) {
         const bool isNone = take == Take::all && std::abs(pivot) <= rounding * own_[rank];
         if (!isNone && !(pivot > leastPivot * own_[rank]))
             return false;
-        if (isNone)
-            dependent_.push_back(static_cast<Index>(rank));
-        const double inverse = isNone ? 0 : 1 / pivot;
-        values[rank] = inverse;
+        const double inverse = invert(rank, isNone);
         const Index begin = firstBelow_[rank];
         for (Index a = firstBelow_[rank + 1]; a-- > begin;) {
             const double l = lower[a] * inverse;
@@ -147,10 +150,7 @@ bool Elimination::factoriseAny() {
         const bool isNone = std::abs(pivot) <= rounding * own_[rank];
         if (isNone ? !isLeftOut(rank) : !(pivot > leastOfAny * own_[rank]))
             return false;
-        if (isNone)
-            dependent_.push_back(static_cast<Index>(rank));
-        const double inverse = isNone ? 0 : 1 / pivot;
-        values[rank] = inverse;
+        const double inverse = invert(rank, isNone);
         const Index begin = firstBelow_[rank];
         for (Index a = firstBelow_[rank + 1]; a-- > begin;) {
             if (isNone)

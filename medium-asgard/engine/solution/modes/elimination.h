@@ -54,6 +54,8 @@ public:
 private:
     void layOut(std::span<const std::vector<Index>> below);
     [[nodiscard]] bool isSymmetric() const;
+    // In the place of the pivot: its inverse; of a row that others make 0.
+    double invert(std::size_t rank, bool isNone);
     [[nodiscard]] bool factoriseSymmetric(Take take);
     [[nodiscard]] bool factoriseAny();
     [[nodiscard]] bool isLeftOut(std::size_t rank) const;
