@@ -141,6 +141,17 @@ TEST(Authoring, ASelectionThatReachesIntoADocumentBehindTheEndEndsBehindIt) {
     EXPECT_EQ(back.anchor, end);
 }
 
+// In a damaged file.
+TEST(Authoring, ASelectionFromADocumentIntoAFootnoteBehindItIsEmpty) {
+    const std::string other = "<FOOTNOTE>{there|}</FOOTNOTE>\n";
+    const Marked marked =
+        readMarks(renamed(reportHead + "<P>{he[re}</P>" + reportTail + other, false));
+    const document::Document document(marked.bytes);
+    const Selection none = widened({document, testGrammars()}, marked.selection);
+    EXPECT_EQ(none.anchor, marked.selection.anchor);
+    EXPECT_EQ(none.caret, marked.selection.anchor);
+}
+
 TEST(Authoring, TogglesEmphasis) {
     const auto emphasis = [](const Manuscript& manuscript, Selection selection) {
         return toggle(manuscript, selection, schemas::ContainerRole::emphasis);

@@ -84,8 +84,12 @@ Selection widened(const Manuscript& manuscript, Selection selection) {
         // The flow that does not hold the other one is left; the file's own flow never is.
         const text::Range range = tree.node(anchor.top()).range;
         const text::Range other = tree.node(caret.top()).range;
-        const bool leavesCaret = (range.from <= other.from && other.to <= range.to) ||
-                                 tree.node(anchor.top()).parent == tree.root();
+        const auto isFiles = [&](NodeId top) { return tree.node(top).parent == tree.root(); };
+        // In a damaged file a footnote may stand behind the document: neither flow can be left.
+        if (isFiles(anchor.top()) && isFiles(caret.top()))
+            return {selection.anchor, selection.anchor};
+        const bool leavesCaret =
+            (range.from <= other.from && other.to <= range.to) || isFiles(anchor.top());
         NodeId unit = leavesCaret ? caret.top() : anchor.top();
         if (tree.node(tree.node(unit).parent).kind == sgml::NodeKind::document)
             unit = tree.node(tree.node(unit).parent).parent;

@@ -70,6 +70,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (printed.size() < 10'000) {
         const auto again = expression::parse(graph, printed, meaning);
         const Node* same = std::get_if<Node>(&again);
+        if (!same && std::get<expression::SyntaxError>(again).message.find("nested more than") !=
+                         std::string::npos)
+            return 0;
         if (!same || *same != node)
             std::fprintf(stderr, "printed: %s\nread back: %s\n", printed.c_str(),
                          same ? expression::print(graph, *same).c_str()
