@@ -1,4 +1,5 @@
 #include "collision/curved_separation.h"
+#include "collision/separation.h"
 
 #include <gtest/gtest.h>
 
