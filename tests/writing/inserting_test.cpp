@@ -267,6 +267,27 @@ TEST_F(WritingTest, HeadingsOfPastedHtmlBeginSectionsWhereTheClassHasThem) {
     EXPECT_EQ(view::fragmentOf("<p> </p><img src='a'>", *grammars.of("CMEMO")), "");
 }
 
+TEST_F(WritingTest, TablesOfPastedHtmlKeepTheirSpansAndHeaders) {
+    const authoring::Grammars grammars(open(memo(""))->document().schemas());
+    const QString html = "<table><thead><tr><th colspan='2'>wide</th></tr></thead><tbody>"
+                         "<tr><td rowspan='2'>high</td><td>b</td></tr><tr><td>c</td></tr>"
+                         "</tbody></table>";
+    const std::string rest = "<ROW><CELL ROWS=\"2\"><TEXT>{high}</TEXT></CELL><CELL><TEXT>{b}"
+                             "</TEXT></CELL></ROW><ROW><CELL><TEXT>{c}</TEXT></CELL></ROW></TABLE>";
+    const std::string wide = "<CELL COLUMNS=\"2\"><TEXT>{wide}</TEXT></CELL></ROW>";
+    EXPECT_EQ(view::fragmentOf(html, *grammars.of("CMEMO")),
+              "<TABLE><ROW KIND=\"header\">" + wide + rest);
+    // The first row of a report's table is a header anyway.
+    EXPECT_EQ(view::fragmentOf(html, *grammars.of("REPORT")), "<TABLE><ROW>" + wide + rest);
+    // A table in a cell is its text, and no section begins behind it.
+    const std::string inner = view::fragmentOf(
+        "<table><tr><td><table><tr><td>in</td></tr></table><h1>Title</h1></td></tr></table>",
+        *grammars.of("CMEMO"));
+    EXPECT_THAT(inner, Not(HasSubstr("SECTION")));
+    EXPECT_THAT(inner, HasSubstr("{in}"));
+    EXPECT_THAT(inner, HasSubstr("{Title}"));
+}
+
 TEST_F(WritingTest, WhatIsDraggedMovesInOneStepAndKeepsItsIds) {
     write(paragraph("One <two") + "<PARAGRAPH><TEXT ID=\"x\">{three}</TEXT></PARAGRAPH>\n" +
           paragraph("four"));

@@ -1,5 +1,6 @@
 #include "clipboard/pasted_html.h"
 
+#include "document/table_grid.h"
 #include "sgml/edit.h"
 
 #include <QTextBlock>
@@ -8,6 +9,7 @@
 #include <QTextList>
 #include <QTextTable>
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace view {
@@ -77,20 +79,23 @@ private:
 
     void addTable(const QTextTable& table) {
         endLists(0);
+        const bool isInner = std::exchange(isInTable_, true);
         const bool has =
-            !names_.table.empty() && !names_.row.empty() && !names_.cell.empty() && !isInTable_;
-        isInTable_ = true;
+            !names_.table.empty() && !names_.row.empty() && !names_.cell.empty() && !isInner;
         if (has)
             begin(names_.table);
         for (int r = 0; r < table.rows(); ++r) {
+            isInHeader_ = r < table.format().headerRowCount();
             if (has)
-                begin(names_.row);
+                begin(names_.row, kindOfRow(r));
             for (int c = 0; c < table.columns(); ++c) {
                 const QTextTableCell cell = table.cellAt(r, c);
+                const bool isFirst = cell.row() == r && cell.column() == c;
+                if (!isFirst && hasSpans())
+                    continue;
                 if (has)
-                    begin(names_.cell);
-                // One that spans several places stands in the first.
-                if (cell.row() == r && cell.column() == c)
+                    begin(names_.cell, isFirst ? spansOf(cell) : std::string());
+                if (isFirst)
                     addCell(cell, has);
                 if (has)
                     end(names_.cell);
@@ -100,7 +105,32 @@ private:
         }
         if (has)
             end(names_.table);
-        isInTable_ = false;
+        isInHeader_ = false;
+        isInTable_ = isInner;
+    }
+    // Where the class has no spans, the places that a cell covers are empty cells.
+    [[nodiscard]] bool hasSpans() const {
+        return grammar_.hasAttribute(names_.cell, "COLUMNS") &&
+               grammar_.hasAttribute(names_.cell, "ROWS");
+    }
+    [[nodiscard]] std::string spansOf(const QTextTableCell& cell) const {
+        std::string attributes;
+        const auto add = [&](const char* name, int span) {
+            const int most = static_cast<int>(document::mostSpanned);
+            if (span > 1)
+                attributes += " " + sgml::attributeText(name, std::to_string(std::min(span, most)));
+        };
+        if (hasSpans()) {
+            add("COLUMNS", cell.columnSpan());
+            add("ROWS", cell.rowSpan());
+        }
+        return attributes;
+    }
+    // HTML without a header says nothing, and the class decides.
+    [[nodiscard]] std::string kindOfRow(int row) const {
+        const bool isSaid = isInHeader_ && grammar_.hasAttribute(names_.row, "KIND") &&
+                            !(row == 0 && grammar_.of(names_.row).isHeaderFirst);
+        return isSaid ? " " + sgml::attributeText("KIND", "header") : std::string();
     }
 
     // A cell of one line has no paragraph of its own.
@@ -219,7 +249,8 @@ private:
             const QString target = format.anchorHref();
             wrap(!target.isEmpty() && !target.startsWith('#'), names_.link,
                  " " + sgml::attributeText("TO", target.toStdString()));
-            wrap(format.fontWeight() > QFont::Medium && !isInHeading_, names_.strong);
+            wrap(format.fontWeight() > QFont::Medium && !isInHeading_ && !isInHeader_,
+                 names_.strong);
             wrap(format.fontItalic(), names_.emphasis);
             wrap(format.fontFixedPitch(), names_.code);
             const std::string letters = textOf(fragment.text());
@@ -243,6 +274,7 @@ private:
     std::vector<const QTextList*> lists_; // that are open
     std::vector<int> sections_;           // levels of those that are open
     bool isInTable_ = false;
+    bool isInHeader_ = false; // of a table
     bool isInHeading_ = false;
     bool isBehindVerbatim_ = false;
     bool hasText_ = false;
