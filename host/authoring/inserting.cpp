@@ -113,18 +113,6 @@ void goOnBelow(Piece& alone) {
     Draft::put(line, alone.index() + 1, Draft::madeText({}));
 }
 
-// Carets stand in texts alone: End finds the place behind what ends the line by an empty one. It
-// takes the place of an empty element that parting the text has left there.
-void goOnBehind(const Draft& draft, Piece& last) {
-    Piece& line = *last.parent;
-    for (std::size_t i = line.children.size(); --i > last.index();) {
-        Piece& behind = *line.children[i];
-        if (draft.isInlined(behind) && behind.children.empty())
-            Draft::take(behind);
-    }
-    Draft::put(line, last.index() + 1, Draft::madeText({}));
-}
-
 } // namespace
 
 Result insertFormula(const Manuscript& manuscript, Selection selection, std::string_view source,
@@ -146,11 +134,8 @@ Result insertFormula(const Manuscript& manuscript, Selection selection, std::str
         return refused(mayNotStand(draft.grammar(), name));
     Draft::moveTo(draft.first(), *made->parent, made->index() + 1);
     draft.collapse();
-    const bool isLast = draft.isLineBlank(draft.first(), Direction::forward);
     if (wasEmpty && draft.holdsText(*made->parent))
         goOnBelow(*made);
-    else if (kind.empty() && isLast && draft.holdsText(*made->parent))
-        goOnBehind(draft, *made);
     return draft.result(QStringLiteral("Formula"));
 }
 

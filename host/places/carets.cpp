@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <limits>
-#include <map>
-#include <set>
+#include <tuple>
 
 namespace places {
 
@@ -34,8 +33,13 @@ const TextPiece& Carets::pieceOf(const Caret& caret) const {
 }
 
 bool Carets::hasPlaces(const Paragraph& paragraph) const {
-    return std::ranges::any_of(paragraph.block()->runs,
-                               [this](const Run& run) { return places_.isText(run); });
+    return std::ranges::any_of(paragraph.block()->runs, [&](const Run& run) {
+        return places_.isText(run) || isUnitIn(paragraph, run);
+    });
+}
+
+bool Carets::isUnitIn(const Paragraph& paragraph, const Run& run) const {
+    return paragraph.block()->kind == model::BlockKind::text && places_.isUnit(run);
 }
 
 // In the order of their painting.
@@ -73,21 +77,39 @@ std::optional<std::size_t> Carets::runAt(const Paragraph& paragraph, int letter)
     return std::nullopt;
 }
 
+std::optional<std::size_t> Carets::placeAt(const Paragraph& paragraph, int letter) const {
+    const std::vector<Run>& runs = paragraph.block()->runs;
+    if (const std::optional<std::size_t> run = runAt(paragraph, letter))
+        return places_.placeOf(runs[*run], paragraph.byteAt(*run, letter));
+    for (std::size_t i = 0; i < runs.size() && paragraph.startOfRun(i) <= letter; ++i) {
+        if (!isUnitIn(paragraph, runs[i]))
+            continue;
+        if (paragraph.startOfRun(i) == letter)
+            return places_.rangeOf(runs[i]).from;
+        if (paragraph.endOfRun(i) == letter)
+            return places_.rangeOf(runs[i]).to;
+    }
+    return std::nullopt;
+}
+
 // The place at or next to a letter.
 std::optional<int> Carets::placeFrom(const Paragraph& paragraph, int letter, Search search) const {
-    if (runAt(paragraph, letter))
+    if (placeAt(paragraph, letter))
         return letter;
     const std::vector<Run>& runs = paragraph.block()->runs;
     std::optional<int> before, behind;
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        if (!places_.isText(runs[i]))
+    for (std::size_t i = 0; i < runs.size() && !behind; ++i) {
+        const bool isText = places_.isText(runs[i]);
+        if (!isText && !isUnitIn(paragraph, runs[i]))
             continue;
         const int start = paragraph.startOfRun(i);
-        if (start > letter) {
+        const int end = isText ? paragraph.letterAt(i, runs[i].text.size()) : paragraph.endOfRun(i);
+        if (start > letter)
             behind = start;
-            break;
-        }
-        before = paragraph.letterAt(i, runs[i].text.size());
+        else if (isText || end < letter)
+            before = end;
+        else
+            std::tie(before, behind) = std::pair(start, end);
     }
     if (search == Search::before ||
         (search == Search::nearest && before && behind && letter - *before <= *behind - letter))
@@ -96,11 +118,7 @@ std::optional<int> Carets::placeFrom(const Paragraph& paragraph, int letter, Sea
 }
 
 std::size_t Carets::placeOf(const Caret& caret) const {
-    const Paragraph& paragraph = *pieceOf(caret).paragraph;
-    const std::optional<std::size_t> run = runAt(paragraph, caret.letter);
-    if (!run)
-        return 0; // no caret stands there
-    return places_.placeOf(paragraph.block()->runs[*run], paragraph.byteAt(*run, caret.letter));
+    return placeAt(*pieceOf(caret).paragraph, caret.letter).value_or(0); // 0: none stands there
 }
 
 // The line of it, which is on that page or on one near it.
@@ -124,8 +142,8 @@ std::optional<Caret> Carets::caretIn(const Paragraph& paragraph, int letter,
 
 // --- places of the document --------------------------------------------------------------------
 
-std::optional<Caret> Carets::inContent(sgml::NodeId content, std::size_t place,
-                                       std::size_t page) const {
+template <typename Find>
+std::optional<Caret> Carets::inParagraphs(std::size_t page, const Find& find) const {
     const std::size_t count = pages_.pages.size();
     for (std::size_t i = 0; i < 2 * count + 1; ++i) {
         const std::size_t at = i % 2 == 0 ? page - i / 2 : page + (i + 1) / 2; // may wrap
@@ -137,17 +155,53 @@ std::optional<Caret> Carets::inContent(sgml::NodeId content, std::size_t place,
             if (text == nullptr || text->isRepeated || text->paragraph.get() == last)
                 continue;
             last = text->paragraph.get();
-            const std::vector<Run>& runs = last->block()->runs;
-            std::optional<std::size_t> found;
-            for (std::size_t r = 0; r < runs.size(); ++r)
-                if (runs[r].content == content && (!found || places_.placeOf(runs[r], 0) <= place))
-                    found = r;
-            if (found)
-                return caretIn(*last, last->letterAt(*found, places_.byteAt(runs[*found], place)),
-                               at);
+            if (const std::optional<int> letter = find(*last))
+                return caretIn(*last, *letter, at);
         }
     }
     return std::nullopt;
+}
+
+std::optional<Caret> Carets::inContent(sgml::NodeId content, std::size_t place,
+                                       std::size_t page) const {
+    return inParagraphs(page, [&](const Paragraph& paragraph) -> std::optional<int> {
+        const std::vector<Run>& runs = paragraph.block()->runs;
+        std::optional<std::size_t> found;
+        for (std::size_t r = 0; r < runs.size(); ++r)
+            if (runs[r].content == content && (!found || places_.placeOf(runs[r], 0) <= place))
+                found = r;
+        if (!found)
+            return std::nullopt;
+        return paragraph.letterAt(*found, places_.byteAt(runs[*found], place));
+    });
+}
+
+std::optional<Caret> Carets::besideUnit(std::size_t place, std::size_t page) const {
+    sgml::NodeId around = tree_.innermostAt(place);
+    if (around != sgml::noNode && tree_.node(around).range.from == place)
+        around = tree_.node(around).parent;
+    if (around == sgml::noNode)
+        return std::nullopt;
+    const auto touches = [&](sgml::NodeId node) {
+        const text::Range range = tree_.node(node).range;
+        return tree_.node(node).kind == sgml::NodeKind::element &&
+               (range.from == place || range.to == place);
+    };
+    std::vector<sgml::NodeId> beside;
+    for (sgml::NodeId child = tree_.node(around).firstChild; child != sgml::noNode;
+         child = tree_.node(child).next)
+        if (touches(child))
+            beside.push_back(child);
+    if (beside.empty())
+        return std::nullopt;
+    return inParagraphs(page, [&](const Paragraph& paragraph) -> std::optional<int> {
+        const std::vector<Run>& runs = paragraph.block()->runs;
+        for (std::size_t r = 0; r < runs.size(); ++r)
+            if (isUnitIn(paragraph, runs[r]) && std::ranges::count(beside, runs[r].element) > 0)
+                return places_.rangeOf(runs[r]).to == place ? paragraph.endOfRun(r)
+                                                            : paragraph.startOfRun(r);
+        return std::nullopt;
+    });
 }
 
 // Goes through all pages.
@@ -181,6 +235,8 @@ std::optional<Caret> Carets::of(std::size_t place, std::size_t page) const {
     if (node != sgml::noNode && tree_.node(node).kind == sgml::NodeKind::content)
         if (const std::optional<Caret> caret = inContent(node, place, page))
             return caret;
+    if (const std::optional<Caret> caret = besideUnit(place, page))
+        return caret;
     return nearestTo(place);
 }
 
@@ -313,7 +369,7 @@ Caret Carets::sideways(const Caret& caret, Move move) const {
     int letter = caret.letter;
     for (int next = step(letter); next != letter; next = step(letter)) {
         letter = next;
-        if (runAt(paragraph, letter))
+        if (placeAt(paragraph, letter))
             return caretIn(paragraph, letter, caret.page).value_or(caret);
     }
     return (onward ? nextParagraph(caret) : previousParagraph(caret)).value_or(caret);

@@ -1,9 +1,10 @@
 // Places of a caret between letters on the pages: which byte of the document is there, and where
 // the caret goes.
 //
-// A caret stands in text of the document, never inside what is generated: next to a number or a
-// footnote's mark. Between two texts it belongs to the end of the first. A place of the document
-// that has no letter (between elements, in blanks that are shown as one) has the nearest caret.
+// A caret stands in text of the document, never inside what is generated. Between two texts it
+// belongs to the end of the first. Where no text is, as behind a formula or a footnote's mark that
+// ends its line, it stands beside the element of that unit. Any other place of the document
+// (between paragraphs, in blanks that are shown as one) has the nearest caret.
 #pragma once
 
 #include "excerpts/selected.h"
@@ -66,15 +67,27 @@ private:
     [[nodiscard]] const layout::TextPiece& pieceOf(const Caret& caret) const;
     [[nodiscard]] std::vector<Line> linesOn(std::size_t page) const;
     [[nodiscard]] bool hasPlaces(const paragraphs::Paragraph& paragraph) const;
-    // The run that the place belongs to; nothing: it is in what is generated.
+    // In a line; a display is a block of its own.
+    [[nodiscard]] bool isUnitIn(const paragraphs::Paragraph& paragraph,
+                                const model::Run& run) const;
+    // The run of text that the place belongs to; nothing: none ends or begins there.
     [[nodiscard]] std::optional<std::size_t> runAt(const paragraphs::Paragraph& paragraph,
                                                    int letter) const;
+    // The place of the document; nothing: it is in what is generated.
+    [[nodiscard]] std::optional<std::size_t> placeAt(const paragraphs::Paragraph& paragraph,
+                                                     int letter) const;
     [[nodiscard]] std::optional<int> placeFrom(const paragraphs::Paragraph& paragraph, int letter,
                                                Search search) const;
     [[nodiscard]] std::optional<Caret> caretIn(const paragraphs::Paragraph& paragraph, int letter,
                                                std::size_t page) const;
     [[nodiscard]] std::optional<Caret> inContent(sgml::NodeId content, std::size_t place,
                                                  std::size_t page) const;
+    // Of a unit that begins or ends at the place.
+    [[nodiscard]] std::optional<Caret> besideUnit(std::size_t place, std::size_t page) const;
+    // The first caret that a paragraph has, from that page on to both sides; each is asked once on
+    // a page.
+    template <typename Find>
+    [[nodiscard]] std::optional<Caret> inParagraphs(std::size_t page, const Find& find) const;
     [[nodiscard]] std::optional<Caret> nearestTo(std::size_t place) const;
     [[nodiscard]] std::optional<Caret> nextParagraph(const Caret& caret) const;
     [[nodiscard]] std::optional<Caret> previousParagraph(const Caret& caret) const;

@@ -65,12 +65,39 @@ protected:
     Pages pages_;
 };
 
-TEST_F(CaretsTest, TheEndOfALineIsBehindTheFormulaThatEndsIt) {
+TEST_F(CaretsTest, ALineBeginsBeforeAndEndsBehindTheUnitsInIt) {
+    const std::string note = "<FOOTNOTE>{A note}</FOOTNOTE>",
+                      formula = "<FORMULA>{E = m}</FORMULA>", reference = "<REF TO=\"x\"></REF>";
+    for (const std::string& unit : {note, formula, reference}) {
+        open("<PARAGRAPH>" + unit + "<TEXT>{see}</TEXT>" + unit + "</PARAGRAPH>");
+        const std::size_t first = placeBefore("<PARAGRAPH>") + 11,
+                          last = placeBefore("</PARAGRAPH>");
+        const Carets all = carets();
+        for (const Move move : {Move::lineStart, Move::documentStart})
+            EXPECT_EQ(all.placeOf(all.moved(caretBefore("see"), move)), first) << unit;
+        for (const Move move : {Move::lineEnd, Move::documentEnd})
+            EXPECT_EQ(all.placeOf(all.moved(caretBefore("see"), move)), last) << unit;
+        for (const std::size_t place : {first, last})
+            EXPECT_EQ(all.placeOf(all.of(place, 0).value()), place) << unit;
+        EXPECT_LT(all.rectOf(all.of(first, 0).value()).x(), all.rectOf(caretBefore("see")).x());
+        EXPECT_GT(all.rectOf(all.of(last, 0).value()).x(),
+                  all.rectOf(caretBefore("}</TEXT>" + unit)).x());
+    }
+}
+
+TEST_F(CaretsTest, UnitsWithoutTextAroundHaveACaretOnEachSide) {
+    open("<PARAGRAPH><FORMULA>{a}</FORMULA><FORMULA>{b}</FORMULA></PARAGRAPH>");
+    const std::size_t first = placeBefore("<FORMULA>"), between = placeBefore("<FORMULA>{b"),
+                      last = placeBefore("</PARAGRAPH>");
+    EXPECT_EQ(walk(Move::right, Move::documentStart),
+              (std::vector<std::size_t>{first, between, last}));
+    EXPECT_EQ(walk(Move::left, Move::documentEnd),
+              (std::vector<std::size_t>{last, between, first}));
+    EXPECT_EQ(carets().selected(0, {first, last}).size(), 1U);
+    EXPECT_EQ(carets().selected(0, {first, between}).size(), 1U);
+    // With an empty text behind, as documents may have it.
     open("<PARAGRAPH><TEXT>{See }</TEXT><FORMULA>{E = m}</FORMULA><TEXT>{}</TEXT></PARAGRAPH>");
     EXPECT_EQ(movedTo("See", Move::lineEnd, 6), "}</TEX");
-    for (const Move move : {Move::lineEnd, Move::documentEnd})
-        EXPECT_EQ(carets().placeOf(carets().moved(caretBefore("See"), move)),
-                  document_->bytes().rfind("}</TEXT>"));
 }
 
 TEST_F(CaretsTest, EveryPlaceOfATextHasItsCaretWhateverTheBytesOfALetter) {

@@ -49,13 +49,21 @@ BlockText::BlockText(const document::Document& document, std::shared_ptr<const B
 
 std::optional<std::size_t> BlockText::placeOf(int letter) const {
     const RunPlaces places(document_.tree());
-    const Part* nearest = nullptr;
-    for (const Part& part : parts_)
+    const auto has = [&](const Part& part) { return part.from <= letter && letter <= part.to; };
+    const Part *nearest = nullptr, *unit = nullptr;
+    for (const Part& part : parts_) {
         if (places.isText(*part.run)) {
             nearest = &part;
             if (part.to >= letter)
                 break;
+        } else if (has(part) && isUnit(places, part)) {
+            unit = &part;
         }
+    }
+    if (unit && !(nearest && has(*nearest))) {
+        const text::Range own = places.rangeOf(*unit->run);
+        return letter - unit->from < unit->to - letter ? own.from : own.to;
+    }
     if (!nearest)
         return std::nullopt;
     const int inside = std::clamp(letter, nearest->from, nearest->to) - nearest->from;
@@ -68,6 +76,14 @@ int BlockText::letterAt(std::size_t place) const {
     const sgml::NodeId content = document_.tree().innermostAt(place);
     int nearest = 0;
     for (const Part& part : parts_) {
+        if (isUnit(places, part)) {
+            const text::Range own = places.rangeOf(*part.run);
+            if (own.from >= place) {
+                nearest = own.from == place ? part.from : nearest;
+                break;
+            }
+            nearest = part.to;
+        }
         if (!places.isText(*part.run))
             continue;
         const bool isOwn = part.run->content == content;
@@ -82,6 +98,11 @@ int BlockText::letterAt(std::size_t place) const {
         }
     }
     return nearest;
+}
+
+// A caret stands beside it, as in a line.
+bool BlockText::isUnit(const RunPlaces& places, const Part& part) const {
+    return block_->kind == model::BlockKind::text && places.isUnit(*part.run);
 }
 
 } // namespace reading

@@ -17,7 +17,8 @@ public:
 
     [[nodiscard]] const QString& text() const { return text_; }
     [[nodiscard]] const std::shared_ptr<const Block>& block() const { return block_; }
-    // The place of the document before a letter; of what is generated that of the next text.
+    // The place of the document before a letter; in a unit that of its nearer end, in what else is
+    // generated that of the next text.
     [[nodiscard]] std::optional<std::size_t> placeOf(int letter) const;
     // The letter behind a place, the nearest one where it is not shown.
     [[nodiscard]] int letterAt(std::size_t place) const;
@@ -33,6 +34,8 @@ public:
     static thread_local std::size_t letters;
 
 private:
+    [[nodiscard]] bool isUnit(const model::RunPlaces& places, const Part& part) const;
+
     const document::Document& document_;
     std::shared_ptr<const Block> block_;
     QString text_;

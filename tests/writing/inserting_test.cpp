@@ -267,6 +267,33 @@ TEST_F(WritingTest, HeadingsOfPastedHtmlBeginSectionsWhereTheClassHasThem) {
     EXPECT_EQ(view::fragmentOf("<p> </p><img src='a'>", *grammars.of("CMEMO")), "");
 }
 
+TEST_F(WritingTest, OneWritesOnBehindTheFootnoteTheReferenceAndTheFormulaThatEndALine) {
+    const std::string units[] = {"<FOOTNOTE><TEXT>{Note}</TEXT></FOOTNOTE>",
+                                 "<REF TO=\"gone\"></REF>", "<FORMULA>{x^2}</FORMULA>"};
+    for (const std::string& unit : units) {
+        const std::string line = "<PARAGRAPH><TEXT>{One}</TEXT>" + unit;
+        write(QByteArray::fromStdString(line + "</PARAGRAPH>\n"));
+        for (const Qt::KeyboardModifier key : {Qt::NoModifier, Qt::ControlModifier}) {
+            goTo("One");
+            press(Qt::Key_End, key);
+            type(" two");
+            EXPECT_THAT(body(), HasSubstr(line + "<TEXT>{ two}</TEXT></PARAGRAPH>"));
+            for (int i = 0; i < 4; ++i)
+                press(Qt::Key_Backspace);
+            type("!");
+            EXPECT_THAT(body(), HasSubstr(line + "<TEXT>{!}</TEXT></PARAGRAPH>"));
+            while (document().canUndo())
+                document().undo();
+        }
+        goTo("One");
+        press(Qt::Key_End);
+        press(Qt::Key_Return);
+        type("Next");
+        EXPECT_THAT(body(), HasSubstr(line + "</PARAGRAPH>\n<PARAGRAPH>"));
+        EXPECT_THAT(body(), HasSubstr("{Next}"));
+    }
+}
+
 TEST_F(WritingTest, TablesOfPastedHtmlKeepTheirSpansAndHeaders) {
     const authoring::Grammars grammars(open(memo(""))->document().schemas());
     const QString html = "<table><thead><tr><th colspan='2'>wide</th></tr></thead><tbody>"

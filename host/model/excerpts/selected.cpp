@@ -66,6 +66,11 @@ std::vector<SelectedRun> selectedRuns(const RunPlaces& places, const Block& bloc
         generated = i + 1;
     }
     mark(block.runs.size(), before && interval.from <= *before && interval.to > *before);
+    for (std::size_t i = 0; i < block.runs.size(); ++i)
+        if (places.isUnit(block.runs[i])) {
+            const text::Range own = places.rangeOf(block.runs[i]);
+            result[i].isIn |= interval.from <= own.from && own.to <= interval.to;
+        }
     return result;
 }
 

@@ -23,6 +23,15 @@ public:
         return run.content != sgml::noNode && tree_.holds(run.content) &&
                tree_.node(run.content).kind == sgml::NodeKind::content;
     }
+    // An element that is one sign for who writes: a formula, a footnote's mark, a reference. Its
+    // places are those before and behind the element.
+    [[nodiscard]] bool isUnit(const Run& run) const {
+        return run.element != sgml::noNode && tree_.holds(run.element) &&
+               run.kind != RunKind::lineBreak && (run.kind != RunKind::text || run.refers);
+    }
+    [[nodiscard]] text::Range rangeOf(const Run& unit) const {
+        return tree_.node(unit.element).range;
+    }
     // Of a run that is text: the place before a byte of its text, and the byte behind a place that
     // lies in it; places outside are those of its ends.
     [[nodiscard]] std::size_t placeOf(const Run& run, std::size_t byte) const;
@@ -36,8 +45,9 @@ private:
     mutable sgml::Unescaped unescaped_; // of the last one
 };
 
-// For each run of the block. Generated text is selected with the text on both its sides; at the
-// block's ends with the text beside it, if the interval reaches over that end.
+// For each run of the block. A unit is selected where its element lies in the interval. Generated
+// text is selected with the text on both its sides; at the block's ends with the text beside it, if
+// the interval reaches over that end.
 [[nodiscard]] std::vector<SelectedRun> selectedRuns(const RunPlaces& places, const Block& block,
                                                     text::Range interval);
 
