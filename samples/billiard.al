@@ -29,4 +29,4 @@ body far end -fixed 1 -init_pos {0 0 -7.5}
 # Below the balls, which nothing pulls down: a hair lower than their lowest points.
 body table cloth -fixed 1 -init_pos {0 -0.61 0}
 
-view above -eye {0 46 26} -look {0 0 0.5}
+view above -rot {1.06 0 0}

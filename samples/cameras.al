@@ -17,7 +17,7 @@ force -body ball1 -gravitational {0 -9.81 0}
 
 trajectory flight -points {{0 -14 5 10} {2.5 -6 2 7} {5 4 6 6} {8 15 3 5}}
 
-view still -eye {0 16 56} -look {0 1.5 0}
+view still -rot {0.25 0 0}
 view follow -center {ball1.x ball1.y ball1.z} -scale 0.25
 view along -eye flight -look {ball1.x ball1.y ball1.z}
 view around -center {0 1 0} -rot {0 {0.25 * t} 0} -scale 0.08

@@ -24,4 +24,4 @@ foreach {name mu z color boardColor} {
 
 plot positions -title "Distance from rest" -values {ice.x wood.x rough.x} -labels {ice wood rough}
 
-view side -eye {5 8 17} -look {0 -0.2 0} -up {0 1 0}
+view side -rot {0.43 -0.28 -0.06}

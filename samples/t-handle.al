@@ -14,4 +14,4 @@ shape_set handle -desc {
 # The stem is the axis: of the three moments the middle one.
 body tool handle -init_drot {0.01 5 0}
 
-view front -eye {0 1.5 9} -look {0 0.3 0}
+view front -rot {0.13 0 0}

@@ -192,19 +192,28 @@ std::optional<Box> roomOfTheOthers(const Survey& survey, const std::vector<bool>
     return std::nullopt;
 }
 
-// A fixed body near the motion belongs to the picture; of a wide floor only what lies near it.
+// A fixed body near the motion belongs to the picture. Of one that is much larger, as a wide floor,
+// what lies near the motion does.
 void keepNear(Extent& extent, const Box& moving, const Pose& pose,
               const std::vector<Ball>& outline) {
+    constexpr double much = 2, beside = 0.35; // times the motion's size
+    std::vector<Ball> balls;
     Box whole;
-    for (const Ball& ball : outline)
-        whole.extend(around({pose.toWorld(ball.center), ball.radius}));
-    const double reach = 0.35 * moving.sizes().maxCoeff();
-    const Box near(moving.min().array() - reach, moving.max().array() + reach);
+    for (const Ball& ball : outline) {
+        balls.push_back({pose.toWorld(ball.center), ball.radius});
+        whole.extend(around(balls.back()));
+    }
+    const double size = moving.sizes().maxCoeff();
+    const Box near(moving.min().array() - beside * size, moving.max().array() + beside * size);
     const Box shown = near.intersection(whole);
     if (shown.isEmpty())
         return;
-    for (int i = 0; i < 8; ++i)
-        keep(extent, {shown.corner(static_cast<Box::CornerType>(i)), 0});
+    if (whole.sizes().maxCoeff() > much * size) {
+        balls.clear();
+        addCorners(balls, shown, Pose{});
+    }
+    for (const Ball& ball : balls)
+        keep(extent, ball);
 }
 
 // Of half spaces of bodies that stand, what lies under or beside the motion.

@@ -114,6 +114,22 @@ TEST(Framed, AWideFloorIsShownOnlyNearTheMotion) {
     EXPECT_NEAR(extent.lowest, -1, 0.41);
 }
 
+// A stand that is not much larger than what moves on it is no floor.
+TEST(Framed, ABodyThatStandsBelowTheMotionIsShownWhole) {
+    scene::Scene scene;
+    addBody(scene, sphere(1), {0, 1, 0}, {});
+    addBody(scene, box({2, 8, 2}), {1, -4, 0}, {}).fixed = true;
+    const auto motion = std::make_shared<GivenMotion>(
+        1, std::vector<GivenMotion::Law>{[](double t) {
+                                             return placed({3 * t, 1, 0});
+                                         },
+                                         [](double) {
+                                             return placed({1, -4, 0});
+                                         }});
+    EXPECT_NEAR(extentOf(scene, motion.get()).box.min().y(), -8, 1e-9);
+    expectAllShown(scene, motion, framed(scene, motion, {640, 480}), {640, 480});
+}
+
 TEST(Framed, WhatFliesOffDoesNotMakeTheRestTooSmallToSee) {
     scene::Scene scene;
     for (int i = 0; i < 3; ++i)

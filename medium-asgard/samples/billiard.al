@@ -27,4 +27,4 @@ body far end -fixed 1 -init_pos {0 0 -6.5}
 # Below the balls, which nothing pulls down: a hair lower than their lowest points.
 body table cloth -fixed 1 -init_pos {0 -0.61 0}
 
-view above -eye {0 26 19} -look {0 0 0.5}
+view above -rot {0.95 0 0}

@@ -15,4 +15,4 @@ force -body rubber -gravitational {0 -9.81 0}
 force -body wood -gravitational {0 -9.81 0}
 force -body clay -gravitational {0 -9.81 0}
 
-view front -eye {0 5 18} -look {0 1.7 0}
+view front -rot {0.18 0 0}

@@ -1,7 +1,7 @@
 # Gliders on three air tracks. Equal ones change their speeds; a heavy one drives a light one on; of
 # two that are soft both go on slowly.
 
-simulator -finish 5
+simulator -finish 3
 
 shape_set track -desc {-sub {-box {11 0.2 0.5}}} -color slategray
 shape_set glider -desc {-sub {-box {0.8 0.5 0.9}}}
@@ -18,4 +18,4 @@ foreach {name z striker mass keeps color} {
     body ${name}_2 glider -mass 1 -restitution $keeps -color lightsteelblue -init_pos [list 0 0 $z]
 }
 
-view above -eye {0 11 18} -look {0 -0.3 0}
+view above -rot {0.56 0 0}

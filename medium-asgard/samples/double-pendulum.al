@@ -23,4 +23,4 @@ link -body1 rod2 -offset1 {0 0.6 -0.16} -body2 rod1 -offset2 {0 -0.7 0} -tightne
 force -body rod1 -gravitational {0 -9.81 0}
 force -body rod2 -gravitational {0 -9.81 0}
 
-view front -eye {0 0.6 13} -look {0 -0.4 0}
+view front -rot {0.08 0 0}

@@ -14,4 +14,4 @@ body pendulum swing -init_rot {0 0 0.8}
 link -body1 pendulum -offset1 {0 0 0} -x 0 -y 0 -z 0 -tightness 50000
 force -body pendulum -gravitational {0 -9.81 0}
 
-view front -eye {0 -0.2 8.5} -look {0 -1.1 0}
+view front -rot {0.11 0 0}

@@ -17,4 +17,4 @@ foreach {name distance share color} {inner 2 1 sandybrown  middle 3.4 0.85 cornf
         -z "-$pull * $name.mass * $name.z / $r3"
 }
 
-view tilted -eye {0 11 20} -look {0 0 0}
+view tilted -rot {0.5 0 0}

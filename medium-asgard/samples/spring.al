@@ -24,4 +24,4 @@ body weight1 weight -mass 1 -init_pos [list 0 [expr {-$apart * $beads - 0.25}] 0
 link -body1 weight1 -offset1 {0 0.25 0} {*}$above -tightness $tightness -damping 0
 force -body weight1 -gravitational {0 -9.81 0}
 
-view front -eye {0 -0.6 8} -look {0 -1.4 0}
+view front -rot {0.1 0 0}

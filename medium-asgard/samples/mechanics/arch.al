@@ -36,4 +36,4 @@ contact left -body1 stone6 -body2 ground
 contact right -body1 stone0 -body2 ground
 
 plot feet -title "Load on the feet, in N" -values {left.n right.n} -labels {left right}
-view front -eye {1 1.1 4} -look {0 0.45 0}
+view front -rot {0.16 -0.24 -0.02}

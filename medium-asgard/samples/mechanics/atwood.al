@@ -22,4 +22,4 @@ force -body down -gravitational {0 -9.81 0}
 force -body up -gravitational {0 -9.81 0}
 
 plot tension -title "Tension on both sides" -values {thread.tension1 thread.tension2} -labels {heavy light}
-view front -eye {0.9 1.1 5.8} -look {0 0.53 0}
+view front -rot {0.1 -0.15 -0.01}

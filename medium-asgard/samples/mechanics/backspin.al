@@ -17,4 +17,4 @@ body ball ball -shininess 0.9 -mass 0.5 -inertia {0.002 0.002 0.002} -center {0 
 force -body ball -gravitational {0 -9.81 0}
 
 plot speed -title "Speed and 0.1 m times spin" -values {ball.dx -0.1*ball.wz} -labels {speed rolling}
-view side -eye {0.75 1.6 4.6} -look {0.75 0.1 0}
+view side -rot {0.32 0 0}

@@ -11,4 +11,4 @@ body table table -fixed 1
 body red ball -mass 0.17 -init_pos {0 0 -0.05} -color crimson
 body blue ball -mass 0.17 -init_pos {0 0 0.05} -color royalblue
 body cue ball -mass 0.17 -init_pos {-0.8 0 0} -init_dpos {1.5 0 0} -color ivory
-view above -eye {0 3.4 4.2} -look {0 -0.1 0.05}
+view above -rot {0.7 0 0}

@@ -24,4 +24,4 @@ body rolls red -mass 1 -restitution 0 -friction 0.8 -init_pos [list [expr {$x - 
 body slides blue -mass 1 -restitution 0 -init_pos [list $x $y 0]
 body circles green -mass 1 -restitution 0 -init_pos [list [expr {$x + 2.3}] $y 0] -init_dpos [list 0 0 [expr {-$W*$x}]]
 foreach ball {rolls slides circles} {force -body $ball -gravitational {0 -9.81 0}}
-view corner -eye {0 8.9 10.2} -look {0 -0.35 0}
+view corner -rot {0.74 0 0}

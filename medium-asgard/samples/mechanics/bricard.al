@@ -20,4 +20,4 @@ joint p4 -type hinge -body1 d -offset1 {-0.5 0 0} -body2 e -offset2 {0 -0.5 0} -
 joint p5 -type hinge -body1 e -offset1 {0 0.5 0} -axis {1 0 0}
 
 plot angles -title "Angles of the hinges" -values {p0.q p1.q p2.q} -labels {p0 p1 p2}
-view corner -eye {3.6 1.6 5} -look {0.3 -0.4 0.4}
+view corner -rot {0.33 -0.62 -0.11}

@@ -14,4 +14,4 @@ spring rope -body1 jumper -x 0 -y 0 -z 0 -stiffness 120 -rest 12 -pull_only 1
 force -body jumper -gravitational {0 -9.81 0}
 
 plot fall -title "Height, and force of the rope over the weight" -values {jumper.y rope.force/686.7} -labels {height force}
-view front -eye {40 -8 92} -look {0 -19 0}
+view front -rot {0.11 -0.41 -0.02}

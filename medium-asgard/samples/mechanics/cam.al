@@ -20,4 +20,4 @@ contact touch -body1 follower -body2 cam
 force -body follower -gravitational {0 -9.81 0}
 
 plot lift -title "Lift of the follower and force on the cam" -values {100*rail.q touch.n} -labels {cm N}
-view front -eye {0.8 0.7 4.8} -look {0 0.32 0}
+view front -rot {0.08 -0.17 -0.01}

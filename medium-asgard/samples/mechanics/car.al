@@ -27,4 +27,4 @@ foreach body {chassis hub_rear wheel_rear hub_front wheel_front} {
 }
 
 plot heights -title "Heights above the ride" -values {chassis.y-0.30095 wheel_front.y-0.15} -labels {chassis wheel}
-view side -eye {1.6 1.8 5} -look {1.6 0.15 0}
+view along -center {chassis.x 0.2 0} -rot {0.32 0 0} -scale 0.8

@@ -17,4 +17,4 @@ joint pivot -type hinge -body1 pole -offset1 {0 -0.4 0} -body2 cart -offset2 {0 
 force -body pole -gravitational {0 -9.81 0}
 
 plot state -title "Place of the cart, angle of the pole" -values {track.q pivot.q+lean} -labels {place angle}
-view front -eye {0.6 1.1 4.6} -look {-0.2 0.3 0}
+view front -rot {0.17 -0.17 -0.01}

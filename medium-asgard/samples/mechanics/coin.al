@@ -23,4 +23,4 @@ body coin coin -mass $m -inertia [list $across $about $across] -center {0 0 0} -
     -init_pos [list $circle $high 0] -init_rot [list 0 0 [expr {$a - acos(-1)/2}]] \
     -init_dpos [list 0 0 [expr {-$W*$circle}]] -init_drot [list [expr {$spin*cos($a)}] [expr {$W + $spin*sin($a)}] 0]
 force -body coin -gravitational {0 -9.81 0}
-view corner -eye {0 1.5 2.6} -look {0 0 0}
+view corner -rot {0.52 0 0}

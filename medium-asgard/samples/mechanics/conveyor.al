@@ -15,4 +15,4 @@ foreach {name mu z color} {cardboard 0.49 -0.5 peru wood 0.25 0 goldenrod steel 
     force -body $name -gravitational {0 -9.81 0}
 }
 plot speed -title "Speed of each parcel" -values {cardboard.dx wood.dx steel.dx} -labels {cardboard wood steel}
-view above -eye {1.9 5 8.2} -look {1.9 -0.35 0}
+view above -rot {0.58 0 0}

@@ -5,7 +5,7 @@ simulator -finish 1.6
 
 set tilt 0.2
 shape_set stone -desc {-sub {-box {0.06 0.4 0.2}}} -color ivory
-shape_set table -desc {-sub {-box {3 0.1 1}}} -color burlywood
+shape_set table -desc {-sub {-box {2.6 0.1 0.8}}} -color burlywood
 body table table -fixed 1 -friction 0.6 -init_pos {0.75 -0.05 0}
 # The first turns about its lower right edge, at x = 0.03.
 set s [expr {sin($tilt)}]
@@ -19,4 +19,4 @@ for {set i 0} {$i < 6} {incr i} {
 }
 
 plot heights -title "Heights of the centres, in m" -values {d0.y d2.y d5.y} -labels {first third last}
-view front -eye {0.8 0.8 3.3} -look {0.8 0.12 0}
+view front -rot {0.2 0 0}

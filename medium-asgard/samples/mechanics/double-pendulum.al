@@ -14,4 +14,4 @@ joint first -type hinge -body1 upper -offset1 {-0.25 0 0}
 joint second -type hinge -body1 lower -offset1 {-0.25 0 0} -body2 upper -offset2 {0.25 0 0}
 
 plot angles -title "Angles" -values {first.q second.q} -labels {first second}
-view front -eye {0.5 0.3 4.8} -look {0 -0.15 0}
+view front -rot {0.09 -0.1 0}

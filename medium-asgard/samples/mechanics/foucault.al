@@ -16,4 +16,4 @@ force -body bob -gravitational {0 -9.81 0}
 force -body bob -x {-2*bob.mass*(2*pi/day)*bob.dz + bob.mass*(2*pi/day)^2*bob.x} -y 0 \
     -z {2*bob.mass*(2*pi/day)*bob.dx + bob.mass*(2*pi/day)^2*bob.z}
 
-view corner -eye {1.6 0.9 5.6} -look {0 -1.15 0}
+view corner -rot {0.34 -0.28 -0.05}

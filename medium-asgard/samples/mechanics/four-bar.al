@@ -35,4 +35,4 @@ joint p3 -type hinge -body1 lever -offset1 {0.4 0 0} -body2 coupler -offset2 {0.
 joint p4 -type hinge -body1 lever -offset1 {-0.4 0 0} -offset2 {0.9 0 0}
 
 plot rates -title "How fast crank and lever turn" -values {p1.dq p4.dq} -labels {crank lever}
-view front -eye {0.6 0.9 3.2} -look {0.45 0.3 0}
+view front -rot {0.19 -0.05 0}

@@ -16,4 +16,4 @@ foreach {name x v color} {slow -1.3 2.8 crimson middle 0 4.4 darkorange fast 1.3
 }
 plot tension -title "Tension of the strings" -values {string_slow.tension string_middle.tension string_fast.tension} \
     -labels {2.8 4.4 5.0}
-view front -eye {0 0.4 6.6} -look {0 0 0}
+view front -rot {0.06 0 0}

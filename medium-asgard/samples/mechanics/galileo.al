@@ -18,4 +18,4 @@ rope string -points {{0 0 0} {peg {0 0 0.02} -0.01} {ball}} -length 1
 force -body ball -gravitational {0 -9.81 0}
 
 plot height -title "Height over the lowest point" -values {ball.y+1} -labels {m}
-view front -eye {0.25 -0.35 2.6} -look {0 -0.5 0}
+view front -rot {0.06 -0.1 0}

@@ -26,4 +26,4 @@ joint lower1 -type distance -body1 right -offset1 {0 -0.25 0} -body2 sleeve
 joint lower2 -type distance -body1 left -offset1 {0 -0.25 0} -body2 sleeve
 
 plot sleeve -title "Height of the sleeve, and speed" -values {slide.q axle.dq/20} -labels {sleeve "speed / 20"}
-view front -eye {0.8 0.2 3.6} -look {0 -0.55 0}
+view front -rot {0.2 -0.22 -0.02}

@@ -23,4 +23,4 @@ joint pivot -type ball -body1 wheel -offset1 {-0.2 0 0}
 force -body wheel -gravitational {0 -9.81 0}
 
 plot height -title "How the wheel nods" -values {wheel.y} -labels {height}
-view corner -eye {1.2 0.7 3} -look {0 -0.15 0}
+view corner -rot {0.25 -0.38 -0.05}

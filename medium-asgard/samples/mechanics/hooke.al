@@ -17,4 +17,4 @@ joint out -type hinge -body1 two
 joint cross -type universal -body1 one -offset1 {0 0 0.5} -axis {1 0 0} -body2 two -offset2 {0 0 -0.5} -axis2 {0 1 0}
 
 plot rates -title "How fast the shafts turn" -values {in.dq out.dq} -labels {first second}
-view side -eye {3.2 1.6 1.2} -look {0 0.1 0.05}
+view side -rot {0.36 -1.21 -0.25}

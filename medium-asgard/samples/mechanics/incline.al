@@ -25,4 +25,4 @@ force -body block -gravitational {0 -9.81 0}
 
 plot speed -title "Speed" -values {hypot(block.dx,block.dy)} -labels {block}
 lightsource sun -direction {-0.4 -1 -0.7}
-view side -eye {0.4 1.5 4.4} -look {0.8 0.36 0}
+view side -rot {0.25 0.09 0.01}

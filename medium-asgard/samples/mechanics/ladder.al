@@ -20,4 +20,4 @@ contact foot -body1 ladder -body2 floor
 contact head -body1 ladder -body2 wall
 
 plot forces -title "What floor and wall bear" -values {foot.fy head.fx} -labels {floor wall}
-view side -eye {2.6 1.9 5.4} -look {1.05 0.95 0}
+view side -rot {0.17 -0.28 -0.02}

@@ -17,4 +17,4 @@ contact scales -body1 man -body2 cabin
 foreach body {cabin man} {force -body $body -gravitational {0 -9.81 0}}
 
 plot weight -title "What the scales show, in kg" -values {scales.n/9.81} -labels {kg}
-view side -eye {4 7 17} -look {0 5.4 0}
+view side -rot {0.09 -0.23 -0.01}

@@ -16,4 +16,4 @@ for {set i 1} {$i <= 5} {incr i} {
     rope right$i -points [list [list $x 0 -0.2] [list ball$i {0 0 0}]]
     force -body ball$i -gravitational {0 -9.81 0}
 }
-view front -eye {0.7 0.1 2.2} -look {0 -0.28 0}
+view front -rot {0.16 -0.31 -0.03}

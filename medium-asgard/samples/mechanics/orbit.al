@@ -8,4 +8,4 @@ shape_set comet -desc {-sub {-sphere 0.04}} -color deepskyblue
 body sun sun -fixed 1
 body comet comet -mass 1 -init_pos {0.4 0 0} -init_dpos {0 0 -4}
 force -body comet -x {-4*comet.x/hypot(comet.x,comet.z)^3} -y 0 -z {-4*comet.z/hypot(comet.x,comet.z)^3}
-view above -eye {-0.6 3.6 3.2} -look {-0.6 0 0}
+view above -rot {0.84 0 0}

@@ -16,4 +16,4 @@ joint soil -type slider -body1 pile -axis {0 1 0} -friction 60000
 foreach body {hammer pile} {force -body $body -gravitational {0 -9.81 0}}
 
 plot depth -title "How deep the pile has gone, in cm" -values {-100*soil.q} -labels {cm}
-view front -eye {2.6 2.4 12} -look {0 1 0}
+view front -rot {0.11 -0.21 -0.01}

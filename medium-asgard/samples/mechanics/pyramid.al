@@ -14,4 +14,4 @@ foreach {name x row color} {
     body $name box -mass 5 -restitution 0 -friction 0.5 -color $color -init_pos [list $x [expr {0.1 + 0.2*$row}] 0]
     force -body $name -gravitational {0 -9.81 0}
 }
-view front -eye {0.8 0.9 2.6} -look {0 0.25 0}
+view front -rot {0.23 -0.3 -0.04}

@@ -21,4 +21,4 @@ joint elbow -type hinge -body1 fore -offset1 {-0.2 0 0} -body2 upper -offset2 {0
     -motor {20*(elbow_angle - elbow.q) - 4*elbow.dq + 9.81*fore.mass*(fore.x - fore.px(-0.2,0,0))}
 
 plot angles -title "Angles of the arm" -values {shoulder.q elbow.q} -labels {shoulder elbow}
-view front -eye {0.9 0.6 3.2} -look {0.3 -0.02 0}
+view front -rot {0.19 -0.18 -0.02}

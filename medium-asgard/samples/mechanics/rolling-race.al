@@ -23,4 +23,4 @@ foreach {name z about} {ball 0.45 0.00576 cylinder 0 0.0072 hoop -0.45 0.0144} {
 }
 plot way -title "Way down the board" -values {hypot(ball.x,ball.y) hypot(cylinder.x,cylinder.y) hypot(hoop.x,hoop.y)} \
     -labels {ball cylinder hoop}
-view above -eye {2.2 2.3 5} -look {1.3 -0.35 0}
+view above -rot {0.48 -0.17 -0.04}

@@ -20,4 +20,4 @@ joint gudgeon -type hinge -body1 rod -offset1 {0.15 0 0} -body2 piston -offset2 
 joint bore -type slider -body1 piston -axis {1 0 0}
 
 plot speed -title "Speed of the crank" -values {axle.dq} -labels {crank}
-view front -eye {0.45 0.4 1.5} -look {0.2 -0.05 0}
+view front -rot {0.29 -0.16 -0.02}

@@ -19,4 +19,4 @@ foreach {name x color} {g1 -0.8 crimson g2 -0.4 darkorange g3 0 gold g4 0.4 seag
 spring -body1 g5 -x 1.2 -y 0 -z 0 -stiffness $stiffness -rest 0.4
 
 plot places -title "Places of the gliders" -values {g1.x g2.x g3.x g4.x g5.x} -labels {1 2 3 4 5}
-view above -eye {0.3 1.8 4.6} -look {0 -0.05 0}
+view above -rot {0.38 -0.06 -0.01}

@@ -20,4 +20,4 @@ rope line -points {{block {0.15 0 0}} {1.2 1.1 0} {weight {0 0.1 0}}}
 foreach body {block weight} {force -body $body -gravitational {0 -9.81 0}}
 
 plot motion -title "Speed of the block, and tension of the rope" -values {block.dx line.tension} -labels {m/s N}
-view front -eye {0.8 1.3 4.6} -look {0.1 0.65 0}
+view front -rot {0.14 -0.15 -0.01}

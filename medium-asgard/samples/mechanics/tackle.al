@@ -30,4 +30,4 @@ rope line -points {{-0.3 0.06 0} {low1 {0 0 0} 0.06} {top1 {0 0 0} 0.06} {low2 {
 foreach name {load low1 low2 end} {force -body $name -gravitational {0 -9.81 0}}
 
 plot tension -title "Tension at both ends of the rope" -values {line.tension1 line.tension5} -labels {beam weight}
-view front -eye {0.5 -0.4 4.6} -look {0 -0.75 0}
+view front -rot {0.08 -0.11 0}

@@ -15,4 +15,4 @@ foreach {name high} {tall 0.25 low 0.1} {
     force -body $name -gravitational {0 -9.81 0}
     force -body $name -offset [list 0 $high 0] -x {8*t} -y 0 -z 0
 }
-view corner -eye {1.5 1.4 3.8} -look {0.3 0.15 0}
+view corner -rot {0.3 -0.3 -0.05}

@@ -16,4 +16,4 @@ body top top -mass 0.3 -inertia {0.0004 0.0003 0.0004} -center {0 0.02 0} -resti
 force -body top -gravitational {0 -9.81 0}
 
 plot axis -title "Way of the axis" -values {top.x top.z} -labels {x z}
-view corner -eye {0.15 0.35 0.75} -look {0 0.05 0}
+view corner -rot {0.37 -0.2 -0.04}

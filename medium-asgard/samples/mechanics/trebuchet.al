@@ -26,4 +26,4 @@ joint axle -type hinge -body1 arm -offset1 {0 0 0}
 joint hanger -type hinge -body1 weight -offset1 {0 0 0} -body2 arm -offset2 {0.5 0 0}
 rope sling -points {{arm {-1.5 0 0}} {stone {0 0 0}}} -release {stone.y > 1.5 && stone.dx > 0 && stone.dy < stone.dx*0.8390996311772799}
 foreach name {arm weight stone} {force -body $name -gravitational {0 -9.81 0}}
-view side -eye {1 2.4 12.5} -look {0.4 1.9 0}
+view side -rot {0.04 -0.05 0}

@@ -17,4 +17,4 @@ foreach {name side} {right 1 left -1} {
 }
 
 plot speed -title "How fast the chair turns, in turns for each second" -values {axle.dq/(2*pi)} -labels {chair}
-view above -eye {0.6 1.3 3.4} -look {0 -0.2 0}
+view above -rot {0.41 -0.17 -0.04}

@@ -18,4 +18,4 @@ set y [expr {$high - $s*sin($c) + 0.08*cos($c)}]
 body block block -mass 1 -restitution 0 -init_pos [list $x $y 0] -init_rot [list 0 0 -$c]
 force -body wedge -gravitational {0 -9.81 0}
 force -body block -gravitational {0 -9.81 0}
-view side -eye {0.9 1.8 5} -look {0.5 0.25 0}
+view side -rot {0.3 -0.08 -0.01}

@@ -19,4 +19,4 @@ rope thread -points [list {0 0 0} [list yoyo {0 0 0} $axle]]
 force -body yoyo -gravitational {0 -9.81 0}
 
 plot tension -title "Tension of the thread over the weight" -values {thread.tension/(yoyo.mass*9.81)} -labels {thread}
-view front -eye {0.35 -0.3 2.5} -look {0 -0.43 0}
+view front -rot {0.05 -0.14 0}
