@@ -2,8 +2,8 @@
 
 #include "accessibility/accessible_view.h"
 #include "controls/indicators.h"
+#include "dialogs/recovery.h"
 #include "filing/choosing.h"
-#include "filing/recovery.h"
 #include "model/model.h"
 #include "plain/plain.h"
 #include "terminal/terminal.h"
@@ -23,6 +23,15 @@ namespace window {
 namespace {
 
 constexpr int mostRecent = 10;
+
+// Says it and goes on: nothing waits until it is read.
+void tell(QWidget* over, const QString& sentence) {
+    auto* box = new plain::Message(QMessageBox::Warning, Application::tr("Unsaved Changes"),
+                                   sentence, QMessageBox::Ok, over);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setModal(false);
+    box->show();
+}
 
 QPalette lightPalette() {
     QPalette palette(QColor(247, 247, 248));
@@ -140,7 +149,7 @@ DocumentWindow* Application::addWindow(std::shared_ptr<session::OpenDocument> do
     if (!document->unsaved())
         connect(&document->keepUnsavedIn(journal_), &session::Unsaved::failed, this,
                 [this](const QString& sentence) {
-                    filing::tell(windows_.empty() ? nullptr : windows_.back(), sentence);
+                    tell(windows_.empty() ? nullptr : windows_.back(), sentence);
                 });
     auto* made = new DocumentWindow(*this, std::move(document));
     windows_.emplace_back(made);
@@ -158,6 +167,15 @@ QString titleOf(const std::string& text, const schemas::Schemas& schemas) {
     return QString::fromStdString(model::buildModel(document, presentation, schemas).title);
 }
 
+dialogs::Asking asking(const files::Kept& kept, const schemas::Schemas& schemas) {
+    const QString title = kept.file.path.empty() ? titleOf(kept.text, schemas) : QString();
+    return {.program = Application::tr("Ensemble"),
+            .unnamed = title.isEmpty() ? Application::tr("A document without a name")
+                                       : Application::tr("“%1”").arg(title),
+            .drafts =
+                Application::tr("Windows of its figures open again, with what was typed in them.")};
+}
+
 } // namespace
 
 void Application::offerRecovered() {
@@ -166,14 +184,13 @@ void Application::offerRecovered() {
         return windows_.empty() ? nullptr : windows_.back().data();
     };
     for (const std::string& fault : all.faults)
-        filing::tell(over(), QString::fromStdString(fault));
+        tell(over(), QString::fromStdString(fault));
     for (files::LeftBehind& left : all.texts) {
-        const QString title =
-            left.kept.file.path.empty() ? titleOf(left.kept.text, schemas_) : QString();
-        const filing::Answer answer = filing::askAbout(over(), left.kept, title);
-        if (answer == filing::Answer::discard)
+        const dialogs::Recovery answer =
+            dialogs::askAbout(over(), left.kept, asking(left.kept, schemas_));
+        if (answer == dialogs::Recovery::discard)
             left.place->remove();
-        if (answer == filing::Answer::open)
+        if (answer == dialogs::Recovery::recover)
             closeUntouched(*recover(std::move(left)));
     }
 }

@@ -1,6 +1,5 @@
 // Work that is not saved when a program ends is offered by the next one. A program that ends
 // without its windows being closed is an Application that is destroyed; tests/host kills real ones.
-#include "filing/recovery.h"
 #include "window/window_testing.h"
 
 #include <fstream>
@@ -139,12 +138,12 @@ TEST_F(RecoveryTest, WhatWasNotSavedIsOfferedAndOpensAsOneChange) {
     editAndEnd();
     Application program({}, journal());
     program.openNew();
-    const QStringList asked = offer(program, "&Open");
+    const QStringList asked = offer(program, "&Recover");
     ASSERT_THAT(asked, SizeIs(1));
     EXPECT_THAT(asked[0].toStdString(),
                 testing::MatchesRegex(
                     "memo.ens was not saved before Ensemble stopped (at|on) .*[0-9][0-9]:[0-9][0-9]"
-                    "\\. Open the recovered text\\? Its file stays as it is until you save\\."));
+                    "\\. Recover it\\? Its file stays as it is until you save\\."));
     DocumentWindow* window = program.open(path_); // it is open already
     document::Document& of = window->document().document();
     EXPECT_EQ(bytes(*window), edited_);
@@ -173,7 +172,7 @@ TEST_F(RecoveryTest, TheWindowThatHasTheFileAlreadyTakesTheText) {
     editAndEnd();
     Application program({}, journal());
     DocumentWindow* window = program.open(path_);
-    EXPECT_THAT(offer(program, "&Open"), SizeIs(1));
+    EXPECT_THAT(offer(program, "&Recover"), SizeIs(1));
     EXPECT_EQ(bytes(*window), edited_);
     EXPECT_EQ(window->document().document().undoLabel(), "Recover");
 }
@@ -188,7 +187,7 @@ TEST_F(RecoveryTest, ATextIsInOnePlaceWhileItIsRecovered) {
         window->document().unsaved()->finish();
         most = std::max(most, kept().size());
     });
-    EXPECT_THAT(offer(program, "&Open"), SizeIs(1));
+    EXPECT_THAT(offer(program, "&Recover"), SizeIs(1));
     EXPECT_EQ(bytes(*window), edited_);
     EXPECT_EQ(most, 2); // the text and its lock
 }
@@ -215,7 +214,7 @@ TEST_F(RecoveryTest, AFileThatIsAnotherByNowIsNotOverwrittenUnasked) {
         file.write(anothers);
     }
     Application program({}, journal());
-    const QStringList asked = offer(program, "&Open");
+    const QStringList asked = offer(program, "&Recover");
     ASSERT_THAT(asked, SizeIs(1));
     EXPECT_TRUE(asked[0].endsWith("saving asks before it replaces it.")) << asked[0].toStdString();
     DocumentWindow* window = program.open(path_);
@@ -250,7 +249,7 @@ TEST_F(RecoveryTest, DraftsAreKeptAndTheirWindowsOpenAgain) {
     }
     for (int crash = 0; crash < 2; ++crash) {
         Application program({}, journal());
-        const QStringList asked = offer(program, "&Open");
+        const QStringList asked = offer(program, "&Recover");
         ASSERT_THAT(asked, SizeIs(1));
         EXPECT_TRUE(asked[0].endsWith("with what was typed in them.")) << asked[0].toStdString();
         if (crash == 0)
@@ -268,7 +267,7 @@ TEST_F(RecoveryTest, TwoTextsOfOneFileAreBothOpened) {
     editAndEnd("One");
     editAndEnd("Two");
     Application program({}, journal());
-    EXPECT_THAT(offer(program, "&Open"), SizeIs(2));
+    EXPECT_THAT(offer(program, "&Recover"), SizeIs(2));
     std::string all;
     for (QWidget* widget : QApplication::topLevelWidgets())
         if (auto* window = qobject_cast<DocumentWindow*>(widget))
@@ -283,7 +282,7 @@ TEST_F(RecoveryTest, ATextWithoutAFileIsOfferedToo) {
         window->document().document().edit({{{0, 0}, "\n"}}, "Edit");
     }
     Application program({}, journal());
-    const QStringList asked = offer(program, "&Open");
+    const QStringList asked = offer(program, "&Recover");
     ASSERT_THAT(asked, SizeIs(1));
     EXPECT_THAT(asked[0].toStdString(), HasSubstr("A document without a name was not saved"));
     EXPECT_THAT(asked[0].toStdString(), HasSubstr("It has no file yet."));
@@ -300,7 +299,7 @@ TEST_F(RecoveryTest, ATextWithoutAFileIsNamedByItsTitle) {
         of.edit({{{from, at}, "<SUBJECT>{Clocks}"}}, "Edit");
     }
     Application program({}, journal());
-    const QStringList asked = offer(program, "&Open");
+    const QStringList asked = offer(program, "&Recover");
     ASSERT_THAT(asked, SizeIs(1));
     EXPECT_THAT(asked[0].toStdString(), HasSubstr("“Clocks” was not saved before"));
 }
@@ -311,7 +310,7 @@ TEST_F(RecoveryTest, WhatCannotBeReadIsSaidAndHoldsUpNothing) {
         if (name.endsWith(".kept"))
             std::ofstream(journal() + "/" + name.toStdString()) << "unsaved-text 1\ntext 5\nab";
     Application program({}, journal());
-    EXPECT_THAT(offer(program, "&Open"), IsEmpty());
+    EXPECT_THAT(offer(program, "&Recover"), IsEmpty());
     QString said;
     for (QWidget* widget : QApplication::topLevelWidgets())
         if (auto* box = qobject_cast<QMessageBox*>(widget)) {
@@ -319,16 +318,6 @@ TEST_F(RecoveryTest, WhatCannotBeReadIsSaidAndHoldsUpNothing) {
             box->close(); // else no other window has the pointer
         }
     EXPECT_THAT(said.toStdString(), HasSubstr("cannot be read: it is damaged. It is in "));
-}
-
-TEST(RecoveryQuestion, SaysTheDayWhenItIsAnother) {
-    const QDateTime at(QDate(2026, 3, 5), QTime(14, 3));
-    const files::Kept kept{.file = {"/a/b.ens", {}}, .at = at.toSecsSinceEpoch()};
-    EXPECT_EQ(filing::questionAbout(kept, {}, at.addSecs(3600)),
-              "b.ens was not saved before Ensemble stopped at 14:03. Open the recovered text?");
-    EXPECT_THAT(filing::questionAbout(kept, {}, at.addDays(1)).toStdString(),
-                testing::MatchesRegex("b.ens was not saved before Ensemble stopped on .*2026 at "
-                                      "14:03. Open the recovered text\\?"));
 }
 
 } // namespace

@@ -179,7 +179,7 @@ void typeUntilKilled(const Folder& folder, std::uint64_t seed, Told& told) {
     {
         const Answers answers([&](QMessageBox& box) {
             ++told.offered;
-            click(box, "Open");
+            click(box, "Recover");
         });
         host.offerRecovered();
     }

@@ -89,7 +89,7 @@ class Unsaved(InFolder):
             self.kill(host)
             self.assertGreaterEqual(before, count)
             host = self.start()
-            self.answer("Return")
+            self.answer("alt+r")
             until("what was recovered is edited on", lambda: self.changes() and max(self.changes()) > before)
             self.assertEqual(len(self.kept()), 1)
             with open(self.path("a.ens"), "rb") as file:

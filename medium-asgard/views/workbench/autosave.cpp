@@ -1,12 +1,10 @@
 #include "workbench/autosave.h"
 
+#include "dialogs/recovery.h"
 #include "plain/plain.h"
 
-#include <QDateTime>
 #include <QFile>
 #include <QFileInfo>
-#include <QLocale>
-#include <QPushButton>
 
 namespace views {
 
@@ -16,44 +14,6 @@ const std::string draftsKey = "windows";
 constexpr int lookEveryMs = 1000;
 
 QString pathOf(const files::Kept& kept) { return QFile::decodeName(kept.file.path.c_str()); }
-
-QString sceneOf(const files::Kept& kept) {
-    const QString path = pathOf(kept);
-    return path.isEmpty() ? Autosave::tr("a scene that was never saved")
-                          : QFileInfo(path).fileName();
-}
-
-// What is to be known for the answer.
-QString adviceAbout(const files::Kept& kept) {
-    switch (files::compareFile(files::FileSystem::real(), kept.file)) {
-    case files::FileState::changed:
-        return Autosave::tr(" Another program has changed the file since; saving asks.");
-    case files::FileState::removed:
-        return Autosave::tr(" The file is no longer there.");
-    case files::FileState::unchanged:
-    case files::FileState::noFile:
-        break;
-    }
-    return {};
-}
-
-QMessageBox::StandardButton ask(QWidget* over, const files::Kept& kept) {
-    const QDateTime at = QDateTime::fromSecsSinceEpoch(kept.at).toLocalTime();
-    plain::Message box(QMessageBox::Question, Autosave::tr("Recover"),
-                       Autosave::tr("Changes to %1 were not saved.").arg(sceneOf(kept)),
-                       QMessageBox::NoButton, over);
-    box.setSecondText(Autosave::tr("Asgard ended on %1, before they were saved.%2 Recover them?")
-                          .arg(QLocale().toString(at, QLocale::ShortFormat), adviceAbout(kept)));
-    QPushButton* recover = box.addButton(Autosave::tr("&Recover"), QMessageBox::AcceptRole);
-    QPushButton* discard = box.addButton(Autosave::tr("&Discard"), QMessageBox::DestructiveRole);
-    QPushButton* later = box.addButton(Autosave::tr("&Later"), QMessageBox::RejectRole);
-    box.setDefaultButton(later); // a Return that was meant for something else loses nothing
-    box.setEscapeButton(later);
-    box.exec();
-    if (box.clickedButton() == recover)
-        return QMessageBox::Yes;
-    return box.clickedButton() == discard ? QMessageBox::Discard : QMessageBox::Cancel;
-}
 
 } // namespace
 
@@ -117,10 +77,14 @@ bool offerRecovery(QWidget* over, Autosave& autosave, const std::string& folder,
         if (!scene.isEmpty() && QFileInfo(pathOf(left.kept)).canonicalFilePath() !=
                                     QFileInfo(scene).canonicalFilePath())
             continue;
-        const auto answer = ask(over, left.kept);
-        if (answer == QMessageBox::Discard)
+        const dialogs::Recovery answer = dialogs::askAbout(
+            over, left.kept,
+            {.program = Autosave::tr("Asgard"),
+             .unnamed = Autosave::tr("A scene that was never saved"),
+             .drafts = Autosave::tr("Its windows open again, with what was typed in them.")});
+        if (answer == dialogs::Recovery::discard)
             left.place->remove();
-        if (answer != QMessageBox::Yes)
+        if (answer != dialogs::Recovery::recover)
             continue;
         autosave.recover(std::move(left));
         return true;

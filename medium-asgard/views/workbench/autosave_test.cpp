@@ -4,11 +4,16 @@
 
 #include <gtest/gtest.h>
 
+#include <QAbstractButton>
+#include <QApplication>
 #include <QDir>
 #include <QFile>
 #include <QMenu>
+#include <QMessageBox>
 #include <QSettings>
 #include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
 
 namespace views {
 namespace {
@@ -214,6 +219,44 @@ TEST_F(AutosaveTest, RecoversWhatHasNoFileAnyMore) {
     EXPECT_EQ(document_.text(), "# lost and found\n");
     EXPECT_EQ(document_.path(), "");
     EXPECT_TRUE(document_.isModified());
+}
+
+// The question of the next start, answered by a key or a click; then what is left for the start
+// after that.
+TEST_F(AutosaveTest, TheNextStartAsksAndLosesNothingToAKeyMeantForAnotherWindow) {
+    const auto answer = [](const QString& words) {
+        QTimer::singleShot(10, qApp, [words] {
+            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+            ASSERT_TRUE(box);
+            EXPECT_TRUE(box->text().startsWith("scene.al was not saved before Asgard stopped "));
+            if (words == "Return")
+                return QTest::keyClick(box, Qt::Key_Return);
+            for (QAbstractButton* button : box->buttons())
+                if (button->text() == words)
+                    return button->click();
+            box->reject();
+            ADD_FAILURE() << "no button " << words.toStdString();
+        });
+    };
+    { const files::LeftBehind left = killed("# lost and found\n", path_); } // its lock is free
+    Autosave autosave(document_, folder());
+    for (const char* later : {"Return", "&Later"}) {
+        answer(later);
+        EXPECT_FALSE(offerRecovery(nullptr, autosave, folder(), {}));
+        EXPECT_EQ(left().texts.size(), 1U) << later;
+        EXPECT_EQ(document_.text(), ballScene);
+    }
+    EXPECT_FALSE(offerRecovery(nullptr, autosave, folder(), home_.filePath("another.al")));
+    answer("&Recover");
+    EXPECT_TRUE(offerRecovery(nullptr, autosave, folder(), path_));
+    EXPECT_EQ(document_.text(), "# lost and found\n");
+    EXPECT_EQ(document_.path(), path_);
+    ASSERT_EQ(document_.save(path_).sentence, "");
+    { const files::LeftBehind left = killed("# not wanted\n", path_); }
+    answer("&Discard");
+    EXPECT_FALSE(offerRecovery(nullptr, autosave, folder(), {}));
+    EXPECT_EQ(left().texts.size(), 0U);
+    EXPECT_EQ(document_.text(), "# lost and found\n");
 }
 
 TEST_F(AutosaveTest, SaysOnceThatThereIsNoPlace) {
