@@ -2,7 +2,8 @@
 // fault says so.
 //
 // A click moves the free bodies as little as possible, as `asgard assemble` does, and writes it
-// into the text as one step of undo. Where that cannot be, a sentence at the button says why.
+// into the text as one step of undo. It is found out on another thread; a text that changes
+// meanwhile stays as it is. Where joints cannot close, a sentence at the button says why.
 #pragma once
 
 #include "workbench/scene_document.h"
@@ -25,8 +26,16 @@ public:
 private:
     void refresh();
     void close();
+    struct Closed {
+        std::string text, reason;
+    };
+    [[nodiscard]] static Closed closed(const std::string& text,
+                                       const std::shared_ptr<const scene::Scene>& scene);
+    void take(const Closed& now, int revision);
+    void say() const;
 
     SceneDocument& document_;
+    bool closing_ = false;
     QString reason_;
 };
 

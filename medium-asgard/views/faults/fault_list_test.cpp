@@ -77,7 +77,22 @@ TEST_F(FaultListTest, OffersToCloseAJointThatItsBodiesMiss) {
     document.setComputed(computed);
     ASSERT_TRUE(offer->isVisibleTo(&list));
     EXPECT_EQ(offer->text(), "Close It");
+    // While it is found out, windows go on; a text that changes meanwhile stays.
     offer->click();
+    EXPECT_EQ(offer->text(), "Closing…");
+    EXPECT_FALSE(offer->isEnabled());
+    EXPECT_EQ(document.text(), text);
+    document.setText("# before\n" + text, "Edit");
+    ASSERT_TRUE(waitFor([&] { return !offer->reason().isEmpty(); }));
+    EXPECT_THAT(offer->reason().toStdString(), HasSubstr("changed meanwhile"));
+    EXPECT_EQ(document.text(), "# before\n" + text);
+    document.undo();
+    ASSERT_TRUE(settle(document));
+    computed.shown = document.shown();
+    document.setComputed(computed);
+    ASSERT_TRUE(offer->isVisibleTo(&list));
+    offer->click();
+    ASSERT_TRUE(waitFor([&] { return document.text() != text; }));
     EXPECT_EQ(offer->reason(), "");
     EXPECT_THAT(document.text(), HasSubstr("body arm ball -init_pos {3 0 0}"));
     ASSERT_TRUE(settle(document));
