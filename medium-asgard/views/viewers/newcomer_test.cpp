@@ -1,5 +1,6 @@
 // What a new user stumbled over in the windows.
 #include "language/scene_editor.h"
+#include "shapes/shape_editor.h"
 #include "viewers/editor.h"
 #include "viewers/scene_files.h"
 #include "views/test_workshop.h"
