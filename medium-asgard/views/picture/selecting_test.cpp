@@ -210,12 +210,12 @@ TEST_F(SelectingTest, ARingTurnsTheSelectedBodyAboutItsAxis) {
     display().lookAlong({0.4, 0.5, 1});
     display().grab();
     const gestures::Sight sight = display().sight();
-    const Vector middle(-3, 0, 0);
-    const double radius = Gizmo::ring * sight.pixelLength(middle) * display().devicePixelRatioF();
+    const Vector center(-3, 0, 0);
+    const double radius = Gizmo::ring * sight.pixelLength(center) * display().devicePixelRatioF();
     const auto onRing = [&](double degrees) { // of z, from x on
         const double angle = degrees * M_PI / 180;
         return display()
-            .fromPixels(sight.pixels(middle + radius * Vector(std::cos(angle), std::sin(angle), 0)))
+            .fromPixels(sight.pixels(center + radius * Vector(std::cos(angle), std::sin(angle), 0)))
             .toPoint();
     };
     const auto turned = [&] {
@@ -234,7 +234,7 @@ TEST_F(SelectingTest, ARingTurnsTheSelectedBodyAboutItsAxis) {
     drag(onRing(from), onRing(from + 37)); // a whole degree
     EXPECT_NEAR(turned().z(), std::round(turned().z()), 1e-6);
     EXPECT_NEAR(turned().z(), 37, 1.01);
-    EXPECT_EQ(editor.document().shown().scene->bodies[2].initialPosition, middle);
+    EXPECT_EQ(editor.document().shown().scene->bodies[2].initialPosition, center);
 }
 
 TEST_F(SelectingTest, AKeyKeepsADragToAnAxisAndWithShiftAcrossIt) {

@@ -79,7 +79,7 @@ TEST_F(ToolBarTest, AButtonWithAMenuIsLeftWhenAnEntryWasChosen) {
 TEST_F(ToolBarTest, IconsFollowTheTheme) {
     auto* bar = viewer->findChild<ToolBar*>();
     ASSERT_TRUE(bar);
-    const auto drawn = [&] { return button("open").icon().pixmap(22, 22).toImage(); };
+    const auto drawn = [&] { return button("frameAll").icon().pixmap(22, 22).toImage(); };
     const QImage light = drawn();
     QPalette dark(QColor(40, 40, 40));
     bar->setPalette(dark);
