@@ -17,6 +17,12 @@ bool matches(const Presentation::Selector::Name& pattern, const Presentation::Su
             subject.tree->attribute(subject.element, pattern.attribute) == pattern.value);
 }
 
+// The nearest element of a name says of which kind it is: a list in a numbered list is another one.
+bool isOfAnotherKind(const Presentation::Selector::Name& outer,
+                     const Presentation::Subject& subject) {
+    return !outer.attribute.empty() && outer.name == subject.name && !matches(outer, subject);
+}
+
 } // namespace
 
 std::set<std::string, std::less<>> Presentation::namesShownAs(std::string_view display) const {
@@ -97,6 +103,8 @@ ElementStyle Presentation::style(const Subject& subject, const ElementStyle& out
                                     outer); // its faults were found when it was read
         if (progress[i] < last && matches(names[progress[i]], subject))
             ++progress[i];
+        else if (progress[i] > 0 && isOfAnotherKind(names[progress[i] - 1], subject))
+            --progress[i];
     }
     return style;
 }

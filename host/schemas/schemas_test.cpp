@@ -164,6 +164,34 @@ TEST(Presentation, MoreNamesWinThenTheLaterBlock) {
     EXPECT_EQ(heading.number, "1");
 }
 
+TEST(Presentation, AnOuterElementIsOfTheKindThatTheNearestOfItsNameHas) {
+    std::vector<sgml::Fault> faults;
+    const Presentation own =
+        Presentation::parse("L I { number: none } L[KIND=n] I { number: \"1.\" }", faults, nullptr);
+    ASSERT_TRUE(faults.empty());
+    const std::string numbered = " KIND=\"n\"";
+    const auto numberOfInner = [&](const std::vector<std::string>& lists) {
+        std::string begin, end;
+        for (const std::string& kind : lists) {
+            begin += "<L" + kind + "><I>";
+            end.insert(0, "</I></L>");
+        }
+        const sgml::Tree tree = sgml::Tree::parse("DOCUMENT D\n<D>" + begin + end + "</D>");
+        Presentation::Progress progress = own.start();
+        ElementStyle style = own.rootStyle();
+        for (sgml::NodeId at = tree.classElement(tree.root()); at != sgml::noNode;
+             at = tree.node(at).firstChild)
+            style = own.style({tree.name(at), true, &tree, at}, style, progress);
+        return style.number;
+    };
+    EXPECT_EQ(numberOfInner({numbered}), "1.");
+    EXPECT_EQ(numberOfInner({""}), "");
+    EXPECT_EQ(numberOfInner({"", numbered}), "1.");
+    EXPECT_EQ(numberOfInner({numbered, ""}), "");
+    EXPECT_EQ(numberOfInner({numbered, "", numbered}), "1.");
+    EXPECT_EQ(numberOfInner({"", numbered, ""}), "");
+}
+
 TEST(Schemas, BuiltInOnesAreSoundAndBoth) {
     const Schemas schemas = Schemas::builtIn();
     std::string faults;
