@@ -364,6 +364,15 @@ def gears():
     return rows
 
 
+def meshing():
+    """Rack and pinion, two wheels: as they touch, without -ct. The couple sin 2t turns 0.09 + 3 * 0.3^2, and 2 turns 0.24 + 0.02 * 4."""
+    rows = Rows()
+    for t in steps(3, 8):
+        turned = (t / 2 - math.sin(2 * t) / 4) / (0.09 + 3 * 0.3 ** 2)
+        rows.put(t, 11, {"axle.q": turned, "rail.q": 0.3 * turned, "one.q": t * t / 0.32, "two.q": -2 * t * t / 0.32})
+    return rows
+
+
 def turns():
     """A torsion pendulum,  rz = 10 sin 2t. A free top: its axis e goes round L with |L| / I1, and  w = L / I1 + n (1 - I3 / I1) e."""
     rows, L, n = Rows(), (1.0, 0.0, 6.0), 3.0
@@ -579,4 +588,4 @@ def governor():
 
 BY_NAME = {case.__name__: case for case in (
     rod_on_hinge, slider_crank, bricard, torsion_dry, torsion_damped, rod_stop, clutch, rail, released, released_meet, cut, drives, conical_pendulum, hooke, screw, cylindrical,
-    planar, dumbbell, gears, turns, gyroscope, spherical_pendulum, double_pendulum, four_bar, four_bar_tilted, welded, top, governor)}
+    planar, dumbbell, gears, meshing, turns, gyroscope, spherical_pendulum, double_pendulum, four_bar, four_bar_tilted, welded, top, governor)}

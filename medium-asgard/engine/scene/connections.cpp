@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <set>
 #include <string_view>
 #include <unordered_map>
 
@@ -343,6 +344,21 @@ std::vector<std::vector<std::size_t>> joinedBodies(const Scene& scene, const Rel
         join(a, b);
         if (joint.type == JointType::fixed)
             rigid[rootOf(rigid, a)] = rootOf(rigid, b);
+    }
+    // Teeth are in each other's gaps, which no shape has.
+    const Index joints = indexOf(scene.joints);
+    for (std::size_t g = 0; g < scene.gears.size(); ++g) {
+        std::set<std::size_t> meshing;
+        for (const Gear::Term& term : scene.gears[g].terms) {
+            const Joint& joint = scene.joints[joints.at(term.joint)];
+            meshing.insert(bodies.at(joint.body1));
+            if (joint.body2)
+                meshing.insert(bodies.at(*joint.body2));
+        }
+        for (const std::size_t a : meshing)
+            for (const std::size_t b : meshing)
+                if (a < b && !released.gears.contains(g))
+                    join(a, b);
     }
     std::unordered_map<std::size_t, std::vector<std::size_t>> pieces;
     for (std::size_t b = 0; b < rigid.size(); ++b)

@@ -65,8 +65,8 @@ struct Released {
     std::set<std::size_t> forces = {}, gears = {}, ropes = {};
 };
 
-// The bodies that never collide with each other, by body, since a link or a joint joins them
-// directly, or fixed joints alone join them. Both ways; in no order.
+// The bodies that never collide with each other, by body, since a link, a joint or a gear joins
+// them directly, or fixed joints alone join them. Both ways; in no order.
 [[nodiscard]] std::vector<std::vector<std::size_t>> joinedBodies(const Scene& scene,
                                                                  const Released& released = {});
 

@@ -158,5 +158,14 @@ TEST(JoinedBodies, AreApartOnceTheirJointIsReleased) {
     EXPECT_EQ(first, std::vector<std::size_t>{1}); // by the hinge, and not to c
 }
 
+TEST(JoinedBodies, AreTheBodiesOfAGear) {
+    Scene scene = hingedScene();
+    gearBetween(scene, "ab", "c");
+    EXPECT_EQ(std::ranges::count(joinedBodies(scene)[0], 2u), 1);
+    EXPECT_EQ(std::ranges::count(joinedBodies(scene)[2], 1u), 1);
+    EXPECT_EQ(std::ranges::count(joinedBodies(scene)[2], 5u), 0);
+    EXPECT_TRUE(joinedBodies(scene, {.joints = {}, .links = {}, .gears = {0}})[2].empty());
+}
+
 } // namespace
 } // namespace scene

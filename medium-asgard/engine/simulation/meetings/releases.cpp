@@ -40,18 +40,21 @@ Releases::Releases(const scene::Scene& scene, const physics::EquationsOfMotion& 
                    double start)
     : start_(start) {
     const auto unknowns = unknownsOf(equations.set);
-    const auto add = [&](bool isJoint, std::size_t index, const std::string& name) {
+    const auto add = [&](Kind kind, std::size_t index, const std::string& name) {
         const auto multipliers = unknowns.find(name), release = unknowns.find(name + ".release");
         if (multipliers != unknowns.end() && release != unknowns.end())
-            kept_.push_back({isJoint, index, multipliers->second, release->second[0], start});
+            kept_.push_back({kind, index, multipliers->second, release->second[0], start});
     };
     for (std::size_t j = 0; j < scene.joints.size(); ++j)
         if (scene.joints[j].release && scene.joints[j].body2)
-            add(true, j, scene.joints[j].name);
+            add(&scene::Released::joints, j, scene.joints[j].name);
+    for (std::size_t g = 0; g < scene.gears.size(); ++g)
+        if (scene.gears[g].release)
+            add(&scene::Released::gears, g, scene.gears[g].name);
     for (std::size_t l = 0; l < scene.links.size(); ++l)
         if (const scene::Link& link = scene.links[l];
             link.release && !link.spring && std::holds_alternative<scene::BodyEnd>(link.second))
-            add(false, l, physics::multiplierName(link, l));
+            add(&scene::Released::links, l, physics::multiplierName(link, l));
 }
 
 std::optional<double> Releases::goneSince(const solution::Histories& histories, Element& element,
@@ -77,7 +80,7 @@ const scene::Released& Releases::take(const solution::Histories& histories, doub
     std::erase_if(kept_, [&](Element& element) {
         const bool isGone = goneSince(histories, element, time).has_value();
         if (isGone)
-            (element.isJoint ? released_.joints : released_.links).insert(element.index);
+            (released_.*element.kind).insert(element.index);
         return isGone;
     });
     return released_;

@@ -1,4 +1,4 @@
-// When are joints and links gone that keep their bodies from colliding?
+// When are joints, gears and links gone that keep their bodies from colliding?
 //
 // A -release ends them: their multipliers are gone from then on, which the histories tell. Those of
 // a joint that bears nothing sleep; then it is the expression's own value.
@@ -10,6 +10,7 @@
 #include "solution/dense/histories.h"
 
 #include <optional>
+#include <set>
 #include <vector>
 
 namespace simulation {
@@ -26,9 +27,10 @@ public:
     void cut(double time);
 
 private:
+    using Kind = std::set<std::size_t> scene::Released::*;
     struct Element {
-        bool isJoint = false;
-        std::size_t index = 0;                // of the scene's joints or links
+        Kind kind = nullptr;
+        std::size_t index = 0;                // of the scene's elements of that kind
         std::vector<std::size_t> multipliers; // unknowns
         std::size_t release = 0;              // the same
         double looked = 0;                    // up to then its expression is 0
