@@ -106,6 +106,11 @@ bool ActiveSet::readsForces(std::size_t watch) const {
     return kind == Kind::least || kind == Kind::most || kind == Kind::cone;
 }
 
+bool ActiveSet::isOfPlaces(std::size_t watch) const {
+    const auto [row, kind] = watches_[watch];
+    return kind == Kind::invalid || (kind == Kind::gap && isContact(row));
+}
+
 double ActiveSet::watchOfPlaces(std::size_t watch) {
     multipliers_.evaluateGaps();
     return valueOf(watches_[watch]);

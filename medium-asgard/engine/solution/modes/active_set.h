@@ -52,6 +52,8 @@ public:
     // A watch that does not read forces, at the point of the functions.
     [[nodiscard]] bool readsForces(std::size_t watch) const;
     [[nodiscard]] double watchOfPlaces(std::size_t watch);
+    // A contact closes there, or loses its place.
+    [[nodiscard]] bool isOfPlaces(std::size_t watch) const;
     // The set that follows from the values alone, where some may touch and approach.
     void decide(double t, std::span<double> y);
     // The set after these watches fell; y with what blows give. False: no forces keep the laws.

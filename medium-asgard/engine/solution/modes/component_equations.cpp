@@ -120,12 +120,16 @@ void ComponentEquations::takeKept(std::span<const double> states) {
 bool ComponentEquations::isOff(double t, std::span<const double> y, std::span<const double> kept) {
     const std::vector<complementarity::State> now = mode_.kept;
     takeKept(kept);
-    functions_.fill(t, y);
-    field_.multipliers().evaluateGaps();
-    const bool isOff = field_.multipliers().isOff(y);
+    const bool isOffThen = isOff(t, y);
     mode_.kept = now;
     guards_.refresh();
-    return isOff;
+    return isOffThen;
+}
+
+bool ComponentEquations::isOff(double t, std::span<const double> y) {
+    functions_.fill(t, y);
+    field_.multipliers().evaluateGaps();
+    return field_.multipliers().isOff(y);
 }
 
 void ComponentEquations::takeGone(std::span<const double> values) {

@@ -131,6 +131,11 @@ std::vector<std::size_t> Guards::activeOf(const Violation& violation) const {
     return found;
 }
 
+bool Guards::isOfPlaces(const Violation& violation) const {
+    return std::ranges::any_of(activeOf(violation),
+                               [this](std::size_t watch) { return active_.isOfPlaces(watch); });
+}
+
 std::vector<std::size_t> Guards::multipliersOf(const Violation& violation) const {
     std::vector<std::size_t> found;
     for (const std::size_t watch : activeOf(violation))

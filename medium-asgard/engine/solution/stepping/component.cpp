@@ -327,18 +327,14 @@ void Component::landOnConditions() {
     progress_.put(equations_->states(), y);
 }
 
-// Near its beginning a polynomial errs by next to nothing. What is left is more than what a
-// projection moves, so that the event still lies ahead.
 std::optional<double> Component::endBefore(double t) {
-    constexpr double left = 0.01;   // of the step up to t
-    constexpr double least = 1e-12; // of the time: it goes on
     const History& history = *writer_.history();
     if (!equations_ || stop_ || equations_->multipliers().empty() || history.empty())
         return std::nullopt;
     const std::size_t index = history.find(t);
     const History::Step step = history.step(index);
-    const double end = t - left * (t - step.origin);
-    if (!(t < step.until && boundary_.phasesFrom() <= t && t - end > least * std::abs(t)))
+    const std::optional<double> end = shortlyBefore(t, step.origin);
+    if (!(t < step.until && boundary_.phasesFrom() <= t && end))
         return std::nullopt;
     const auto valuesOf = [&](std::span<const std::size_t> places) {
         std::vector<double> values;

@@ -102,7 +102,7 @@ void Component::accept(const StepPiece& piece) {
     }
     if (piece.crossing) {
         pass(*piece.crossing, false);
-    } else if (piece.isAtRest) {
+    } else if (piece.endsAnew) {
         settle();
     } else if (piece.end) {
         const auto afterwards = models_.current()->goOn(y);

@@ -269,12 +269,31 @@ Proposal Integration::review(double to) {
         return SwitchAtOnce{*found_};
     lastLength_ = h;
     y_.assign(method_->state().begin(), method_->state().end());
+    if (const auto before = endBeforeContact(curves)) {
+        curves.until = *before;
+        curves.at(*before, y_);
+        return StepPiece{
+            .curves = curves, .end = y_, .kind = StepPiece::Kind::integrated, .endsAnew = true};
+    }
     if (found_)
         curves.at(curves.until, y_);
     return StepPiece{.curves = curves,
                      .end = y_,
                      .kind = StepPiece::Kind::integrated,
                      .crossing = found_ ? &*found_ : nullptr};
+}
+
+// Where contacts begin or lose their place, the source of events asks who touches whom, more finely
+// than the polynomials of a long step keep what holds.
+std::optional<double> Integration::endBeforeContact(const StateCurves& curves) {
+    ComponentEquations& equations = context_.equations();
+    if (!found_ || !equations.guards().isOfPlaces(*found_))
+        return std::nullopt;
+    std::vector<double> y(columns_.size());
+    curves.at(found_->time, y);
+    if (!equations.isOff(found_->time, y))
+        return std::nullopt;
+    return shortlyBefore(found_->time, curves.origin);
 }
 
 Proposal Integration::lookCloser(double at, double h) {

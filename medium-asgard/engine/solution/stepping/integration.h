@@ -59,6 +59,7 @@ private:
     [[nodiscard]] Proposal review(double to);
     [[nodiscard]] Proposal lookCloser(double at, double h);
     [[nodiscard]] std::optional<Violation> violationOn(const StateCurves& curves);
+    [[nodiscard]] std::optional<double> endBeforeContact(const StateCurves& curves);
     [[nodiscard]] Ending underflow(Attempt::Outcome outcome, double h) const;
     [[nodiscard]] std::optional<Proposal> acrossSwitch(double h);
     [[nodiscard]] std::optional<Violation> switchesHere() const;

@@ -79,7 +79,7 @@ std::optional<StepPiece> RestApproach::goTo(std::size_t direction, double durati
     return StepPiece{.curves = {line_, from, h, to},
                      .end = y_,
                      .kind = takesTime ? StepPiece::Kind::step : StepPiece::Kind::nothing,
-                     .isAtRest = true};
+                     .endsAnew = true};
 }
 
 } // namespace solution

@@ -1,6 +1,7 @@
 #include "stepping/step_model.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace solution {
 
@@ -87,6 +88,13 @@ std::string StepContext::names(const std::vector<std::size_t>& places) const {
             text += (k == 0 ? "" : ", ") + name;
     }
     return text;
+}
+
+std::optional<double> shortlyBefore(double t, double origin) {
+    constexpr double left = 0.01;   // of the step up to t
+    constexpr double least = 1e-12; // of the time: it goes on
+    const double before = t - left * (t - origin);
+    return t - before > least * std::abs(t) ? std::optional(before) : std::nullopt;
 }
 
 } // namespace solution

@@ -41,7 +41,9 @@ struct StepPiece {
     };
     Kind kind = Kind::uncounted;
     const Violation* crossing = nullptr; // switches to be passed at its end; none: null
-    bool isAtRest = false;               // directions are held at its end that were not before
+    // The model begins anew at its end: directions are held that were not before, or a contact
+    // changes shortly after.
+    bool endsAnew = false;
 };
 struct SwitchAtOnce { // before any time goes on
     Violation violation;
@@ -89,6 +91,11 @@ struct StepContext {
     [[nodiscard]] Ending endingOf(std::vector<std::size_t> contradictory) const;
     [[nodiscard]] std::string names(const std::vector<std::size_t>& places) const;
 };
+
+// Shortly before t, in a step from `origin`: near its beginning the polynomial of a step errs by
+// next to nothing, and what is left of it is more than what a projection moves, so that what is at
+// t still lies ahead. Nothing: no time would be left.
+[[nodiscard]] std::optional<double> shortlyBefore(double t, double origin);
 
 class StepModel {
 public:
