@@ -228,13 +228,13 @@ for name, part, falls in (("grip_holds", 1 + 1e-9, False), ("grip_slides", 1 - 1
 
 # A seesaw whose heavier box goes down: both boxes stick, and all turns as one; a'' is integrated by many small steps of Runge and
 # Kutta. It falls on its end after 0.687 s and again, each box slips, flies and lands; at last it lies on its end.
-def seesaw_turns(t, count=20000):
+def seesaw_turns(t, start=0.0, count=20000):
     whole = 10 * (3 ** 2 + 0.06 ** 2) / 12 + 13 * (0.3 ** 2 / 6 + 1.2 ** 2 + 0.18 ** 2)
 
     def bends(turn):
         return G * (3 * 1.2 * math.cos(turn) + 13 * 0.18 * math.sin(turn)) / whole
 
-    turn, speed, h = 0.0, 0.0, t / count
+    turn, speed, h = start, 0.0, t / count
     for _ in range(count):
         k1 = bends(turn)
         k2 = bends(turn + h / 2 * speed)
@@ -246,13 +246,93 @@ def seesaw_turns(t, count=20000):
 
 
 lies = math.asin(0.5 / math.hypot(1.5, 0.03)) - math.atan2(0.03, 1.5)
-case("seesaw", "# zero: plank.y-0.5\nsimulator -finish 3\n" + FLOOR + "shape_set plank -desc {-sub {-box {3 0.06 0.4}}}\n"
-     "shape_set box -desc {-sub {-box {0.3 0.3 0.3}}}\nbody ground floor -fixed 1 -init_pos {0 -0.5 0} -friction 0.5\n"
-     "body plank plank -mass 10 -restitution 0 -friction 0.5 -init_pos {0 0.5 0}\njoint pivot -type hinge -body1 plank\n"
-     "body left box -mass 5 -restitution 0 -friction 0.5 -init_pos {-1.2 0.68 0}\n"
-     "body right box -mass 8 -restitution 0 -friction 0.5 -init_pos {1.2 0.68 0}\n" + gravity("plank", "left", "right"),
-     [(t, 2, math.sin(-seesaw_turns(t) / 2), "plank.qz") for t in (0.2, 0.4, 0.6)] +
-     [(t, 2, math.sin(-lies / 2), "plank.qz") for t in (1.5, 3)] + [(3, 2, math.sin(-lies / 2), b + ".qz") for b in ("left", "right")])
+
+
+def seesaw(name, high, times, lying):
+    """It starts with its right end up by that angle. `lying`: boxes that still lie on it at the end."""
+    c, s = math.cos(high), math.sin(high)
+    case(name, "# zero: plank.y-0.5\nsimulator -finish 3\n" + FLOOR + "shape_set plank -desc {-sub {-box {3 0.06 0.4}}}\n"
+         "shape_set box -desc {-sub {-box {0.3 0.3 0.3}}}\nbody ground floor -fixed 1 -init_pos {0 -0.5 0} -friction 0.5\n"
+         f"body plank plank -mass 10 -restitution 0 -friction 0.5 -init_pos {{0 0.5 0}} -init_rot {{0 0 {high}}}\njoint pivot -type hinge -body1 plank\n" +
+         "".join(f"body {box} box -mass {mass} -restitution 0 -friction 0.5 -init_pos {{{c * x - 0.18 * s!r} {0.5 + s * x + 0.18 * c!r} 0}} "
+                 f"-init_rot {{0 0 {high}}}\n" for box, mass, x in (("left", 5, -1.2), ("right", 8, 1.2))) + gravity("plank", "left", "right"),
+         [(t, 2, math.sin(-seesaw_turns(t, -high) / 2), "plank.qz") for t in times] +
+         [(t, 2, math.sin(-lies / 2), "plank.qz") for t in (2.2, 3)] + [(3, 2, math.sin(-lies / 2), b + ".qz") for b in lying])
+
+
+seesaw("seesaw", 0, (0.2, 0.4, 0.6), ("left", "right"))
+seesaw("seesaw_tilted", 0.2, (0.2, 0.4, 0.6, 0.8), ("right",))
+
+
+# A ladder slides down between smooth walls until the wall would have to pull, leaves it, lies down on the floor, and slides on. Its
+# middle is at L (cos, sin) + H (sin, cos) of its angle; own integration, as above.
+def ladder_falls(angle, times, finish, count=20000):
+    L, H, inertia = 1, 0.02, (2 ** 2 + 0.04 ** 2) / 12
+
+    def bends(turn, speed, leans):
+        c, s = math.cos(turn), math.sin(turn)
+        dx, dy, ddx, ddy = -L * s + H * c, L * c - H * s, -L * c - H * s, -L * s - H * c
+        whole, rest = inertia + dy * dy, dy * ddy
+        if leans:
+            whole, rest = whole + dx * dx, rest + dx * ddx
+        bend = -(rest * speed * speed + G * dy) / whole
+        return bend, dx * bend + ddx * speed * speed
+
+    turn, speed, x, along, leans, h, rows, t = angle, 0.0, L * math.cos(angle) + H * math.sin(angle), 0.0, True, finish / count, [], 0.0
+    for k in range(count + 1):
+        t = k * h
+        for at in times:
+            if abs(at - t) < h / 2:
+                rows.append((at, 3, x + (at - t) * along, "ladder.x"))
+                rows.append((at, 3, math.sin((math.pi - max(turn, 0)) / 2), "ladder.qz"))
+        if leans and bends(turn, speed, True)[1] < 0: # the wall would have to pull
+            leans = False
+        k1 = bends(turn, speed, leans)[0]
+        k2 = bends(turn + h / 2 * speed, speed + h / 2 * k1, leans)[0]
+        k3 = bends(turn + h / 2 * speed + h * h / 4 * k1, speed + h / 2 * k2, leans)[0]
+        k4 = bends(turn + h * speed + h * h / 2 * k2, speed + h * k3, leans)[0]
+        if turn > 0:
+            turn += h * speed + h * h * (k1 + k2 + k3) / 6
+            speed += h * (k1 + 2 * k2 + 2 * k3 + k4) / 6
+        if leans:
+            along = (-L * math.sin(turn) + H * math.cos(turn)) * speed
+            x = L * math.cos(turn) + H * math.sin(turn)
+        else:
+            x += h * along
+    return rows
+
+
+a = math.radians(45)
+case("ladder_falls", "simulator -finish 1\nshape_set floor -desc {-sub {-box {8 0.2 2}}}\nshape_set wall -desc {-sub {-box {0.2 4 2}}}\n"
+     "shape_set ladder -desc {-sub {-box {2 0.04 0.4}}}\nbody floor floor -fixed 1 -init_pos {3 -0.1 0}\nbody wall wall -fixed 1 -init_pos {-0.1 2 0}\n"
+     f"body ladder ladder -mass 10 -restitution 0 -init_pos {{{1.02 * math.cos(a)!r} {1.02 * math.sin(a)!r} 0}} -init_rot {{0 0 {math.pi - a!r}}}\n" +
+     gravity("ladder"), ladder_falls(a, (0.2, 0.3, 0.4, 0.5, 0.6, 1.0), 1.0))
+
+
+# A cradle of five balls on hinges: two that are drawn aside swing as one, touch all the time without a force, and two leave.
+def swings(angle, bend, t, count=20000):
+    speed, h = 0.0, t / count
+    for _ in range(count):
+        k1 = -bend * math.sin(angle)
+        k2 = -bend * math.sin(angle + h / 2 * speed)
+        k3 = -bend * math.sin(angle + h / 2 * speed + h * h / 4 * k1)
+        k4 = -bend * math.sin(angle + h * speed + h * h / 2 * k2)
+        angle += h * speed + h * h * (k1 + k2 + k3) / 6
+        speed += h * (k1 + 2 * k2 + 2 * k3 + k4) / 6
+    return angle
+
+
+def cradle_of_two(t):
+    ball, rod = 4 / 3 * math.pi * 0.05 ** 3, math.pi * 0.004 ** 2 * 0.5
+    whole = ball * (0.5 ** 2 + 0.4 * 0.05 ** 2) + rod * (0.25 ** 2 + (3 * 0.004 ** 2 + 0.5 ** 2) / 12)
+    turned = swings(-0.6, G * (ball * 0.5 + rod * 0.25) / whole, t)
+    return [(t, 2, 0.1 * k + 0.5 * math.sin(min(turned, 0) if k < 2 else max(turned, 0) if k > 2 else 0), f"b{k}.px(0,0,0)") for k in range(5)]
+
+
+case("cradle_of_two", "simulator -finish 0.7\nshape_set ball -desc {-sub {-sphere 0.05} -sub {-pos {0 0.25 0} -cylinder {0.004 0.5}}}\n" +
+     "".join(f"body b{k} ball -init_pos {{{0.1 * k + 0.5 * math.sin(a)!r} {-0.5 * math.cos(a)!r} 0}} -init_rot {{0 0 {a}}}\njoint h{k} -type hinge -body1 b{k} -offset1 {{0 0.5 0}}\n"
+             for k, a in enumerate((-0.6, -0.6, 0, 0, 0))) + gravity(*(f"b{k}" for k in range(5))),
+     [row for t in (0.2, 0.5, 0.7) for row in cradle_of_two(t)])
 
 
 def main():

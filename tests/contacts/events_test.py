@@ -43,6 +43,13 @@ body b s -mass 1 -init_pos {0 0.25 0} -restitution 0.9
 force -body b -gravitational {0 -9.81 0}
 force -body b -y {t < 60 ? 1.1*sign(b.dy) : 0}
 """
+BRICK = """simulator -finish 2
+shape_set floor -desc {-sub {FLOOR}}
+shape_set brick -desc {-sub {-box {0.3 0.2 0.2}}}
+body ground floor -fixed 1 -friction 0.2
+body b brick -mass 1 -init_pos {0 0.5 0} -init_drot {0.3 0 -1} -restitution 0.5 -friction 0.2
+force -body b -gravitational {0 -9.81 0}
+"""
 # A spring that is four times as strong on the other side.
 SWINGS = """simulator -finish 4
 shape_set ball -desc {-sub {-sphere 0.1}}
@@ -78,13 +85,13 @@ def cases():
     yield "pair_bounces", contacts.CASES["pair_bounces"][0], [(falls, "impact", "ground a"), (falls, "impact", "ground b")]
 
 
-def events(scene, stops=False):
+def events(scene, stops=False, accuracy="1e-9"):
     """The list; `stops`: the motion ends with a sentence and exit code 1."""
     with tempfile.TemporaryDirectory() as folder:
         base = os.path.join(folder, "scene")
         with open(base + ".al", "w", encoding="utf-8") as file:
             file.write(scene)
-        run = subprocess.run([sys.argv[1], "simulate", base + ".al", "--csv", base + ".csv", "--events", base + ".events", "--accuracy", "1e-9"],
+        run = subprocess.run([sys.argv[1], "simulate", base + ".al", "--csv", base + ".csv", "--events", base + ".events", "--accuracy", accuracy],
                              capture_output=True, text=True, check=False)
         if run.returncode != (1 if stops else 0) or ("Stopped at" in run.stderr) != stops:
             raise RuntimeError(f"exit code {run.returncode}: {run.stderr}")
@@ -123,6 +130,16 @@ def check_growing_hops():
     return 0 if good else 1
 
 
+def check_half_space():
+    """A brick that rattles down hops as often on a half space as on a slab: how low a hop no longer counts is of the smaller body."""
+    hops = [sum(row["kind"] == "impact" for row in events(BRICK.replace("FLOOR", floor), accuracy="1e-4"))
+            for floor in ("-plane", "-pos {0 -0.5 0} -box {9 1 9}")]
+    if hops[0] != hops[1] or not hops[0]:
+        print(f"FAIL a brick on a half space and on a slab: {hops} impacts")
+        return 1
+    return 0
+
+
 def check_finish():
     """A seesaw strikes the floor just before the end: the step that is ended before the blow is taken up again."""
     with tempfile.TemporaryDirectory() as folder:
@@ -140,7 +157,7 @@ def check_finish():
 
 
 def main():
-    faults = check_hops() + check_growing_hops() + check_finish()
+    faults = check_hops() + check_growing_hops() + check_half_space() + check_finish()
     for name, scene, expected in cases():
         found = events(scene, stops=name == "painleve")
         listed = [(float(row["time"]), row["kind"], row["names"]) for row in found]

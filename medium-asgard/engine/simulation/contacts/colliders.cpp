@@ -16,6 +16,11 @@ Colliders::Colliders(const scene::Scene& ofScene, const physics::EquationsOfMoti
         moving.emplace_back(records[body], shapes[body]);
 }
 
+double Colliders::smallerRadius(const Pair& pair) const {
+    const double first = records[pair.first].radius, second = records[pair.second].radius;
+    return first > 0 && second > 0 ? std::min(first, second) : std::max(first, second);
+}
+
 Pair Colliders::bodyAndSupport(const Pair& pair) const {
     const auto rank = [this](std::size_t body) {
         return std::tuple(isFixed(body), !isBall(body), records[body].radius, body);

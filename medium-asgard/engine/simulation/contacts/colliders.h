@@ -38,6 +38,8 @@ struct Colliders {
         return pairs.restitutionOf(pair.first, pair.second);
     }
 
+    // Of the smaller one's shape about its centre of mass. A half space is never that.
+    [[nodiscard]] double smallerRadius(const Pair& pair) const;
     // Of two in a contact that lasts the rounder, then the smaller one is the body.
     [[nodiscard]] Pair bodyAndSupport(const Pair& pair) const;
     // Coulomb's law of the pair.

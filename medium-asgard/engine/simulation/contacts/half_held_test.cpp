@@ -1,6 +1,6 @@
 // Bodies of which trajectories hold a part: what blows and weights do to the rest. Against impulses
 // worked out by hand, and against rigid bodies that tip about a fixed place.
-#include "simulation/testing.h"
+#include "contacts/held_level_testing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,11 +27,6 @@ scene::Constraint& alsoHold(SceneBuilder& b, scene::Held held) {
     constraint.held = held;
     b.scene.constraints.push_back(constraint);
     return b.scene.constraints.back();
-}
-
-void expectNoStops(const Result& result, const scene::Scene& scene) {
-    for (std::size_t i = 0; i < scene.bodies.size(); ++i)
-        EXPECT_FALSE(result.motion->stop(i)) << result.motion->stop(i)->sentence;
 }
 
 // j (1/m + a^2/I) = (1 + e) v

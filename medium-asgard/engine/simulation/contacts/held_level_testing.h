@@ -1,4 +1,5 @@
-// For tests: a body that a trajectory holds in place and that loads and blows are not to turn.
+// For tests: a body that a trajectory holds in place and that loads and blows are not to turn, and
+// motions that go on.
 #pragma once
 
 #include "simulation/testing.h"
@@ -16,6 +17,11 @@ inline void holdLevel(SceneBuilder& b, const std::string& body, double from, dou
     attitude.trajectory = level.name;
     attitude.held = scene::Held::attitude;
     b.scene.constraints.push_back(attitude);
+}
+
+inline void expectNoStops(const Result& result, const scene::Scene& scene) {
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+        EXPECT_FALSE(result.motion->stop(i)) << result.motion->stop(i)->sentence;
 }
 
 } // namespace simulation::testing

@@ -39,8 +39,7 @@ RestingBodies::States leaving(const Instant& at, std::size_t body, const Rest& r
 bool isStill(const Instant& at, const ImpactCluster& cluster,
              std::span<const physics::ImpactBody> bodies) {
     const auto isNone = [&](const physics::ImpactContact& contact) {
-        const auto [a, b] = cluster.pairOf(contact);
-        const double size = std::min(at.world.records[a].radius, at.world.records[b].radius);
+        const double size = at.world.smallerRadius(cluster.pairOf(contact));
         return closingAt(contact, bodies).rate >= -resolution::noRate * size;
     };
     return std::ranges::all_of(cluster.contacts, isNone) &&
@@ -81,7 +80,9 @@ CollisionSource::Handled CollisionSource::handle(const Histories& histories, con
     }
     if (const auto sentence = unmodelledOf(now, pair))
         return {end(now, pair, *sentence)};
-    if (hit.isLost) {
+    if (hit.isLost) { // they touch for long, whether anything presses them together or not
+        if (auto event = press(now, pair))
+            return {std::move(event)};
         const bool bothGiveWay = now.canGiveWay(pair.first) && now.canGiveWay(pair.second);
         return {end(now, pair, sentences::lost(world_, pair, bothGiveWay))};
     }
@@ -271,7 +272,7 @@ CollisionSource::contactsBetween(const Instant& at, const Pair& pair,
     const TouchLimits limits{
         .gap = std::min(world_.resolution[first].gap, world_.resolution[second].gap),
         .slow = std::max(resolution::atRest * std::max({entering, speedOf(a), speedOf(b)}),
-                         resolution::noRate * std::min(a.record->radius, b.record->radius)),
+                         resolution::noRate * world_.smallerRadius(pair)),
         .wereInContact = resting_.contacts().areIn(first, second),
         .isStart = at.time == world_.start,
         .plane = plane};

@@ -80,14 +80,14 @@ bool FlightView::isLastHop(const Present& first, const Present& second, const Ve
                         (second.flight ? 2 * normal.dot(second.flight->half) : 0);
     if (!(push < 0))
         return false;
-    double radius = solution::infinity, reach = 0, lowest = solution::infinity;
+    double reach = 0, lowest = solution::infinity;
     for (const Present* one : {&first, &second}) {
         if (!world.records[one->body].isFixed)
             lowest = std::min(lowest, world.resolution[one->body].hopHeight);
-        radius = std::min(radius, world.records[one->body].radius);
         reach += world.records[one->body].radius + (one->flight ? one->ball.centre.norm() : 0);
     }
-    return speed * speed / (-2 * push) < 2 * lastHopHeight(lowest, radius, reach);
+    return speed * speed / (-2 * push) <
+           2 * lastHopHeight(lowest, world.smallerRadius({first.body, second.body}), reach);
 }
 
 std::optional<Push> FlightView::pushOf(const Present& first, const Present& second,

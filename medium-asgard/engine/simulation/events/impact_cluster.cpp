@@ -166,7 +166,7 @@ private:
         add(contact.point, contact.normal,
             {at_.world.moving[a_].shape().parts[contact.firstPart].radius,
              at_.world.moving[b_].shape().parts[contact.secondPart].radius});
-        const double size = std::min(at_.world.records[a_].radius, at_.world.records[b_].radius);
+        const double size = at_.world.smallerRadius({a_, b_});
         const std::vector<Vector> corners = inPlane(contact.patch, plane_, size);
         if (corners.size() < contact.patch.size()) {
             cluster_.contacts.back().normal = flat(contact.normal);

@@ -51,7 +51,7 @@ double pushAt(const Instant& at, const ImpactCluster& cluster, const ImpactConta
 Hop hopOf(const Instant& at, const ImpactCluster& cluster, const ImpactContact& contact,
           const std::array<double, 2>& radii, std::span<const ImpactBody> bodies) {
     const double push = pushAt(at, cluster, contact, radii, bodies);
-    double approach = 0, speed = 0, radius = infinity, reach = 0, lowest = infinity;
+    double approach = 0, speed = 0, reach = 0, lowest = infinity;
     for (const auto& [index, sign] :
          {std::pair{contact.first, 1.0}, std::pair{contact.second, -1.0}}) {
         const std::size_t body = cluster.bodies[index];
@@ -59,13 +59,13 @@ Hop hopOf(const Instant& at, const ImpactCluster& cluster, const ImpactContact& 
         const Vector velocity = bodies[index].velocity + bodies[index].angularVelocity.cross(arm);
         approach += sign * contact.normal.dot(velocity);
         speed += bodies[index].velocity.norm() + bodies[index].angularVelocity.norm() * arm.norm();
-        radius = std::min(radius, at.world.records[body].radius);
         if (!at.world.records[body].isFixed)
             lowest = std::min(lowest, at.world.resolution[body].hopHeight);
         reach += at.world.records[body].radius + bodies[index].centre.norm();
     }
     if (contact.isResting || !(approach < -collision::approachThreshold * speed))
         return {};
+    const double radius = at.world.smallerRadius(cluster.pairOf(contact));
     const double slack =
         at.resting.slack(cluster.bodies[contact.first], cluster.bodies[contact.second]);
     lowest = lastHopHeight(lowest, radius, reach, slack);
