@@ -8,6 +8,7 @@
 
 namespace authoring {
 
+using manuscript::Direction;
 using schemas::ContainerRole;
 using schemas::Display;
 
@@ -22,15 +23,19 @@ std::unique_ptr<Piece> madeImage(const std::string& name, const NewImage& image)
     return Draft::made(name, attributes);
 }
 
-// In a figure of its own, with its caption; null: none may stand there.
+// In a figure of its own, with its caption; null: none may stand there. Who stood at the end of a
+// line writes on behind the figure.
 Piece* putFigure(Draft& draft, const std::string& name, const NewImage& image) {
     const std::string figure(draft.grammar().named(ContainerRole::figure));
     const std::string caption(draft.grammar().named(ContainerRole::caption));
     if (figure.empty() || !draft.grammar().mayHold(figure, name))
         return nullptr;
+    const bool isAtEnd = draft.isLineBlank(draft.first(), Direction::forward);
     Piece* made = putBlock(draft, draft.first(), Draft::made(figure));
     if (made == nullptr)
         return nullptr;
+    if (Piece* line = isAtEnd ? paragraphBehind(draft, *made) : nullptr)
+        Draft::moveTo(draft.first(), *line, 0);
     Piece& picture = Draft::put(*made, 0, madeImage(name, image));
     if (!image.caption.empty() && draft.grammar().mayHold(figure, caption)) {
         Piece& line = Draft::put(*made, 1, Draft::made(caption));
@@ -51,11 +56,12 @@ Result insertImage(const Manuscript& manuscript, Selection selection, const NewI
     if (name.empty())
         return refused(QStringLiteral("This class of documents has no images."));
     Piece* made = image.isInLine ? nullptr : putFigure(draft, name, image);
-    if (made == nullptr)
+    if (made == nullptr) {
         made = putInLine(draft, draft.first(), madeImage(name, image));
-    if (made == nullptr)
-        return refused(QStringLiteral("An image may not stand here."));
-    Draft::moveTo(draft.first(), *made->parent, made->index() + 1);
+        if (made == nullptr)
+            return refused(QStringLiteral("An image may not stand here."));
+        Draft::moveTo(draft.first(), *made->parent, made->index() + 1);
+    }
     draft.collapse();
     return draft.result(QStringLiteral("Image"));
 }

@@ -1,5 +1,6 @@
 // Footnotes, figures, formulas, references and values come in; text and structure are pasted.
 #include "authoring/command_testing.h"
+#include "authoring/images.h"
 
 namespace authoring {
 namespace {
@@ -162,6 +163,17 @@ TEST(Inserting, Formulas) {
     EXPECT_EQ(memo("<P><FORMULA>{x|y}</FORMULA></P>", changed),
               "<P><FORMULA>{z\\}}</FORMULA>|</P>");
     EXPECT_EQ(memo("<P><FORMULA>|</FORMULA></P>", changed), "<P><FORMULA>{z\\}}</FORMULA>|</P>");
+}
+
+TEST(Inserting, BehindAnImageOneWritesOn) {
+    const auto image = [](const Manuscript& manuscript, Selection selection) {
+        return insertImage(manuscript, selection, {.file = "x.png"});
+    };
+    const std::string figure = "<FIGURE><IMAGE FILE=\"x.png\"></IMAGE></FIGURE>";
+    EXPECT_EQ(memo("<P>{a|}</P>", image), "<P>{a}</P>\n" + figure + "\n<P>{|}</P>");
+    EXPECT_EQ(memo("<P>{|}</P>", image), figure + "\n<P>{|}</P>");
+    EXPECT_EQ(memo("<P>{|a}</P>", image), figure + "\n<P>{|a}</P>");
+    EXPECT_EQ(memo("<P>{a|b}</P>", image), "<P>{a}</P>\n" + figure + "\n<P>{|b}</P>");
 }
 
 TEST(Inserting, ReferencesNameTheirTargets) {

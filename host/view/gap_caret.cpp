@@ -109,6 +109,38 @@ bool pressGap(const DocumentView& view, QPointF point) {
     return false;
 }
 
+namespace {
+
+// A block that has no line for a caret, as a figure of an image, is passed: to the gap or the text
+// beyond, or behind the block that ends the document.
+std::optional<std::size_t> beyondGap(const DocumentView& view, std::size_t gap, Direction to) {
+    const manuscript::Manuscript in = view.writing().manuscript();
+    const sgml::Tree& tree = view.document().document().tree();
+    const bool isBack = to == Direction::backward;
+    const manuscript::Sides sides = manuscript::sidesOf(in, gap);
+    const text::Range block = tree.node(isBack ? sides.before : sides.behind).range;
+    const std::optional<std::size_t> next = manuscript::place(in, gap, to);
+    if (!next || !block.contains(*next))
+        return next;
+    const places::Carets carets(view.pages(), tree);
+    const std::size_t end = isBack ? block.from : block.to;
+    // The figure itself has no line, its caption has one.
+    for (const auto& inside :
+         {next, manuscript::place(in, end, isBack ? Direction::forward : Direction::backward)}) {
+        const auto caret = carets.of(inside.value_or(end), view.text().cursor().page());
+        if (caret && block.contains(carets.placeOf(*caret)))
+            return inside;
+    }
+    if (const auto another = manuscript::gapBeside(in, *next, to))
+        return another;
+    const auto beyond = manuscript::place(in, end, to);
+    if (beyond && !block.contains(*beyond))
+        return beyond;
+    return isBack ? next : block.to;
+}
+
+} // namespace
+
 bool leaveGap(const DocumentView& view, int key) {
     const std::optional<document::Selection> at = view.text().cursor().selection();
     const manuscript::Manuscript in = view.writing().manuscript();
@@ -116,21 +148,27 @@ bool leaveGap(const DocumentView& view, int key) {
     const bool isOn = key == Qt::Key_Down || key == Qt::Key_Right || key == Qt::Key_Delete;
     if (!at || !at->isEmpty() || (!isBack && !isOn) || !manuscript::isGap(in, at->caret))
         return false;
-    const auto next =
-        manuscript::place(in, at->caret, isBack ? Direction::backward : Direction::forward);
+    const Direction to = isBack ? Direction::backward : Direction::forward;
+    const bool erases = key == Qt::Key_Backspace || key == Qt::Key_Delete;
+    const std::optional<std::size_t> next =
+        erases ? manuscript::place(in, at->caret, to) : beyondGap(view, at->caret, to);
     if (next)
         view.text().cursor().set({*next, *next});
     return true;
 }
 
 bool enterGap(const DocumentView& view, int key, std::size_t before, std::size_t after) {
+    const manuscript::Manuscript in = view.writing().manuscript();
     const bool isSideways = key == Qt::Key_Left || key == Qt::Key_Right;
-    const bool isForward = isSideways && after != before
+    // Into or out of a footnote, which stands elsewhere in the document.
+    const bool leavesFlow = manuscript::everything(in, before) != manuscript::everything(in, after);
+    const bool isForward = isSideways && after != before && !leavesFlow
                                ? after > before
                                : key == Qt::Key_Down || key == Qt::Key_Right;
-    const auto gap = manuscript::gapBeside(view.writing().manuscript(), before,
-                                           isForward ? Direction::forward : Direction::backward);
-    const bool isPassed = gap && (after == before || (isForward ? after >= *gap : after <= *gap));
+    const auto gap =
+        manuscript::gapBeside(in, before, isForward ? Direction::forward : Direction::backward);
+    const bool isPassed =
+        gap && (after == before || leavesFlow || (isForward ? after >= *gap : after <= *gap));
     if (isPassed)
         view.text().cursor().set({*gap, *gap});
     return isPassed;

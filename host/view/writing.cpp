@@ -385,6 +385,9 @@ bool Writing::useKey(const QKeyEvent& event) {
         return true; // there was nothing to cut or paste
     constexpr auto others = Qt::ShiftModifier | Qt::ControlModifier | Qt::AltModifier;
     if (!(event.modifiers() & others) && leaveGap(view_, event.key())) {
+        const std::optional<authoring::Selection> at = selection();
+        if (at && at->caret > manuscript::everything(manuscript(), at->caret).caret)
+            goBehindEnd();
         hand_.showCaret();
         return true;
     }

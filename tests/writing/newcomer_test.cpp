@@ -196,6 +196,30 @@ TEST_F(NewcomerTest, ArrowsAndAClickLeadBehindWhatEndsTheDocument) {
     isLeft("<VERBATIM>{code}</VERBATIM>\n", "code", [&] { press(Qt::Key_Down); });
 }
 
+TEST_F(NewcomerTest, ArrowsPassAFigureWithoutWords) {
+    const QByteArray image = "<FIGURE><IMAGE FILE=\"none.png\"></IMAGE></FIGURE>\n";
+    const QByteArray text = "<PARAGRAPH><TEXT>{One}</TEXT><FOOTNOTE>{Note}</FOOTNOTE></PARAGRAPH>\n"
+                            "<VERBATIM>{code}</VERBATIM>\n";
+    for (const Qt::Key key : {Qt::Key_Down, Qt::Key_Right}) {
+        write(text + image + image);
+        const std::string before = body();
+        const auto typedAfter = [&](int presses) {
+            goTo("}</VERBATIM>");
+            for (int i = 0; i < presses; ++i)
+                press(key);
+            type("n");
+            const std::string typed = body();
+            while (document().canUndo())
+                document().undo();
+            return typed;
+        };
+        const std::string made = "<PARAGRAPH>{n}</PARAGRAPH>\n";
+        EXPECT_THAT(typedAfter(1), HasSubstr("</VERBATIM>\n" + made + "<FIGURE>"));
+        EXPECT_THAT(typedAfter(2), HasSubstr("</FIGURE>\n" + made + "<FIGURE>"));
+        EXPECT_EQ(typedAfter(3), before + made);
+    }
+}
+
 TEST_F(NewcomerTest, ArrowsAtTheEndsOfTextChangeNothing) {
     write("<TABLE><ROW><CELL>{a}</CELL><CELL>{b}</CELL></ROW></TABLE>\n" + paragraph("One"));
     const std::string before = body();
