@@ -174,12 +174,13 @@ TEST_F(AccessibleTest, AKeyIsToldAsItsLetterAndReadsItsParagraphAlone) {
     press(Qt::Key_Down);
     EXPECT_THAT(heard, ::testing::Contains("focus"));
     heard.clear();
+    // Of 400 paragraphs not all may be laid out at once: what takes longer follows.
+    const auto isHeard = [](const char* word) { return std::ranges::count(heard, word) > 0; };
     press(Qt::Key_Return);
-    EXPECT_THAT(heard, ::testing::Contains("new"));
-    EXPECT_THAT(heard, ::testing::Contains("focus"));
+    EXPECT_TRUE(waitFor([&] { return isHeard("new") && isHeard("focus"); }));
     heard.clear();
     document().undo();
-    EXPECT_THAT(heard, ::testing::Contains("gone"));
+    EXPECT_TRUE(waitFor([&] { return isHeard("gone"); }));
 }
 
 TEST_F(AccessibleTest, ALineIsTheOneOfThePage) {
