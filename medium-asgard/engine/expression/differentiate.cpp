@@ -2,6 +2,7 @@
 
 #include "expression/node_map.h"
 #include "expression/operation.h"
+#include "expression/rate_along.h"
 
 #include <algorithm>
 #include <array>
@@ -226,6 +227,36 @@ std::vector<std::vector<Partial>> gradients(Graph& graph, std::span<const Node> 
         rows.emplace_back(row.begin(), row.end());
     }
     return rows;
+}
+
+std::vector<Node> ratesAlong(Graph& graph, std::span<const Node> roots,
+                             std::span<const Node> symbols, std::span<const Node> rates) {
+    const Node zero = graph.constant(0);
+    ChainRule chainRule(graph);
+    NodeMap<Node> made; // absent: 0
+    for (std::size_t i = 0; i < symbols.size(); ++i)
+        made.insert(symbols[i], rates[i]);
+    for (const Node n : reachable(graph, roots)) {
+        std::array<Node, 3> d{zero, zero, zero};
+        bool changes = false;
+        const auto arguments = graph.arguments(n);
+        for (std::size_t k = 0; k < arguments.size(); ++k)
+            if (const Node* const of = made.find(arguments[k])) {
+                d[k] = *of;
+                changes = true;
+            }
+        if (!changes)
+            continue;
+        const Node rate = chainRule(n, std::span(d).first(arguments.size()));
+        if (rate != zero)
+            made.insert(n, rate);
+    }
+    std::vector<Node> found;
+    for (const Node root : roots) {
+        const Node* const rate = made.find(root);
+        found.push_back(rate ? *rate : zero);
+    }
+    return found;
 }
 
 // What holds nothing that is replaced stays the node that it is.

@@ -1,5 +1,6 @@
 #include "expression/graph.h"
 
+#include "expression/rate_along.h"
 #include "expression/testing.h"
 
 #include <gtest/gtest.h>
@@ -236,6 +237,18 @@ TEST(Graph, DepthDoesNotExhaustTheStack) {
     EXPECT_NE(differentiate(graph, sum, x), graph.constant(0));
     EXPECT_EQ(symbolsOf(graph, std::span(&sum, 1)).size(), 1u);
     EXPECT_NE(substitute(graph, sum, {{x.index, graph.symbol("y")}}), sum);
+}
+
+TEST(Gradients, HaveOneRateAlongAWay) {
+    Graph graph;
+    const Node roots[] = {parsed(graph, "sin(x*y) + z"), parsed(graph, "7"), parsed(graph, "z")};
+    const Node symbols[] = {graph.symbol("x"), graph.symbol("y")};
+    const Node rates[] = {graph.symbol("u"), graph.constant(1)};
+    const auto along = ratesAlong(graph, roots, symbols, rates);
+    ASSERT_EQ(along.size(), 3u);
+    EXPECT_EQ(print(graph, along[0]), "cos(x*y)*(u*y + x)");
+    EXPECT_EQ(along[1], graph.constant(0));
+    EXPECT_EQ(along[2], graph.constant(0)); // z does not change
 }
 
 // The rows of a Jacobian are the derivatives one by one; what roots share is derived once.

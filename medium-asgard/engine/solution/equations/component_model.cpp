@@ -316,17 +316,21 @@ void ComponentModel::deriveConditions() {
 
     const std::span<const Node> slopes = std::span(outputs_).first(symbols_.states);
     const auto pushes = expression::gradients(graph, slopes, multipliers);
-    const auto ofStates = expression::gradients(graph, slopes, states);
+    std::vector<Node> configuration; // rates of places and attitudes: velocities' are long
+    for (const std::size_t i : structure_.configuration)
+        configuration.push_back(slopes[i]);
+    const auto ofStates = expression::gradients(graph, configuration, states);
     for (std::size_t i = 0; i < symbols_.states; ++i)
         for (const auto& [column, derivative] : pushes[i]) {
             add(conditions_.pushes, i, column);
             moves.push_back(derivative);
         }
-    for (const std::size_t i : structure_.configuration) {
+    for (std::size_t place = 0; place < configuration.size(); ++place) {
+        const std::size_t i = structure_.configuration[place];
         std::vector<std::optional<Node>> shift(count);
         for (const auto& [column, push] : pushes[i]) // a condition of first order
             shift[column] = push;
-        for (const auto& [k, derivative] : ofStates[i])
+        for (const auto& [k, derivative] : ofStates[place])
             for (const auto& [column, push] : pushes[k]) {
                 const Node part = graph.multiply(derivative, push);
                 shift[column] = shift[column] ? graph.add(*shift[column], part) : part;

@@ -76,8 +76,9 @@ private:
     std::vector<std::uint32_t> starts_, list_;
 };
 
-template <class Visit> void eachNodeOf(const expression::Unknown& unknown, const Visit& visit) {
-    for (const expression::Phase& phase : unknown.phases) {
+template <class Visit>
+void eachNodeOf(std::span<const expression::Phase> phases, const Visit& visit) {
+    for (const expression::Phase& phase : phases) {
         visit(phase.derivative.index);
         if (phase.given)
             visit(phase.given->index);
@@ -141,7 +142,7 @@ struct ZeroStates::Readers {
                 }),
           unknowns(set.graph.size(), [&](auto&& visit) {
               for (std::uint32_t u = 0; u < set.unknowns.size(); ++u)
-                  eachNodeOf(set.unknowns[u], [&](std::uint32_t node) { visit(node, u); });
+                  eachNodeOf(set.unknowns[u].phases, [&](std::uint32_t node) { visit(node, u); });
           }) {}
 };
 
@@ -231,9 +232,11 @@ void ZeroStates::grow(const Graph& graph, std::uint32_t until) {
     }
 }
 
-void ZeroStates::learn(const expression::Unknown& unknown, std::size_t u) {
+// Of earlier phases it has learnt already.
+void ZeroStates::learn(const expression::Unknown& unknown, double from, std::size_t u) {
     const auto number = static_cast<std::uint32_t>(u);
-    eachNodeOf(unknown, [&](std::uint32_t node) {
+    eachNodeOf(phasesFrom(unknown, from), [&](std::uint32_t node) {
+        ++looks_;
         bool isKnown = false;
         eachUnknown(node, [&](std::uint32_t known) { isKnown = isKnown || known == number; });
         if (!isKnown)
@@ -268,7 +271,7 @@ std::vector<std::size_t> ZeroStates::wake(const expression::EquationSet& set, do
     grow(set.graph, static_cast<std::uint32_t>(set.graph.size()));
     std::vector<std::size_t> awake(roused.begin(), roused.end());
     for (const std::size_t u : changed) {
-        learn(set.unknowns[u], u);
+        learn(set.unknowns[u], from, u);
         if (zero_[u] &&
             (!isFree(set.unknowns[u], from) || hasRateBesides(set.unknowns[u], from, nodeZero_)))
             awake.push_back(u);

@@ -64,7 +64,7 @@ private:
     template <class Visit> void eachReader(std::uint32_t node, const Visit& visit) const;
     template <class Visit> void eachUnknown(std::uint32_t node, const Visit& visit) const;
     void grow(const expression::Graph& graph, std::uint32_t until);
-    void learn(const expression::Unknown& unknown, std::size_t u);
+    void learn(const expression::Unknown& unknown, double from, std::size_t u);
     [[nodiscard]] std::vector<std::size_t> spread(const expression::EquationSet& set, double from,
                                                   std::vector<std::size_t> awake);
 
