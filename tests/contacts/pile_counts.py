@@ -39,6 +39,16 @@ def struck(ball, finish):
     return "\n".join(lines) + "\n"
 
 
+def two_cubes(finish):
+    """Two tilted cubes with the friction of a new scene, dropped on each other."""
+    lines = [f"simulator -finish {finish!r} -accuracy 1e-3", "shape_set floor -desc {-sub {-plane}}",
+             "shape_set cube -desc {-sub {-box {1 1 1}}}", "body floor floor -fixed 1 -friction 0.3 -restitution 0"]
+    for k, (place, turn) in enumerate((("0 1.5 0", "0.3 0.2 0.4"), ("0.3 3.2 0.1", "0.1 0.5 -0.4"))):
+        lines.append(f"body b{k} cube -friction 0.3 -restitution 0 -init_pos {{{place}}} -init_rot {{{turn}}}")
+        lines.append(f"force -body b{k} -gravitational {{0 -9.81 0}}")
+    return "\n".join(lines) + "\n"
+
+
 CASES = [
     ("ten boxes at rest", stack(10, 0), {"steps": 30, "rejected_steps": 0, "evaluations": 600, "collisions": 0}),
     ("ten boxes that fall on each other", stack(10, 0.05), {"steps": 60, "rejected_steps": 10, "evaluations": 1000}),
@@ -48,6 +58,8 @@ CASES = [
     ("a tray, edges on each other", pile(4, 0.55), {"steps": 6000, "collisions": 300}),
     # Where edges of two boxes are next to parallel, their crossing ended a contact at one instant without end.
     ("a stack that a ball hits", struck(2, 2), {"steps": 6000, "collisions": 300}),
+    # A corner beside a face and beneath its plane was looked at anew for each 1e-9 that it sank: no end was met.
+    ("two tilted cubes", two_cubes(1.0), {"steps": 8000, "collisions": 400}),
     # Velocities of 1e-34 hit each other without end.
     ("a wall that stands", pile(5, 0.1), {"steps": 200, "collisions": 20}),
 ]

@@ -1,5 +1,7 @@
 #include "physics/contact_rows.h"
 
+#include "expression/rate_along.h"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -189,7 +191,8 @@ std::vector<Node> ContactRows::landingsOf(const ContactPlace& place) {
         const Node reach =
             surfaces::lowest(landing.piece, poseOf(landing.body), terms(g_, up)).reach.node;
         const Node height = dot(g_, up, subtract(g_, at(landing.body, landing.piece.place), on));
-        heights.push_back(g_.add(g_.subtract(height, reach), g_.constant(landing.room)));
+        const Node lowest = g_.subtract(height, reach), room = g_.constant(landing.room);
+        heights.push_back(landing.isBeneath ? g_.subtract(room, lowest) : g_.add(lowest, room));
     }
     return heights;
 }
@@ -324,11 +327,30 @@ std::vector<ContactRows::Equation> ContactRows::velocities(std::span<const std::
     return equations;
 }
 
+// As along(), of rates: of the velocities, whose own rates are long, by one derivative each; of all
+// else together.
+std::vector<Node> ContactRows::secondRates(std::span<const Node> rates) {
+    std::vector<Node> velocities, others{set_.time}, ofVelocities, ofOthers{g_.constant(1)};
+    for (const Node symbol : symbolsOf(g_, rates))
+        if (const auto unknown = unknownOf_.find(symbol.index); unknown != unknownOf_.end()) {
+            const bool isVelocity = rates_.contains(unknown->second);
+            (isVelocity ? velocities : others).push_back(symbol);
+            (isVelocity ? ofVelocities : ofOthers).push_back(rateOf(unknown->second));
+        }
+    std::vector<Node> found = expression::ratesAlong(g_, rates, others, ofOthers);
+    const auto rows = gradients(g_, rates, velocities);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        for (const expression::Partial& partial : rows[i])
+            found[i] =
+                g_.add(found[i], g_.multiply(partial.derivative, ofVelocities[partial.symbol]));
+    return found;
+}
+
 std::vector<Phase> ContactRows::conditions() {
     std::vector<Node> rates;
     for (const Row& row : rows_)
         rates.push_back(row.rate);
-    const std::vector<Node> changing = along(rates);
+    const std::vector<Node> changing = secondRates(rates);
     std::vector<Phase> phases;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         Phase phase;

@@ -65,11 +65,13 @@ struct ContactPlace {
     double size = 1;                 // of the smaller part
     double leaving = 0;              // a gap that has opened so far is none
     // Pieces that are on their side of the plane of the first point; one that comes through it
-    // lands. Of a circle with a radius below 0 the far side is meant.
+    // lands. Of a circle with a radius below 0 the far side is meant. One that is beneath, beside
+    // the other's face, may come up again, and over the face.
     struct Landing {
         std::size_t body = 0;
         SurfacePiece piece;
         bool isAbove = true; // of the body, else below, of the support
+        bool isBeneath = false;
         double room = 0;
         std::optional<SurfaceGap> gap = {}; // in a hollow: that of the piece itself
     };
@@ -146,6 +148,7 @@ private:
     void addRow(const ContactPlace& place, Node multiplier, std::optional<Node> gap, Node rate,
                 expression::Condition condition);
     [[nodiscard]] std::vector<Node> along(std::span<const Node> values);
+    [[nodiscard]] std::vector<Node> secondRates(std::span<const Node> rates);
     [[nodiscard]] Twist byVelocityOf(Node value, const BodySymbols& body); // the derivatives
     [[nodiscard]] Node rateOf(std::size_t unknown) const;
     [[nodiscard]] const BodySymbols& symbols(std::size_t body) const {

@@ -2,14 +2,16 @@
 
 #include "complementarity/convex.h"
 #include "complementarity/solve.h"
+#include "geometry/patch_middle.h"
 
 #include <Eigen/QR>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <map>
+#include <utility>
 
 namespace physics {
 
@@ -18,28 +20,34 @@ namespace {
 // Surfaces that approach slower than this times the speeds that enter do not approach.
 constexpr double approachThreshold = 1e-12;
 
-// How a unit impulse along the contact's normal acts on one of its bodies.
+// How a unit impulse along a line acts on one of its bodies.
 struct Response {
     std::size_t body = 0;
-    Vector direction = Vector::Zero(); // of the impulse
-    Vector lever = Vector::Zero();
+    Vector linear = Vector::Zero(), angular = Vector::Zero(); // of the impulse, world axes
+    double reach = 0;                                         // from the centre to the point
     Vector velocity = Vector::Zero(), angularVelocity = Vector::Zero(); // that it gives
 };
 
-Response responseOf(const std::vector<ImpactBody>& bodies, std::size_t body, const Vector& point,
-                    const Vector& direction) {
+Response responseOf(const std::vector<ImpactBody>& bodies, std::size_t body, const Vector& linear,
+                    const Vector& angular) {
     const ImpactBody& b = bodies[body];
-    Response r;
-    r.body = body;
-    r.direction = direction;
-    r.lever = point - b.centre;
-    r.velocity = b.inverseMass * direction.cwiseProduct(b.moves);
+    return {.body = body,
+            .linear = linear,
+            .angular = angular,
+            .velocity = b.inverseMass * linear.cwiseProduct(b.moves),
+            .angularVelocity = b.inverseInertia * angular};
+}
+
+Response responseAt(const std::vector<ImpactBody>& bodies, std::size_t body, const Vector& point,
+                    const Vector& direction) {
+    const Vector& centre = bodies[body].centre;
+    const Vector lever = point - centre;
+    Vector turning = lever.cross(direction);
     // An impulse through the centre, up to rounding, turns nothing: a sphere's spin stays its own.
-    const double rounding = 1e-14 * r.lever.norm() + 1e-15 * (point.norm() + b.centre.norm());
-    if (r.lever.cross(direction).norm() <= rounding)
-        r.lever = r.lever.dot(direction) * direction;
-    else
-        r.angularVelocity = b.inverseInertia * r.lever.cross(direction);
+    if (turning.norm() <= 1e-14 * lever.norm() + 1e-15 * (point.norm() + centre.norm()))
+        turning.setZero();
+    Response r = responseOf(bodies, body, direction, turning);
+    r.reach = lever.norm();
     return r;
 }
 
@@ -119,37 +127,11 @@ private:
     Eigen::MatrixXd answer_;
 };
 
-// A stop that is closed: an impulse along it pushes all its bodies.
-struct Stop {
-    Stop(const std::vector<ImpactBody>& bodies, const ImpactRow& of) : row(of) {
-        for (const ImpactRow::Part& part : row.parts) {
-            const ImpactBody& body = bodies[part.body];
-            Response& by = responses.emplace_back();
-            by.body = part.body;
-            by.velocity = body.inverseMass * part.linear.cwiseProduct(body.moves);
-            by.angularVelocity = body.inverseInertia * part.angular;
-        }
-    }
-    [[nodiscard]] double speed(const std::vector<ImpactBody>& bodies) const {
-        double sum = 0;
-        for (const ImpactRow::Part& part : row.parts)
-            sum += part.linear.dot(bodies[part.body].velocity) +
-                   part.angular.dot(bodies[part.body].angularVelocity);
-        return sum;
-    }
-    // The speed that these velocities add.
-    [[nodiscard]] double effectOf(std::span<const Response> given) const {
-        double sum = 0;
-        for (const ImpactRow::Part& part : row.parts)
-            for (const Response& r : given)
-                if (r.body == part.body)
-                    sum += part.linear.dot(r.velocity) + part.angular.dot(r.angularVelocity);
-        return sum;
-    }
-
-    ImpactRow row;
+// Along which impulses act, on each of its bodies.
+struct Line {
     std::vector<Response> responses;
-    Eigen::VectorXd effect; // on the joints' conditions
+    Vector surface = Vector::Zero(); // of both, first less second, along themselves
+    Eigen::VectorXd effect = {};     // of a unit impulse on the joints' conditions
 };
 
 class Round {
@@ -158,27 +140,21 @@ public:
           std::span<const ImpactRow> joints)
         : bodies_(bodies), contacts_(contacts), joints_(bodies, joints) {
         for (const ImpactContact& c : contacts)
-            addLine(c, c.normal);
-        for (const ImpactContact& c : contacts) {
-            sliding_.push_back(lines_.size());
-            if (c.friction <= 0)
-                continue;
-            const Vector across = acrossOf(c.normal);
-            addLine(c, c.normal.cross(across));
-            addLine(c, across);
-        }
+            addLine(between(c, c.point, c.normal));
         for (const ImpactRow& row : joints)
-            if (row.isStop) {
-                stops_.emplace_back(bodies, row);
-                stops_.back().effect = joints_.effectOf(stops_.back().responses);
-            }
+            if (row.isStop)
+                addStop(row);
+        stops_ = lines_.size() - contacts.size();
     }
 
     // Of the surfaces at the contact along its normal; negative: they approach.
     [[nodiscard]] double speed(std::size_t i) const { return speedAlong(lines_[i]); }
     [[nodiscard]] bool approaches(std::size_t i) const {
-        return speed(i) <
-               -approachThreshold * (scaleOf(lines_[i].first) + scaleOf(lines_[i].second));
+        double scale = 0;
+        for (const Response& r : lines_[i].responses)
+            scale +=
+                bodies_[r.body].velocity.norm() + bodies_[r.body].angularVelocity.norm() * r.reach;
+        return speed(i) < -approachThreshold * scale;
     }
     [[nodiscard]] double fastest(std::span<const std::size_t> approaching) const {
         double most = 0;
@@ -191,52 +167,56 @@ public:
     // The speed along line i that a unit impulse along line j adds.
     [[nodiscard]] double mobility(std::size_t i, std::size_t j) const {
         double sum = 0;
-        for (const Response* a : {&lines_[i].first, &lines_[i].second})
-            for (const Response* b : {&lines_[j].first, &lines_[j].second})
-                if (a->body == b->body)
-                    sum += a->direction.dot(b->velocity) +
-                           a->lever.cross(a->direction).dot(b->angularVelocity);
+        for (const Response& a : lines_[i].responses)
+            for (const Response& b : lines_[j].responses)
+                if (a.body == b.body)
+                    sum += a.linear.dot(b.velocity) + a.angular.dot(b.angularVelocity);
         if (joints_.empty())
             return sum;
         constexpr double rounding = 1e-12; // of what joints hold altogether
-        const double left = sum + joints_.between(lines_[i].effects, lines_[j].effects);
+        const double left = sum + joints_.between(lines_[i].effect, lines_[j].effect);
         return i == j && left <= rounding * sum ? 0 : left;
     }
 
     struct Impulse {
         std::size_t line = 0;
         double size = 0;
-        bool isStop = false; // the line is a stop
     };
     // On the chosen contacts such that each parts at its restitution or more: first those along the
-    // normals, in order, then those on stops. None: there are none such.
+    // normals, in order, then those on stops. None: there are none such. Contacts of one patch are
+    // chosen one after the other.
     [[nodiscard]] std::vector<Impulse> impulses(const std::vector<std::size_t>& chosen,
-                                                double restitution) const {
+                                                double restitution) {
         std::vector<Impulse> found;
-        found.reserve(3 * chosen.size() + stops_.size());
+        found.reserve(3 * chosen.size() + stops_);
         for (const std::size_t c : chosen)
             found.push_back({c});
-        for (std::size_t s = 0; s < stops_.size(); ++s)
-            found.push_back({.line = s, .size = 0, .isStop = true});
+        for (std::size_t s = 0; s < stops_; ++s)
+            found.push_back({contacts_.size() + s});
         complementarity::Laws laws;
         for (std::size_t k = 0; k < found.size(); ++k)
             complementarity::addUnilateral(laws);
         const std::size_t withoutFriction = found.size();
-        for (std::size_t k = 0; k < chosen.size(); ++k)
-            if (const ImpactContact& contact = contacts_[chosen[k]]; contact.friction > 0) {
-                found.push_back({sliding_[chosen[k]]});
-                found.push_back({sliding_[chosen[k]] + 1});
-                complementarity::addFriction(laws, 2, static_cast<Eigen::Index>(k),
-                                             contact.friction);
+        for (std::size_t k = 0; k < chosen.size();) {
+            const auto patch = patchFrom(std::span(chosen).subspan(k));
+            if (const double friction = contacts_[patch[0]].friction; friction > 0) {
+                const Lines along = frictionOf(patch);
+                for (std::size_t i = 0; i < along.count; ++i)
+                    found.push_back({along.first + i});
+                complementarity::addFriction(laws, static_cast<Eigen::Index>(along.count),
+                                             static_cast<Eigen::Index>(k), friction,
+                                             static_cast<Eigen::Index>(patch.size()));
             }
+            k += patch.size();
+        }
         const auto n = static_cast<Eigen::Index>(found.size());
         Eigen::MatrixXd a(n, n);
         Eigen::VectorXd b(n);
         for (Eigen::Index i = 0; i < n; ++i) {
-            const Impulse& one = found[static_cast<std::size_t>(i)];
-            b[i] = wantedOf(one, restitution);
+            const std::size_t line = found[static_cast<std::size_t>(i)].line;
+            b[i] = wantedOf(line, restitution);
             for (Eigen::Index j = 0; j < n; ++j)
-                a(i, j) = mobility(one, found[static_cast<std::size_t>(j)]);
+                a(i, j) = mobility(line, found[static_cast<std::size_t>(j)].line);
         }
         const bool hasFriction = found.size() > withoutFriction;
         const auto answer = hasFriction ? complementarity::solve(a, b, laws)
@@ -251,70 +231,82 @@ public:
     [[nodiscard]] double energyOf(std::span<const Impulse> impulses) const {
         double sum = 0;
         for (const Impulse& one : impulses) {
-            sum += one.size *
-                   (one.isStop ? stops_[one.line].speed(bodies_) : speedAlong(lines_[one.line]));
+            sum += one.size * speed(one.line);
             for (const Impulse& other : impulses)
-                sum += one.size * mobility(one, other) * other.size / 2;
+                sum += one.size * mobility(one.line, other.line) * other.size / 2;
         }
         return sum;
     }
 
     void apply(const Impulse& impulse) {
-        if (impulse.isStop)
-            return applyToStop(impulse.line, impulse.size);
         const Line& line = lines_[impulse.line];
-        for (const Response* r : {&line.first, &line.second}) {
-            bodies_[r->body].velocity += impulse.size * r->velocity;
-            bodies_[r->body].angularVelocity += impulse.size * r->angularVelocity;
+        for (const Response& r : line.responses) {
+            bodies_[r.body].velocity += impulse.size * r.velocity;
+            bodies_[r.body].angularVelocity += impulse.size * r.angularVelocity;
         }
         if (!joints_.empty())
-            joints_.apply(impulse.size * line.effects, bodies_);
-    }
-    // The speed along the one that a unit impulse of the other adds.
-    [[nodiscard]] double mobility(const Impulse& one, const Impulse& other) const {
-        if (one.isStop && other.isStop)
-            return mobility(stops_[one.line], stops_[other.line]);
-        if (one.isStop || other.isStop)
-            return one.isStop ? mobility(stops_[one.line], other.line)
-                              : mobility(stops_[other.line], one.line);
-        return mobility(one.line, other.line);
+            joints_.apply(impulse.size * line.effect, bodies_);
     }
 
 private:
-    [[nodiscard]] double wantedOf(const Impulse& one, double restitution) const {
-        if (one.isStop)
-            return stops_[one.line].speed(bodies_);
-        const bool isNormal = one.line < contacts_.size();
-        return isNormal ? (1 + restitution * contacts_[one.line].restitution) * speed(one.line)
-                        : speedAlong(lines_[one.line]) + surfaceAlong(one.line);
+    [[nodiscard]] double wantedOf(std::size_t line, double restitution) const {
+        if (line < contacts_.size())
+            return (1 + restitution * contacts_[line].restitution) * speed(line);
+        const Line& of = lines_[line];
+        return speedAlong(of) + of.responses[0].linear.dot(of.surface);
     }
-    void applyToStop(std::size_t s, double impulse) {
-        for (const Response& r : stops_[s].responses) {
-            bodies_[r.body].velocity += impulse * r.velocity;
-            bodies_[r.body].angularVelocity += impulse * r.angularVelocity;
-        }
+    [[nodiscard]] Line between(const ImpactContact& c, const Vector& point,
+                               const Vector& direction) const {
+        return {.responses = {responseAt(bodies_, c.first, point, direction),
+                              responseAt(bodies_, c.second, point, -direction)}};
+    }
+    void addLine(Line line) {
         if (!joints_.empty())
-            joints_.apply(impulse * stops_[s].effect, bodies_);
-    }
-    [[nodiscard]] double mobility(const Stop& stop, std::size_t line) const {
-        const double sum = stop.effectOf(std::array{lines_[line].first, lines_[line].second});
-        return joints_.empty() ? sum : sum + joints_.between(stop.effect, lines_[line].effects);
-    }
-    [[nodiscard]] double mobility(const Stop& one, const Stop& other) const {
-        const double sum = one.effectOf(other.responses);
-        return joints_.empty() ? sum : sum + joints_.between(one.effect, other.effect);
-    }
-    struct Line { // along which impulses act
-        Response first, second;
-        Eigen::VectorXd effects; // of a unit impulse on the joints' conditions
-    };
-    void addLine(const ImpactContact& c, const Vector& direction) {
-        Line line{responseOf(bodies_, c.first, c.point, direction),
-                  responseOf(bodies_, c.second, c.point, -direction),
-                  {}};
-        if (!joints_.empty())
-            line.effects = joints_.effectOf(std::array{line.first, line.second});
+            line.effect = joints_.effectOf(line.responses);
         lines_.push_back(std::move(line));
+    }
+    void addStop(const ImpactRow& row) {
+        Line line;
+        for (const ImpactRow::Part& part : row.parts)
+            line.responses.push_back(responseOf(bodies_, part.body, part.linear, part.angular));
+        addLine(std::move(line));
+    }
+
+    // The first of these contacts, and those after it that are of its patch.
+    [[nodiscard]] std::span<const std::size_t>
+    patchFrom(std::span<const std::size_t> chosen) const {
+        const auto patch = contacts_[chosen[0]].patch;
+        std::size_t count = 1;
+        while (patch && count < chosen.size() && contacts_[chosen[count]].patch == patch)
+            ++count;
+        return chosen.first(count);
+    }
+    struct Lines {
+        std::size_t first = 0, count = 0;
+    };
+    // Two along the surfaces at the middle of these contacts, and one about their normal.
+    Lines frictionOf(std::span<const std::size_t> patch) {
+        const auto [place, isNew] = frictions_.try_emplace({patch.begin(), patch.end()});
+        Lines& lines = place->second;
+        if (!isNew)
+            return lines;
+        const ImpactContact& c = contacts_[patch[0]];
+        std::vector<Vector> points;
+        for (const std::size_t contact : patch)
+            points.push_back(contacts_[contact].point);
+        const geometry::PatchMiddle middle = geometry::middleOf(points, c.normal);
+        lines = {.first = lines_.size(), .count = middle.reach > 0 ? 3u : 2u};
+        const Vector across = acrossOf(c.normal);
+        for (const Vector& direction : {Vector(c.normal.cross(across)), across}) {
+            Line line = between(c, middle.centre, direction);
+            line.surface = c.surface;
+            addLine(std::move(line));
+        }
+        const Vector turning = middle.reach * c.normal;
+        if (lines.count > 2)
+            addLine({.responses = {responseOf(bodies_, c.first, Vector::Zero(), turning),
+                                   responseOf(bodies_, c.second, Vector::Zero(), -turning)}});
+        return lines;
     }
     // An axis of the world as nearly across as there is, made perpendicular.
     static Vector acrossOf(const Vector& normal) {
@@ -325,29 +317,20 @@ private:
         const Vector axis = Vector::Unit(best);
         return (axis - normal * normal.dot(axis)).normalized();
     }
-    [[nodiscard]] double surfaceAlong(std::size_t line) const {
-        const auto after = std::ranges::upper_bound(sliding_, line);
-        const auto contact = static_cast<std::size_t>(after - sliding_.begin()) - 1;
-        return lines_[line].first.direction.dot(contacts_[contact].surface);
-    }
     [[nodiscard]] double speedAlong(const Line& line) const {
-        return alongOf(line.first) + alongOf(line.second);
-    }
-    [[nodiscard]] double alongOf(const Response& r) const {
-        const ImpactBody& b = bodies_[r.body];
-        return r.direction.dot(b.velocity + b.angularVelocity.cross(r.lever));
-    }
-    [[nodiscard]] double scaleOf(const Response& r) const {
-        const ImpactBody& b = bodies_[r.body];
-        return b.velocity.norm() + b.angularVelocity.norm() * r.lever.norm();
+        double sum = 0;
+        for (const Response& r : line.responses)
+            sum += r.linear.dot(bodies_[r.body].velocity) +
+                   r.angular.dot(bodies_[r.body].angularVelocity);
+        return sum;
     }
 
     std::vector<ImpactBody>& bodies_;
     std::span<const ImpactContact> contacts_;
     JointResponse joints_;
-    std::vector<Line> lines_;          // of the contacts' normals, then those along surfaces
-    std::vector<std::size_t> sliding_; // by contact: the first of its two along the surface
-    std::vector<Stop> stops_;
+    std::vector<Line> lines_; // of the contacts' normals, then of stops, then of friction
+    std::size_t stops_ = 0;
+    std::map<std::vector<std::size_t>, Lines> frictions_; // by the contacts of a patch
 };
 
 // What approaches so much slower than the fastest is at relative rest, but for rounding and, of
@@ -382,13 +365,13 @@ bool takesPart(const Round& round, const ImpactContact& contact, std::size_t c, 
 
 // With restitutions that add no energy, by the common factor (in 0 to 1) at which it stays the
 // same: the rule of false position, after Illinois.
-std::vector<Round::Impulse> withoutGain(const Round& round, const std::vector<std::size_t>& chosen,
+std::vector<Round::Impulse> withoutGain(Round& round, const std::vector<std::size_t>& chosen,
                                         std::vector<Round::Impulse> impulses,
                                         ImpactResult& result) {
     constexpr double rounding = 1e-12, unknown = std::numeric_limits<double>::infinity();
     double scale = 0;
     for (const Round::Impulse& impulse : impulses)
-        scale += std::abs(impulse.size * round.mobility(impulse, impulse) * impulse.size);
+        scale += std::abs(impulse.size * round.mobility(impulse.line, impulse.line) * impulse.size);
     if (!(round.energyOf(impulses) > rounding * scale))
         return impulses;
     result.loweredRestitution = true;

@@ -15,8 +15,11 @@
 //
 // Friction is Coulomb's law for impulses, with the coefficient of sliding: along the surfaces each
 // contact takes an impulse of at most mu j that leaves no sliding velocity, or of mu j against the
-// one that is left. Together with Newton's law that may add kinetic energy; then the restitutions
-// of that solution are lowered by one common factor until it does not.
+// one that is left. The contacts of a patch have one such impulse at their middle, and one that
+// stops turning about their normal, by the law of contacts that last (physics/contact_rows.h): with
+// one for each corner a box would have more of them than freedoms. Together with Newton's law that
+// may add kinetic energy; then the restitutions of that solution are lowered by one common factor
+// until it does not.
 //
 // Joints keep their conditions J v through a blow: an impulse of a contact is one of all that hangs
 // together, A = J_n W (1 - J' (J W J')^-1 J W) J_n' with W the inverse masses.
@@ -31,6 +34,7 @@
 #include "geometry/pose.h"
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -59,6 +63,7 @@ struct ImpactContact {
     bool isResting = false;
     bool isPressed = false; // they move as one
     double friction = 0;
+    std::optional<std::size_t> patch = {}; // those next to it with the same are one; none: alone
     Vector surface = Vector::Zero(); // of both, first less second, along themselves: a conveyor
 };
 

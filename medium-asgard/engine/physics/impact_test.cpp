@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <random>
 
@@ -563,6 +564,36 @@ TEST(Impact, PullsAlongByATautRope) {
         EXPECT_NEAR(result.bodies[1].velocity.x(), side < 0 ? 1 : 1.5, 1e-14);
         EXPECT_NEAR(result.bodies[2].velocity.x(), side < 0 ? 1 : 0, 1e-14);
     }
+}
+
+// Those of a square plate have the couple mu N r, r the mean distance of the square's points.
+TEST(Impact, CornersOfAPatchShareItsFriction) {
+    constexpr double mu = 0.1, side = 1, high = 0.2, mass = 1, fall = 1;
+    constexpr double about = mass * side * side / 6; // its normal
+    std::vector<ImpactBody> bodies(2);
+    bodies[0].inverseMass = 1 / mass;
+    bodies[0].inverseInertia = Vector(1.9 / about, 1 / about, 1.9 / about).asDiagonal();
+    bodies[0].velocity = {0, -fall, 0};
+    bodies[0].angularVelocity = {0, 1, 0};
+    std::vector<ImpactContact> corners;
+    for (const double x : {-side / 2, side / 2})
+        for (const double z : {-side / 2, side / 2})
+            corners.push_back({.first = 0,
+                               .second = 1,
+                               .point = {x, -high / 2, z},
+                               .normal = Vector::UnitY(),
+                               .restitution = 0,
+                               .friction = mu,
+                               .patch = 1});
+    const ImpactResult turned = resolveImpact(bodies, corners);
+    const double reach = side * (std::sqrt(2) + std::asinh(1)) / 6;
+    EXPECT_NEAR(turned.bodies[0].velocity.norm(), 0, 1e-14);
+    EXPECT_NEAR(turned.bodies[0].angularVelocity.y(), 1 - mu * mass * fall * reach / about, 1e-12);
+    bodies[0].velocity = {1, -fall, 0};
+    bodies[0].angularVelocity.setZero();
+    const ImpactResult slid = resolveImpact(bodies, corners);
+    EXPECT_NEAR(slid.bodies[0].velocity.x(), 1 - mu * fall, 1e-12);
+    EXPECT_NEAR(slid.bodies[0].angularVelocity.norm(), 0, 1e-12);
 }
 
 } // namespace

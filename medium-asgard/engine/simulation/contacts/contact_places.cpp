@@ -2,6 +2,7 @@
 
 #include "contacts/contact_sides.h"
 #include "contacts/surface_pieces.h"
+#include "geometry/patch_middle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,18 +25,6 @@ constexpr double sunk = 5e-10; // an overlap that does
 // points on both sides, which carry. LIMIT: it would carry up to half of that part of an edge
 // farther out.
 constexpr double nextToParallel = 1e-3;
-
-// Vertices in order of the angle about their middle.
-std::vector<Vector> inOrder(std::vector<Vector> corners, const Vector& normal) {
-    Vector middle = Vector::Zero();
-    for (const Vector& corner : corners)
-        middle += corner / static_cast<double>(corners.size());
-    const Vector across = normal.unitOrthogonal(), along = normal.cross(across);
-    std::ranges::sort(corners, {}, [&](const Vector& corner) {
-        return std::atan2(along.dot(corner - middle), across.dot(corner - middle));
-    });
-    return corners;
-}
 
 // ---------------------------------------------------------------------------------- polyhedra
 
@@ -70,10 +59,11 @@ public:
     // `beside`: features that overlap by less do not overlap.
     Polyhedra(const Touch& touch, const Placed& body, const Placed& support, double beside)
         : touch_(touch), body_(body), support_(support), beside_(beside) {
-        bodyFace_ =
-            touch.bodyFace.size() > 2 ? inOrder(touch.bodyFace, touch.normal) : touch.bodyFace;
-        supportFace_ = touch.supportFace.size() > 2 ? inOrder(touch.supportFace, touch.normal)
-                                                    : touch.supportFace;
+        bodyFace_ = touch.bodyFace.size() > 2 ? geometry::inOrder(touch.bodyFace, touch.normal)
+                                              : touch.bodyFace;
+        supportFace_ = touch.supportFace.size() > 2
+                           ? geometry::inOrder(touch.supportFace, touch.normal)
+                           : touch.supportFace;
     }
 
     [[nodiscard]] std::optional<ContactPoint> pointAt(const Corner& corner) const {
@@ -243,9 +233,16 @@ private:
             if ((off - normal * normal.dot(off)).norm() <= same * touch_.size)
                 return; // it is that point
         }
-        addPiece(owner, {.kind = Kind::point, .place = vertex}, above);
+        const bool isCorner = std::ranges::any_of(touch_.corners, [&](const Corner& corner) {
+            const Vector off = corner.point - at;
+            return (off - normal * normal.dot(off)).norm() <= same * touch_.size;
+        });
+        addPiece(owner, {.kind = Kind::point, .place = vertex}, above, !isCorner);
     }
-    void addPiece(const Placed& owner, const SurfacePiece& piece, bool above) {
+    // mayBeBeneath: it is beside the other's face. What has crossed the border of the face there
+    // goes on beneath its plane.
+    void addPiece(const Placed& owner, const SurfacePiece& piece, bool above,
+                  bool mayBeBeneath = false) {
         const Vector at = owner.state.position + owner.state.attitude * piece.place;
         const SurfaceGap& gap = place_.points[0].gap;
         const physics::NearestSurfaces nearest = nearestOf(gap, body_, support_);
@@ -259,9 +256,14 @@ private:
         const Vector up = above ? nearest.normal : Vector(-nearest.normal);
         const double height =
             up.dot(at - on) - physics::reachBelow(piece, owner.state.attitude.conjugate() * up);
-        const double room = height < sideSlack * touch_.size ? sideSlack * touch_.size - height : 0;
-        place_.landings.push_back(
-            {.body = owner.index, .piece = piece, .isAbove = above, .room = room});
+        const double slack = sideSlack * touch_.size;
+        const bool isBeneath = mayBeBeneath && height < 0;
+        const double room = isBeneath ? slack : height < slack ? slack - height : 0;
+        place_.landings.push_back({.body = owner.index,
+                                   .piece = piece,
+                                   .isAbove = above,
+                                   .isBeneath = isBeneath,
+                                   .room = room});
     }
 
     const Touch& touch_;
@@ -479,7 +481,7 @@ LastingContact contactOf(const Touch& touch, const Placed& body, const Placed& s
         return found;
     found.rolls = std::ranges::any_of(place.points, rolls);
     const bool isWhole = corners.size() == touch.corners.size() && corners.size() > 2;
-    const PatchMiddle middle = middleOf(corners, touch.normal);
+    const geometry::PatchMiddle middle = geometry::middleOf(corners, touch.normal);
     if (!found.rolls && corners.size() > 1)
         place.centre = localOf(body, middle.centre);
     place.friction.reach = middle.reach;
@@ -499,52 +501,7 @@ LastingContact contactOf(const Touch& touch, const Placed& body, const Placed& s
     return found;
 }
 
-// Of the triangle from the origin to p and q: its area, and the integral of the distance.
-std::pair<double, double> wedgeOf(const Vector& p, const Vector& q, const Vector& normal) {
-    const double area = normal.dot(p.cross(q)) / 2, side = (q - p).norm();
-    if (!(side > 0))
-        return {0, 0};
-    const double height = std::abs(2 * area) / side;
-    const Vector way = (q - p) / side;
-    const auto upTo = [&](double s) { // of the distance, from the foot of the height to s along
-        const double far = std::hypot(height, s);
-        return height * (s * far + (height > 0 ? height * height * std::asinh(s / height) : 0)) / 6;
-    };
-    const double integral = upTo(way.dot(q)) - upTo(way.dot(p));
-    return {area, area < 0 ? -integral : integral};
-}
-
 } // namespace
-
-PatchMiddle middleOf(const std::vector<Vector>& corners, const Vector& normal) {
-    PatchMiddle middle;
-    for (const Vector& corner : corners)
-        middle.centre += corner / static_cast<double>(corners.size());
-    if (corners.size() == 2)
-        middle.reach = (corners[1] - corners[0]).norm() / 4;
-    if (corners.size() < 3)
-        return middle;
-    const std::vector<Vector> outline = inOrder(corners, normal);
-    Vector moment = Vector::Zero();
-    double area = 0;
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        const Vector p = outline[i] - middle.centre,
-                     q = outline[(i + 1) % outline.size()] - middle.centre;
-        const double part = normal.dot(p.cross(q)) / 2;
-        area += part;
-        moment += part * (p + q) / 3;
-    }
-    if (!(std::abs(area) > 0))
-        return middle;
-    middle.centre += moment / area;
-    double integral = 0;
-    for (std::size_t i = 0; i < outline.size(); ++i)
-        integral += wedgeOf(outline[i] - middle.centre,
-                            outline[(i + 1) % outline.size()] - middle.centre, normal)
-                        .second;
-    middle.reach = std::abs(integral / area);
-    return middle;
-}
 
 std::vector<Vector> inPlane(const std::vector<Vector>& points,
                             const std::optional<MotionPlane>& plane, double size) {
@@ -581,10 +538,11 @@ std::vector<PointInTouch> pointsInTouch(const Placed& body, const Placed& suppor
                                         const std::optional<MotionPlane>& plane) {
     const TouchLimits limits{.gap = gap, .wereInContact = true, .plane = plane};
     std::vector<PointInTouch> found;
+    std::size_t patch = 0;
     for (const Touch& touch : touchesOf(body, support, gap)) {
         const LastingContact contact = contactOf(touch, body, support, limits);
         const auto add = [&](const Vector& point, const Vector& normal) {
-            found.push_back({contact.bodyPart, contact.supportPart, point, normal});
+            found.push_back({contact.bodyPart, contact.supportPart, patch, point, normal});
         };
         if (contact.isModelled)
             for (const ContactPoint& point : contact.place.points) {
@@ -598,6 +556,7 @@ std::vector<PointInTouch> pointsInTouch(const Placed& body, const Placed& suppor
             for (const Corner& corner : touch.corners)
                 if (corner.gap <= gap * touch.size)
                     add(corner.point, touch.normal);
+        ++patch;
     }
     return found;
 }

@@ -53,17 +53,11 @@ struct TouchLimits {
 // The points in which two parts touch now, at whatever speed: as rows would have them.
 struct PointInTouch {
     std::size_t bodyPart = 0, supportPart = 0;
+    std::size_t patch = 0;                                   // those of one have the same friction
     Vector point = Vector::Zero(), normal = Vector::UnitX(); // from the support to the body
 };
 [[nodiscard]] std::vector<PointInTouch> pointsInTouch(const Placed& body, const Placed& support,
                                                       double gap,
                                                       const std::optional<MotionPlane>& plane);
-
-// The mean distance of the points of a convex patch from its middle; of two points, of the line.
-struct PatchMiddle {
-    Vector centre = Vector::Zero();
-    double reach = 0;
-};
-[[nodiscard]] PatchMiddle middleOf(const std::vector<Vector>& corners, const Vector& normal);
 
 } // namespace simulation

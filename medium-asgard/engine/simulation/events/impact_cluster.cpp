@@ -147,11 +147,17 @@ private:
     // Of parts in a contact that lasts each corner that touches: those of the contact, and others
     // that land.
     void addLasting(const ContactSet& lasting) {
+        std::optional<std::size_t> last;
         for (const PointInTouch& point : points_)
-            if (lasting.areIn(a_, point.bodyPart, b_, point.supportPart))
+            if (lasting.areIn(a_, point.bodyPart, b_, point.supportPart)) {
+                if (last != point.patch)
+                    ++cluster_.patches;
+                last = point.patch;
                 add(point.point, flat(point.normal),
                     {at_.world.moving[a_].shape().parts[point.bodyPart].radius,
                      at_.world.moving[b_].shape().parts[point.supportPart].radius});
+                cluster_.contacts.back().patch = cluster_.patches;
+            }
     }
     void addCorners(bool isHit) {
         const bool isFirst = freedom(a_) > freedom(b_);
@@ -174,9 +180,11 @@ private:
         }
         if (contact.patch.size() == 1)
             return asRow(contact, size, cluster_.contacts.back());
+        ++cluster_.patches;
         for (const Vector& corner : corners) {
             cluster_.corners.push_back(cluster_.contacts.back());
             cluster_.corners.back().point = corner;
+            cluster_.corners.back().patch = cluster_.patches;
             asRow(contact, size, cluster_.corners.back());
             cluster_.contactOf.push_back(cluster_.contacts.size() - 1);
         }

@@ -17,6 +17,7 @@ struct ImpactCluster {
     std::vector<std::array<double, 2>> radii;
     std::vector<physics::ImpactContact> corners; // of the patches
     std::vector<std::size_t> contactOf;          // by corner
+    std::size_t patches = 0;                     // how many numbers of patches are in use
     std::vector<physics::ImpactRow> joints;      // between these bodies
 
     // Of a contact: the bodies in the scene, in its own order.
