@@ -1,7 +1,7 @@
 #include "render/coils.h"
 
-#include "render/extent.h"
-#include "render/handles.h"
+#include "render/body_places.h"
+#include "render/standing_points.h"
 
 #include <algorithm>
 #include <array>
@@ -40,29 +40,6 @@ std::vector<Vector> coilBetween(const Vector& from, const Vector& to, double acr
     }
     points.push_back(to);
     return points;
-}
-
-std::optional<Vector> standingPoint(const scene::Scene& scene, const simulation::Motion* motion,
-                                    const scene::PointEnd& end) {
-    const scene::Names names(scene);
-    Vector place;
-    for (int i = 0; i < 3; ++i) {
-        const auto value =
-            constantValue(names, scene, motion, end.coordinates[static_cast<std::size_t>(i)]);
-        if (!value)
-            return std::nullopt;
-        place[i] = *value;
-    }
-    return place;
-}
-
-std::vector<Vector> anchorsOf(const scene::Scene& scene, const simulation::Motion* motion) {
-    std::vector<Vector> anchors;
-    for (const scene::Link& link : scene.links)
-        if (const auto* point = std::get_if<scene::PointEnd>(&link.second); point && link.spring)
-            if (const auto place = standingPoint(scene, motion, *point))
-                anchors.push_back(*place);
-    return anchors;
 }
 
 std::optional<Vector> Coils::onBody(const scene::BodyEnd& end, const Drawing& drawing) {

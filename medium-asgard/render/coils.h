@@ -4,9 +4,9 @@
 // pulls is a bare line while it is slack. LIMIT: in a crowd of springs coils have fewer corners.
 #pragma once
 
+#include "render/drawing.h"
 #include "render/frame.h"
 #include "render/lines.h"
-#include "render/renderer.h"
 #include "simulation/simulation.h"
 
 #include <memory>
@@ -20,15 +20,6 @@ namespace render {
 // The corners of a coil between two points, both included; `across`: how far it reaches sideways.
 [[nodiscard]] std::vector<Vector> coilBetween(const Vector& from, const Vector& to, double across,
                                               int cornersPerTurn);
-
-// A point of the world that a scene gives by numbers, parameters and masses; none: it changes.
-[[nodiscard]] std::optional<Vector> standingPoint(const scene::Scene& scene,
-                                                  const simulation::Motion* motion,
-                                                  const scene::PointEnd& end);
-
-// Those that springs end at.
-[[nodiscard]] std::vector<Vector> anchorsOf(const scene::Scene& scene,
-                                            const simulation::Motion* motion);
 
 class Coils {
 public:

@@ -1,9 +1,8 @@
 #include "render/contact_forces.h"
 
 #include "render/extent.h"
-#include "render/grid.h"
-#include "render/handles.h"
 #include "render/overlay.h"
+#include "render/round_numbers.h"
 #include "scene/contact_pairs.h"
 #include "scene/shape_of.h"
 

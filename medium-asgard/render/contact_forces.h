@@ -8,9 +8,9 @@
 #pragma once
 
 #include "geometry/shape.h"
+#include "render/drawing.h"
 #include "render/frame.h"
 #include "render/lines.h"
-#include "render/renderer.h"
 #include "simulation/simulation.h"
 
 #include <memory>

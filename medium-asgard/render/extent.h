@@ -3,8 +3,7 @@
 // Bodies are taken as their spheres and corners, at a limited number of times over the motion.
 #pragma once
 
-#include "motion/motion.h"
-#include "scene/scene.h"
+#include "render/body_places.h"
 
 #include <Eigen/Geometry>
 
@@ -12,13 +11,6 @@
 #include <vector>
 
 namespace render {
-
-using geometry::Vector;
-
-struct Ball {
-    Vector center;
-    double radius = 0;
-};
 
 struct Extent {
     Eigen::AlignedBox3d box; // what moves, over the whole motion, and what is fixed near it
@@ -33,13 +25,6 @@ struct Extent {
     double size = 1;                   // longest edge of the box
     std::optional<Vector> planeNormal; // the axis that the motion is flat along
 };
-
-// The body's parts lie in the hull of these, in its shape's frame.
-[[nodiscard]] std::vector<Ball> outlineOf(const scene::Scene& scene, const scene::Body& body);
-
-// Pose of the shape's own frame: from the motion, else where the body starts.
-[[nodiscard]] geometry::Pose poseOf(const scene::Scene& scene, const simulation::Motion* motion,
-                                    std::size_t body, double time);
 
 // Where nothing falls, a wide flat box that is fixed, as a table, tells what things stand on.
 [[nodiscard]] std::optional<Vector> tableNormal(const scene::Scene& scene);

@@ -1,7 +1,7 @@
 // One picture's numbers: the camera as matrices, the depth range, the light.
 #pragma once
 
-#include "render/renderer.h"
+#include "render/drawing.h"
 
 #include <array>
 

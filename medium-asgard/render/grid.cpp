@@ -1,6 +1,7 @@
 #include "render/grid.h"
 
 #include "render/backdrop.h"
+#include "render/round_numbers.h"
 #include "render/stroke_text.h"
 #include "render/triad.h"
 
@@ -12,8 +13,6 @@ namespace render {
 namespace {
 
 constexpr double aimed = 90; // pixels of a step, at least
-
-double powerBelow(double x) { return std::pow(10, std::floor(std::log10(x) + 1e-12)); }
 
 double smooth(double from, double to, double x) {
     const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
@@ -198,22 +197,6 @@ GroundPlane groundPlane(const Vector& up, double height) {
     GroundPlane ground{up, height, {0, 2}};
     ground.across = axis == 0 ? std::array{1, 2} : axis == 1 ? std::array{0, 2} : std::array{0, 1};
     return ground;
-}
-
-double roundAbove(double x) {
-    const double power = powerBelow(x);
-    for (const double factor : {1.0, 2.0, 5.0})
-        if (factor * power >= x * (1 - 1e-9))
-            return factor * power;
-    return 10 * power;
-}
-
-double roundBelow(double x) {
-    const double power = powerBelow(x);
-    for (const double factor : {5.0, 2.0})
-        if (factor * power <= x * (1 + 1e-9))
-            return factor * power;
-    return power;
 }
 
 std::vector<GridStep> gridSteps(double pixelsPerLength, double stroke) {

@@ -28,10 +28,6 @@ struct GroundPlane {
 // `up` is an axis of the world, either way.
 [[nodiscard]] GroundPlane groundPlane(const Vector& up, double height);
 
-// The least of 1, 2, 5 times a power of ten that is not below x > 0; the greatest not above.
-[[nodiscard]] double roundAbove(double x);
-[[nodiscard]] double roundBelow(double x);
-
 // A step of the grid, and how much of it is seen, 0 to 1.
 struct GridStep {
     double step = 1;

@@ -1,5 +1,6 @@
 #include "render/ground.h"
 
+#include "render/round_numbers.h"
 #include "render/shaders.h"
 
 #include <algorithm>

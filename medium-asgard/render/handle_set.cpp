@@ -1,9 +1,9 @@
 // Which handles a scene has, and where they stand.
 #include "render/framing.h"
-#include "render/grid.h"
 #include "render/handle_layout.h"
 #include "render/handles.h"
 #include "render/joint_places.h"
+#include "render/round_numbers.h"
 #include "scene/joint_types.h"
 
 #include <algorithm>

@@ -2,12 +2,6 @@
 
 #include "render/joint_signs.h"
 
-#include "expression/parse.h"
-#include "scene/names.h"
-
-#include <algorithm>
-#include <cmath>
-
 namespace render {
 
 scene::Color colorOf(HandleKind kind) {
@@ -95,36 +89,6 @@ bool showsHandles(const Display& display) {
 
 bool isJoint(HandleKind kind) {
     return kind == HandleKind::jointPoint || kind == HandleKind::jointAxis;
-}
-
-std::optional<double> constantValue(const scene::Scene& scene, const simulation::Motion* motion,
-                                    const std::string& text) {
-    return constantValue(scene::Names(scene), scene, motion, text);
-}
-
-std::optional<double> constantValue(const scene::Names& names, const scene::Scene& scene,
-                                    const simulation::Motion* motion, const std::string& text) {
-    const auto meaning = [&](expression::Graph& graph, std::string_view name,
-                             std::span<const expression::Node> arguments,
-                             bool isCall) -> expression::Meaning {
-        const auto what = names.find(name, isCall ? std::optional(arguments.size()) : std::nullopt,
-                                     scene::Reading::state);
-        if (const auto* parameter = std::get_if<scene::ParameterName>(&what))
-            return {graph.constant(scene.parameters[parameter->parameter].value), "", ""};
-        if (const auto* body = std::get_if<scene::BodyName>(&what);
-            body && body->quantity == scene::BodyQuantity::mass) {
-            const auto& given = scene.bodies[body->body].mass;
-            if (given || (motion && body->body < motion->bodies()))
-                return {graph.constant(given ? *given : motion->mass(body->body)), "", ""};
-        }
-        return {std::nullopt, "it changes", ""};
-    };
-    expression::Graph graph;
-    const auto parsed = expression::parse(graph, text, meaning);
-    const auto* node = std::get_if<expression::Node>(&parsed);
-    if (!node || graph.op(*node) != expression::Op::constant || !std::isfinite(graph.value(*node)))
-        return std::nullopt;
-    return graph.value(*node);
 }
 
 std::vector<Vector> pathOf(const scene::Trajectory& trajectory) {

@@ -11,8 +11,9 @@
 // cover each other stand side by side (handle_layout.h).
 #pragma once
 
+#include "render/drawing.h"
 #include "render/extent.h"
-#include "render/renderer.h"
+#include "render/standing_points.h"
 #include "scene/names.h"
 #include "simulation/simulation.h"
 
@@ -93,16 +94,6 @@ struct HandleSet {
 
 // Of kinds whose handles stand over everything, as the signs of joints do.
 [[nodiscard]] bool isJoint(HandleKind kind);
-
-// The value of an expression of numbers, parameters and masses; none: it changes, or is not known.
-[[nodiscard]] std::optional<double> constantValue(const scene::Scene& scene,
-                                                  const simulation::Motion* motion,
-                                                  const std::string& expression);
-// For several of one scene: with its names.
-[[nodiscard]] std::optional<double> constantValue(const scene::Names& names,
-                                                  const scene::Scene& scene,
-                                                  const simulation::Motion* motion,
-                                                  const std::string& expression);
 
 // A trajectory as a line, fine enough to be drawn.
 [[nodiscard]] std::vector<Vector> pathOf(const scene::Trajectory& trajectory);

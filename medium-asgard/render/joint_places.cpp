@@ -1,6 +1,6 @@
 #include "render/joint_places.h"
 
-#include "render/extent.h"
+#include "render/body_places.h"
 
 #include <cmath>
 

@@ -2,6 +2,7 @@
 #include "render/backdrop.h"
 #include "render/ground.h"
 #include "render/handle_layout.h"
+#include "render/round_numbers.h"
 #include "render/shadow_map.h"
 #include "render/stroke_text.h"
 #include "render/test_scenes.h"

@@ -1,8 +1,5 @@
 #include "render/overlay.h"
 
-#include "render/stroke_text.h"
-#include "render/triad.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -177,18 +174,6 @@ void addArrowInView(Lines& lines, const Frame& frame, const Vector& a, const Vec
     Ink filled = ink;
     filled.width = std::min(4.2F * ink.width, static_cast<float>(0.9 * head / perPixel));
     lines.addPointed(neck, b, filled);
-}
-
-void addAxes(Lines& lines, const Extent& extent, const Frame& frame) {
-    const double length = 0.5 * extent.size, height = frame.stroke(11);
-    for (int axis = 0; axis < 3; ++axis) {
-        const Vector head = length * Vector::Unit(axis);
-        const Ink ink{axisColor(axis), 0.95F, frame.stroke(1.7)};
-        addArrow(lines, frame, Vector::Zero(), head, ink);
-        const char name[] = {"xyz"[axis], '\0'};
-        addText(lines, frame, frame.toView(1.04 * head), {0.9 * height, 0}, name, height,
-                Anchor::middle, ink);
-    }
 }
 
 } // namespace render

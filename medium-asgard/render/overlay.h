@@ -1,7 +1,6 @@
-// The lines beside the bodies: edges, wireframe, ground, trails, axes, handles.
+// The lines of bodies, their edges, and arrows.
 #pragma once
 
-#include "render/extent.h"
 #include "render/frame.h"
 #include "render/lines.h"
 #include "render/mesh.h"
@@ -17,9 +16,6 @@ void addEdges(Lines& lines, const Solid& solid, const Mesh& mesh, const Frame& f
 
 // A part as bare lines: its edges, or a ball's outline and three great circles.
 void addWireframe(Lines& lines, const Solid& solid, const Mesh& mesh, const Frame& frame);
-
-// The world's axes at the origin, x red, y green, z blue, with heads.
-void addAxes(Lines& lines, const Extent& extent, const Frame& frame);
 
 // A straight arrow with a filled head: between points of the world, or of the view.
 void addArrowInView(Lines& lines, const Frame& frame, const Vector& from, const Vector& to,

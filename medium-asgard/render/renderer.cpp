@@ -15,6 +15,7 @@
 #include "render/rope_lines.h"
 #include "render/shadow_map.h"
 #include "render/solids.h"
+#include "render/standing_points.h"
 #include "render/target.h"
 #include "render/trails.h"
 #include "render/triad.h"

@@ -1,6 +1,6 @@
 #include "render/rope_lines.h"
 
-#include "render/extent.h"
+#include "render/body_places.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // The framebuffer that pictures are drawn into and read back from, multisampled where it can be.
 #pragma once
 
+#include "render/drawing.h"
 #include "render/gl.h"
-#include "render/renderer.h"
 
 namespace render {
 

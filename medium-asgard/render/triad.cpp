@@ -1,6 +1,7 @@
 #include "render/triad.h"
 
 #include "render/backdrop.h"
+#include "render/overlay.h"
 #include "render/stroke_text.h"
 
 #include <algorithm>
@@ -97,6 +98,18 @@ void showTriad(Lines& lines, const Discs& discs, const Frame& frame,
         addText(lines, page, place, {0, (end.axis == 1 ? 0.28 : 0.14) * height}, name, height,
                 Anchor::middle, {Eigen::Vector3f::Ones(), 1, frame.stroke(1.5)});
         lines.draw(0);
+    }
+}
+
+void addAxes(Lines& lines, const Extent& extent, const Frame& frame) {
+    const double length = 0.5 * extent.size, height = frame.stroke(11);
+    for (int axis = 0; axis < 3; ++axis) {
+        const Vector head = length * Vector::Unit(axis);
+        const Ink ink{axisColor(axis), 0.95F, frame.stroke(1.7)};
+        addArrow(lines, frame, Vector::Zero(), head, ink);
+        const char name[] = {"xyz"[axis], '\0'};
+        addText(lines, frame, frame.toView(1.04 * head), {0.9 * height, 0}, name, height,
+                Anchor::middle, ink);
     }
 }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "render/discs.h"
+#include "render/extent.h"
 #include "render/frame.h"
 #include "render/lines.h"
 
@@ -38,5 +39,8 @@ struct TriadEnd {
 
 void showTriad(Lines& lines, const Discs& discs, const Frame& frame,
                const scene::Color& background);
+
+// The world's axes at the origin, x red, y green, z blue, with heads.
+void addAxes(Lines& lines, const Extent& extent, const Frame& frame);
 
 } // namespace render
