@@ -2,7 +2,7 @@
 #include "batch/input.h"
 #include "batch/picture_file.h"
 #include "batch/waiting.h"
-#include "render/view.h"
+#include "framing/view.h"
 #include "script/svg_colors.h"
 #include "simulation/simulation.h"
 

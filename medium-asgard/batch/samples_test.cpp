@@ -1,7 +1,7 @@
 // The pictures of the scenes that come with the programs show what moves in them.
 #include "batch/input.h"
-#include "render/extent.h"
-#include "render/view.h"
+#include "framing/extent.h"
+#include "framing/view.h"
 #include "simulation/simulation.h"
 
 #include <gtest/gtest.h>

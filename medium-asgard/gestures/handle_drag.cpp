@@ -95,7 +95,7 @@ std::optional<Vector> HandleDrag::onSurface() const {
     return hit ? std::optional(handle_.frame.toWorld(hit->point)) : std::nullopt;
 }
 
-// As the view rolls (render/camera.h), about the axis that points out of the screen.
+// As the view rolls (framing/camera.h), about the axis that points out of the screen.
 Vector HandleDrag::rolled() const {
     double angle = -1.5 * (held_.x() - *rollsFrom_) / render::pixelsPerUnit(sight_.size);
     if (std::abs(std::remainder(angle, 2 * M_PI)) > M_PI - 1e-3)

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "editing/value_edit.h"
-#include "render/handles.h"
+#include "handles/handles.h"
 
 #include <string>
 

@@ -1,7 +1,7 @@
 #include "gestures/picking.h"
 
-#include "render/extent.h"
-#include "render/handle_layout.h"
+#include "framing/extent.h"
+#include "handles/handle_layout.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "geometry/shape.h"
-#include "render/handles.h"
+#include "handles/handles.h"
 
 #include <memory>
 #include <optional>

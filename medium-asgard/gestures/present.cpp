@@ -5,7 +5,7 @@
 #include "element_edits/options.h"
 #include "element_edits/property_edit.h"
 #include "geometry/pose.h"
-#include "render/handles.h"
+#include "handles/handles.h"
 #include "reports/instants.h"
 
 #include <algorithm>

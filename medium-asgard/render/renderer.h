@@ -4,7 +4,7 @@
 // 3.3, no Qt. A Renderer owns one GL context and belongs to the thread that made it.
 #pragma once
 
-#include "render/drawing.h"
+#include "drawing/drawing.h"
 
 #include <memory>
 #include <string>

@@ -1,6 +1,6 @@
 #include "service/preferred_size.h"
 
-#include "render/view.h"
+#include "framing/view.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,10 +5,10 @@
 // the last one: `Look` is everything that decides a picture.
 #pragma once
 
+#include "framing/view.h"
 #include "ipc/messages.h"
 #include "playing/playback.h"
 #include "render/renderer.h"
-#include "render/view.h"
 #include "service/frame_memory.h"
 #include "service/sheets.h"
 

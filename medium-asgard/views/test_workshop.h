@@ -1,8 +1,8 @@
 // Tools that the tests of this folder share: an application, a reader, and motion known exactly.
 #pragma once
 
+#include "framing/test_scenes.h"
 #include "picture/scene_display.h"
-#include "render/test_scenes.h"
 #include "script/reader.h"
 #include "workbench/scene_document.h"
 

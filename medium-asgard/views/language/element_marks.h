@@ -3,8 +3,8 @@
 #pragma once
 
 #include "editing/editable.h"
+#include "handles/handles.h"
 #include "language/draft.h"
-#include "render/handles.h"
 
 #include <QTimer>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "editing/value_edit.h"
-#include "render/handles.h"
+#include "handles/handles.h"
 #include "workbench/scene_document.h"
 
 #include <QStringList>

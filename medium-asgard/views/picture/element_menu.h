@@ -3,7 +3,7 @@
 #pragma once
 
 #include "editing/element.h"
-#include "render/handles.h"
+#include "handles/handles.h"
 
 #include <QPointF>
 

@@ -1,7 +1,7 @@
 #include "picture/meters.h"
 
+#include "framing/joint_places.h"
 #include "picture/scene_display.h"
-#include "render/joint_places.h"
 
 #include <QPainter>
 

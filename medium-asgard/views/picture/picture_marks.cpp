@@ -1,8 +1,8 @@
 // What is painted over a picture: labels, what is selected, what is said.
 #include "gestures/handle_meaning.h"
+#include "handles/handle_layout.h"
 #include "picture/picture_editing.h"
 #include "picture/scene_display.h"
-#include "render/handle_layout.h"
 
 #include <QPainter>
 

@@ -1,8 +1,8 @@
 #include "picture/picture_thread.h"
 
+#include "framing/framing.h"
+#include "framing/view.h"
 #include "gestures/picking.h"
-#include "render/framing.h"
-#include "render/view.h"
 
 #include <utility>
 

@@ -6,7 +6,7 @@
 // it: where it is seen from, and where the handles stand.
 #pragma once
 
-#include "render/handles.h"
+#include "handles/handles.h"
 #include "render/renderer.h"
 #include "workbench/scene_document.h"
 

@@ -2,8 +2,8 @@
 
 #include "gestures/grasp.h"
 #include "gestures/handle_meaning.h"
+#include "handles/handle_layout.h"
 #include "picture/scene_display.h"
-#include "render/handle_layout.h"
 
 #include <QPainter>
 

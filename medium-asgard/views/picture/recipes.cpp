@@ -1,9 +1,9 @@
 #include "picture/recipes.h"
 
 #include "editing/number_text.h"
+#include "framing/extent.h"
 #include "picture/recipe_words.h"
 #include "point_edits/shape_edit.h"
-#include "render/extent.h"
 
 #include <QObject>
 

@@ -1,8 +1,8 @@
 #include "picture/scene_display.h"
 
-#include "render/extent.h"
-#include "render/framing.h"
-#include "render/triad.h"
+#include "framing/extent.h"
+#include "framing/framing.h"
+#include "surroundings/triad.h"
 
 #include <QPainter>
 

@@ -3,11 +3,12 @@
 // An ordinary widget that paints the renderer's image: no window system's OpenGL is needed, and
 // tests without a display see the same pixels. Pictures come from a thread (picture_thread.h); a
 // scene that takes long to draw holds nothing up. Unshifted buttons move the view
-// (render/camera.h), `c` puts the centre of rotation under the pointer (dissertation 4.1.7). Until
+// (framing/camera.h), `c` puts the centre of rotation under the pointer (dissertation 4.1.7). Until
 // the user moves it, the view frames the whole motion by itself. While something moves, pictures
 // are drawn quickly; at rest, finely.
 #pragma once
 
+#include "framing/extent.h"
 #include "gestures/picking.h"
 #include "picture/creating.h"
 #include "picture/element_menu.h"
@@ -18,7 +19,6 @@
 #include "picture/pointing.h"
 #include "picture/selecting.h"
 #include "picture/throwing.h"
-#include "render/extent.h"
 #include "workbench/scene_document.h"
 
 #include <QImage>

@@ -1,6 +1,6 @@
 // What pointer and keys do in a scene's picture: the first that has a use for an event takes it.
 #include "picture/scene_display.h"
-#include "render/triad.h"
+#include "surroundings/triad.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>

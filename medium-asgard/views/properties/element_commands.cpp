@@ -3,7 +3,7 @@
 #include "editing/number_text.h"
 #include "element_edits/copying.h"
 #include "element_edits/renaming.h"
-#include "render/extent.h"
+#include "framing/extent.h"
 
 #include <QClipboard>
 #include <QGuiApplication>

@@ -7,8 +7,8 @@
 // dragged away and towards the viewer.
 #pragma once
 
+#include "framing/camera.h"
 #include "geometry/polyhedron.h"
-#include "render/camera.h"
 #include "scene/scene.h"
 
 #include <QWidget>

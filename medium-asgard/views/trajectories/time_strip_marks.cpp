@@ -1,7 +1,7 @@
 // How a trajectory's times are drawn.
 #include "charts/scale.h"
 #include "frame/readable.h"
-#include "render/handles.h"
+#include "handles/handles.h"
 #include "trajectories/time_strip.h"
 
 #include <QPainter>

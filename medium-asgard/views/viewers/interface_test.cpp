@@ -1,7 +1,7 @@
 // The interface's thread is never held up, however heavy the scene: what goes through all of a
 // scene or of its text is done elsewhere, or once for what happened, however many bodies there are.
 // How long it takes is bench/latency's question.
-#include "render/handles.h"
+#include "handles/handles.h"
 #include "script/structure.h"
 #include "viewers/editor.h"
 #include "views/test_workshop.h"

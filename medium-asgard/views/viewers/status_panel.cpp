@@ -1,9 +1,9 @@
 #include "viewers/status_panel.h"
 
 #include "faults/close_joints.h"
+#include "handles/handles.h"
 #include "motion/known_span.h"
 #include "plain/plain.h"
-#include "render/handles.h"
 
 #include <QFormLayout>
 #include <QGridLayout>

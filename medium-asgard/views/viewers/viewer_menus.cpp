@@ -1,11 +1,11 @@
 // A graphical viewer's menus.
 #include "frame/help_menu.h"
+#include "framing/framing.h"
 #include "gestures/present.h"
 #include "language/language_viewer.h"
 #include "picture/create_menu.h"
 #include "plain/plain.h"
 #include "properties/element_commands.h"
-#include "render/framing.h"
 #include "shapes/shapes_menu.h"
 #include "viewers/graphical_viewer.h"
 #include "viewers/time_controls.h"

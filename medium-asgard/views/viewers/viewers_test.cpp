@@ -1,6 +1,6 @@
 #include "language/scene_editor.h"
 #include "language/scintilla.h"
-#include "render/triad.h"
+#include "surroundings/triad.h"
 #include "viewers/editor.h"
 #include "viewers/scene_files.h"
 #include "views/test_workshop.h"

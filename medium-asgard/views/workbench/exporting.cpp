@@ -2,7 +2,7 @@
 
 #include "batch/picture_file.h"
 #include "batch/table.h"
-#include "render/view.h"
+#include "framing/view.h"
 
 #include <cerrno>
 #include <cmath>

@@ -1,0 +1,34 @@
+// A linked shader program.
+#pragma once
+
+#include "drawing/frame.h"
+#include "drawing/gl.h"
+
+#include <string>
+#include <vector>
+
+namespace render {
+
+class Program {
+public:
+    explicit Program(const Gl& gl) : gl_(gl) {}
+    ~Program();
+    Program(const Program&) = delete;
+    Program& operator=(const Program&) = delete;
+
+    // "" or what the driver's compiler said.
+    [[nodiscard]] std::string build(const char* vertexSource,
+                                    const std::vector<const char*>& fragmentSources);
+    void use() const { gl_.UseProgram(program_); }
+    // The uniforms of a program with shadowFunctions (shaders.h); the map is texture 0.
+    void giveShadow(const LightSight& sight) const;
+    [[nodiscard]] GLint place(const char* uniform) const {
+        return gl_.GetUniformLocation(program_, uniform);
+    }
+
+private:
+    const Gl& gl_;
+    GLuint program_ = 0;
+};
+
+} // namespace render

@@ -1,0 +1,27 @@
+// Cameras that show a given extent well.
+#pragma once
+
+#include "framing/camera.h"
+#include "framing/extent.h"
+
+namespace render {
+
+// From the front, a little to the side and above: the direction towards the viewer.
+[[nodiscard]] Vector sideAndAbove(const Vector& up);
+
+// The attitude from which an extent is best seen: straight on when the motion is flat, else from
+// slightly above and to the side; up is up.
+[[nodiscard]] Quaternion bestAttitude(const Extent& extent);
+
+// The camera of that attitude in which all balls fill the picture but for a margin.
+[[nodiscard]] Camera fitted(const Extent& extent, const Quaternion& attitude, Size size,
+                            bool orthographic = false);
+
+// The same about a given centre: it stays in the middle, only the scale is fitted.
+[[nodiscard]] Camera fittedAbout(const Extent& extent, const Quaternion& attitude,
+                                 const Vector& center, Size size, bool orthographic = false);
+
+// The world's direction towards the sun: over the left shoulder of whoever looks from there.
+[[nodiscard]] Vector sunOf(const Extent& extent);
+
+} // namespace render

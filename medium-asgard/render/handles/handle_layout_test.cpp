@@ -1,0 +1,79 @@
+// Where handles and labels stand that would cover each other or leave the picture.
+#include "framing/test_scenes.h"
+#include "handles/handle_layout.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace render {
+namespace {
+
+using Pixels = Eigen::Vector2d;
+
+HandleSet handlesAt(const std::vector<Vector>& places, HandleKind kind) {
+    HandleSet set;
+    for (const Vector& place : places)
+        set.handles.push_back({kind, set.handles.size(), 0, place, place});
+    return set;
+}
+
+TEST(HandleLayout, HandlesInOnePlaceStandSideBySide) {
+    const Size size{640, 480};
+    const Camera camera;
+    for (const std::size_t count : {2U, 3U, 6U}) {
+        HandleSet set = handlesAt(std::vector(count, Vector(0.1, 0.2, 0)), HandleKind::velocity);
+        set.handles.push_back({HandleKind::position, 9, 0, {0.1, 0.2, 0}, {0.1, 0.2, 0}});
+        set.handles.push_back({HandleKind::position, 9, 0, {-0.5, 0, 0}, {-0.5, 0, 0}});
+        spread(set, camera, size);
+        EXPECT_TRUE(set.handles[count].aside.isZero()); // the largest stays
+        EXPECT_TRUE(set.handles[count + 1].aside.isZero());
+        for (std::size_t i = 0; i < set.handles.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j)
+                EXPECT_GT(
+                    (standOf(set.handles[i], camera, size) - standOf(set.handles[j], camera, size))
+                        .norm(),
+                    8)
+                    << count;
+    }
+}
+
+TEST(HandleLayout, HeadsOutsideThePictureAreBroughtInside) {
+    const Size size{640, 480};
+    Camera camera;
+    camera.rotation = geometry::fromRotationVector({0.3, 0.2, 0});
+    HandleSet set;
+    set.handles.push_back({HandleKind::velocity, 0, 0, {0, 0, 0}, {40, 3, -2}, 2});
+    set.handles.push_back({HandleKind::velocity, 1, 0, {0, 0, 0}, {0.4, 0, 0}, 2});
+    set.handles.push_back({HandleKind::velocity, 2, 0, {40, 0, 0}, {41, 0, 0}, 2});
+    const HandleSet before = set;
+    keepInside(set, camera, size);
+    const Pixels head = toPixels(camera, size, set.handles[0].place);
+    EXPECT_GT(head.x(), 0);
+    EXPECT_LT(head.x(), 640);
+    EXPECT_TRUE(set.handles[0].cut);
+    // It means the same value.
+    EXPECT_LT((set.handles[0].place / set.handles[0].perUnit - Vector(20, 1.5, -1)).norm(), 1e-9);
+    EXPECT_EQ(set.handles[1].place, before.handles[1].place);
+    EXPECT_EQ(set.handles[2].place, before.handles[2].place); // its foot is not seen either
+    EXPECT_FALSE(set.handles[1].cut);
+}
+
+TEST(HandleLayout, LabelsAvoidEachOther) {
+    const Eigen::AlignedBox2d picture(Pixels(0, 0), Pixels(400, 300));
+    std::vector<LabelWish> wishes;
+    for (const Pixels& point :
+         {Pixels(200, 150), Pixels(204, 152), Pixels(206, 148), Pixels(396, 4), Pixels(3, 297)})
+        wishes.push_back({point, {50, 14}});
+    const auto boxes = placedLabels(wishes, picture, 6);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        EXPECT_TRUE(picture.contains(boxes[i])) << i;
+        EXPECT_LT(boxes[i].squaredExteriorDistance(wishes[i].point), 20 * 20);
+        for (std::size_t j = 0; j < i; ++j)
+            EXPECT_TRUE(boxes[i].intersection(boxes[j]).isEmpty()) << i << ' ' << j;
+    }
+    EXPECT_TRUE(placedLabels({}, picture, 6).empty());
+}
+
+} // namespace
+} // namespace render

@@ -1,0 +1,156 @@
+// The handles that a graphical viewer shows.
+//
+// A handle is a small disc of constant size on screen, its colour says of what kind it is
+// (dissertation 4.1.3). Some stand at the head of an arrow: a velocity's, an angular velocity's, a
+// force's, a torque's, a light's direction. Handles of initial values stand where bodies start,
+// those of forces where bodies are now. A force that changes on its own is drawn at its value now
+// and has no handle (4.1.5).
+//
+// Arrows of values have a steady scale on the screen: zooming does not change their length. One
+// that would leave the picture is shortened, so that its head can be reached; handles that would
+// cover each other stand side by side (handle_layout.h).
+#pragma once
+
+#include "drawing/drawing.h"
+#include "framing/extent.h"
+#include "framing/standing_points.h"
+#include "scene/names.h"
+#include "simulation/simulation.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace render {
+
+enum class HandleKind : std::uint8_t {
+    position,
+    orientation, // on the body's x axis (part 0) or its y axis (1)
+    velocity,
+    spin, // angular velocity
+    forceBase,
+    forceHead,
+    torqueBase,
+    torqueHead,
+    linkEnd, // part: 0 or 1
+    jointAxis,
+    jointPoint, // part: 0; 1: of a distance, its second
+    lightPlace,
+    lightDirection,
+    // part: which of -points, or of -bezier's control points (editing/). Of a trajectory that only
+    // a force or torque follows: the head of an arrow, as forces have them.
+    trajectoryPoint,
+};
+
+struct Handle {
+    HandleKind kind = HandleKind::position;
+    std::size_t element = 0; // in the scene's list of what it belongs to
+    std::size_t part = 0;
+    Vector base = Vector::Zero();  // world: foot of the arrow; the same as `place` for mere places
+    Vector place = Vector::Zero(); // world
+    double perUnit = 1;            // length of the arrow for a value of 1
+    // In which the text gives places and directions; of a trajectory's point its position is the
+    // place of the value 0.
+    geometry::Pose frame = {};
+    bool movable = true;    // false: only shown
+    std::string label = {}; // what stands beside it
+    double clear = 0;       // world: how far its own body reaches about it, which does not hide it
+    Eigen::Vector2d aside = Eigen::Vector2d::Zero(); // pixels: where it stands beside its place
+    bool cut = false;                                // its arrow is shortened
+    [[nodiscard]] bool isArrow() const { return base != place; }
+    // Of a trajectory's point: the head of an arrow, and no place of a path.
+    [[nodiscard]] bool isValue() const { return perUnit != 1 || isArrow(); }
+    // Of a trajectory's point: its value, and the place of one.
+    [[nodiscard]] Vector valueAt(const Vector& world) const {
+        return (world - frame.position) / perUnit;
+    }
+    [[nodiscard]] Vector placeOf(const Vector& value) const {
+        return frame.position + perUnit * value;
+    }
+};
+
+// A line that belongs to handles: a link, a trajectory.
+struct HandleLine {
+    HandleKind kind = HandleKind::linkEnd;
+    std::size_t element = 0;
+    std::vector<Vector> points;
+};
+
+struct HandleSet {
+    std::vector<Handle> handles;
+    std::vector<HandleLine> lines;
+};
+
+// Pixels, in a picture 480 high. A velocity of zero lies on its body's position, smaller.
+[[nodiscard]] double radiusOf(HandleKind kind);
+
+[[nodiscard]] scene::Color colorOf(HandleKind kind);
+
+// Whether the display shows handles of that kind; of any.
+[[nodiscard]] bool shows(const Display& display, HandleKind kind);
+[[nodiscard]] bool showsHandles(const Display& display);
+
+// Of kinds whose handles stand over everything, as the signs of joints do.
+[[nodiscard]] bool isJoint(HandleKind kind);
+
+// A trajectory as a line, fine enough to be drawn.
+[[nodiscard]] std::vector<Vector> pathOf(const scene::Trajectory& trajectory);
+
+// Prepared once for a scene and a motion; then at() is cheap enough for each picture.
+class Handles {
+public:
+    // Keeps both; the scene must live as long.
+    Handles(const scene::Scene& scene, simulation::MotionPointer motion);
+
+    // Of the kinds that the display shows, as that camera sees them; bodies that are fixed have no
+    // velocities.
+    [[nodiscard]] HandleSet at(double time, const Display& display, const Camera& camera,
+                               Size size);
+    // The same where nobody looks: arrows are as long as a picture of the whole motion has them.
+    [[nodiscard]] HandleSet at(double time, const Display& display);
+    // How many sets this thread has computed, each from all elements.
+    [[nodiscard]] static std::size_t setsComputed();
+    // How long the arrow of a force, or a torque, of 1 is or would be.
+    [[nodiscard]] double arrowLength(HandleKind kind, const Camera& camera) const;
+
+private:
+    void addBody(HandleSet& set, std::size_t index, const Display& display) const;
+    void addForces(HandleSet& set, double time, const Display& display);
+    void addLinks(HandleSet& set, double time);
+    void addJoints(HandleSet& set, double time) const;
+    void addLights(HandleSet& set) const;
+    void addTrajectories(HandleSet& set, double time) const;
+    void addPoints(HandleSet& set, std::size_t trajectory, const Handle& like) const;
+    // The force that alone follows it.
+    [[nodiscard]] const scene::Force* forceAlong(const scene::Trajectory& trajectory) const;
+    void setScales();
+    [[nodiscard]] double massOf(std::size_t body) const;
+    [[nodiscard]] std::size_t indexOf(const std::string& body) const;
+    [[nodiscard]] Vector pointOn(std::size_t body, const std::optional<Vector>& offset,
+                                 const geometry::Pose& pose) const;
+    // Of three expressions, or of a trajectory: by what they are now.
+    [[nodiscard]] std::optional<Vector> constant(const std::array<std::string, 3>& texts);
+    [[nodiscard]] std::optional<Vector> now(const std::array<std::string, 3>& texts, double time);
+
+    const scene::Scene& scene_;
+    simulation::MotionPointer motion_;
+    Extent extent_;
+    scene::Names names_;
+    std::unordered_map<std::string, std::size_t> bodies_;
+    // The values of expressions that do not change; none: they do.
+    std::unordered_map<std::string, std::optional<double>> constants_;
+    // View units for a value of 1.
+    double velocityScale_ = 1, spinScale_ = 1, forceScale_ = 1, torqueScale_ = 1;
+    double viewUnit_ = 1;         // world length of a view unit, of the set that is being made
+    std::vector<double> reaches_; // of the bodies
+    // The expressions of forces and links that change, in the order in which they are asked for.
+    std::vector<std::string> changing_;
+    std::optional<simulation::Quantities> quantities_;
+    std::vector<double> values_; // of changing_, at the time of at()
+    bool known_ = false;
+    bool prepared_ = false;
+};
+
+} // namespace render

@@ -1,0 +1,148 @@
+// Which handles a scene has, and how long their arrows are.
+#include "framing/test_scenes.h"
+#include "handles/handles.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace render {
+namespace {
+
+const scene::Color red{0.9, 0.1, 0.1}, blue{0.1, 0.2, 0.9}, green{0.1, 0.8, 0.2};
+
+scene::Joint& addJoint(scene::Scene& scene, scene::JointType type, const Vector& offset,
+                       std::size_t coordinates = 1) {
+    scene::Joint& joint = scene.joints.emplace_back();
+    joint.name = "joint" + std::to_string(scene.joints.size());
+    joint.type = type;
+    joint.body1 = scene.bodies.front().name;
+    joint.offset1 = offset;
+    joint.coordinates.resize(coordinates);
+    return joint;
+}
+
+// A body of mass 2 under its weight, a push that never changes and one that does.
+TEST(Handles, ForcesHaveHandlesUnlessTheyChangeOnTheirOwn) {
+    scene::Scene scene;
+    addBody(scene, sphere(1), {3, 0, 0}, red).mass = 2;
+    const std::string body = scene.bodies[0].name;
+    scene.forces.push_back(
+        {body, false, std::nullopt, scene::GravitationalForce{{0, -10, 0}}, {}, {}});
+    scene.forces.push_back({body,
+                            false,
+                            Vector(0, 1, 0),
+                            scene::ComponentForce{{"5", "-10 * " + body + ".mass", "0"}},
+                            {},
+                            {}});
+    scene.forces.push_back(
+        {body, true, std::nullopt, scene::ComponentForce{{"0", "0", "1+t"}}, {}, {}});
+    Display display;
+    display.forceHandles = display.torqueHandles = true;
+    const auto motion = simulation::simulate(scene).motion;
+    ASSERT_NE(motion, nullptr);
+    const HandleSet set = Handles(scene, motion).at(0, display);
+    ASSERT_EQ(set.handles.size(), 6U);
+    const auto value = [&](std::size_t i) -> Vector {
+        return (set.handles[i].place - set.handles[i].base) / set.handles[i].perUnit;
+    };
+    EXPECT_LT((value(1) - Vector(0, -10, 0)).norm(), 1e-12); // an acceleration
+    EXPECT_LT((value(3) - Vector(5, -20, 0)).norm(), 1e-12);
+    EXPECT_LT((set.handles[2].place - Vector(3, 1, 0)).norm(), 1e-12);
+    EXPECT_TRUE(set.handles[3].movable);
+    EXPECT_LT((value(5) - Vector(0, 0, 1)).norm(), 1e-9); // as it is now
+    const HandleSet later = Handles(scene, motion).at(2, display);
+    EXPECT_NEAR((later.handles[5].place - later.handles[5].base).z() / later.handles[5].perUnit, 3,
+                1e-9);
+    EXPECT_FALSE(set.handles[5].movable);
+}
+
+TEST(Handles, LinksAndTrajectoriesAreLinesWithTheirEnds) {
+    scene::Scene scene;
+    addBody(scene, sphere(1), {3, 0, 0}, red);
+    scene::Link link;
+    link.first = {scene.bodies[0].name, Vector(-1, 0, 0)};
+    link.second = scene::PointEnd{{"0", "1 - 1", "2"}};
+    link.tightness = 1;
+    scene.links.push_back(link);
+    scene::Trajectory path;
+    path.points = {{0, Vector(0, 0, 0)}, {0.5, Vector(1, 0, 0)}};
+    path.curves = {{0, 0.5, {Vector(0, 0, 0), Vector(0.5, 0, 0), Vector(1, 0, 0)}}};
+    scene.trajectories.push_back(path);
+    Display display;
+    display.linkHandles = display.trajectories = true;
+    const HandleSet set = Handles(scene, nullptr).at(0, display);
+    ASSERT_EQ(set.handles.size(), 4U);
+    EXPECT_EQ(set.handles[0].place, Vector(2, 0, 0));
+    EXPECT_EQ(set.handles[1].place, Vector(0, 0, 2));
+    EXPECT_EQ(set.handles[3].label, "0.5 s");
+    ASSERT_EQ(set.lines.size(), 2U);
+    EXPECT_EQ(set.lines[1].points.back(), Vector(1, 0, 0));
+}
+
+TEST(Handles, JointsHaveTheirPointTheirAxisAndADistanceBothOfItsPoints) {
+    scene::Scene scene;
+    addBody(scene, sphere(1), {3, 0, 0}, red);
+    addJoint(scene, scene::JointType::hinge, {-1, 0, 0});
+    addJoint(scene, scene::JointType::ball, {0, 1, 0});
+    addJoint(scene, scene::JointType::distance, {0, 0, 0}).offset2 = Vector(0, 2, 0);
+    Display display;
+    display.jointHandles = true;
+    const auto all = Handles(scene, nullptr).at(0, display).handles;
+    ASSERT_EQ(all.size(), 5U);
+    EXPECT_EQ(all[0].kind, HandleKind::jointAxis);
+    EXPECT_LT(((all[0].place - all[0].base) / all[0].perUnit - Vector(0, 0, 1)).norm(), 1e-12);
+    EXPECT_EQ(all[1].place, Vector(2, 0, 0));
+    EXPECT_EQ(all[2].place, Vector(3, 1, 0));
+    EXPECT_EQ(all[3].place, Vector(3, 0, 0));
+    EXPECT_EQ(all[4].place, Vector(0, 2, 0));
+    EXPECT_EQ(all[4].part, 1U);
+}
+
+TEST(Handles, ArrowsHaveASteadyScaleOfTheScreen) {
+    scene::Scene scene;
+    addBody(scene, sphere(1), {0, 0, 0}, red).initialVelocity = {300, 0, 0};
+    Display display;
+    display.velocityHandles = true;
+    Handles handles(scene, nullptr);
+    const Size size{640, 480};
+    std::vector<double> lengths;
+    for (const double scale : {0.1, 0.2, 0.5}) {
+        const Camera camera{Vector::Zero(), Quaternion::Identity(), scale, Vector::Zero()};
+        const Handle one = handles.at(0, display, camera, size).handles.at(0);
+        EXPECT_NEAR(((one.place - one.base) / one.perUnit - Vector(300, 0, 0)).norm(), 0, 1e-9);
+        lengths.push_back(
+            (toPixels(camera, size, one.place) - toPixels(camera, size, one.base)).norm());
+    }
+    EXPECT_NEAR(lengths[0], lengths[1], 1e-6);
+    EXPECT_NEAR(lengths[0], lengths[2], 1e-6);
+    EXPECT_GT(lengths[0], 60);
+    EXPECT_LT(lengths[0], 240);
+}
+
+// A trajectory of a force is no path in space: its values are arrows from where it acts.
+TEST(Handles, TheTrajectoryOfAForceIsItsArrows) {
+    scene::Scene scene;
+    addBody(scene, sphere(0.1), {3, 0, 0}, red);
+    scene::Trajectory path;
+    path.name = "push";
+    path.points = {{0, Vector(0, 0, 0)}, {0.5, Vector(0, 40, 0)}};
+    path.curves = {{0, 0.5, {Vector(0, 0, 0), Vector(0, 40, 0)}}};
+    scene.trajectories.push_back(path);
+    scene.forces.push_back(
+        {scene.bodies[0].name, false, std::nullopt, scene::TrajectoryForce{"push"}, {}, {}});
+    Display display;
+    display.trajectories = true;
+    const HandleSet set = Handles(scene, nullptr).at(0, display);
+    EXPECT_TRUE(set.lines.empty());
+    ASSERT_EQ(set.handles.size(), 2U);
+    EXPECT_EQ(set.handles[1].base, Vector(3, 0, 0));
+    EXPECT_LT((set.handles[1].valueAt(set.handles[1].place) - Vector(0, 40, 0)).norm(), 1e-9);
+    EXPECT_TRUE(set.handles[1].movable);
+    // One that bodies follow is a path.
+    scene.constraints.push_back({scene.bodies[0].name, scene::Held::position, "push", {}, {}, {}});
+    EXPECT_EQ(Handles(scene, nullptr).at(0, display).lines.size(), 1U);
+}
+
+} // namespace
+} // namespace render

@@ -1,0 +1,129 @@
+// What stands around bodies in a picture: ground, grid, shadows, sky.
+#include "render/test_renderer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace render {
+namespace {
+
+TEST_F(RendererTest, TheGroundLiesUnderTheScene) {
+    addBody(scene_, sphere(0.3), {0, 0.5, 0}, red);
+    drawing_.camera.rotation = geometry::fromRotationVector(Vector(0.5, 0, 0));
+    const int bare = draw().drawn();
+    drawing_.display.grid = true;
+    const Picture ground = draw();
+    EXPECT_GT(ground.drawn(), bare + 2000);
+    EXPECT_EQ(ground.at(160, 4), 0xFFFFFFU); // nothing over it
+    // Discreet: its lines are light.
+    EXPECT_EQ(ground.count([&](int x, int y) {
+        return !isRed(ground, x, y) && ground.blue(x, y) < 90 && y > 160;
+    }),
+              0);
+}
+
+// The grid is seen through a box that stands on it: its lines lie below the top face.
+TEST_F(RendererTest, TheGridIsUnderALoneBoxAndNotOnIt) {
+    addBody(scene_, box({1, 1, 1}), {0, 0.4, 0}, red);
+    drawing_.camera.rotation = geometry::fromRotationVector(Vector(0.34, 0, 0));
+    drawing_.camera.scale = 0.5;
+    const Picture bare = draw();
+    drawing_.display.grid = true;
+    const Picture grid = draw();
+    const Eigen::Vector2d top = toPixels(drawing_.camera, grid.size, {0, 0.9, 0});
+    int onIt = 0;
+    for (int x = -20; x <= 20; ++x)
+        for (int y = -2; y <= 2; ++y) {
+            const int px = static_cast<int>(top.x()) + x, py = static_cast<int>(top.y()) + y;
+            onIt += grid.at(px, py) != bare.at(px, py) ? 1 : 0;
+        }
+    EXPECT_EQ(onIt, 0);
+}
+
+TEST_F(RendererTest, BodiesShadeWhatIsBehindThemFromTheSun) {
+    addBody(scene_, box({3, 0.1, 3}), {0, -0.5, 0}, {0.8, 0.8, 0.8}).fixed = true;
+    addBody(scene_, box({0.4, 0.4, 0.4}), {0, 0.2, 0}, red);
+    drawing_.camera.rotation = geometry::fromRotationVector(Vector(0.9, 0, 0));
+    drawing_.camera.scale = 0.6;
+    drawing_.display.shadows = false;
+    for (const int samples : {1, 4}) {
+        drawing_.display.samples = samples;
+        drawing_.display.shadows = false;
+        const Picture bare = draw();
+        drawing_.display.shadows = true;
+        const Picture shaded = draw();
+        const int dark =
+            shaded.count([&](int x, int y) { return shaded.red(x, y) < bare.red(x, y) - 20; });
+        const int light =
+            shaded.count([&](int x, int y) { return shaded.red(x, y) > bare.red(x, y) + 2; });
+        EXPECT_GT(dark, 150) << samples;
+        EXPECT_LT(dark, 2500) << samples;
+        EXPECT_EQ(light, 0) << samples;
+        // Nothing shades itself: the lit faces of the box are as they were.
+        const Eigen::Vector2d top = toPixels(drawing_.camera, shaded.size, {0, 0.4, 0});
+        const int x = static_cast<int>(top.x()), y = static_cast<int>(top.y());
+        EXPECT_EQ(shaded.at(x, y), bare.at(x, y)) << samples;
+    }
+}
+
+TEST_F(RendererTest, ABallShadesNoDotsOnItself) {
+    addBody(scene_, sphere(0.8), {0, 0, 0}, red);
+    drawing_.camera.rotation = geometry::fromRotationVector(Vector(0.34, -0.48, 0));
+    drawing_.display.samples = 4;
+    drawing_.display.shadows = false;
+    const Picture bare = draw();
+    drawing_.display.shadows = true;
+    const Picture shaded = draw();
+    EXPECT_EQ(shaded.count([&](int x, int y) { return shaded.red(x, y) < bare.red(x, y) - 4; }), 0);
+}
+
+TEST_F(RendererTest, ShadowsFallOnTheGroundOfASceneWithoutAFloor) {
+    addBody(scene_, sphere(0.3), {0, 0.3, 0}, red);
+    drawing_.camera.rotation = geometry::fromRotationVector(Vector(0.7, 0, 0));
+    drawing_.camera.scale = 0.7;
+    drawing_.display.grid = true;
+    drawing_.display.shadows = false;
+    const Picture bare = draw();
+    drawing_.display.shadows = true;
+    const Picture shaded = draw();
+    EXPECT_GT(shaded.count([&](int x, int y) { return shaded.red(x, y) < bare.red(x, y) - 20; }),
+              100);
+}
+
+TEST_F(RendererTest, AStudioHasASkyAndAHorizonLightOrDark) {
+    addBody(scene_, sphere(0.1), {0, 0, 0}, red);
+    drawing_.display.studio = true;
+    drawing_.camera.rotation = geometry::fromRotationVector(Vector(-0.1, 0, 0));
+    const Picture light = draw();
+    EXPECT_GT(light.red(20, 20), 180);
+    EXPECT_GT(light.blue(20, 5), light.red(20, 5) + 8); // the sky is bluer than the ground
+    EXPECT_LT(light.blue(20, 235), light.red(20, 235) + 8);
+    drawing_.display.background = {0.1, 0.1, 0.1};
+    const Picture dark = draw();
+    EXPECT_LT(dark.green(20, 20), 90);
+    EXPECT_LT(dark.green(20, 235), 60);
+    EXPECT_EQ(draw().bytes, dark.bytes);
+}
+
+// The grid stands still in the world: the same lines are seen wherever the view's middle is.
+TEST_F(RendererTest, TheGridStaysWhereItIsWhenTheViewMoves) {
+    addBody(scene_, sphere(0.05), {0, 0, 0}, red);
+    drawing_.display.grid = drawing_.display.studio = true;
+    drawing_.camera.rotation = geometry::fromRotationVector(Vector(M_PI / 2, 0, 0)); // from above
+    drawing_.camera.orthographic = true;
+    const Picture before = draw();
+    drawing_.camera.position = {0.5, 0, 0}; // 60 pixels
+    const Picture after = draw();
+    int same = 0, lines = 0;
+    for (int x = 80; x < 240; ++x) {
+        const bool line = before.red(x, 30) < before.red(x + 1, 30) - 4;
+        lines += line ? 1 : 0;
+        same += line && after.red(x + 60, 30) < after.red(x + 61, 30) - 4 ? 1 : 0;
+    }
+    EXPECT_GT(lines, 3);
+    EXPECT_GE(same, lines - 1);
+}
+
+} // namespace
+} // namespace render

@@ -1,0 +1,225 @@
+#include "surroundings/grid.h"
+
+#include "drawing/round_numbers.h"
+#include "drawing/stroke_text.h"
+#include "surroundings/backdrop.h"
+#include "surroundings/triad.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace render {
+
+namespace {
+
+constexpr double aimed = 90; // pixels of a step, at least
+
+double smooth(double from, double to, double x) {
+    const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
+    return t * t * (3 - 2 * t);
+}
+
+// One grid on its way into the picture.
+class Sheet {
+public:
+    Sheet(Lines& lines, const GroundPlane& ground, const Extent& extent, const Frame& frame,
+          const Display& display, double strength);
+
+    void draw();
+
+private:
+    struct Look {
+        Eigen::Vector3f color;
+        double alpha = 1;
+        double width = 0.9;
+    };
+
+    void lineUp(int direction, double step, int index, const Look& look);
+    void ruled(double step, double radius, int skipped, const Look& look);
+    void axes();
+    void numbers(double step);
+    void row(int direction, double step, double beside);
+    [[nodiscard]] Vector at(int direction, double along, double beside) const {
+        return frame_.toView(direction == 0 ? ground_.place(along, beside)
+                                            : ground_.place(beside, along));
+    }
+    // How much of a line is seen at a point of it; `step`: the distance of its neighbours.
+    [[nodiscard]] double seen(int direction, double along, double beside, double step) const;
+    [[nodiscard]] double focus(int direction) const {
+        return focus_[ground_.across[static_cast<std::size_t>(direction)]];
+    }
+    [[nodiscard]] Eigen::Vector2d pixels(int direction, double along, double beside) const {
+        return toPixels(frame_.camera(), frame_.size(),
+                        direction == 0 ? ground_.place(along, beside)
+                                       : ground_.place(beside, along));
+    }
+
+    Lines& lines_;
+    const GroundPlane& ground_;
+    const Frame& frame_;
+    const Display& display_;
+    Vector focus_;  // world: what lies in the middle of the grid
+    double radius_; // world: where it has faded
+    double pixelsPerLength_;
+    double strength_;
+    Eigen::Vector3f ink_;
+};
+
+Sheet::Sheet(Lines& lines, const GroundPlane& ground, const Extent& extent, const Frame& frame,
+             const Display& display, double strength)
+    : lines_(lines), ground_(ground), frame_(frame), display_(display), strength_(strength) {
+    const Camera& camera = frame.camera();
+    const double depth = camera.position.z();
+    pixelsPerLength_ = frame.pixels(camera.scale, depth);
+    const bool dark = isDark(display.background);
+    ink_ = dark ? Eigen::Vector3f(0.62F, 0.66F, 0.72F) : Eigen::Vector3f(0.46F, 0.50F, 0.56F);
+    if (display.studio) {
+        const Size size = frame.size();
+        focus_ = toWorld(camera, size, {0.5 * size.width, 0.5 * size.height}, depth);
+        const double above = std::abs(focus_.dot(ground.up) - ground.height);
+        radius_ = 4.5 * std::hypot(size.width, size.height) / 2 / pixelsPerLength_ + 1.5 * above;
+    } else {
+        ink_ = dark ? ink_ : Eigen::Vector3f(0.58F, 0.61F, 0.66F);
+        focus_ = extent.box.center();
+        const double across =
+            std::max(extent.box.sizes()[ground.across[0]], extent.box.sizes()[ground.across[1]]);
+        radius_ =
+            std::clamp(0.85 * across + 0.6 * extent.size, 0.8 * extent.size, 2.8 * extent.size);
+    }
+}
+
+double Sheet::seen(int direction, double along, double beside, double step) const {
+    const double from = std::hypot(along - focus(direction), beside - focus(1 - direction));
+    const double near = std::max(0.0, 1 - (from * from) / (radius_ * radius_));
+    const double apart =
+        (pixels(direction, along, beside + step) - pixels(direction, along, beside)).norm() /
+        frame_.stroke(1);
+    return near * near * smooth(2.5, 11, apart);
+}
+
+// Parallel to a direction, in pieces that are shorter near the focus.
+void Sheet::lineUp(int direction, double step, int index, const Look& look) {
+    constexpr std::array pieces{-1.0, -0.72, -0.5, -0.34, -0.2, -0.1, 0.0,
+                                0.1,  0.2,   0.34, 0.5,   0.72, 1.0};
+    const double beside = step * index, away = beside - focus(1 - direction);
+    if (std::abs(away) >= radius_)
+        return;
+    const double half = std::sqrt(radius_ * radius_ - away * away);
+    Ink ink{look.color, 0, frame_.stroke(look.width)};
+    double last = focus(direction) - half, lastAlpha = 0;
+    for (const double piece : pieces) {
+        const double along = focus(direction) + piece * half;
+        const double alpha = look.alpha * strength_ * seen(direction, along, beside, step);
+        if (alpha > 0.004 || lastAlpha > 0.004) {
+            ink.alpha = static_cast<float>(lastAlpha);
+            lines_.add(at(direction, last, beside), at(direction, along, beside), ink,
+                       static_cast<float>(alpha));
+        }
+        last = along;
+        lastAlpha = alpha;
+    }
+}
+
+// All lines of that step within the radius but each `skipped`th, which a coarser grid has.
+void Sheet::ruled(double step, double radius, int skipped, const Look& look) {
+    for (int direction = 0; direction < 2; ++direction) {
+        const double middle = focus(1 - direction);
+        const int first = static_cast<int>(std::ceil((middle - radius) / step));
+        const int last = static_cast<int>(std::floor((middle + radius) / step));
+        for (int index = first; index <= last; ++index)
+            if ((skipped == 0 || index % skipped != 0) && (index != 0 || !display_.studio))
+                lineUp(direction, step, index, look);
+    }
+}
+
+void Sheet::axes() {
+    const double step = roundAbove(aimed * frame_.stroke(1) / pixelsPerLength_);
+    for (int direction = 0; direction < 2; ++direction)
+        lineUp(direction, step, 0,
+               {axisColor(ground_.across[static_cast<std::size_t>(direction)]), 0.8, 1.3});
+}
+
+// Numbers along one axis, on the other or, where that is out of sight, on a line near the middle.
+void Sheet::row(int direction, double step, double beside) {
+    const double height = frame_.stroke(8);
+    const int middle = static_cast<int>(std::lround(focus(direction) / step));
+    const int reach = std::min(24, static_cast<int>(0.7 * radius_ / step));
+    std::optional<Eigen::Vector2d> taken;
+    for (int k = 0; k <= 2 * reach; ++k) { // from the middle outwards, either way
+        const int index = middle + (k % 2 == 0 ? k / 2 : -(k + 1) / 2);
+        if (index == 0 && direction == 1 && beside == 0)
+            continue; // the other row has it
+        const double value = index * step;
+        const std::string text = coordinateText(value, step);
+        const double apart =
+            (pixels(direction, value + step, beside) - pixels(direction, value, beside)).norm();
+        const double needed = textWidth(text, height) + height;
+        const double alpha = 0.95 * strength_ *
+                             std::min(1.0, 2 * seen(direction, value, beside, step)) *
+                             smooth(0.6 * needed, needed, apart);
+        if (alpha < 0.05)
+            continue;
+        addText(lines_, frame_, at(direction, value, beside), {-0.4 * height, -1.05 * height}, text,
+                height, Anchor::right, {ink_, static_cast<float>(alpha), frame_.stroke(1)});
+    }
+}
+
+void Sheet::numbers(double step) {
+    for (int direction = 0; direction < 2; ++direction) {
+        const double away = focus(1 - direction);
+        const double beside = std::abs(away) < 0.25 * radius_ ? 0 : step * std::round(away / step);
+        row(direction, step, beside);
+    }
+}
+
+void Sheet::draw() {
+    const std::vector<GridStep> steps = gridSteps(pixelsPerLength_, frame_.stroke(1));
+    const GridStep* main = &steps.front();
+    for (const GridStep& one : steps) {
+        const int parts = std::lround(one.step / powerBelow(one.step)) == 2 ? 4 : 5;
+        const double fine = one.step / parts;
+        ruled(fine, std::min(radius_, 70 * fine), parts, {ink_, 0.30 * one.weight, 0.8});
+        ruled(one.step, radius_, 0, {ink_, 0.62 * one.weight, 0.95});
+        if (one.weight > main->weight)
+            main = &one;
+    }
+    if (!display_.studio)
+        return;
+    axes();
+    numbers(main->step);
+}
+
+} // namespace
+
+GroundPlane groundPlane(const Vector& up, double height) {
+    Eigen::Index axis = 0;
+    up.cwiseAbs().maxCoeff(&axis);
+    GroundPlane ground{up, height, {0, 2}};
+    ground.across = axis == 0 ? std::array{1, 2} : axis == 1 ? std::array{0, 2} : std::array{0, 1};
+    return ground;
+}
+
+std::vector<GridStep> gridSteps(double pixelsPerLength, double stroke) {
+    const double wanted = aimed * stroke / pixelsPerLength;
+    const double step = roundAbove(wanted);
+    const double old = smooth(1.0, 1.15, step / wanted); // of the step that is about to go
+    std::vector<GridStep> steps{{step, old}};
+    if (old < 1)
+        steps.push_back({roundAbove(1.01 * step), 1 - old});
+    return steps;
+}
+
+void addGrid(Lines& lines, const GroundPlane& ground, const Extent& extent, const Frame& frame,
+             const Display& display, double strength) {
+    // Seen edge-on it is a line: it fades before that.
+    const Vector up = frame.directionInView(ground.up);
+    const double offset = frame.toView(ground.place(0, 0)).dot(up);
+    const double rise = frame.camera().orthographic
+                            ? std::abs(up.z())
+                            : std::abs(eyeDistance * up.z() - offset) / eyeDistance;
+    const double slant = smooth(0.01, 0.12, rise);
+    if (slant > 0)
+        Sheet(lines, ground, extent, frame, display, strength * slant).draw();
+}
+
+} // namespace render

@@ -1,0 +1,44 @@
+// The grid on the ground: lines at round coordinates of the world.
+//
+// It stands still in the world. Its step, of the series 1, 2, 5, 10, ..., follows the scale of the
+// view; near a change of the step both grids are seen, one fading into the other. Lines fade with
+// distance and where they would crowd. On a page of a document it is a discreet patch under the
+// scene, in a studio (Display::studio) it reaches to the horizon, with numbers and coloured axes.
+#pragma once
+
+#include "drawing/frame.h"
+#include "drawing/lines.h"
+#include "framing/extent.h"
+
+#include <array>
+#include <vector>
+
+namespace render {
+
+// The plane of the grid in the world: points x with up . x = height. `across`: the world's axes
+// that lie in it, indices.
+struct GroundPlane {
+    Vector up = Vector::UnitY();
+    double height = 0;
+    std::array<int, 2> across{0, 2};
+    [[nodiscard]] Vector place(double u, double v) const {
+        return height * up + u * Vector::Unit(across[0]) + v * Vector::Unit(across[1]);
+    }
+};
+// `up` is an axis of the world, either way.
+[[nodiscard]] GroundPlane groundPlane(const Vector& up, double height);
+
+// A step of the grid, and how much of it is seen, 0 to 1.
+struct GridStep {
+    double step = 1;
+    double weight = 1;
+};
+// Of a view in which a length of the world is that many pixels times as long: one step, or two
+// while one turns into the other. Each is some 90 to 225 pixels of a picture 480 high.
+[[nodiscard]] std::vector<GridStep> gridSteps(double pixelsPerLength, double stroke);
+
+// `strength`: 1, or less on a floor that is seen itself.
+void addGrid(Lines& lines, const GroundPlane& ground, const Extent& extent, const Frame& frame,
+             const Display& display, double strength);
+
+} // namespace render

@@ -1,0 +1,131 @@
+#include "surroundings/ground.h"
+
+#include "drawing/round_numbers.h"
+#include "drawing/shaders.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace render {
+
+namespace {
+
+// Area of the mesh's level upward faces that stand highest, and their height.
+struct Top {
+    double area = 0;
+    double height = 0;
+};
+
+Top topOf(const Solid& solid, const Mesh& mesh, const Vector& up) {
+    Top top;
+    const auto corner = [&](std::size_t index) {
+        const float* p = &mesh.vertices[6 * mesh.indices[index]];
+        return solid.toView(Vector(p[0], p[1], p[2]));
+    };
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        const Vector a = corner(i);
+        const Vector twice = (corner(i + 1) - a).cross(corner(i + 2) - a);
+        if (twice.dot(up) < 0.9999 * twice.norm())
+            continue;
+        const double height = a.dot(up);
+        if (top.area == 0 || height > top.height + 1e-6 * solid.radius)
+            top = {0, height};
+        top.area += twice.norm() / 2;
+    }
+    return top;
+}
+
+} // namespace
+
+namespace {
+
+// The height in the world of the largest level face of a fixed body, if it is large enough to be a
+// floor and no ceiling.
+std::optional<double> floorHeight(std::span<const Solid> solids, const Extent& extent,
+                                  const Frame& frame, Solids& meshes) {
+    const Vector up = frame.directionInView(extent.ground);
+    const Vector middle = extent.box.center();
+    const double middleHeight = frame.toView(middle).dot(up);
+    const bool anyMoves = std::ranges::find(extent.moves, true) != extent.moves.end();
+    const double highest = // what lies above all that moves is a ceiling
+        anyMoves ? middleHeight + 0.499 * frame.camera().scale *
+                                      extent.box.sizes().dot(extent.ground.cwiseAbs())
+                 : std::numeric_limits<double>::infinity();
+    std::optional<double> height;
+    double largest = std::pow(0.3 * extent.size * frame.camera().scale, 2);
+    for (const Solid& solid : solids) {
+        if (!extent.fixed[solid.body] || extent.moves[solid.body] ||
+            std::holds_alternative<scene::SphereShape>(solid.part->shape))
+            continue;
+        const Top top = topOf(solid, meshes.meshOf(solid, frame), up);
+        if (top.area > largest && top.height < highest) {
+            largest = top.area;
+            height = top.height;
+        }
+    }
+    if (!height)
+        return std::nullopt;
+    return middle.dot(extent.ground) + (*height - middleHeight) / frame.camera().scale;
+}
+
+} // namespace
+
+double groundHeight(const Extent& extent) {
+    if (extent.lowestStands)
+        return extent.lowest;
+    constexpr double far = 1.5; // sizes: then 0 would be out of the picture
+    if (extent.lowest >= -1e-6 * extent.size && extent.lowest <= far * extent.size)
+        return 0;
+    const double step = roundBelow(extent.size / 8);
+    return step * std::floor(extent.lowest / step + 0.02);
+}
+
+Ground groundOf(std::span<const Solid> solids, const Extent& extent, const Frame& frame,
+                Solids& meshes) {
+    const auto floor = floorHeight(solids, extent, frame, meshes);
+    return {groundPlane(extent.ground, floor.value_or(groundHeight(extent))), floor.has_value()};
+}
+
+GroundShadow::~GroundShadow() { gl_.DeleteVertexArrays(1, &array_); }
+
+std::string GroundShadow::build() {
+    gl_.GenVertexArrays(1, &array_);
+    return program_.build(groundVertexShader, {shadowFunctions, groundFragmentShader});
+}
+
+void GroundShadow::show(const GroundPlane& ground, const Light& light, const LightSight& sight,
+                        const Frame& frame, const float* projection, float strength) const {
+    const Vector up = frame.directionInView(ground.up), foot = frame.toView(ground.place(0, 0));
+    if (up.dot(frame.eye() - foot) <= 0)
+        return;
+    // The map's four corners along their rays to the ground.
+    const Eigen::Matrix4d back = sight.matrix.inverse();
+    std::array<float, 12> corners;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const double x = i % 2 == 0 ? -1 : 1, y = i < 2 ? -1 : 1;
+        const Vector from = (back * Eigen::Vector4d(x, y, -1, 1)).hnormalized();
+        const Vector way = (back * Eigen::Vector4d(x, y, 1, 1)).hnormalized() - from;
+        const double falls = -way.dot(up);
+        if (falls < 1e-3 * way.norm())
+            return; // LIMIT: light that comes level, or from below, throws no shadow on the ground
+        const Vector hit = from + way * ((from - foot).dot(up) / falls);
+        for (std::size_t k = 0; k < 3; ++k)
+            corners[3 * i + k] = static_cast<float>(hit[static_cast<Eigen::Index>(k)]);
+    }
+    const Vector toLight =
+        light.isPoint ? Vector((light.place - foot).normalized()) : Vector(light.place);
+    const Eigen::Vector3f towards = toLight.cast<float>();
+    program_.use();
+    gl_.UniformMatrix4fv(program_.place("projection"), 1, GL_FALSE, projection);
+    gl_.Uniform3fv(program_.place("corner"), 4, corners.data());
+    gl_.Uniform3fv(program_.place("toLight"), 1, towards.data());
+    gl_.Uniform4f(program_.place("ink"), 0.06F, 0.07F, 0.10F, strength);
+    program_.giveShadow(sight);
+    gl_.BindVertexArray(array_);
+    gl_.Disable(GL_CULL_FACE);
+    gl_.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    gl_.Enable(GL_CULL_FACE);
+}
+
+} // namespace render

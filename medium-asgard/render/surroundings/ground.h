@@ -1,0 +1,48 @@
+// The ground that a scene stands on, and the shadows on it.
+//
+// A scene's own floor (a large level face of something that never moves) bears the grid. Without
+// one the ground lies under everything, at a round height, so that it stays where it is while one
+// edits; it is not seen itself, but shadows fall on it.
+#pragma once
+
+#include "drawing/frame.h"
+#include "drawing/program.h"
+#include "drawing/solids.h"
+#include "framing/extent.h"
+#include "surroundings/grid.h"
+
+#include <optional>
+#include <span>
+
+namespace render {
+
+struct Ground {
+    GroundPlane plane;
+    bool isFloor = false; // of the scene
+};
+[[nodiscard]] Ground groundOf(std::span<const Solid> solids, const Extent& extent,
+                              const Frame& frame, Solids& meshes);
+
+// 0 while all is above it and not far; else under everything, a little lower where that is not
+// round. Under what is fixed exactly.
+[[nodiscard]] double groundHeight(const Extent& extent);
+
+class GroundShadow {
+public:
+    explicit GroundShadow(const Gl& gl) : gl_(gl), program_(gl) {}
+    ~GroundShadow();
+    GroundShadow(const GroundShadow&) = delete;
+    GroundShadow& operator=(const GroundShadow&) = delete;
+
+    [[nodiscard]] std::string build();
+    // The shadow map is bound; nothing where the ground is seen from below.
+    void show(const GroundPlane& ground, const Light& light, const LightSight& sight,
+              const Frame& frame, const float* projection, float strength) const;
+
+private:
+    const Gl& gl_;
+    Program program_;
+    GLuint array_ = 0;
+};
+
+} // namespace render

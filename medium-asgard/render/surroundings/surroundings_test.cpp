@@ -1,0 +1,98 @@
+// Where the grid, the ground, the horizon and the triad stand in a picture.
+#include "framing/test_scenes.h"
+#include "surroundings/backdrop.h"
+#include "surroundings/ground.h"
+#include "surroundings/triad.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace render {
+namespace {
+
+using Pixels = Eigen::Vector2d;
+
+// Over five decades of scale: always legible, and no line comes or goes at once.
+TEST(Grid, StepsChangeGraduallyWithTheScale) {
+    std::vector<GridStep> last;
+    for (double pixels = 1e-2; pixels < 1e3; pixels *= 1.01) {
+        const std::vector<GridStep> steps = gridSteps(pixels, 1);
+        double sum = 0;
+        for (const GridStep& one : steps) {
+            EXPECT_GE(one.step * pixels, 90 * (1 - 1e-9));
+            EXPECT_LE(one.step * pixels, 90 * 2.5 * 2.5);
+            sum += one.weight;
+        }
+        EXPECT_NEAR(sum, 1, 1e-12);
+        for (const GridStep& before : last) {
+            double now = 0;
+            for (const GridStep& one : steps)
+                if (std::abs(one.step / before.step - 1) < 1e-9)
+                    now = one.weight;
+            EXPECT_LT(std::abs(now - before.weight), 0.15) << pixels;
+        }
+        last = steps;
+    }
+}
+
+TEST(Ground, IsARoundHeightThatSmallChangesLeaveAlone) {
+    Extent extent;
+    extent.size = 10;
+    extent.lowest = -3.2;
+    const double height = groundHeight(extent);
+    EXPECT_LE(height, extent.lowest);
+    EXPECT_NEAR(std::remainder(height, 1), 0, 1e-12);
+    for (const double moved : {-3.3, -3.5, -3.9}) {
+        extent.lowest = moved;
+        EXPECT_EQ(groundHeight(extent), height);
+    }
+    extent.lowest = -3 - 1e-9; // what rests on it at a round height rests on it
+    EXPECT_NEAR(groundHeight(extent), -3, 1e-12);
+    for (const double above : {0.0, 0.7, 9.0}) { // a body that is lifted leaves it behind
+        extent.lowest = above;
+        EXPECT_EQ(groundHeight(extent), 0);
+    }
+    extent.lowest = -3.3;
+    extent.lowestStands = true;
+    EXPECT_EQ(groundHeight(extent), -3.3);
+}
+
+TEST(Horizon, IsWhereLevelLinesOfSightLead) {
+    Drawing drawing;
+    const Size size{640, 480};
+    for (const double tilt : {0.0, 0.3, -0.2}) {
+        drawing.camera.rotation = geometry::fromRotationVector({tilt, 0, 0.4});
+        const Frame frame(drawing, size);
+        const auto horizon = horizonOf(frame, frame.directionInView(Vector::UnitY()));
+        ASSERT_TRUE(horizon);
+        // A point very far away on a level way is seen on it.
+        const Vector level = drawing.camera.rotation.conjugate() * Vector(0.1, 0, -1);
+        const Vector far = 1e7 * Vector(level.x(), 0, level.z());
+        const Pixels at = toPixels(drawing.camera, size, far) - Pixels(320, 240);
+        EXPECT_NEAR(Pixels(at.x(), -at.y()).dot(horizon->toSky) / 240, horizon->offset, 1e-5);
+    }
+    drawing.camera.orthographic = true;
+    EXPECT_FALSE(horizonOf(Frame(drawing, size), Vector::UnitY()));
+    drawing.camera.orthographic = false; // straight down there is ground alone
+    EXPECT_FALSE(horizonOf(Frame(drawing, size), Vector::UnitZ()));
+}
+
+TEST(Triad, AClickOnAnEndMeansItsDirection) {
+    const Size size{640, 480};
+    Camera camera;
+    camera.rotation = geometry::fromRotationVector({0.4, 0.5, 0});
+    for (const TriadEnd& end : triadOf(camera, size)) {
+        const auto direction = triadDirectionAt(camera, size, end.place);
+        ASSERT_TRUE(direction);
+        EXPECT_EQ(*direction, end.direction());
+        EXPECT_LE((end.place - triadMiddle(size)).norm(), triadReach(size));
+    }
+    EXPECT_FALSE(triadDirectionAt(camera, size, {320, 240}));
+    // Of two in one place the one in front.
+    camera.rotation = Quaternion::Identity();
+    EXPECT_EQ(triadDirectionAt(camera, size, triadMiddle(size)), Vector(Vector::UnitZ()));
+}
+
+} // namespace
+} // namespace render
