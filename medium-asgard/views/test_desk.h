@@ -5,6 +5,7 @@
 
 #include "language/language_viewer.h"
 #include "language/number_drag.h"
+#include "panels/parameters_panel.h"
 #include "script/evaluator.h"
 #include "script/interpreter.h"
 #include "script/verdict.h"
@@ -12,7 +13,6 @@
 #include "text/characters.h"
 #include "trajectories/trajectory_editor.h"
 #include "viewers/graphical_viewer.h"
-#include "viewers/parameters_panel.h"
 #include "views/test_undo_model.h"
 #include "views/test_workshop.h"
 

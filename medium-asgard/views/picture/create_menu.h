@@ -2,6 +2,7 @@
 // small dialog.
 #pragma once
 
+#include "recipes/recipes.h"
 #include "workbench/scene_document.h"
 
 class QMenu;
@@ -12,6 +13,9 @@ class SceneDisplay;
 
 // Filled anew each time it opens: it lists the scene's shapes. All three live as long as the menu.
 void buildCreateMenu(QMenu* menu, SceneDocument& document, SceneDisplay& display);
+
+// With arrows as long as the display draws them, and the gravity that other bodies have.
+[[nodiscard]] Recipe newWeight(SceneDisplay& display);
 
 // The dialog of a new plot, and the plot.
 void askForPlot(SceneDocument& document, SceneDisplay& display);

@@ -3,8 +3,8 @@
 #include "editing/number_text.h"
 #include "gestures/snapping.h"
 #include "gestures/wireframe.h"
-#include "picture/recipe_words.h"
 #include "picture/scene_display.h"
+#include "recipes/recipe_words.h"
 #include "scene/shape_of.h"
 #include "script/numbers.h"
 

@@ -10,7 +10,7 @@
 #pragma once
 
 #include "gestures/snapping.h"
-#include "picture/recipes.h"
+#include "recipes/recipes.h"
 #include "workbench/scene_document.h"
 
 #include <QObject>

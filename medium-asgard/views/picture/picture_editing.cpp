@@ -2,8 +2,8 @@
 
 #include "element_edits/deletion.h"
 #include "gestures/handle_meaning.h"
+#include "offers/value_entry.h"
 #include "picture/scene_display.h"
-#include "picture/value_entry.h"
 #include "plain/plain.h"
 
 #include <QKeyEvent>

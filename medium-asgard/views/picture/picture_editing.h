@@ -11,7 +11,7 @@
 #pragma once
 
 #include "gestures/hand.h"
-#include "picture/value_entry.h"
+#include "offers/value_entry.h"
 
 #include <QObject>
 #include <QPointer>

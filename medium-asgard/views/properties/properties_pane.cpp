@@ -7,7 +7,7 @@
 #include "frame/names_box.h"
 #include "frame/readable.h"
 #include "frame/typed_field.h"
-#include "picture/asked_value.h"
+#include "offers/asked_value.h"
 #include "plain/plain.h"
 #include "script/numbers.h"
 

@@ -2,7 +2,7 @@
 
 #include "frame/readable.h"
 #include "frame/typed_field.h"
-#include "picture/offer_list.h"
+#include "offers/offer_list.h"
 #include "plain/plain.h"
 #include "script/numbers.h"
 #include "script/svg_colors.h"

@@ -1,7 +1,7 @@
 #include "viewers/exports.h"
 
+#include "panels/status_panel.h"
 #include "plain/plain.h"
-#include "viewers/status_panel.h"
 
 #include <QApplication>
 #include <QDir>

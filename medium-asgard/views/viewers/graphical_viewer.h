@@ -6,10 +6,10 @@
 #include "frame/panes.h"
 #include "frame/undo_actions.h"
 #include "frame/windows.h"
+#include "panels/status_panel.h"
+#include "panels/time_bar.h"
 #include "picture/scene_display.h"
 #include "trajectories/time_strip.h"
-#include "viewers/status_panel.h"
-#include "viewers/time_bar.h"
 #include "workbench/playback.h"
 
 #include <QMainWindow>

@@ -1,12 +1,12 @@
 // One window with its panes: what it opens with, what its keys mean, and how it ends.
 #include "language/scene_editor.h"
+#include "panels/parameters_panel.h"
 #include "plots/plots_panel.h"
 #include "plots/study_window.h"
 #include "shapes/shape_editor.h"
 #include "start/first_page.h"
 #include "trajectories/trajectory_editor.h"
 #include "viewers/editor.h"
-#include "viewers/parameters_panel.h"
 #include "viewers/placing.h"
 #include "viewers/scene_files.h"
 #include "viewers/starting.h"

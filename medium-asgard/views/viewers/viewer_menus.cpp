@@ -3,12 +3,12 @@
 #include "framing/framing.h"
 #include "gestures/present.h"
 #include "language/language_viewer.h"
+#include "panels/time_controls.h"
 #include "picture/create_menu.h"
 #include "plain/plain.h"
 #include "properties/element_commands.h"
 #include "shapes/shapes_menu.h"
 #include "viewers/graphical_viewer.h"
-#include "viewers/time_controls.h"
 
 #include <QActionGroup>
 #include <QMenu>

@@ -1,8 +1,8 @@
-#include "viewers/time_controls.h"
+#include "panels/time_controls.h"
 
+#include "panels/motion_span.h"
+#include "panels/status_panel.h"
 #include "plain/plain.h"
-#include "viewers/motion_span.h"
-#include "viewers/status_panel.h"
 
 #include <QAction>
 #include <QEvent>

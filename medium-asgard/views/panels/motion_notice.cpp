@@ -1,8 +1,8 @@
-#include "viewers/motion_notice.h"
+#include "panels/motion_notice.h"
 
 #include "motion/known_span.h"
+#include "panels/status_panel.h"
 #include "plain/plain.h"
-#include "viewers/status_panel.h"
 
 #include <QEvent>
 #include <QHBoxLayout>

@@ -1,10 +1,10 @@
 // (text, what is typed into a field, text), and what a field says that cannot be.
 #include "frame/manual.h"
 #include "frame/manual_window.h"
+#include "panels/motion_span.h"
 #include "shapes/shape_editor.h"
 #include "trajectories/trajectory_editor.h"
 #include "viewers/editor.h"
-#include "viewers/motion_span.h"
 #include "views/test_workshop.h"
 
 #include <QLineEdit>

@@ -1,6 +1,6 @@
-#include "picture/offer_list.h"
+#include "offers/offer_list.h"
 
-#include "picture/edit_preview.h"
+#include "offers/edit_preview.h"
 #include "plain/plain.h"
 
 #include <QPushButton>

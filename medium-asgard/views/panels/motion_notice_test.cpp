@@ -1,6 +1,6 @@
 // What a picture says of a motion that stops, that is computed, and that was stopped.
+#include "panels/motion_notice.h"
 #include "viewers/graphical_viewer.h"
-#include "viewers/motion_notice.h"
 #include "views/test_workshop.h"
 
 #include <gmock/gmock.h>

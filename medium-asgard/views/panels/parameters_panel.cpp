@@ -1,4 +1,4 @@
-#include "viewers/parameters_panel.h"
+#include "panels/parameters_panel.h"
 
 #include "plain/plain.h"
 

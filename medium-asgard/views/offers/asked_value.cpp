@@ -1,4 +1,4 @@
-#include "picture/asked_value.h"
+#include "offers/asked_value.h"
 
 #include "gestures/handle_meaning.h"
 #include "gestures/new_point.h"

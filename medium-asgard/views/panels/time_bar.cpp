@@ -1,4 +1,4 @@
-#include "viewers/time_bar.h"
+#include "panels/time_bar.h"
 
 #include "charts/scale.h"
 #include "plain/plain.h"

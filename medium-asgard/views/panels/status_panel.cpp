@@ -1,4 +1,4 @@
-#include "viewers/status_panel.h"
+#include "panels/status_panel.h"
 
 #include "faults/close_joints.h"
 #include "handles/handles.h"

@@ -5,7 +5,7 @@
 // previewed in the same way. Return takes the value, Escape leaves everything as it is.
 #pragma once
 
-#include "picture/asked_value.h"
+#include "offers/asked_value.h"
 
 #include <QFrame>
 #include <QLabel>

@@ -2,10 +2,10 @@
 // (dissertation 4.1.2, 4.1.4 to 4.1.8).
 #pragma once
 
+#include "drawing/drawing.h"
 #include "element_edits/creation.h"
 #include "geometry/pose.h"
 #include "point_edits/shape_library.h"
-#include "render/renderer.h"
 
 #include <QString>
 
@@ -70,8 +70,6 @@ struct Recipe {
     std::function<QString(const std::vector<Indicated>& shown)> tells = {};
 };
 
-class SceneDisplay;
-
 enum class BasicShape { sphere, box };
 
 // Of a shape that is there, or of a new one.
@@ -83,7 +81,6 @@ enum class BasicShape { sphere, box };
 // `massOf`: of a body of the scene. `usual`: the acceleration that Return gives.
 [[nodiscard]] Recipe newWeight(double perUnit, std::function<double(std::size_t)> massOf,
                                const Vector& usual);
-[[nodiscard]] Recipe newWeight(SceneDisplay& display);
 // For each body that can fall and has no weight yet; without steps.
 [[nodiscard]] Recipe weightForAll(const Vector& acceleration);
 // The one that all bodies have that can fall, if there are such; none: they differ.

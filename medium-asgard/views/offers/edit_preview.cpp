@@ -1,4 +1,4 @@
-#include "picture/edit_preview.h"
+#include "offers/edit_preview.h"
 
 #include "element_edits/preview.h"
 

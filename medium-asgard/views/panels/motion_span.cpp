@@ -1,4 +1,4 @@
-#include "viewers/motion_span.h"
+#include "panels/motion_span.h"
 
 #include "editing/number_text.h"
 #include "editing/value_edit.h"

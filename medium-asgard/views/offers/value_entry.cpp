@@ -1,8 +1,8 @@
-#include "picture/value_entry.h"
+#include "offers/value_entry.h"
 
 #include "editing/number_text.h"
-#include "picture/edit_preview.h"
-#include "picture/offer_list.h"
+#include "offers/edit_preview.h"
+#include "offers/offer_list.h"
 #include "plain/plain.h"
 #include "script/numbers.h"
 

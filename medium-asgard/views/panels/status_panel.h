@@ -1,7 +1,7 @@
 // The area beside a viewer's picture: where the motion stands, and what is shown.
 #pragma once
 
-#include "render/renderer.h"
+#include "drawing/drawing.h"
 #include "workbench/playback.h"
 #include "workbench/scene_document.h"
 

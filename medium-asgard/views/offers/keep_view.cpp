@@ -1,7 +1,7 @@
-#include "picture/keep_view.h"
+#include "offers/keep_view.h"
 
 #include "editing/number_text.h"
-#include "picture/edit_preview.h"
+#include "offers/edit_preview.h"
 #include "plain/plain.h"
 
 #include <QComboBox>

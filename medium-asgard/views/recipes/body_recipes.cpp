@@ -1,0 +1,145 @@
+// Create > Body and Floor.
+#include "editing/number_text.h"
+#include "framing/extent.h"
+#include "point_edits/shape_edit.h"
+#include "recipes/recipe_words.h"
+
+#include <QObject>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <limits>
+
+namespace views {
+
+using editing::Kind;
+using editing::NewElement;
+
+namespace {
+
+std::vector<std::string> placeWords(const Indicated& shown) {
+    std::vector<std::string> words{"-init_pos", listed(shown.point, shown.resolution)};
+    constexpr double least = 1e-9;
+    if (const Vector turn = geometry::toRotationVector(shown.attitude); turn.norm() > least)
+        words.insert(words.end(), {"-init_rot", listed(turn, least)});
+    return words;
+}
+
+} // namespace
+
+Recipe newBody(const std::string& shape, std::vector<scene::Part> ghost) {
+    Step where =
+        showPlace(QObject::tr("Click where the new body shall be, on a body that it rests on, "
+                              "or type x y z."),
+                  QObject::tr("Return puts it at the origin."));
+    where.rests = true;
+    return {QObject::tr("New Body"),
+            {where},
+            [shape](const std::string& text, const scene::Scene& scene,
+                    const std::vector<Indicated>& shown) {
+                NewElement body{Kind::body,
+                                editing::unusedName(text, scene, Kind::body, shape),
+                                placeWords(shown[0]),
+                                {},
+                                shape};
+                for (std::size_t i = 0; i < scene.shapeSets.size(); ++i)
+                    if (scene.shapeSets[i].name == shape)
+                        body.behind.push_back({Kind::shapeSet, i});
+                return std::vector{body};
+            },
+            &render::Display::positionHandles,
+            {},
+            std::move(ghost)};
+}
+
+namespace {
+
+// Things of a room, not the language's ideal ones: balls bounce, all else comes to rest where it
+// falls, and wheels roll.
+Recipe newBody(const std::string& stem, const std::string& description, bool isFixed = false) {
+    Recipe recipe = views::newBody(std::string());
+    recipe.make = [stem, description, isFixed](const std::string& text, const scene::Scene& scene,
+                                               const std::vector<Indicated>& shown) {
+        const std::string shape = editing::unusedName(text, scene, Kind::shapeSet, stem);
+        const NewElement set{Kind::shapeSet, shape, {"-desc", description}, {}};
+        NewElement body{Kind::body,
+                        editing::unusedName(text, scene, Kind::body, "body", {shape}),
+                        placeWords(shown[0]),
+                        {},
+                        shape};
+        if (isFixed)
+            body.words.insert(body.words.end(), {"-fixed", "1"});
+        else
+            body.words.insert(body.words.end(), {"-restitution", stem == "ball" ? "0.7" : "0"});
+        body.words.insert(body.words.end(), {"-friction", "0.3"});
+        return std::vector{set, body};
+    };
+    return recipe;
+}
+
+} // namespace
+
+Recipe newBody(BasicShape basic) {
+    const bool isBall = basic == BasicShape::sphere;
+    Recipe recipe = isBall ? newBody("ball", "{-sub {-sphere 0.5}}")
+                           : newBody("block", "{-sub {-box {1 1 1}}}");
+    recipe.ghost.emplace_back();
+    if (isBall)
+        recipe.ghost.front().shape = scene::SphereShape{0.5};
+    else
+        recipe.ghost.front().shape = scene::BoxShape{};
+    return recipe;
+}
+
+Recipe newBody(const editing::LibraryShape& shape) {
+    std::string stem; // "thandle" of "T-handle"
+    for (const char c : shape.name)
+        if (std::isalpha(static_cast<unsigned char>(c)) != 0)
+            stem += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    const bool isFixed = std::ranges::any_of(shape.parts, [](const scene::Part& part) {
+        return std::holds_alternative<scene::PlaneShape>(part.shape);
+    });
+    Recipe recipe = newBody(stem, editing::descriptionText(shape.parts), isFixed);
+    recipe.ghost = shape.parts;
+    return recipe;
+}
+
+namespace {
+
+// Of all bodies but planes, against the direction in which they fall; 0 for none.
+double lowestOf(const scene::Scene& scene, const Vector& up) {
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const scene::Body& body : scene.bodies) {
+        const geometry::Pose pose{body.initialPosition, body.initialAttitude};
+        for (const render::Ball& ball : render::outlineOf(scene, body))
+            lowest = std::min(lowest, up.dot(pose.toWorld(ball.center)) - ball.radius);
+    }
+    return std::isfinite(lowest) ? lowest : 0;
+}
+
+} // namespace
+
+// At 0, or under the lowest body. A plane is what lies below its y, so that it is turned where
+// things fall another way.
+Recipe newFloor() {
+    Recipe recipe;
+    recipe.label = QObject::tr("New Floor");
+    recipe.make = [](const std::string& text, const scene::Scene& scene,
+                     const std::vector<Indicated>&) {
+        const Vector up = render::upOf(scene);
+        Indicated below;
+        below.point = std::min(lowestOf(scene, up), 0.0) * up;
+        below.resolution = 1e-6;
+        std::vector<NewElement> made =
+            newBody(editing::libraryShape("Floor")).make(text, scene, {below});
+        const Vector turn =
+            geometry::toRotationVector(geometry::Quaternion::FromTwoVectors(Vector::UnitY(), up));
+        if (turn.norm() > 1e-9)
+            made.back().words.insert(made.back().words.end(), {"-init_rot", listed(turn, 0)});
+        return made;
+    };
+    return recipe;
+}
+
+} // namespace views
