@@ -1,6 +1,5 @@
 #include "computing/follower.h"
 
-#include "computing/stale_motion.h"
 #include "reports/report.h"
 #include "script/locate.h"
 #include "text/places.h"
@@ -9,14 +8,6 @@
 #include <utility>
 
 namespace computing {
-
-namespace {
-
-// A motion is shown whole where it takes less; then as far as it is known.
-constexpr std::chrono::milliseconds untilPartial{250};
-constexpr std::chrono::milliseconds betweenPartial{50};
-
-} // namespace
 
 Follower::Follower(Tools tools, std::function<void()> wake)
     : worker_(std::move(tools), std::move(wake)) {}
@@ -29,12 +20,11 @@ void Follower::follow(const std::string& text, const Ask& ask, Instant now) {
     order.overlap = overlap_;
     order.mostBytes = mostBytes_.value_or(order.mostBytes);
     text_ = text;
-    patience_ = ask.patience;
+    showing_.setPatience(ask.patience);
     worker_.start(text, std::move(order));
     if (!ask.gesture) {
         welcome_ = worker_.serial();
-        awaited_.reset();
-        partial_.reset();
+        showing_.dropAwaited();
     }
     started_ = now;
     readAt_.reset();
@@ -42,25 +32,10 @@ void Follower::follow(const std::string& text, const Ask& ask, Instant now) {
     work_ = Work::reading;
 }
 
-const ScenePointer& Follower::newestScene() const {
-    return awaited_ ? awaited_->scene : shown_.scene;
-}
-
-std::optional<Instant> Follower::deadline() const {
-    std::optional<Instant> due;
-    if (awaited_)
-        due = awaited_->until;
-    if (partial_)
-        due = due ? std::min(*due, partial_->due) : partial_->due;
-    return due;
-}
-
 Changes Follower::update(Instant now) {
     for (News& news : worker_.collect())
         std::visit([&](auto& one) { take(std::move(one), now); }, news);
-    showWhatIsDue(now);
-    if (changes_.motion)
-        shownAt_ = now;
+    static_cast<Showing::Changes&>(changes_) = showing_.update(now);
     return std::exchange(changes_, {});
 }
 
@@ -77,54 +52,25 @@ void Follower::take(Reading reading, Instant now) {
         changes_.diagnostics = true;
         changes_.ended = !reading.moves;
     }
-    if (!reading.scene)
-        return;
-    Awaited next{reading.serial, std::move(reading.scene), std::move(reading.text), now,
-                 patience_ > quick};
-    if (reading.moves)
-        next.until = now + (next.patient          ? patience_
-                            : lastMotion_ > quick ? std::chrono::milliseconds(0)
-                                                  : quick);
-    if (awaited_ && !next.patient) // a hand that does not rest sees those in between
-        next.until = std::min(next.until, awaited_->until);
-    awaited_ = std::move(next);
-}
-
-// At once where it is looked at already; else once it has taken a while.
-Instant Follower::dueOf(const Progress& progress, Instant now) const {
-    const bool more = progress.scene == shown_.scene && !motionIsStale() && shown_.motion;
-    if ((seen_ && (more || !shown_.scene || progress.motion->computed() >= *seen_)))
-        return now;
-    if (more)
-        return shownAt_ + betweenPartial;
-    if (awaited_ && awaited_->scene == progress.scene && awaited_->patient)
-        return awaited_->until;
-    return now + std::max<Clock::duration>(untilPartial - progress.lasted, {});
+    if (reading.scene)
+        showing_.take(std::move(reading), now);
 }
 
 void Follower::take(Progress progress, Instant now) {
-    if (progress.serial < welcome_)
-        return;
-    const Instant due = dueOf(progress, now);
-    const bool again = partial_ && partial_->scene == progress.scene;
-    partial_ = Partial{std::move(progress.scene), std::move(progress.motion),
-                       again ? std::min(partial_->due, due) : due};
+    if (progress.serial >= welcome_)
+        showing_.take(std::move(progress), now);
 }
 
-void Follower::take(Moved moved, Instant /*now*/) {
+void Follower::take(const Moved& moved, Instant /*now*/) {
     if (!moved.result.cancelled)
-        lastMotion_ = moved.lasted;
+        showing_.computingTook(moved.lasted);
     if (moved.serial < welcome_)
         return;
-    if (partial_ && partial_->scene == moved.scene)
-        partial_.reset();
-    const bool wanted = !moved.result.cancelled || isLast(moved.serial);
-    if (moved.scene && wanted)
-        showMotion(moved.scene, moved.result.motion);
+    showing_.take(moved, !moved.result.cancelled || isLast(moved.serial));
     if (!isLast(moved.serial))
         return;
     if (moved.result.cancelled) {
-        showAwaited(nullptr);
+        showing_.showAwaited();
         cancelled_ = true;
     } else {
         statistics_ = moved.result.statistics;
@@ -144,50 +90,6 @@ void Follower::reportFaults(const Moved& moved) {
         add(simulation::faultOf(*moved.scene, sentence));
     if (moved.result.motion)
         std::ranges::for_each(simulation::reportOf(*moved.scene, *moved.result.motion), add);
-}
-
-// --- what is shown ----------------------------------------------------------------------------
-
-void Follower::showWhatIsDue(Instant now) {
-    if (partial_ && now >= partial_->due) {
-        const Partial partial = *std::exchange(partial_, std::nullopt);
-        showMotion(partial.scene, partial.motion);
-    }
-    if (awaited_ && now >= awaited_->until)
-        showAwaited(nullptr);
-}
-
-// With its own motion, or with what there is of the motion of the scene before.
-void Follower::showAwaited(const simulation::MotionPointer* motion) {
-    if (!awaited_)
-        return;
-    const Awaited next = *std::exchange(awaited_, std::nullopt);
-    shownSerial_ = next.serial;
-    shownText_ = next.text;
-    if (motion)
-        return show({next.scene, *motion}, next.scene);
-    auto stale = shown_.scene ? staleMotion(*shown_.scene, shown_.motion, next.scene) : nullptr;
-    show({next.scene, std::move(stale)}, motionOf_);
-}
-
-void Follower::showMotion(const ScenePointer& scene, const simulation::MotionPointer& motion) {
-    if (awaited_ && awaited_->scene == scene)
-        return showAwaited(&motion);
-    if (scene == shown_.scene)
-        return show({scene, motion}, scene);
-    // While a gesture lasts: of a place where the hand was a moment ago.
-    if (auto stale = shown_.scene ? staleMotion(*scene, motion, shown_.scene) : nullptr)
-        show({shown_.scene, std::move(stale)}, scene);
-}
-
-void Follower::show(Shown shown, ScenePointer motionOf) {
-    const bool more = shown.scene == shown_.scene && shown.motion && shown_.motion &&
-                      motionOf == shown.scene && motionOf_ == shown.scene;
-    changes_.scene = changes_.scene || shown.scene != shown_.scene;
-    changes_.motion = true;
-    changes_.otherMotion = changes_.otherMotion || !more;
-    shown_ = std::move(shown);
-    motionOf_ = std::move(motionOf);
 }
 
 } // namespace computing

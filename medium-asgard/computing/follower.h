@@ -13,24 +13,14 @@
 // does it and says what changed. Nothing here reads a clock but for how long a motion took.
 #pragma once
 
-#include "computing/worker.h"
+#include "computing/showing.h"
 
 namespace computing {
-
-using Instant = Clock::time_point;
-
-struct Shown {
-    ScenePointer scene;               // none: no text has made one yet
-    simulation::MotionPointer motion; // none: nothing of it is known, or it cannot be computed
-};
 
 enum class Work { none, reading, simulating };
 
 // Whether an edit's motion is computed without being asked for.
 enum class Live { always, never };
-
-// How long a quick motion is waited for before its scene is shown without it.
-constexpr std::chrono::milliseconds quick{30};
 
 struct Ask {
     ParameterValues parameters = {};
@@ -39,12 +29,9 @@ struct Ask {
     std::chrono::milliseconds patience = quick; // with the scene and motion of before
 };
 
-struct Changes {
-    bool scene = false;       // another scene is shown
-    bool motion = false;      // another motion, or more of it
-    bool otherMotion = false; // not only more of it: pictures of the same time may differ
-    bool diagnostics = false; // the set is complete for the text
-    bool ended = false;       // nothing is being read or computed any more
+struct Changes : Showing::Changes { // of other motion: pictures of the same time may differ
+    bool diagnostics = false;       // the set is complete for the text
+    bool ended = false;             // nothing is being read or computed any more
 };
 
 class Follower {
@@ -56,21 +43,21 @@ public:
     // Ends soon, with the motion that there is. The next edit's is computed as ever.
     void cancel() { worker_.cancel(); }
     Changes update(Instant now);
-    [[nodiscard]] std::optional<Instant> deadline() const;
+    [[nodiscard]] std::optional<Instant> deadline() const { return showing_.deadline(); }
 
     // The time that is looked at, if it is one: a motion that has got there is shown at once.
-    void setSeen(double time) { seen_ = time; }
+    void setSeen(double time) { showing_.setSeen(time); }
     [[nodiscard]] Live live() const { return live_; }
     void setLive(Live live) { live_ = live; }
     // In a gesture the motion of an older text may go on for so long (Worker).
     void setOverlap(std::chrono::milliseconds overlap) { overlap_ = overlap; }
     void setMostBytes(std::size_t most) { mostBytes_ = most; } // of a motion; else Order's
 
-    [[nodiscard]] const Shown& shown() const { return shown_; }
+    [[nodiscard]] const Shown& shown() const { return showing_.shown(); }
     // That the shown scene was read from.
-    [[nodiscard]] const std::string& shownText() const { return shownText_; }
+    [[nodiscard]] const std::string& shownText() const { return showing_.text(); }
     // Of the newest text that makes a scene, shown or not yet.
-    [[nodiscard]] const ScenePointer& newestScene() const;
+    [[nodiscard]] const ScenePointer& newestScene() const { return showing_.newestScene(); }
     // Faults of the text and, once it has ended, of its motion.
     [[nodiscard]] const std::vector<scene::Diagnostic>& diagnostics() const { return diagnostics_; }
     [[nodiscard]] const std::optional<simulation::Statistics>& statistics() const {
@@ -78,10 +65,10 @@ public:
     }
     [[nodiscard]] Work work() const { return work_; }
     // The scene that is shown was read from the newest text.
-    [[nodiscard]] bool isCurrent() const { return shownSerial_ == worker_.serial(); }
+    [[nodiscard]] bool isCurrent() const { return showing_.serial() == worker_.serial(); }
     [[nodiscard]] bool isFaulty() const { return readAt_ && !makesScene_; } // the newest text
     // The motion that is shown is an older scene's.
-    [[nodiscard]] bool motionIsStale() const { return motionOf_ != shown_.scene; }
+    [[nodiscard]] bool motionIsStale() const { return showing_.isStale(); }
     // It stays so until the motion is asked for.
     [[nodiscard]] bool waitsToBeAsked() const { return motionIsStale() && work_ == Work::none; }
     [[nodiscard]] bool isCancelled() const { return cancelled_; } // the newest motion, by cancel()
@@ -90,39 +77,15 @@ public:
     [[nodiscard]] std::optional<Instant> readAt() const { return readAt_; }
 
 private:
-    struct Awaited { // read, and not shown yet
-        unsigned serial = 0;
-        ScenePointer scene;
-        std::string text;
-        Instant until{}; // then it is shown, whether its motion is there or not
-        bool patient = false;
-    };
-    struct Partial { // of a motion that goes on
-        ScenePointer scene;
-        simulation::MotionPointer motion;
-        Instant due{};
-    };
     void take(Reading reading, Instant now);
     void take(Progress progress, Instant now);
-    void take(Moved moved, Instant now);
+    void take(const Moved& moved, Instant now);
     [[nodiscard]] bool isLast(unsigned serial) const { return serial == worker_.serial(); }
-    [[nodiscard]] Instant dueOf(const Progress& progress, Instant now) const;
     void reportFaults(const Moved& moved);
-    void showWhatIsDue(Instant now);
-    void showAwaited(const simulation::MotionPointer* motion);
-    void showMotion(const ScenePointer& scene, const simulation::MotionPointer& motion);
-    void show(Shown shown, ScenePointer motionOf);
 
     Worker worker_;
+    Showing showing_;
     std::string text_;
-    std::chrono::milliseconds patience_ = quick;
-    Shown shown_;
-    std::string shownText_;
-    unsigned shownSerial_ = 0; // of the start that the shown scene is of; 0: no text yet
-    ScenePointer motionOf_;    // that the shown motion belongs to
-    std::optional<Awaited> awaited_;
-    std::optional<Partial> partial_;
-    std::optional<double> seen_;
     std::vector<scene::Diagnostic> diagnostics_;
     std::optional<simulation::Statistics> statistics_;
     Work work_ = Work::none;
@@ -130,9 +93,8 @@ private:
     std::chrono::milliseconds overlap_{300};
     std::optional<std::size_t> mostBytes_;
     bool makesScene_ = false, cancelled_ = false;
-    Clock::duration lastMotion_{}; // how long computing it took
-    unsigned welcome_ = 0;         // results of older starts are of no use
-    Instant started_{}, shownAt_{};
+    unsigned welcome_ = 0; // results of older starts are of no use
+    Instant started_{};
     std::optional<Instant> readAt_;
     Changes changes_; // since the last update()
 };
