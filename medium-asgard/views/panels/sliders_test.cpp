@@ -1,6 +1,6 @@
 // Sliders of parameters and motors write their numbers into the text.
 #include "panels/parameters_panel.h"
-#include "picture/test_creating.h"
+#include "picture/creating_testing.h"
 
 #include <QCheckBox>
 

@@ -1,5 +1,5 @@
 // (text, gesture, text) of forces, links, joints, ropes and trajectories.
-#include "picture/test_creating.h"
+#include "picture/creating_testing.h"
 
 #include <gmock/gmock.h>
 

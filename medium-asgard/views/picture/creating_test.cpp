@@ -1,5 +1,5 @@
 // (text, gesture, text) of Create: bodies, places, all that needs no body; and of Delete.
-#include "picture/test_creating.h"
+#include "picture/creating_testing.h"
 #include "shapes/shape_names.h"
 
 #include <QCheckBox>

@@ -1,18 +1,15 @@
 #include "properties/properties_pane.h"
 
-#include "editing/changes.h"
 #include "editing/element_values.h"
 #include "editing/number_text.h"
 #include "element_edits/attitude.h"
 #include "frame/names_box.h"
-#include "frame/readable.h"
-#include "frame/typed_field.h"
 #include "offers/asked_value.h"
 #include "plain/plain.h"
 #include "script/numbers.h"
 
 #include <QGridLayout>
-#include <QLabel>
+#include <QHBoxLayout>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QScrollArea>
@@ -64,14 +61,17 @@ std::optional<geometry::Vector> vectorOf(const PropertyParts& parts) {
 
 } // namespace
 
-PropertiesPane::PropertiesPane(SceneDocument& document, PropertyActions actions, QWidget* parent)
-    : QWidget(parent), document_(document), actions_(std::move(actions)), commands_(document),
-      trial_(document) {
+PropertiesPane::PropertiesPane(SceneDocument& document, const PropertyActions& actions,
+                               QWidget* parent)
+    : QWidget(parent), document_(document), commands_(document), trial_(document),
+      later_(document) {
     setObjectName(QStringLiteral("properties"));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(8, 8, 8, 8);
     column->setSpacing(6);
-    buildHead(*column);
+    head_ = new PropertyHead(document, commands_, later_, actions.showText);
+    connect(head_, &PropertyHead::renamed, &soon_, qOverload<>(&QTimer::start));
+    column->addWidget(head_);
     auto* scroll = new QScrollArea;
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -79,7 +79,7 @@ PropertiesPane::PropertiesPane(SceneDocument& document, PropertyActions actions,
     scroll->setFocusPolicy(Qt::NoFocus);
     scroll->setObjectName(QStringLiteral("propertyScroll"));
     column->addWidget(scroll, 1);
-    buildButtons(*column);
+    buildButtons(*column, actions);
     soon_.setSingleShot(true);
     soon_.setInterval(30); // a drag changes the scene often
     connect(&soon_, &QTimer::timeout, this, &PropertiesPane::refresh);
@@ -89,67 +89,30 @@ PropertiesPane::PropertiesPane(SceneDocument& document, PropertyActions actions,
             if (isVisible())
                 soon_.start();
         });
-    for (const auto signal : {&SceneDocument::sceneChanged, &SceneDocument::workChanged})
-        connect(&document_, signal, this, &PropertiesPane::enterNext);
-    connect(&document_, &SceneDocument::opened, this, [this] { later_.clear(); });
-    connect(&commands_, &ElementCommands::refused, this, &PropertiesPane::say);
+    connect(&commands_, &ElementCommands::refused, head_, &PropertyHead::say);
     refresh();
 }
 
-void PropertiesPane::buildHead(QVBoxLayout& column) {
-    auto* line = new QHBoxLayout;
-    title_ = plain::label();
-    title_->setObjectName(QStringLiteral("propertyTitle"));
-    QFont bold = title_->font();
-    bold.setBold(true);
-    title_->setFont(bold);
-    title_->setWordWrap(true);
-    name_ = new QLineEdit;
-    name_->setObjectName(QStringLiteral("elementName"));
-    name_->setAccessibleName(tr("Name"));
-    name_->setPlaceholderText(tr("no name"));
-    name_->setToolTip(tr("Its name; another one is written wherever the text mentions it"));
-    new TypedField(*name_, document_,
-                   {[this](bool) { rename(); },
-                    [this] {
-                        name_->setModified(false);
-                        showHead();
-                    }});
-    line_ = new QPushButton;
-    line_->setObjectName(QStringLiteral("elementLine"));
-    line_->setFlat(true);
-    line_->setToolTip(tr("Shows its command in the text"));
-    connect(line_, &QPushButton::clicked, this, [this] { actions_.showText(); });
-    line->addWidget(title_);
-    line->addWidget(name_, 1);
-    line->addWidget(line_);
-    column.addLayout(line);
-    fault_ = plain::label();
-    fault_->setObjectName(QStringLiteral("propertyFault"));
-    fault_->setWordWrap(true);
-    fault_->hide();
-    column.addWidget(fault_);
-}
-
-void PropertiesPane::buildButtons(QVBoxLayout& column) {
-    auto* line = new QHBoxLayout;
-    duplicate_ = new QPushButton(tr("Dup&licate"));
-    duplicate_->setToolTip(tr("A copy beside it (Ctrl+D)"));
-    connect(duplicate_, &QPushButton::clicked, this, [this] { commands_.duplicate(); });
+void PropertiesPane::buildButtons(QVBoxLayout& column, const PropertyActions& actions) {
+    buttons_ = new QWidget;
+    auto* line = new QHBoxLayout(buttons_);
+    line->setContentsMargins(0, 0, 0, 0);
+    auto* duplicate = new QPushButton(tr("Dup&licate"));
+    duplicate->setToolTip(tr("A copy beside it (Ctrl+D)"));
+    connect(duplicate, &QPushButton::clicked, this, [this] { commands_.duplicate(); });
     shape_ = new QPushButton(tr("S&hape…"));
     shape_->setToolTip(tr("Its shape, in the shape editor"));
-    connect(shape_, &QPushButton::clicked, this, [this] {
+    connect(shape_, &QPushButton::clicked, this, [this, open = actions.openShape] {
         const scene::Scene& scene = *document_.shown().scene;
         const Element element = elements().front();
-        actions_.openShape(QString::fromStdString(element.kind == Kind::body
-                                                      ? scene.bodies[element.index].shape
-                                                      : editing::nameOf(scene, element)));
+        open(QString::fromStdString(element.kind == Kind::body ? scene.bodies[element.index].shape
+                                                               : editing::nameOf(scene, element)));
     });
-    remove_ = new QPushButton(tr("Dele&te"));
-    connect(remove_, &QPushButton::clicked, this, [this] { actions_.remove(elements()); });
-    for (QPushButton* button : {duplicate_, shape_, remove_})
+    auto* remove = new QPushButton(tr("Dele&te"));
+    connect(remove, &QPushButton::clicked, this, [this, act = actions.remove] { act(elements()); });
+    for (QPushButton* button : {duplicate, shape_, remove})
         line->addWidget(button);
-    column.addLayout(line);
+    column.addWidget(buttons_);
 }
 
 void PropertiesPane::showEvent(QShowEvent* event) {
@@ -164,10 +127,6 @@ void PropertiesPane::begin() {
     if (first != rows_.end())
         (*first)->fields()[0]->setFocus(Qt::TabFocusReason); // with all of it selected
 }
-
-QString PropertiesPane::title() const { return title_->text(); }
-
-QString PropertiesPane::fault() const { return fault_->isHidden() ? QString() : fault_->text(); }
 
 PropertyRow* PropertiesPane::row(const std::string& option) const {
     for (PropertyRow* row : rows_)
@@ -189,8 +148,7 @@ void PropertiesPane::refresh() {
     }
     if (shown_ != elements()) { // what was typed was meant for others
         shown_ = elements();
-        said_.clear();
-        name_->setModified(false);
+        head_->forget();
         for (PropertyRow* row : form_->findChildren<PropertyRow*>())
             row->forget();
     }
@@ -201,9 +159,12 @@ void PropertiesPane::refresh() {
     showSize();
 }
 
-void PropertiesPane::say(const QString& why) {
-    said_ = why;
-    showHead();
+void PropertiesPane::showHead() {
+    const auto& all = elements();
+    head_->showElements(all);
+    shape_->setVisible(all.size() == 1 &&
+                       (all.front().kind == Kind::body || all.front().kind == Kind::shapeSet));
+    buttons_->setVisible(!all.empty());
 }
 
 void PropertiesPane::rebuild() {
@@ -244,47 +205,6 @@ void PropertiesPane::addSize(QGridLayout& grid) {
                                  "the radius, the height or the edges of its shape", ""};
     size_ = new PropertyRow(document_, size, tr("Size"), 3, grid, form_);
     listen(*size_, &PropertiesPane::setSize);
-}
-
-void PropertiesPane::showHead() {
-    const scene::Scene& scene = *document_.shown().scene;
-    const auto& all = elements();
-    const bool isOne = all.size() == 1;
-    const editing::CommandHint* hint = isOne ? &editing::hintOf(scene, all.front()) : nullptr;
-    const scene::Source* source = isOne ? editing::sourceOf(scene, all.front()) : nullptr;
-    const bool areBodies =
-        std::ranges::all_of(all, [](const Element& one) { return one.kind == Kind::body; });
-    QString title;
-    if (all.empty())
-        title = tr("Nothing is selected. A click in the picture selects a body.");
-    else if (isOne)
-        title = plain::ours(
-            toText(hint->name == "spring" ? hint->name : editing::wordOf(all.front().kind)));
-    else
-        title = areBodies ? tr("%1 bodies").arg(all.size()) : tr("%1 elements").arg(all.size());
-    if (!title.isEmpty())
-        title[0] = title[0].toUpper();
-    title_->setText(title);
-    name_->setVisible(isOne && hint->named);
-    if (isOne && !name_->isModified())
-        name_->setText(QString::fromStdString(editing::nameOf(scene, all.front())));
-    line_->setVisible(source && source->line > 0);
-    if (source)
-        line_->setText(plain::caption(tr("Line %1").arg(source->line)));
-    shape_->setVisible(isOne &&
-                       (all.front().kind == Kind::body || all.front().kind == Kind::shapeSet));
-    for (QPushButton* button : {duplicate_, remove_})
-        button->setVisible(!all.empty());
-    const QString why =
-        all.empty() || document_.isPreview() ? QString() : document_.whyNotCurrent();
-    const bool isFault = document_.hasErrors() && !why.isEmpty();
-    fault_->setText(isFault ? why : said_);
-    fault_->setVisible(!fault_->text().isEmpty());
-    QPalette palette = this->palette();
-    palette.setColor(QPalette::WindowText,
-                     readable(QColor(200, 40, 30), palette.color(QPalette::Window)));
-    fault_->setPalette(palette);
-    name_->setReadOnly(isFault);
 }
 
 void PropertiesPane::showRow(PropertyRow& row) {
@@ -434,28 +354,13 @@ void PropertiesPane::setSize(const Entered& entered) {
 void PropertiesPane::listen(PropertyRow& row, Enter enter) {
     connect(&row, &PropertyRow::entered, this, [this, &row, enter](const PropertyParts& parts) {
         const Entered entered{&row, &row.option(), elements(), parts};
-        whenRead(&row, [this, entered, now = following(entered.elements), enter] {
+        later_.take(&row, [this, entered, now = later_.following(entered.elements), enter] {
             take(entered, now, enter);
         });
     });
 }
 
-PropertiesPane::Follow PropertiesPane::following(const std::vector<Element>& elements) const {
-    return [this, elements, scene = document_.shown().scene,
-            text = document_.shownText()]() -> std::optional<std::vector<Element>> {
-        if (document_.shown().scene == scene)
-            return elements;
-        const editing::Changes changes = editing::changesBetween(
-            {text, *scene}, {document_.shownText(), *document_.shown().scene});
-        std::vector<Element> now;
-        for (const Element& element : elements)
-            if (const auto after = changes.now(element))
-                now.push_back(*after);
-        return now.size() == elements.size() ? std::optional(now) : std::nullopt;
-    };
-}
-
-void PropertiesPane::take(Entered entered, const Follow& now, Enter enter) {
+void PropertiesPane::take(Entered entered, const EnteredLater::Follow& now, Enter enter) {
     if (!document_.sceneIsCurrent())
         return answer(entered, document_.whyNotCurrent());
     const auto& scene = document_.shown().scene;
@@ -466,22 +371,6 @@ void PropertiesPane::take(Entered entered, const Follow& now, Enter enter) {
     if (!properties_ || properties_->text() != document_.text())
         properties_ = std::make_unique<editing::Properties>(document_.text(), scene);
     (this->*enter)(entered);
-}
-
-void PropertiesPane::whenRead(const QObject* field, std::function<void()> enter) {
-    std::erase_if(later_, [&](const Later& one) { // the newest value counts
-        return one.field == field && one.elements == elements();
-    });
-    later_.push_back({field, elements(), std::move(enter)});
-    enterNext();
-}
-
-void PropertiesPane::enterNext() {
-    while (!later_.empty() && !document_.isAwaited()) {
-        const Later next = std::move(later_.front());
-        later_.erase(later_.begin());
-        next.enter();
-    }
 }
 
 void PropertiesPane::set(const Entered& entered) { write(entered, entered.parts); }
@@ -518,26 +407,9 @@ void PropertiesPane::answer(const Entered& entered, const QString& why) {
     else if (isShown)
         entered.row->refuse(entered.parts, why);
     else if (!why.isEmpty())
-        say(QString::fromStdString(editing::captionOf(*entered.option)) + QStringLiteral(": ") +
-            why);
+        head_->say(QString::fromStdString(editing::captionOf(*entered.option)) +
+                   QStringLiteral(": ") + why);
     soon_.start();
-}
-
-void PropertiesPane::rename() {
-    if (elements().size() != 1)
-        return;
-    whenRead(name_, [this, now = following(elements()), name = name_->text()] {
-        const auto element = now();
-        if (!element)
-            return; // it was deleted meanwhile
-        commands_.rename(element->front(), name, [this, name](const QString& why) {
-            if (name_->text() == name)
-                name_->setModified(false); // the name as it is comes back
-            TypedField::setRefusal(*name_, why);
-            say(why);
-            soon_.start();
-        });
-    });
 }
 
 } // namespace views

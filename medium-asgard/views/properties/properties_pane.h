@@ -5,13 +5,12 @@
 // offers where a loop makes it; an empty field removes its option. A value that the reader refuses
 // leaves the text as it is, and says why below its field. Of several elements it shows what they
 // share. Nothing is done while it is hidden.
-//
-// Values that are entered while the text is being read are taken when it is, one after the other,
-// for the elements that were selected when they were entered.
 #pragma once
 
 #include "element_edits/property_edit.h"
 #include "properties/element_commands.h"
+#include "properties/entered_later.h"
+#include "properties/property_head.h"
 #include "properties/property_row.h"
 #include "properties/trial.h"
 #include "workbench/scene_document.h"
@@ -25,8 +24,6 @@
 #include <vector>
 
 class QGridLayout;
-class QLabel;
-class QLineEdit;
 class QPushButton;
 class QVBoxLayout;
 
@@ -41,17 +38,19 @@ struct PropertyActions {
 class PropertiesPane : public QWidget {
     Q_OBJECT
 public:
-    PropertiesPane(SceneDocument& document, PropertyActions actions, QWidget* parent = nullptr);
+    PropertiesPane(SceneDocument& document, const PropertyActions& actions,
+                   QWidget* parent = nullptr);
 
     [[nodiscard]] PropertyRow* row(const std::string& option) const; // null: there is none
     [[nodiscard]] PropertyRow* turn() const { return turn_; }
     [[nodiscard]] PropertyRow* sizeRow() const {
         return size_;
     } // hidden: its shape has no one size
-    [[nodiscard]] QLineEdit& name() { return *name_; }
-    [[nodiscard]] QString title() const;
-    void begin();                        // the keyboard goes to the first value
-    [[nodiscard]] QString fault() const; // of the name, or why nothing can be changed
+    [[nodiscard]] QLineEdit& name() { return head_->name(); }
+    [[nodiscard]] QString title() const { return head_->title(); }
+    void begin(); // the keyboard goes to the first value
+    // Of the name, or why nothing can be changed.
+    [[nodiscard]] QString fault() const { return head_->fault(); }
 
     [[nodiscard]] QSize sizeHint() const override { return {300, 480}; }
 
@@ -62,9 +61,7 @@ private:
     [[nodiscard]] const std::vector<editing::Element>& elements() const {
         return document_.selected();
     }
-    void buildHead(QVBoxLayout& column);
-    void buildButtons(QVBoxLayout& column);
-    void say(const QString& why);
+    void buildButtons(QVBoxLayout& column, const PropertyActions& actions);
     void refresh();
     void rebuild(); // other rows
     void addTurn(const editing::OptionHint& option);
@@ -85,15 +82,9 @@ private:
         std::vector<editing::Element> elements;
         PropertyParts parts;
     };
-    // Elements of the scene that is shown now, and what they are in a later one; none: one of them
-    // is gone.
-    using Follow = std::function<std::optional<std::vector<editing::Element>>()>;
-    [[nodiscard]] Follow following(const std::vector<editing::Element>& elements) const;
     using Enter = void (PropertiesPane::*)(const Entered& entered);
     void listen(PropertyRow& row, Enter enter);
-    void take(Entered entered, const Follow& now, Enter enter);
-    void whenRead(const QObject* field, std::function<void()> enter);
-    void enterNext();
+    void take(Entered entered, const EnteredLater::Follow& now, Enter enter);
     void set(const Entered& entered);
     void setTurn(const Entered& entered);
     void setSize(const Entered& entered);
@@ -101,12 +92,11 @@ private:
     void tryEdits(const Entered& entered, const editing::Answer& found, const QString& label);
     void tryText(const Entered& entered, const text::Edits& edits, const QString& label);
     void answer(const Entered& entered, const QString& why); // "": it is taken
-    void rename();
 
     SceneDocument& document_;
-    PropertyActions actions_;
     ElementCommands commands_;
     Trial trial_;
+    EnteredLater later_;
     QTimer soon_;
     std::unique_ptr<editing::Properties> properties_; // of the scene that is shown
     std::vector<const editing::OptionHint*> options_;
@@ -115,16 +105,9 @@ private:
     PropertyRow* size_ = nullptr; // of the shape
     QWidget* form_ = nullptr;
     std::vector<editing::Element> shown_;
-    struct Later { // entered while the text was being read
-        const QObject* field;
-        std::vector<editing::Element> elements;
-        std::function<void()> enter;
-    };
-    std::vector<Later> later_;
-    QString said_; // about the name or a copy
-    QLabel *title_, *fault_;
-    QLineEdit* name_;
-    QPushButton *line_, *shape_, *duplicate_, *remove_;
+    PropertyHead* head_ = nullptr;
+    QWidget* buttons_ = nullptr;
+    QPushButton* shape_ = nullptr;
 };
 
 } // namespace views

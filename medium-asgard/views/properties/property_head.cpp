@@ -1,0 +1,136 @@
+#include "properties/property_head.h"
+
+#include "editing/element_values.h"
+#include "element_edits/options.h"
+#include "frame/readable.h"
+#include "frame/typed_field.h"
+#include "plain/plain.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <utility>
+
+namespace views {
+
+using editing::Element;
+using editing::Kind;
+
+namespace {
+
+QString toText(std::string_view words) { return QString::fromUtf8(words.data(), words.size()); }
+
+} // namespace
+
+PropertyHead::PropertyHead(SceneDocument& document, ElementCommands& commands, EnteredLater& later,
+                           std::function<void()> showText, QWidget* parent)
+    : QWidget(parent), document_(document), commands_(commands), later_(later) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(6);
+    auto* line = new QHBoxLayout;
+    title_ = plain::label();
+    title_->setObjectName(QStringLiteral("propertyTitle"));
+    QFont bold = title_->font();
+    bold.setBold(true);
+    title_->setFont(bold);
+    title_->setWordWrap(true);
+    name_ = new QLineEdit;
+    name_->setObjectName(QStringLiteral("elementName"));
+    name_->setAccessibleName(tr("Name"));
+    name_->setPlaceholderText(tr("no name"));
+    name_->setToolTip(tr("Its name; another one is written wherever the text mentions it"));
+    new TypedField(*name_, document_,
+                   {[this](bool) { rename(); },
+                    [this] {
+                        name_->setModified(false);
+                        showElements(document_.selected());
+                    }});
+    line_ = new QPushButton;
+    line_->setObjectName(QStringLiteral("elementLine"));
+    line_->setFlat(true);
+    line_->setToolTip(tr("Shows its command in the text"));
+    connect(line_, &QPushButton::clicked, this, std::move(showText));
+    line->addWidget(title_);
+    line->addWidget(name_, 1);
+    line->addWidget(line_);
+    column->addLayout(line);
+    fault_ = plain::label();
+    fault_->setObjectName(QStringLiteral("propertyFault"));
+    fault_->setWordWrap(true);
+    fault_->hide();
+    column->addWidget(fault_);
+}
+
+QString PropertyHead::title() const { return title_->text(); }
+
+QString PropertyHead::fault() const { return fault_->isHidden() ? QString() : fault_->text(); }
+
+void PropertyHead::showElements(const std::vector<Element>& all) {
+    const scene::Scene& scene = *document_.shown().scene;
+    const bool isOne = all.size() == 1;
+    const editing::CommandHint* hint = isOne ? &editing::hintOf(scene, all.front()) : nullptr;
+    const scene::Source* source = isOne ? editing::sourceOf(scene, all.front()) : nullptr;
+    const bool areBodies =
+        std::ranges::all_of(all, [](const Element& one) { return one.kind == Kind::body; });
+    QString title;
+    if (all.empty())
+        title = tr("Nothing is selected. A click in the picture selects a body.");
+    else if (isOne)
+        title = plain::ours(
+            toText(hint->name == "spring" ? hint->name : editing::wordOf(all.front().kind)));
+    else
+        title = areBodies ? tr("%1 bodies").arg(all.size()) : tr("%1 elements").arg(all.size());
+    if (!title.isEmpty())
+        title[0] = title[0].toUpper();
+    title_->setText(title);
+    name_->setVisible(isOne && hint->named);
+    if (isOne && !name_->isModified())
+        name_->setText(QString::fromStdString(editing::nameOf(scene, all.front())));
+    line_->setVisible(source && source->line > 0);
+    if (source)
+        line_->setText(plain::caption(tr("Line %1").arg(source->line)));
+    const QString why =
+        all.empty() || document_.isPreview() ? QString() : document_.whyNotCurrent();
+    const bool isFault = document_.hasErrors() && !why.isEmpty();
+    fault_->setText(isFault ? why : said_);
+    fault_->setVisible(!fault_->text().isEmpty());
+    QPalette palette = this->palette();
+    palette.setColor(QPalette::WindowText,
+                     readable(QColor(200, 40, 30), palette.color(QPalette::Window)));
+    fault_->setPalette(palette);
+    name_->setReadOnly(isFault);
+}
+
+void PropertyHead::say(const QString& why) {
+    said_ = why;
+    showElements(document_.selected());
+}
+
+void PropertyHead::forget() {
+    said_.clear();
+    name_->setModified(false);
+}
+
+void PropertyHead::rename() {
+    if (document_.selected().size() != 1)
+        return;
+    later_.take(name_, [this, now = later_.following(document_.selected()), name = name_->text()] {
+        const auto element = now();
+        if (!element)
+            return; // it was deleted meanwhile
+        commands_.rename(element->front(), name, [this, name](const QString& why) {
+            if (name_->text() == name)
+                name_->setModified(false); // the name as it is comes back
+            TypedField::setRefusal(*name_, why);
+            say(why);
+            Q_EMIT renamed();
+        });
+    });
+}
+
+} // namespace views

@@ -1,0 +1,48 @@
+// Above the values: what is selected, its name, its line, and why nothing can be changed.
+#pragma once
+
+#include "properties/element_commands.h"
+#include "properties/entered_later.h"
+
+#include <QWidget>
+
+#include <functional>
+
+class QLabel;
+class QLineEdit;
+class QPushButton;
+
+namespace views {
+
+class PropertyHead : public QWidget {
+    Q_OBJECT
+public:
+    PropertyHead(SceneDocument& document, ElementCommands& commands, EnteredLater& later,
+                 std::function<void()> showText, QWidget* parent = nullptr);
+
+    [[nodiscard]] QLineEdit& name() { return *name_; }
+    [[nodiscard]] QString title() const;
+    [[nodiscard]] QString fault() const;
+
+    void showElements(const std::vector<editing::Element>& elements);
+    // About the name or a copy.
+    void say(const QString& why);
+    // What was typed and said was meant for others.
+    void forget();
+
+Q_SIGNALS:
+    void renamed(); // or refused
+
+private:
+    void rename();
+
+    SceneDocument& document_;
+    ElementCommands& commands_;
+    EnteredLater& later_;
+    QString said_;
+    QLabel *title_, *fault_;
+    QLineEdit* name_;
+    QPushButton* line_;
+};
+
+} // namespace views
