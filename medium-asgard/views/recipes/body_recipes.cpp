@@ -3,6 +3,7 @@
 #include "framing/extent.h"
 #include "point_edits/shape_edit.h"
 #include "recipes/recipe_words.h"
+#include "recipes/recipes.h"
 
 #include <QObject>
 

@@ -1,6 +1,7 @@
 // Create > Force, Gravity, Link, Spring, Attraction.
 #include "editing/number_text.h"
 #include "recipes/recipe_words.h"
+#include "recipes/recipes.h"
 
 #include <QObject>
 

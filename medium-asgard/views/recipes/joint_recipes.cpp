@@ -1,6 +1,7 @@
 // Create > Joint: the body that moves, then the place of the joint on another body or the ground.
 // Create > Rope: the body to which it is tied, then its other points.
 #include "recipes/recipe_words.h"
+#include "recipes/recipes.h"
 
 #include "scene/joint_types.h"
 

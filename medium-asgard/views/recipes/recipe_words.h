@@ -1,7 +1,7 @@
 // How the Create commands write what was shown to them.
 #pragma once
 
-#include "recipes/recipes.h"
+#include "recipes/recipe.h"
 
 #include <string>
 #include <vector>
