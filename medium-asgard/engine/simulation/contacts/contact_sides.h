@@ -26,8 +26,8 @@ inline constexpr double sideSlack = 1e-9; // of the parts' size: so far a contac
 class Sides {
 public:
     // `place` in that frame. `beside`: so far beyond a place may lie where the bodies touch, so
-    // that one that is beyond already stays to there. (If it went on by a slack each time, faces
-    // that slide off each other would never have done with it.)
+    // that one that is beyond already stays to there, and at least as far again. (If it went on by
+    // a slack each time, faces that slide off each other would never have done with it.)
     Sides(std::size_t body, const Vector& place, double size, double beside = 0)
         : body_(body), place_(place), slack_(sideSlack * size), beside_(beside) {}
 
@@ -48,7 +48,7 @@ private:
     std::size_t body_;
     Vector place_;
     [[nodiscard]] double roomFor(double inside) const {
-        return inside < 0 ? std::max(slack_ - inside, beside_ + slack_) : slack_;
+        return inside < 0 ? std::max(slack_ - 2 * inside, beside_ + slack_) : slack_;
     }
 
     double slack_, beside_;

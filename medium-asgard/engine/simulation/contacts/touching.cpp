@@ -95,6 +95,28 @@ double depthInside(const std::vector<Vector>& outline, const Vector& normal, con
     return least;
 }
 
+// How far a vertex, an edge or a face lies beside a convex outline; 0: some of it is over it.
+double besideOutline(const std::vector<Vector>& feature, const std::vector<Vector>& outline,
+                     const Vector& normal) {
+    double most = -HUGE_VAL; // depth, concave along each edge
+    for (std::size_t i = 0; i < feature.size(); ++i) {
+        const Vector &a = feature[i], &b = feature[(i + 1) % feature.size()];
+        const auto depthAt = [&](double s) {
+            return depthInside(outline, normal, Vector(a + s * (b - a)));
+        };
+        double low = 0, high = 1;
+        for (int k = 0; k < 40; ++k) {
+            const double third = (high - low) / 3;
+            if (depthAt(low + third) < depthAt(high - third))
+                low += third;
+            else
+                high -= third;
+        }
+        most = std::max({most, depthAt(0), depthAt(1), depthAt((low + high) / 2)});
+    }
+    return std::max(0.0, -most);
+}
+
 // The pair of parts and the features in which they touch.
 class Pairing {
 public:
@@ -273,10 +295,19 @@ private:
         return feature;
     }
 
+    // How far what lies furthest against a face of one of the two lies beside that face.
+    [[nodiscard]] double besideFace(const Vector& normal, bool isSupports) const {
+        const collision::FacingFeatures facing =
+            collision::facingFeatures(first_, second_, normal, asGood * touch.size);
+        return isSupports ? besideOutline(facing.first, facing.second, normal)
+                          : besideOutline(facing.second, facing.first, normal);
+    }
+
     // The gap is along one normal; where a face has all but that gap, its own normal is the
-    // contact's. Of two faces the one along which the gap is larger: along the other it may be that
-    // of a vertex beside the face. The support's comes first where both are as good: it is the
-    // larger one, mostly.
+    // contact's. Of two faces the one along which the gap is larger: along the other it is that
+    // of a vertex beside the face. Where faces all but lie on each other, gaps do not tell, and the
+    // vertex itself does. The support's comes first where both are as good: it is the larger one,
+    // mostly.
     void preferFaces() {
         const auto gapAlong = [this](const Vector& n) {
             return n.dot(first_.world(first_.support(-n)) - second_.world(second_.support(n))) -
@@ -285,7 +316,10 @@ private:
         const Vector ofSupport = faceNormal(second_, touch.normal);
         const Vector ofBody = -faceNormal(first_, -touch.normal);
         const double alongSupport = gapAlong(ofSupport), alongBody = gapAlong(ofBody);
-        const bool isSupports = alongSupport >= alongBody - asGood * touch.size;
+        const bool isSupports =
+            std::abs(alongSupport - alongBody) > asGood * touch.size
+                ? alongSupport > alongBody
+                : besideFace(ofSupport, true) <= besideFace(ofBody, false);
         const double gap = isSupports ? alongSupport : alongBody;
         if (gap >= touch.gap - beside_) {
             touch.normal = isSupports ? ofSupport : ofBody;
@@ -349,7 +383,8 @@ private:
             c.kind == Kind::onSupportPlane ? Vector(bodyPoint - c.radius * n) : supportPoint;
         const Vector speed = body_.state.velocityAt(p) - support_.state.velocityAt(q);
         const Vector turning = normalRate(c);
-        corner.rate = n.dot(speed);
+        corner.rate = n.dot(body_.state.velocityAt(corner.point) -
+                            support_.state.velocityAt(corner.point));
         corner.gap = onPlane ? n.dot(bodyPoint - supportPoint) - c.radius : touch.gap;
         corner.extra = n.dot(centripetal(body_.state, p) - accelerationAt(support_, q)) +
                        2 * turning.dot(speed);

@@ -105,6 +105,46 @@ TEST_F(Touching, ABallThatPassesAnotherParts) {
     EXPECT_NEAR(found[0].corners[0].extra, 9.0 / 2, 1e-14);
 }
 
+// A box that turns about an edge on which a ball lies: what the ball's place on it does counts, and
+// not what the edge's end does.
+TEST_F(Touching, ATurningEdgeUnderABallNeitherPartsNorApproaches) {
+    SceneBuilder b(1);
+    b.ball("ball", {0, 0, 0}, 0.5).fixed = true;
+    b.box("box", {0, 2, 0}, {1, 1, 2});
+    build(b);
+    Placed box = placed(1, {0.5, -0.5 - std::sqrt(0.5), 0});
+    // 45 degrees, so that an edge along z is below the ball; its middle lies at the ball.
+    box.state.attitude = geometry::Quaternion(Eigen::AngleAxisd(M_PI / 4, Vector::UnitZ()));
+    box.state.position = {0, -0.5 - std::sqrt(0.5), 0};
+    box.state.angularVelocity = {3, 0, 0}; // one end of the edge up, the other down
+    const auto found = touches(box);
+    ASSERT_EQ(found.size(), 1u);
+    ASSERT_EQ(found[0].corners.size(), 1u);
+    EXPECT_NEAR(found[0].corners[0].rate, 0, 1e-12);
+}
+
+// Two faces all but on each other: a vertex of the lower box just beside the upper box's face does
+// not make that face the contact's, though it lies as far away as the edge of the upper box.
+TEST_F(Touching, OfTwoFacesThatUnderWhichTheOtherLies) {
+    SceneBuilder b(1);
+    b.box("lower", {0, 0, 0}, {1, 1, 1}).fixed = true;
+    b.box("upper", {0, 1, 0}, {1, 1, 1});
+    build(b);
+    constexpr double tilt = 3e-6, shift = 1e-5;
+    for (const bool isUpperSupport : {false, true}) {
+        Placed upper = placed(1, {0, 0, 0});
+        upper.state.attitude = geometry::Quaternion(Eigen::AngleAxisd(tilt, Vector::UnitZ()));
+        // Its lower left edge is lowest, on the lower box and a little to the right of its edge.
+        const Vector corner = upper.state.attitude * Vector(-0.5, -0.5, 0);
+        upper.state.position = Vector(-0.5 + shift, 0.5, 0.1) - corner;
+        const Placed lower = placed(0, world->records[0].start.position);
+        const auto found =
+            isUpperSupport ? touchesOf(lower, upper, 1e-6) : touchesOf(upper, lower, 1e-6);
+        ASSERT_EQ(found.size(), 1u);
+        EXPECT_LT(std::abs(found[0].normal.x()), 1e-12) << "the lower box's face, which is level";
+    }
+}
+
 TEST_F(Touching, ABoxBearsOnAFloorThatItIsPressedOnto) {
     boxOnFloor();
     const Rest down = rest(placed(1, {0, 0.5, 0}), {0, -g, 0});
