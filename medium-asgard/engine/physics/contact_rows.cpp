@@ -217,6 +217,7 @@ void ContactRows::addNormals(const ContactPlace& place, std::span<const Node> mu
         Condition condition;
         condition.low = 0;
         condition.leaving = place.leaving;
+        condition.patch = multipliers[0];
         if (k == 0)
             condition.valid = landingsOf(place);
         const Meeting meeting = meetingOf(place, point.gap);

@@ -117,6 +117,8 @@ private:
                 if (const auto unknown = index_.of(*of.release))
                     law.release = placeOf(*unknown);
             law.leaving = of.leaving;
+            if (of.patch)
+                law.patch = of.patch->index;
             if (of.friction)
                 law.disc = discOf(*of.friction);
             bound_.laws.push_back(law);

@@ -7,6 +7,7 @@
 #include "equations/partition.h"
 #include "expression/equations.h"
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -27,6 +28,7 @@ struct BoundModel {
         bool isOnSecondRates = true;
         std::optional<std::size_t> release = {}; // place of an unknown: not 0: gone
         std::optional<double> leaving = {};      // of a contact
+        std::optional<std::uint32_t> patch = {}; // of a contact: the same for all of its points
         std::optional<std::size_t> disc = {};    // of friction
         [[nodiscard]] bool isBounded() const {
             return low > -infinity || high < infinity || disc.has_value();

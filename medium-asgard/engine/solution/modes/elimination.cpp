@@ -11,6 +11,8 @@ namespace {
 constexpr double leastPivot = 1e-10; // less may be what rounding leaves of 0
 constexpr double rounding = 1e-13;   // less is that
 constexpr double leastOfAny = 1e-4;  // where the matrix is not symmetric
+constexpr double ofTilt = 1e-7;      // less is a patch's tilt, where three of its rows are done
+constexpr double ofLine = 1e-10;     // less is that of three points in a line
 constexpr double differing = 1e-11;  // mirrored entries do by rounding
 
 } // namespace
@@ -110,6 +112,18 @@ bool Elimination::factorise(Take take) {
     return factoriseSymmetric(take);
 }
 
+// A pivot that is less is none.
+double Elimination::leastOf(std::size_t rank) const {
+    const Index patch = patchOf_.empty() ? noPatch : patchOf_[rowOf_[rank]];
+    if (patch == noPatch)
+        return rounding;
+    int done = 0;
+    for (std::size_t before = 0; before < rank; ++before)
+        if (patchOf_[rowOf_[before]] == patch && values_[before] != 0)
+            ++done;
+    return done >= 3 ? ofTilt : done == 2 ? ofLine : rounding;
+}
+
 double Elimination::invert(std::size_t rank, bool isNone) {
     if (isNone)
         dependent_.push_back(static_cast<Index>(rank));
@@ -123,7 +137,7 @@ bool Elimination::factoriseSymmetric(Take take) {
     const Index* target = targets_.data();
     for (std::size_t rank = 0; rank < size; ++rank) {
         const double pivot = values[rank];
-        const bool isNone = take == Take::all && std::abs(pivot) <= rounding * own_[rank];
+        const bool isNone = take == Take::all && std::abs(pivot) <= leastOf(rank) * own_[rank];
         if (!isNone && !(pivot > leastPivot * own_[rank]))
             return false;
         const double inverse = invert(rank, isNone);
@@ -147,8 +161,10 @@ bool Elimination::factoriseAny() {
     idle_.assign(entries, 0);
     for (std::size_t rank = 0; rank < size; ++rank) {
         const double pivot = values[rank];
-        const bool isNone = std::abs(pivot) <= rounding * own_[rank];
-        if (isNone ? !isLeftOut(rank) : !(pivot > leastOfAny * own_[rank]))
+        const double least = leastOf(rank);
+        const bool isNone = std::abs(pivot) <= least * own_[rank];
+        if (isNone ? !isLeftOut(rank, std::max(rounding, std::sqrt(least / 10)))
+                   : !(pivot > leastOfAny * own_[rank]))
             return false;
         const double inverse = invert(rank, isNone);
         const Index begin = firstBelow_[rank];
@@ -168,10 +184,10 @@ bool Elimination::factoriseAny() {
 }
 
 // Nothing is left of its row.
-bool Elimination::isLeftOut(std::size_t rank) const {
+bool Elimination::isLeftOut(std::size_t rank, double least) const {
     const double* const upper = values_.data() + rowOf_.size() + below_.size();
     for (Index a = firstBelow_[rank]; a < firstBelow_[rank + 1]; ++a)
-        if (!(upper[a] * upper[a] <= rounding * rounding * own_[rank] * own_[below_[a]]))
+        if (!(upper[a] * upper[a] <= least * least * own_[rank] * own_[below_[a]]))
             return false;
     return true;
 }

@@ -32,6 +32,12 @@ public:
     // mirror them. False: a factorization takes more than `most` multiplications. Then nothing is
     // planned.
     bool plan(std::size_t size, std::span<const Place> places, double most);
+    // Of each row the patch whose point it is, or `noPatch`. The rows of one patch are those of
+    // three of them, but for a small tilt, whose square a further pivot is: it counts as none.
+    static constexpr Index noPatch = 0xffffffff;
+    void setPatches(std::span<const Index> patches) {
+        patchOf_.assign(patches.begin(), patches.end());
+    }
     // Multiplications of one factorization, but one for each entry of L.
     [[nodiscard]] std::size_t multiplications() const { return targets_.size(); }
 
@@ -58,7 +64,8 @@ private:
     double invert(std::size_t rank, bool isNone);
     [[nodiscard]] bool factoriseSymmetric(Take take);
     [[nodiscard]] bool factoriseAny();
-    [[nodiscard]] bool isLeftOut(std::size_t rank) const;
+    [[nodiscard]] double leastOf(std::size_t rank) const;
+    [[nodiscard]] bool isLeftOut(std::size_t rank, double least) const;
     void substituteBack();
 
     // By rank, the order in which rows are eliminated; a row's `below` are the later ranks where
@@ -71,7 +78,8 @@ private:
         values_;              // diagonal; then what is below it by columns; what is above by rows
     std::vector<double> own_; // the diagonal, before it is factorised
     std::vector<double> ordered_;
-    bool isLu_ = false; // not symmetric
+    bool isLu_ = false;          // not symmetric
+    std::vector<Index> patchOf_; // of a row; empty: none has one
     std::vector<Index> dependent_;
     std::vector<double> idle_; // of rows left out: what was left of their columns; else 0
 };

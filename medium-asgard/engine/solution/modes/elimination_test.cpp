@@ -167,6 +167,27 @@ TEST(Elimination, LeavesOutRowsThatOthersMake) {
     }
 }
 
+// The four corners of a face of which one lies a little out of their plane: what is left of the
+// fourth row is the square of that, and no force may come of it.
+TEST(Elimination, ATiltMakesNoFourthRowOfAPatch) {
+    Mechanism face;
+    face.join({0}, 4);
+    for (const double tilt : {0.0, 1e-9, 1e-7, 1e-6, 1e-5}) {
+        Eigen::MatrixXd j(4, 4); // the last column: what the tilt alone moves
+        j << 1, 0.5, 0.5, 0, 1, 0.5, -0.5, 0, 1, -0.5, -0.5, 0, 1, -0.5, 0.5, tilt;
+        const Eigen::Matrix4d a = j * j.transpose();
+        Elimination elimination;
+        ASSERT_TRUE(elimination.plan(4, face.places(), 1e9));
+        elimination.setPatches(std::vector<Elimination::Index>(4, 7));
+        put(face, a, elimination);
+        ASSERT_TRUE(elimination.factorise(Elimination::Take::all));
+        ASSERT_EQ(elimination.dependent().size(), 1u) << tilt;
+        Eigen::Vector4d x = j * Eigen::Vector4d(1, 2, 3, 4); // what moves by the tilt is no force's
+        elimination.solve({x.data(), 4});
+        EXPECT_LT(x.cwiseAbs().maxCoeff(), 10) << tilt;
+    }
+}
+
 // As friction that slips makes it.
 TEST(Elimination, TakesWhatIsNotSymmetricAndRefusesWhatIsNotDefinite) {
     Mechanism pair;

@@ -11,6 +11,7 @@ using complementarity::State;
 namespace {
 
 constexpr double noPivot = 1e-13; // of 1, of what is left of a scaled condition that others make
+constexpr double ofTilt = 1e-9;   // where faces lie on each other with a tilt (elimination.h)
 // A dense multiplication costs less than a sparse one, and a dense factorization something besides.
 constexpr double cost = 4, besides = 500;
 // Contacts are redundant as a rule, and a dense factorization that finds their rank costs most.
@@ -54,10 +55,17 @@ void HeldConditions::makePlan(std::vector<std::size_t> slipping) {
         plan_.rows, [this](std::size_t row) { return bound_.laws[row].leaving.has_value(); });
     const auto n = static_cast<double>(plan_.rows.size());
     const double dense = n * n * n / 3 / cost + besides;
+    std::vector<Elimination::Index> patches;
+    for (const std::size_t row : plan_.rows)
+        patches.push_back(bound_.laws[row].patch.value_or(Elimination::noPatch));
+    plan_.hasFaces = std::ranges::any_of(patches, [&](Elimination::Index patch) {
+        return patch != Elimination::noPatch && std::ranges::count(patches, patch) > 3;
+    });
     plan_.isSparse = elimination_.plan(plan_.rows.size(), places,
                                        plan_.hasContacts ? std::max(dense, many) : dense);
     if (!plan_.isSparse)
         return;
+    elimination_.setPatches(patches);
     for (const Term& term : plan_.terms) {
         plan_.entries.push_back(static_cast<Elimination::Index>(term.entry));
         plan_.indices.push_back(elimination_.indexOf(term.place));
@@ -160,11 +168,12 @@ bool HeldConditions::factorise(std::span<const double> values, std::span<const d
     if (!matrix_.allFinite())
         return false;
     lu_.compute(matrix_);
+    const double none = plan_.hasFaces ? ofTilt : noPivot;
     for (Eigen::Index i = 0; i < matrix_.rows(); ++i)
-        if (!(std::abs(lu_.matrixLU()(i, i)) > noPivot))
+        if (!(std::abs(lu_.matrixLU()(i, i)) > none))
             way_ = Way::least;
     if (way_ == Way::least) {
-        least_.setThreshold(noPivot);
+        least_.setThreshold(none);
         least_.compute(matrix_);
     }
     return true;

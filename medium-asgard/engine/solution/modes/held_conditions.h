@@ -65,6 +65,7 @@ private:
         std::vector<Elimination::Index> entries, indices, frictionIndices; // where it is sparse
         bool isSparse = false;
         bool isMade = false, hasContacts = false;
+        bool hasFaces = false; // of which more than three points hold
     };
     enum class Way { sparse, dense, least };
 
