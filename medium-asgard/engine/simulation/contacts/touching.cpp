@@ -316,10 +316,9 @@ private:
         const Vector ofSupport = faceNormal(second_, touch.normal);
         const Vector ofBody = -faceNormal(first_, -touch.normal);
         const double alongSupport = gapAlong(ofSupport), alongBody = gapAlong(ofBody);
-        const bool isSupports =
-            std::abs(alongSupport - alongBody) > asGood * touch.size
-                ? alongSupport > alongBody
-                : besideFace(ofSupport, true) <= besideFace(ofBody, false);
+        const bool isSupports = std::abs(alongSupport - alongBody) > asGood * touch.size
+                                    ? alongSupport > alongBody
+                                    : besideFace(ofSupport, true) <= besideFace(ofBody, false);
         const double gap = isSupports ? alongSupport : alongBody;
         if (gap >= touch.gap - beside_) {
             touch.normal = isSupports ? ofSupport : ofBody;
@@ -383,8 +382,8 @@ private:
             c.kind == Kind::onSupportPlane ? Vector(bodyPoint - c.radius * n) : supportPoint;
         const Vector speed = body_.state.velocityAt(p) - support_.state.velocityAt(q);
         const Vector turning = normalRate(c);
-        corner.rate = n.dot(body_.state.velocityAt(corner.point) -
-                            support_.state.velocityAt(corner.point));
+        corner.rate =
+            n.dot(body_.state.velocityAt(corner.point) - support_.state.velocityAt(corner.point));
         corner.gap = onPlane ? n.dot(bodyPoint - supportPoint) - c.radius : touch.gap;
         corner.extra = n.dot(centripetal(body_.state, p) - accelerationAt(support_, q)) +
                        2 * turning.dot(speed);
