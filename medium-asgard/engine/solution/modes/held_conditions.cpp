@@ -11,7 +11,7 @@ using complementarity::State;
 namespace {
 
 constexpr double noPivot = 1e-13; // of 1, of what is left of a scaled condition that others make
-constexpr double ofTilt = 1e-9;   // where faces lie on each other with a tilt (elimination.h)
+constexpr double noPivotOfFaces = 1e-9; // where faces lie on each other with a tilt (elimination.h)
 // A dense multiplication costs less than a sparse one, and a dense factorization something besides.
 constexpr double cost = 4, besides = 500;
 // Contacts are redundant as a rule, and a dense factorization that finds their rank costs most.
@@ -168,7 +168,7 @@ bool HeldConditions::factorise(std::span<const double> values, std::span<const d
     if (!matrix_.allFinite())
         return false;
     lu_.compute(matrix_);
-    const double none = plan_.hasFaces ? ofTilt : noPivot;
+    const double none = plan_.hasFaces ? noPivotOfFaces : noPivot;
     for (Eigen::Index i = 0; i < matrix_.rows(); ++i)
         if (!(std::abs(lu_.matrixLU()(i, i)) > none))
             way_ = Way::least;
