@@ -16,11 +16,12 @@ namespace views {
 
 namespace {
 
-constexpr int whole = 1000; // slider positions
+constexpr int positions = 1000; // of a slider
 
 // What two neighbouring positions differ by, as a power of ten.
 double resolutionOf(double least, double most) {
-    return most > least ? std::pow(10, std::floor(std::log10((most - least) / whole) + 1e-9)) : 0;
+    return most > least ? std::pow(10, std::floor(std::log10((most - least) / positions) + 1e-9))
+                        : 0;
 }
 
 QString shortest(double value, double resolution) {
@@ -131,9 +132,9 @@ void ParametersPanel::rebuild(const std::vector<Control>& controls) {
         auto* value = plain::label();
         value->setAlignment(Qt::AlignRight | Qt::AlignBottom);
         auto* slider = new QSlider(Qt::Horizontal);
-        slider->setRange(0, whole);
-        slider->setPageStep(whole / 20);
-        slider->setSingleStep(whole / 100);
+        slider->setRange(0, positions);
+        slider->setPageStep(positions / 20);
+        slider->setSingleStep(positions / 100);
         slider->setAccessibleName(control.label);
         slider->setFocusPolicy(Qt::TabFocus); // a drag leaves the keys to the picture
         slider->installEventFilter(this);
@@ -201,11 +202,11 @@ void ParametersPanel::refresh() {
 int ParametersPanel::positionOf(const Row& row, double value) {
     const auto& [least, most] = std::pair(row.of.least, row.of.most);
     const double share = most > least ? (value - least) / (most - least) : 0;
-    return static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * whole));
+    return static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * positions));
 }
 
 double ParametersPanel::valueOf(const Row& row, int position) {
-    return row.of.least + (row.of.most - row.of.least) * position / whole;
+    return row.of.least + (row.of.most - row.of.least) * position / positions;
 }
 
 QString ParametersPanel::valueText(const Row& row, double value) {

@@ -13,18 +13,13 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 namespace views {
 
 using editing::Element;
 using editing::Kind;
-
-namespace {
-
-QString toText(std::string_view words) { return QString::fromUtf8(words.data(), words.size()); }
-
-} // namespace
 
 PropertyHead::PropertyHead(SceneDocument& document, ElementCommands& commands, EnteredLater& later,
                            std::function<void()> showText, QWidget* parent)
@@ -81,8 +76,8 @@ void PropertyHead::showElements(const std::vector<Element>& all) {
     if (all.empty())
         title = tr("Nothing is selected. A click in the picture selects a body.");
     else if (isOne)
-        title = plain::ours(
-            toText(hint->name == "spring" ? hint->name : editing::wordOf(all.front().kind)));
+        title = plain::ours(QString::fromStdString(
+            std::string(hint->name == "spring" ? hint->name : editing::wordOf(all.front().kind))));
     else
         title = areBodies ? tr("%1 bodies").arg(all.size()) : tr("%1 elements").arg(all.size());
     if (!title.isEmpty())
