@@ -13,7 +13,7 @@ namespace {
 
 const Asking asking{"Ensemble", "A document without a name", "Windows open again."};
 
-// What is answered when that key is pressed in the question.
+// The answer that a key gives to the question.
 Recovery answeredBy(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
     QTimer::singleShot(10, qApp, [key, modifiers] {
         QWidget* question = QApplication::activeModalWidget();

@@ -18,7 +18,7 @@ using Box = Eigen::AlignedBox2d;
 
 const render::Size size{480, 360}; // of a figure, and as narrow as a picture is that cuts nothing
 
-// What is hit and flies away, by the sample's file.
+// Bodies that are hit and fly away, by the sample's file.
 const std::map<std::string, std::set<std::string>> fliesOff = {
     {"pend.al", {"b3"}}, {"seven-steps.al", {"cube1"}}, {"trebuchet.al", {"stone"}}};
 
@@ -34,7 +34,7 @@ std::vector<std::string> samples() {
     return files;
 }
 
-// Where a ball is seen, in pixels.
+// The place at which a ball is seen, in pixels.
 Box seen(const render::Camera& camera, const render::Ball& ball) {
     const render::Vector inView =
         camera.scale * (camera.rotation * (ball.center - camera.center)) + camera.position;

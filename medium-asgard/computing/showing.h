@@ -25,7 +25,7 @@ public:
     };
 
     void setSeen(double time) { seen_ = time; }
-    // What waits to be shown is of no use any more.
+    // A motion that waits to be shown is of no use any more.
     void dropAwaited();
     // For so long at most the scene and motion of before are shown, which belong together.
     void setPatience(std::chrono::milliseconds patience) { patience_ = patience; }
@@ -34,7 +34,7 @@ public:
     // The motion has ended; `wanted`: it counts.
     void take(const Moved& moved, bool wanted);
     void computingTook(Clock::duration duration) { lastMotion_ = duration; }
-    // What is awaited is shown now, without its motion.
+    // The scene that is awaited is shown now, without its motion.
     void showAwaited() { showAwaited(nullptr); }
     // Shows what is due; what has changed since the last call.
     [[nodiscard]] Changes update(Instant now);

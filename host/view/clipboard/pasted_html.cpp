@@ -108,7 +108,7 @@ private:
         isInHeader_ = false;
         isInTable_ = isInner;
     }
-    // Where the class has no spans, the places that a cell covers are empty cells.
+    // A class without spans gets empty cells in the places that a cell covers.
     [[nodiscard]] bool hasSpans() const {
         return grammar_.hasAttribute(names_.cell, "COLUMNS") &&
                grammar_.hasAttribute(names_.cell, "ROWS");

@@ -1,4 +1,4 @@
-// Where is the middle of a patch on which two bodies touch, and how far are its points from there?
+// The middle of a patch on which two bodies touch, and how far its points are from there.
 #pragma once
 
 #include "geometry/pose.h"

@@ -5,6 +5,7 @@
 #include "collision/patch.h"
 #include "collision/separation.h"
 #include "contacts/surface_pieces.h"
+#include "geometry/outline.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,8 @@ namespace simulation {
 namespace {
 
 using collision::Posed;
+using geometry::besideOutline;
+using geometry::depthInside;
 using geometry::Matrix;
 using geometry::Part;
 using physics::GapConstraint;
@@ -76,45 +79,6 @@ Vector faceNormal(const Posed& owner, const Vector& direction) {
         }
     }
     return best;
-}
-
-// How far inside a convex outline (around the normal) a point lies; negative: outside.
-double depthInside(const std::vector<Vector>& outline, const Vector& normal, const Vector& point) {
-    double least = HUGE_VAL;
-    Vector middle = Vector::Zero();
-    for (const Vector& p : outline)
-        middle += p / static_cast<double>(outline.size());
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        const Vector& a = outline[i];
-        const Vector edge = outline[(i + 1) % outline.size()] - a;
-        Vector inward = normal.cross(edge).normalized();
-        if (inward.dot(middle - a) < 0)
-            inward = -inward;
-        least = std::min(least, inward.dot(point - a));
-    }
-    return least;
-}
-
-// How far a vertex, an edge or a face lies beside a convex outline; 0: some of it is over it.
-double besideOutline(const std::vector<Vector>& feature, const std::vector<Vector>& outline,
-                     const Vector& normal) {
-    double most = -HUGE_VAL; // depth, concave along each edge
-    for (std::size_t i = 0; i < feature.size(); ++i) {
-        const Vector &a = feature[i], &b = feature[(i + 1) % feature.size()];
-        const auto depthAt = [&](double s) {
-            return depthInside(outline, normal, Vector(a + s * (b - a)));
-        };
-        double low = 0, high = 1;
-        for (int k = 0; k < 40; ++k) {
-            const double third = (high - low) / 3;
-            if (depthAt(low + third) < depthAt(high - third))
-                low += third;
-            else
-                high -= third;
-        }
-        most = std::max({most, depthAt(0), depthAt(1), depthAt((low + high) / 2)});
-    }
-    return std::max(0.0, -most);
 }
 
 // The pair of parts and the features in which they touch.

@@ -105,17 +105,15 @@ TEST_F(Touching, ABallThatPassesAnotherParts) {
     EXPECT_NEAR(found[0].corners[0].extra, 9.0 / 2, 1e-14);
 }
 
-// A box that turns about an edge on which a ball lies: what the ball's place on it does counts, and
-// not what the edge's end does.
+// The edge of a box goes up at one end and down at the other, under a ball at its middle.
 TEST_F(Touching, ATurningEdgeUnderABallNeitherPartsNorApproaches) {
     SceneBuilder b(1);
     b.ball("ball", {0, 0, 0}, 0.5).fixed = true;
     b.box("box", {0, 2, 0}, {1, 1, 2});
     build(b);
-    Placed box = placed(1, {0.5, -0.5 - std::sqrt(0.5), 0});
-    // 45 degrees, so that an edge along z is below the ball; its middle lies at the ball.
+    Placed box = placed(1, {0, -0.5 - std::sqrt(0.5), 0});
+    // By 45 degrees: the middle of an edge along z is below the ball.
     box.state.attitude = geometry::Quaternion(Eigen::AngleAxisd(M_PI / 4, Vector::UnitZ()));
-    box.state.position = {0, -0.5 - std::sqrt(0.5), 0};
     box.state.angularVelocity = {3, 0, 0}; // one end of the edge up, the other down
     const auto found = touches(box);
     ASSERT_EQ(found.size(), 1u);

@@ -29,6 +29,7 @@ bool Elimination::plan(std::size_t size, std::span<const Place> places, double m
         of.erase(std::unique(of.begin(), of.end()), of.end());
     }
     rowOf_.clear();
+    mates_.clear();
     rankOf_.assign(size, 0);
     std::vector<char> isDone(size, 0);
     std::vector<Index> joined;
@@ -112,15 +113,20 @@ bool Elimination::factorise(Take take) {
     return factoriseSymmetric(take);
 }
 
-// A pivot that is less is none.
+void Elimination::setPatches(std::span<const Index> patches) {
+    mates_.assign(rowOf_.size(), {});
+    for (std::size_t rank = 0; rank < rowOf_.size(); ++rank)
+        for (std::size_t before = 0; before < rank && patches[rowOf_[rank]] != noPatch; ++before)
+            if (patches[rowOf_[before]] == patches[rowOf_[rank]])
+                mates_[rank].push_back(static_cast<Index>(before));
+}
+
+// A pivot that is less is none. Of rows that others make `values_` has 0.
 double Elimination::leastOf(std::size_t rank) const {
-    const Index patch = patchOf_.empty() ? noPatch : patchOf_[rowOf_[rank]];
-    if (patch == noPatch)
+    if (mates_.empty() || mates_[rank].size() < 2)
         return rounding;
-    int done = 0;
-    for (std::size_t before = 0; before < rank; ++before)
-        if (patchOf_[rowOf_[before]] == patch && values_[before] != 0)
-            ++done;
+    const auto done =
+        std::ranges::count_if(mates_[rank], [this](Index mate) { return values_[mate] != 0; });
     return done >= 3 ? ofTilt : done == 2 ? ofLine : rounding;
 }
 
@@ -183,7 +189,7 @@ bool Elimination::factoriseAny() {
     return true;
 }
 
-// Nothing is left of its row.
+// Nothing is left of its row: of a patch's tilt, whose square the pivot is, the tilt itself may be.
 bool Elimination::isLeftOut(std::size_t rank, double least) const {
     const double* const upper = values_.data() + rowOf_.size() + below_.size();
     for (Index a = firstBelow_[rank]; a < firstBelow_[rank + 1]; ++a)

@@ -35,9 +35,8 @@ public:
     // Of each row the patch whose point it is, or `noPatch`. The rows of one patch are those of
     // three of them, but for a small tilt, whose square a further pivot is: it counts as none.
     static constexpr Index noPatch = 0xffffffff;
-    void setPatches(std::span<const Index> patches) {
-        patchOf_.assign(patches.begin(), patches.end());
-    }
+    // plan() forgets them.
+    void setPatches(std::span<const Index> patches);
     // Multiplications of one factorization, but one for each entry of L.
     [[nodiscard]] std::size_t multiplications() const { return targets_.size(); }
 
@@ -78,8 +77,9 @@ private:
         values_;              // diagonal; then what is below it by columns; what is above by rows
     std::vector<double> own_; // the diagonal, before it is factorised
     std::vector<double> ordered_;
-    bool isLu_ = false;          // not symmetric
-    std::vector<Index> patchOf_; // of a row; empty: none has one
+    bool isLu_ = false; // not symmetric
+    // By rank, the earlier ranks of the same patch; empty: no row has one.
+    std::vector<std::vector<Index>> mates_;
     std::vector<Index> dependent_;
     std::vector<double> idle_; // of rows left out: what was left of their columns; else 0
 };

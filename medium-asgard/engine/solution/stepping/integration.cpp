@@ -283,8 +283,8 @@ Proposal Integration::review(double to) {
                      .crossing = found_ ? &*found_ : nullptr};
 }
 
-// Where contacts begin or lose their place, the source of events asks who touches whom, more finely
-// than the polynomials of a long step keep what holds.
+// The source of events asks who touches whom at the instant at which a contact begins or loses its
+// place, and asks more finely than the polynomials of a long step keep the conditions.
 std::optional<double> Integration::endBeforeContact(const StateCurves& curves) {
     ComponentEquations& equations = context_.equations();
     if (!found_ || !equations.guards().isOfPlaces(*found_))
