@@ -100,7 +100,7 @@ std::optional<Vector> SceneView::Implementation::read(const Bound& bound, int co
 }
 
 Camera SceneView::Implementation::fromEye(const std::vector<double>& values) const {
-    const Camera usual = fitted(extent, bestAttitude(extent), size);
+    Camera usual = fitted(extent, bestAttitude(extent), size);
     const Vector target = read(look, 3, values).value_or(usual.center);
     const Vector away = usual.rotation.conjugate() * Vector(0, 0, eyeDistance / usual.scale);
     const Vector stand = read(eye, 3, values).value_or(target + away);

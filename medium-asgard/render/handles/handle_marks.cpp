@@ -71,6 +71,7 @@ std::vector<Disc> addHandles(Lines& lines, const HandleSet& set, const Frame& fr
                                                   : a.disc.radius > b.disc.radius;
     });
     std::vector<Disc> discs;
+    discs.reserve(placed.size());
     for (const Placed& one : placed)
         discs.push_back(one.disc);
     return discs;
