@@ -309,7 +309,7 @@ case("ladder_falls", "simulator -finish 1\nshape_set floor -desc {-sub {-box {8 
      gravity("ladder"), ladder_falls(a, (0.2, 0.3, 0.4, 0.5, 0.6, 1.0), 1.0))
 
 
-# A cradle of five balls on hinges: two that are drawn aside swing as one, touch all the time without a force, and two leave.
+# A cradle of five balls on hinges: as many as are drawn aside swing as one, touch all the time without a force, and as many leave.
 def swings(angle, bend, t, count=20000):
     speed, h = 0.0, t / count
     for _ in range(count):
@@ -322,17 +322,19 @@ def swings(angle, bend, t, count=20000):
     return angle
 
 
-def cradle_of_two(t):
+def cradle(aside, t):
     ball, rod = 4 / 3 * math.pi * 0.05 ** 3, math.pi * 0.004 ** 2 * 0.5
     whole = ball * (0.5 ** 2 + 0.4 * 0.05 ** 2) + rod * (0.25 ** 2 + (3 * 0.004 ** 2 + 0.5 ** 2) / 12)
     turned = swings(-0.6, G * (ball * 0.5 + rod * 0.25) / whole, t)
-    return [(t, 2, 0.1 * k + 0.5 * math.sin(min(turned, 0) if k < 2 else max(turned, 0) if k > 2 else 0), f"b{k}.px(0,0,0)") for k in range(5)]
+    turns = [min(turned, 0) if k < aside else max(turned, 0) if k >= 5 - aside else 0 for k in range(5)]
+    return [(t, 2, 0.1 * k + 0.5 * math.sin(turns[k]), f"b{k}.px(0,0,0)") for k in range(5)]
 
 
-case("cradle_of_two", "simulator -finish 0.7\nshape_set ball -desc {-sub {-sphere 0.05} -sub {-pos {0 0.25 0} -cylinder {0.004 0.5}}}\n" +
-     "".join(f"body b{k} ball -init_pos {{{0.1 * k + 0.5 * math.sin(a)!r} {-0.5 * math.cos(a)!r} 0}} -init_rot {{0 0 {a}}}\njoint h{k} -type hinge -body1 b{k} -offset1 {{0 0.5 0}}\n"
-             for k, a in enumerate((-0.6, -0.6, 0, 0, 0))) + gravity(*(f"b{k}" for k in range(5))),
-     [row for t in (0.2, 0.5, 0.7) for row in cradle_of_two(t)])
+for name, aside, times in (("cradle_of_one", 1, (0.5, 1.4, 2.1, 3.0)), ("cradle_of_two", 2, (0.2, 0.5, 0.7))):
+    case(name, f"simulator -finish {times[-1]}\nshape_set ball -desc {{-sub {{-sphere 0.05}} -sub {{-pos {{0 0.25 0}} -cylinder {{0.004 0.5}}}}}}\n" +
+         "".join(f"body b{k} ball -init_pos {{{0.1 * k + 0.5 * math.sin(a)!r} {-0.5 * math.cos(a)!r} 0}} -init_rot {{0 0 {a}}}\njoint h{k} -type hinge -body1 b{k} -offset1 {{0 0.5 0}}\n"
+                 for k, a in enumerate([-0.6] * aside + [0] * (5 - aside))) + gravity(*(f"b{k}" for k in range(5))),
+         [row for t in times for row in cradle(aside, t)])
 
 
 def main():

@@ -83,7 +83,8 @@ Hop hopOf(const Instant& at, const ImpactCluster& cluster, const ImpactContact& 
 LastHops softenLastHops(const Instant& at, ImpactCluster& cluster,
                         std::span<const ImpactBody> bodies) {
     LastHops last;
-    bool isAnyLow = false, isAnyHigh = false;
+    std::vector<std::size_t> low;
+    bool isAnyHigh = false;
     for (std::size_t c = 0; c < cluster.contacts.size(); ++c) {
         const Pair pair = cluster.pairOf(cluster.contacts[c]);
         if (cluster.contacts[c].restitution == 1 && at.areFreeBalls(pair)) {
@@ -102,16 +103,19 @@ LastHops softenLastHops(const Instant& at, ImpactCluster& cluster,
         }
         isAnyHigh =
             isAnyHigh || (hop.approaches && !hop.isLow && sinksIn(cluster.contacts[c], bodies));
-        if (hop.approaches && hop.isLow) {
-            for (const std::size_t body : {pair.first, pair.second})
-                if (at.canGiveWay(body))
-                    last.lost.push_back({.time = at.time, .height = hop.height, .body = body});
-            last.settling = std::max(last.settling, hop.settling);
-            cluster.contacts[c].restitution = 0;
-            isAnyLow = true;
-        }
+        if (!hop.approaches || !hop.isLow)
+            continue;
+        low.push_back(c);
+        last.settling = std::max(last.settling, hop.settling);
+        for (const std::size_t body : {pair.first, pair.second})
+            if (at.canGiveWay(body))
+                last.lost.push_back({.time = at.time, .height = hop.height, .body = body});
     }
-    if (isAnyLow && !isAnyHigh)
+    if (isAnyHigh)
+        return {};
+    for (const std::size_t c : low)
+        cluster.contacts[c].restitution = 0;
+    if (!low.empty())
         for (ImpactContact& contact : cluster.contacts)
             if (contact.restitution > 0 && contact.restitution < 1) {
                 contact.restitution = 0;

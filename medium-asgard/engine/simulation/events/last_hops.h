@@ -20,7 +20,9 @@ struct LastHops {
 // that would have followed are over after 2 u / a (1 - e), where u is the first one's speed and a
 // the acceleration that pushes the bodies together. Of a patch that holds of all its corners: an
 // edge that rocks hops at its ends, and its middle need not approach at all. If all that hit hop
-// for the last time, the contacts at rest beside them take the blow without rebound, too.
+// for the last time, the contacts at rest beside them take the blow without rebound, too. Where
+// something hits higher, none is the last: a blow that passes through them throws what it reaches,
+// as through contacts at rest.
 [[nodiscard]] LastHops softenLastHops(const Instant& instant, ImpactCluster& cluster,
                                       std::span<const physics::ImpactBody> bodies);
 
