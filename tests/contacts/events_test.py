@@ -85,6 +85,23 @@ def cases():
     yield "pair_bounces", contacts.CASES["pair_bounces"][0], [(falls, "impact", "ground a"), (falls, "impact", "ground b")]
 
 
+def kerb():
+    box = "shape_set NAME -desc {-sub {-pos {0 Y 0} -box {SIZE}}}\nbody NAME NAME -fixed 1 -friction 1 -init_pos {X 0 0}\n"
+    scene = "simulator -finish 2\nset roll [expr {-2/0.15}]\n"
+    for name, x, y, size in (("road", 6, -0.5, "16 1 1.6"), ("kerb", 1.5, 0.03, "0.3 0.06 1.6")):
+        scene += box.replace("NAME", name).replace("X", str(x)).replace("Y", str(y)).replace("SIZE", size)
+    scene += ("shape_set wheel -desc {-sub {-rot {1.5707963267948966 0 0} -cylinder {0.15 0.1}}}\nshape_set chassis -desc {-sub {-box {1.2 0.15 0.4}}}\n"
+              "shape_set hub -desc {-sub {-sphere 0.04}}\n"
+              "body chassis chassis -mass 20 -init_pos {0 0.35 0} -init_dpos {2 0 0} -friction 1 -restitution 0\n")
+    for end, x in (("rear", -0.4), ("front", 0.4)):
+        scene += (f"body wheel_{end} wheel -mass 2 -friction 1 -restitution 0 -init_pos {{{x} 0.15 0}} -init_dpos {{2 0 0}} -init_drot [list 0 0 $roll]\n"
+                  f"body hub_{end} hub -mass 0.5 -ct 1 -init_pos {{{x} 0.15 0}} -init_dpos {{2 0 0}}\n"
+                  f"joint slide_{end} -type slider -body1 hub_{end} -body2 chassis -axis {{0 1 0}} -stiffness 2000 -damping 150\n"
+                  f"joint axle_{end} -type hinge -body1 wheel_{end} -body2 hub_{end} -offset1 {{0 0 0}}\n"
+                  f"contact -body1 wheel_{end} -body2 chassis -collide 0\n")
+    return scene + "foreach b {chassis wheel_rear hub_rear wheel_front hub_front} {force -body $b -gravitational {0 -9.81 0}}\n"
+
+
 def events(scene, stops=False, accuracy="1e-9"):
     """The list; `stops`: the motion ends with a sentence and exit code 1."""
     with tempfile.TemporaryDirectory() as folder:
@@ -156,8 +173,30 @@ def check_finish():
     return 0
 
 
+def check_kerb():
+    """The wheels of a car, on hinges, go up a kerb and down: at 1e-3 a step is long where a wheel leaves the kerb's face."""
+    ends = []
+    with tempfile.TemporaryDirectory() as folder:
+        base = os.path.join(folder, "scene")
+        with open(base + ".al", "w", encoding="utf-8") as file:
+            file.write(kerb())
+        for accuracy in ("1e-3", "1e-9"):
+            run = subprocess.run([sys.argv[1], "simulate", base + ".al", "--csv", base + ".csv", "--accuracy", accuracy],
+                                 capture_output=True, text=True, check=False)
+            if run.returncode or "Stopped at" in run.stderr:
+                print(f"FAIL a car on a kerb at {accuracy}: {run.stderr}")
+                return 1
+            with open(base + ".csv", encoding="utf-8") as file:
+                last = list(csv.DictReader(file))[-1]
+            ends.append([float(last[name]) for name in ("chassis.x", "chassis.y", "wheel_front.y", "wheel_rear.y")])
+    if any(abs(a - b) > 5e-3 for a, b in zip(*ends)):
+        print(f"FAIL a car on a kerb: at 1e-3 {ends[0]}, at 1e-9 {ends[1]}")
+        return 1
+    return 0
+
+
 def main():
-    faults = check_hops() + check_growing_hops() + check_half_space() + check_finish()
+    faults = check_hops() + check_growing_hops() + check_half_space() + check_finish() + check_kerb()
     for name, scene, expected in cases():
         found = events(scene, stops=name == "painleve")
         listed = [(float(row["time"]), row["kind"], row["names"]) for row in found]

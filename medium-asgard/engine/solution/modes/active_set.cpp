@@ -111,6 +111,11 @@ bool ActiveSet::isOfPlaces(std::size_t watch) const {
     return kind == Kind::invalid || (kind == Kind::gap && isContact(row));
 }
 
+bool ActiveSet::isOffPlace(std::size_t watch) {
+    constexpr double ofResolution = 0.1;
+    return std::abs(watchOfPlaces(watch)) > ofResolution * law(watches_[watch].row).resolution;
+}
+
 double ActiveSet::watchOfPlaces(std::size_t watch) {
     multipliers_.evaluateGaps();
     return valueOf(watches_[watch]);

@@ -120,16 +120,21 @@ void ComponentEquations::takeKept(std::span<const double> states) {
 bool ComponentEquations::isOff(double t, std::span<const double> y, std::span<const double> kept) {
     const std::vector<complementarity::State> now = mode_.kept;
     takeKept(kept);
-    const bool isOffThen = isOff(t, y);
-    mode_.kept = now;
-    guards_.refresh();
-    return isOffThen;
-}
-
-bool ComponentEquations::isOff(double t, std::span<const double> y) {
     functions_.fill(t, y);
     field_.multipliers().evaluateGaps();
-    return field_.multipliers().isOff(y);
+    const bool isOff = field_.multipliers().isOff(y);
+    mode_.kept = now;
+    guards_.refresh();
+    return isOff;
+}
+
+bool ComponentEquations::movesContacts(const Violation& violation, std::span<const double> y) {
+    if (!guards_.isOfPlaces(violation))
+        return false;
+    std::vector<double> landed(y.begin(), y.end());
+    project(violation.time, landed);
+    functions_.fill(violation.time, landed);
+    return guards_.isOffPlaces(violation);
 }
 
 void ComponentEquations::takeGone(std::span<const double> values) {

@@ -129,7 +129,9 @@ public:
     void takeKept(std::span<const double> states);
     // With conditions that hold as these say, for this question alone: Multipliers::isOff().
     [[nodiscard]] bool isOff(double t, std::span<const double> y, std::span<const double> kept);
-    [[nodiscard]] bool isOff(double t, std::span<const double> y); // as they hold now
+    // A contact closes or loses its place on a step's polynomials, and elsewhere on states that the
+    // conditions hold.
+    [[nodiscard]] bool movesContacts(const Violation& violation, std::span<const double> y);
     // Contacts that slip by less than that part of the fastest velocity rest (active_set.h).
     void setSlow(double part) { active_.setSlow(part); }
     // Contacts that slip do so as these states move.

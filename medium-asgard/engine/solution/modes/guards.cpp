@@ -136,6 +136,12 @@ bool Guards::isOfPlaces(const Violation& violation) const {
                                [this](std::size_t watch) { return active_.isOfPlaces(watch); });
 }
 
+bool Guards::isOffPlaces(const Violation& violation) {
+    return std::ranges::any_of(activeOf(violation), [this](std::size_t watch) {
+        return active_.isOfPlaces(watch) && active_.isOffPlace(watch);
+    });
+}
+
 std::vector<std::size_t> Guards::multipliersOf(const Violation& violation) const {
     std::vector<std::size_t> found;
     for (const std::size_t watch : activeOf(violation))

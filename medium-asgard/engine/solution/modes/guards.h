@@ -51,6 +51,8 @@ public:
     [[nodiscard]] std::vector<std::size_t> activeOf(const Violation& violation) const;
     // A contact has closed, or lost its place.
     [[nodiscard]] bool isOfPlaces(const Violation& violation) const;
+    // It does not do so at the point of the functions.
+    [[nodiscard]] bool isOffPlaces(const Violation& violation);
     // Multipliers whose bounds are violated.
     [[nodiscard]] std::vector<std::size_t> multipliersOf(const Violation& violation) const;
     // Directions whose watches are violated.

@@ -284,14 +284,14 @@ Proposal Integration::review(double to) {
 }
 
 // The source of events asks who touches whom at the instant at which a contact begins or loses its
-// place, and asks more finely than the polynomials of a long step keep the conditions.
+// place, of states that conditions hold: these may do so elsewhere than a long step's polynomials.
 std::optional<double> Integration::endBeforeContact(const StateCurves& curves) {
     ComponentEquations& equations = context_.equations();
-    if (!found_ || !equations.guards().isOfPlaces(*found_))
+    if (!found_)
         return std::nullopt;
     std::vector<double> y(columns_.size());
     curves.at(found_->time, y);
-    if (!equations.isOff(found_->time, y))
+    if (!equations.movesContacts(*found_, y))
         return std::nullopt;
     return shortlyBefore(found_->time, curves.origin);
 }
