@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <numbers>
 #include <unordered_map>
+#include <utility>
 
 namespace physics {
 namespace {
@@ -25,8 +26,9 @@ constexpr double isIndependent = 1e-9;
 // Gaps and their derivatives by the places of the bodies that may move.
 class Closing {
 public:
-    Closing(const scene::Scene& scene, EquationsOfMotion& equations)
-        : equations_(equations), start_(scene.simulator.start) {
+    Closing(const scene::Scene& scene, EquationsOfMotion& equations,
+            std::function<bool()> cancelled)
+        : equations_(equations), start_(scene.simulator.start), cancelled_(std::move(cancelled)) {
         for (std::size_t b = 0; b < equations.bodies.size(); ++b)
             if (const BodyMotion& body = equations.bodies[b]; !body.isFixed && !isHeld(body)) {
                 free_.push_back(b);
@@ -47,7 +49,7 @@ public:
     [[nodiscard]] bool close() {
         constexpr int most = 60;
         Eigen::VectorXd gaps = gapsNow();
-        for (int k = 0; k < most; ++k) {
+        for (int k = 0; k < most && !isCancelled(); ++k) {
             if (largest(gaps) <= closed * size_)
                 return true;
             step(jacobian_.rows() == 0 ? Eigen::VectorXd::Zero(jacobian_.cols())
@@ -59,7 +61,7 @@ public:
     // Along what opens nothing, back towards where the bodies were.
     void shorten() {
         constexpr int most = 60;
-        for (int k = 0; k < most; ++k) {
+        for (int k = 0; k < most && !isCancelled(); ++k) {
             const Eigen::VectorXd way = movement();
             const auto least = solver();
             const Eigen::VectorXd along = way - least.solve(Eigen::VectorXd(jacobian_ * way));
@@ -72,6 +74,10 @@ public:
                 return;
             }
         }
+    }
+    [[nodiscard]] bool isCancelled() {
+        stopped_ = stopped_ || (cancelled_ && cancelled_());
+        return stopped_;
     }
     [[nodiscard]] double largestGap() { return largest(gapsNow()); }
     [[nodiscard]] std::vector<Assembly::Moved> moved() const {
@@ -261,6 +267,8 @@ private:
 
     EquationsOfMotion& equations_;
     double start_;
+    std::function<bool()> cancelled_;
+    bool stopped_ = false;
     double size_ = 0;
     std::vector<std::size_t> free_; // bodies
     std::vector<geometry::Pose> first_;
@@ -279,7 +287,7 @@ private:
 } // namespace
 
 // A coordinate counts from the start, wherever that is: its drive is no gap.
-Assembly assembled(const scene::Scene& written) {
+Assembly assembled(const scene::Scene& written, std::function<bool()> cancelled) {
     scene::Scene scene = written;
     for (scene::Joint& joint : scene.joints)
         for (scene::JointCoordinate& coordinate : joint.coordinates)
@@ -290,9 +298,14 @@ Assembly assembled(const scene::Scene& written) {
         made.reason = equations.faults.front();
         return made;
     }
-    Closing closing(scene, equations);
-    if (closing.close()) {
+    Closing closing(scene, equations, std::move(cancelled));
+    const bool closes = closing.close();
+    if (closes)
         closing.shorten();
+    made.cancelled = closing.isCancelled();
+    if (made.cancelled)
+        return made;
+    if (closes) {
         made.moved = closing.moved();
         return made;
     }

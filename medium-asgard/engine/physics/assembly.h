@@ -21,6 +21,7 @@
 #include "scene/scene.h"
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,9 +37,12 @@ struct Assembly {
     };
     std::vector<Moved> moved; // those that move at all
     std::string reason;       // why the joints do not close; "": they do
+    bool cancelled = false;   // nothing was found out
 };
 
-[[nodiscard]] Assembly assembled(const scene::Scene& scene);
+// `cancelled` is asked before each step of Newton's method.
+[[nodiscard]] Assembly assembled(const scene::Scene& scene,
+                                 std::function<bool()> cancelled = nullptr);
 
 // A fault's sentence tells of a joint that its bodies miss at the start.
 inline constexpr const char* assembleAdvice =

@@ -47,6 +47,22 @@ TEST(Assembly, TurnsWhatTwoPointsHold) {
     EXPECT_LT((made.moved[0].pose.attitude * Vector(1, 0, 0) - Vector(0.8, 0.6, 0)).norm(), 1e-12);
 }
 
+TEST(Assembly, EndsBetweenTwoStepsWhenItIsCancelled) {
+    scene::Scene scene = ballAndRod();
+    scene.joints.push_back(
+        joint("one", scene::JointType::ball, "rod", {-1, 0, 0}, {-0.8, -0.6, 0}));
+    scene.joints.push_back(joint("two", scene::JointType::ball, "rod", {1, 0, 0}, {0.8, 0.6, 0}));
+    int asked = 0;
+    EXPECT_FALSE(assembled(scene, [&] { return ++asked < 0; }).cancelled);
+    EXPECT_GT(asked, 4); // it takes several steps, and would go on
+    asked = 0;
+    const Assembly made = assembled(scene, [&] { return ++asked == 3; });
+    EXPECT_TRUE(made.cancelled);
+    EXPECT_EQ(asked, 3);
+    EXPECT_TRUE(made.moved.empty());
+    EXPECT_EQ(made.reason, "");
+}
+
 // Both ends of the gap give way alike: a ball as far as a rod that moves without turning.
 TEST(Assembly, MovesBothBodiesOfAJoint) {
     scene::Scene scene = ballAndRod();

@@ -26,31 +26,57 @@ CloseJoints::CloseJoints(SceneDocument& document, QWidget* parent)
     setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
     setToolTip(plain::tip(tr("Moves the free bodies as little as possible, so that the joints "
                              "close, and writes it into the text")));
-    connect(this, &QPushButton::clicked, this, &CloseJoints::close);
+    connect(this, &QPushButton::clicked, this, &CloseJoints::startOrStop);
+    connect(&document_, &SceneDocument::textChanged, this, &CloseJoints::textChanged);
     for (const auto signal : {&SceneDocument::diagnosticsChanged, &SceneDocument::workChanged})
         connect(&document_, signal, this, &CloseJoints::refresh);
     refresh();
 }
 
+CloseJoints::~CloseJoints() { cancel(); }
+
 void CloseJoints::refresh() {
     const int open = openJoints(document_);
-    setText(closing_ ? tr("Closing…") : open > 1 ? tr("Close Them") : tr("Close It"));
-    setEnabled(!closing_);
-    setVisible(open > 0 && document_.sceneIsCurrent());
+    setText(search_ ? tr("Stop Closing") : open > 1 ? tr("Close Them") : tr("Close It"));
+    setVisible(search_ || (open > 0 && document_.sceneIsCurrent()));
 }
 
-void CloseJoints::close() {
+void CloseJoints::startOrStop() {
+    if (!search_)
+        return start();
+    cancel();
+    reason_ = tr("Stopped: the joints are as they were.");
+    say();
+}
+
+void CloseJoints::cancel() {
+    if (!search_)
+        return;
+    *search_ = true;
+    search_.reset();
+    refresh();
+}
+
+void CloseJoints::textChanged() {
+    if (!search_)
+        return;
+    cancel();
+    reason_ = tr("The text has changed meanwhile: close them again.");
+    say();
+}
+
+void CloseJoints::start() {
     reason_ = document_.whyNotCurrent();
     if (!reason_.isEmpty())
         return say();
-    closing_ = true;
+    search_ = std::make_shared<std::atomic<bool>>(false);
     refresh();
     QThreadPool::globalInstance()->start([button = QPointer<CloseJoints>(this),
                                           text = document_.text(), scene = document_.shown().scene,
-                                          revision = document_.revision()] {
-        const auto take = [button, now = closed(text, scene), revision] {
+                                          search = search_] {
+        const auto take = [button, now = closed(text, scene, search), search] {
             if (button)
-                button->take(now, revision);
+                button->take(now, search);
         };
         QMetaObject::invokeMethod(qApp, take, Qt::QueuedConnection);
     });
@@ -58,8 +84,11 @@ void CloseJoints::close() {
 
 // On the other thread.
 CloseJoints::Closed CloseJoints::closed(const std::string& text,
-                                        const std::shared_ptr<const scene::Scene>& scene) {
-    const physics::Assembly assembly = physics::assembled(*scene);
+                                        const std::shared_ptr<const scene::Scene>& scene,
+                                        const Search& search) {
+    const physics::Assembly assembly = physics::assembled(*scene, [&] { return search->load(); });
+    if (assembly.cancelled)
+        return {};
     if (!assembly.reason.empty())
         return {{}, assembly.reason};
     std::vector<editing::NewPlace> places;
@@ -70,12 +99,12 @@ CloseJoints::Closed CloseJoints::closed(const std::string& text,
     return {text::applied(text, closing.edits), closing.reason};
 }
 
-void CloseJoints::take(const Closed& now, int revision) {
-    closing_ = false;
+void CloseJoints::take(const Closed& now, const Search& search) {
+    if (search != search_)
+        return; // it was ended
+    search_.reset();
     refresh();
-    reason_ = revision == document_.revision()
-                  ? QString::fromStdString(now.reason)
-                  : tr("The text has changed meanwhile: close them again.");
+    reason_ = QString::fromStdString(now.reason);
     if (!reason_.isEmpty())
         return say();
     document_.setText(now.text, tr("Close Joints"));

@@ -2,13 +2,17 @@
 // fault says so.
 //
 // A click moves the free bodies as little as possible, as `asgard assemble` does, and writes it
-// into the text as one step of undo. It is found out on another thread; a text that changes
-// meanwhile stays as it is. Where joints cannot close, a sentence at the button says why.
+// into the text as one step of undo. Another thread finds out how; meanwhile the button stops it. A
+// text that changes meanwhile stays as it is, and ends the search. Where joints cannot close, a
+// sentence at the button says why.
 #pragma once
 
 #include "workbench/scene_document.h"
 
 #include <QPushButton>
+
+#include <atomic>
+#include <memory>
 
 namespace views {
 
@@ -19,23 +23,31 @@ class CloseJoints : public QPushButton {
     Q_OBJECT
 public:
     explicit CloseJoints(SceneDocument& document, QWidget* parent = nullptr);
+    ~CloseJoints() override; // ends the search
 
     // Why the last click changed nothing; "": it did.
     [[nodiscard]] const QString& reason() const { return reason_; }
 
 private:
-    void refresh();
-    void close();
+    // How joints close, as another thread finds out. Whoever sets it ends the search.
+    using Search = std::shared_ptr<std::atomic<bool>>;
     struct Closed {
         std::string text, reason;
     };
+
+    void refresh();
+    void startOrStop();
+    void start();
+    void cancel();
+    void textChanged();
     [[nodiscard]] static Closed closed(const std::string& text,
-                                       const std::shared_ptr<const scene::Scene>& scene);
-    void take(const Closed& now, int revision);
+                                       const std::shared_ptr<const scene::Scene>& scene,
+                                       const Search& search);
+    void take(const Closed& now, const Search& search);
     void say() const;
 
     SceneDocument& document_;
-    bool closing_ = false;
+    Search search_; // null: none runs
     QString reason_;
 };
 
