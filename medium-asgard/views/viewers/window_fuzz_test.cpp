@@ -1,15 +1,19 @@
-// Random keys, pointer and window moves in all windows of a scene, for no end and no assertion.
+// Random keys, pointer and window moves in all windows of a scene.
 //
 // Windows lie partly off the screen and are as small or large as they like; texts are short, long,
-// faulty or none. ctest runs it at the device scales 1, 2 and 3 (QT_SCALE_FACTOR).
+// faulty or none. Once in a while the hand rests: then all windows agree with the text
+// (test_agreement.h), undo leads to the first bytes, redo to the last. ctest runs it at the device
+// scales 1, 2 and 3 (QT_SCALE_FACTOR).
 //
-// ASGARD_WINDOW_ACTIONS sets how many (tests/desktop/windows_at_length.sh asks for 100,000),
-// ASGARD_SEED where they begin. What ends the program prints the seed and the last actions.
+// ASGARD_WINDOW_ACTIONS sets how many (tests/desktop/windows_at_length.sh asks for a million),
+// ASGARD_SEED where they begin, ASGARD_REST_AFTER how many lie between two rests. What ends the
+// program, or disagrees, prints the seed and the last actions.
 #include "language/scene_editor.h"
 #include "shapes/shape_editor.h"
+#include "start/first_page.h"
 #include "trajectories/trajectory_editor.h"
-#include "viewers/editor.h"
-#include "views/test_workshop.h"
+#include "viewers/scene_files.h"
+#include "views/test_agreement.h"
 
 #include <gtest/gtest.h>
 
@@ -67,17 +71,17 @@ void ended(int signal) {
 
 // --- texts ---------------------------------------------------------------------------------------
 
-std::string longText() {
+std::string longText(int bodies) {
     std::string text = ballScene + "parameter g -value 2 -min 0 -max 9\n";
-    for (int i = 0; i < 400; ++i)
+    for (int i = 0; i < bodies; ++i)
         text += "body n" + std::to_string(i) + " ball -init_pos {" + std::to_string(i) +
                 " 0.25 -1e-3} ;# one of many\n";
     return text;
 }
 
-std::string wideText() {
+std::string wideText(int points) {
     std::string text = ballScene + "trajectory wide -points {";
-    for (int i = 0; i < 2000; ++i)
+    for (int i = 0; i < points; ++i)
         text += "{" + std::to_string(i) + " 1 2.5 -3} ";
     return text + "}\n# \xc3\xa4\xe2\x82\xac\xf0\x9f\x98\x80 " + std::string(3000, 'x') + "\n";
 }
@@ -91,13 +95,14 @@ const std::string manyKinds =
     "trajectory T -points {{0 1 2 3} {1 4 5 6} {2 7 8 9}}\r\nview v -eye {0 0 9}\r\n"
     "lightsource sun -pos {0 5 0} -direction {0 -1 0}\r\nplot p -values {b1.x}\r\n";
 
+std::vector<std::string> largeTexts() { return {longText(400), wideText(2000)}; }
 std::vector<std::string> texts() {
     return {"",
             "x",
             ballScene,
             manyKinds,
-            longText(),
-            wideText(),
+            longText(30),
+            wideText(100),
             "for {set i 0} {$i < 5} {incr i} {\n    body b$i ball -init_pos {$i 0 0}\n}\n" +
                 ballScene,
             ballScene + "body b9 nothing\nforce {{{\n",
@@ -118,6 +123,8 @@ protected:
         ASSERT_TRUE(folder_.isValid());
         ASSERT_EQ(chdir(folder_.path().toUtf8().constData()), 0);
         open();
+        begin();
+        connect();
         for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGILL})
             std::signal(signal, ended);
     }
@@ -139,8 +146,10 @@ protected:
 
     // Dialogs and menus have event loops of their own: the next action is due before this one ends.
     void act() {
-        if (left_-- <= 0)
-            return finish();
+        if (left_ <= 0 || sinceRest_ >= restAfter_)
+            return rest();
+        --left_;
+        ++sinceRest_;
         QTimer::singleShot(0, &timer_, [this] { act(); });
         ++unfinished_;
         actOnce();
@@ -163,16 +172,39 @@ protected:
         else
             changeAll();
     }
-    // Until the loops of all dialogs and menus have ended.
-    void finish() {
-        if (unfinished_ == 0)
-            return loop_.quit();
+    // Once the loops of all dialogs and menus have ended.
+    void rest() {
         for (QWidget* window : QApplication::topLevelWidgets())
-            if (window->isVisible() && (window->isModal() || window->inherits("QMenu") ||
-                                        window == QApplication::activePopupWidget()))
+            if (unfinished_ > 0 && window->isVisible() &&
+                (window->isModal() || window->inherits("QMenu") ||
+                 window == QApplication::activePopupWidget()))
                 window->close();
-        constexpr int pause = 5; // ms
-        QTimer::singleShot(pause, &timer_, [this] { finish(); });
+        if (unfinished_ > 0 || held_) {
+            constexpr int pause = 5; // ms
+            QTimer::singleShot(pause, &timer_, [this] { rest(); });
+            ++unfinished_; // a button that is let go may ask something
+            letGo();
+            --unfinished_;
+            return;
+        }
+        if (const std::string found = disagreementNow(); !found.empty()) {
+            ADD_FAILURE() << found << "\n" << editor_.document().text();
+            printActions();
+            return loop_.quit();
+        }
+        sinceRest_ = 0;
+        if (left_ <= 0)
+            return loop_.quit();
+        QTimer::singleShot(0, &timer_, [this] { act(); });
+    }
+    std::string disagreementNow() {
+        ++rests_;
+        std::string found = disagreement(editor_);
+        return found.empty() ? disagreementOfUndo(editor_, first_) : found;
+    }
+    void letGo() {
+        if (QWidget* from = std::exchange(held_, nullptr))
+            send(*from, QEvent::MouseButtonRelease, {0, 0}, button_, Qt::NoModifier);
     }
 
     // A random hand could take files away in them.
@@ -345,14 +377,20 @@ protected:
     }
 
     // --- windows
+    // It is told before the text comes.
+    void begin() { first_ = editor_.document().savedText(); }
+    void connect() {
+        QObject::connect(&editor_.document(), &SceneDocument::opened, &timer_, [this] { begin(); });
+    }
     void moveWindow() {
         QWidget* window = anyWindow();
         if (!window)
             return;
         const QRect screen = QGuiApplication::primaryScreen()->geometry();
         if (rarely(2)) {
-            const QSize size =
-                rarely(4) ? QSize(1, 1) : QSize(between(40, 1400), between(40, 1100));
+            const QSize size = rarely(4)   ? QSize(1, 1)
+                               : rarely(6) ? QSize(between(40, 1400), between(40, 1100))
+                                           : QSize(between(40, 700), between(40, 500));
             note("resize %s to %d %d", window->metaObject()->className(), size.width(),
                  size.height());
             window->resize(size);
@@ -369,20 +407,49 @@ protected:
             editor_.openGraphicalViewer()->showUsualPanes();
         if (editor_.languageViewers().isEmpty())
             editor_.openLanguageViewer();
-        if (editor_.languageViewers().size() > 3)
+        if (editor_.languageViewers().size() > 2)
             editor_.languageViewers().front()->dropDraft(),
                 editor_.languageViewers().front()->close();
-        if (editor_.graphicalViewers().size() > 3)
-            editor_.graphicalViewers().front()->close();
+        if (editor_.graphicalViewers().size() > 2) {
+            GraphicalViewer* oldest = editor_.graphicalViewers().front();
+            if (LanguageViewer* text = oldest->text())
+                text->dropDraft();
+            oldest->close();
+        }
         editor_.openTrajectoryEditor();
         editor_.openShapeEditor();
+        switch (below(6)) {
+        case 0:
+            return void(editor_.openPlots());
+        case 1:
+            return editor_.graphicalViewers().back()->showTour();
+        case 2:
+            return void(editor_.openMainWindow());
+        case 3:
+            return openFirstPage();
+        default:
+            return;
+        }
+    }
+    void openFirstPage() {
+        if (page_)
+            return page_->raise();
+        page_ = new FirstPage(samplesOf(manifestOfProgram()), {}, nullptr);
+        QObject::connect(page_, &FirstPage::newWanted, &timer_, [this] { files_.newScene(); });
+        QObject::connect(page_, &FirstPage::sampleWanted, &timer_, [this](const Sample& sample) {
+            QFile file(sample.path);
+            if (file.open(QIODevice::ReadOnly))
+                files_.newScene(file.readAll().toStdString(), sample.title);
+        });
+        page_->show();
     }
     void changeAll() {
         const std::size_t what = below(8);
         note("change %d", static_cast<int>(what));
         SceneDocument& document = editor_.document();
         if (what < 2) {
-            static const std::vector<std::string> all = texts();
+            static const std::vector<std::string> usual = texts(), large = largeTexts();
+            const auto& all = rarely(30) ? large : usual;
             document.setText(all[below(all.size())], "Edit");
         } else if (what < 3) {
             document.undo();
@@ -407,6 +474,9 @@ protected:
     QEventLoop loop_;
     TestWorkshop made_;
     Editor editor_{made_.workshop()};
+    SceneFiles& files_ = editor_.beginSession();
+    QPointer<FirstPage> page_;
+    std::string first_; // the text that all undo leads to
     std::mt19937_64 random_{static_cast<std::uint64_t>(setting("ASGARD_SEED", 1))};
     QPointer<QWidget> held_; // the button is down in it
     Qt::MouseButton button_ = Qt::LeftButton;
@@ -414,6 +484,7 @@ protected:
     bool dark_ = false;
     int unfinished_ = 0; // actions that wait for a dialog or a menu
     long left_ = setting("ASGARD_WINDOW_ACTIONS", 5'000);
+    long restAfter_ = setting("ASGARD_REST_AFTER", 400), sinceRest_ = 0, rests_ = 0;
 };
 
 TEST_F(WindowFuzzTest, NothingThatAHandDoesEndsTheProgram) {
@@ -422,7 +493,8 @@ TEST_F(WindowFuzzTest, NothingThatAHandDoesEndsTheProgram) {
          qPrintable(qEnvironmentVariable("QT_SCALE_FACTOR", "1")));
     QTimer::singleShot(0, &timer_, [this] { act(); });
     loop_.exec();
-    EXPECT_EQ(left_, -1);
+    EXPECT_EQ(left_, 0);
+    EXPECT_GE(rests_, wanted / restAfter_);
     EXPECT_GT(actionCount, static_cast<std::size_t>(wanted) / 2);
 }
 

@@ -1,0 +1,144 @@
+// What all windows of a scene have in common once nothing is being computed: its text.
+//
+// Each function gives the first thing that disagrees, as a sentence; "" means that all agree. The
+// motion is that of TestWorkshop: the text alone tells where bodies are at any time.
+#pragma once
+
+#include "editing/changes.h"
+#include "faults/fault_list.h"
+#include "properties/properties_pane.h"
+#include "scenelist/scene_list.h"
+#include "viewers/editor.h"
+#include "views/test_workshop.h"
+#include "workbench/playback.h"
+
+namespace views {
+
+// The scene that is shown is the text's, and its faults are.
+inline std::string disagreementOfScene(const SceneDocument& document) {
+    const script::ReadResult read = theReader().read(document.text());
+    if (read.usable != document.sceneIsCurrent())
+        return read.usable ? "a text without errors is not shown" : "a text with errors is shown";
+    if (read.usable == document.hasErrors())
+        return "the errors that are told are not the text's";
+    if (!read.usable)
+        return {};
+    if (document.shownText() != document.text())
+        return "the scene is of another text";
+    const auto changes = editing::changesBetween({document.shownText(), *document.shown().scene},
+                                                 {document.text(), read.scene});
+    const bool same = changes.added.empty() && changes.removed.empty() &&
+                      std::ranges::none_of(changes.kept, &editing::Kept::modified);
+    return same ? std::string() : "the scene is not what the text says";
+}
+
+inline std::string sentenceOf(const geometry::Vector& place) {
+    std::string all;
+    for (Eigen::Index i = 0; i < 3; ++i)
+        all += (i > 0 ? ", " : "") + std::to_string(place[i]);
+    return all;
+}
+
+// The handle of a body stands where the text says.
+inline std::string disagreementOfPicture(SceneDocument& document, GraphicalViewer& viewer) {
+    viewer.playback().pause();
+    SceneDisplay& display = viewer.display();
+    if (!display.isVisible() || display.width() < 2 || display.height() < 2)
+        return {};
+    const bool shown = waitFor([&] {
+        display.grab();
+        return display.showsNewest();
+    });
+    if (!shown)
+        return "a picture does not come";
+    const Shown& wanted = document.shown();
+    if (display.drawing().scene != wanted.scene.get() || display.drawing().motion != wanted.motion)
+        return "a picture is of another scene or motion";
+    for (const render::Handle& handle : display.handles().handles) {
+        if (handle.kind != render::HandleKind::position)
+            continue;
+        if (handle.element >= wanted.scene->bodies.size())
+            return "a handle of no body";
+        const scene::Body& body = wanted.scene->bodies[handle.element];
+        const geometry::Vector& place = body.initialPosition; // handles show the start
+        constexpr double near = 1e-6;
+        if ((handle.base - place).norm() > near * (1 + place.norm()))
+            return std::string(handle.movable ? "" : "un") + "movable body " + body.name +
+                   " stands at " + sentenceOf(handle.base) + " and not at " + sentenceOf(place) +
+                   " at " + std::to_string(display.time()) + " s";
+    }
+    return {};
+}
+
+inline std::string disagreementOfText(const SceneDocument& document, LanguageViewer& viewer) {
+    if (viewer.hasDraft() || viewer.draft() == document.text())
+        return {};
+    return "a text without a draft is not the document's";
+}
+
+inline std::string disagreementOfList(const SceneDocument& document, SceneList& list) {
+    if (!list.isVisible() || !document.sceneIsCurrent())
+        return {};
+    const bool named = waitFor([&] { // it follows a moment later
+        for (const editing::Element& element : editing::elementsOf(*document.shown().scene)) {
+            const QTreeWidgetItem* item = list.itemOf(element);
+            if (element.kind == editing::Kind::body &&
+                (!item ||
+                 item->text(0).toStdString() != document.shown().scene->bodies[element.index].name))
+                return false;
+        }
+        return true;
+    });
+    return named ? std::string() : "the scene list has other bodies";
+}
+
+inline std::string disagreementOfProperties(const SceneDocument& document, PropertiesPane& pane) {
+    const auto& selected = document.selected();
+    if (!pane.isVisible() || selected.size() != 1 || !document.sceneIsCurrent() ||
+        selected.front().kind != editing::Kind::body || pane.name().hasFocus())
+        return {};
+    const std::string name = document.shown().scene->bodies[selected.front().index].name;
+    const bool shown = waitFor([&] { return pane.name().text().toStdString() == name; });
+    return shown ? std::string() : "the properties are of another body than " + name;
+}
+
+// Of all windows.
+inline std::string disagreement(Editor& editor) {
+    SceneDocument& document = editor.document();
+    if (!settle(document))
+        return "something is computed without end";
+    std::string found = disagreementOfScene(document);
+    const auto add = [&](const std::string& one) { found = found.empty() ? one : found; };
+    for (GraphicalViewer* viewer : editor.graphicalViewers()) {
+        add(disagreementOfPicture(document, *viewer));
+        for (SceneList* list : viewer->findChildren<SceneList*>())
+            add(disagreementOfList(document, *list));
+        for (PropertiesPane* pane : viewer->findChildren<PropertiesPane*>())
+            add(disagreementOfProperties(document, *pane));
+    }
+    for (LanguageViewer* viewer : editor.languageViewers())
+        add(disagreementOfText(document, *viewer));
+    return found;
+}
+
+// All steps back are the first bytes, all forth the last; every view follows.
+inline std::string disagreementOfUndo(Editor& editor, const std::string& first) {
+    SceneDocument& document = editor.document();
+    if (document.canUndo()) { // ends a gesture
+        document.undo();
+        document.redo();
+    }
+    const std::string last = document.text();
+    int steps = 0;
+    for (; document.canUndo(); ++steps)
+        document.undo();
+    if (document.text() != first)
+        return "undo does not lead to the first bytes";
+    if (const std::string found = disagreement(editor); !found.empty())
+        return "after undo: " + found;
+    for (; steps > 0; --steps)
+        document.redo();
+    return document.text() == last ? disagreement(editor) : "redo does not lead to the last bytes";
+}
+
+} // namespace views
