@@ -324,6 +324,24 @@ double lowestOfFixed(const scene::Scene& scene, const Survey& survey, const Exte
     return lowest;
 }
 
+// What falls off, as where nothing catches it, takes the ground with it only so far that the place
+// where it started is seen.
+void keepGround(Extent& extent, const scene::Scene& scene, const Survey& survey) {
+    constexpr double far = 10; // times the size of the start
+    Box start;
+    for (std::size_t i = 0; i < survey.paths.size(); ++i)
+        if (extent.moves[i] && !survey.paths[i].poses.empty())
+            for (const Ball& ball : survey.outlines[i])
+                start.extend(
+                    around({survey.paths[i].poses.front().toWorld(ball.center), ball.radius}));
+    if (start.isEmpty() || extent.up != extent.ground || !againstGravity(scene))
+        return;
+    const double lowest =
+        start.center().dot(extent.ground) - start.sizes().dot(extent.ground.cwiseAbs()) / 2;
+    if (extent.lowest < lowest - far * start.sizes().maxCoeff())
+        extent.lowest = lowest;
+}
+
 } // namespace
 
 Extent extentOf(const scene::Scene& scene, const simulation::Motion* motion) {
@@ -358,6 +376,7 @@ Extent extentOf(const scene::Scene& scene, const simulation::Motion* motion) {
     for (const Vector& anchor : ropeAnchorsOf(scene))
         keep(extent, {anchor, 0});
     settle(extent);
+    keepGround(extent, scene, survey);
     extent.planeNormal = flatAlong(survey.paths, extent.moves, extent.up);
     extent.lowestStands =
         lowestOfFixed(scene, survey, extent) <= extent.lowest + 1e-3 * extent.size;

@@ -130,6 +130,23 @@ TEST(Framed, ABodyThatStandsBelowTheMotionIsShownWhole) {
     expectAllShown(scene, motion, framed(scene, motion, {640, 480}), {640, 480});
 }
 
+// Without anything that catches them, all bodies fall for as long as they are computed.
+TEST(Framed, TheGroundStaysWhereBodiesStartThatFallOff) {
+    scene::Scene scene;
+    addBody(scene, sphere(1), {0, 3, 0}, {});
+    scene::Force weight;
+    weight.body = scene.bodies[0].name;
+    weight.kind = scene::GravitationalForce{{0, -10, 0}};
+    scene.forces.push_back(weight);
+    const auto falling = [](double finish) {
+        return std::make_shared<GivenMotion>(finish, std::vector<GivenMotion::Law>{[](double t) {
+                                                 return placed({0, 3 - 5 * t * t, 0});
+                                             }});
+    };
+    EXPECT_NEAR(extentOf(scene, falling(10).get()).lowest, 2, 1e-9);
+    EXPECT_NEAR(extentOf(scene, falling(1).get()).lowest, -3, 1e-9); // as far as one sees
+}
+
 TEST(Framed, WhatFliesOffDoesNotMakeTheRestTooSmallToSee) {
     scene::Scene scene;
     for (int i = 0; i < 3; ++i)

@@ -90,7 +90,30 @@ TEST_F(CreatingTest, AnEmptySceneGetsItsFirstBodyWithAShape) {
     done();
     ASSERT_EQ(scene().bodies.size(), 1U);
     EXPECT_EQ(text(), "# nothing yet\n\nshape_set block1 -desc {-sub {-box {1 1 1}}}\n"
-                      "body body1 block1 -init_pos {0 0 0} -restitution 0 -friction 0.3\n");
+                      "body body1 block1 -init_pos {0 0 0} -restitution 0 -friction 0.3 "
+                      "-color steelblue\n");
+}
+
+// It is a thing of a room, too, and another colour tells it from the first.
+TEST_F(CreatingTest, ASecondBodyOfAShapeIsLikeTheFirst) {
+    open("# nothing yet\n");
+    display().creating().start(newBody(BasicShape::sphere));
+    key(Qt::Key_Return);
+    done();
+    display().creating().start(newBody("ball1", scene().shapeSets[0].parts));
+    key(Qt::Key_Return);
+    done();
+    ASSERT_EQ(scene().bodies.size(), 2U);
+    EXPECT_EQ(scene().bodies[1].restitution, scene().bodies[0].restitution);
+    EXPECT_EQ(scene().bodies[1].friction, scene().bodies[0].friction);
+    ASSERT_TRUE(scene().bodies[1].appearance.color.has_value());
+    EXPECT_NE(scene().bodies[1].appearance.color, scene().bodies[0].appearance.color);
+    // The author's own colour of a shape counts.
+    open("shape_set s -desc {-sub {-sphere 1}} -color red\n");
+    display().creating().start(newBody("s", scene().shapeSets[0].parts));
+    key(Qt::Key_Return);
+    done();
+    EXPECT_FALSE(scene().bodies[0].appearance.color.has_value());
 }
 
 // Things of a room: what falls comes to rest, a ball bounces. The floor is where the grid is.

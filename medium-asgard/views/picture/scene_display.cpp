@@ -44,6 +44,7 @@ SceneDisplay::SceneDisplay(SceneDocument& document, std::shared_ptr<PictureThrea
     asking_.settle.setInterval(180);
     connect(&asking_.settle, &QTimer::timeout, this, [this] { redraw(false); });
     connect(&document_, &SceneDocument::elementsRenamed, this, &SceneDisplay::rename);
+    connect(&document_, &SceneDocument::opened, this, [this] { seen_.isAnother = true; });
     connect(&document_, &SceneDocument::sceneChanged, this, &SceneDisplay::sceneChanged);
     connect(&document_, &SceneDocument::motionChanged, this, &SceneDisplay::motionChanged);
     connect(&document_, &SceneDocument::workChanged, this, [this] { update(); });
@@ -115,10 +116,10 @@ void SceneDisplay::ask() {
     wish.camera = control_.camera();
     wish.view = seen_.followed.toStdString();
     wish.framing = seen_.framing;
-    wish.from = !seen_.followed.isEmpty() ? SeenFrom::view
-                : seen_.framesItself      ? SeenFrom::framed
-                : seen_.turned            ? SeenFrom::turned
-                                          : SeenFrom::camera;
+    wish.from = !seen_.followed.isEmpty()                                ? SeenFrom::view
+                : seen_.framesItself && (seen_.isDue || !seen_.isEdited) ? SeenFrom::framed
+                : seen_.turned                                           ? SeenFrom::turned
+                                                                         : SeenFrom::camera;
     pictures_->draw(this, std::move(wish));
 }
 
@@ -144,7 +145,7 @@ void SceneDisplay::take() {
     if (!follows && !frames && !turns)
         return;
     if (picture_->of.serial == asking_.wished)
-        seen_.turned = false;
+        seen_.turned = seen_.isDue = false;
     control_.set(picture_->camera);
     Q_EMIT cameraChanged();
 }
@@ -229,7 +230,29 @@ void SceneDisplay::sceneChanged() {
         followView(QString::fromStdString(views.front().name));
     else if (!seen_.followed.isEmpty() && !known)
         followView({});
+    const bool isAnother = std::exchange(seen_.isAnother, false);
+    seen_.isEdited = !isAnother && picture_ && !picture_->of.shown.scene->bodies.empty();
+    if (seen_.isEdited && seen_.framesItself)
+        keepInSight();
     motionChanged();
+}
+
+void SceneDisplay::keepInSight() {
+    const render::Extent extent = render::extentOf(*document_.shown().scene, nullptr);
+    const gestures::Sight now = sight();
+    const Eigen::AlignedBox2d picture(Eigen::Vector2d(0, 0),
+                                      Eigen::Vector2d(now.size.width, now.size.height));
+    const bool isSeen = std::ranges::all_of(extent.balls, [&](const render::Ball& ball) {
+        const Eigen::Vector2d middle = now.pixels(ball.center);
+        const double radius = ball.radius / now.pixelLength(ball.center);
+        return picture.contains(middle - Eigen::Vector2d(radius, radius)) &&
+               picture.contains(middle + Eigen::Vector2d(radius, radius));
+    });
+    if (isSeen)
+        return;
+    const render::Camera& camera = control_.camera();
+    control_.set(render::fitted(extent, camera.rotation, now.size, camera.orthographic));
+    Q_EMIT cameraChanged();
 }
 
 // While a handle is dragged pictures are many: each is coarse, and the last one fine.
@@ -250,7 +273,7 @@ void SceneDisplay::setCamera(const render::Camera& camera) {
 
 void SceneDisplay::frameAll() {
     followView({});
-    seen_.framesItself = true;
+    seen_.framesItself = seen_.isDue = true;
     seen_.framing = display_; // switching handles on later moves nothing
     redraw(false);
 }

@@ -148,15 +148,20 @@ private:
     void movedByUser();
     void redraw(bool moving);
     void frame(const render::Extent& extent);
+    void keepInSight(); // bodies, where they start
     bool clickTriad(const QMouseEvent& event);
     bool turnKey(const QKeyEvent& event);
     void moveView(QMouseEvent& event);
     bool beginDrag(QMouseEvent& event); // of a body; false: the view moves
     [[nodiscard]] std::vector<geometry::Vector> verticesAndHandles();
 
-    // Where it is seen from, as long as the user has not moved the view.
+    // Where it is seen from, as long as the user has not moved the view. While one edits it stays
+    // there, and steps back only as far as bodies that came or grew need.
     struct Seen {
         bool framesItself = true;
+        bool isEdited = false;   // since it was opened
+        bool isAnother = false;  // that was opened comes next
+        bool isDue = false;      // all of the motion is to be framed, edited or not
         bool turned = false;     // framed anew, with the attitude as it is
         render::Display framing; // whose handles it frames, too
         QString followed, last;  // views of the scene

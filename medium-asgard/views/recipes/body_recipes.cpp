@@ -8,6 +8,7 @@
 #include <QObject>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <limits>
@@ -25,6 +26,23 @@ std::vector<std::string> placeWords(const Indicated& shown) {
     if (const Vector turn = geometry::toRotationVector(shown.attitude); turn.norm() > least)
         words.insert(words.end(), {"-init_rot", listed(turn, least)});
     return words;
+}
+
+// Things of a room, not the language's ideal ones: balls bounce, all else comes to rest where it
+// falls, and wheels roll. Bodies that one makes one after another differ in colour.
+void addRoomWords(NewElement& body, const scene::Scene& scene, bool isBall, bool isColored) {
+    static constexpr std::array<const char*, 6> colors{"steelblue", "indianred",    "goldenrod",
+                                                       "seagreen",  "mediumpurple", "peru"};
+    body.words.insert(body.words.end(), {"-restitution", isBall ? "0.7" : "0", "-friction", "0.3"});
+    if (!isColored)
+        body.words.insert(body.words.end(),
+                          {"-color", colors[scene.bodies.size() % colors.size()]});
+}
+
+bool isBallShape(const std::vector<scene::Part>& parts) {
+    return std::ranges::all_of(parts, [](const scene::Part& part) {
+        return std::holds_alternative<scene::SphereShape>(part.shape);
+    });
 }
 
 } // namespace
@@ -47,6 +65,14 @@ Recipe newBody(const std::string& shape, std::vector<scene::Part> ghost) {
                 for (std::size_t i = 0; i < scene.shapeSets.size(); ++i)
                     if (scene.shapeSets[i].name == shape)
                         body.behind.push_back({Kind::shapeSet, i});
+                if (const scene::ShapeSet* set = scene::findShapeSet(scene, shape)) {
+                    const bool isColored =
+                        set->appearance.color ||
+                        std::ranges::any_of(set->parts, [](const scene::Part& part) {
+                            return part.appearance.color.has_value();
+                        });
+                    addRoomWords(body, scene, isBallShape(set->parts), isColored);
+                }
                 return std::vector{body};
             },
             &render::Display::positionHandles,
@@ -56,8 +82,6 @@ Recipe newBody(const std::string& shape, std::vector<scene::Part> ghost) {
 
 namespace {
 
-// Things of a room, not the language's ideal ones: balls bounce, all else comes to rest where it
-// falls, and wheels roll.
 Recipe newBody(const std::string& stem, const std::string& description, bool isFixed = false) {
     Recipe recipe = views::newBody(std::string());
     recipe.make = [stem, description, isFixed](const std::string& text, const scene::Scene& scene,
@@ -70,10 +94,9 @@ Recipe newBody(const std::string& stem, const std::string& description, bool isF
                         {},
                         shape};
         if (isFixed)
-            body.words.insert(body.words.end(), {"-fixed", "1"});
+            body.words.insert(body.words.end(), {"-fixed", "1", "-friction", "0.3"});
         else
-            body.words.insert(body.words.end(), {"-restitution", stem == "ball" ? "0.7" : "0"});
-        body.words.insert(body.words.end(), {"-friction", "0.3"});
+            addRoomWords(body, scene, stem == "ball", false);
         return std::vector{set, body};
     };
     return recipe;

@@ -59,6 +59,33 @@ TEST_F(NewcomerTest, FrameAllShowsTheHandlesToo) {
     }
 }
 
+// Gravity without a floor takes bodies far off within seconds: what one works on stays in sight.
+TEST_F(NewcomerTest, ThePictureStaysWhileOneEdits) {
+    const std::string three = "simulator -finish 10\nshape_set s -desc {-sub {-sphere 0.5}}\n"
+                              "body a s\nbody b s -init_pos {2 0 0}\n";
+    open(three);
+    GraphicalViewer* viewer = editor.openGraphicalViewer();
+    SceneDisplay& display = viewer->display();
+    display.frameAll();
+    display.grab();
+    const render::Camera before = display.camera();
+    open(three + "body c s -init_pos {1 0 0} -init_dpos {0 -50 0}\n");
+    display.grab();
+    EXPECT_EQ(display.camera(), before);
+    open(three + "body c s -init_pos {9 0 0}\n"); // it steps back as far as this one needs
+    display.grab();
+    EXPECT_LT(display.camera().scale, before.scale);
+    const QPointF place = display.fromPixels(display.sight().pixels({9, 0, 0}));
+    EXPECT_TRUE(QRectF(display.rect()).contains(place));
+    EXPECT_EQ(display.camera().rotation.coeffs(), before.rotation.coeffs());
+    // Another scene is framed anew, all of its motion.
+    editor.document().reset("simulator -finish 10\nshape_set s -desc {-sub {-sphere 0.5}}\n"
+                            "body a s -init_dpos {50 0 0}\n");
+    ASSERT_TRUE(settle(editor.document()));
+    display.grab();
+    EXPECT_LT(display.camera().scale, before.scale / 10);
+}
+
 TEST_F(NewcomerTest, PlayingSaysWhyNothingMoves) {
     open("shape_set s -desc {-sub {-sphere 0.5}}\nbody a s -init_pos {0 1 0}\n");
     GraphicalViewer* viewer = editor.openGraphicalViewer();
