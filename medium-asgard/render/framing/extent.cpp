@@ -48,20 +48,16 @@ struct Path {
     [[nodiscard]] bool turns() const { return spin.sum() > 1e-6; } // more than rounding does
 };
 
-Path pathOf(const scene::Scene& scene, const simulation::Motion* motion, std::size_t body,
-            const std::vector<double>& times) {
-    Path path;
-    const double interval = times.size() > 1 ? times[1] - times[0] : 0;
-    for (double time : times) {
-        const Pose pose = poseOf(scene, motion, body, time);
-        if (!finite(pose))
-            continue;
-        path.centers.extend(pose.position);
-        path.poses.push_back(pose);
-        if (motion != nullptr && body < motion->bodies())
-            path.spin += interval * motion->at(body, time).angularVelocity.cwiseAbs();
-    }
-    return path;
+// One place more.
+void follow(Path& path, const scene::Scene& scene, const simulation::Motion* motion,
+            std::size_t body, double time, double interval) {
+    const Pose pose = poseOf(scene, motion, body, time);
+    if (!finite(pose))
+        return;
+    path.centers.extend(pose.position);
+    path.poses.push_back(pose);
+    if (motion != nullptr && body < motion->bodies())
+        path.spin += interval * motion->at(body, time).angularVelocity.cwiseAbs();
 }
 
 struct Survey {
@@ -77,8 +73,11 @@ Survey surveyOf(const scene::Scene& scene, const simulation::Motion* motion) {
         points += survey.outlines.back().size();
     }
     const std::vector<double> times = sampleTimes(motion, points);
-    for (std::size_t i = 0; i < scene.bodies.size(); ++i)
-        survey.paths.push_back(pathOf(scene, motion, i, times));
+    const double interval = times.size() > 1 ? times[1] - times[0] : 0;
+    survey.paths.resize(scene.bodies.size());
+    for (const double time : times) // bodies share what a motion works out for a time
+        for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+            follow(survey.paths[i], scene, motion, i, time, interval);
     return survey;
 }
 

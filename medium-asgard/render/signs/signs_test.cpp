@@ -1,7 +1,8 @@
-// Coils, and forces of contacts as they are read.
+// Coils, trails, and forces of contacts as they are read.
 #include "framing/test_scenes.h"
 #include "signs/coils.h"
 #include "signs/contact_forces.h"
+#include "signs/trails.h"
 
 #include <gtest/gtest.h>
 
@@ -58,6 +59,30 @@ TEST(Coil, HasItsTurnsAtAnyLength) {
         }
     }
     EXPECT_EQ(coilBetween({1, 0, 0}, {1, 0, 0}, 1, 16).size(), 2U);
+}
+
+// See Framed.AMotionIsReadTimeAfterTime.
+TEST(Trails, ReadAMotionPieceAfterPiece) {
+    scene::Scene scene;
+    double last = 0, back = 0;
+    std::vector<GivenMotion::Law> laws;
+    for (int i = 0; i < 8; ++i) {
+        addBody(scene, sphere(1), Vector(4 * i, 0, 0), red);
+        laws.push_back([&, i](double t) {
+            back = std::max(back, last - t);
+            last = t;
+            return placed({4.0 * i + t, std::sin(3 * t), 0});
+        });
+    }
+    Drawing drawing;
+    drawing.scene = &scene;
+    drawing.motion = std::make_shared<GivenMotion>(36, laws);
+    const Extent extent = extentOf(scene, drawing.motion.get());
+    last = back = 0;
+    Trails trails;
+    trails.follow(drawing, extent);
+    EXPECT_GT(last, 35);
+    EXPECT_LT(back, 0.2); // a piece is a tenth of a second
 }
 
 TEST(ContactForces, AreReadOfContactsThatTheSceneDoesNotName) {

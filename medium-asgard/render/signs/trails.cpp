@@ -23,39 +23,38 @@ void Trails::follow(const Drawing& drawing, const Extent& extent) {
         return;
     const double start = motion->start(), length = motion->finish() - start;
     const double bend = 2e-3 * extent.size;
-    for (std::size_t body = 0; body < std::min(extent.moves.size(), motion->bodies()); ++body) {
-        if (!extent.moves[body] || trails_.size() == most)
-            continue; // LIMIT: of a crowd only the first have trails
-        Trail trail{body, {}};
-        const std::vector<double> jumps = motion->jumps(body);
-        const auto jumped = [&](double from, double to) {
-            return std::any_of(jumps.begin(), jumps.end(),
-                               [&](double t) { return from < t && t <= to; });
-        };
-        const auto at = [&](double t) { return motion->at(body, t).position; };
-        const auto refine = [&](auto&& self, double t0, const Vector& p0, double t1,
-                                const Vector& p1, int depth) -> void {
-            const double middle = (t0 + t1) / 2;
-            const Vector p = at(middle);
-            if (depth < deepest && ((p0 + p1) / 2 - p).norm() > bend) {
-                self(self, t0, p0, middle, p, depth + 1);
-                self(self, middle, p, t1, p1, depth + 1);
-                return;
-            }
-            trail.points.push_back({t1, p1, jumped(t0, t1)});
-        };
-        double t0 = start;
-        Vector p0 = at(t0);
-        trail.points.push_back({t0, p0, true});
-        for (int i = 1; i <= pieces && t0 < motion->computed(); ++i) {
-            const double t1 = std::min(start + length * i / pieces, motion->computed());
-            const Vector p1 = at(t1);
-            refine(refine, t0, p0, t1, p1, 0);
-            t0 = t1;
-            p0 = p1;
+    std::vector<std::vector<double>> jumps;
+    for (std::size_t body = 0; body < std::min(extent.moves.size(), motion->bodies()); ++body)
+        if (extent.moves[body] && trails_.size() < most) { // LIMIT: of a crowd the first alone
+            trails_.push_back({body, {{start, motion->at(body, start).position, true}}});
+            jumps.push_back(motion->jumps(body));
         }
-        trails_.push_back(std::move(trail));
+    // Piece by piece: bodies share what a motion works out for a time.
+    double t0 = start;
+    for (int i = 1; i <= pieces && t0 < motion->computed(); ++i) {
+        const double t1 = std::min(start + length * i / pieces, motion->computed());
+        for (std::size_t k = 0; k < trails_.size(); ++k) {
+            const Vector p0 = trails_[k].points.back().place;
+            const Vector p1 = motion->at(trails_[k].body, t1).position;
+            refine(trails_[k], *motion, jumps[k], {t0, p0}, {t1, p1}, bend, 0);
+        }
+        t0 = t1;
     }
+}
+
+void Trails::refine(Trail& trail, const simulation::Motion& motion,
+                    const std::vector<double>& jumps, const Place& from, const Place& to,
+                    double bend, int depth) {
+    const double middle = (from.time + to.time) / 2;
+    const Vector p = motion.at(trail.body, middle).position;
+    if (depth < deepest && ((from.place + to.place) / 2 - p).norm() > bend) {
+        refine(trail, motion, jumps, from, {middle, p}, bend, depth + 1);
+        refine(trail, motion, jumps, {middle, p}, to, bend, depth + 1);
+        return;
+    }
+    const bool jumped =
+        std::ranges::any_of(jumps, [&](double t) { return from.time < t && t <= to.time; });
+    trail.points.push_back({to.time, to.place, jumped});
 }
 
 void Trails::add(Lines& lines, const Drawing& drawing, const Frame& frame) const {

@@ -29,6 +29,15 @@ private:
         std::vector<Point> points;
     };
 
+    struct Place {
+        double time;
+        Vector place;
+    };
+    // Adds what leads from one place to the other, as finely as it bends.
+    static void refine(Trail& trail, const simulation::Motion& motion,
+                       const std::vector<double>& jumps, const Place& from, const Place& to,
+                       double bend, int depth);
+
     std::weak_ptr<const simulation::Motion> of_;
     std::vector<Trail> trails_;
 };
