@@ -33,6 +33,7 @@
 #include <cstring>
 #include <random>
 
+#include <execinfo.h>
 #include <unistd.h>
 
 namespace views {
@@ -66,6 +67,9 @@ void printActions() {
 void ended(int signal) {
     std::signal(signal, SIG_DFL);
     printActions();
+    std::array<void*, 60> calls{}; // for addr2line
+    backtrace_symbols_fd(calls.data(), backtrace(calls.data(), static_cast<int>(calls.size())),
+                         STDERR_FILENO);
     std::raise(signal);
 }
 
