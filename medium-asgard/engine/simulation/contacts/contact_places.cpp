@@ -237,7 +237,18 @@ private:
             const Vector off = corner.point - at;
             return (off - normal * normal.dot(off)).norm() <= same * touch_.size;
         });
-        addPiece(owner, {.kind = Kind::point, .place = vertex}, above, !isCorner);
+        if (isCorner || !isOnEdge(at))
+            addPiece(owner, {.kind = Kind::point, .place = vertex}, above, !isCorner);
+    }
+    // Two points of the contact carry the edge at whose end, beside the other's face, it is: it
+    // goes up and down with them. (On a step's polynomials it seems to land again and again.)
+    [[nodiscard]] bool isOnEdge(const Vector& at) const {
+        if (place_.points.size() != 2)
+            return false;
+        const Vector first = nearestOf(place_.points[0].gap, body_, support_).contact,
+                     second = nearestOf(place_.points[1].gap, body_, support_).contact;
+        const Vector way = second - first;
+        return way.cross(at - first).norm() <= same * touch_.size * way.norm();
     }
     // mayBeBeneath: it is beside the other's face. What has crossed the border of the face there
     // goes on beneath its plane.

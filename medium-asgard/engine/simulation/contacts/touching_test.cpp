@@ -2,9 +2,13 @@
 #include "contacts/touching.h"
 
 #include "contacts/colliders.h"
+#include "contacts/contact_places.h"
 #include "contacts/rest.h"
 #include "run/problem.h"
 #include "simulation/testing.h"
+
+#include <cmath>
+#include <numbers>
 
 namespace simulation::testing {
 namespace {
@@ -163,6 +167,29 @@ TEST_F(Touching, ABallLeavesABallWhereItIsTooFast) {
               Rest::State::bearing);
     EXPECT_EQ(rest(placed(1, {0, 2, 0}, {1.001 * most, 0, 0}), {0, -g, 0}).state,
               Rest::State::free);
+}
+
+// A box on its edge, which juts out beyond the side of the box below: the edge is carried by its
+// end above that box and by where it crosses its border. Its other end may land nowhere; of the
+// faces beside the edge four vertices may.
+TEST_F(Touching, AnEdgeThatJutsOutLandsNotWithItsEnd) {
+    SceneBuilder b(1);
+    b.box("below", {0, 0, 0}, {1, 1, 1}).fixed = true;
+    b.box("box", {0, 3, 0}, {1, 1, 1});
+    build(b);
+    Placed box = placed(1, {0, 0.5 + std::sqrt(0.5), 0.3});
+    box.state.attitude =
+        geometry::Quaternion(Eigen::AngleAxisd(std::numbers::pi / 4, Vector::UnitZ()));
+    const auto found = lastingContacts(box, placed(0, Vector::Zero()), {});
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].place.points.size(), 2u);
+    std::vector<double> heights; // of the box's own vertices, above its middle
+    for (const auto& landing : found[0].place.landings)
+        if (landing.body == 1)
+            heights.push_back((box.state.attitude * landing.piece.place).y());
+    ASSERT_EQ(heights.size(), 4u);
+    for (const double height : heights)
+        EXPECT_NEAR(height, 0, 1e-12);
 }
 
 } // namespace
