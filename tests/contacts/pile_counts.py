@@ -53,7 +53,8 @@ def hit_with_friction(count, height):
     """Boxes on each other as a new scene makes them, not quite above each other, and a ball that flies at them."""
     lines = ["simulator -finish 2 -accuracy 1e-3", "shape_set floor -desc {-sub {-plane}}", "shape_set block -desc {-sub {-box {1 1 1}}}",
              "shape_set ball -desc {-sub {-sphere 0.5}}", "body floor floor -fixed 1 -friction 0.3 -restitution 0"]
-    for k, z in zip(range(count), (0.805, 0.913, 0.85)):
+    for k in range(count):
+        z = (0.805, 0.913, 0.85)[k % 3]
         lines.append(f"body b{k} block -init_pos {{0.416 {0.5 + k!r} {z!r}}} -friction 0.3 -restitution 0")
         lines.append(f"force -body b{k} -gravitational {{0 -9.81 0}}")
     lines += [f"body ball ball -init_pos {{-3 {height!r} 0.8}} -init_dpos {{10 0 0}} -friction 0.3 -restitution 0.7",

@@ -345,19 +345,21 @@ std::vector<std::vector<std::size_t>> joinedBodies(const Scene& scene, const Rel
         if (joint.type == JointType::fixed)
             rigid[rootOf(rigid, a)] = rootOf(rigid, b);
     }
-    // Teeth are in each other's gaps, which no shape has.
+    // Teeth are in each other's gaps, which no shape has. A body that slides has teeth for one that
+    // turns alone: sliders that are coupled have none.
     const Index joints = indexOf(scene.joints);
     for (std::size_t g = 0; g < scene.gears.size(); ++g) {
-        std::set<std::size_t> meshing;
+        std::vector<std::pair<std::size_t, bool>> toothed; // bodies, and whether they turn
         for (const Gear::Term& term : scene.gears[g].terms) {
             const Joint& joint = scene.joints[joints.at(term.joint)];
-            meshing.insert(bodies.at(joint.body1));
-            if (joint.body2)
-                meshing.insert(bodies.at(*joint.body2));
+            const std::size_t first = bodies.at(joint.body1);
+            const bool isSecond = scene.bodies[first].fixed && joint.body2;
+            toothed.emplace_back(isSecond ? bodies.at(*joint.body2) : first,
+                                 joint.type != JointType::slider);
         }
-        for (const std::size_t a : meshing)
-            for (const std::size_t b : meshing)
-                if (a < b && !released.gears.contains(g))
+        for (const auto& [a, turnsA] : toothed)
+            for (const auto& [b, turnsB] : toothed)
+                if (a < b && (turnsA || turnsB) && !released.gears.contains(g))
                     join(a, b);
     }
     std::unordered_map<std::size_t, std::vector<std::size_t>> pieces;

@@ -162,9 +162,21 @@ TEST(JoinedBodies, AreTheBodiesOfAGear) {
     Scene scene = hingedScene();
     gearBetween(scene, "ab", "c");
     EXPECT_EQ(std::ranges::count(joinedBodies(scene)[0], 2u), 1);
-    EXPECT_EQ(std::ranges::count(joinedBodies(scene)[2], 1u), 1);
+    EXPECT_EQ(std::ranges::count(joinedBodies(scene)[2], 1u), 0); // it carries the first
     EXPECT_EQ(std::ranges::count(joinedBodies(scene)[2], 5u), 0);
     EXPECT_TRUE(joinedBodies(scene, {.joints = {}, .links = {}, .gears = {0}})[2].empty());
+    scene.bodies[0].fixed = true; // then b turns on a
+    EXPECT_EQ(std::ranges::count(joinedBodies(scene)[2], 1u), 1);
+    EXPECT_EQ(std::ranges::count(joinedBodies(scene)[2], 0u), 0);
+}
+
+TEST(JoinedBodies, AreTwoOfAGearWhereOneOfThemTurns) {
+    Scene scene = hingedScene();
+    gearBetween(scene, "ab", "c");
+    scene.joints[0].type = JointType::slider;
+    EXPECT_EQ(std::ranges::count(joinedBodies(scene)[0], 2u), 1); // a rack
+    scene.joints[1].type = JointType::slider;
+    EXPECT_EQ(std::ranges::count(joinedBodies(scene)[0], 2u), 0); // jaws
 }
 
 } // namespace
