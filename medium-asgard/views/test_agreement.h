@@ -95,7 +95,8 @@ inline std::string disagreementOfList(const SceneDocument& document, SceneList& 
 inline std::string disagreementOfProperties(const SceneDocument& document, PropertiesPane& pane) {
     const auto& selected = document.selected();
     if (!pane.isVisible() || selected.size() != 1 || !document.sceneIsCurrent() ||
-        selected.front().kind != editing::Kind::body || pane.name().hasFocus())
+        selected.front().kind != editing::Kind::body || pane.name().hasFocus() ||
+        pane.name().isModified() || !pane.fault().isEmpty()) // what is typed stays
         return {};
     const std::string name = document.shown().scene->bodies[selected.front().index].name;
     const bool shown = waitFor([&] { return pane.name().text().toStdString() == name; });
