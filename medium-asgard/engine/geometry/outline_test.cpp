@@ -24,5 +24,23 @@ TEST(Outline, AFeatureIsBesideItWhereNothingOfItIsOverIt) {
     EXPECT_NEAR(besideOutline({{-5, -0.1, 3}, {5, -0.1, 3}}, square, up), 0.1, 1e-12);
 }
 
+TEST(Outline, AFaceThatCoversItIsNotBesideIt) {
+    const std::vector<Vector> large{{-5, -5, 3}, {7, -5, 3}, {7, 7, 3}, {-5, 7, 3}};
+    EXPECT_EQ(besideOutline(large, square, up), 0);
+    std::vector<Vector> away = large;
+    for (Vector& vertex : away)
+        vertex.x() += 7.5;
+    EXPECT_NEAR(besideOutline(away, square, up), 0.5, 1e-15);
+}
+
+// Across a corner, where no vertex of either is next to the other.
+TEST(Outline, AnEdgeThatCutsACornerIsOverItToTheLastBit) {
+    const auto across = [](double by) { // the line x + y = by
+        return std::vector<Vector>{{by - 7, 7, 3}, {by + 3, -3, 3}};
+    };
+    EXPECT_EQ(besideOutline(across(1e-8), square, up), 0);
+    EXPECT_NEAR(besideOutline(across(-1e-8), square, up), 0.5e-8, 1e-15);
+}
+
 } // namespace
 } // namespace geometry
