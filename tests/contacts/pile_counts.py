@@ -49,7 +49,7 @@ def two_cubes(finish):
     return "\n".join(lines) + "\n"
 
 
-def hit_with_friction(count, height):
+def hit_with_friction(count, height, speed):
     """Boxes on each other as a new scene makes them, not quite above each other, and a ball that flies at them."""
     lines = ["simulator -finish 2 -accuracy 1e-3", "shape_set floor -desc {-sub {-plane}}", "shape_set block -desc {-sub {-box {1 1 1}}}",
              "shape_set ball -desc {-sub {-sphere 0.5}}", "body floor floor -fixed 1 -friction 0.3 -restitution 0"]
@@ -57,7 +57,7 @@ def hit_with_friction(count, height):
         z = (0.805, 0.913, 0.85)[k % 3]
         lines.append(f"body b{k} block -init_pos {{0.416 {0.5 + k!r} {z!r}}} -friction 0.3 -restitution 0")
         lines.append(f"force -body b{k} -gravitational {{0 -9.81 0}}")
-    lines += [f"body ball ball -init_pos {{-3 {height!r} 0.8}} -init_dpos {{10 0 0}} -friction 0.3 -restitution 0.7",
+    lines += [f"body ball ball -init_pos {{-3 {height!r} 0.8}} -init_dpos {{{speed} 0 0}} -friction 0.3 -restitution 0.7",
               "force -body ball -gravitational {0 -9.81 0}"]
     return "\n".join(lines) + "\n"
 
@@ -76,7 +76,8 @@ CASES = [
     ("two tilted cubes", two_cubes(1.0), {"steps": 1500, "collisions": 140}),
     # With friction a vertex beside a face ended a contact each 4e-10 s, a ball on the edge of a box that tips met it at one
     # instant without end, and a tilt of 1e-7 of two faces made forces of 1e5 N, with a new step for each.
-    ("two boxes with friction that a ball hits", hit_with_friction(2, 1.5), {"steps": 3000, "collisions": 200}),
+    ("two boxes with friction that a ball hits", hit_with_friction(2, 1.5, 10), {"steps": 3000, "collisions": 200}),
+    ("three boxes with friction that a ball hits", hit_with_friction(3, 2.0, 20), {"steps": 850, "collisions": 100}),
     # Velocities of 1e-34 hit each other without end.
     ("a wall that stands", pile(5, 0.1), {"steps": 200, "collisions": 20}),
 ]
