@@ -34,14 +34,18 @@ std::optional<Element> elementOf(const QTreeWidgetItem& item) {
     return Element{static_cast<Kind>(kind.toInt()), item.data(0, indexRole).toULongLong()};
 }
 
-QIcon swatch(QRgb color) {
+// A ring parts it from the row, which is of any colour where it is selected.
+QIcon swatch(QRgb color, const QPalette& palette) {
     QPixmap pixels(24, 24);
     pixels.fill(Qt::transparent);
     QPainter painter(&pixels);
     painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(palette.color(QPalette::Base));
+    painter.drawEllipse(QRectF(0, 0, 24, 24));
     painter.setPen(QPen(QColor(128, 128, 128), 1.5));
     painter.setBrush(QColor(color));
-    painter.drawEllipse(QRectF(3, 3, 18, 18));
+    painter.drawEllipse(QRectF(4, 4, 16, 16));
     return QIcon(pixels);
 }
 
@@ -193,7 +197,7 @@ QTreeWidgetItem* SceneList::addEntry(const Entry& entry, QTreeWidgetItem* group)
     if (!editing::nameOf(*document_.shown().scene, entry.element).empty())
         item->setFlags(item->flags() | Qt::ItemIsEditable);
     if (entry.color != 0)
-        item->setIcon(0, swatch(entry.color));
+        item->setIcon(0, swatch(entry.color, palette()));
     showEye(item);
     if (group)
         group->addChild(item);

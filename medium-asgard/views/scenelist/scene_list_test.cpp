@@ -63,6 +63,15 @@ TEST_F(SceneListTest, HasEachElementByItsKind) {
     EXPECT_THAT(shown(), ElementsAre("s", "a", "b", "weight of a", "a – b", "pin"));
 }
 
+// A blue body is seen in a selected row, which is blue.
+TEST_F(SceneListTest, ARingPartsTheColourOfABodyFromItsRow) {
+    const QTreeWidgetItem* item = list.itemOf({Kind::body, 0});
+    ASSERT_TRUE(item);
+    const QImage drawn = item->icon(0).pixmap(24, 24).toImage();
+    EXPECT_EQ(drawn.pixelColor(drawn.width() / 2, drawn.height() / 2), QColor(Qt::red));
+    EXPECT_EQ(drawn.pixelColor(drawn.width() / 2, 1), list.palette().color(QPalette::Base));
+}
+
 TEST_F(SceneListTest, FollowsTheSelectionAndSelects) {
     document.select({{Kind::body, 1}});
     EXPECT_TRUE(list.itemOf({Kind::body, 1})->isSelected());
