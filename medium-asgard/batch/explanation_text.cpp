@@ -348,12 +348,15 @@ std::string Writer::pairs() const {
     std::map<std::string, std::vector<std::string>> never; // by reason
     for (const Explanation::Never& pair : explanation_.never)
         never[pair.why].push_back(pair.a + "-" + pair.b);
-    for (const auto& [why, pairs] : never)
-        text += "    never, since " +
-                (why == "linked"     ? std::string("a link joins them")
-                 : why == "same -ct" ? "they have the same -ct"
-                                     : why) +
-                ": " + listOf(pairs, mostNames_) + "\n";
+    const std::map<std::string, std::string> sentences{{"linked", "a link joins them"},
+                                                       {"joined", "joints join them"},
+                                                       {"geared", "a gear couples them"},
+                                                       {"same -ct", "they have the same -ct"}};
+    for (const auto& [why, pairs] : never) {
+        const auto known = sentences.find(why);
+        text += "    never, since " + (known != sentences.end() ? known->second : why) + ": " +
+                listOf(pairs, mostNames_) + "\n";
+    }
     if (explanation_.neverLeftOut > 0)
         text += "    never: " + std::to_string(explanation_.neverLeftOut) +
                 " pairs beyond these, which are not listed\n";

@@ -186,6 +186,18 @@ class Explain(unittest.TestCase):
         self.assertEqual(len(set(modelled + left)), 3 * 13)
         self.assertIn({"a": "b1", "b": "b2", "why": "linked"}, told["pairs"]["never"])
 
+    def test_joints_and_gears_are_why_two_never_meet(self):
+        text = "shape_set s -desc {-sub {-box {1 1 1}}}\n" + "".join(
+            f"body {name} s -init_pos {{{0.6 * k} 0 0}}\n" for k, name in enumerate("abc")) + (
+            "joint h -type hinge -body1 a -body2 b\njoint i -type hinge -body1 c\ngear g -joint1 h -joint2 i -ratio 1\n")
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "gears.al")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write("simulator -finish 0.1\n" + text)
+            told = run(path).stdout
+        self.assertIn("never, since joints join them: a-b", told)
+        self.assertIn("never, since a gear couples them: a-c", told)
+
     def test_a_parameter_changes_what_is_told(self):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "push.al")

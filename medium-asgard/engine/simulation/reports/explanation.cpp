@@ -5,6 +5,7 @@
 #include "run/run.h"
 
 #include "expression/operation.h"
+#include "scene/connections.h"
 
 #include <algorithm>
 #include <cmath>
@@ -281,23 +282,43 @@ void addZeroStates(const Problem& problem, const Run& run, Explanation& explanat
     }
 }
 
-// Why a pair need not be looked at; "" when it must be.
-std::string whyNever(const Problem& problem, std::size_t a, std::size_t b) {
-    const scene::Body& first = problem.scene.bodies[a];
-    const scene::Body& second = problem.scene.bodies[b];
-    if (const auto* said = scene::findContact(problem.scene, first.name, second.name);
-        said && said->collides)
-        return *said->collides ? "" : "-collide 0";
-    for (const scene::Link& link : problem.scene.links)
-        if (const auto* end = std::get_if<scene::BodyEnd>(&link.second); end && !link.spring)
-            if ((link.first.body == first.name && end->body == second.name) ||
-                (link.first.body == second.name && end->body == first.name))
-                return "linked";
-    if (first.collisionGroup && second.collisionGroup &&
-        *first.collisionGroup == *second.collisionGroup)
-        return "same -ct";
-    return "";
-}
+// Why pairs need not be looked at.
+class WhyNever {
+public:
+    explicit WhyNever(const scene::Scene& scene) : scene_(scene) {
+        scene::Released gears, joints;
+        for (std::size_t g = 0; g < scene.gears.size(); ++g)
+            gears.gears.insert(g);
+        joints = gears;
+        for (std::size_t j = 0; j < scene.joints.size(); ++j)
+            joints.joints.insert(j);
+        linked_ = scene::joinedBodies(scene, joints);
+        joined_ = scene::joinedBodies(scene, gears);
+        geared_ = scene::joinedBodies(scene);
+    }
+    // "": it must be.
+    [[nodiscard]] std::string of(std::size_t a, std::size_t b) const {
+        const scene::Body& first = scene_.bodies[a];
+        const scene::Body& second = scene_.bodies[b];
+        if (const auto* said = scene::findContact(scene_, first.name, second.name);
+            said && said->collides)
+            return *said->collides ? "" : "-collide 0";
+        for (const auto& [joined, why] :
+             {std::pair(&linked_, "linked"), std::pair(&joined_, "joined"),
+              std::pair(&geared_, "geared")})
+            if (std::ranges::find((*joined)[a], b) != (*joined)[a].end())
+                return why;
+        if (first.collisionGroup && second.collisionGroup &&
+            *first.collisionGroup == *second.collisionGroup)
+            return "same -ct";
+        return "";
+    }
+
+private:
+    const scene::Scene& scene_;
+    // By body, those that it never meets for a link, a joint too, a gear too.
+    std::vector<std::vector<std::size_t>> linked_, joined_, geared_;
+};
 
 void addPairs(const Problem& problem, const Run& run, Explanation& explanation) {
     const auto& bodies = problem.equations.bodies;
@@ -317,6 +338,7 @@ void addPairs(const Problem& problem, const Run& run, Explanation& explanation) 
     explanation.candidates = run.candidates.size();
     explanation.impacts = run.impacts.size();
     explanation.isAnyResting = !run.supports.empty();
+    const WhyNever whyNever(problem.scene);
     for (std::size_t a = 0; a < bodies.size(); ++a)
         for (std::size_t b = a + 1; b < bodies.size(); ++b) {
             if (std::ranges::binary_search(run.candidates, std::pair(a, b)) ||
@@ -326,7 +348,7 @@ void addPairs(const Problem& problem, const Run& run, Explanation& explanation) 
                 ++explanation.neverLeftOut;
                 continue;
             }
-            std::string why = whyNever(problem, a, b);
+            std::string why = whyNever.of(a, b);
             if (why.empty())
                 why = "their boxes never overlap";
             explanation.never.push_back({bodies[a].name, bodies[b].name, std::move(why)});
