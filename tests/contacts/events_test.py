@@ -85,6 +85,15 @@ def cases():
     yield "pair_bounces", contacts.CASES["pair_bounces"][0], [(falls, "impact", "ground a"), (falls, "impact", "ground b")]
 
 
+COIN = """simulator -finish 2
+shape_set ground -desc {-sub {-plane}}
+body ground ground -fixed 1 -friction 0.3
+shape_set coin -desc {-sub {-cylinder {0.1 0.01}}}
+body coin coin -mass 0.1 -restitution 0 -friction 0.3 -init_pos {0 0.09999958361103672 0} -init_rot {0 0 -1.4707963267948965}
+force -body coin -gravitational {0 -9.81 0}
+"""
+
+
 def kerb():
     box = "shape_set NAME -desc {-sub {-pos {0 Y 0} -box {SIZE}}}\nbody NAME NAME -fixed 1 -friction 1 -init_pos {X 0 0}\n"
     scene = "simulator -finish 2\nset roll [expr {-2/0.15}]\n"
@@ -195,8 +204,24 @@ def check_kerb():
     return 0
 
 
+def check_coin():
+    """A coin topples: it lies flat on its floor then, and neither falls through it nor stops."""
+    for accuracy in ("1e-3", "1e-6"):
+        with tempfile.TemporaryDirectory() as folder:
+            base = os.path.join(folder, "scene")
+            with open(base + ".al", "w", encoding="utf-8") as file:
+                file.write(COIN)
+            run = subprocess.run([sys.argv[1], "simulate", base + ".al", "--csv", base + ".csv", "--accuracy", accuracy], capture_output=True, check=False)
+            with open(base + ".csv", encoding="utf-8") as file:
+                last = list(csv.DictReader(file))[-1]
+        if run.returncode or abs(float(last["coin.y"] or 0) - 0.005) > 1e-7:
+            print(f"FAIL a coin that topples at {accuracy}: exit code {run.returncode}, it ends at {last['coin.y']}")
+            return 1
+    return 0
+
+
 def main():
-    faults = check_hops() + check_growing_hops() + check_half_space() + check_finish() + check_kerb()
+    faults = check_hops() + check_growing_hops() + check_half_space() + check_finish() + check_kerb() + check_coin()
     for name, scene, expected in cases():
         found = events(scene, stops=name == "painleve")
         listed = [(float(row["time"]), row["kind"], row["names"]) for row in found]

@@ -96,11 +96,12 @@ std::optional<solution::Event> CollisionSource::renew(const Histories& histories
     return lost;
 }
 
-// Since either was last taken hold of or let go.
+// Since either was last taken hold of or let go: in an impact, or in a contact that lasted.
 bool CollisionSource::hasMet(const Instant& now, const Pair& pair) const {
     const double since = std::max(resting_.lastPhase(pair.first, now.time),
                                   resting_.lastPhase(pair.second, now.time));
-    return (now.givesWay(pair.first) || now.givesWay(pair.second)) && record_.haveMet(pair, since);
+    return (now.givesWay(pair.first) || now.givesWay(pair.second)) &&
+           (record_.haveMet(pair, since) || contactLog().hasHad(pair, since));
 }
 
 // Resting bodies look at who came near them.

@@ -1,6 +1,7 @@
 // Which rows of the equations were contacts of which bodies, from when on?
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <set>
 #include <utility>
@@ -24,6 +25,15 @@ public:
     // Times do not decrease.
     void add(Entry entry) { entries_.push_back(std::move(entry)); }
     [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
+    // A contact of these bodies, the lesser first, began at that time or later.
+    [[nodiscard]] bool hasHad(const std::pair<std::size_t, std::size_t>& bodies,
+                              double since) const {
+        return std::ranges::any_of(entries_, [&](const Entry& entry) {
+            return entry.time >= since &&
+                   std::ranges::find(entry.contacts, bodies, &Contact::bodies) !=
+                       entry.contacts.end();
+        });
+    }
     [[nodiscard]] ContactLog upTo(double until) const {
         ContactLog log;
         for (const Entry& entry : entries_)

@@ -59,7 +59,7 @@ void ActiveSet::refresh() {
 
 void ActiveSet::watchRow(std::size_t row) {
     const BoundModel::Law& of = law(row);
-    if (multipliers_.isConfined(row))
+    if (multipliers_.isConfined(row) || (isContact(row) && mode_.kept[row] == State::inside))
         watches_.push_back({row, Kind::invalid});
     if (mode_.kept[row] == State::inside) {
         if (of.low > -complementarity::unbounded)
@@ -148,7 +148,8 @@ double ActiveSet::valueOf(const Watch& watch) const {
     case Kind::parted:
         return *law(row).leaving - multipliers_.gap(row);
     case Kind::invalid:
-        return beyond(noLength * law(row).resolution, multipliers_.validity(row));
+        return std::min(beyond(noLength * law(row).resolution, multipliers_.validity(row)),
+                        multipliers_.steadiness(row));
     case Kind::least:
         return beyondRounding(multipliers_.values()[row] - law(row).low);
     case Kind::most:

@@ -51,6 +51,12 @@ double Multipliers::validity(std::size_t row) const {
     return least;
 }
 
+double Multipliers::steadiness(std::size_t row) const {
+    constexpr double jump = 1e7; // resolutions, in the unit of time
+    return holds(row) ? jump * f_.bound()->laws[row].resolution + rate(row)
+                      : std::numeric_limits<double>::infinity();
+}
+
 Multipliers::InDisc Multipliers::slipOf(const BoundModel::Disc& disc) const {
     InDisc slip(indexOf(disc.rows.size()));
     for (std::size_t i = 0; i < disc.rows.size(); ++i)

@@ -76,6 +76,9 @@ public:
     }
     // The least of the functions that are not negative while a contact lasts.
     [[nodiscard]] double validity(std::size_t row) const;
+    // Below 0: a condition that holds has a rate that no integration errs by. Its point has jumped,
+    // as that of a coin does from one end of the rim to the other when it falls flat.
+    [[nodiscard]] double steadiness(std::size_t row) const;
     // Of a disc of friction, once gaps are evaluated: the velocities of its rows, the direction in
     // which it slips, and how far its force is from its bound.
     using InDisc = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1>;
