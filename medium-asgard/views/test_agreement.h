@@ -12,6 +12,9 @@
 #include "views/test_workshop.h"
 #include "workbench/playback.h"
 
+#include <algorithm>
+#include <string>
+
 namespace views {
 
 // The scene that is shown is the text's, and its faults are.

@@ -32,6 +32,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <random>
+#include <utility>
 
 #include <execinfo.h>
 #include <unistd.h>
