@@ -100,7 +100,10 @@ SceneList::SceneList(SceneDocument& document, SceneListActions actions, QWidget*
     soon_.setInterval(30); // a drag changes the scene often
     connect(&soon_, &QTimer::timeout, this, &SceneList::refresh);
     connect(filter_, &QLineEdit::textChanged, this, &SceneList::narrow);
-    connect(order_, &QComboBox::activated, this, &SceneList::rebuild);
+    connect(order_, &QComboBox::activated, this, [this] {
+        entries_ = entries(); // the scene may be another than a moment ago
+        rebuild();
+    });
     connect(&document_, &SceneDocument::sceneChanged, this, [this] {
         if (isVisible())
             soon_.start();

@@ -72,6 +72,16 @@ TEST_F(SceneListTest, ARingPartsTheColourOfABodyFromItsRow) {
     EXPECT_EQ(drawn.pixelColor(drawn.width() / 2, 1), list.palette().color(QPalette::Base));
 }
 
+// Which the list follows a moment later.
+TEST_F(SceneListTest, AnotherOrderIsThatOfTheSceneThatHasJustCome) {
+    Computed computed;
+    computed.text = document.text();
+    document.setComputed(computed); // a scene without elements
+    list.order().setCurrentIndex(1);
+    Q_EMIT list.order().activated(1);
+    EXPECT_THAT(shown(), ElementsAre());
+}
+
 TEST_F(SceneListTest, FollowsTheSelectionAndSelects) {
     document.select({{Kind::body, 1}});
     EXPECT_TRUE(list.itemOf({Kind::body, 1})->isSelected());
