@@ -179,11 +179,8 @@ protected:
     }
     // Once the loops of all dialogs and menus have ended.
     void rest() {
-        for (QWidget* window : QApplication::topLevelWidgets())
-            if (unfinished_ > 0 && window->isVisible() &&
-                (window->isModal() || window->inherits("QMenu") ||
-                 window == QApplication::activePopupWidget()))
-                window->close();
+        if (unfinished_ > 0)
+            closeQuestions();
         if (unfinished_ > 0 || held_) {
             constexpr int pause = 5; // ms
             QTimer::singleShot(pause, &timer_, [this] { rest(); });
@@ -202,8 +199,17 @@ protected:
             return loop_.quit();
         QTimer::singleShot(0, &timer_, [this] { act(); });
     }
+    static void closeQuestions() {
+        for (QWidget* window : QApplication::topLevelWidgets())
+            if (window->isVisible() && (window->isModal() || window->inherits("QMenu") ||
+                                        window == QApplication::activePopupWidget()))
+                window->close();
+    }
     std::string disagreementNow() {
         ++rests_;
+        QTimer questions; // of what an action has still to come
+        QObject::connect(&questions, &QTimer::timeout, &timer_, [] { closeQuestions(); });
+        questions.start(20); // ms
         std::string found = disagreement(editor_);
         return found.empty() ? disagreementOfUndo(editor_, first_) : found;
     }
