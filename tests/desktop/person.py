@@ -302,15 +302,15 @@ class Author(Person):
     def isAsked(self):
         return any(one.name == "valueEntry" for one in self.window("graphicalViewer1").widgets)
 
-    def greyBox(self):
-        """The box about what is grey in the picture: bodies without a colour."""
+    def colorBox(self):
+        """The box about what has a colour in the picture: new bodies have one, the ground and the sky have none."""
         def found():
             picture = self.picture("graphicalViewer1", "scene")
             spots = picture and [(x, y) for y in range(0, picture.height - 4, 3) for x in range(0, picture.width - 4, 3)
-                                 if all(picture.isGrey(x + dx, y + dy) for dx, dy in ((0, 0), (4, 0), (0, 4), (4, 4)))]
+                                 if all(picture.isColored(x + dx, y + dy) for dx, dy in ((0, 0), (4, 0), (0, 4), (4, 4)))]
             if not spots:
                 return None
             xs, ys = zip(*spots)
             return min(xs), min(ys), max(xs) + 4, max(ys) + 4
 
-        return until("something grey is seen", found)
+        return until("something with a colour is seen", found)

@@ -20,6 +20,10 @@ class Picture:
         red, green, blue = self.pixels[3 * (y * self.width + x):][:3]
         return max(red, green, blue) - min(red, green, blue) < 8 and 70 < green < 215
 
+    def isColored(self, x, y):
+        rgb = self.pixels[3 * (y * self.width + x):][:3]
+        return max(rgb) - min(rgb) > 60
+
     def greySpots(self, side=16, step=8):
         """Places of grey squares: the memo's balls are the only large grey things in its window."""
         corners = [(0, 0), (side, 0), (0, side), (side, side), (side // 2, side // 2)]

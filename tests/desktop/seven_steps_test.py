@@ -149,9 +149,9 @@ class SevenSteps(unittest.TestCase):
         author.look("simulated")
 
     def play(self, author):
-        before = author.greyBox()
+        before = author.colorBox()
         author.press(VIEWER, "space")
-        until("it moves", lambda: author.greyBox() != before)
+        until("it moves", lambda: author.colorBox() != before)
         author.look("played")
         author.press(VIEWER, "End")
         author.look("last-moment")
