@@ -1,4 +1,4 @@
-// What all windows of a scene have in common once nothing is being computed: its text.
+// All windows of a scene agree with its text once nothing is being computed.
 //
 // Each function gives the first thing that disagrees, as a sentence; "" means that all agree. The
 // motion is that of TestWorkshop: the text alone tells where bodies are at any time.

@@ -59,8 +59,8 @@ double depthInside(const std::vector<Vector>& outline, const Vector& normal, con
     return depthIn(linesOf(outline, normal), point);
 }
 
-// What holds the middle of the outline is over it. Anything else comes nearest with its border: the
-// depth has no other summit.
+// A face that holds the middle of the outline is over it. Any other feature comes nearest with its
+// border: the depth has no other summit.
 double besideOutline(const std::vector<Vector>& feature, const std::vector<Vector>& outline,
                      const Vector& normal) {
     if (feature.size() > 2 && depthInside(feature, normal, middleOf(outline)) >= 0)

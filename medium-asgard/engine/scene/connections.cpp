@@ -349,6 +349,8 @@ std::vector<std::vector<std::size_t>> joinedBodies(const Scene& scene, const Rel
     // turns alone: sliders that are coupled have none.
     const Index joints = indexOf(scene.joints);
     for (std::size_t g = 0; g < scene.gears.size(); ++g) {
+        if (released.gears.contains(g))
+            continue;
         std::vector<std::pair<std::size_t, bool>> toothed; // bodies, and whether they turn
         for (const Gear::Term& term : scene.gears[g].terms) {
             const Joint& joint = scene.joints[joints.at(term.joint)];
@@ -359,7 +361,7 @@ std::vector<std::vector<std::size_t>> joinedBodies(const Scene& scene, const Rel
         }
         for (const auto& [a, turnsA] : toothed)
             for (const auto& [b, turnsB] : toothed)
-                if (a < b && (turnsA || turnsB) && !released.gears.contains(g))
+                if (a < b && (turnsA || turnsB))
                     join(a, b);
     }
     std::unordered_map<std::size_t, std::vector<std::size_t>> pieces;

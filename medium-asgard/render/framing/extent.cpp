@@ -323,8 +323,8 @@ double lowestOfFixed(const scene::Scene& scene, const Survey& survey, const Exte
     return lowest;
 }
 
-// What falls off, as where nothing catches it, takes the ground with it only so far that the place
-// where it started is seen.
+// Bodies that fall off, since nothing catches them, take the ground with them only so far that the
+// place at which they started is seen.
 void keepGround(Extent& extent, const scene::Scene& scene, const Survey& survey) {
     constexpr double far = 10; // times the size of the start
     Box start;

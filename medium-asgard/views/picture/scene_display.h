@@ -155,13 +155,13 @@ private:
     bool beginDrag(QMouseEvent& event); // of a body; false: the view moves
     [[nodiscard]] std::vector<geometry::Vector> verticesAndHandles();
 
-    // Where it is seen from, as long as the user has not moved the view. While one edits it stays
-    // there, and steps back only as far as bodies that came or grew need.
+    // The place from which the scene is seen, as long as the user has not moved the view. While one
+    // edits, the view stays there, and steps back only as far as bodies need that came or grew.
     struct Seen {
         bool framesItself = true;
-        bool isEdited = false;   // since it was opened
-        bool isAnother = false;  // that was opened comes next
-        bool isDue = false;      // all of the motion is to be framed, edited or not
+        bool isEdited = false;   // the scene came of the one before by an edit
+        bool isAnother = false;  // the next scene is one that was opened, no edit
+        bool isDue = false;      // the next picture frames all of the motion, edited or not
         bool turned = false;     // framed anew, with the attitude as it is
         render::Display framing; // whose handles it frames, too
         QString followed, last;  // views of the scene

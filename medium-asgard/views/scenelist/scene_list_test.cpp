@@ -72,7 +72,7 @@ TEST_F(SceneListTest, ARingPartsTheColourOfABodyFromItsRow) {
     EXPECT_EQ(drawn.pixelColor(drawn.width() / 2, 1), list.palette().color(QPalette::Base));
 }
 
-// Which the list follows a moment later.
+// The list follows a scene a moment later.
 TEST_F(SceneListTest, AnotherOrderIsThatOfTheSceneThatHasJustCome) {
     Computed computed;
     computed.text = document.text();

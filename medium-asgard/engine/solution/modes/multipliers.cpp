@@ -51,8 +51,10 @@ double Multipliers::validity(std::size_t row) const {
     return least;
 }
 
+// LIMIT: in the unit of time. In a scene of milliseconds a loose accuracy may err by so much, and
+// steps end early there.
 double Multipliers::steadiness(std::size_t row) const {
-    constexpr double jump = 1e7; // resolutions, in the unit of time
+    constexpr double jump = 1e7; // resolutions: a hundredth of the part's size
     return holds(row) ? jump * f_.bound()->laws[row].resolution + rate(row)
                       : std::numeric_limits<double>::infinity();
 }
