@@ -8,6 +8,7 @@
 
 #include <QApplication>
 #include <QElapsedTimer>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include <atomic>
@@ -26,6 +27,9 @@ inline QApplication& theApplication() {
     static char name[] = "views_test";
     static char* argv[] = {name, nullptr};
     theReader();
+    // Panes and recent files that one program of tests leaves behind are no other one's.
+    static const QTemporaryDir settings;
+    qputenv("XDG_CONFIG_HOME", settings.path().toUtf8());
     // Never destroyed: when the process ends, objects that Qt has made since may be gone before it.
     static QApplication& application = *new QApplication(argc, argv);
     // However loaded the machine is, tests look at the picture that was asked for.
