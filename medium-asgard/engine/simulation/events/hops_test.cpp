@@ -240,5 +240,32 @@ TEST(Hops, ThatAreLeftOutAreAPartOfTheEstimate) {
         }
 }
 
+// Another body lies on the floor with friction: that makes the floor no less exact a place for who
+// hops on it.
+TEST(Hops, AreNoOtherBesideABodyThatLiesOnTheFloor) {
+    constexpr double radius = 0.1, size = 1 + 2 * radius;
+    for (const double e : {0.2, 0.25, 0.3, 0.4, 0.5})
+        for (const double accuracy : {1e-3, 1e-4, 1e-5, 1e-6}) {
+            const double rest = std::sqrt(2 / g) * (1 + e) / (1 - e);
+            SceneBuilder b(rest + 0.1, accuracy);
+            b.floor().friction = 0.3;
+            scene::Body& lying = b.ball("lying", {1, radius, 0}, radius);
+            lying.restitution = 0;
+            lying.friction = 0.3;
+            b.ball("ball", {0, 1 + radius, 0}, radius).restitution = e;
+            b.weight("lying");
+            b.weight("ball");
+            const Result result = simulate(b.scene);
+            ASSERT_FALSE(result.motion->stop(2))
+                << e << " " << accuracy << " " << result.motion->stop(2)->sentence;
+            for (int i = 0; i <= 1000; ++i) {
+                const double t = rest * i / 1000;
+                ASSERT_NEAR(result.motion->at(2, t).position.y() - radius, bounced(e, t),
+                            accuracy * size)
+                    << e << " " << accuracy << " " << t;
+            }
+        }
+}
+
 } // namespace
 } // namespace simulation::testing

@@ -89,9 +89,9 @@ public:
 
     // isHit: the search found that these two hit each other.
     void add(bool isHit) {
-        const auto contacts =
-            collision::contactsAt(at_.world.moving[a_], at_.world.moving[b_], at_.time,
-                                  at_.contactTolerance({a_, b_}), at_.resting.slack(a_, b_));
+        const auto contacts = collision::contactsAt(at_.world.moving[a_], at_.world.moving[b_],
+                                                    at_.time, at_.contactTolerance({a_, b_}),
+                                                    at_.resting.slack(a_, b_, at_.time));
         // A body that rests turns about what it rests on: each corner counts. So it does where gaps
         // have the integration's errors, not rounding's.
         const bool isAlone =

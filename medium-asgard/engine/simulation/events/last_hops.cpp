@@ -67,7 +67,7 @@ Hop hopOf(const Instant& at, const ImpactCluster& cluster, const ImpactContact& 
         return {};
     const double radius = at.world.smallerRadius(cluster.pairOf(contact));
     const double slack =
-        at.resting.slack(cluster.bodies[contact.first], cluster.bodies[contact.second]);
+        at.resting.slack(cluster.bodies[contact.first], cluster.bodies[contact.second], at.time);
     lowest = lastHopHeight(lowest, radius, reach, slack);
     const double parting = -contact.restitution * approach;
     Hop hop{.approaches = true, .isLow = push < 0 && parting * parting / (-2 * push) < lowest};

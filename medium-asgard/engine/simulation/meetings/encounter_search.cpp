@@ -151,9 +151,9 @@ void EncounterSearch::searchGenerally(const Pair& pair, Interval during) {
         };
     if (depth(pair) > 0)
         sideBySide_.look(pair, gapOfBalls(pair, during.from));
-    const collision::Encounter encounter =
-        collision::timeOfImpact(world_.moving[pair.first], world_.moving[pair.second], during,
-                                footing, resting_.slack(pair.first, pair.second), depth(pair));
+    const collision::Encounter encounter = collision::timeOfImpact(
+        world_.moving[pair.first], world_.moving[pair.second], during, footing,
+        resting_.slack(pair.first, pair.second, during.from), depth(pair));
     if (encounter.overlap > 0)
         overlaps_.push_back(pair);
     if (encounter.hit)
