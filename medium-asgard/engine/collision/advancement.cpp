@@ -1,6 +1,7 @@
 #include "collision/advancement.h"
 
 #include "collision/curved_separation.h"
+#include "collision/following_normal.h"
 #include "collision/hollow_separation.h"
 #include "collision/polynomial.h"
 #include "collision/spheres.h"
@@ -191,8 +192,11 @@ private:
         double& lastWindow = leaving ? windowAway_ : window_;
         double best = inWindows(
             lastWindow, [&](double window) { return rootWithin(along, n, gap, window, leaving); });
-        if (result_.evaluations > patience && !isCurvedPair(*pair_.first.part, *pair_.second.part))
-            best = std::max(best, nextAlongTurningAxes(n, gap));
+        if (result_.evaluations > patience) {
+            best = std::max(best, nextAlongFollowing(n, gap, leaving));
+            if (!isCurvedPair(*pair_.first.part, *pair_.second.part))
+                best = std::max(best, nextAlongTurningAxes(n, gap));
+        }
         lastWindow = std::max(16 * best, 1e-12 * left());
         // Nothing within the window: only that much is known.
         return best >= left() ? 2 * left() : best;
@@ -222,7 +226,8 @@ private:
 
     double rootWithin(const Polynomial& along, const Vector& n, double gap, double window,
                       bool leaving) const {
-        const Growth a = growth(pair_.first, -n, window), b = growth(pair_.second, n, window);
+        const Growth a = growth(pair_.first, -n, Vector::Zero(), window),
+                     b = growth(pair_.second, n, Vector::Zero(), window);
         double s = 0;
         if (const double c = a.curvature + b.curvature; std::isfinite(c)) {
             Polynomial turning = withGap(along, gap);
@@ -249,6 +254,26 @@ private:
         return apart;
     }
 
+    // The same along a direction that follows what touches.
+    double nextAlongFollowing(const Vector& n, double gap, bool leaving) {
+        const auto turn = pair_.hasPlane() ? std::nullopt : followingTurn(pair_, n, t_);
+        if (!turn || turn->isZero(0))
+            return 0;
+        const double best = inWindows(followingWindow_, [&](double window) {
+            const Growth a = growth(pair_.first, -n, *turn, window),
+                         b = growth(pair_.second, n, *turn, window);
+            const double c = a.curvature + b.curvature;
+            if (!std::isfinite(c))
+                return 0.0;
+            Polynomial apart = withGap(motionAlong(n, *turn, window), gap);
+            apart.terms[1] -= a.rate + b.rate;
+            apart.terms[2] -= c / 2;
+            return root(apart, window, leaving);
+        });
+        followingWindow_ = std::max(16 * best, 1e-12 * left());
+        return best;
+    }
+
     // n . (p(t + s) - p(t)), the constant term left 0.
     [[nodiscard]] Polynomial motionAlong(const Vector& n) const {
         const RelativePath path = relativePath(pair_.first.piece, pair_.second.piece, t_);
@@ -258,6 +283,26 @@ private:
             for (std::size_t k = 1; k < path[c].count; ++k)
                 result.terms[k] += n[static_cast<Eigen::Index>(c)] * path[c].terms[k];
         }
+        return result;
+    }
+
+    // At least n(s) . p(t + s) - n . p(t) within the window, where n(s) turns at `turn`: n(s) is
+    // n + s (turn x n), but for s^2/2 |turn| |turn x n|.
+    [[nodiscard]] Polynomial motionAlong(const Vector& n, const Vector& turn, double window) const {
+        const RelativePath path = relativePath(pair_.first.piece, pair_.second.piece, t_);
+        const Vector change = turn.cross(n);
+        Polynomial result = motionAlong(n);
+        double farthest = 0;
+        for (std::size_t c = 0; c < 3; ++c) {
+            result.count = std::max(result.count, path[c].count + 1);
+            double power = 1;
+            for (std::size_t k = 0; k < path[c].count; ++k, power *= window) {
+                result.terms[k + 1] += change[static_cast<Eigen::Index>(c)] * path[c].terms[k];
+                farthest += std::abs(path[c].terms[k]) * power;
+            }
+        }
+        result.count = std::max<std::size_t>(result.count, 3);
+        result.terms[2] -= turn.norm() * change.norm() * farthest / 2;
         return result;
     }
 
@@ -316,25 +361,31 @@ private:
         return {along(n), along(turned), foot.norm() + radius};
     }
 
-    // d/ds of R x is w x x, so that extents grow to first order like the support along n + s (n x
-    // w); that is convex in s and lies below its chord. Second order: (w^2 + w') |x|, or (|n x w'|
-    // + |n x w| w) |x|.
-    [[nodiscard]] Growth growth(const PartMotion& p, const Vector& n, double window) const {
-        if (!p.turns())
+    // Along a direction n that turns at `turn`, as a constant axis lets it, the rate of n.(R x) is
+    // n.((w - turn) x x), so that extents grow to first order like the support along
+    // n + s (n x (w - turn)); that is convex in s and lies below its chord. Second order:
+    // (|w - turn| (w + turn) + w') |x|; where nothing turns but about n, (|n x w'| + |n x w| w)
+    // |x|.
+    [[nodiscard]] Growth growth(const PartMotion& p, const Vector& n, const Vector& turn,
+                                double window) const {
+        const bool doesFollow = !turn.isZero(0);
+        if (!p.turns() && !doesFollow)
             return {};
         const TurnBounds bounds = turnBounds(p.piece, t_, t_ + window);
-        const Vector turned = n + window * n.cross(velocityAt(p.piece, t_).angular);
+        const Vector w = velocityAt(p.piece, t_).angular;
+        const Vector turned = n + window * n.cross(w - turn);
         const auto [now, then, reach] = p.part->isPlane()
                                             ? nearOfPlane(p, n, turned, bounds.angularSpeed, window)
                                             : extents(p, n, turned);
+        const double beside = doesFollow ? (w - turn).norm() + bounds.angularAcceleration * window
+                                         : bounds.angularSpeed;
         Growth g;
         g.rate = (then - now) / window;
         g.curvature =
-            (bounds.angularSpeed * bounds.angularSpeed + bounds.angularAcceleration) * reach;
+            (beside * (bounds.angularSpeed + turn.norm()) + bounds.angularAcceleration) * reach;
         g.room = reach - now;
         // Turning about n itself moves nothing along it: a box that spins on a floor stays there.
-        const Vector w = velocityAt(p.piece, t_).angular;
-        if (n.cross(w).norm() < mostlyAbout * w.norm()) {
+        if (!doesFollow && n.cross(w).norm() < mostlyAbout * w.norm()) {
             const TurnBounds across = turnBoundsAcross(p.piece, n, t_, t_ + window);
             const double bend =
                 across.angularAcceleration + across.angularSpeed * bounds.angularSpeed;
@@ -348,7 +399,8 @@ private:
     Interval during_;
     double t_;
     double size_, unnoticed_;
-    double window_ = HUGE_VAL, windowAway_ = HUGE_VAL, turningWindow_ = HUGE_VAL;
+    double window_ = HUGE_VAL, windowAway_ = HUGE_VAL, turningWindow_ = HUGE_VAL,
+           followingWindow_ = HUGE_VAL;
     WarmStart warm_;
     bool stalled_ = false, finished_ = false, isInHollow_ = false;
     std::optional<std::pair<double, Contact>> pressed_;

@@ -191,5 +191,49 @@ TEST(CurvedImpact, WhatTouchesAndPartsDoesNotHit) {
     EXPECT_EQ(now.time, 0);
 }
 
+// Two rods lie across each other, part slowly while both turn out of the plane of their axes, and
+// fall back onto each other. The gap is the distance of two lines.
+TEST(CurvedImpact, OfSidesAndEdgesThatCrossAndTurnIsFoundInFewSteps) {
+    const double r = 0.1, diagonal = r * std::sqrt(2.0);
+    const Vector turned(0, std::numbers::pi / 4, 0); // about the length: an edge above and below
+    const Part bar =
+        polyhedronPart(box({2 * r, 2, 2 * r}), {Vector::Zero(), fromRotationVector(turned)});
+    struct Rod {
+        Part part;
+        double round, sharp; // distances of the surface, and of the touching edge, from the axis
+    };
+    for (const Rod& rod :
+         {Rod{capsulePart(r, 2), r, 0}, Rod{cylinderPart(r, 2), r, 0}, Rod{bar, 0, diagonal}}) {
+        const double out = rod.round + rod.sharp;
+        FlyingBody upper =
+            flying(rod.part, {0, out, 0}, {0, 0.01, 0}, {0, 0, std::numbers::pi / 2});
+        FlyingBody lower =
+            flying(rod.part, {0, -out, 0}, Vector::Zero(), {std::numbers::pi / 2, 0, 0});
+        upper.acceleration = {0, -0.05, 0};
+        upper.spin = {0.1, 0.3, 0.6};
+        lower.spin = {-0.4, 0.2, 0.1};
+        // In the body's frame the edge that touches lies beside the axis; the rods are along y.
+        const Vector ofUpper =
+            fromRotationVector({0, 0, std::numbers::pi / 2}).conjugate() * Vector(0, -rod.sharp, 0);
+        const Vector ofLower =
+            fromRotationVector({std::numbers::pi / 2, 0, 0}).conjugate() * Vector(0, rod.sharp, 0);
+        const auto gapAt = [&](double t) {
+            const Pose a = poseAt(upper, t), b = poseAt(lower, t);
+            Vector n = Vector(a.attitude * Vector::UnitY()).cross(b.attitude * Vector::UnitY());
+            n.normalize();
+            const double way = n.dot(a.toWorld(ofUpper) - b.toWorld(ofLower));
+            return (n.y() > 0 ? way : -way) - 2 * rod.round;
+        };
+        const Encounter met = timeOfImpact(upper, lower, {0, 2});
+        ASSERT_TRUE(met.hit);
+        EXPECT_FALSE(met.hit->isLost);
+        EXPECT_LT(met.evaluations, 100u);
+        EXPECT_GT(met.hit->time, 0.1);
+        EXPECT_NEAR(gapAt(met.hit->time), 0, 1e-14);
+        for (int i = 1; i < 1000; ++i)
+            EXPECT_GT(gapAt(met.hit->time * i / 1000), 0) << i;
+    }
+}
+
 } // namespace
 } // namespace collision
