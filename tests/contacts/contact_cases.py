@@ -206,6 +206,63 @@ case("slab_beside_the_middle", "# zero: b.y-0.45\nsimulator -finish 10\n" + grou
      "body s slab -init_pos {0 0.15 0} -friction 0.5 -restitution 0\nbody b slab -init_pos {0 0.45 0.2} -friction 0.5 -restitution 0\n" +
      gravity("s", "b"), [(10, 1, 0.15, "s.y"), (10, 1, 0.45, "b.y"), (10, 1, 0.2, "b.z"), (10, 1, 0, "s.wx")])
 
+# A block that carries a weight beside its middle slides straight on, for its friction acts where its pressure has its
+# centre, below the centre of mass; so does one that drops flat, whose blow of mu m v takes the same from its way.
+BESIDE = "shape_set loaded -desc {-sub {-box {1 0.2 1}} -sub {-pos {0 0.2 0.4} -density 20 -box {0.2 0.2 0.2}}}\n"
+mu, v = 0.3, 2
+for name, drop in (("loaded_beside", 0), ("loaded_beside_drops", 0.2)):
+    fall = math.sqrt(2 * drop / G)
+    left = v - mu * G * fall
+    case(name, f"# zero: b.qx\nsimulator -finish 1\n" + ground(mu) + BESIDE +
+         f"body b loaded -init_pos {{0 {0.1 + drop} 0}} -init_dpos {{{v} 0 0}} -restitution 0 -friction {mu}\n" + gravity("b"),
+         [(1, 1, v * fall + left ** 2 / (2 * mu * G), "b.px(0,0,0)"), (1, 1, 0, "b.pz(0,0,0)"), (1, 1, 0, "b.qy"), (0.4, 1, 0, "b.wy")])
+
+
+# It slides and turns: by many steps of Runge and Kutta in the plane. The pressure's centre follows from the couples that keep
+# the block flat, and these from the friction there, so that each step finds it by repetition.
+def loaded_turns(t, velocity, spin, mu, count=2000):
+    parts = [(1 * 0.2 * 1, (0, 0, 0), (1, 0.2, 1)), (20 * 0.2 ** 3, (0, 0.2, 0.4), (0.2, 0.2, 0.2))]
+    mass = sum(m for m, _, _ in parts)
+    centre = [sum(m * at[i] for m, at, _ in parts) / mass for i in range(3)]
+    high = 0.1 + centre[1]
+    about, crossed = 0, 0  # I_yy, and I_yz: the block is alike on both sides of its plane of y and z
+    for m, at, (a, b, c) in parts:
+        y, z, x = at[1] - centre[1], at[2] - centre[2], at[0] - centre[0]
+        about += m * (a * a + c * c) / 12 + m * (x * x + z * z)
+        crossed -= m * y * z
+    half = 0.5
+    reach = half * (math.sqrt(2) + math.asinh(1)) / 3
+
+    def rates(state):
+        x, z, turn, vx, vz, w = state
+        px = pz = turning = 0.0
+        for _ in range(60):
+            sx, sz, sw = vx + w * pz, vz - w * px, reach * w
+            speed = math.hypot(sx, sz, sw)
+            fx, fz, couple = (-mu * mass * G * s / speed for s in (sx, sz, sw))
+            turning = (pz * fx - px * fz + reach * couple) / about
+            ixy, iyz = crossed * math.sin(turn), crossed * math.cos(turn)
+            mx, mz = ixy * turning + w * w * iyz, iyz * turning - w * w * ixy
+            pz, px = -(high * fz + mx) / (mass * G), (mz - high * fx) / (mass * G)
+        return vx, vz, w, fx / mass, fz / mass, turning
+
+    state, h = [0.0, centre[2], 0.0, velocity, 0.0, spin], t / count
+    for _ in range(count):
+        k1 = rates(state)
+        k2 = rates([s + h / 2 * k for s, k in zip(state, k1)])
+        k3 = rates([s + h / 2 * k for s, k in zip(state, k2)])
+        k4 = rates([s + h * k for s, k in zip(state, k3)])
+        state = [s + h / 6 * (a + 2 * b + 2 * c + d) for s, a, b, c, d in zip(state, k1, k2, k3, k4)]
+    return state
+
+
+mu, v, w = 0.2, 2, 3
+turned = {t: loaded_turns(t, v, w, mu) for t in (0.2, 0.5)}
+case("loaded_turns", "# zero: b.qx\nsimulator -finish 0.5\n" + ground(mu) + BESIDE +
+     f"body b loaded -init_pos {{0 0.1 0}} -init_dpos {{{v} 0 0}} -init_drot {{0 {w} 0}} -restitution 0 -friction {mu}\n" + gravity("b"),
+     [(t, 2, value, name) for t, s in turned.items() for value, name in
+      ((s[0], "b.x"), (s[1], "b.z"), (math.sin(s[2] / 2), "b.qy"), (s[3], "b.dx"), (s[4], "b.dz"), (s[5], "b.wy"))])
+
 # Rest is rest for 1,000 s: stacks of ten whose masses grow to 1000 times or shrink so, and two of a ratio of a million.
 for name, masses in (("stack_heavy_above", [10 ** (i / 3) for i in range(10)]), ("stack_heavy_below", [10 ** (3 - i / 3) for i in range(10)]),
                      ("million_above", [1, 1e6, 1]), ("million_below", [1e6, 1, 1e6])):

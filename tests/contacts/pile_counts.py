@@ -77,7 +77,7 @@ CASES = [
     ("two tilted cubes", two_cubes(1.0), {"steps": 800, "collisions": 140}),
     # With friction a vertex beside a face ended a contact each 4e-10 s, a ball on the edge of a box that tips met it at one
     # instant without end, and a tilt of 1e-7 of two faces made forces of 1e5 N, with a new step for each.
-    ("two boxes with friction that a ball hits", hit_with_friction(2, 1.5, 10), {"steps": 3000, "collisions": 200}),
+    ("two boxes with friction that a ball hits", hit_with_friction(2, 1.5, 10), {"steps": 4000, "collisions": 200}),
     ("three boxes with friction that a ball hits", hit_with_friction(3, 2.0, 20), {"steps": 850, "collisions": 100}),
     # Velocities of 1e-34 hit each other without end.
     ("a wall that stands", pile(5, 0.1), {"steps": 200, "collisions": 20}),

@@ -33,6 +33,31 @@ double radiusOf(const Law& disc, const Vector& forces) {
     return std::max(0.0, disc.radius + pressed);
 }
 
+Vector centreOf(const Law& disc, const Vector& forces) {
+    Vector centre = Vector::Zero(disc.rows - 1);
+    if (disc.levers.size() == 0)
+        return centre;
+    const Vector normals = forces.segment(disc.normal, disc.normals);
+    const double pressed = normals.sum();
+    if (pressed > 0)
+        centre = disc.levers * normals / pressed;
+    return centre;
+}
+
+Vector ratesAt(const Vector& centre, const Vector& rates) {
+    Vector at = rates;
+    at.head(centre.size()) += rates[centre.size()] * centre;
+    return at;
+}
+
+Vector forcesAt(const Vector& centre, const Vector& forces) {
+    Vector at = forces;
+    at[centre.size()] -= centre.dot(forces.head(centre.size()));
+    return at;
+}
+
+Vector forcesFrom(const Vector& centre, const Vector& forces) { return forcesAt(-centre, forces); }
+
 namespace {
 
 // The rate of an interval that its state does not allow.
@@ -78,8 +103,9 @@ double violation(const Matrix& a, const Vector& b, const Laws& laws, const Answe
                      rates});
             continue;
         }
-        const auto force = answer.forces.segment(law.first, law.rows);
-        const auto rate = answer.rates.segment(law.first, law.rows);
+        const Vector centre = centreOf(law, answer.forces);
+        const Vector force = forcesAt(centre, answer.forces.segment(law.first, law.rows));
+        const Vector rate = ratesAt(centre, answer.rates.segment(law.first, law.rows));
         const double radius = radiusOf(law, answer.forces), length = force.norm();
         worst = std::max(worst, (length - radius) / largest);
         const double last = rounding.segment(law.first, law.rows).norm();
@@ -87,9 +113,14 @@ double violation(const Matrix& a, const Vector& b, const Laws& laws, const Answe
             worst = std::max(worst, (rate.norm() - last) / rates);
         else
             worst = std::max(worst, (radius - length) / std::max(radius, largest));
-        if (answer.states[k] == State::edge && length > 0) // the rate is against the force
-            worst = std::max(
-                {worst, ((rate + rate.norm() / length * force).norm() - 2 * last) / rates});
+        if (answer.states[k] == State::edge && length > 0) { // the rate is against the force
+            const double speed = rate.norm();
+            const double ofRates = ((rate + speed / length * force).norm() - 2 * last) / rates;
+            // Of a force that is none beside the largest any direction will do.
+            const double ofForces =
+                speed > 0 ? (force + length / speed * rate).norm() / largest : 0;
+            worst = std::max(worst, std::min(ofRates, ofForces));
+        }
     }
     return worst;
 }

@@ -7,6 +7,11 @@
 //     disc      |f| <= r; w = 0 inside; at the edge w points against f
 //               f has one, two or three rows; r = radius + coefficient * N, at least 0, where N is
 //               the sum of some rows next to each other, the normal forces of one contact
+//
+// The disc of a face acts at the centre of its normal forces, wherever they press. Its last row
+// turns, and the others read at the point of normal force i the rates  w_k + c_ki w_last  (levers).
+// With  c = sum c_i n_i / N  the law above holds for  w_k + c_k w_last  and  f_last - sum c_k f_k.
+//
 // A joint is an interval without ends, a contact one from 0 on, a motor one between its greatest
 // forces, Coulomb's friction a disc whose radius is the coefficient times the normal force.
 //
@@ -35,6 +40,7 @@ struct Law {
     double radius = 0, coefficient = 0;        // disc
     Index normal = -1;                         // disc: the first row of the normal force; -1: none
     Index normals = 1;                         // disc: its rows
+    Matrix levers = {};                        // disc: rows but the last, by normals; none: 0
 };
 
 using Laws = std::vector<Law>;
@@ -57,6 +63,13 @@ struct Answer {
 };
 
 [[nodiscard]] double radiusOf(const Law& disc, const Vector& forces);
+// The levers of the centre of a disc's normal forces.
+[[nodiscard]] Vector centreOf(const Law& disc, const Vector& forces);
+// Rows of the disc at that centre: from rates w, and from forces f.
+[[nodiscard]] Vector ratesAt(const Vector& centre, const Vector& rates);
+[[nodiscard]] Vector forcesAt(const Vector& centre, const Vector& forces);
+// Back from the centre.
+[[nodiscard]] Vector forcesFrom(const Vector& centre, const Vector& forces);
 
 // By how much the answer breaks the laws, over the size of what enters: of forces beyond their
 // bounds over the largest force; of rates over the largest of b, and of those that forces at fixed

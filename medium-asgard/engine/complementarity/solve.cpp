@@ -1,6 +1,7 @@
 #include "complementarity/solve.h"
 
 #include "complementarity/convex.h"
+#include "complementarity/fixed_point.h"
 #include "complementarity/interior.h"
 #include "complementarity/newton.h"
 #include "complementarity/sweeps.h"
@@ -277,13 +278,11 @@ std::vector<Answer> everySolution(const Matrix& a, const Vector& b, const Laws& 
     return found;
 }
 
-std::optional<Answer> solve(const Matrix& a, const Vector& b, const Laws& laws, const Answer& guess,
-                            Work* work) {
-    Work counted;
-    Work& counts = work != nullptr ? *work : counted;
-    counts = {};
-    if (b.size() == 0)
-        return Answer{};
+namespace {
+
+// Of laws without levers.
+std::optional<Answer> solveAtMiddles(const Matrix& a, const Vector& b, const Laws& laws,
+                                     const Answer& guess, Work& counts) {
     Search search(a, b, laws, counts);
     if (guess.states.size() == laws.size() && guess.forces.size() == b.size())
         if (auto answer = search.near(guess.states, guess.forces))
@@ -298,6 +297,128 @@ std::optional<Answer> solve(const Matrix& a, const Vector& b, const Laws& laws, 
         return std::nullopt;
     const std::vector<Answer> all = everySolution(a, b, laws);
     return all.empty() ? std::nullopt : std::optional(all.front());
+}
+
+// The same problem with the rows of discs at centres that are held.
+class AtCentres {
+public:
+    AtCentres(const Matrix& a, const Vector& b, const Laws& laws)
+        : a_(a), b_(b), laws_(laws), plain_(laws) {
+        for (Law& law : plain_)
+            law.levers.resize(0, 0);
+    }
+
+    // Of the discs with levers, one after the other, at these forces.
+    [[nodiscard]] Vector centresOf(const Vector& forces) const {
+        std::vector<double> centres;
+        eachDisc([&](const Law& law) {
+            const Vector centre = centreOf(law, forces);
+            centres.insert(centres.end(), centre.begin(), centre.end());
+        });
+        return Eigen::Map<const Vector>(centres.data(), static_cast<Index>(centres.size()));
+    }
+
+    [[nodiscard]] std::optional<Answer> solve(const Vector& centres, const Answer& guess,
+                                              Work& counts) const {
+        Matrix a = a_;
+        Vector b = b_;
+        Answer from = guess;
+        eachDisc(centres, [&](const Law& law, const Vector& centre) {
+            const Index last = law.first + law.rows - 1;
+            a.middleRows(law.first, law.rows - 1) += centre * a.row(last).eval();
+            b.segment(law.first, law.rows - 1) += b[last] * centre;
+            if (from.forces.size() == b.size())
+                from.forces.segment(law.first, law.rows) =
+                    forcesAt(centre, from.forces.segment(law.first, law.rows));
+        });
+        eachDisc(centres, [&](const Law& law, const Vector& centre) {
+            const Index last = law.first + law.rows - 1;
+            a.middleCols(law.first, law.rows - 1) += a.col(last).eval() * centre.transpose();
+        });
+        auto answer = solveAtMiddles(a, b, plain_, from, counts);
+        if (!answer)
+            return answer;
+        eachDisc(centres, [&](const Law& law, const Vector& centre) {
+            answer->forces.segment(law.first, law.rows) =
+                forcesFrom(centre, answer->forces.segment(law.first, law.rows));
+        });
+        answer->rates = a_ * answer->forces + b_;
+        return answer;
+    }
+
+private:
+    template <class Visit> void eachDisc(const Visit& visit) const {
+        for (const Law& law : laws_)
+            if (law.levers.size() > 0)
+                visit(law);
+    }
+    template <class Visit> void eachDisc(const Vector& centres, const Visit& visit) const {
+        Index first = 0;
+        eachDisc([&](const Law& law) {
+            visit(law, Vector(centres.segment(first, law.rows - 1)));
+            first += law.rows - 1;
+        });
+    }
+
+    const Matrix& a_;
+    const Vector& b_;
+    const Laws& laws_;
+    Laws plain_;
+};
+
+// The forces that the other laws have alone: none where those are not convex.
+Vector withoutDiscs(const Matrix& a, const Vector& b, const Laws& laws) {
+    Vector forces = Vector::Zero(b.size());
+    std::vector<Index> rows;
+    Laws others;
+    for (const Law& law : laws)
+        if (law.kind == Law::Kind::interval) {
+            others.push_back(law);
+            others.back().first = static_cast<Index>(rows.size());
+            rows.push_back(law.first);
+        }
+    const Matrix among = a(rows, rows);
+    if (!isConvex(among, others))
+        return forces;
+    if (const auto answer = solveConvex(among, b(rows), others))
+        forces(rows) = answer->forces;
+    return forces;
+}
+
+} // namespace
+
+std::optional<Answer> solve(const Matrix& a, const Vector& b, const Laws& laws, const Answer& guess,
+                            Work* work) {
+    Work counted;
+    Work& counts = work != nullptr ? *work : counted;
+    counts = {};
+    if (b.size() == 0)
+        return Answer{};
+    if (std::ranges::none_of(laws, [](const Law& law) { return law.levers.size() > 0; }))
+        return solveAtMiddles(a, b, laws, guess, counts);
+    const AtCentres at(a, b, laws);
+    const bool hasGuess = guess.forces.size() == b.size();
+    FixedPoint centres(at.centresOf(hasGuess ? guess.forces : withoutDiscs(a, b, laws)));
+    constexpr int most = 60;
+    constexpr double close = 1e-7; // of a violation that goes on no further down: rounding is left
+    std::optional<Answer> answer = guess, best;
+    double least = unbounded;
+    for (int round = 0; round < most; ++round) {
+        ++counts.rounds;
+        answer = at.solve(centres.at(), *answer, counts);
+        if (!answer)
+            break;
+        const double faulty = violation(a, b, laws, *answer);
+        const bool isOn = faulty < 0.5 * least;
+        if (faulty < least) {
+            best = answer;
+            least = faulty;
+        }
+        if (least <= kept || (least <= close && !isOn))
+            return best;
+        centres.moveFrom(at.centresOf(answer->forces));
+    }
+    return least <= close ? best : std::nullopt;
 }
 
 } // namespace complementarity

@@ -49,6 +49,49 @@ TEST(Solve, AContactThatOpensHasNoFriction) {
     EXPECT_EQ(answer.rates, b);
 }
 
+// A block of mass 1 on a floor that slides along x with its centre of mass beside the middle of its
+// two feet, at z = -1 and 1: rows of the normals, of friction along x and z, and of turning.
+struct Loaded {
+    Matrix a = Matrix::Zero(5, 5);
+    Vector b = Vector::Zero(5);
+    Laws laws;
+    Loaded(double beside, double speed) {
+        constexpr double weight = 9.81, friction = 0.3;
+        // Velocities (y, x, z, turns about x, turns about y), of unit mass and inertia.
+        Matrix rows(5, 5);
+        rows << 1, 0, 0, 1 + beside, 0, //
+            1, 0, 0, beside - 1, 0,     //
+            0, 1, 0, 0, -beside,        //
+            0, 0, 1, 0, 0,              //
+            0, 0, 0, 0, 1;
+        a = rows * rows.transpose();
+        b << -weight, -weight, speed, 0, 0;
+        addUnilateral(laws);
+        addUnilateral(laws);
+        addFriction(laws, 3, 0, friction, 2);
+        laws.back().levers = (Matrix(2, 2) << -1, 1, 0, 0).finished();
+    }
+};
+
+TEST(Solve, FrictionOfAFaceActsAtTheCentreOfItsNormalForces) {
+    for (const double beside : {0.0, 0.4, -0.7}) {
+        const Loaded loaded(beside, 5);
+        Work work;
+        const auto answer = solve(loaded.a, loaded.b, loaded.laws, {}, &work);
+        ASSERT_TRUE(answer) << beside;
+        EXPECT_LE(work.rounds, 8);
+        EXPECT_LE(violation(loaded.a, loaded.b, loaded.laws, *answer), 1e-11);
+        EXPECT_EQ(answer->states[2], State::edge);
+        EXPECT_NEAR(answer->forces[2], -0.3 * 9.81, 1e-10);
+        EXPECT_NEAR(answer->rates[4], 0, 1e-10) << beside; // it does not turn
+    }
+    Loaded held(0.4, 0.1);
+    const auto answer = solve(held.a, held.b, held.laws);
+    ASSERT_TRUE(answer);
+    EXPECT_EQ(answer->states[2], State::inside);
+    EXPECT_LE(answer->rates.norm(), 1e-12);
+}
+
 // Four feet of a plate at x, y = -1 or 1, of mass 1, on a floor; `slide` of each normal force is
 // friction that turns the plate about y. Feet that are not quite in a plane have rates that cannot
 // all be 0.

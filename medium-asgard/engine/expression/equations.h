@@ -33,10 +33,14 @@ namespace expression {
 // A contact is a stop that a source of events has made and ends: a gap that closes, one that opens
 // beyond `leaving`, and a place at which a function of `valid` falls below 0 are events. Friction
 // is a condition of velocities without bounds of its own: the forces of one disc (`rows`, this one
-// among them) are together at most a coefficient times the sum of some multipliers, `normals`.
+// among them) are together at most a coefficient times the sum of some multipliers, `normals`, at
+// the centre of these (complementarity/laws.h).
 struct Friction {
     std::vector<Node> rows, normals; // symbols of multipliers
     double sticking = 0, sliding = 0;
+    // Of each normal: the rates at its point of the rows but the last, where that one's is 1. None:
+    // all act at one point.
+    std::vector<std::vector<Node>> levers = {};
 };
 
 // The initial value of a multiplier whose condition is gone from the start on.
@@ -59,6 +63,9 @@ struct Condition {
     std::optional<Node> patch = {};
     std::vector<Node> valid = {}; // of a contact
     std::optional<Friction> friction = {};
+    // What the other rows of its friction bring to it, where normal forces press aside: something
+    // that is 0 where that is.
+    std::optional<Node> brought = {};
 };
 
 struct Phase {

@@ -252,6 +252,35 @@ void ContactRows::addFriction(const ContactPlace& place, const Frame& frame,
         subtract(g_, symbols(place.body).worldSpin(g_), symbols(place.support).worldSpin(g_));
     addRow(place, multipliers[first + 2], std::nullopt,
            g_.multiply(g_.constant(of.reach), dot(g_, frame.normal, turning)), condition);
+    addLevers(place, frame, multipliers);
+}
+
+void ContactRows::addLevers(const ContactPlace& place, const Frame& frame,
+                            std::span<const Node> multipliers) {
+    const std::size_t points = place.points.size();
+    const std::span<Row> rows = std::span(rows_).last(3);
+    std::vector<std::vector<Node>> levers;
+    std::array<Node, 3> brought;
+    brought.fill(g_.constant(0));
+    const auto bring = [&](std::size_t row, Node lever, std::size_t point, Node what) {
+        const Node pressed = g_.multiply(multipliers[point], lever);
+        brought[row] = g_.add(brought[row], g_.multiply(pressed, what));
+    };
+    for (std::size_t k = 0; k < points; ++k) {
+        const NodeVector arm =
+            subtract(g_, meetingOf(place, place.points[k].gap).contact, frame.point);
+        const NodeVector moves =
+            scaled(g_, g_.constant(1 / place.friction.reach), cross(g_, frame.normal, arm));
+        levers.push_back({dot(g_, frame.along[0], moves), dot(g_, frame.along[1], moves)});
+        for (std::size_t i = 0; i < 2; ++i) {
+            bring(i, levers[k][i], k, rows[2].rate);
+            bring(2, levers[k][i], k, multipliers[points + i]);
+        }
+    }
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        rows[i].condition.friction->levers = levers;
+        rows[i].condition.brought = brought[i];
+    }
 }
 
 // The couple that resists rolling, over the size: its multiplier is a force.

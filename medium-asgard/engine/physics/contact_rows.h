@@ -8,12 +8,14 @@
 // forces are friction:
 //
 //     point       two directions of the tangent plane            |f| <= mu N
-//     line, patch the same at its middle, and turning in place    |(f, c / reach)| <= mu N
+//     line, patch the same, and turning in place                  |(f, c / reach)| <= mu N
 //     round       turning about both, with rolling friction R     |c| <= R N
 //
-// N is the sum of n over the points, c a couple. `reach` is the mean distance of the patch from its
-// centre, so that a patch that turns in place has the couple of a uniform pressure, mu N reach.
-// LIMIT: between pure sliding and pure turning the bound is an ellipse.
+// N is the sum of n over the points, c a couple about the centre of these n, at which f acts; the
+// rows are those at the middle of the patch, and levers lead from it to its points. `reach` is the
+// mean distance of the patch from its centre, so that a patch that turns in place has the couple of
+// a uniform pressure, mu N reach. LIMIT: between pure sliding and pure turning the bound is an
+// ellipse.
 //
 // Rates follow from gaps and velocities by differentiation along the motion, as for joints; forces
 // act on both bodies by the derivatives of the rates (Jacobian transposed). Coordinates that a
@@ -143,6 +145,9 @@ private:
     void addNormals(const ContactPlace& place, std::span<const Node> multipliers);
     void addFriction(const ContactPlace& place, const Frame& frame,
                      std::span<const Node> multipliers);
+    // Of the friction of a patch whose rows are the last: what normal forces aside bring to each.
+    void addLevers(const ContactPlace& place, const Frame& frame,
+                   std::span<const Node> multipliers);
     void addRolling(const ContactPlace& place, const Frame& frame,
                     std::span<const Node> multipliers);
     void addRow(const ContactPlace& place, Node multiplier, std::optional<Node> gap, Node rate,

@@ -7,6 +7,7 @@
 #include <Eigen/QR>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -206,6 +207,7 @@ public:
                 complementarity::addFriction(laws, static_cast<Eigen::Index>(along.count),
                                              static_cast<Eigen::Index>(k), friction,
                                              static_cast<Eigen::Index>(patch.size()));
+                laws.back().levers = along.levers;
             }
             k += patch.size();
         }
@@ -283,6 +285,7 @@ private:
     }
     struct Lines {
         std::size_t first = 0, count = 0;
+        Eigen::MatrixXd levers = {}; // complementarity/laws.h
     };
     // Two along the surfaces at the middle of these contacts, and one about their normal.
     Lines frictionOf(std::span<const std::size_t> patch) {
@@ -297,15 +300,24 @@ private:
         const geometry::PatchMiddle middle = geometry::middleOf(points, c.normal);
         lines = {.first = lines_.size(), .count = middle.reach > 0 ? 3u : 2u};
         const Vector across = acrossOf(c.normal);
-        for (const Vector& direction : {Vector(c.normal.cross(across)), across}) {
+        const std::array<Vector, 2> directions{c.normal.cross(across), across};
+        for (const Vector& direction : directions) {
             Line line = between(c, middle.centre, direction);
             line.surface = c.surface;
             addLine(std::move(line));
         }
         const Vector turning = middle.reach * c.normal;
-        if (lines.count > 2)
-            addLine({.responses = {responseOf(bodies_, c.first, Vector::Zero(), turning),
-                                   responseOf(bodies_, c.second, Vector::Zero(), -turning)}});
+        if (lines.count < 3)
+            return lines;
+        addLine({.responses = {responseOf(bodies_, c.first, Vector::Zero(), turning),
+                               responseOf(bodies_, c.second, Vector::Zero(), -turning)}});
+        lines.levers.resize(2, static_cast<Eigen::Index>(points.size()));
+        for (std::size_t k = 0; k < points.size(); ++k) {
+            const Vector moves = c.normal.cross(points[k] - middle.centre) / middle.reach;
+            for (std::size_t i = 0; i < 2; ++i)
+                lines.levers(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) =
+                    directions[i].dot(moves);
+        }
         return lines;
     }
     // An axis of the world as nearly across as there is, made perpendicular.

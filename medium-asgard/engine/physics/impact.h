@@ -15,11 +15,11 @@
 //
 // Friction is Coulomb's law for impulses, with the coefficient of sliding: along the surfaces each
 // contact takes an impulse of at most mu j that leaves no sliding velocity, or of mu j against the
-// one that is left. The contacts of a patch have one such impulse at their middle, and one that
-// stops turning about their normal, by the law of contacts that last (physics/contact_rows.h): with
-// one for each corner a box would have more of them than freedoms. Together with Newton's law that
-// may add kinetic energy; then the restitutions of that solution are lowered by one common factor
-// until it does not.
+// one that is left. The contacts of a patch have one such impulse at the centre of theirs, and one
+// that stops turning about their normal, by the law of contacts that last
+// (physics/contact_rows.h): with one for each corner a box would have more of them than freedoms.
+// Together with Newton's law that may add kinetic energy; then the restitutions of that solution
+// are lowered by one common factor until it does not.
 //
 // Joints keep their conditions J v through a blow: an impulse of a contact is one of all that hangs
 // together, A = J_n W (1 - J' (J W J')^-1 J W) J_n' with W the inverse masses.

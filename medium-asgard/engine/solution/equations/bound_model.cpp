@@ -7,6 +7,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace solution {
 
@@ -103,6 +104,7 @@ private:
     // Of each multiplier its gap, the gap's rate, and the rate's.
     std::vector<std::uint32_t> readConditions() {
         std::vector<std::uint32_t> entries;
+        levers_.assign(bound_.multipliers.size(), {});
         for (const std::size_t place : bound_.multipliers) {
             const expression::Phase& phase = phaseOf(place);
             const expression::Condition& of = *phase.condition;
@@ -132,6 +134,15 @@ private:
             for (const Node node : valid)
                 entries.push_back(entryOf(operandOf(node)));
         }
+        for (std::size_t row = 0; row < bound_.multipliers.size(); ++row) {
+            const std::vector<Node>& levers = levers_[row];
+            entries.push_back(static_cast<std::uint32_t>(levers.size()));
+            for (const Node node : levers)
+                entries.push_back(entryOf(operandOf(node)));
+        }
+        std::size_t first = 0;
+        for (BoundModel::Disc& disc : bound_.discs)
+            disc.first = std::exchange(first, first + disc.rows.size() * disc.normals.size());
         return entries;
     }
 
@@ -141,19 +152,36 @@ private:
                               .normals = multipliersOf(friction.normals),
                               .sticking = friction.sticking,
                               .sliding = friction.sliding};
+        // What does not turn acts at one point.
+        disc.hasLevers = !friction.levers.empty() && disc.rows.size() > 1 &&
+                         multiplierOf(friction.rows.back()).has_value();
         const auto known = std::ranges::find(bound_.discs, disc);
         const auto place = static_cast<std::size_t>(known - bound_.discs.begin());
-        if (known == bound_.discs.end())
-            bound_.discs.push_back(std::move(disc));
+        if (known != bound_.discs.end())
+            return place;
+        for (std::size_t i = 0; disc.hasLevers && i < friction.normals.size(); ++i)
+            if (const auto normal = multiplierOf(friction.normals[i]))
+                for (std::size_t k = 0; k + 1 < friction.rows.size(); ++k)
+                    if (multiplierOf(friction.rows[k]))
+                        levers_[*normal].push_back(friction.levers[i][k]);
+        bound_.discs.push_back(std::move(disc));
         return place;
     }
-    // Without those that stay 0.
+    // None of those that stay 0.
+    [[nodiscard]] std::optional<std::size_t> multiplierOf(Node symbol) const {
+        const auto unknown = index_.of(symbol);
+        if (!unknown || zero_.contains(*unknown))
+            return std::nullopt;
+        const auto place = placeOf(*unknown);
+        if (!place || !phaseOf(*place).condition)
+            return std::nullopt;
+        return stateOf_[*place];
+    }
     [[nodiscard]] std::vector<std::size_t> multipliersOf(std::span<const Node> symbols) const {
         std::vector<std::size_t> found;
         for (const Node symbol : symbols)
-            if (const auto unknown = index_.of(symbol); unknown && !zero_.contains(*unknown))
-                if (const auto place = placeOf(*unknown); place && phaseOf(*place).condition)
-                    found.push_back(stateOf_[*place]);
+            if (const auto multiplier = multiplierOf(symbol))
+                found.push_back(*multiplier);
         return found;
     }
 
@@ -325,7 +353,8 @@ private:
     BoundModel bound_;
     ComponentModel::Key key_;
     std::uint32_t entries_ = 0;
-    std::vector<std::uint32_t> stateOf_; // by place: which state or multiplier it is
+    std::vector<std::uint32_t> stateOf_;    // by place: which state or multiplier it is
+    std::vector<std::vector<Node>> levers_; // by multiplier: of its disc
     std::vector<Node> stack_;
     Table<Operand> done_;          // by node
     Table<std::uint32_t> numbers_; // by bits

@@ -7,6 +7,7 @@
 #include "equations/partition.h"
 #include "expression/equations.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -38,6 +39,14 @@ struct BoundModel {
     struct Disc { // of friction, by multipliers in their order
         std::vector<std::size_t> rows, normals;
         double sticking = 0, sliding = 0;
+        bool hasLevers = false; // of its normals, for the rows but the last
+        // Where the forces of its rows for a normal force of 1 are among those of all discs, by
+        // normals.
+        std::size_t first = 0;
+        [[nodiscard]] std::size_t frictionOf(std::size_t row, std::size_t normal) const {
+            return first + normal * rows.size() +
+                   static_cast<std::size_t>(std::ranges::find(rows, row) - rows.begin());
+        }
         [[nodiscard]] bool operator==(const Disc&) const = default;
     };
     std::vector<Disc> discs;

@@ -96,11 +96,17 @@ void ComponentModel::readKey() {
     for (std::size_t i = 0; i < 3 * multipliers.size(); ++i)
         conditionNodes_.push_back(entries[next()]);
     for (std::size_t r = 0; r < multipliers.size(); ++r) {
-        conditions_.firstValid.push_back(static_cast<std::uint32_t>(validNodes_.size()));
+        conditions_.firstValid.push_back(static_cast<std::uint32_t>(besideNodes_.size()));
         for (std::uint32_t left = next(); left > 0; --left)
-            validNodes_.push_back(entries[next()]);
+            besideNodes_.push_back(entries[next()]);
     }
-    conditions_.firstValid.push_back(static_cast<std::uint32_t>(validNodes_.size()));
+    conditions_.firstValid.push_back(static_cast<std::uint32_t>(besideNodes_.size()));
+    conditions_.firstLever.push_back(static_cast<std::uint32_t>(besideNodes_.size()));
+    for (std::size_t r = 0; r < multipliers.size(); ++r) {
+        for (std::uint32_t left = next(); left > 0; --left)
+            besideNodes_.push_back(entries[next()]);
+        conditions_.firstLever.push_back(static_cast<std::uint32_t>(besideNodes_.size()));
+    }
     symbols_.all.insert(symbols_.all.end(), constants.begin(), constants.end());
     symbols_.all.insert(symbols_.all.end(), multipliers.begin(), multipliers.end());
     for (std::size_t i = 0; i < symbols_.all.size(); ++i)
@@ -344,7 +350,7 @@ void ComponentModel::deriveConditions() {
     conditions_.second = derive(graph, system);
     conditions_.ties = derive(graph, ties);
     gaps.insert(gaps.end(), rates.begin(), rates.end());
-    gaps.insert(gaps.end(), validNodes_.begin(), validNodes_.end());
+    gaps.insert(gaps.end(), besideNodes_.begin(), besideNodes_.end());
     conditions_.gaps = derive(graph, gaps);
     conditions_.moves = derive(graph, moves);
 }

@@ -145,9 +145,10 @@ public:
         // Of the multipliers of ties: their own rates and others' that are not 0.
         std::vector<Entry> ofTies;
         Derived ties; // these
-        Derived gaps; // g, then g', then what is not negative while contacts last
-        // By multiplier, and one more: the first of those.
-        std::vector<std::uint32_t> firstValid;
+        // g, then g', then what is not negative while contacts last, then the levers of friction.
+        Derived gaps;
+        // By multiplier, and one more: the first of those behind g'.
+        std::vector<std::uint32_t> firstValid, firstLever;
         std::vector<Entry> pushes; // states and multipliers: dy'/dm that are not 0
         // Of places and attitudes, how they move when the states that multipliers push do so.
         std::vector<Entry> shifts;
@@ -204,7 +205,7 @@ private:
     Switching switching_;
     // Of each multiplier g, g' and g''.
     std::vector<expression::Node> conditionNodes_;
-    std::vector<expression::Node> validNodes_; // of all multipliers in order
+    std::vector<expression::Node> besideNodes_; // what is valid of all multipliers, then levers
     Conditions conditions_;
     Directions directions_;
     PeakFunctions peaks_, guardPeaks_;
@@ -236,7 +237,8 @@ private:
 
 // Words of a key: counts of states, of held values and of multipliers, 1 or 0 for each state
 // (configuration or not), then entries, then the entries that are outputs, three for the condition
-// of each multiplier, and the number and the entries of what is valid of each. An entry is an
+// of each multiplier, and the number and the entries of what is valid of each, and so of levers. An
+// entry is an
 // operation with the entries that are its arguments, a literal (Op::constant and the two halves of
 // its bits), or a leaf.
 namespace key {

@@ -30,8 +30,8 @@ std::vector<Node> nodesAfter(const expression::Unknown& unknown, double from) {
         if (phase.jump)
             nodes.push_back(*phase.jump);
         if (phase.condition)
-            for (const auto& node :
-                 {phase.condition->gap, phase.condition->rate, phase.condition->release})
+            for (const auto& node : {phase.condition->gap, phase.condition->rate,
+                                     phase.condition->release, phase.condition->brought})
                 if (node)
                     nodes.push_back(*node);
         if (phase.condition)

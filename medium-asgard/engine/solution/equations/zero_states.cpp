@@ -84,15 +84,22 @@ void eachNodeOf(std::span<const expression::Phase> phases, const Visit& visit) {
             visit(phase.given->index);
         if (phase.jump)
             visit(phase.jump->index);
-        if (phase.condition && phase.condition->rate)
-            visit(phase.condition->rate->index);
+        if (phase.condition)
+            for (const auto& node : {phase.condition->rate, phase.condition->brought})
+                if (node)
+                    visit(node->index);
     }
 }
 
-// A condition's rate that is not 0 moves states, as a rate does.
+// Nodes of a condition that move states where they are not 0, as a rate does.
+template <class Test> bool hasMover(const expression::Phase& phase, const Test& test) {
+    const auto passes = [&](const std::optional<Node>& node) { return node && test(node->index); };
+    return phase.condition && (passes(phase.condition->rate) || passes(phase.condition->brought));
+}
+
 bool isMovedBy(const expression::Phase& phase, std::uint32_t node) {
     return phase.derivative.index == node ||
-           (phase.condition && phase.condition->rate && phase.condition->rate->index == node);
+           hasMover(phase, [&](std::uint32_t mover) { return mover == node; });
 }
 
 // The phases in force at `from` and after it.
@@ -125,7 +132,7 @@ bool hasRateBesides(const expression::Unknown& unknown, double from,
     return std::any_of(phases.begin(), phases.end(), [&](const expression::Phase& phase) {
         return gapOf(phase) != gapOf(phases.front()) || // another place is wanted from then on
                !zero[phase.derivative.index] ||
-               (phase.condition && phase.condition->rate && !zero[phase.condition->rate->index]);
+               hasMover(phase, [&](std::uint32_t mover) { return !zero[mover]; });
     });
 }
 

@@ -37,6 +37,7 @@ ActiveSet::ActiveSet(ModelFunctions& functions, Multipliers& multipliers, Mode& 
         }
     opened_.assign(laws.size(), 0);
     mode.slips.assign(functions.bound()->discs.size(), {1, 0, 0});
+    mode.centres.assign(functions.bound()->discs.size(), {0, 0});
 }
 
 bool ActiveSet::isStop(std::size_t row) const { return law(row).isStop; }
@@ -134,9 +135,9 @@ double ActiveSet::valueOf(const Watch& watch) const {
     const auto [row, kind] = watch;
     switch (kind) {
     case Kind::cone:
-        return beyondRounding(multipliers_.leewayOf(discs()[row]));
+        return beyondRounding(multipliers_.leewayOf(row));
     case Kind::turn: { // others may hold it at rest, but for rounding
-        const Multipliers::InDisc slip = multipliers_.slipOf(discs()[row]);
+        const Multipliers::InDisc slip = multipliers_.slipOf(row);
         const double along =
             slip.dot(Eigen::Map<const Eigen::Vector3d>(mode_.slips[row].data()).head(slip.size()));
         return along + rateOf * law(discs()[row].rows[0]).resolution;
@@ -218,6 +219,8 @@ bool ActiveSet::cross(std::span<const std::size_t> watches, double t, std::span<
     f_.fill(t, y);
     (void)multipliers_.solve();
     multipliers_.evaluateGaps();
+    for (std::size_t disc = 0; disc < discs().size(); ++disc)
+        setCentre(disc, multipliers_.centreOf(disc));
     const double elapsed = t - lastCross_;
     lastCross_ = t;
     const std::vector<State> before = mode_.kept;
@@ -233,7 +236,7 @@ bool ActiveSet::cross(std::span<const std::size_t> watches, double t, std::span<
         else if (kind == Kind::cone)
             candidates.push_back(discs()[row].rows[0]);
         else if (kind == Kind::turn)
-            setSlip(row, multipliers_.slipOf(discs()[row]));
+            setSlip(row, multipliers_.slipOf(row));
         else
             candidates.push_back(row);
         if (kind == Kind::gap && !isContact(row))
@@ -358,14 +361,21 @@ void ActiveSet::setSlip(std::size_t disc, const Multipliers::InDisc& direction) 
         mode_.slips[disc][static_cast<std::size_t>(i)] = direction[i] / length;
 }
 
+void ActiveSet::setCentre(std::size_t disc, const Multipliers::Centre& centre) {
+    std::ranges::fill(mode_.centres[disc], 0);
+    std::ranges::copy(centre, mode_.centres[disc].begin());
+}
+
 void ActiveSet::takeSlips(double t, std::span<const double> y) {
     if (!slips())
         return;
     f_.fill(t, y);
     multipliers_.evaluateGaps();
     for (std::size_t disc = 0; disc < discs().size(); ++disc)
-        if (multipliers_.slips(discs()[disc]))
-            setSlip(disc, multipliers_.slipOf(discs()[disc]));
+        if (multipliers_.slips(discs()[disc])) {
+            mode_.centres[disc] = {0, 0};
+            setSlip(disc, multipliers_.slipOf(disc));
+        }
 }
 
 // Brakes, motors and friction do not hold against a blow: they slip the way that it gives.
@@ -379,7 +389,7 @@ void ActiveSet::slip(double fastest, double t, std::span<const double> y) {
                               : rate > 0                         ? State::low
                                                                  : State::high;
     for (std::size_t disc = 0; disc < discs().size(); ++disc)
-        setSlip(disc, multipliers_.slipOf(discs()[disc]));
+        setSlip(disc, multipliers_.slipOf(disc));
 }
 
 // It fell from a height that is none: it closes without a blow. A blow would drive what slides in
@@ -442,7 +452,7 @@ bool ActiveSet::hasStopped(std::size_t disc, double elapsed, std::span<const dou
     const double none =
         std::max({2 * rateOf * law(of.rows[0]).resolution, ofLost * second * elapsed,
                   std::max(slow_, ofSpeeds) * multipliers_.fastest(y)});
-    return multipliers_.slipOf(of).norm() <= none;
+    return multipliers_.slipOf(disc).norm() <= none;
 }
 
 // By the least change of velocities.
@@ -466,7 +476,7 @@ bool ActiveSet::mayHold(std::size_t disc, std::span<const std::size_t> fallen,
     const double none = std::max(rateOf * law(of.rows[0]).resolution, atRest * fastest);
     const bool hasFallen = isIn(fallen, of.rows[0]);
     return mode_.kept[of.rows[0]] == State::inside || hasFallen ||
-           multipliers_.slipOf(of).norm() <= none;
+           multipliers_.slipOf(disc).norm() <= none;
 }
 
 ActiveSet::Rows ActiveSet::rowsFor(std::span<const std::size_t> fallen, double fastest,
@@ -521,12 +531,20 @@ ActiveSet::Rows ActiveSet::rowsFor(std::span<const std::size_t> fallen, double f
         }
         const bool holds = !slipping[disc] && mayHold(disc, fallen, fastest);
         if (!holds && !slipping[disc])
-            setSlip(disc, multipliers_.slipOf(of));
+            setSlip(disc, multipliers_.slipOf(disc));
         if (!holds || normals == 0)
             continue;
         setDisc(disc, State::inside); // while the laws are asked, it adds no friction of slip
         complementarity::addFriction(found.laws, static_cast<Eigen::Index>(of.rows.size()), first,
                                      of.sticking, normals);
+        if (of.hasLevers) {
+            complementarity::Matrix& levers = found.laws.back().levers;
+            levers.resize(static_cast<Eigen::Index>(of.rows.size()) - 1, normals);
+            Eigen::Index column = 0;
+            for (std::size_t n = 0; n < of.normals.size(); ++n)
+                if (takesPart[of.normals[n]])
+                    levers.col(column++) = multipliers_.leversOf(disc, n);
+        }
         found.rows.insert(found.rows.end(), of.rows.begin(), of.rows.end());
         found.discs.push_back(disc);
     }
@@ -563,16 +581,41 @@ void ActiveSet::openUnpressed() {
             setDisc(disc, State::low);
 }
 
+// With discs that slip and turn about the centres of their normal forces.
+std::optional<complementarity::Answer> ActiveSet::answerOf(const Rows& rows) {
+    constexpr int most = 10; // what is left turns the slips that the states do not ask for
+    std::optional<complementarity::Answer> answer;
+    std::vector<double> forces(mode_.kept.size(), 0);
+    for (int round = 0; round < most; ++round) {
+        const auto [a, b] = multipliers_.systemOf(rows.rows, Multipliers::Friction::ofSlip);
+        // The guess: all that may rest does.
+        complementarity::Answer rest{.forces = Eigen::VectorXd::Zero(b.size()),
+                                     .rates = b,
+                                     .states =
+                                         complementarity::States(rows.laws.size(), State::inside)};
+        if (answer)
+            rest = std::move(*answer);
+        else if (rows.discs.empty())
+            rest = {};
+        answer = complementarity::solve(a, b, rows.laws, rest);
+        if (!answer)
+            return answer;
+        for (std::size_t i = 0; i < rows.rows.size(); ++i)
+            forces[rows.rows[i]] = answer->forces[static_cast<Eigen::Index>(i)];
+        bool isOther = false;
+        for (std::size_t disc = 0; disc < discs().size(); ++disc) {
+            if (multipliers_.slips(discs()[disc]))
+                isOther = isOther || multipliers_.turns(disc, multipliers_.centreIn(disc), forces);
+            setCentre(disc, multipliers_.centreOf(disc, forces));
+        }
+        if (!isOther)
+            break;
+    }
+    return answer;
+}
+
 bool ActiveSet::solveLaws(const Rows& rows) {
-    const auto [a, b] = multipliers_.systemOf(rows.rows, Multipliers::Friction::ofSlip);
-    // The guess: all that may rest does.
-    complementarity::Answer rest{.forces = Eigen::VectorXd::Zero(b.size()),
-                                 .rates = b,
-                                 .states =
-                                     complementarity::States(rows.laws.size(), State::inside)};
-    if (rows.discs.empty())
-        rest = {};
-    const auto answer = complementarity::solve(a, b, rows.laws, rest);
+    const auto answer = answerOf(rows);
     if (!answer)
         return false;
     const double largest = answer->forces.cwiseAbs().maxCoeff();
@@ -581,7 +624,9 @@ bool ActiveSet::solveLaws(const Rows& rows) {
         const complementarity::Law& of = rows.laws[k];
         const std::size_t row = rows.rows[static_cast<std::size_t>(of.first)];
         if (of.kind == complementarity::Law::Kind::disc) {
-            const Multipliers::InDisc force = answer->forces.segment(of.first, of.rows);
+            const Multipliers::InDisc force =
+                complementarity::forcesAt(complementarity::centreOf(of, answer->forces),
+                                          answer->forces.segment(of.first, of.rows));
             if (answer->states[k] == State::inside)
                 setDisc(rows.discs[disc], State::inside);
             else

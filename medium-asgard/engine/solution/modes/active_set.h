@@ -27,6 +27,7 @@
 #include "complementarity/laws.h"
 #include "modes/multipliers.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -107,6 +108,7 @@ private:
               std::span<const double> restitutions, double t, std::span<double> y);
     void slip(double fastest, double t, std::span<const double> y);
     void setDisc(std::size_t disc, complementarity::State state);
+    void setCentre(std::size_t disc, const Multipliers::Centre& centre);
     void setSlip(std::size_t disc, const Multipliers::InDisc& direction);
     [[nodiscard]] bool isLow(std::size_t row, double rate);
     [[nodiscard]] bool hasFallenLow(std::size_t row) const;
@@ -121,6 +123,7 @@ private:
     void openUnpressed();
     [[nodiscard]] bool settle(std::span<const std::size_t> fallen, double fastest, double t,
                               std::span<const double> y);
+    [[nodiscard]] std::optional<complementarity::Answer> answerOf(const Rows& rows);
     [[nodiscard]] bool solveLaws(const Rows& rows);
 
     ModelFunctions& f_;

@@ -40,13 +40,15 @@ void HeldConditions::makePlan(std::vector<std::size_t> slipping) {
             continue;
         if (placeOf[column] != none)
             plan_.terms.push_back({.entry = k, .place = {placeOf[row], placeOf[column]}});
-        const auto& disc = bound_.laws[column].disc;
-        if (!disc || std::ranges::find(plan_.slipping, *disc) == plan_.slipping.end())
+        const auto& which = bound_.laws[column].disc;
+        if (!which || std::ranges::find(plan_.slipping, *which) == plan_.slipping.end())
             continue;
-        for (const std::size_t normal : bound_.discs[*disc].normals)
-            if (placeOf[normal] != none)
-                plan_.ofFriction.push_back(
-                    {.entry = k, .place = {placeOf[row], placeOf[normal]}, .friction = column});
+        const BoundModel::Disc& disc = bound_.discs[*which];
+        for (std::size_t n = 0; n < disc.normals.size(); ++n)
+            if (const auto place = placeOf[disc.normals[n]]; place != none)
+                plan_.ofFriction.push_back({.entry = k,
+                                            .place = {placeOf[row], place},
+                                            .friction = disc.frictionOf(column, n)});
     }
     std::vector<Elimination::Place> places;
     std::ranges::transform(plan_.terms, std::back_inserter(places), &Term::place);

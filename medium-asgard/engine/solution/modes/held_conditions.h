@@ -33,9 +33,9 @@ public:
     HeldConditions(const ComponentModel& model, const BoundModel& bound, const Mode& mode)
         : conditions_(model.conditions()), bound_(bound), mode_(mode) {}
 
-    // `values`: of Conditions::matrix. `friction`: of each row of friction that slips, its force
-    // where the normal forces of its disc are 1 together; empty: none slips. False: they are not
-    // finite. Without a heap allocation where the same conditions hold as before.
+    // `values`: of Conditions::matrix. `friction`: of discs that slip (BoundModel::Disc::first),
+    // the force of each row for a normal force of 1; empty: none slips. False: they are not finite.
+    // Without a heap allocation where the same conditions hold as before.
     [[nodiscard]] bool factorise(std::span<const double> values, std::span<const double> friction);
     [[nodiscard]] const std::vector<std::size_t>& rows() const { return plan_.rows; }
     // Of conditions with these rates the m that keep them; 0 of others than those that hold.
@@ -56,7 +56,7 @@ private:
     struct Term { // of the matrix
         std::size_t entry = 0;
         Elimination::Place place = {};
-        std::size_t friction = 0; // times that row's
+        std::size_t friction = 0; // times that force
     };
     struct Plan {
         std::vector<std::size_t> rows;

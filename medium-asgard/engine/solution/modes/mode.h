@@ -46,6 +46,8 @@ struct Mode {
     // Of each disc of friction whose rows are at a bound: the direction in which it began to slip.
     // Behind a point of rest it slips back along it, as far as this mode reaches.
     std::vector<std::array<double, 3>> slips;
+    // Of each disc the centre of its normal forces there (complementarity/laws.h).
+    std::vector<std::array<double, 2>> centres;
     // A stage that lies a little beyond a surface, where the branch that holds has no value, takes
     // the branch of its values.
     bool looksBeyond = false;

@@ -1,5 +1,7 @@
 #include "modes/multipliers.h"
 
+#include "complementarity/fixed_point.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -26,21 +28,76 @@ void Multipliers::evaluate(Friction friction) {
         findFriction();
 }
 
-// A normal force brings with it the friction of a contact that slips:  f = -coefficient N d.
 void Multipliers::findFriction() {
     const std::vector<BoundModel::Disc>& discs = f_.bound()->discs;
     for (std::size_t k = 0; k < discs.size(); ++k) {
-        const BoundModel::Disc& disc = discs[k];
-        if (!slips(disc) || disc.sliding == 0)
+        if (!slips(discs[k]) || discs[k].sliding == 0)
             continue;
         if (friction_.empty()) {
             evaluateGaps();
-            friction_.assign(size(), 0);
+            const BoundModel::Disc& last = discs.back();
+            friction_.assign(last.first + last.rows.size() * last.normals.size(), 0);
         }
-        const InDisc direction = directionOf(k);
-        for (std::size_t i = 0; i < disc.rows.size(); ++i)
-            friction_[disc.rows[i]] = -disc.sliding * direction[indexOf(i)];
+        putFriction(k, centreIn(k));
     }
+}
+
+// A normal force brings with it the friction of a contact that slips, at its own point, so that
+// all together act at their centre:  f = -coefficient n d.
+void Multipliers::putFriction(std::size_t disc, const Centre& centre) {
+    const BoundModel::Disc& of = f_.bound()->discs[disc];
+    const std::size_t rows = of.rows.size();
+    const InDisc force = -of.sliding * directionOf(disc, centre);
+    for (std::size_t n = 0; n < of.normals.size(); ++n) {
+        const std::span<double> into = std::span(friction_).subspan(of.first + n * rows, rows);
+        std::ranges::copy(force, into.begin());
+        if (of.hasLevers)
+            into.back() += leversOf(disc, n).dot(force.head(indexOf(rows) - 1));
+    }
+}
+
+// --------------------------------------------------------------------------- centres and slips
+
+Multipliers::Centre Multipliers::leversOf(std::size_t disc, std::size_t normal) const {
+    const BoundModel::Disc& of = f_.bound()->discs[disc];
+    const std::uint32_t first = model_.conditions().firstLever[of.normals[normal]];
+    return Eigen::Map<const Eigen::VectorXd>(gaps_.data() + 2 * size() + first,
+                                             indexOf(of.rows.size()) - 1);
+}
+
+Multipliers::Centre Multipliers::centreOf(std::size_t disc, std::span<const double> forces) const {
+    const BoundModel::Disc& of = f_.bound()->discs[disc];
+    Centre centre = Centre::Zero(of.hasLevers ? indexOf(of.rows.size()) - 1 : 0);
+    if (!of.hasLevers)
+        return centre;
+    double pressed = 0;
+    for (std::size_t n = 0; n < of.normals.size(); ++n) {
+        const double force = forces[of.normals[n]];
+        centre += force * leversOf(disc, n);
+        pressed += force;
+    }
+    if (!(pressed > 0))
+        return Centre::Zero(centre.size());
+    return centre / pressed;
+}
+
+Multipliers::Centre Multipliers::centreIn(std::size_t disc) const {
+    const BoundModel::Disc& of = f_.bound()->discs[disc];
+    return Eigen::Map<const Eigen::Vector2d>(mode_.centres[disc].data())
+        .head(of.hasLevers ? indexOf(of.rows.size()) - 1 : 0);
+}
+
+bool Multipliers::turns(std::size_t disc, const Centre& from,
+                        std::span<const double> forces) const {
+    constexpr double rounding = 1e-12; // of the largest force
+    const BoundModel::Disc& of = f_.bound()->discs[disc];
+    double pressed = 0, largest = 0;
+    for (const std::size_t row : of.normals)
+        pressed += forces[row];
+    for (const double force : forces)
+        largest = std::max(largest, std::abs(force));
+    const InDisc change = directionOf(disc, centreOf(disc, forces)) - directionOf(disc, from);
+    return of.sliding * pressed * change.norm() > rounding * largest;
 }
 
 double Multipliers::validity(std::size_t row) const {
@@ -59,34 +116,40 @@ double Multipliers::steadiness(std::size_t row) const {
                       : std::numeric_limits<double>::infinity();
 }
 
-Multipliers::InDisc Multipliers::slipOf(const BoundModel::Disc& disc) const {
-    InDisc slip(indexOf(disc.rows.size()));
-    for (std::size_t i = 0; i < disc.rows.size(); ++i)
-        slip[indexOf(i)] = rate(disc.rows[i]);
+Multipliers::InDisc Multipliers::slipOf(std::size_t disc, const Centre& centre) const {
+    const std::vector<std::size_t>& rows = f_.bound()->discs[disc].rows;
+    InDisc slip(indexOf(rows.size()));
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        slip[indexOf(i)] = rate(rows[i]);
+    slip.head(centre.size()) += slip[slip.size() - 1] * centre;
     return slip;
 }
 
 // Near rest the direction in which it began counts, so that the rates of states have no jump there.
-Multipliers::InDisc Multipliers::directionOf(std::size_t disc) const {
+Multipliers::InDisc Multipliers::directionOf(std::size_t disc, const Centre& centre) const {
     constexpr double atRest = 1e-3; // of a resolution, in the unit of time
     const BoundModel::Disc& of = f_.bound()->discs[disc];
     InDisc began =
         Eigen::Map<const Eigen::Vector3d>(mode_.slips[disc].data()).head(indexOf(of.rows.size()));
-    const InDisc slip = slipOf(of);
+    const InDisc slip = slipOf(disc, centre);
     if (slip.size() == 1)
         return began;
     const double least = atRest * f_.bound()->laws[of.rows[0]].resolution;
-    const InDisc way = (slip.dot(began) < 0 ? -slip : slip) + least * began;
+    const InDisc way = (slipOf(disc).dot(began) < 0 ? -slip : slip) + least * began;
     return way / way.norm();
 }
 
-double Multipliers::leewayOf(const BoundModel::Disc& disc) const {
-    double normal = 0, square = 0;
-    for (const std::size_t row : disc.normals)
+double Multipliers::leewayOf(std::size_t disc) const {
+    const BoundModel::Disc& of = f_.bound()->discs[disc];
+    const Centre centre = centreOf(disc);
+    double normal = 0;
+    for (const std::size_t row : of.normals)
         normal += values()[row];
-    for (const std::size_t row : disc.rows)
-        square += values()[row] * values()[row];
-    return disc.sticking * normal - std::sqrt(square);
+    InDisc force(indexOf(of.rows.size()));
+    for (std::size_t i = 0; i < of.rows.size(); ++i)
+        force[indexOf(i)] = values()[of.rows[i]];
+    force[force.size() - 1] -= centre.dot(force.head(centre.size()));
+    return of.sticking * normal - force.norm();
 }
 
 double Multipliers::bound(std::size_t row) const {
@@ -94,7 +157,7 @@ double Multipliers::bound(std::size_t row) const {
         return 0;
     const BoundModel::Law& law = f_.bound()->laws[row];
     if (law.disc)
-        return 0; // it follows normal forces: putFriction()
+        return 0; // it follows normal forces: putForcesOfSlip()
     return mode_.kept[row] == State::high ? law.high : law.low;
 }
 
@@ -156,31 +219,82 @@ void Multipliers::addBounds() {
 bool Multipliers::solve() {
     if (size() == 0)
         return true;
-    if (!factorise(Friction::ofSlip))
-        return false;
+    evaluate(Friction::ofSlip);
     addBounds();
+    return solveOnce() && turnSlips();
+}
+
+bool Multipliers::solveOnce() {
+    if (!factorise())
+        return false;
     found_ = rest_;
     solve(found_);
     const bool isKept = found_.allFinite() && isSolved();
     for (std::size_t row = 0; row < size(); ++row)
         f_.in()[f_.in().size() - size() + row] =
             mode_.kept[row] == State::inside ? found_[indexOf(row)] : bound(row);
-    putFriction();
+    putForcesOfSlip();
     return isKept;
 }
 
+// What slips and turns does so about the centre of normal forces that its own friction shifts.
+bool Multipliers::turnSlips() {
+    constexpr int most = 40;
+    std::vector<std::size_t> turning;
+    for (std::size_t k = 0; !friction_.empty() && k < f_.bound()->discs.size(); ++k)
+        if (const BoundModel::Disc& disc = f_.bound()->discs[k];
+            disc.hasLevers && slips(disc) && disc.sliding != 0 && rate(disc.rows.back()) != 0)
+            turning.push_back(k);
+    if (turning.empty())
+        return true;
+    const auto each = [&](const Eigen::VectorXd& centres, const auto& visit) {
+        Eigen::Index first = 0;
+        for (const std::size_t disc : turning) {
+            const Eigen::Index count = indexOf(f_.bound()->discs[disc].rows.size()) - 1;
+            visit(disc, Centre(centres.segment(first, count)));
+            first += count;
+        }
+    };
+    const auto together = [&](const auto& centre) {
+        Eigen::VectorXd all(2 * indexOf(turning.size()));
+        Eigen::Index count = 0;
+        for (const std::size_t disc : turning) {
+            const Centre one = centre(disc);
+            all.segment(count, one.size()) = one;
+            count += one.size();
+        }
+        return Eigen::VectorXd(all.head(count));
+    };
+    complementarity::FixedPoint centres(
+        together([this](std::size_t disc) { return centreIn(disc); }));
+    for (int round = 0; round < most; ++round) {
+        bool isOther = false;
+        each(centres.at(), [&](std::size_t disc, const Centre& centre) {
+            isOther = isOther || turns(disc, centre, values());
+        });
+        if (!isOther)
+            return true;
+        centres.moveFrom(together([this](std::size_t disc) { return centreOf(disc); }));
+        each(centres.at(),
+             [&](std::size_t disc, const Centre& centre) { putFriction(disc, centre); });
+        if (!solveOnce())
+            return false;
+    }
+    return true;
+}
+
 // Of discs that slip.
-void Multipliers::putFriction() {
+void Multipliers::putForcesOfSlip() {
     if (friction_.empty())
         return;
     for (const BoundModel::Disc& disc : f_.bound()->discs) {
         if (!slips(disc) || disc.sliding == 0)
             continue;
-        double normal = 0;
-        for (const std::size_t row : disc.normals)
-            normal += values()[row];
-        for (const std::size_t row : disc.rows)
-            f_.in()[f_.in().size() - size() + row] = friction_[row] * normal;
+        for (const std::size_t row : disc.rows) {
+            double& force = f_.in()[f_.in().size() - size() + row] = 0;
+            for (std::size_t n = 0; n < disc.normals.size(); ++n)
+                force += friction_[disc.frictionOf(row, n)] * values()[disc.normals[n]];
+        }
     }
 }
 
@@ -221,11 +335,14 @@ Multipliers::System Multipliers::systemOf(std::span<const std::size_t> rows, Fri
             system.matrix(row, column) += second_[k];
         else if (others[matrix[k].column] != 0)
             system.rest[row] += others[matrix[k].column] * second_[k];
-        if (const double of = friction_.empty() ? 0 : friction_[matrix[k].column]; of != 0)
-            for (const std::size_t normal :
-                 f_.bound()->discs[*f_.bound()->laws[matrix[k].column].disc].normals)
-                if (placeOf[normal] != none)
-                    system.matrix(row, placeOf[normal]) += of * second_[k];
+        const auto& of = f_.bound()->laws[matrix[k].column].disc;
+        if (friction_.empty() || !of)
+            continue;
+        const BoundModel::Disc& disc = f_.bound()->discs[*of];
+        for (std::size_t n = 0; n < disc.normals.size(); ++n)
+            if (const Eigen::Index normal = placeOf[disc.normals[n]]; normal != none)
+                system.matrix(row, normal) +=
+                    friction_[disc.frictionOf(matrix[k].column, n)] * second_[k];
     }
     return system;
 }
@@ -283,7 +400,7 @@ void Multipliers::balance(std::span<const double> y, std::span<double> rates) {
 }
 
 void Multipliers::evaluateGaps() {
-    gaps_.resize(2 * size() + model_.conditions().firstValid.back());
+    gaps_.resize(2 * size() + model_.conditions().firstLever.back());
     f_.evaluate(model_.conditions().gaps, gaps_);
 }
 
@@ -315,8 +432,7 @@ double Multipliers::largestGap() const {
     return largest;
 }
 
-bool Multipliers::factorise(Friction friction) {
-    evaluate(friction);
+bool Multipliers::factorise() {
     return held_.factorise(std::span(second_).first(model_.conditions().matrix.size()), friction_);
 }
 
@@ -325,7 +441,8 @@ bool Multipliers::factoriseMoves() {
     ties_.resize(conditions.ofTies.size());
     if (!ties_.empty())
         f_.evaluate(conditions.ties, ties_);
-    if (!factorise(Friction::none))
+    evaluate(Friction::none);
+    if (!factorise())
         return false;
     evaluateMoves();
     return true;

@@ -79,12 +79,21 @@ public:
     // Below 0: a condition that holds has a rate that no integration errs by. Its point has jumped,
     // as that of a coin does from one end of the rim to the other when it falls flat.
     [[nodiscard]] double steadiness(std::size_t row) const;
-    // Of a disc of friction, once gaps are evaluated: the velocities of its rows, the direction in
-    // which it slips, and how far its force is from its bound.
+    // Of a disc of friction, once gaps are evaluated: the velocities of its rows, and how far its
+    // force is from its bound; the first at the centre of the mode, the second at that of the
+    // multipliers.
     using InDisc = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1>;
-    [[nodiscard]] InDisc slipOf(const BoundModel::Disc& disc) const;
-    [[nodiscard]] InDisc directionOf(std::size_t disc) const;
-    [[nodiscard]] double leewayOf(const BoundModel::Disc& disc) const;
+    [[nodiscard]] InDisc slipOf(std::size_t disc) const { return slipOf(disc, centreIn(disc)); }
+    [[nodiscard]] double leewayOf(std::size_t disc) const;
+    // Of normal forces by multiplier: their centre. Of one of them: the levers of its point.
+    using Centre = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 2, 1>;
+    [[nodiscard]] Centre centreOf(std::size_t disc, std::span<const double> forces) const;
+    [[nodiscard]] Centre centreOf(std::size_t disc) const { return centreOf(disc, values()); }
+    [[nodiscard]] Centre centreIn(std::size_t disc) const; // the mode
+    [[nodiscard]] Centre leversOf(std::size_t disc, std::size_t normal) const;
+    // Another centre, that of these normal forces, turns the friction by more than rounding.
+    [[nodiscard]] bool turns(std::size_t disc, const Centre& from,
+                             std::span<const double> forces) const;
     [[nodiscard]] bool slips(const BoundModel::Disc& disc) const {
         return mode_.kept[disc.rows[0]] == complementarity::State::low;
     }
@@ -108,9 +117,14 @@ private:
         return mode_.kept[row] == complementarity::State::inside;
     }
     void evaluate(Friction friction);
+    [[nodiscard]] InDisc slipOf(std::size_t disc, const Centre& centre) const;
+    [[nodiscard]] InDisc directionOf(std::size_t disc, const Centre& centre) const;
     void findFriction();
-    void putFriction();
-    [[nodiscard]] bool factorise(Friction friction);
+    void putFriction(std::size_t disc, const Centre& centre);
+    void putForcesOfSlip();
+    [[nodiscard]] bool factorise();
+    [[nodiscard]] bool solveOnce();
+    [[nodiscard]] bool turnSlips();
     [[nodiscard]] bool factoriseMoves();
     [[nodiscard]] double bound(std::size_t row) const;
     void addBounds();
@@ -129,7 +143,7 @@ private:
     const Mode& mode_;
     HeldConditions held_;
     std::vector<double> second_, ties_, gaps_, moves_;
-    std::vector<double> friction_; // by row, where discs slip: its force for a normal force of 1
+    std::vector<double> friction_; // where discs slip (BoundModel::Disc::first)
     Eigen::VectorXd rest_, found_; // second rates without the multipliers that hold; by row
     std::vector<std::size_t> apart_, farApart_, contradictory_;
 };

@@ -1,0 +1,56 @@
+// The x with x = f(x), of which f(x) is known for one x after the other.
+//
+// The next x is the one at which f(x) - x would be least if it were linear between the last ones
+// (Anderson, Journal of the ACM 12, 1965).
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <utility>
+
+namespace complementarity {
+
+class FixedPoint {
+public:
+    explicit FixedPoint(Eigen::VectorXd start) : at_(std::move(start)) {}
+
+    [[nodiscard]] const Eigen::VectorXd& at() const { return at_; }
+    // From f(at()).
+    void moveFrom(const Eigen::VectorXd& value) {
+        constexpr Eigen::Index most = 5; // differences that are kept
+        constexpr double longest = 10;   // times the step to f(x)
+        const Eigen::VectorXd step = value - at_;
+        if (lastStep_.size() > 0) {
+            const Eigen::Index room = std::min(most, at_.size());
+            const Eigen::Index count = std::min(room, steps_.cols() + 1);
+            moves_ = joined(moves_, at_ - last_, count);
+            steps_ = joined(steps_, step - lastStep_, count);
+        }
+        last_ = at_;
+        lastStep_ = step;
+        at_ = value;
+        if (steps_.cols() == 0)
+            return;
+        const Eigen::VectorXd parts = steps_.colPivHouseholderQr().solve(step);
+        const Eigen::VectorXd less = (moves_ + steps_) * parts;
+        if (less.norm() < longest * step.norm())
+            at_ -= less;
+    }
+
+private:
+    // The last `count` columns.
+    static Eigen::MatrixXd joined(const Eigen::MatrixXd& columns, const Eigen::VectorXd& more,
+                                  Eigen::Index count) {
+        Eigen::MatrixXd all(more.size(), count);
+        if (count > 1)
+            all.leftCols(count - 1) = columns.rightCols(count - 1);
+        all.col(count - 1) = more;
+        return all;
+    }
+    Eigen::VectorXd at_, last_, lastStep_;
+    Eigen::MatrixXd moves_, steps_; // from x to x, and of f(x) - x
+};
+
+} // namespace complementarity
