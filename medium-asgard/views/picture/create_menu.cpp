@@ -104,9 +104,8 @@ void buildCreateMenu(QMenu* menu, SceneDocument& document, SceneDisplay& display
                      [bodies, &document, &display] { fillBodies(bodies, document, display); });
     fillBodies(bodies, document, display);
     const auto add = [&](QMenu* to, const QString& label, std::function<Recipe()> recipe) {
-        to->addAction(plain::ours(label), &display, [&display, recipe = std::move(recipe)] {
-            display.creating().start(recipe());
-        });
+        to->addAction(plain::ours(label), &display,
+                      [&display, recipe = std::move(recipe)] { display.creating().start(recipe); });
     };
     QMenu* forces = menu->addMenu(QObject::tr("&Force"));
     forces->setObjectName("createForce");

@@ -2,14 +2,12 @@
 
 #include "editing/number_text.h"
 #include "gestures/snapping.h"
-#include "gestures/wireframe.h"
 #include "picture/scene_display.h"
 #include "recipes/recipe_words.h"
 #include "scene/shape_of.h"
 #include "script/numbers.h"
 
 #include <QKeyEvent>
-#include <QPainter>
 #include <QRegularExpression>
 
 #include <algorithm>
@@ -70,11 +68,12 @@ Creating::Creating(SceneDocument& document, SceneDisplay& display)
     : document_(document), display_(display) {
     // A thing that was clicked on may be gone, or another one.
     connect(&document_, &SceneDocument::textChanged, this, [this] {
-        if (!recipe_)
+        if (!active())
             return;
         cancel();
         Q_EMIT refused(tr("The text was changed meanwhile."));
     });
+    connect(&document_, &SceneDocument::workChanged, this, &Creating::stopWaiting);
 }
 
 const Step& Creating::step() const {
@@ -82,11 +81,36 @@ const Step& Creating::step() const {
 }
 
 void Creating::start(Recipe recipe) {
+    start([recipe = std::move(recipe)] { return recipe; });
+}
+
+void Creating::start(std::function<Recipe()> recipe) {
     cancel();
+    waiting_.emplace(Waiting{std::move(recipe), {}});
+    if (document_.isAwaited()) {
+        display_.setFocus();
+        Q_EMIT changed();
+    } else {
+        stopWaiting();
+    }
+}
+
+void Creating::stopWaiting() {
+    if (!waiting_ || document_.isAwaited())
+        return;
+    const Waiting waited = *std::exchange(waiting_, std::nullopt);
     if (!document_.sceneIsCurrent()) {
+        cancel();
         Q_EMIT refused(document_.whyNotCurrent());
         return;
     }
+    begin(waited.recipe());
+    for (const std::unique_ptr<QKeyEvent>& typed : waited.keys)
+        (void)key(*typed);
+}
+
+void Creating::begin(Recipe recipe) {
+    fault_.clear();
     recipe_ = std::move(recipe);
     ghost_ = restingShape(recipe_->ghost);
     if (recipe_->steps.empty())
@@ -120,6 +144,7 @@ void Creating::offerBody() {
 }
 
 void Creating::cancel() {
+    waiting_.reset();
     recipe_.reset();
     shown_.clear();
     next_.reset();
@@ -345,7 +370,7 @@ Indicated Creating::held(const Eigen::Vector2d& pixels) const {
 void Creating::hover(const QPointF& position, bool holdsOff) {
     const QString fault = fault_;
     holdsOff_ = holdsOff;
-    const bool shows = active() && !recipe_->steps.empty() &&
+    const bool shows = recipe_ && !recipe_->steps.empty() &&
                        ((step().wanted == Wanted::hold && !shown_.empty()) || step().snaps);
     if (typed_.isEmpty())
         next_ = shows ? indicated(position) : std::nullopt;
@@ -373,7 +398,9 @@ Indicated Creating::centerOf(std::size_t body) const {
 void Creating::click(const QPointF& position, bool holdsOff) {
     fault_.clear();
     holdsOff_ = holdsOff;
-    if (const auto found = indicated(position))
+    if (waiting_) // what will stand there is not seen yet
+        fault_ = tr("The click came before the scene.");
+    else if (const auto found = indicated(position))
         take(*found);
     Q_EMIT changed();
 }
@@ -443,7 +470,11 @@ bool Creating::isInSight(const Vector& place) const {
 }
 
 bool Creating::key(const QKeyEvent& event) {
-    if (!recipe_)
+    if (waiting_ && event.key() != Qt::Key_Escape) {
+        waiting_->keys.emplace_back(event.clone());
+        return true;
+    }
+    if (!active())
         return false;
     const double stride = event.modifiers() & Qt::ControlModifier ? 2 : 12;
     const auto cross = [&](double x, double y) {
@@ -452,7 +483,7 @@ bool Creating::key(const QKeyEvent& event) {
                          std::clamp(now.y() + y, 0.0, display_.height() - 1.0));
         Q_EMIT changed();
     };
-    if (type(event))
+    if (recipe_ && type(event))
         return true;
     switch (event.key()) {
     case Qt::Key_Escape:
@@ -487,6 +518,9 @@ bool Creating::key(const QKeyEvent& event) {
 }
 
 QString Creating::prompt() const {
+    if (waiting_)
+        return fault_ + (fault_.isEmpty() ? "" : " ") +
+               tr("A moment: the text is being read. Keys that are typed now count then.");
     if (!recipe_ || recipe_->steps.empty())
         return {};
     QString text = tr("%1: %2").arg(recipe_->label, step().prompt);
@@ -495,99 +529,6 @@ QString Creating::prompt() const {
     if (!typed_.isEmpty())
         text = tr("%1: x y z = %2_  Return takes it.").arg(recipe_->label, typed_);
     return fault_.isEmpty() ? text : fault_ + " " + text;
-}
-
-// The thing as it would be, and a ring where it was drawn to another one.
-void Creating::paintGhost(QPainter& painter, const Indicated& next) const {
-    const gestures::Sight sight = display_.sight();
-    painter.setPen(QPen(QColor(20, 90, 200, 170), 1.5));
-    painter.setBrush(Qt::NoBrush);
-    for (const auto& line : gestures::wireframeOf(recipe_->ghost)) {
-        QPolygonF drawn;
-        for (const Vector& point : line)
-            drawn.append(display_.fromPixels(sight.pixels(next.point + next.attitude * point)));
-        painter.drawPolyline(drawn);
-    }
-    painter.setPen(QPen(QColor(20, 90, 200), 2));
-    const QPointF place = display_.fromPixels(sight.pixels(next.point));
-    painter.drawEllipse(place, 2, 2);
-    if (!next.at.empty())
-        painter.drawEllipse(place, 7, 7);
-    painter.setBrush(QColor(255, 255, 255, 200));
-}
-
-void Creating::paintWords(QPainter& painter, const QPointF& place, const QString& words) const {
-    const QRectF box = painter.boundingRect(QRectF(place + QPointF(12, -22), QSizeF(1, 1)),
-                                            Qt::AlignLeft | Qt::TextDontClip, words);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(QColor(255, 255, 255, 200));
-    painter.drawRoundedRect(box.adjusted(-3, -1, 3, 1), 3, 3);
-    painter.setPen(QColor(20, 90, 200));
-    painter.drawText(box, Qt::AlignLeft | Qt::TextDontClip, words);
-    painter.setPen(QPen(QColor(20, 90, 200), 2));
-}
-
-// "0.5 1 0, a corner of b1; 1.12 from the point before"
-QString Creating::wordsOf(const Indicated& next) const {
-    const std::string place = listed(next.point, next.resolution);
-    QString words = QString::fromStdString(place.substr(1, place.size() - 2));
-    if (!next.at.empty())
-        words += ", " + QString::fromStdString(next.at);
-    if (!shown_.empty() && shown_.back().given)
-        words += tr("; %1 from the point before")
-                     .arg(QString::fromStdString(
-                         editing::numberText((next.point - shown_.back().point).norm(),
-                                             editing::decimalStep(next.resolution))));
-    return words;
-}
-
-void Creating::paint(QPainter& painter) const {
-    if (!recipe_)
-        return;
-    const gestures::Sight sight = display_.sight();
-    const auto at = [&](const Indicated& one) {
-        return display_.fromPixels(sight.pixels(one.point));
-    };
-    painter.setPen(QPen(QColor(20, 90, 200), 2));
-    painter.setBrush(QColor(255, 255, 255, 200));
-    for (std::size_t i = 0; i < shown_.size(); ++i) {
-        if (!shown_[i].given || shown_[i].trajectory)
-            continue;
-        if (i > 0 && shown_[i - 1].given)
-            painter.drawLine(at(shown_[i - 1]), at(shown_[i]));
-        painter.drawEllipse(at(shown_[i]), 4, 4);
-    }
-    if (next_ && step().wanted == Wanted::point) {
-        if (!shown_.empty() && shown_.back().given) {
-            painter.setPen(QPen(QColor(20, 90, 200), 2, Qt::DashLine));
-            painter.drawLine(at(shown_.back()), at(*next_));
-        }
-        paintGhost(painter, *next_);
-        paintWords(painter, at(*next_), wordsOf(*next_));
-    } else if (next_) { // as it would be
-        const QPointF place = at(*next_);
-        painter.setPen(QPen(QColor(20, 90, 200), 2, Qt::DashLine));
-        painter.drawLine(at(shown_.front()), place);
-        painter.setPen(QPen(QColor(20, 90, 200), 2));
-        painter.drawEllipse(place, 7, 7);
-        painter.drawEllipse(place, 2, 2);
-        const auto& bodies = document_.shown().scene->bodies;
-        const QString other =
-            next_->body ? QString::fromStdString(bodies[*next_->body].name) : tr("the ground");
-        paintWords(painter, place, other);
-    }
-    if (cross_) {
-        painter.drawLine(*cross_ - QPointF(9, 0), *cross_ + QPointF(9, 0));
-        painter.drawLine(*cross_ - QPointF(0, 9), *cross_ + QPointF(0, 9));
-    }
-    const QRect space = display_.rect().adjusted(12, 10, -12, -10);
-    const QString text = prompt();
-    const QRect needed = painter.boundingRect(space, Qt::AlignLeft | Qt::TextWordWrap, text);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(QColor(20, 90, 200, 230));
-    painter.drawRoundedRect(needed.adjusted(-6, -4, 6, 4), 4, 4);
-    painter.setPen(Qt::white);
-    painter.drawText(space, Qt::AlignLeft | Qt::TextWordWrap, text);
 }
 
 } // namespace views

@@ -7,16 +7,24 @@
 // what the step offers instead. Where a place is asked for, its numbers may be typed. Escape gives
 // up. Until the click the new thing is outlined where it would be, drawn to things and round
 // numbers nearby (gestures/snapping.h) unless Ctrl is held.
+//
+// While a text is being read, a command waits for the scene, and keys wait with it: however slowly
+// a machine reads, what was asked for comes.
 #pragma once
 
 #include "gestures/snapping.h"
 #include "recipes/recipes.h"
 #include "workbench/scene_document.h"
 
+#include <QKeyEvent>
 #include <QObject>
 #include <QPointF>
 
-class QKeyEvent;
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
 class QPainter;
 
 namespace views {
@@ -29,7 +37,8 @@ public:
     Creating(SceneDocument& document, SceneDisplay& display);
 
     void start(Recipe recipe);
-    [[nodiscard]] bool active() const { return recipe_.has_value(); }
+    void start(std::function<Recipe()> recipe); // made of the scene that it is for
+    [[nodiscard]] bool active() const { return recipe_ || waiting_; }
     void cancel();
     void click(const QPointF& position, bool holdsOff = false);
     // Shows what a click there would make. `holdsOff`: things nearby do not draw it to them.
@@ -49,6 +58,13 @@ Q_SIGNALS:
     void told(const QString& answer); // of what makes nothing
 
 private:
+    struct Waiting { // for the scene of the text
+        std::function<Recipe()> recipe;
+        std::vector<std::unique_ptr<QKeyEvent>> keys; // that were typed meanwhile
+    };
+
+    void stopWaiting(); // if the scene is there, or will not come
+    void begin(Recipe recipe);
     [[nodiscard]] const Step& step() const;
     void offerBody();
     [[nodiscard]] std::optional<Indicated> indicated(const QPointF& position);
@@ -58,6 +74,7 @@ private:
     [[nodiscard]] Indicated restingOn(const gestures::Picked& body, Indicated found);
     [[nodiscard]] std::optional<Indicated> typed() const;
     bool type(const QKeyEvent& event);
+    void paintSteps(QPainter& painter) const;
     void paintGhost(QPainter& painter, const Indicated& next) const;
     void paintWords(QPainter& painter, const QPointF& place, const QString& words) const;
     [[nodiscard]] QString wordsOf(const Indicated& next) const;
@@ -72,6 +89,7 @@ private:
 
     SceneDocument& document_;
     SceneDisplay& display_;
+    std::optional<Waiting> waiting_;
     std::optional<Recipe> recipe_;
     gestures::ShapePointer ghost_; // of the recipe; null: it has none that can rest on a body
     std::vector<Indicated> shown_;

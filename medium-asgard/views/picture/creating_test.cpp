@@ -150,13 +150,41 @@ TEST_F(CreatingTest, FromTheFirstMomentEverythingCanBeMade) {
     EXPECT_THAT(other.text(), StartsWith("shape_set cube"));
 }
 
+TEST_F(CreatingTest, ACommandAndItsKeysWaitForAScene) {
+    open("shape_set ball -desc {-sub {-sphere 0.5}}\nbody b1 ball -init_pos {-100 0 0}\n"
+         "body b2 ball -init_pos {100 0 0}\n");
+    made.readsSlowly = true;
+    editor.document().reset();
+    display().creating().start(newBody(BasicShape::sphere));
+    QTest::keyClicks(&display(), "0 1 0");
+    click({0, 0, 0}); // on what is not seen yet
+    EXPECT_THAT(display().creating().prompt().toStdString(), StartsWith("The click came before"));
+    key(Qt::Key_Return);
+    made.readsSlowly = false;
+    done();
+    ASSERT_EQ(scene().bodies.size(), 1U);
+    EXPECT_EQ(scene().bodies[0].initialPosition, Vector(0, 1, 0));
+    display().grab(); // seen as in a scene that was new all the while
+    EXPECT_LT(display().sight().pixelLength({0, 1, 0}), 0.02);
+    made.readsSlowly = true;
+    editor.document().reset();
+    display().creating().start(newBody(BasicShape::sphere));
+    key(Qt::Key_Escape);
+    key(Qt::Key_Return);
+    made.readsSlowly = false;
+    done();
+    EXPECT_EQ(text(), "");
+}
+
 TEST_F(CreatingTest, WhatCannotBeMadeYetSaysWhy) {
     open(balls);
-    editor.document().setText(balls + "\n", "Edit");
-    display().creating().start(newBody("ball"));
-    EXPECT_THAT(display().editing().said().toStdString(), HasSubstr("is being read still"));
     editor.document().setText("body\n", "Edit");
+    display().creating().start(newBody("ball"));
+    EXPECT_THAT(display().creating().prompt().toStdString(), HasSubstr("is being read"));
     done();
+    EXPECT_FALSE(display().creating().active());
+    EXPECT_THAT(display().editing().said().toStdString(), HasSubstr("has errors"));
+    display().editing().say({});
     display().creating().start(newBody("ball"));
     EXPECT_THAT(display().editing().said().toStdString(), HasSubstr("has errors"));
 }

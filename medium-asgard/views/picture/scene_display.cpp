@@ -142,10 +142,15 @@ void SceneDisplay::take() {
     // Once it was seen to be slow; a scene with other bodies is tried again.
     if (of.display.shadows && of.display.samples == 1 && picture_->lasted > smooth)
         asking_.isHeavy = true;
+    const bool isOfThis = of.shown.scene == document_.shown().scene;
+    if (isOfThis)
+        seen_.isPlaced = !of.shown.scene->bodies.empty();
     if (!follows && !frames && !turns)
         return;
-    if (picture_->of.serial == asking_.wished)
+    if (of.serial == asking_.wished)
         seen_.turned = seen_.isDue = false;
+    if (isOfThis && std::exchange(seen_.isToStay, false))
+        seen_.framesItself = seen_.turned = false;
     control_.set(picture_->camera);
     Q_EMIT cameraChanged();
 }
@@ -230,8 +235,9 @@ void SceneDisplay::sceneChanged() {
         followView(QString::fromStdString(views.front().name));
     else if (!seen_.followed.isEmpty() && !known)
         followView({});
-    const bool isAnother = std::exchange(seen_.isAnother, false);
-    seen_.isEdited = !isAnother && picture_ && !picture_->of.shown.scene->bodies.empty();
+    if (std::exchange(seen_.isAnother, false))
+        seen_.isPlaced = false;
+    seen_.isEdited = seen_.isPlaced;
     if (seen_.isEdited && seen_.framesItself)
         keepInSight();
     motionChanged();
@@ -259,7 +265,7 @@ void SceneDisplay::keepInSight() {
 void SceneDisplay::motionChanged() { redraw(asking_.moving || editing_.dragging()); }
 
 void SceneDisplay::movedByUser() {
-    seen_.framesItself = seen_.turned = false;
+    seen_.framesItself = seen_.turned = seen_.isToStay = false;
     if (!seen_.followed.isEmpty())
         followView({});
     Q_EMIT cameraChanged();
@@ -274,6 +280,7 @@ void SceneDisplay::setCamera(const render::Camera& camera) {
 void SceneDisplay::frameAll() {
     followView({});
     seen_.framesItself = seen_.isDue = true;
+    seen_.isToStay = false;
     seen_.framing = display_; // switching handles on later moves nothing
     redraw(false);
 }
@@ -402,6 +409,9 @@ double SceneDisplay::arrowLength(bool couple) {
 
 void SceneDisplay::keepCamera() {
     if ((!seen_.framesItself && !seen_.turned) || !picture_)
+        return;
+    seen_.isToStay = !seen_.isEdited && picture_->of.shown.scene != document_.shown().scene;
+    if (seen_.isToStay) // what is seen is of a scene before
         return;
     seen_.framesItself = seen_.turned = false;
     if (!showsNewest()) // what is on its way may be seen from elsewhere

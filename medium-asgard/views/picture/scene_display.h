@@ -163,6 +163,8 @@ private:
         bool isAnother = false;  // the next scene is one that was opened, no edit
         bool isDue = false;      // the next picture frames all of the motion, edited or not
         bool turned = false;     // framed anew, with the attitude as it is
+        bool isPlaced = false;   // its bodies were seen, since it was opened
+        bool isToStay = false;   // once the scene is framed, the view stays
         render::Display framing; // whose handles it frames, too
         QString followed, last;  // views of the scene
     };

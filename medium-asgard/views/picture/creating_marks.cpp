@@ -1,0 +1,112 @@
+// What is seen of an element that is being made: its ghost, its place in words, what is asked for.
+#include "picture/creating.h"
+
+#include "editing/number_text.h"
+#include "gestures/wireframe.h"
+#include "picture/scene_display.h"
+#include "recipes/recipe_words.h"
+
+#include <QPainter>
+
+namespace views {
+
+// The thing as it would be, and a ring where it was drawn to another one.
+void Creating::paintGhost(QPainter& painter, const Indicated& next) const {
+    const gestures::Sight sight = display_.sight();
+    painter.setPen(QPen(QColor(20, 90, 200, 170), 1.5));
+    painter.setBrush(Qt::NoBrush);
+    for (const auto& line : gestures::wireframeOf(recipe_->ghost)) {
+        QPolygonF drawn;
+        for (const Vector& point : line)
+            drawn.append(display_.fromPixels(sight.pixels(next.point + next.attitude * point)));
+        painter.drawPolyline(drawn);
+    }
+    painter.setPen(QPen(QColor(20, 90, 200), 2));
+    const QPointF place = display_.fromPixels(sight.pixels(next.point));
+    painter.drawEllipse(place, 2, 2);
+    if (!next.at.empty())
+        painter.drawEllipse(place, 7, 7);
+    painter.setBrush(QColor(255, 255, 255, 200));
+}
+
+void Creating::paintWords(QPainter& painter, const QPointF& place, const QString& words) const {
+    const QRectF box = painter.boundingRect(QRectF(place + QPointF(12, -22), QSizeF(1, 1)),
+                                            Qt::AlignLeft | Qt::TextDontClip, words);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(255, 255, 255, 200));
+    painter.drawRoundedRect(box.adjusted(-3, -1, 3, 1), 3, 3);
+    painter.setPen(QColor(20, 90, 200));
+    painter.drawText(box, Qt::AlignLeft | Qt::TextDontClip, words);
+    painter.setPen(QPen(QColor(20, 90, 200), 2));
+}
+
+// "0.5 1 0, a corner of b1; 1.12 from the point before"
+QString Creating::wordsOf(const Indicated& next) const {
+    const std::string place = listed(next.point, next.resolution);
+    QString words = QString::fromStdString(place.substr(1, place.size() - 2));
+    if (!next.at.empty())
+        words += ", " + QString::fromStdString(next.at);
+    if (!shown_.empty() && shown_.back().given)
+        words += tr("; %1 from the point before")
+                     .arg(QString::fromStdString(
+                         editing::numberText((next.point - shown_.back().point).norm(),
+                                             editing::decimalStep(next.resolution))));
+    return words;
+}
+
+void Creating::paint(QPainter& painter) const {
+    if (recipe_)
+        paintSteps(painter);
+    if (!active())
+        return;
+    const QRect space = display_.rect().adjusted(12, 10, -12, -10);
+    const QString text = prompt();
+    const QRect needed = painter.boundingRect(space, Qt::AlignLeft | Qt::TextWordWrap, text);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(20, 90, 200, 230));
+    painter.drawRoundedRect(needed.adjusted(-6, -4, 6, 4), 4, 4);
+    painter.setPen(Qt::white);
+    painter.drawText(space, Qt::AlignLeft | Qt::TextWordWrap, text);
+}
+
+// What was shown, and what the next click would show.
+void Creating::paintSteps(QPainter& painter) const {
+    const gestures::Sight sight = display_.sight();
+    const auto at = [&](const Indicated& one) {
+        return display_.fromPixels(sight.pixels(one.point));
+    };
+    painter.setPen(QPen(QColor(20, 90, 200), 2));
+    painter.setBrush(QColor(255, 255, 255, 200));
+    for (std::size_t i = 0; i < shown_.size(); ++i) {
+        if (!shown_[i].given || shown_[i].trajectory)
+            continue;
+        if (i > 0 && shown_[i - 1].given)
+            painter.drawLine(at(shown_[i - 1]), at(shown_[i]));
+        painter.drawEllipse(at(shown_[i]), 4, 4);
+    }
+    if (next_ && step().wanted == Wanted::point) {
+        if (!shown_.empty() && shown_.back().given) {
+            painter.setPen(QPen(QColor(20, 90, 200), 2, Qt::DashLine));
+            painter.drawLine(at(shown_.back()), at(*next_));
+        }
+        paintGhost(painter, *next_);
+        paintWords(painter, at(*next_), wordsOf(*next_));
+    } else if (next_) { // as it would be
+        const QPointF place = at(*next_);
+        painter.setPen(QPen(QColor(20, 90, 200), 2, Qt::DashLine));
+        painter.drawLine(at(shown_.front()), place);
+        painter.setPen(QPen(QColor(20, 90, 200), 2));
+        painter.drawEllipse(place, 7, 7);
+        painter.drawEllipse(place, 2, 2);
+        const auto& bodies = document_.shown().scene->bodies;
+        const QString other =
+            next_->body ? QString::fromStdString(bodies[*next_->body].name) : tr("the ground");
+        paintWords(painter, place, other);
+    }
+    if (cross_) {
+        painter.drawLine(*cross_ - QPointF(9, 0), *cross_ + QPointF(9, 0));
+        painter.drawLine(*cross_ - QPointF(0, 9), *cross_ + QPointF(0, 9));
+    }
+}
+
+} // namespace views
