@@ -15,16 +15,20 @@
 #include <QScreen>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace views {
 
 namespace {
 
-constexpr QSize card(200, 150); // of a picture, in points
+constexpr QSize card(200, 150);    // of a picture, in points, the least
+constexpr QSize largest(300, 225); // where few stand in a row
+constexpr int gap = 14;            // between them
 constexpr int edge = 24;
 
 // Until a picture is drawn, and where none can be.
 QPixmap emptyCard(const QPalette& palette, qreal ratio) {
-    QPixmap pixmap(card * ratio);
+    QPixmap pixmap(largest * ratio);
     pixmap.setDevicePixelRatio(ratio);
     pixmap.fill(palette.color(QPalette::AlternateBase));
     return pixmap;
@@ -59,7 +63,8 @@ FirstPage::FirstPage(QList<Sample> samples, const QStringList& recent, SamplePic
     if (pictures) {
         connect(pictures, &SamplePictures::drawn, this, &FirstPage::showPicture);
         // Sharp on a fine screen, too, and on the paper of the list.
-        pictures->ask(samples_, card * 2, list_->palette().color(QPalette::Base));
+        pictures->ask(samples_, largest * devicePixelRatioF(),
+                      list_->palette().color(QPalette::Base));
     }
     addAction(tr("Close"), QKeySequence(Qt::CTRL | Qt::Key_W), this, &QWidget::close);
     addAction(tr("Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), this, &FirstPage::quitWanted);
@@ -159,10 +164,11 @@ QWidget* FirstPage::buildSamples() {
     list_->setMovement(QListView::Static);
     list_->setResizeMode(QListView::Adjust);
     list_->setUniformItemSizes(true);
-    list_->setSpacing(8);
-    list_->setIconSize(card);
     list_->setFrameShape(QFrame::NoFrame);
     list_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    list_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // cards do not come and go with it
+    list_->viewport()->installEventFilter(this);
+    fitCards();
     column->addWidget(list_, 1);
     about_ = plain::label();
     about_->setObjectName("about");
@@ -205,6 +211,22 @@ void FirstPage::showGroup(const QString& group) {
         const Sample* sample = sampleOf(*list_->item(i));
         list_->setRowHidden(i, sample && !group.isEmpty() && sample->group != group);
     }
+}
+
+// As many in a row as fit, as large as they fill it.
+void FirstPage::fitCards() {
+    const int width = list_->viewport()->width();
+    const int columns = std::max(1, (width - 1) / (card.width() + gap));
+    const int cell = std::max(card.width() + gap, (width - 1) / columns);
+    const QSize icon = card.scaled(QSize(cell - gap, largest.height()), Qt::KeepAspectRatio);
+    list_->setIconSize(icon);
+    list_->setGridSize(QSize(cell, icon.height() + list_->fontMetrics().height() + 2 * gap));
+}
+
+bool FirstPage::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Resize && watched == list_->viewport())
+        fitCards();
+    return QMainWindow::eventFilter(watched, event);
 }
 
 void FirstPage::keyPressEvent(QKeyEvent* event) {

@@ -31,6 +31,7 @@ Q_SIGNALS:
 protected:
     void keyPressEvent(QKeyEvent* event) override; // Escape closes
     void changeEvent(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     QWidget* buildLeft(const QStringList& recent);
@@ -39,6 +40,7 @@ private:
     void showGroup(const QString& group);
     void showPicture(const Sample& sample, const QImage& image);
     void colourCards();
+    void fitCards();
     [[nodiscard]] const Sample* sampleOf(const QListWidgetItem& item) const;
 
     QList<Sample> samples_;

@@ -56,6 +56,29 @@ protected:
     QTemporaryDir folder;
 };
 
+TEST_F(StartTest, CardsFillTheRowsAtEachWidth) {
+    QList<Sample> many;
+    for (int i = 0; i < 12; ++i)
+        many += samples();
+    FirstPage page(many, {}, nullptr);
+    page.show();
+    const auto* list = page.findChild<QListWidget*>("samples");
+    for (int width = 700; width <= 1500; width += 67) {
+        page.resize(width, 700);
+        QCoreApplication::processEvents();
+        int right = 0, columns = 0;
+        for (int i = 0; i < list->count(); ++i) {
+            const QRect place = list->visualItemRect(list->item(i));
+            right = std::max(right, place.right());
+            columns += place.top() == list->visualItemRect(list->item(0)).top() ? 1 : 0;
+        }
+        const int room = list->viewport()->width();
+        EXPECT_LE(right, room) << width;
+        EXPECT_LT(room - right, 40) << width << ": " << columns;
+        EXPECT_EQ(columns, std::max(1, (room - 1) / 214)) << width;
+    }
+}
+
 TEST_F(StartTest, SamplesAreThoseOfTheManifestWhoseFilesAreThere) {
     write("a.al", "# a\n");
     const QString manifest = write("m.json", R"({"samples": [
