@@ -52,10 +52,8 @@ std::optional<gestures::Hand::Key> handKey(int key) {
 PictureEditing::PictureEditing(SceneDocument& document, SceneDisplay& display)
     : document_(document), display_(display) {
     connect(&document_, &SceneDocument::selectionChanged, this, &PictureEditing::followSelection);
-    connect(&document_, &SceneDocument::textChanged, this, [this] {
-        if (saidFault_) // it was about the text before
-            say({});
-    });
+    // It was about the text before.
+    connect(&document_, &SceneDocument::textChanged, this, [this] { say({}); });
     connect(&document_, &SceneDocument::opened, this, [this] { say({}); });
     connect(&document_, &SceneDocument::sceneChanged, this, [this] {
         if (!expected_.empty())

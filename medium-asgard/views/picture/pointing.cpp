@@ -32,6 +32,12 @@ void Pointing::leave() {
     look();
 }
 
+// While the motion plays this comes more often than the pointer would have to rest.
+void Pointing::follow() {
+    if (!rest_.isActive())
+        rest_.start();
+}
+
 void Pointing::setKeys(Qt::KeyboardModifiers keys) {
     keys_ = keys;
     showCursor();
@@ -42,7 +48,7 @@ void Pointing::look() {
     const auto before = std::pair(subject_, words_);
     const bool wasBody = body_ || path_;
     handle_.reset();
-    body_ = path_ = isSelected_ = false;
+    body_ = path_ = isSelected_ = isThrown_ = false;
     subject_.clear();
     words_.clear();
     const render::HandleSet& set = display_.knownHandles();
@@ -76,6 +82,7 @@ void Pointing::rest() {
     if (const auto picked = gestures::bodyAt(drawing, display_.sight(), pixels)) {
         body_ = true;
         isSelected_ = display_.selecting().selectedBodyAt(*position_).has_value();
+        isThrown_ = display_.throwing().takesAtOnce(picked->body);
         subject_ = QString::fromStdString(drawing.scene->bodies[picked->body].name);
     } else if (drawing.display.trajectories) {
         const auto path =
@@ -94,7 +101,7 @@ void Pointing::showCursor() {
     const bool shifted = keys_ & Qt::ShiftModifier;
     if (display_.creating().active())
         display_.setCursor(Qt::CrossCursor);
-    else if ((shifted && (handle_ || body_)) || isSelected_)
+    else if ((shifted && (handle_ || body_)) || isSelected_ || isThrown_)
         display_.setCursor(Qt::SizeAllCursor);
     else if (handle_ || (position_ && display_.gizmo().at(*position_)) ||
              (position_ && !display_.triadEndAt(*position_).isEmpty()))
@@ -137,9 +144,11 @@ QString Pointing::hint() const {
             .arg(subject_, menu);
     const bool isLater =
         document_.shown().motion && display_.time() > document_.shown().motion->start();
+    if (isThrown_)
+        return tr("Drag throws %1  ·  Shift-drag changes its start  ·  %2").arg(subject_, menu);
     if (isSelected_ && isLater)
-        return tr("Drag puts %1 elsewhere from this moment on, and throws it while the motion "
-                  "plays  ·  Shift-drag changes its start  ·  %2")
+        return tr("Drag puts %1 elsewhere from this moment on  ·  Shift-drag changes its start  ·  "
+                  "%2")
             .arg(subject_, menu);
     if (handle_)
         return tr("Shift-drag changes %1  ·  double click: exact value  ·  %2").arg(subject_, menu);

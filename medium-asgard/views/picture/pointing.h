@@ -26,7 +26,7 @@ public:
 
     void moveTo(const QPointF& position, Qt::KeyboardModifiers keys);
     void leave();
-    void follow() { rest_.start(); } // something else may be where the pointer is
+    void follow(); // something else may be where the pointer is
     void setKeys(Qt::KeyboardModifiers keys);
     // One sentence for the window's foot.
     [[nodiscard]] QString hint() const;
@@ -54,6 +54,7 @@ private:
     QString words_;
     bool body_ = false, path_ = false;
     bool isSelected_ = false; // the body
+    bool isThrown_ = false;   // a drag takes it while the motion plays
     QTimer rest_;             // bodies are looked for when the pointer stays
 };
 

@@ -1,4 +1,5 @@
 // What pointing says, at the window's foot and in the picture.
+#include "frame/hint_line.h"
 #include "viewers/editor.h"
 #include "views/test_workshop.h"
 
@@ -91,6 +92,50 @@ TEST_F(PointingTest, AnUnshiftedDragThatBeganOnAHandleSaysWhatWouldMoveIt) {
     EXPECT_EQ(editor.document().text(), thrown);
     QTest::mouseClick(&display(), Qt::LeftButton, {}, empty);
     EXPECT_EQ(display().editing().said(), "");
+}
+
+TEST_F(PointingTest, OfTheLineWholePartsAreSeenAndTheTipHasAll) {
+    HintLine line;
+    const QString first = "Drag moves it", second = "right button: menu";
+    line.say(first + "  ·  " + second);
+    const auto width = [&](const QString& text) {
+        return line.fontMetrics().horizontalAdvance(text);
+    };
+    line.resize(width(line.text() + first + second), 20);
+    line.show();
+    EXPECT_EQ(line.text(), first + "  ·  " + second);
+    EXPECT_EQ(line.toolTip(), "");
+    line.resize(width(first + "  ·  " + second) - 2, 20);
+    QCoreApplication::processEvents();
+    EXPECT_EQ(line.text(), first + "  ·  …");
+    EXPECT_THAT(line.toolTip().toStdString(), HasSubstr("right button: menu"));
+    line.resize(width(first) - 2, 20);
+    QCoreApplication::processEvents();
+    EXPECT_THAT(line.text().toStdString(), testing::EndsWith("…"));
+    EXPECT_TRUE(first.startsWith(line.text().chopped(1)));
+}
+
+TEST_F(PointingTest, WhileTheMotionPlaysTheLineSaysWhatADragThrows) {
+    std::string slow = thrown;
+    slow.replace(slow.find("{3 0 0}"), 7, "{0.1 0 0}");
+    editor.document().setText(slow, "Edit");
+    ASSERT_TRUE(settle(editor.document()));
+    display().editing().say("about this text", false);
+    viewer->playback().play();
+    ASSERT_TRUE(waitFor([&] { return display().time() > 0.05; }));
+    EXPECT_TRUE(waitFor([&] {
+        const render::Drawing drawing = display().drawing();
+        const Vector place = drawing.motion->at(0, drawing.time).position + Vector(0, 0.3, 0);
+        pointAt(display().fromPixels(display().sight().pixels(place)).toPoint());
+        for (int i = 0; i < 30; ++i) { // the pointer rests, the time goes on
+            QCoreApplication::processEvents();
+            QThread::msleep(5);
+        }
+        return hint().find("Drag throws ball") != std::string::npos;
+    })) << hint();
+    viewer->playback().stop();
+    editor.document().setText(editor.document().text() + "\n", "Edit");
+    EXPECT_EQ(display().editing().said(), ""); // it was about the text before
 }
 
 TEST_F(PointingTest, WhatIsNoLongerThereIsNotNamed) {

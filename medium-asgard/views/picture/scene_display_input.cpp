@@ -76,7 +76,11 @@ bool SceneDisplay::beginDrag(QMouseEvent& event) {
     if (!isPlain)
         return false;
     const auto arrow = gizmo_.at(press_.at);
-    const auto body = arrow ? std::optional(arrow->body) : selecting_.selectedBodyAt(press_.at);
+    auto body = arrow ? std::optional(arrow->body) : selecting_.selectedBodyAt(press_.at);
+    if (!body)
+        if (const auto one = gestures::bodyAt(drawing(), sight(), inPixels(press_.at));
+            one && throwing_.takesAtOnce(one->body))
+            body = one->body;
     if (!body)
         return false;
     if (arrow && arrow->isRing) {

@@ -51,11 +51,21 @@ Vector Throwing::under(const QPointF& position) const {
     return display_.sight().across(display_.inPixels(position), held_->pose.position);
 }
 
+bool Throwing::isOnItsWay(std::size_t body) const {
+    const Shown& shown = document_.shown();
+    return shown.motion && display_.time() > shown.motion->start() &&
+           !shown.scene->bodies[body].fixed && document_.sceneIsCurrent() &&
+           !document_.motionIsStale();
+}
+
+bool Throwing::takesAtOnce(std::size_t body) const {
+    const scene::Scene& scene = *document_.shown().scene;
+    return plays_ && isOnItsWay(body) && holderOf(scene, scene.bodies[body].name).isEmpty();
+}
+
 bool Throwing::press(std::size_t body, const QPointF& position) {
     const Shown& shown = document_.shown();
-    const double start = shown.motion ? shown.motion->start() : shown.scene->simulator.start;
-    if (!shown.motion || display_.time() <= start || shown.scene->bodies[body].fixed ||
-        !document_.sceneIsCurrent() || document_.motionIsStale())
+    if (!isOnItsWay(body))
         return false;
     const std::string& name = shown.scene->bodies[body].name;
     if (const QString holder = holderOf(*shown.scene, name); !holder.isEmpty()) {

@@ -28,6 +28,9 @@ public:
     // False: it is the start, where a drag changes initial values, or nothing can be changed. What
     // is held by something else is not taken, and the picture says why.
     bool press(std::size_t body, const QPointF& position);
+    // While the motion plays any body is taken that nothing holds, selected or not.
+    void setPlays(bool plays) { plays_ = plays; }
+    [[nodiscard]] bool takesAtOnce(std::size_t body) const;
     bool move(const QMouseEvent& event);    // false: nothing is held
     bool release(const QMouseEvent& event); // false: nothing is held
     bool cancel();                          // false: nothing is held
@@ -44,6 +47,7 @@ Q_SIGNALS:
     void letGo(bool isChanged); // the text has the moment as its start
 
 private:
+    [[nodiscard]] bool isOnItsWay(std::size_t body) const; // and can be changed there
     struct Moment {
         double seconds; // of the hand's clock
         geometry::Vector place;
@@ -63,6 +67,7 @@ private:
     SceneDisplay& display_;
     std::optional<Held> held_;
     std::optional<double> rate_;
+    bool plays_ = false;
 };
 
 } // namespace views

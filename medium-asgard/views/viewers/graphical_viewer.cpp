@@ -1,6 +1,7 @@
 #include "viewers/graphical_viewer.h"
 
 #include "frame/help_page.h"
+#include "frame/hint_line.h"
 #include "frame/icons.h"
 #include "frame/typed_field.h"
 #include "gestures/new_point.h"
@@ -133,10 +134,8 @@ void GraphicalViewer::buildPicture(std::shared_ptr<PictureThread> pictures) {
     column->addLayout(times);
     for (QWidget* one : std::initializer_list<QWidget*>{controls_, timeBar_, timeStrip_})
         setHelp(*one, QStringLiteral("Time"));
-    hint_ = plain::label();
+    hint_ = new HintLine;
     hint_->setObjectName("hint");
-    hint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // what does not fit is cut
-    hint_->setForegroundRole(QPalette::PlaceholderText);
     hint_->setAccessibleName(tr("What the buttons do here"));
     column->addWidget(hint_);
     setCentralWidget(whole);
@@ -289,6 +288,7 @@ void GraphicalViewer::connectParts() {
     });
     connect(&playback_, &Playback::stateChanged, this, [this] {
         updateState();
+        display_->throwing().setPlays(playback_.isPlaying());
         if (!std::exchange(wasPlaying_, playback_.isPlaying()) && wasPlaying_)
             beginPlaying();
     });
@@ -340,15 +340,7 @@ void GraphicalViewer::toggleFullScreen() { setWindowState(windowState() ^ Qt::Wi
 
 void GraphicalViewer::tell(const QString& sentence) { told_->tell(sentence); }
 
-void GraphicalViewer::showHint() {
-    hint_->setText(hint_->fontMetrics().elidedText(display_->pointing().hint(), Qt::ElideRight,
-                                                   hint_->width()));
-}
-
-void GraphicalViewer::resizeEvent(QResizeEvent* event) {
-    QMainWindow::resizeEvent(event);
-    showHint();
-}
+void GraphicalViewer::showHint() { hint_->say(display_->pointing().hint()); }
 
 // An element that is being created is given up first, wherever the keyboard is; nothing stays
 // selected.

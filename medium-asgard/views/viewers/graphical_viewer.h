@@ -14,12 +14,12 @@
 
 #include <QMainWindow>
 
-class QLabel;
 class QVBoxLayout;
 
 namespace views {
 
 class ElementCommands;
+class HintLine;
 class LanguageViewer;
 class ParametersPanel;
 class TimeControls;
@@ -48,7 +48,6 @@ public:
 protected:
     void closeEvent(QCloseEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
-    void resizeEvent(QResizeEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
@@ -96,7 +95,7 @@ private:
     TimeBar* timeBar_;
     TimeStrip* timeStrip_;
     TimeControls* controls_;
-    QLabel* hint_ = nullptr;
+    HintLine* hint_ = nullptr;
     Panes panes_;
     QMenu *viewsMenu_ = nullptr, *textMenu_ = nullptr;
     UndoActions undo_{};

@@ -1,0 +1,26 @@
+// One line of what the buttons do, the most important first: parts with "  ·  " between them.
+//
+// Parts that do not fit are left out whole, which a sign tells, and the tip has all of them; only
+// of a first part that is too long itself the end is cut.
+#pragma once
+
+#include <QLabel>
+
+namespace views {
+
+class HintLine : public QLabel {
+    Q_OBJECT
+public:
+    explicit HintLine(QWidget* parent = nullptr);
+
+    void say(const QString& parts);
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void fit();
+    QString all_;
+};
+
+} // namespace views
