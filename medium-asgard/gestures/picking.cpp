@@ -47,6 +47,24 @@ Line lineOfSight(const Sight& sight, const Eigen::Vector2d& pixels) {
     return {near, (render::toWorld(sight.camera, sight.size, pixels, 0) - near).normalized()};
 }
 
+std::optional<Vector> onGround(const Sight& sight, const Eigen::Vector2d& pixels, const Vector& up,
+                               double height) {
+    constexpr double level = 0.1;   // radians: a picture from the side is a plane to build in
+    constexpr double smaller = 4.0; // than in the middle of the picture
+    const Vector toViewer = sight.camera.rotation.conjugate() * Vector::UnitZ();
+    if (toViewer.dot(up) < level)
+        return std::nullopt;
+    const Line line = lineOfSight(sight, pixels);
+    const double falls = -line.direction.dot(up);
+    const double above = line.from.dot(up) - height;
+    if (falls <= 0 || above <= 0)
+        return std::nullopt;
+    const Vector place = line.from + line.direction * (above / falls);
+    if (sight.pixelLength(place) > smaller * sight.pixelLength(sight.camera.center))
+        return std::nullopt;
+    return place;
+}
+
 std::optional<std::size_t> handleAt(const render::HandleSet& set, const Sight& sight,
                                     const Eigen::Vector2d& pixels, double reach) {
     std::optional<std::size_t> nearest;

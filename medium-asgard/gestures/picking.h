@@ -36,6 +36,10 @@ struct Line { // from the eye
     Vector from, direction;
 };
 [[nodiscard]] Line lineOfSight(const Sight& sight, const Eigen::Vector2d& pixels);
+// The place that is meant on a level plane, up . x = height: seen from above, and no further away
+// than things that are a quarter as large there. None: seen from the side, or the sky.
+[[nodiscard]] std::optional<Vector> onGround(const Sight& sight, const Eigen::Vector2d& pixels,
+                                             const Vector& up, double height);
 
 // The handle nearest to the pixels within `reach` of them; of two in one place the smaller, which
 // is drawn on top. Those that cannot be moved are not taken.

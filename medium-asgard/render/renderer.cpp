@@ -27,6 +27,43 @@ namespace render {
 
 using Projection = std::array<float, 16>;
 
+namespace {
+
+bool sameOutlines(const std::vector<scene::Body>& a, const std::vector<scene::Body>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
+        return x.shape == y.shape && x.initialPosition == y.initialPosition &&
+               x.initialAttitude.coeffs() == y.initialAttitude.coeffs() && x.fixed == y.fixed;
+    });
+}
+
+// The extent of the motion that was drawn last: made anew for another motion, or where bodies or
+// what holds them stand elsewhere.
+class KeptExtent {
+public:
+    void follow(const Drawing& drawing) {
+        std::vector<Vector> anchors = anchorsOf(*drawing.scene, drawing.motion.get());
+        std::ranges::copy(jointAnchorsOf(*drawing.scene, drawing.motion.get()),
+                          std::back_inserter(anchors));
+        std::ranges::copy(ropeAnchorsOf(*drawing.scene), std::back_inserter(anchors));
+        if (motion_.lock() == drawing.motion && anchors_ == anchors &&
+            sameOutlines(bodies_, drawing.scene->bodies))
+            return;
+        extent_ = extentOf(*drawing.scene, drawing.motion.get());
+        motion_ = drawing.motion;
+        bodies_ = drawing.scene->bodies;
+        anchors_ = std::move(anchors);
+    }
+    [[nodiscard]] const Extent& extent() const { return extent_; }
+
+private:
+    std::weak_ptr<const simulation::Motion> motion_;
+    std::vector<scene::Body> bodies_;
+    std::vector<Vector> anchors_; // of springs, joints and ropes in the world
+    Extent extent_;
+};
+
+} // namespace
+
 struct Renderer::Implementation {
     std::unique_ptr<Context> context;
     Gl gl;
@@ -41,12 +78,8 @@ struct Renderer::Implementation {
     Trails trails;
     Coils coils;
     ContactForces contactForces;
-
-    // The extent of the motion that was drawn last.
-    std::weak_ptr<const simulation::Motion> extentOfMotion;
-    std::vector<scene::Body> extentOfBodies;
-    std::vector<Vector> extentOfAnchors; // of springs, joints and ropes in the world
-    Extent extent;
+    KeptExtent kept;
+    std::optional<GroundPlane> ground; // of the last picture
 
     ~Implementation() {
         if (context && context->makeCurrent()) {
@@ -76,13 +109,6 @@ struct Renderer::Implementation {
 };
 
 namespace {
-
-bool sameOutlines(const std::vector<scene::Body>& a, const std::vector<scene::Body>& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
-        return x.shape == y.shape && x.initialPosition == y.initialPosition &&
-               x.initialAttitude.coeffs() == y.initialAttitude.coeffs() && x.fixed == y.fixed;
-    });
-}
 
 // View z of what is nearest to the eye and of what is furthest away: all solids and the scene.
 std::pair<double, double> depthRange(std::span<const Solid> solids, const Extent& extent,
@@ -128,20 +154,9 @@ std::string Renderer::Implementation::build() {
 }
 
 void Renderer::Implementation::follow(const Drawing& drawing) {
-    std::vector<Vector> anchors = anchorsOf(*drawing.scene, drawing.motion.get());
-    std::ranges::copy(jointAnchorsOf(*drawing.scene, drawing.motion.get()),
-                      std::back_inserter(anchors));
-    std::ranges::copy(ropeAnchorsOf(*drawing.scene), std::back_inserter(anchors));
-    const bool same = extentOfMotion.lock() == drawing.motion && extentOfAnchors == anchors &&
-                      sameOutlines(extentOfBodies, drawing.scene->bodies);
-    if (!same) {
-        extent = extentOf(*drawing.scene, drawing.motion.get());
-        extentOfMotion = drawing.motion;
-        extentOfBodies = drawing.scene->bodies;
-        extentOfAnchors = std::move(anchors);
-    }
+    kept.follow(drawing);
     if (drawing.display.trails)
-        trails.follow(drawing, extent);
+        trails.follow(drawing, kept.extent());
 }
 
 void Renderer::Implementation::clear(const Drawing& drawing, const Frame& frame) {
@@ -154,7 +169,7 @@ void Renderer::Implementation::clear(const Drawing& drawing, const Frame& frame)
         return;
     }
     gl.Clear(GL_DEPTH_BUFFER_BIT);
-    backdrop->show(frame, frame.directionInView(extent.ground), isDark(c));
+    backdrop->show(frame, frame.directionInView(kept.extent().ground), isDark(c));
 }
 
 // Of a picture that moves, drawn in software, one sample is taken from a small map.
@@ -183,7 +198,7 @@ std::optional<LightSight> Renderer::Implementation::mapShadows(const Drawing& dr
 void Renderer::Implementation::paintJoints(const Drawing& drawing, const Frame& frame,
                                            const Projection& projection) {
     lines->begin(frame, projection);
-    const JointSigns signs = jointSignsOf(drawing, extent, frame);
+    const JointSigns signs = jointSignsOf(drawing, kept.extent(), frame);
     const scene::Color &ink = jointColor, &paper = drawing.display.background;
     gl.Clear(GL_DEPTH_BUFFER_BIT);
     gl.DepthMask(GL_FALSE);
@@ -258,6 +273,7 @@ void Renderer::Implementation::paintMarks(const Drawing& drawing, const Frame& f
 
 bool Renderer::Implementation::paint(const Drawing& drawing, const Frame& frame) {
     const Display& display = drawing.display;
+    const Extent& extent = kept.extent();
     const std::vector<Solid> all = solidsOf(drawing, extent, frame);
     const auto firstTransparent =
         std::find_if(all.begin(), all.end(), [](const Solid& s) { return s.alpha < 1; });
@@ -292,12 +308,14 @@ bool Renderer::Implementation::paint(const Drawing& drawing, const Frame& frame)
     }
     gl.Enable(GL_BLEND);
     gl.DepthMask(GL_FALSE);
+    ground.reset();
     if (display.grid) {
-        const Ground ground = groundOf(all, extent, frame, *solids);
-        if (sight && !ground.isFloor)
-            groundShadow->show(ground.plane, shadowing, *sight, frame, projection.data(),
+        const Ground below = groundOf(all, extent, frame, *solids);
+        ground = below.plane;
+        if (sight && !below.isFloor)
+            groundShadow->show(below.plane, shadowing, *sight, frame, projection.data(),
                                isDark(display.background) ? 0.45F : 0.28F);
-        addGrid(*lines, ground.plane, extent, frame, display, ground.isFloor ? 0.7 : 1);
+        addGrid(*lines, below.plane, extent, frame, display, below.isFloor ? 0.7 : 1);
         lines->draw(lift);
     }
     if (!display.wireframe)
@@ -369,6 +387,8 @@ bool Renderer::draw(const Drawing& drawing, const Image& into) {
     my.target->read(into);
     return gl.GetError() == GL_NO_ERROR;
 }
+
+const std::optional<GroundPlane>& Renderer::ground() const { return implementation_->ground; }
 
 int Renderer::maximumSamples() const {
     GLint most = 1;

@@ -5,8 +5,10 @@
 #pragma once
 
 #include "drawing/drawing.h"
+#include "surroundings/grid.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -21,6 +23,8 @@ public:
 
     // Draws and reads back. False when the context was lost; then make a new renderer.
     [[nodiscard]] bool draw(const Drawing& drawing, const Image& into);
+    // Where the grid of the last picture lies; none: it has none.
+    [[nodiscard]] const std::optional<GroundPlane>& ground() const;
 
     [[nodiscard]] int maximumSamples() const;
     [[nodiscard]] int maximumSize() const;

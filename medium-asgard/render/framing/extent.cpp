@@ -305,11 +305,14 @@ Extent directionsOf(const scene::Scene& scene) {
 
 // The parts of an extent that follow from its balls.
 void settle(Extent& extent) {
-    if (extent.box.isEmpty())
+    const bool isEmpty = extent.box.isEmpty();
+    if (isEmpty)
         keep(extent, {Vector::Zero(), 1});
     extent.size = std::max(extent.box.sizes().maxCoeff(), 1e-9);
     extent.lowest = extent.box.center().dot(extent.ground) -
                     extent.box.sizes().dot(extent.ground.cwiseAbs()) / 2;
+    if (isEmpty) // where a first body stands
+        extent.lowest = 0;
 }
 
 double lowestOfFixed(const scene::Scene& scene, const Survey& survey, const Extent& extent) {

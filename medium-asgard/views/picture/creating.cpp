@@ -209,6 +209,9 @@ Indicated Creating::pointAt(const Eigen::Vector2d& pixels) {
         step().surface || rests ? gestures::bodyAt(drawing, sight, pixels) : std::nullopt;
     if (surface && rests)
         return restingOn(*surface, std::move(found));
+    if (rests)
+        if (const auto on = onGrid(pixels, found))
+            return *on;
     if (surface)
         found.point = surface->point;
     if (!step().snaps || holdsOff_)
@@ -243,6 +246,30 @@ Vector Creating::depth() const {
     return depth;
 }
 
+// It stands on the grid that is seen there, at round numbers, or where a thing on it draws it.
+std::optional<Indicated> Creating::onGrid(const Eigen::Vector2d& pixels, Indicated found) {
+    const auto ground = display_.ground();
+    const gestures::Sight sight = display_.sight();
+    const auto place =
+        ground ? gestures::onGround(sight, pixels, ground->up, ground->height) : std::nullopt;
+    if (!place)
+        return std::nullopt;
+    found.resolution = sight.pixelLength(*place);
+    const gestures::Snapped meant = snapping().at(*place);
+    found.point = meant.place;
+    found.point += (ground->height - meant.place.dot(ground->up)) * ground->up;
+    found.at = meant.isExact ? meant.to : tr("on the grid").toStdString();
+    found.point += heightOf(ground->up, found.attitude) * ground->up;
+    found.resolution *= 1e-3; // so that it touches
+    return found;
+}
+
+// The way from its lowest point to its origin, upwards, where it is turned so.
+double Creating::heightOf(const Vector& up, const geometry::Quaternion& attitude) const {
+    const geometry::Quaternion level = geometry::Quaternion::FromTwoVectors(up, Vector::UnitY());
+    return -geometry::bounds(*ghost_, {Vector::Zero(), level * attitude}).min().y();
+}
+
 // It touches the surface there, and is turned as the body below it where that is a slope.
 Indicated Creating::restingOn(const gestures::Picked& picked, Indicated found) {
     const render::Drawing drawing = display_.drawing();
@@ -260,10 +287,7 @@ Indicated Creating::restingOn(const gestures::Picked& picked, Indicated found) {
     } else if (isLevel) {
         place = besideMiddle(place, up, pose.position, found.resolution);
     }
-    const geometry::Quaternion level = geometry::Quaternion::FromTwoVectors(up, Vector::UnitY());
-    const double below =
-        -geometry::bounds(*ghost_, {Vector::Zero(), level * found.attitude}).min().y();
-    found.point = place + below * up;
+    found.point = place + heightOf(up, found.attitude) * up;
     found.resolution *= 1e-3; // so that it touches
     if (!isLevel) {           // and a little more: a gap of rounding would be a fall
         found.resolution = 1e-9;

@@ -71,6 +71,8 @@ private:
     [[nodiscard]] Indicated pointAt(const Eigen::Vector2d& pixels);
     [[nodiscard]] const gestures::Snapping& snapping();
     [[nodiscard]] Vector depth() const; // of a place that is asked for
+    [[nodiscard]] std::optional<Indicated> onGrid(const Eigen::Vector2d& pixels, Indicated found);
+    [[nodiscard]] double heightOf(const Vector& up, const geometry::Quaternion& attitude) const;
     [[nodiscard]] Indicated restingOn(const gestures::Picked& body, Indicated found);
     [[nodiscard]] std::optional<Indicated> typed() const;
     bool type(const QKeyEvent& event);

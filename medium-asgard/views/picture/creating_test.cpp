@@ -50,6 +50,38 @@ TEST_F(CreatingTest, ABodyRestsOnTheFaceThatIsClicked) {
     EXPECT_EQ(scene().bodies[2].initialPosition, Vector(0.7, 1.5, 0));
 }
 
+// In a view from above; from the side one builds in the plane of the picture.
+TEST_F(CreatingTest, ABodyStandsOnTheGridThatIsClicked) {
+    open("# nothing yet\n");
+    display().lookAlong(Vector(0.3, 0.5, 1));
+    display().grab();
+    for (const double x : {0.0, 1.5}) {
+        display().creating().start(newBody(BasicShape::box));
+        click({x + 0.01, 0, 0.02});
+        done();
+        const Vector place = scene().bodies.back().initialPosition;
+        EXPECT_EQ(place.y(), 0.5) << x; // half of its height
+        EXPECT_NEAR(place.x(), x, 0.05);
+        EXPECT_NEAR(place.z(), 0, 0.05);
+        display().grab();
+    }
+    EXPECT_THAT(editor.document().diagnostics(), testing::IsEmpty());
+    display().creating().start(newBody(BasicShape::sphere));
+    const QPointF place = display().fromPixels(display().sight().pixels({0, 0, 1.5}));
+    display().creating().click(place, true); // Ctrl holds off
+    done();
+    EXPECT_LT(scene().bodies.back().initialPosition.y(), 0.4);
+    display().lookAlong(Vector::UnitZ());
+    display().grab();
+    display().creating().start(newBody(BasicShape::sphere));
+    const Vector before(0.7, 0.75, 0);
+    ASSERT_TRUE(display().rect().contains(
+        display().fromPixels(display().sight().pixels(before)).toPoint()));
+    click(before);
+    done();
+    EXPECT_NEAR(scene().bodies.back().initialPosition.y(), 0.75, 0.06);
+}
+
 TEST_F(CreatingTest, ABodyLiesOnASlopeAsTheSlopeIsTurned) {
     open(block + "body slope block -init_rot {0 0 0.5} -fixed 1\n");
     display().lookAlong(Vector(0, 0.6, 1));
@@ -66,7 +98,8 @@ TEST_F(CreatingTest, BodiesOfAFlatSceneStayInItsPlane) {
     display().lookAlong(Vector(0.3, 0.4, 1));
     display().grab();
     display().creating().start(newBody("ball"));
-    click({0.5, 1, 0.25});
+    const QPointF place = display().fromPixels(display().sight().pixels({0.5, 1, 0.25}));
+    display().creating().click(place, true); // no matter what lies behind
     done();
     EXPECT_EQ(scene().bodies[1].initialPosition.z(), 0.25);
 }

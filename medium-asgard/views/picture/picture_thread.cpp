@@ -130,6 +130,7 @@ void PictureThread::Studio::paint(Picture& picture) {
     if (renderer_->draw(drawing, into)) {
         image.setDevicePixelRatio(wish.pixelRatio);
         picture.image = std::move(image);
+        picture.ground = renderer_->ground();
     } else {
         renderer_.reset();
         noRenderer_ = picture.fault =

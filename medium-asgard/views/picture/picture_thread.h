@@ -47,7 +47,8 @@ struct Picture {
     QString fault;
     render::HandleSet handles; // that the display shows
     double forceArrow = 1, torqueArrow = 1;
-    std::chrono::duration<double> lasted{}; // making it
+    std::optional<render::GroundPlane> ground; // where its grid lies
+    std::chrono::duration<double> lasted{};    // making it
 };
 
 class PictureThread {

@@ -381,6 +381,12 @@ render::Drawing SceneDisplay::drawing() const {
             display_};
 }
 
+std::optional<render::GroundPlane> SceneDisplay::ground() const {
+    return picture_ && display_.grid && picture_->of.shown.scene == document_.shown().scene
+               ? picture_->ground
+               : std::nullopt;
+}
+
 const render::HandleSet& SceneDisplay::handles() {
     if (render::showsHandles(display_))
         bringUpToDate();

@@ -101,6 +101,8 @@ public:
     // The same, as far as it is of the scene that is shown.
     [[nodiscard]] const render::HandleSet& knownHandles() const;
     [[nodiscard]] render::Drawing drawing() const;
+    // Where the grid of the scene that is shown lies; none: none is seen.
+    [[nodiscard]] std::optional<render::GroundPlane> ground() const;
     // The direction of the triad's end there, as words: "x", "against y"; "": none is there.
     [[nodiscard]] QString triadEndAt(const QPointF& position) const;
     [[nodiscard]] gestures::Sight sight() const { return {control_.camera(), pixelSize()}; }

@@ -8,6 +8,7 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace views {
@@ -21,6 +22,35 @@ constexpr double still = 4; // pixels: not yet a drag
 
 bool isNear(const QPointF& one, const QPointF& other) {
     return (one - other).manhattanLength() < still;
+}
+
+// The picture may show some of it at this time. A half space is everywhere.
+bool isSeen(const render::Drawing& drawing, const gestures::Sight& sight, std::size_t index) {
+    const scene::Scene& scene = *drawing.scene;
+    const auto outline = render::outlineOf(scene, scene.bodies[index]);
+    const geometry::Pose pose = render::poseOf(scene, drawing.motion.get(), index, drawing.time);
+    Eigen::AlignedBox2d seen;
+    std::size_t behind = 0; // the eye
+    for (const render::Ball& ball : outline) {
+        const geometry::Vector middle = pose.toWorld(ball.center);
+        if (sight.depth(middle) >= render::eyeOf(sight.camera)) {
+            ++behind;
+            continue;
+        }
+        const double radius = ball.radius / sight.pixelLength(middle);
+        for (const double way : {-radius, radius})
+            seen.extend(sight.pixels(middle) + Eigen::Vector2d(way, way));
+    }
+    const Eigen::AlignedBox2d picture(Eigen::Vector2d(0, 0),
+                                      Eigen::Vector2d(sight.size.width, sight.size.height));
+    if (behind > 0 && behind < outline.size())
+        return true;
+    return outline.empty() || (behind == 0 && picture.intersects(seen));
+}
+
+QString nameOfFirst(const SceneDocument& document) {
+    const auto first = std::ranges::find(document.selected(), Kind::body, &Element::kind);
+    return QString::fromStdString(editing::nameOf(*document.shown().scene, *first));
 }
 
 } // namespace
@@ -114,6 +144,8 @@ std::vector<Selecting::Thing> Selecting::thingsAt(const QPointF& position) const
 }
 
 void Selecting::click(const QPointF& position) {
+    if (const auto away = tag(); away && away->box.contains(position))
+        return display_.frameSelected();
     const std::vector<Thing> things = thingsAt(position);
     const auto before = std::exchange(clicked_, position);
     if (things.empty())
@@ -155,7 +187,72 @@ void Selecting::selectBand(bool adds) {
     document_.select(std::move(selected));
 }
 
+std::optional<Selecting::Tag> Selecting::tag() const {
+    const gestures::Sight sight = display_.sight();
+    const render::Drawing drawing = display_.drawing();
+    const QRectF picture = display_.rect();
+    std::optional<geometry::Vector> first;
+    std::size_t count = 0;
+    for (const Element& element : document_.selected()) {
+        if (element.kind != Kind::body)
+            continue;
+        if (isSeen(drawing, sight, element.index))
+            return std::nullopt;
+        ++count;
+        if (!first)
+            first =
+                render::poseOf(*drawing.scene, drawing.motion.get(), element.index, drawing.time)
+                    .position;
+    }
+    if (!first || drawing.scene->bodies.empty())
+        return std::nullopt;
+    // Behind the eye it is seen turned about.
+    const QPointF middle = picture.center();
+    QPointF way = display_.fromPixels(sight.pixels(*first)) - middle;
+    if (sight.depth(*first) > render::eyeOf(sight.camera))
+        way = -way;
+    Tag tag;
+    tag.words = count == 1
+                    ? SceneDisplay::tr("%1 is out of the picture. A click here, or Shift+F, "
+                                       "shows it.")
+                          .arg(nameOfFirst(document_))
+                    : SceneDisplay::tr("%1 selected bodies are out of the picture. A click here, "
+                                       "or Shift+F, shows them.")
+                          .arg(count);
+    constexpr double margin = 10;
+    tag.box = display_.fontMetrics()
+                  .boundingRect(QRect(0, 0, std::max(80, display_.width() - 60), 1000),
+                                Qt::TextWordWrap, tag.words)
+                  .toRectF()
+                  .marginsAdded({6, 3, 6, 3});
+    const double across = picture.width() / 2 - tag.box.width() / 2 - 2 * margin;
+    const double along = picture.height() / 2 - tag.box.height() / 2 - 2 * margin;
+    const double far = std::max({std::abs(way.x()) / std::max(across, 1.0),
+                                 std::abs(way.y()) / std::max(along, 1.0), 1e-9});
+    tag.box.moveCenter(middle + way / far);
+    const double length = std::max(std::hypot(way.x(), way.y()), 1e-9);
+    tag.end = way / length;
+    return tag;
+}
+
+// An arrow leads from the words to where the body is.
+void Selecting::paintTag(QPainter& painter, const Tag& tag) const {
+    const QColor blue(20, 90, 200);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(blue.red(), blue.green(), blue.blue(), 230));
+    painter.drawRoundedRect(tag.box, 4, 4);
+    const QPointF way = tag.end, side(-way.y(), way.x());
+    const double out = std::min(tag.box.width() / 2 / std::max(std::abs(way.x()), 1e-9),
+                                tag.box.height() / 2 / std::max(std::abs(way.y()), 1e-9));
+    const QPointF foot = tag.box.center() + way * out;
+    painter.drawPolygon(QPolygonF{foot + side * 6, foot - side * 6, foot + way * 9});
+    painter.setPen(Qt::white);
+    painter.drawText(tag.box, Qt::AlignCenter | Qt::TextWordWrap, tag.words);
+}
+
 void Selecting::paint(QPainter& painter) const {
+    if (const auto away = tag())
+        paintTag(painter, *away);
     if (!band_ || isNear(band_->first, band_->second))
         return;
     painter.setPen(QPen(QColor(20, 90, 200), 1));

@@ -11,6 +11,8 @@
 #include "handles/handles.h"
 
 #include <QPointF>
+#include <QRectF>
+#include <QString>
 
 #include <optional>
 #include <vector>
@@ -42,6 +44,14 @@ public:
     void addOrTakeOut(const QPointF& position);
     // The body at `position` that is selected, whatever is before it.
     [[nodiscard]] std::optional<std::size_t> selectedBodyAt(const QPointF& position) const;
+    // Where all bodies that are selected are out of the picture now: a tag at its edge, towards the
+    // first of them, which a click on it brings into the picture.
+    struct Tag {
+        QString words;
+        QRectF box;
+        QPointF end; // towards the body
+    };
+    [[nodiscard]] std::optional<Tag> tag() const;
     void paint(QPainter& painter) const;
 
 private:
@@ -51,6 +61,7 @@ private:
     };
     [[nodiscard]] std::vector<Thing> thingsAt(const QPointF& position) const; // from the front on
     void click(const QPointF& position);
+    void paintTag(QPainter& painter, const Tag& tag) const;
     void selectBand(bool adds);
 
     SceneDocument& document_;

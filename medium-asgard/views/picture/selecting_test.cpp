@@ -270,7 +270,10 @@ TEST_F(SelectingTest, ABodyIsThrownWhileTheMotionPlaysAndPutWhileItRests) {
     for (const bool plays : {true, false}) {
         editor.document().setText(three, "Edit");
         ASSERT_TRUE(settle(editor.document()));
-        editor.document().select({leftOne});
+        if (plays) // then a drag takes a body at once
+            editor.document().select({});
+        else
+            editor.document().select({leftOne});
         viewer->playback().setClock([] { return 0.0; });
         viewer->playback().seek(0.5);
         if (plays)
@@ -302,6 +305,39 @@ TEST_F(SelectingTest, ABodyIsThrownWhileTheMotionPlaysAndPutWhileItRests) {
                   plays ? "Throw left at 0.5 s" : "Put left Elsewhere at 0.5 s");
         viewer->playback().stop();
     }
+}
+
+TEST_F(SelectingTest, WhatIsSelectedOutOfThePictureIsToldAndAClickShowsIt) {
+    editor.document().select({leftOne});
+    EXPECT_FALSE(display().selecting().tag().has_value());
+    const std::string away = "-init_pos {-60 0 0}";
+    std::string text = three;
+    text.replace(text.find("-init_pos {-3 0 0}"), 18, away);
+    editor.document().setText(text, "Place");
+    ASSERT_TRUE(settle(editor.document()));
+    display().grab();
+    const auto tag = display().selecting().tag();
+    ASSERT_TRUE(tag.has_value());
+    EXPECT_THAT(tag->words.toStdString(), HasSubstr("left is out of the picture"));
+    EXPECT_TRUE(QRectF(display().rect()).contains(tag->box));
+    EXPECT_LT(tag->box.center().x(), display().width() / 2.0); // where it is
+    EXPECT_LT(tag->end.x(), -0.9);
+    click(tag->box.center().toPoint());
+    EXPECT_TRUE(display().rect().contains(at({-60, 0, 0})));
+    EXPECT_FALSE(display().selecting().tag().has_value());
+    EXPECT_THAT(selected(), ElementsAre(leftOne));
+    editor.document().select({nearOne, leftOne});
+    EXPECT_FALSE(display().selecting().tag().has_value()); // one of them is seen
+    // A floor is seen whose corners are all out of the picture, and what is behind the eye is not.
+    editor.document().setText("shape_set f -desc {-sub {-box {900 0.1 900}}}\n"
+                              "shape_set s -desc {-sub {-sphere 0.5}}\n"
+                              "body floor f -fixed 1\nbody b s -init_pos {0 1 200}\n",
+                              "Edit");
+    ASSERT_TRUE(settle(editor.document()));
+    editor.document().select({{Kind::body, 0}});
+    EXPECT_FALSE(display().selecting().tag().has_value());
+    editor.document().select({{Kind::body, 1}});
+    EXPECT_TRUE(display().selecting().tag().has_value());
 }
 
 TEST_F(SelectingTest, AHiddenBodyIsNeitherSeenNorClicked) {

@@ -49,8 +49,8 @@ bool isBallShape(const std::vector<scene::Part>& parts) {
 
 Recipe newBody(const std::string& shape, std::vector<scene::Part> ghost) {
     Step where =
-        showPlace(QObject::tr("Click where the new body shall be, on a body that it rests on, "
-                              "or type x y z."),
+        showPlace(QObject::tr("Click where the new body shall be, on the grid or on a body that "
+                              "it rests on, or type x y z."),
                   QObject::tr("Return puts it at the origin."));
     where.rests = true;
     return {QObject::tr("New Body"),
