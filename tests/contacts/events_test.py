@@ -204,6 +204,47 @@ def check_kerb():
     return 0
 
 
+def flush_ladder(spin, push):
+    """A ladder leans with its back on a table's edge; its foot is pushed towards the table until it stands flush with it."""
+    angle = math.pi / 3
+    c, s = math.cos(angle), math.sin(angle)
+    return f"""simulator -finish 2
+shape_set table -desc {{-sub {{-box {{2 1 2}}}}}}
+shape_set floor -desc {{-sub {{-plane}}}}
+shape_set ladder -desc {{-sub {{-box {{2 0.06 0.4}}}}}}
+body floor floor -fixed 1
+body table table -fixed 1 -init_pos {{1 0.5 0}}
+body ladder ladder -mass 10 -restitution 0 -init_pos {{{-c / s + c - 0.03 * s!r} {s + 0.03 * c!r} 0}} -init_rot {{0 0 {angle!r}}} -init_drot {{0 {spin} 0}}
+force -body ladder -gravitational {{0 -{G} 0}}
+force -body ladder -offset {{-1 0 0}} -x {push}
+"""
+
+
+def check_flush_ladder():
+    """It passes the wall, topples and lies on the floor, its end against the table, alike at each accuracy."""
+    faults = 0
+    for spin, push in ((0, 300), (0, 100), (0.6, 300), (0.01, 300)):
+        ways = []
+        with tempfile.TemporaryDirectory() as folder:
+            base = os.path.join(folder, "scene")
+            with open(base + ".al", "w", encoding="utf-8") as file:
+                file.write(flush_ladder(spin, push))
+            for accuracy in ("1e-3", "1e-6"):
+                run = subprocess.run([sys.argv[1], "simulate", base + ".al", "--csv", base + ".csv", "--at", "0:0.05:2", "--accuracy", accuracy],
+                                     capture_output=True, text=True, check=False)
+                if run.returncode:
+                    print(f"FAIL a ladder flush with a table, spin {spin}, push {push}, at {accuracy}: {run.stderr}")
+                    return faults + 1
+                with open(base + ".csv", encoding="utf-8") as file:
+                    ways.append([[float(row[f"ladder.{axis}"]) for axis in "xyz"] for row in csv.DictReader(file)])
+        apart = max(abs(a - b) for one, other in zip(*ways) for a, b in zip(one, other))
+        x, y = ways[1][-1][:2]
+        if apart > 1e-3 or abs(x + 1) > 1e-6 or abs(y - 0.03) > 1e-6:
+            print(f"FAIL a ladder flush with a table, spin {spin}, push {push}: apart {apart}, it ends at {x} {y}")
+            faults += 1
+    return faults
+
+
 def check_coin():
     """A coin topples: it lies flat on its floor then, and neither falls through it nor stops."""
     for accuracy in ("1e-3", "1e-6"):
@@ -221,7 +262,7 @@ def check_coin():
 
 
 def main():
-    faults = check_hops() + check_growing_hops() + check_half_space() + check_finish() + check_kerb() + check_coin()
+    faults = check_hops() + check_growing_hops() + check_half_space() + check_finish() + check_kerb() + check_coin() + check_flush_ladder()
     for name, scene, expected in cases():
         found = events(scene, stops=name == "painleve")
         listed = [(float(row["time"]), row["kind"], row["names"]) for row in found]

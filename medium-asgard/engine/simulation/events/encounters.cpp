@@ -236,8 +236,9 @@ void CollisionSource::refuse(const Instant& at, const Pair& pair, const std::str
     forget(at, pair);
 }
 
-// Friction, a support that gives way, a joint, or what rolls on a side or a rim: one equation for
-// each body does not do. A body that has met one that gives way may come to lie on it, or under it.
+// Friction, a support that gives way, a joint, what rolls on a side or a rim, or a body between
+// several planes, as a ladder: one equation for each body does not do. A body that has met one that
+// gives way may come to lie on it, or under it.
 bool CollisionSource::needsRows(const Instant& at, std::size_t body,
                                 const RestingBodies::States& states) const {
     if (resting_.contacts().isIn(body))
@@ -246,6 +247,7 @@ bool CollisionSource::needsRows(const Instant& at, std::size_t body,
         return at.canGiveWay(other) && record_.haveMet(std::minmax(body, other), world_.start);
     });
     const Placed placed = at.placed(body, states);
+    std::optional<Vector> normal; // of what it touches along one axis
     for (const std::size_t other : search_.partners(body)) {
         const physics::ContactFriction friction = world_.frictionOf(body, other);
         const bool isAsked = hasCompany || friction.sticking > 0 || friction.rolling > 0 ||
@@ -255,10 +257,15 @@ bool CollisionSource::needsRows(const Instant& at, std::size_t body,
             continue;
         const auto touches =
             touchesOf(placed, at.placed(other, states), world_.resolution[body].gap);
-        if (std::ranges::any_of(touches, [&](const Touch& touch) {
-                return isAsked || (touch.hasPieces && !touch.isModelled);
-            }))
-            return true;
+        for (const Touch& touch : touches) {
+            if (isAsked || (touch.hasPieces && !touch.isModelled))
+                return true;
+            if (!touch.others.empty()) // a seam
+                continue;
+            if (normal && !isOneNormal(*normal, touch.normal))
+                return true;
+            normal = touch.normal;
+        }
     }
     return false;
 }
