@@ -496,7 +496,7 @@ LastingContact contactOf(const Touch& touch, const Placed& body, const Placed& s
     if (!found.rolls && corners.size() > 1)
         place.centre = localOf(body, middle.centre);
     place.friction.reach = middle.reach;
-    if (limits.plane && (!touch.isRound || touch.isCurved))
+    if (limits.plane)
         putInPlane(place, corners, *limits.plane, body, support);
     if (place.points.size() == 1)
         place.centre.reset();
