@@ -92,6 +92,9 @@ CASES = [
     ("three boxes with friction that a ball hits", hit_with_friction(3, 2.0, 20), {"steps": 850, "collisions": 100}),
     # The contact of the ball, rounded, moved the stones out of their plane: slips flipped without end, and stopped at 0.709 s.
     ("three dominoes that a ball hits", dominoes(3, 1), {"steps": 1300, "collisions": 250}),
+    # What lay on a stone sank by its resolution without having been open, and hit it for that, each 5 us without end.
+    ("three dominoes that a fast ball hits", dominoes(3, 2), {"steps": 900, "collisions": 250}),
+    ("three dominoes that a slow ball hits", dominoes(3, 0.5), {"steps": 1000, "collisions": 100}),
     # Velocities of 1e-34 hit each other without end.
     ("a wall that stands", pile(5, 0.1), {"steps": 200, "collisions": 20}),
 ]

@@ -396,7 +396,8 @@ void ActiveSet::slip(double fastest, double t, std::span<const double> y) {
 // the same island into a hop of its own, without end.
 bool ActiveSet::hasFallenLow(std::size_t row) const {
     const double rate = multipliers_.rate(row), second = multipliers_.secondRate(row);
-    return second < 0 && rate * rate / (-2 * second) < law(row).resolution;
+    const double sunk = multipliers_.gap(row) - opened_[row]; // since it touched: no height
+    return second < 0 && rate * rate / (-2 * second) + std::min(sunk, 0.0) < law(row).resolution;
 }
 
 // With nothing that holds it, it would come back from that height.
