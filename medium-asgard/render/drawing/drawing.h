@@ -1,6 +1,7 @@
 // What a picture is asked to show, and where its pixels go.
 #pragma once
 
+#include "drawing/handle_set.h"
 #include "framing/camera.h"
 
 #include <cstddef>
@@ -11,7 +12,21 @@
 
 namespace render {
 
-struct Display {
+// The kinds of handles that are shown, by what they move.
+struct ShownHandles {
+    bool positionHandles = false;
+    bool orientationHandles = false;
+    bool velocityHandles = false;
+    bool spinHandles = false; // angular velocities
+    bool forceHandles = false;
+    bool torqueHandles = false;
+    bool linkHandles = false;
+    bool jointHandles = false;
+    bool lightHandles = false;
+    bool trajectories = false; // their paths and points
+};
+
+struct Display : ShownHandles {
     bool wireframe = false;
     bool axes = false;
     bool grid = true;    // on the ground, standing still (grid.h)
@@ -25,17 +40,6 @@ struct Display {
     bool rotationCenter = false; // the point that the view turns about
     bool trails = true;          // paths of the centres of mass up to now
     bool joints = true;          // their signs (joint_signs.h)
-    // Handles, by what they move.
-    bool positionHandles = false;
-    bool orientationHandles = false;
-    bool velocityHandles = false;
-    bool spinHandles = false; // angular velocities
-    bool forceHandles = false;
-    bool torqueHandles = false;
-    bool linkHandles = false;
-    bool jointHandles = false;
-    bool lightHandles = false;
-    bool trajectories = false; // their paths and points
     // Bodies that are left out, with their trails and handles, by their names; null: none.
     std::shared_ptr<const std::set<std::string>> hidden = nullptr;
     scene::Color background{1, 1, 1};
@@ -45,8 +49,6 @@ struct Display {
 [[nodiscard]] inline bool isHidden(const Display& display, const scene::Body& body) {
     return display.hidden && display.hidden->contains(body.name);
 }
-
-struct HandleSet;
 
 struct Drawing {
     const scene::Scene* scene = nullptr;

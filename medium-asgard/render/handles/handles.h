@@ -25,64 +25,6 @@
 
 namespace render {
 
-enum class HandleKind : std::uint8_t {
-    position,
-    orientation, // on the body's x axis (part 0) or its y axis (1)
-    velocity,
-    spin, // angular velocity
-    forceBase,
-    forceHead,
-    torqueBase,
-    torqueHead,
-    linkEnd, // part: 0 or 1
-    jointAxis,
-    jointPoint, // part: 0; 1: of a distance, its second
-    lightPlace,
-    lightDirection,
-    // part: which of -points, or of -bezier's control points (editing/). Of a trajectory that only
-    // a force or torque follows: the head of an arrow, as forces have them.
-    trajectoryPoint,
-};
-
-struct Handle {
-    HandleKind kind = HandleKind::position;
-    std::size_t element = 0; // in the scene's list of what it belongs to
-    std::size_t part = 0;
-    Vector base = Vector::Zero();  // world: foot of the arrow; the same as `place` for mere places
-    Vector place = Vector::Zero(); // world
-    double perUnit = 1;            // length of the arrow for a value of 1
-    // In which the text gives places and directions; of a trajectory's point its position is the
-    // place of the value 0.
-    geometry::Pose frame = {};
-    bool movable = true;    // false: only shown
-    std::string label = {}; // what stands beside it
-    double clear = 0;       // world: how far its own body reaches about it, which does not hide it
-    Eigen::Vector2d aside = Eigen::Vector2d::Zero(); // pixels: where it stands beside its place
-    bool cut = false;                                // its arrow is shortened
-    [[nodiscard]] bool isArrow() const { return base != place; }
-    // Of a trajectory's point: the head of an arrow, and no place of a path.
-    [[nodiscard]] bool isValue() const { return perUnit != 1 || isArrow(); }
-    // Of a trajectory's point: its value, and the place of one.
-    [[nodiscard]] Vector valueAt(const Vector& world) const {
-        return (world - frame.position) / perUnit;
-    }
-    [[nodiscard]] Vector placeOf(const Vector& value) const {
-        return frame.position + perUnit * value;
-    }
-};
-
-// A line that belongs to handles: a link, a trajectory.
-struct HandleLine {
-    HandleKind kind = HandleKind::linkEnd;
-    std::size_t element = 0;
-    std::vector<Vector> points;
-};
-
-struct HandleSet {
-    std::vector<Handle> handles;
-    std::vector<HandleLine> lines;
-};
-
 // Pixels, in a picture 480 high. A velocity of zero lies on its body's position, smaller.
 [[nodiscard]] double radiusOf(HandleKind kind);
 

@@ -21,7 +21,6 @@ namespace views {
 namespace {
 
 constexpr double markReach = 8; // pixels within which a mark is taken
-constexpr double leastShown = 1e-5;
 
 QString number(double value) { return QString::number(value, 'g', 6); }
 
@@ -68,8 +67,8 @@ void TimeStrip::buildControls() {
         row->addWidget(button);
     };
     add(QStringLiteral("+"), tr("A shorter time, larger (+)"),
-        [this] { zoom(0.5, (from_ + to_) / 2); });
-    add(QString(QChar(0x2212)), tr("A longer time (-)"), [this] { zoom(2, (from_ + to_) / 2); });
+        [this] { zoom(0.5, scale_.middle()); });
+    add(QString(QChar(0x2212)), tr("A longer time (-)"), [this] { zoom(2, scale_.middle()); });
     add(QString(QChar(0x2194)), tr("The whole motion and all points (0)"), [this] { showAll(); });
 }
 
@@ -88,15 +87,15 @@ void TimeStrip::follow() {
         }
     if (selected != trajectory_) {
         // A mark that is held is none of what is shown now; what it did has the old one's name.
-        if (grip_ == Grip::mark)
-            grip_ = Grip::none;
+        if (press_.grip == Grip::mark)
+            press_.grip = Grip::none;
         finish();
         trajectory_ = selected;
         chosen_.reset();
         delete field_;
     }
     if (chosen_ && *chosen_ >= points().size()) {
-        grip_ = grip_ == Grip::mark ? Grip::none : grip_;
+        press_.grip = press_.grip == Grip::mark ? Grip::none : press_.grip;
         finish();
         chosen_.reset();
     }
@@ -149,11 +148,9 @@ void TimeStrip::setChosen(std::optional<std::size_t> point) {
 }
 
 void TimeStrip::setRange(double start, double finish) {
-    start_ = start;
-    finish_ = finish;
-    if (!zoomed_)
-        setSeen(start, finish);
-    update();
+    const double from = scale_.from(), to = scale_.to();
+    scale_.setRange(start, finish);
+    scaled(from != scale_.from() || to != scale_.to());
 }
 
 void TimeStrip::setTime(double time) {
@@ -161,30 +158,21 @@ void TimeStrip::setTime(double time) {
     update();
 }
 
-void TimeStrip::setSeen(double from, double to) {
-    const double length = std::max({finish_ - start_, std::abs(finish_), 1e-9});
-    if (!(to - from >= leastShown * length) || !(to - from <= length / leastShown))
-        return;
-    from_ = from;
-    to_ = to;
-    delete field_;
+void TimeStrip::scaled(bool isOther) {
+    if (isOther)
+        delete field_;
     update();
 }
 
-void TimeStrip::zoom(double factor, double about) {
-    zoomed_ = true;
-    setSeen(about + factor * (from_ - about), about + factor * (to_ - about));
-}
+void TimeStrip::zoom(double factor, double about) { scaled(scale_.zoom(factor, about)); }
 
 void TimeStrip::showAll() {
-    double first = start_, last = finish_;
+    double first = scale_.start(), last = scale_.finish();
     for (const editing::ControlPoint& point : points()) {
         first = std::min(first, point.time);
         last = std::max(last, point.time);
     }
-    zoomed_ = first < start_ || last > finish_;
-    const double room = zoomed_ ? 0.03 * (last - first) : 0;
-    setSeen(first - room, last + room);
+    scaled(scale_.showAll(first, last));
 }
 
 // --- where things are --------------------------------------------------------------------------
@@ -195,11 +183,11 @@ QRectF TimeStrip::area() const {
 }
 
 double TimeStrip::position(double time) const {
-    return area().left() + (time - from_) / (to_ - from_) * area().width();
+    return area().left() + scale_.along(time) * area().width();
 }
 
 double TimeStrip::timeAt(double x) const {
-    return from_ + (x - area().left()) / area().width() * (to_ - from_);
+    return scale_.timeAt((x - area().left()) / area().width());
 }
 
 std::optional<std::size_t> TimeStrip::markAt(const QPointF& at) const {
@@ -241,10 +229,8 @@ void TimeStrip::chooseNext(int step) {
         return;
     choose(static_cast<std::size_t>(at));
     const double time = all[static_cast<std::size_t>(at)].time;
-    if (time < from_ || time > to_) { // it is brought into sight
-        zoomed_ = true;
-        setSeen(time - (to_ - from_) / 2, time + (to_ - from_) / 2);
-    }
+    if (!scale_.shows(time)) // it is brought into sight
+        scaled(scale_.pan(time - scale_.middle()));
 }
 
 bool TimeStrip::begin() {
@@ -301,7 +287,7 @@ void TimeStrip::cancel() {
         return;
     gesture_->cancel();
     gesture_.reset();
-    grip_ = Grip::none;
+    press_.grip = Grip::none;
     Q_EMIT says({}, false);
     update();
 }

@@ -8,6 +8,7 @@
 // undo until the key is let go), Return asks for the exact time, plus, minus and 0 zoom.
 #pragma once
 
+#include "trajectories/time_scale.h"
 #include "trajectories/trajectory_drag.h"
 
 #include <QPointer>
@@ -45,8 +46,8 @@ public:
     [[nodiscard]] double position(double time) const; // in this widget
     void zoom(double factor, double about);           // about a time
     void showAll();                                   // the whole motion and all marks
-    [[nodiscard]] double from() const { return from_; }
-    [[nodiscard]] double to() const { return to_; }
+    [[nodiscard]] double from() const { return scale_.from(); }
+    [[nodiscard]] double to() const { return scale_.to(); }
 
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
@@ -83,7 +84,7 @@ private:
     [[nodiscard]] double timeStep() const { return timeAt(1) - timeAt(0); } // of a pixel
     [[nodiscard]] std::optional<std::size_t> markAt(const QPointF& position) const;
     [[nodiscard]] std::optional<QPoint> placeOfChosen() const;
-    void setSeen(double from, double to);
+    void scaled(bool isOther); // the scale shows another time
     void choose(std::size_t point);
     void chooseNext(int step);
     [[nodiscard]] bool begin();
@@ -101,15 +102,20 @@ private:
     SceneDocument& document_;
     QWidget* controls_;
     std::optional<std::size_t> trajectory_, chosen_;
-    double start_ = 0, finish_ = 1, from_ = 0, to_ = 1, now_ = 0;
+    TimeScale scale_;
+    double now_ = 0;
     bool trajectoriesShown_ = false;
     std::function<bool()> held_;
-    bool zoomed_ = false; // not the scrollbar's range
     std::unique_ptr<TrajectoryDrag> gesture_;
-    enum class Grip { none, mark, scale } grip_ = Grip::none;
-    bool left_ = false; // the pointer has left the place where it was pressed clearly
-    QPointF pressed_;
-    double offset_ = 0, pressedFrom_ = 0, pressedTo_ = 1;
+    enum class Grip { none, mark, scale };
+    struct Press { // of a button that is held
+        Grip grip = Grip::none;
+        QPointF at;
+        bool left = false; // the pointer has left that place clearly
+        double offset = 0; // pixels from the pointer to the mark
+        TimeScale scale;   // as it was
+    };
+    Press press_;
     QPointer<QLineEdit> field_;
 };
 

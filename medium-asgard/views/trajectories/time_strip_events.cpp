@@ -21,49 +21,50 @@ constexpr double dragFrom = 3; // pixels after which a press is a drag
 } // namespace
 
 void TimeStrip::mousePressEvent(QMouseEvent* event) {
-    pressed_ = event->position();
-    left_ = false;
+    press_.at = event->position();
+    press_.left = false;
     const auto mark = markAt(event->position());
     if (gesture_ || (event->button() != Qt::LeftButton && event->button() != Qt::MiddleButton))
         return;
     delete field_;
     if (mark && event->button() == Qt::LeftButton) {
-        grip_ = Grip::mark;
-        offset_ = position(points()[*mark].time) - event->position().x();
+        press_.grip = Grip::mark;
+        press_.offset = position(points()[*mark].time) - event->position().x();
         choose(*mark);
     } else {
-        grip_ = Grip::scale;
-        pressedFrom_ = from_;
-        pressedTo_ = to_;
+        press_.grip = Grip::scale;
+        press_.scale = scale_;
         setCursor(Qt::ClosedHandCursor);
     }
 }
 
 void TimeStrip::mouseMoveEvent(QMouseEvent* event) {
     const double x = event->position().x();
-    if (grip_ == Grip::none) {
+    if (press_.grip == Grip::none) {
         setCursor(markAt(event->position()) ? Qt::SizeHorCursor : Qt::ArrowCursor);
         return;
     }
-    left_ = left_ || std::abs(x - pressed_.x()) >= dragFrom;
-    if (!left_)
+    press_.left = press_.left || std::abs(x - press_.at.x()) >= dragFrom;
+    if (!press_.left)
         return;
-    if (grip_ == Grip::mark)
-        return retime(editing::roundedTo(timeAt(x + offset_), editing::decimalStep(timeStep())));
-    const double shift = (pressed_.x() - x) / area().width() * (pressedTo_ - pressedFrom_);
-    zoomed_ = true;
-    setSeen(pressedFrom_ + shift, pressedTo_ + shift);
+    if (press_.grip == Grip::mark)
+        return retime(
+            editing::roundedTo(timeAt(x + press_.offset), editing::decimalStep(timeStep())));
+    TimeScale scale = press_.scale;
+    const bool isOther = scale.pan((press_.at.x() - x) / area().width() * scale.length());
+    scale_ = scale;
+    scaled(isOther);
 }
 
 void TimeStrip::mouseReleaseEvent(QMouseEvent*) {
-    if (std::exchange(grip_, Grip::none) == Grip::mark)
+    if (std::exchange(press_.grip, Grip::none) == Grip::mark)
         finish();
     unsetCursor();
 }
 
 void TimeStrip::mouseDoubleClickEvent(QMouseEvent* event) {
     if (const auto mark = markAt(event->position())) {
-        grip_ = Grip::none;
+        press_.grip = Grip::none;
         choose(*mark);
         askForTime();
     } else {
@@ -73,11 +74,9 @@ void TimeStrip::mouseDoubleClickEvent(QMouseEvent* event) {
 
 void TimeStrip::wheelEvent(QWheelEvent* event) {
     const QPoint turned = event->angleDelta();
-    const double length = to_ - from_;
     if (turned.x() != 0 || (event->modifiers() & Qt::ShiftModifier)) {
         const int along = turned.x() != 0 ? turned.x() : turned.y();
-        zoomed_ = true;
-        setSeen(from_ - along * length / 1200, to_ - along * length / 1200);
+        scaled(scale_.pan(-along * scale_.length() / 1200));
     } else {
         zoom(std::pow(0.998, turned.y()), timeAt(event->position().x()));
     }
@@ -147,9 +146,9 @@ void TimeStrip::keyPressEvent(QKeyEvent* event) {
         return removeChosen();
     case Qt::Key_Plus:
     case Qt::Key_Equal:
-        return zoom(0.5, (from_ + to_) / 2);
+        return zoom(0.5, scale_.middle());
     case Qt::Key_Minus:
-        return zoom(2, (from_ + to_) / 2);
+        return zoom(2, scale_.middle());
     case Qt::Key_0:
         return showAll();
     case Qt::Key_Escape:
@@ -160,13 +159,13 @@ void TimeStrip::keyPressEvent(QKeyEvent* event) {
 }
 
 void TimeStrip::keyReleaseEvent(QKeyEvent* event) {
-    if (!event->isAutoRepeat() && grip_ != Grip::mark)
+    if (!event->isAutoRepeat() && press_.grip != Grip::mark)
         finish();
     QWidget::keyReleaseEvent(event);
 }
 
 void TimeStrip::focusOutEvent(QFocusEvent* event) {
-    if (grip_ != Grip::mark)
+    if (press_.grip != Grip::mark)
         finish();
     QWidget::focusOutEvent(event);
     update();

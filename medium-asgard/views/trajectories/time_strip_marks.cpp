@@ -51,9 +51,9 @@ void TimeStrip::paintScale(QPainter& painter) const {
         const double right = std::clamp(position(curve.to), a.left(), a.right());
         painter.fillRect(QRectF(left, a.top() + 3, right - left, a.height() - 6), along);
     }
-    const double step = charts::roundStep((to_ - from_) * 64 / a.width());
+    const double step = charts::roundStep(scale_.length() * 64 / a.width());
     painter.setPen(faint);
-    for (const double time : charts::multiplesOf(step, from_, to_)) {
+    for (const double time : charts::multiplesOf(step, scale_.from(), scale_.to())) {
         const double x = position(time);
         painter.drawLine(QPointF(x, a.bottom() + 1), QPointF(x, a.bottom() + 4));
         const QString label = shortNumber(time);
@@ -62,7 +62,7 @@ void TimeStrip::paintScale(QPainter& painter) const {
                                  a.bottom() + 4 + fontMetrics().ascent()),
                          label);
     }
-    if (now_ >= from_ && now_ <= to_) {
+    if (scale_.shows(now_)) {
         painter.setPen(QPen(palette().color(QPalette::Highlight), 1.5));
         painter.drawLine(QPointF(position(now_), a.top()), QPointF(position(now_), a.bottom()));
     }

@@ -73,7 +73,7 @@ SceneDocument::SceneDocument(Workshop workshop, QObject* parent) : QObject(paren
 SceneDocument::~SceneDocument() = default;
 
 bool SceneDocument::hasErrors() const {
-    return std::any_of(diagnostics_.begin(), diagnostics_.end(),
+    return std::any_of(computed_.diagnostics.begin(), computed_.diagnostics.end(),
                        [](const auto& d) { return d.severity == scene::Severity::error; });
 }
 
@@ -88,7 +88,7 @@ void SceneDocument::select(std::vector<editing::Element> elements) {
     std::ranges::sort(elements);
     elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
     std::erase_if(elements, [this](const editing::Element& element) {
-        return editing::sourceOf(*shown_.scene, element) == nullptr;
+        return editing::sourceOf(*shown().scene, element) == nullptr;
     });
     if (elements == selected_)
         return;
@@ -96,17 +96,16 @@ void SceneDocument::select(std::vector<editing::Element> elements) {
     Q_EMIT selectionChanged();
 }
 
-void SceneDocument::followSelection(const scene::Scene& before, const std::string& text,
+void SceneDocument::followSelection(const scene::Scene& before, const std::string& textBefore,
                                     const std::vector<editing::Renamed>& renamed) {
-    const std::string textBefore = std::exchange(shownText_, text);
     if (selected_.empty())
         return;
-    const text::Edit edit = text::difference(textBefore, shownText_);
-    const Stays stays(before, *shown_.scene, edit);
+    const text::Edit edit = text::difference(textBefore, shownText());
+    const Stays stays(before, *shown().scene, edit);
     if (stays.sameCounts() && std::ranges::all_of(selected_, stays))
         return;
     const editing::Changes changes =
-        editing::changesBetween({textBefore, before}, {shownText_, *shown_.scene});
+        editing::changesBetween({textBefore, before}, {shownText(), *shown().scene});
     std::vector<editing::Element> now;
     for (const editing::Element& element : selected_)
         if (const auto after = changes.now(element))
@@ -124,8 +123,7 @@ void SceneDocument::setText(const std::string& text, const QString& label) {
         return; // the gesture was taken back
     const text::Edit edit = text::difference(text_, text);
     if (!host_.changed) {
-        done_.push_back({edit, text::inverse(text_, {edit}).front(), label});
-        undone_.clear();
+        history_.add(text_, edit, label);
     }
     replaceText(text);
     if (host_.changed) // last: who is told looks at the text
@@ -157,8 +155,7 @@ void SceneDocument::finishPreview(const std::string& text, const QString& label,
     const text::Edit edit = text::difference(gesture->before, text);
     const bool changes = gesture->before != text;
     if (changes && !host_.changed) {
-        done_.push_back({edit, text::inverse(gesture->before, {edit}).front(), label});
-        undone_.clear();
+        history_.add(gesture->before, edit, label);
     }
     if (text != text_)
         replaceText(text);
@@ -182,7 +179,7 @@ void SceneDocument::endGesture() {
 gestures::Ground SceneDocument::ground() {
     const int since = revision_;
     const auto hand = std::make_shared<char>(); // another for each, as long as one of these lives
-    return {text_, shown_.scene, shown_.motion,
+    return {text_, shown().scene, shown().motion,
             [=, this](const std::string& text) { preview(text, since, hand.get()); },
             [=, this](const std::string& text, const std::string& label) {
                 finishPreview(text, QString::fromStdString(label), since, hand.get());
@@ -204,25 +201,25 @@ void SceneDocument::didRefuse(const std::string& hostText, const QString& why) {
 }
 
 void SceneDocument::setComputed(Computed computed) {
-    const bool otherScene = computed.shown.scene != shown_.scene;
-    const bool otherMotion = otherScene || computed.shown.motion != shown_.motion;
+    const Computed before = std::exchange(computed_, std::move(computed));
+    const bool otherScene = computed_.shown.scene != before.shown.scene;
+    const bool otherMotion = otherScene || computed_.shown.motion != before.shown.motion;
     const bool otherFaults =
-        computed.current != sceneIsCurrent() || computed.diagnostics != diagnostics_;
-    const auto before = shown_.scene;
-    shown_ = std::move(computed.shown);
-    diagnostics_ = std::move(computed.diagnostics);
-    statistics_ = computed.statistics;
-    sceneRevision_ = computed.current ? revision_ : -1;
+        computed_.current != sceneIsCurrent() || computed_.diagnostics != before.diagnostics;
+    if (!otherScene)
+        computed_.text = before.text;
+    sceneRevision_ = computed_.current ? revision_ : -1;
     // Of an older text than the host's session shows: that is stale, too.
-    const bool behind = hasHost() && !computed.current && !hasErrors() && shown_.motion;
-    const bool stale = computed.stale || behind;
-    const bool otherStopped = std::exchange(wasStopped_, computed.stopped) != computed.stopped;
-    const bool otherStale = std::exchange(motionIsStale_, stale) != stale || otherStopped;
+    const bool behind =
+        hasHost() && !computed_.current && !hasErrors() && computed_.shown.motion != nullptr;
+    computed_.stale = computed_.stale || behind;
+    const bool otherStale = computed_.stale != before.stale || computed_.stopped != before.stopped;
+    const Work came = std::exchange(computed_.work, before.work);
     if (otherScene) {
         const auto renamed = std::exchange(isAnother_, false)
                                  ? std::vector<editing::Renamed>()
-                                 : editing::renamedBetween(*before, *shown_.scene);
-        followSelection(*before, computed.text, renamed);
+                                 : editing::renamedBetween(*before.shown.scene, *shown().scene);
+        followSelection(*before.shown.scene, before.text, renamed);
         if (!renamed.empty())
             Q_EMIT elementsRenamed(renamed);
         Q_EMIT sceneChanged();
@@ -232,46 +229,34 @@ void SceneDocument::setComputed(Computed computed) {
     if (otherFaults)
         Q_EMIT diagnosticsChanged();
     // Who is told of a scene may have changed the text, and then all begins anew.
-    const Work work = follower_ ? follower_->work() : computed.work;
-    if (otherStale && work == work_)
+    const Work now = follower_ ? follower_->work() : came;
+    if (otherStale && now == work())
         Q_EMIT workChanged();
-    setWork(work);
+    setWork(now);
 }
 
-bool SceneDocument::canUndo() const { return host_.undo || !done_.empty(); }
+bool SceneDocument::canUndo() const { return host_.undo || history_.canUndo(); }
 
-bool SceneDocument::canRedo() const { return host_.redo || !undone_.empty(); }
+bool SceneDocument::canRedo() const { return host_.redo || history_.canRedo(); }
 
-QString SceneDocument::undoLabel() const {
-    return host_.undo || done_.empty() ? QString() : done_.back().label;
-}
+QString SceneDocument::undoLabel() const { return host_.undo ? QString() : history_.undoLabel(); }
 
-QString SceneDocument::redoLabel() const {
-    return host_.redo || undone_.empty() ? QString() : undone_.back().label;
-}
+QString SceneDocument::redoLabel() const { return host_.redo ? QString() : history_.redoLabel(); }
 
 void SceneDocument::undo() {
     endGesture();
     if (host_.undo)
-        return host_.undo();
-    if (done_.empty())
-        return;
-    const Change change = done_.back();
-    done_.pop_back();
-    undone_.push_back(change);
-    replaceText(text::applied(text_, {change.backward}));
+        host_.undo();
+    else if (history_.canUndo())
+        replaceText(history_.undone(text_));
 }
 
 void SceneDocument::redo() {
     endGesture();
     if (host_.redo)
-        return host_.redo();
-    if (undone_.empty())
-        return;
-    const Change change = undone_.back();
-    undone_.pop_back();
-    done_.push_back(change);
-    replaceText(text::applied(text_, {change.forward}));
+        host_.redo();
+    else if (history_.canRedo())
+        replaceText(history_.redone(text_));
 }
 
 void SceneDocument::replaceText(const std::string& text) {
@@ -322,9 +307,9 @@ void SceneDocument::start(bool asked) {
 }
 
 void SceneDocument::setWork(Work work) {
-    if (work == work_)
+    if (work == computed_.work)
         return;
-    work_ = work;
+    computed_.work = work;
     Q_EMIT workChanged();
 }
 
@@ -337,7 +322,7 @@ void SceneDocument::update() {
     else
         due_.stop();
     Computed computed;
-    computed.shown = shown_;
+    computed.shown = shown();
     if (follower_->shown().scene) // until then it is the empty one
         computed.shown = {follower_->shown().scene, follower_->shown().motion};
     computed.text = follower_->shownText();
@@ -371,12 +356,8 @@ void SceneDocument::reset(const std::string& text, const QString& name) {
 
 void SceneDocument::begin(const QString& path, const files::KnownFile& file,
                           const std::string& text) {
-    path_ = path;
-    file_ = file;
-    name_.clear();
-    savedText_ = text;
-    done_.clear();
-    undone_.clear();
+    file_ = {path, {}, file, text};
+    history_.clear();
     gesture_.reset();
     isAnother_ = true;
     Q_EMIT opened();
@@ -387,31 +368,32 @@ void SceneDocument::recover(const files::KnownFile& file, const std::string& tex
     if (file.path.empty() || !open(QFile::decodeName(file.path.c_str())).isEmpty())
         reset();
     else
-        file_ = file; // what another program did with it since is asked about
+        file_.known = file; // what another program did with it since is asked about
     setText(text, tr("Recover"));
 }
 
 files::SaveResult SceneDocument::save(const QString& path, files::SaveOptions options) {
     endGesture();
-    files::SaveResult result = files::saveFile(
-        files::FileSystem::real(), QFile::encodeName(path).toStdString(), text_, file_, options);
+    files::SaveResult result =
+        files::saveFile(files::FileSystem::real(), QFile::encodeName(path).toStdString(), text_,
+                        file_.known, options);
     if (!result)
         return result;
-    path_ = path;
-    name_.clear(); // the file's from now on
-    savedText_ = text_;
+    file_.path = path;
+    file_.name.clear(); // the file's from now on
+    file_.text = text_;
     Q_EMIT nameChanged();
     return result;
 }
 
 QString SceneDocument::name() const {
-    if (!name_.isEmpty())
-        return name_;
-    return path_.isEmpty() ? tr("untitled") : QFileInfo(path_).fileName();
+    if (!file_.name.isEmpty())
+        return file_.name;
+    return file_.path.isEmpty() ? tr("untitled") : QFileInfo(file_.path).fileName();
 }
 
 void SceneDocument::setName(const QString& name) {
-    name_ = name;
+    file_.name = name;
     Q_EMIT nameChanged();
 }
 

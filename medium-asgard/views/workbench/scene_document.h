@@ -18,6 +18,7 @@
 #include "gestures/ground.h"
 #include "scene/diagnostic.h"
 #include "text/edit.h"
+#include "workbench/history.h"
 
 #include <QObject>
 #include <QString>
@@ -85,21 +86,23 @@ public:
 
     [[nodiscard]] const std::string& text() const { return text_; }
     [[nodiscard]] int revision() const { return revision_; }
-    [[nodiscard]] const Shown& shown() const { return shown_; }
+    [[nodiscard]] const Shown& shown() const { return computed_.shown; }
     // That the shown scene was read from.
-    [[nodiscard]] const std::string& shownText() const { return shownText_; }
+    [[nodiscard]] const std::string& shownText() const { return computed_.text; }
     // Of the current text, by place; faults of the motion without a place at the end.
-    [[nodiscard]] const std::vector<scene::Diagnostic>& diagnostics() const { return diagnostics_; }
+    [[nodiscard]] const std::vector<scene::Diagnostic>& diagnostics() const {
+        return computed_.diagnostics;
+    }
     [[nodiscard]] bool hasErrors() const;
-    [[nodiscard]] Work work() const { return work_; }
+    [[nodiscard]] Work work() const { return computed_.work; }
     // The scene that was read from this very text is the one shown: places in it are right.
     [[nodiscard]] bool sceneIsCurrent() const { return sceneRevision_ == revision_; }
     // It is not, and will be soon, if the text has no errors.
-    [[nodiscard]] bool isAwaited() const { return !sceneIsCurrent() && work_ != Work::none; }
+    [[nodiscard]] bool isAwaited() const { return !sceneIsCurrent() && work() != Work::none; }
     // Why no gesture can change the text now; "": they can.
     [[nodiscard]] QString whyNotCurrent() const;
     [[nodiscard]] const std::optional<simulation::Statistics>& statistics() const {
-        return statistics_;
+        return computed_.statistics;
     }
 
     // The selection, in every view: elements of the shown scene, in order. They stay selected while
@@ -131,13 +134,13 @@ public:
     void recompute();
     // Keeps the motion that there is.
     void stopComputing();
-    [[nodiscard]] bool computingWasStopped() const { return wasStopped_; }
+    [[nodiscard]] bool computingWasStopped() const { return computed_.stopped; }
 
     // The scene is shown as soon as it is read; until its own motion is there the motion shown is
     // an older scene's, which is said wherever it is seen.
-    [[nodiscard]] bool motionIsStale() const { return motionIsStale_; }
+    [[nodiscard]] bool motionIsStale() const { return computed_.stale; }
     // It stays so until one asks for the motion.
-    [[nodiscard]] bool waitsToBeAsked() const { return motionIsStale() && work_ == Work::none; }
+    [[nodiscard]] bool waitsToBeAsked() const { return motionIsStale() && work() == Work::none; }
     [[nodiscard]] Live live() const { return live_; }
     void setLive(Live live);
     void setOverlap(std::chrono::milliseconds overlap); // of motions while a gesture lasts
@@ -167,10 +170,10 @@ public:
     // Takes the text that a program, which knew its file as `file`, had not saved when it ended:
     // one change of the file's content. Without the file it is a scene that was never saved.
     void recover(const files::KnownFile& file, const std::string& text);
-    [[nodiscard]] const files::KnownFile& knownFile() const { return file_; }
-    [[nodiscard]] const QString& path() const { return path_; }
-    [[nodiscard]] const std::string& savedText() const { return savedText_; }
-    [[nodiscard]] bool isModified() const { return text_ != savedText_; }
+    [[nodiscard]] const files::KnownFile& knownFile() const { return file_.known; }
+    [[nodiscard]] const QString& path() const { return file_.path; }
+    [[nodiscard]] const std::string& savedText() const { return file_.text; }
+    [[nodiscard]] bool isModified() const { return text_ != file_.text; }
     // For titles: the file's name, or what the host calls it.
     [[nodiscard]] QString name() const;
     void setName(const QString& name);
@@ -190,38 +193,32 @@ Q_SIGNALS:
     void changeRefused(const QString& why); // the text is the host's again
 
 private:
-    struct Change { // one step of undo
-        text::Edit forward, backward;
-        QString label;
-    };
-
     void replaceText(const std::string& text);
     void endGesture();
     void begin(const QString& path, const files::KnownFile& file, const std::string& text);
     void start(bool asked);
-    // After another scene came, which was read from that text.
-    void followSelection(const scene::Scene& before, const std::string& text,
+    // After another scene came; the one before was read from that text.
+    void followSelection(const scene::Scene& before, const std::string& textBefore,
                          const std::vector<editing::Renamed>& renamed);
     void setWork(Work work);
     void update(); // what the follower has come to is shown
 
-    std::string text_, savedText_;
-    QString path_, name_;
-    files::KnownFile file_;
+    std::string text_;
     int revision_ = 0;
-    int sceneRevision_ = 0; // no text is the empty scene
-    Shown shown_;
-    std::string shownText_;  // that the shown scene was read from
+    int sceneRevision_ = 0;  // of the shown scene; no text is the empty scene
+    Computed computed_;      // what is shown
     bool isAnother_ = false; // a scene was opened that is not shown yet
     std::vector<editing::Element> selected_;
-    std::vector<scene::Diagnostic> diagnostics_;
-    std::optional<simulation::Statistics> statistics_;
-    Work work_ = Work::none;
-    bool motionIsStale_ = false, wasStopped_ = false;
     QTimer due_; // the follower has something to do then
     Live live_ = Live::always;
     HostLink host_;
-    std::vector<Change> done_, undone_;
+    History history_;
+    struct File { // stand-alone
+        QString path, name;
+        files::KnownFile known;
+        std::string text; // as it was saved
+    };
+    File file_;
     struct Gesture {
         std::string before;
         int since; // the revision that it began at
