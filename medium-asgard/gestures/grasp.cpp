@@ -1,5 +1,8 @@
 #include "gestures/grasp.h"
 
+#include <algorithm>
+#include <variant>
+
 namespace gestures {
 
 namespace {
@@ -33,6 +36,15 @@ Grasp bodyHeld(const render::Drawing& drawing, const Sight& sight, const Picked&
              reach, pose}};
 }
 
+// A fixed half space lies behind everything: a drag that missed something else does not mean it.
+// Its handle moves it.
+bool isEndlessFloor(const scene::Scene& scene, const scene::Body& body) {
+    const scene::ShapeSet* set = scene::findShapeSet(scene, body.shape);
+    return body.fixed && set && std::ranges::any_of(set->parts, [](const scene::Part& part) {
+               return std::holds_alternative<scene::PlaneShape>(part.shape);
+           });
+}
+
 } // namespace
 
 std::optional<Grasp> graspAt(const render::Drawing& drawing, const render::HandleSet& handles,
@@ -48,7 +60,9 @@ std::optional<Grasp> graspAt(const render::Drawing& drawing, const render::Handl
                          handle};
     }
     const auto picked = bodyAt(drawing, sight, pixels);
-    return picked ? std::optional(bodyHeld(drawing, sight, *picked, button)) : std::nullopt;
+    if (!picked || isEndlessFloor(*drawing.scene, drawing.scene->bodies[picked->body]))
+        return std::nullopt;
+    return bodyHeld(drawing, sight, *picked, button);
 }
 
 } // namespace gestures

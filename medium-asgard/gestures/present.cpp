@@ -161,6 +161,10 @@ editing::Answer startingAt(const Ground& ground, double time, const std::optiona
         answer.reason = "The motion is not computed up to this time yet.";
         return answer;
     }
+    if (time >= ground.motion->finish()) {
+        answer.reason = "Nothing of the motion is left from here on: go to an earlier moment.";
+        return answer;
+    }
     const scene::Released released = simulation::releasedBy(*ground.scene, *ground.motion, time);
     answer.reason = countsFromStart(*ground.scene, released);
     if (!answer.possible())

@@ -116,6 +116,7 @@ TEST(Present, WhatCountsFromTheStartSaysWhyItCannotBe) {
     const Ground spring = groundOf(thrown + "spring s -body1 b -x 0 -y 8 -z 0 -stiffness 10\n");
     EXPECT_THAT(startingAt(spring, 0.5).reason, HasSubstr("takes its length -rest from the start"));
     EXPECT_THAT(startingAt(groundOf(thrown), 99).reason, HasSubstr("not computed up to this time"));
+    EXPECT_THAT(startingAt(groundOf(thrown), 2).reason, HasSubstr("Nothing of the motion is left"));
 }
 
 } // namespace

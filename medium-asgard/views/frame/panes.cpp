@@ -170,7 +170,7 @@ void Panes::fillMenu(QMenu& menu) const {
 
 QByteArray Panes::arrangement() const { return window_.saveState(version); }
 
-bool Panes::restore(const QByteArray& arrangement) {
+bool Panes::restore(const QByteArray& arrangement, const QSize& room) {
     if (!window_.restoreState(arrangement, version))
         return false;
     for (const Placed& one : panes_) {
@@ -179,7 +179,12 @@ bool Panes::restore(const QByteArray& arrangement) {
         if (!one.dock->isHidden())
             contentOf(one);
     }
-    return true;
+    const QSize least = window_.minimumSizeHint();
+    const bool fits = least.boundedTo(room) == least;
+    if (!fits)
+        for (const Placed& one : panes_)
+            one.dock->hide();
+    return fits;
 }
 
 } // namespace views

@@ -53,9 +53,10 @@ public:
     // An entry for each pane, checked while the pane is shown.
     void fillMenu(QMenu& menu) const;
 
-    // Sizes, places and which are shown; `restore` gives false for another program's arrangement.
+    // Sizes, places and which are shown; `restore` gives false for another program's arrangement,
+    // and for one that takes more than that room, as on a smaller screen: then none is shown.
     [[nodiscard]] QByteArray arrangement() const;
-    bool restore(const QByteArray& arrangement);
+    bool restore(const QByteArray& arrangement, const QSize& room);
 
 Q_SIGNALS:
     void contentMade(const QString& name, QWidget* content);

@@ -86,6 +86,7 @@ void Creating::start(Recipe recipe) {
 
 void Creating::start(std::function<Recipe()> recipe) {
     cancel();
+    display_.editing().say({}); // it was about what was done before
     waiting_.emplace(Waiting{std::move(recipe), {}});
     if (document_.isAwaited()) {
         display_.setFocus();

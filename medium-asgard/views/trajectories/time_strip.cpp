@@ -28,6 +28,24 @@ double roundedTime(double value, double step) {
     return editing::roundedTo(value, editing::decimalStep(step));
 }
 
+// The path that the element is, or that the force follows; none: it has none.
+std::optional<std::size_t> pathOf(const scene::Scene& scene, const editing::Element& element) {
+    std::size_t index = element.index;
+    if (element.kind == editing::Kind::force && index < scene.forces.size()) {
+        const auto* follows = std::get_if<scene::TrajectoryForce>(&scene.forces[index].kind);
+        if (!follows)
+            return std::nullopt;
+        const auto path =
+            std::ranges::find(scene.trajectories, follows->trajectory, &scene::Trajectory::name);
+        index = static_cast<std::size_t>(path - scene.trajectories.begin());
+    } else if (element.kind != editing::Kind::trajectory) {
+        return std::nullopt;
+    }
+    const bool isPath =
+        index < scene.trajectories.size() && !scene.trajectories[index].curves.empty();
+    return isPath ? std::optional(index) : std::nullopt;
+}
+
 // A number of the knots, from 1, as the picture and the text count them.
 int knotOf(const std::vector<editing::ControlPoint>& points, std::size_t point) {
     return static_cast<int>(
@@ -80,11 +98,8 @@ void TimeStrip::follow() {
     const auto& scene = *document_.shown().scene;
     std::optional<std::size_t> selected;
     for (const editing::Element& one : document_.selected())
-        if (one.kind == editing::Kind::trajectory && one.index < scene.trajectories.size() &&
-            !scene.trajectories[one.index].curves.empty()) {
-            selected = one.index;
+        if ((selected = pathOf(scene, one)))
             break;
-        }
     if (selected != trajectory_) {
         // A mark that is held is none of what is shown now; what it did has the old one's name.
         if (press_.grip == Grip::mark)

@@ -166,7 +166,8 @@ GraphicalViewer* Editor::openMainWindow() {
         placeFirst(*viewer);
         viewer->restoreGeometry(settings.value(placeKey).toByteArray());
     }
-    if (!viewer->panes().restore(settings.value(panesKey).toByteArray()))
+    if (!viewer->panes().restore(settings.value(panesKey).toByteArray(),
+                                 viewer->screen()->availableSize()))
         viewer->showUsualPanes();
     viewer->panes().hide("tour");
     return viewer;

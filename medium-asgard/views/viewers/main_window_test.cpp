@@ -257,6 +257,21 @@ TEST_F(MainWindowTest, TheWindowFitsASmallScreen) {
     EXPECT_EQ(viewer->size(), QSize(700, 450));
 }
 
+// What was arranged on a large screen is arranged anew on a small one.
+TEST_F(MainWindowTest, AnArrangementThatIsTooLargeForTheScreenIsLeft) {
+    GraphicalViewer& viewer = open();
+    viewer.resize(1600, 1000);
+    for (const char* one : {"text", "sceneList", "status", "properties", "plots", "faults"})
+        viewer.panes().show(one);
+    const QByteArray kept = viewer.panes().arrangement();
+    const QSize least = viewer.minimumSizeHint();
+    EXPECT_TRUE(viewer.panes().restore(kept, least));
+    EXPECT_TRUE(viewer.panes().isShown("plots"));
+    EXPECT_FALSE(viewer.panes().restore(kept, least - QSize(1, 0)));
+    for (const char* one : {"text", "sceneList", "status", "properties", "plots", "faults"})
+        EXPECT_FALSE(viewer.panes().isShown(one)) << one;
+}
+
 // The sliders are seen beside the values of the selected, while there are any.
 TEST_F(MainWindowTest, SlidersHaveAPaneOfTheirOwn) {
     GraphicalViewer& viewer = open();
@@ -289,12 +304,12 @@ TEST_F(MainWindowTest, PanesAreMadeWhenTheyAreShownAndRemembered) {
     const QByteArray kept = first->panes().arrangement();
     GraphicalViewer* second = editor.openGraphicalViewer();
     second->resize(1200, 760);
-    ASSERT_TRUE(second->panes().restore(kept));
+    ASSERT_TRUE(second->panes().restore(kept, QSize(5000, 5000)));
     EXPECT_TRUE(second->panes().isShown("plots"));
     EXPECT_FALSE(second->panes().isShown("status"));
     EXPECT_FALSE(second->panes().isShown("text"));
     EXPECT_TRUE(second->findChild<QDockWidget*>("pane.plots")->isFloating());
-    EXPECT_FALSE(second->panes().restore("nonsense"));
+    EXPECT_FALSE(second->panes().restore("nonsense", QSize(5000, 5000)));
 }
 
 TEST_F(MainWindowTest, AViewersWindowsAndDraftsComeBack) {

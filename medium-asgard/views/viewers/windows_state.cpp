@@ -126,7 +126,9 @@ void restore(GraphicalViewer& viewer, const QJsonObject& as) {
     }
     viewer.display().meters().set(std::move(meters));
     viewer.playback().seek(as["time"].toDouble());
-    viewer.panes().restore(QByteArray::fromBase64(as["panes"].toString().toLatin1()));
+    const auto panes = QByteArray::fromBase64(as["panes"].toString().toLatin1());
+    if (!viewer.panes().restore(panes, viewer.screen()->availableSize()) && !panes.isEmpty())
+        viewer.showUsualPanes();
     if (as.contains("text"))
         restore(static_cast<LanguageViewer&>(*viewer.panes().made("text")), as["text"].toObject());
 }
