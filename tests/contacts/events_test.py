@@ -220,6 +220,15 @@ force -body ladder -offset {{-1 0 0}} -x {push}
 """
 
 
+def check_names():
+    """A contact that ends a motion is told by its bodies."""
+    run = subprocess.run([sys.argv[1], "simulate", "-", "--csv", os.devnull], input=PAINLEVE, capture_output=True, text=True, check=False)
+    if "of rod on ground" not in run.stderr:
+        print(f"FAIL a rod that jams: {run.stderr}")
+        return 1
+    return 0
+
+
 def check_flush_ladder():
     """It passes the wall, topples and lies on the floor, its end against the table, alike at each accuracy."""
     faults = 0
@@ -262,7 +271,7 @@ def check_coin():
 
 
 def main():
-    faults = check_hops() + check_growing_hops() + check_half_space() + check_finish() + check_kerb() + check_coin() + check_flush_ladder()
+    faults = check_hops() + check_growing_hops() + check_half_space() + check_finish() + check_kerb() + check_coin() + check_flush_ladder() + check_names()
     for name, scene, expected in cases():
         found = events(scene, stops=name == "painleve")
         listed = [(float(row["time"]), row["kind"], row["names"]) for row in found]

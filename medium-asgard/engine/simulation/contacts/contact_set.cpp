@@ -164,18 +164,21 @@ void ContactSet::giveRows(Contact& contact, solution::EquationsInForce& equation
                           solution::Changes& changes) {
     expression::EquationSet& set = equations.changing();
     const std::size_t owner = ownerOf(contact);
+    const std::string name =
+        world_.name(contact.of.place.body) + " on " + world_.name(contact.of.place.support);
     for (std::size_t k = 0; k < contact.of.place.rows(); ++k) {
         std::vector<std::size_t>& unused = unused_[roleOf(contact, k)];
         if (!unused.empty()) {
             contact.rows.push_back(unused.front());
             unused.erase(unused.begin());
+            set.unknowns[contact.rows.back()].name = name;
             continue;
         }
         const std::size_t row = set.unknowns.size() + changes.additions.size();
         contact.rows.push_back(row);
         expression::Unknown unknown;
-        unknown.name = world_.name(owner) + ".contact" + std::to_string(row);
-        unknown.symbol = set.graph.symbol(unknown.name);
+        unknown.name = name; // in sentences; the symbol is one for each row
+        unknown.symbol = set.graph.symbol(world_.name(owner) + ".contact" + std::to_string(row));
         unknown.phases.emplace_back();
         unknown.phases[0].derivative = set.graph.constant(0);
         unknown.phases[0].given = set.graph.constant(0);
