@@ -244,6 +244,15 @@ bool isSame(const Run& second, std::size_t body) {
     return !second.isTaken.empty() && second.isTaken[body];
 }
 
+// Where the motion is known in both runs and is compared.
+double comparedUntil(const Problem& problem, std::size_t b, const Run& first, const Run& second) {
+    const BodyRecord& body = (*problem.bodies)[b];
+    const double until = std::min({problem.finish(), knownUntil(body, *first.histories),
+                                   knownUntil(body, *second.histories)});
+    const bool isCut = first.stops.contains(b) || second.stops.contains(b);
+    return isCut ? until - lastPart * (until - problem.start()) : until;
+}
+
 // Calls visit(time, place in the first run, place in the second) where a body is compared. Answers
 // how many steps the second run has of it.
 template <typename Visit>
@@ -251,10 +260,7 @@ std::size_t compareBody(const Problem& problem, std::size_t b, const Run& first,
                         Poll& poll, const Visit& visit) {
     const BodyRecord& body = (*problem.bodies)[b];
     const double from = problem.start();
-    double until = std::min({problem.finish(), knownUntil(body, *first.histories),
-                             knownUntil(body, *second.histories)});
-    if (first.stops.contains(b) || second.stops.contains(b))
-        until -= lastPart * (until - from);
+    const double until = comparedUntil(problem, b, first, second);
     PlaceReader before(body, *first.histories, from);
     PlaceReader after(body, *second.histories, from);
     // What turns in neither run has the attitude of the start in both.
@@ -265,6 +271,59 @@ std::size_t compareBody(const Problem& problem, std::size_t b, const Run& first,
         visit(t, before.at(t), after.at(t));
     }
     return after.steps();
+}
+
+// How far an unknown goes. Steps may be as long as a swing or a flight: each is halved until its
+// bounds say that it goes no farther than is known, but for a hundredth of that or of `least`.
+class Extent {
+public:
+    Extent(double value, double least) : low_(value), high_(value), least_(least) {}
+
+    void add(const solution::Piece& piece, double from, double to) {
+        add(piece.value(to));
+        widen(piece, from, to, 12);
+    }
+    [[nodiscard]] double low() const { return low_; }
+    [[nodiscard]] double high() const { return high_; }
+
+private:
+    void add(double value) {
+        low_ = std::min(low_, value);
+        high_ = std::max(high_, value);
+    }
+    void widen(const solution::Piece& piece, double from, double to, int halvings) {
+        const auto [low, high] = piece.bounds(from, to);
+        const double room = 0.01 * std::max(high_ - low_, least_);
+        if ((low >= low_ - room && high <= high_ + room) || halvings == 0)
+            return;
+        const double middle = from + (to - from) / 2;
+        add(piece.value(middle));
+        widen(piece, from, middle, halvings - 1);
+        widen(piece, middle, to, halvings - 1);
+    }
+
+    double low_, high_, least_;
+};
+
+// Bounding sphere included.
+Eigen::AlignedBox3d boxOf(const BodyRecord& body, const solution::Histories& histories, double from,
+                          double until, Poll& poll) {
+    Eigen::AlignedBox3d box;
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+        const std::size_t unknown = body.firstUnknown + physics::x + static_cast<std::size_t>(axis);
+        Extent extent(histories.value(unknown, from), body.radius);
+        for (double t = from; t < until && !poll.isCancelled();) {
+            const solution::Piece piece = histories.piece(unknown, t);
+            const double end = std::min(piece.until, until);
+            if (!(end > t))
+                break;
+            extent.add(piece, t, end);
+            t = end;
+        }
+        box.min()[axis] = extent.low() - body.radius;
+        box.max()[axis] = extent.high() + body.radius;
+    }
+    return box;
 }
 
 // Error control, or arithmetic, ended the motion of the body.
@@ -324,8 +383,9 @@ std::vector<IslandError> compareRuns(const Problem& problem, const Run& first, c
                             raise(largest, error);
                             if (t <= earlyUntil)
                                 raise(early, error);
-                            extend(boxes[island], truth.position, bodies[b].radius);
                         });
+        boxes[island].extend(boxOf(bodies[b], *second.histories, problem.start(),
+                                   comparedUntil(problem, b, first, second), poll));
         errors[island].steps = std::max(errors[island].steps, steps);
     }
     for (std::size_t i = 0; i < bodies.size(); ++i)

@@ -3,7 +3,8 @@
 // Position error of a body at a time: the larger of the distance of the centres of mass and
 // (angle between the attitudes) x (radius of the body). It is scaled by the size of what moves
 // together (an island), which is never larger than the scene: the longest edge of the box that
-// holds the island's bodies, bounding spheres included, over the motion.
+// holds the island's bodies, bounding spheres included, over the motion. Each edge is that of the
+// whole motion, within steps too, but for some hundredths of it.
 #pragma once
 
 #include "run/run.h"

@@ -41,6 +41,18 @@ TEST(CompareRuns, ScalesByTheBoxOfWhatMovesAndTellsWhenItPartsByMore) {
     EXPECT_NEAR(errors[0].beyondFrom(0.05 / size), 5, 1);
 }
 
+// A hundred hops: its steps are flights, and the first of them begins at the top.
+TEST(CompareRuns, ScalesByTheWholeWayOfLongSteps) {
+    SceneBuilder b(30);
+    b.floor();
+    b.ball("ball", {0, 10.1, 0}).restitution = 0.9;
+    b.weight("ball");
+    const auto truth = posed(b);
+    const auto run = runOf(*truth);
+    EXPECT_GT(run.impacts.size(), 64u);
+    EXPECT_NEAR(compareRuns(*truth, runOf(*truth), run, 1)[1].size, 10.2, 0.1);
+}
+
 TEST(CompareRuns, AnAngleCountsByTheRadius) {
     SceneBuilder b = flying(0);
     b.scene.bodies[0].initialAngularVelocity = {0, 0, 0.3};
