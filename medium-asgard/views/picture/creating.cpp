@@ -257,8 +257,13 @@ std::optional<Indicated> Creating::onGrid(const Eigen::Vector2d& pixels, Indicat
         return std::nullopt;
     found.resolution = sight.pixelLength(*place);
     const gestures::Snapped meant = snapping().at(*place);
-    found.point = meant.place;
-    found.point += (ground->height - meant.place.dot(ground->up)) * ground->up;
+    found.point = meant.isExact ? meant.place : *place;
+    if (!meant.isExact) {
+        const double step = snapping().step(*place);
+        for (const int axis : ground->across)
+            found.point[axis] = step * std::round(found.point[axis] / step);
+    }
+    found.point += (ground->height - found.point.dot(ground->up)) * ground->up;
     found.at = meant.isExact ? meant.to : tr("on the grid").toStdString();
     found.point += heightOf(ground->up, found.attitude) * ground->up;
     found.resolution *= 1e-3; // so that it touches

@@ -55,7 +55,7 @@ TEST_F(CreatingTest, ABodyStandsOnTheGridThatIsClicked) {
     open("# nothing yet\n");
     display().lookAlong(Vector(0.3, 0.5, 1));
     display().grab();
-    for (const double x : {0.0, 1.5}) {
+    for (const double x : {0.0, 1.6}) {
         display().creating().start(newBody(BasicShape::box));
         click({x + 0.01, 0, 0.02});
         done();
@@ -63,6 +63,8 @@ TEST_F(CreatingTest, ABodyStandsOnTheGridThatIsClicked) {
         EXPECT_EQ(place.y(), 0.5) << x; // half of its height
         EXPECT_NEAR(place.x(), x, 0.05);
         EXPECT_NEAR(place.z(), 0, 0.05);
+        EXPECT_NEAR(std::remainder(place.x(), 0.01), 0, 1e-9); // round numbers
+        EXPECT_NEAR(std::remainder(place.z(), 0.01), 0, 1e-9);
         display().grab();
     }
     EXPECT_THAT(editor.document().diagnostics(), testing::IsEmpty());
