@@ -556,6 +556,7 @@ bool ActiveSet::settle(std::span<const std::size_t> fallen, double fastest, doub
                        std::span<const double> y) {
     f_.fill(t, y);
     multipliers_.evaluateGaps();
+    mode_.forces.clear();
     std::vector<char> slipping(discs().size(), 0);
     for (bool isOther = true; isOther;) {
         const Rows rows = rowsFor(fallen, fastest, slipping);
@@ -570,6 +571,36 @@ bool ActiveSet::settle(std::span<const std::size_t> fallen, double fastest, doub
                 slipping[disc] = 1, isOther = true;
     }
     openUnpressed();
+    takeForces();
+    return true;
+}
+
+// The laws' where the shortest that keep redundant conditions break a bound.
+void ActiveSet::takeForces() {
+    std::vector<double> ofLaws = std::exchange(mode_.forces, {});
+    if (!multipliers_.solve() || !multipliers_.isRedundant() || areWithinBounds())
+        return;
+    mode_.forces = std::move(ofLaws);
+    (void)multipliers_.solve();
+    if (!areWithinBounds()) // nor are they, so that they tell no more than the shortest
+        mode_.forces.clear();
+}
+
+bool ActiveSet::areWithinBounds() const {
+    constexpr double rounding = 1e-9;
+    double largest = 0;
+    for (const double m : multipliers_.values())
+        largest = std::max(largest, std::abs(m));
+    const double most = rounding * largest;
+    for (const std::size_t row : bounded_)
+        if (!law(row).disc && mode_.kept[row] == State::inside &&
+            (multipliers_.values()[row] < law(row).low - most ||
+             multipliers_.values()[row] > law(row).high + most))
+            return false;
+    for (std::size_t disc = 0; disc < discs().size(); ++disc)
+        if (mode_.kept[discs()[disc].rows[0]] == State::inside &&
+            multipliers_.leewayOf(disc) < -most)
+            return false;
     return true;
 }
 
@@ -620,6 +651,9 @@ bool ActiveSet::solveLaws(const Rows& rows) {
     if (!answer)
         return false;
     const double largest = answer->forces.cwiseAbs().maxCoeff();
+    mode_.forces.assign(mode_.kept.size(), 0);
+    for (std::size_t i = 0; i < rows.rows.size(); ++i)
+        mode_.forces[rows.rows[i]] = answer->forces[static_cast<Eigen::Index>(i)];
     std::size_t disc = 0;
     for (std::size_t k = 0; k < rows.laws.size(); ++k) {
         const complementarity::Law& of = rows.laws[k];

@@ -121,6 +121,8 @@ private:
     [[nodiscard]] Rows rowsFor(std::span<const std::size_t> fallen, double fastest,
                                const std::vector<char>& slipping);
     void openUnpressed();
+    void takeForces();
+    [[nodiscard]] bool areWithinBounds() const;
     [[nodiscard]] bool settle(std::span<const std::size_t> fallen, double fastest, double t,
                               std::span<const double> y);
     [[nodiscard]] std::optional<complementarity::Answer> answerOf(const Rows& rows);

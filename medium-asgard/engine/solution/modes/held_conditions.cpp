@@ -197,9 +197,9 @@ std::string HeldConditions::how() const {
            std::to_string(n * (n + 1) * (n - 1) / 6) + ")";
 }
 
-// The shortest m = S y of those with  A y = right,  A scaled by S: the shortest y, and of what
-// leaves A y as it is the part that shortens m.
-Eigen::VectorXd HeldConditions::leastSolution() const {
+// Of the m = S y with  A y = right,  A scaled by S, the one next to what is wanted: the shortest y,
+// and of what leaves A y as it is the part that brings m nearer.
+Eigen::VectorXd HeldConditions::leastSolution(const Eigen::VectorXd& wanted) const {
     Eigen::VectorXd y = least_.solve(right_);
     const Eigen::Index free = y.size() - least_.rank();
     if (free == 0)
@@ -207,21 +207,25 @@ Eigen::VectorXd HeldConditions::leastSolution() const {
     const Eigen::MatrixXd idle =
         least_.colsPermutation() * Eigen::MatrixXd(least_.matrixZ().transpose().rightCols(free));
     const Eigen::MatrixXd forces = scale_.asDiagonal() * idle;
-    y -= idle * forces.colPivHouseholderQr().solve(scale_.cwiseProduct(y));
+    y -= idle * forces.colPivHouseholderQr().solve(scale_.cwiseProduct(y) - wanted);
     return y;
 }
 
-void HeldConditions::solve(Eigen::Ref<Eigen::VectorXd> rates) {
+void HeldConditions::solve(Eigen::Ref<Eigen::VectorXd> rates, std::span<const double> wanted) {
     const std::size_t n = plan_.rows.size();
     right_.resize(count(n));
-    for (std::size_t i = 0; i < n; ++i)
+    wanted_.setZero(count(n));
+    for (std::size_t i = 0; i < n; ++i) {
         right_[count(i)] = -rates[count(plan_.rows[i])];
+        if (!wanted.empty())
+            wanted_[count(i)] = wanted[plan_.rows[i]];
+    }
     rates.setZero();
     if (way_ == Way::sparse) {
         answer_ = right_;
         elimination_.solve({answer_.data(), n});
         if (kernel_.cols() > 0) {
-            answer_ -= kernel_ * ofKernel_.solve(kernel_.transpose() * answer_);
+            answer_ -= kernel_ * ofKernel_.solve(kernel_.transpose() * (answer_ - wanted_));
             right_ = scale_.cwiseProduct(right_);
         }
         for (std::size_t i = 0; i < n; ++i)
@@ -229,7 +233,7 @@ void HeldConditions::solve(Eigen::Ref<Eigen::VectorXd> rates) {
         return;
     }
     right_ = scale_.cwiseProduct(right_);
-    answer_ = way_ == Way::dense ? Eigen::VectorXd(lu_.solve(right_)) : leastSolution();
+    answer_ = way_ == Way::dense ? Eigen::VectorXd(lu_.solve(right_)) : leastSolution(wanted_);
     for (std::size_t i = 0; i < n; ++i)
         rates[count(plan_.rows[i])] = scale_[count(i)] * answer_[count(i)];
 }

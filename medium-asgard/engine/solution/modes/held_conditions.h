@@ -6,7 +6,8 @@
 // A tree of joints has conditions that read few others, and so has a stack: there, A is eliminated
 // as a sparse matrix (elimination.h); where it reads most, or where A is not definite, as a dense
 // one, scaled by the roots of its diagonal. Where conditions are redundant, as the four corners of
-// a face or the joints of a plane mechanism in space, the shortest m is taken.
+// a face or the joints of a plane mechanism in space, the shortest m is taken, or the one next to
+// Mode::forces.
 //
 // The choice depends on the mode and on the numbers at the point alone: the same point has the
 // same answer, whatever was asked before.
@@ -38,8 +39,9 @@ public:
     // Without a heap allocation where the same conditions hold as before.
     [[nodiscard]] bool factorise(std::span<const double> values, std::span<const double> friction);
     [[nodiscard]] const std::vector<std::size_t>& rows() const { return plan_.rows; }
-    // Of conditions with these rates the m that keep them; 0 of others than those that hold.
-    void solve(Eigen::Ref<Eigen::VectorXd> rates);
+    // Of conditions with these rates the m that keep them; 0 of others than those that hold. Of
+    // several the one next to `wanted`, one for each condition; empty: the shortest.
+    void solve(Eigen::Ref<Eigen::VectorXd> rates, std::span<const double> wanted = {});
     // Conditions are not redundant.
     [[nodiscard]] bool isRegular() const {
         return way_ == Way::dense || (way_ == Way::sparse && kernel_.cols() == 0);
@@ -77,7 +79,7 @@ private:
     [[nodiscard]] bool eliminate(std::span<const double> values, std::span<const double> friction);
     void findKernel(std::span<const double> values, std::span<const double> friction);
     void putMatrix(std::span<const double> values, std::span<const double> friction);
-    [[nodiscard]] Eigen::VectorXd leastSolution() const;
+    [[nodiscard]] Eigen::VectorXd leastSolution(const Eigen::VectorXd& wanted) const;
 
     const ComponentModel::Conditions& conditions_;
     const BoundModel& bound_;
@@ -89,7 +91,7 @@ private:
     Eigen::LDLT<Eigen::MatrixXd> ofKernel_;
     std::vector<double> redundant_; // the terms' values, then
     Eigen::MatrixXd matrix_;        // scaled, where it is not eliminated as a sparse one
-    Eigen::VectorXd scale_, right_, answer_;
+    Eigen::VectorXd scale_, right_, answer_, wanted_;
     Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> least_;
 };

@@ -228,7 +228,7 @@ bool Multipliers::solveOnce() {
     if (!factorise())
         return false;
     found_ = rest_;
-    solve(found_);
+    held_.solve(found_, mode_.forces);
     const bool isKept = found_.allFinite() && isSolved();
     for (std::size_t row = 0; row < size(); ++row)
         f_.in()[f_.in().size() - size() + row] =

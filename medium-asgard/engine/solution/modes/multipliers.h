@@ -36,6 +36,8 @@ public:
     // At the point that was solved for last, of conditions with these second rates; 0 of others
     // than those that hold, and of ties.
     void solve(Eigen::Ref<Eigen::VectorXd> rates) { held_.solve(rates); }
+    // Conditions that hold are redundant there.
+    [[nodiscard]] bool isRedundant() const { return !held_.isRegular(); }
     // How the last forces were found: a clause; "": there are none.
     [[nodiscard]] std::string how() const { return held_.how(); }
     [[nodiscard]] std::span<const double> values() const { return std::span(f_.in()).last(size()); }
