@@ -12,18 +12,19 @@
 
 namespace complementarity {
 
-class FixedPoint {
+// Of at most so many numbers; where they are few nothing is allocated.
+template <int Most = Eigen::Dynamic> class FixedPoint {
 public:
-    explicit FixedPoint(Eigen::VectorXd start) : at_(std::move(start)) {}
+    using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, Most, 1>;
+    explicit FixedPoint(Vector start) : at_(std::move(start)) {}
 
-    [[nodiscard]] const Eigen::VectorXd& at() const { return at_; }
+    [[nodiscard]] const Vector& at() const { return at_; }
     // From f(at()).
-    void moveFrom(const Eigen::VectorXd& value) {
-        constexpr Eigen::Index most = 5; // differences that are kept
-        constexpr double longest = 10;   // times the step to f(x)
-        const Eigen::VectorXd step = value - at_;
+    void moveFrom(const Vector& value) {
+        constexpr double longest = 10; // times the step to f(x)
+        const Vector step = value - at_;
         if (lastStep_.size() > 0) {
-            const Eigen::Index room = std::min(most, at_.size());
+            const Eigen::Index room = std::min<Eigen::Index>(kept, at_.size());
             const Eigen::Index count = std::min(room, steps_.cols() + 1);
             moves_ = joined(moves_, at_ - last_, count);
             steps_ = joined(steps_, step - lastStep_, count);
@@ -33,24 +34,27 @@ public:
         at_ = value;
         if (steps_.cols() == 0)
             return;
-        const Eigen::VectorXd parts = steps_.colPivHouseholderQr().solve(step);
-        const Eigen::VectorXd less = (moves_ + steps_) * parts;
+        const Parts parts = Eigen::ColPivHouseholderQR<Columns>(steps_).solve(step);
+        const Vector less = (moves_ + steps_) * parts;
         if (less.norm() < longest * step.norm())
             at_ -= less;
     }
 
 private:
+    static constexpr int kept = 5; // differences
+    using Columns = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, Most,
+                                  Most == Eigen::Dynamic ? Eigen::Dynamic : kept>;
+    using Parts = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kept, 1>;
     // The last `count` columns.
-    static Eigen::MatrixXd joined(const Eigen::MatrixXd& columns, const Eigen::VectorXd& more,
-                                  Eigen::Index count) {
-        Eigen::MatrixXd all(more.size(), count);
+    static Columns joined(const Columns& columns, const Vector& more, Eigen::Index count) {
+        Columns all(more.size(), count);
         if (count > 1)
             all.leftCols(count - 1) = columns.rightCols(count - 1);
         all.col(count - 1) = more;
         return all;
     }
-    Eigen::VectorXd at_, last_, lastStep_;
-    Eigen::MatrixXd moves_, steps_; // from x to x, and of f(x) - x
+    Vector at_, last_, lastStep_;
+    Columns moves_, steps_; // from x to x, and of f(x) - x
 };
 
 } // namespace complementarity

@@ -398,7 +398,7 @@ std::optional<Answer> solve(const Matrix& a, const Vector& b, const Laws& laws, 
         return solveAtMiddles(a, b, laws, guess, counts);
     const AtCentres at(a, b, laws);
     const bool hasGuess = guess.forces.size() == b.size();
-    FixedPoint centres(at.centresOf(hasGuess ? guess.forces : withoutDiscs(a, b, laws)));
+    FixedPoint<> centres(at.centresOf(hasGuess ? guess.forces : withoutDiscs(a, b, laws)));
     constexpr int most = 60;
     constexpr double close = 1e-7; // of a violation that goes on no further down: rounding is left
     std::optional<Answer> answer = guess, best;

@@ -225,6 +225,9 @@ bool ComponentEquations::differences(double t, std::span<const double> y,
                                      std::span<double> entries) {
     std::vector<double> at(y.begin(), y.end()), low(states().size()), high(states().size());
     const Pattern& pattern = model().jacobian().pattern;
+    if (active_.slips() && !rates(t, at, high))
+        return false;
+    const Multipliers::Near near(field_.multipliers());
     for (std::size_t column = 0; column < states().size(); ++column) {
         if (std::ranges::any_of(field_.columns(), [&](const HeldField::Column& c) {
                 return field_.gradientOf(c).state == column;

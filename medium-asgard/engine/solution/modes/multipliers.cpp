@@ -38,7 +38,7 @@ void Multipliers::findFriction() {
             const BoundModel::Disc& last = discs.back();
             friction_.assign(last.first + last.rows.size() * last.normals.size(), 0);
         }
-        putFriction(k, centreIn(k));
+        putFriction(k, startOf(k));
     }
 }
 
@@ -239,34 +239,39 @@ bool Multipliers::solveOnce() {
 
 // What slips and turns does so about the centre of normal forces that its own friction shifts.
 bool Multipliers::turnSlips() {
-    constexpr int most = 40;
-    std::vector<std::size_t> turning;
+    std::vector<std::size_t>& turning = turning_;
+    turning.clear();
     for (std::size_t k = 0; !friction_.empty() && k < f_.bound()->discs.size(); ++k)
         if (const BoundModel::Disc& disc = f_.bound()->discs[k];
             disc.hasLevers && slips(disc) && disc.sliding != 0 && rate(disc.rows.back()) != 0)
             turning.push_back(k);
-    if (turning.empty())
-        return true;
-    const auto each = [&](const Eigen::VectorXd& centres, const auto& visit) {
+    constexpr std::size_t few = 8;
+    return turning.empty() || (turning.size() <= few ? turnThem<2 * few>() : turnThem<-1>());
+}
+
+template <int Most> bool Multipliers::turnThem() {
+    constexpr int most = 40; // rounds
+    using Point = complementarity::FixedPoint<Most>;
+    using Together = typename Point::Vector;
+    const auto each = [&](const Together& centres, const auto& visit) {
         Eigen::Index first = 0;
-        for (const std::size_t disc : turning) {
+        for (const std::size_t disc : turning_) {
             const Eigen::Index count = indexOf(f_.bound()->discs[disc].rows.size()) - 1;
             visit(disc, Centre(centres.segment(first, count)));
             first += count;
         }
     };
     const auto together = [&](const auto& centre) {
-        Eigen::VectorXd all(2 * indexOf(turning.size()));
+        Together all(2 * indexOf(turning_.size()));
         Eigen::Index count = 0;
-        for (const std::size_t disc : turning) {
+        for (const std::size_t disc : turning_) {
             const Centre one = centre(disc);
             all.segment(count, one.size()) = one;
             count += one.size();
         }
-        return Eigen::VectorXd(all.head(count));
+        return Together(all.head(count));
     };
-    complementarity::FixedPoint centres(
-        together([this](std::size_t disc) { return centreIn(disc); }));
+    Point centres(together([this](std::size_t disc) { return startOf(disc); }));
     for (int round = 0; round < most; ++round) {
         bool isOther = false;
         each(centres.at(), [&](std::size_t disc, const Centre& centre) {
@@ -281,6 +286,20 @@ bool Multipliers::turnSlips() {
             return false;
     }
     return true;
+}
+
+Multipliers::Centre Multipliers::startOf(std::size_t disc) const {
+    const Centre ofMode = centreIn(disc);
+    return starts_.empty()
+               ? ofMode
+               : Centre(
+                     Eigen::Map<const Eigen::Vector2d>(starts_[disc].data()).head(ofMode.size()));
+}
+
+void Multipliers::startHere() {
+    starts_.assign(f_.bound()->discs.size(), {});
+    for (std::size_t disc = 0; disc < starts_.size() && !friction_.empty(); ++disc)
+        std::ranges::copy(centreOf(disc), starts_[disc].begin());
 }
 
 // Of discs that slip.

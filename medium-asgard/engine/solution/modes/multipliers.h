@@ -17,6 +17,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -38,6 +39,18 @@ public:
     void solve(Eigen::Ref<Eigen::VectorXd> rates) { held_.solve(rates); }
     // Conditions that hold are redundant there.
     [[nodiscard]] bool isRedundant() const { return !held_.isRegular(); }
+    // While it lives points are next to the one that was solved for last: the centres about which
+    // slips turn are looked for from its own on, not from those of the mode.
+    class Near {
+    public:
+        explicit Near(Multipliers& of) : of_(of) { of_.startHere(); }
+        ~Near() { of_.starts_.clear(); }
+        Near(const Near&) = delete;
+        Near& operator=(const Near&) = delete;
+
+    private:
+        Multipliers& of_;
+    };
     // How the last forces were found: a clause; "": there are none.
     [[nodiscard]] std::string how() const { return held_.how(); }
     [[nodiscard]] std::span<const double> values() const { return std::span(f_.in()).last(size()); }
@@ -127,6 +140,9 @@ private:
     [[nodiscard]] bool factorise();
     [[nodiscard]] bool solveOnce();
     [[nodiscard]] bool turnSlips();
+    template <int Most> [[nodiscard]] bool turnThem(); // of at most so many centres' numbers
+    [[nodiscard]] Centre startOf(std::size_t disc) const;
+    void startHere();
     [[nodiscard]] bool factoriseMoves();
     [[nodiscard]] double bound(std::size_t row) const;
     void addBounds();
@@ -145,7 +161,9 @@ private:
     const Mode& mode_;
     HeldConditions held_;
     std::vector<double> second_, ties_, gaps_, moves_;
-    std::vector<double> friction_; // where discs slip (BoundModel::Disc::first)
+    std::vector<double> friction_;              // where discs slip (BoundModel::Disc::first)
+    std::vector<std::size_t> turning_;          // discs
+    std::vector<std::array<double, 2>> starts_; // of their centres; none: those of the mode
     Eigen::VectorXd rest_, found_; // second rates without the multipliers that hold; by row
     std::vector<std::size_t> apart_, farApart_, contradictory_;
 };
