@@ -340,7 +340,8 @@ void keepGround(Extent& extent, const scene::Scene& scene, const Survey& survey)
         return;
     const double lowest =
         start.center().dot(extent.ground) - start.sizes().dot(extent.ground.cwiseAbs()) / 2;
-    if (extent.lowest < lowest - far * start.sizes().maxCoeff())
+    const bool mayCatch = lowestOfFixed(scene, survey, extent) < lowest;
+    if (!mayCatch && extent.lowest < lowest - far * start.sizes().maxCoeff())
         extent.lowest = lowest;
 }
 

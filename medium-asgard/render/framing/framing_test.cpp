@@ -167,6 +167,22 @@ TEST(Framed, TheGroundStaysWhereBodiesStartThatFallOff) {
     EXPECT_NEAR(extentOf(scene, falling(1).get()).lowest, -3, 1e-9); // as far as one sees
 }
 
+TEST(Framed, TheGroundLiesWhereAFloorCatchesWhatFallsFar) {
+    scene::Scene scene;
+    addBody(scene, sphere(1), {0, 3, 0}, {});
+    addBody(scene, sphere(1), {0, -50, 0}, {});
+    scene.bodies[1].fixed = true;
+    scene::Force weight;
+    weight.body = scene.bodies[0].name;
+    weight.kind = scene::GravitationalForce{{0, -10, 0}};
+    scene.forces.push_back(weight);
+    const auto law = [](double t) { return placed({0, std::max(3 - 5 * t * t, -48.0), 0}); };
+    const GivenMotion motion(10, {law, [](double) { return placed({0, -50, 0}); }});
+    const Extent extent = extentOf(scene, &motion);
+    EXPECT_LE(extent.lowest, -49);
+    EXPECT_TRUE(extent.lowestStands);
+}
+
 TEST(Framed, WhatFliesOffDoesNotMakeTheRestTooSmallToSee) {
     scene::Scene scene;
     for (int i = 0; i < 3; ++i)

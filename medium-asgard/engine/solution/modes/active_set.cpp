@@ -36,6 +36,7 @@ ActiveSet::ActiveSet(ModelFunctions& functions, Multipliers& multipliers, Mode& 
             hasContacts_ = hasContacts_ || isContact(row);
         }
     opened_.assign(laws.size(), 0);
+    mode.jumps.assign(laws.size(), std::numeric_limits<double>::infinity());
     mode.slips.assign(functions.bound()->discs.size(), {1, 0, 0});
     mode.centres.assign(functions.bound()->discs.size(), {0, 0});
 }
@@ -572,6 +573,8 @@ bool ActiveSet::settle(std::span<const std::size_t> fallen, double fastest, doub
     }
     openUnpressed();
     takeForces();
+    for (std::size_t row = 0; row < mode_.kept.size(); ++row)
+        mode_.jumps[row] = multipliers_.jumpOf(row);
     return true;
 }
 

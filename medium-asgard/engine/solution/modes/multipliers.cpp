@@ -108,12 +108,19 @@ double Multipliers::validity(std::size_t row) const {
     return least;
 }
 
-// LIMIT: in the unit of time. In a scene of milliseconds a loose accuracy may err by so much, and
-// steps end early there.
 double Multipliers::steadiness(std::size_t row) const {
-    constexpr double jump = 1e7; // resolutions: a hundredth of the part's size
-    return holds(row) ? jump * f_.bound()->laws[row].resolution + rate(row)
-                      : std::numeric_limits<double>::infinity();
+    return holds(row) ? mode_.jumps[row] + rate(row) : std::numeric_limits<double>::infinity();
+}
+
+// A thousandth of the speed that the fastest rate would give over the part's size, if no condition
+// held: of bodies that fall together it may be that of the joint which holds them.
+double Multipliers::jumpOf(std::size_t row) const {
+    constexpr double part = 1e-3, sizes = 1e9; // of resolutions
+    double fastest = 0;
+    for (std::size_t k = 0; k < size(); ++k)
+        fastest = std::max(fastest, std::abs(second_[model_.conditions().matrix.size() + k]));
+    return fastest > 0 ? part * std::sqrt(sizes * f_.bound()->laws[row].resolution * fastest)
+                       : std::numeric_limits<double>::infinity();
 }
 
 Multipliers::InDisc Multipliers::slipOf(std::size_t disc, const Centre& centre) const {

@@ -94,6 +94,8 @@ public:
     // Below 0: a condition that holds has a rate that no integration errs by. Its point has jumped,
     // as that of a coin does from one end of the rim to the other when it falls flat.
     [[nodiscard]] double steadiness(std::size_t row) const;
+    // How fast a rate is that no integration errs by, where second rates were last evaluated.
+    [[nodiscard]] double jumpOf(std::size_t row) const;
     // Of a disc of friction, once gaps are evaluated: the velocities of its rows, and how far its
     // force is from its bound; the first at the centre of the mode, the second at that of the
     // multipliers.
