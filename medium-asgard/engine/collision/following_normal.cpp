@@ -8,9 +8,9 @@
 namespace collision {
 namespace {
 
-constexpr double asFar = 1e-9;    // of the part's size: points that are as far out as each other
-constexpr double aligned = 1e-6;  // sine of an angle: a face that looks along the direction
-constexpr double crossing = 1e-3; // the same: lines that are nearer to parallel do not cross
+constexpr double asFar = 1e-9;      // of the part's size: points that are as far out as each other
+constexpr double aligned = 1e-6;    // sine of an angle: a face that looks along the direction
+constexpr double linesCross = 1e-3; // the same: lines that are nearer to parallel do not cross
 
 struct Condition { // normal' . line = (spin x normal) . line
     Vector line, spin;
@@ -53,7 +53,7 @@ std::optional<Vector> followingTurn(const PartPair& pair, const Vector& normal, 
     if (!a && !b)
         return std::nullopt;
     const double cross = a && b ? normal.dot(a->line.cross(b->line)) : 0;
-    if (std::abs(cross) > crossing)
+    if (std::abs(cross) > linesCross)
         change = (rateOf(*a) * b->line.cross(normal) + rateOf(*b) * normal.cross(a->line)) / cross;
     else
         change = rateOf(a ? *a : *b) * (a ? a->line : b->line);
