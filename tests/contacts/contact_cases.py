@@ -220,11 +220,14 @@ for name, drop in (("loaded_beside", 0), ("loaded_beside_drops", 0.2)):
 
 # It slides and turns: by many steps of Runge and Kutta in the plane. The pressure's centre follows from the couples that keep
 # the block flat, and these from the friction there, so that each step finds it by repetition.
-def loaded_turns(t, velocity, spin, mu, count=2000):
-    parts = [(1 * 0.2 * 1, (0, 0, 0), (1, 0.2, 1)), (20 * 0.2 ** 3, (0, 0.2, 0.4), (0.2, 0.2, 0.2))]
+LOADED = [(1 * 0.2 * 1, (0, 0, 0), (1, 0.2, 1)), (20 * 0.2 ** 3, (0, 0.2, 0.4), (0.2, 0.2, 0.2))]
+
+
+def turns_on(parts, high, t, velocity, spin, mu, count=500):
+    """Parts of mass, place and sizes on a square base of 1, `high` above it."""
     mass = sum(m for m, _, _ in parts)
     centre = [sum(m * at[i] for m, at, _ in parts) / mass for i in range(3)]
-    high = 0.1 + centre[1]
+    high += centre[1]
     about, crossed = 0, 0  # I_yy, and I_yz: the block is alike on both sides of its plane of y and z
     for m, at, (a, b, c) in parts:
         y, z, x = at[1] - centre[1], at[2] - centre[2], at[0] - centre[0]
@@ -236,14 +239,15 @@ def loaded_turns(t, velocity, spin, mu, count=2000):
     def rates(state):
         x, z, turn, vx, vz, w = state
         px = pz = turning = 0.0
-        for _ in range(60):
+        for _ in range(400):
             sx, sz, sw = vx + w * pz, vz - w * px, reach * w
             speed = math.hypot(sx, sz, sw)
             fx, fz, couple = (-mu * mass * G * s / speed for s in (sx, sz, sw))
             turning = (pz * fx - px * fz + reach * couple) / about
             ixy, iyz = crossed * math.sin(turn), crossed * math.cos(turn)
             mx, mz = ixy * turning + w * w * iyz, iyz * turning - w * w * ixy
-            pz, px = -(high * fz + mx) / (mass * G), (mz - high * fx) / (mass * G)
+            pz += 0.1 * (-(high * fz + mx) / (mass * G) - pz)
+            px += 0.1 * ((mz - high * fx) / (mass * G) - px)
         return vx, vz, w, fx / mass, fz / mass, turning
 
     state, h = [0.0, centre[2], 0.0, velocity, 0.0, spin], t / count
@@ -257,10 +261,19 @@ def loaded_turns(t, velocity, spin, mu, count=2000):
 
 
 mu, v, w = 0.2, 2, 3
-turned = {t: loaded_turns(t, v, w, mu) for t in (0.2, 0.5)}
+turned = {t: turns_on(LOADED, 0.1, t, v, w, mu) for t in (0.2, 0.5)}
 case("loaded_turns", "# zero: b.qx\nsimulator -finish 0.5\n" + ground(mu) + BESIDE +
      f"body b loaded -init_pos {{0 0.1 0}} -init_dpos {{{v} 0 0}} -init_drot {{0 {w} 0}} -restitution 0 -friction {mu}\n" + gravity("b"),
      [(t, 2, value, name) for t, s in turned.items() for value, name in
+      ((s[0], "b.x"), (s[1], "b.z"), (math.sin(s[2] / 2), "b.qy"), (s[3], "b.dx"), (s[4], "b.dz"), (s[5], "b.wy"))])
+
+# A pillar so high that its friction would tip it, if it did not spin: the centre of its pressure moves by more than half the
+# base, should a step look for it one way and the other.
+mu, v, w = 0.5, 1, 20
+turned = {t: turns_on([(4, (0, 0, 0), (1, 4, 1))], 2, t, v, w, mu, 200) for t in (0.02, 0.05)}
+case("pillar_turns", "# zero: b.qx\nsimulator -finish 0.05\n" + ground(mu) + "shape_set pillar -desc {-sub {-box {1 4 1}}}\n"
+     f"body b pillar -init_pos {{0 2 0}} -init_dpos {{{v} 0 0}} -init_drot {{0 {w} 0}} -restitution 0 -friction {mu}\n" + gravity("b"),
+     [(t, 20, value, name) for t, s in turned.items() for value, name in
       ((s[0], "b.x"), (s[1], "b.z"), (math.sin(s[2] / 2), "b.qy"), (s[3], "b.dx"), (s[4], "b.dz"), (s[5], "b.wy"))])
 
 # Rest is rest for 1,000 s: stacks of ten whose masses grow to 1000 times or shrink so, and two of a ratio of a million.

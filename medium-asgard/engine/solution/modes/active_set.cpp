@@ -1,5 +1,6 @@
 #include "modes/active_set.h"
 
+#include "complementarity/fixed_point.h"
 #include "complementarity/solve.h"
 
 #include <algorithm>
@@ -616,9 +617,23 @@ void ActiveSet::openUnpressed() {
             setDisc(disc, State::low);
 }
 
-// With discs that slip and turn about the centres of their normal forces.
+// With discs that slip and turn about the centres of their normal forces. None: no forces keep the
+// laws, or no centres were found.
 std::optional<complementarity::Answer> ActiveSet::answerOf(const Rows& rows) {
-    constexpr int most = 10; // what is left turns the slips that the states do not ask for
+    constexpr int most = 40; // rounds
+    std::vector<std::size_t> slipping;
+    for (std::size_t disc = 0; disc < discs().size(); ++disc)
+        if (multipliers_.slips(discs()[disc]))
+            slipping.push_back(disc);
+    Eigen::VectorXd next = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(slipping.size()));
+    const auto collect = [&](const auto& centreOf) {
+        for (std::size_t i = 0; i < slipping.size(); ++i) {
+            const Multipliers::Centre centre = centreOf(slipping[i]);
+            next.segment(2 * static_cast<Eigen::Index>(i), centre.size()) = centre;
+        }
+    };
+    collect([this](std::size_t disc) { return multipliers_.centreIn(disc); });
+    complementarity::FixedPoint<> centres(next);
     std::optional<complementarity::Answer> answer;
     std::vector<double> forces(mode_.kept.size(), 0);
     for (int round = 0; round < most; ++round) {
@@ -637,16 +652,19 @@ std::optional<complementarity::Answer> ActiveSet::answerOf(const Rows& rows) {
             return answer;
         for (std::size_t i = 0; i < rows.rows.size(); ++i)
             forces[rows.rows[i]] = answer->forces[static_cast<Eigen::Index>(i)];
-        bool isOther = false;
-        for (std::size_t disc = 0; disc < discs().size(); ++disc) {
-            if (multipliers_.slips(discs()[disc]))
-                isOther = isOther || multipliers_.turns(disc, multipliers_.centreIn(disc), forces);
-            setCentre(disc, multipliers_.centreOf(disc, forces));
+        if (std::ranges::none_of(slipping, [&](std::size_t disc) {
+                return multipliers_.turns(disc, multipliers_.centreIn(disc), forces);
+            })) {
+            for (std::size_t disc = 0; disc < discs().size(); ++disc)
+                setCentre(disc, multipliers_.centreOf(disc, forces));
+            return answer;
         }
-        if (!isOther)
-            break;
+        collect([&](std::size_t disc) { return multipliers_.centreOf(disc, forces); });
+        centres.moveFrom(next);
+        for (std::size_t i = 0; i < slipping.size(); ++i)
+            setCentre(slipping[i], centres.at().segment<2>(2 * static_cast<Eigen::Index>(i)));
     }
-    return answer;
+    return std::nullopt;
 }
 
 bool ActiveSet::solveLaws(const Rows& rows) {

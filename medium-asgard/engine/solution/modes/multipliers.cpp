@@ -292,7 +292,7 @@ template <int Most> bool Multipliers::turnThem() {
         if (!solveOnce())
             return false;
     }
-    return true;
+    return false;
 }
 
 Multipliers::Centre Multipliers::startOf(std::size_t disc) const {
