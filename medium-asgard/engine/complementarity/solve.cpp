@@ -243,6 +243,10 @@ bool areFew(const Laws& laws) {
     return static_cast<std::size_t>(choices) <= fewLaws;
 }
 
+bool hasLevers(const Laws& laws) {
+    return std::ranges::any_of(laws, [](const Law& law) { return law.levers.size() > 0; });
+}
+
 bool isOther(const Answer& answer, const std::vector<Answer>& found) {
     return std::ranges::none_of(found, [&](const Answer& other) {
         const double size = std::max(answer.forces.norm(), other.forces.norm());
@@ -254,7 +258,7 @@ bool isOther(const Answer& answer, const std::vector<Answer>& found) {
 
 std::vector<Answer> everySolution(const Matrix& a, const Vector& b, const Laws& laws) {
     std::vector<Answer> found;
-    if (!areFew(laws))
+    if (!areFew(laws) || hasLevers(laws))
         return found;
     std::vector<std::vector<State>> possible;
     std::size_t ways = 1;
@@ -394,7 +398,7 @@ std::optional<Answer> solve(const Matrix& a, const Vector& b, const Laws& laws, 
     counts = {};
     if (b.size() == 0)
         return Answer{};
-    if (std::ranges::none_of(laws, [](const Law& law) { return law.levers.size() > 0; }))
+    if (!hasLevers(laws))
         return solveAtMiddles(a, b, laws, guess, counts);
     const AtCentres at(a, b, laws);
     const bool hasGuess = guess.forces.size() == b.size();

@@ -238,9 +238,8 @@ private:
 // Words of a key: counts of states, of held values and of multipliers, 1 or 0 for each state
 // (configuration or not), then entries, then the entries that are outputs, three for the condition
 // of each multiplier, and the number and the entries of what is valid of each, and so of levers. An
-// entry is an
-// operation with the entries that are its arguments, a literal (Op::constant and the two halves of
-// its bits), or a leaf.
+// entry is an operation with the entries that are its arguments, a literal (Op::constant and the
+// two halves of its bits), or a leaf.
 namespace key {
 inline constexpr std::uint32_t time = 0x100, state = 0x101, input = 0x102, constant = 0x103,
                                outputs = 0x104, multiplier = 0x105;
