@@ -2,15 +2,23 @@
 
 #include "plain/plain.h"
 
+#include <QHBoxLayout>
+#include <QLabel>
 #include <QResizeEvent>
 
 namespace views {
 
-HintLine::HintLine(QWidget* parent) : QLabel(parent) {
-    setTextFormat(Qt::PlainText);
+HintLine::HintLine(QWidget* parent) : QWidget(parent), shown_(plain::label({}, this)) {
     setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    setForegroundRole(QPalette::PlaceholderText);
+    shown_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    shown_->setForegroundRole(QPalette::PlaceholderText);
+    shown_->setAccessibleName(tr("What the buttons do here"));
+    auto* const layout = new QHBoxLayout(this);
+    layout->setContentsMargins({});
+    layout->addWidget(shown_);
 }
+
+QString HintLine::text() const { return shown_->text(); }
 
 void HintLine::say(const QString& parts) {
     all_ = parts;
@@ -20,7 +28,7 @@ void HintLine::say(const QString& parts) {
 void HintLine::fit() {
     const QString between = QStringLiteral("  ·  ");
     const auto fits = [this](const QString& text) {
-        return fontMetrics().horizontalAdvance(text) <= contentsRect().width();
+        return shown_->fontMetrics().horizontalAdvance(text) <= width();
     };
     QStringList parts = all_.split(between);
     QString text = all_;
@@ -29,13 +37,13 @@ void HintLine::fit() {
         text = parts.join(between) + between + QStringLiteral("…");
     }
     if (!fits(text))
-        text = fontMetrics().elidedText(parts.front(), Qt::ElideRight, contentsRect().width());
-    setText(text);
+        text = shown_->fontMetrics().elidedText(parts.front(), Qt::ElideRight, width());
+    shown_->setText(text);
     setToolTip(text == all_ ? QString() : plain::tip(all_));
 }
 
 void HintLine::resizeEvent(QResizeEvent* event) {
-    QLabel::resizeEvent(event);
+    QWidget::resizeEvent(event);
     fit();
 }
 

@@ -4,22 +4,27 @@
 // of a first part that is too long itself the end is cut.
 #pragma once
 
-#include <QLabel>
+#include <QWidget>
+
+class QLabel;
 
 namespace views {
 
-class HintLine : public QLabel {
+class HintLine : public QWidget {
     Q_OBJECT
+    Q_PROPERTY(QString text READ text)
 public:
     explicit HintLine(QWidget* parent = nullptr);
 
     void say(const QString& parts);
+    [[nodiscard]] QString text() const; // that is shown
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
     void fit();
+    QLabel* shown_;
     QString all_;
 };
 

@@ -136,7 +136,6 @@ void GraphicalViewer::buildPicture(std::shared_ptr<PictureThread> pictures) {
         setHelp(*one, QStringLiteral("Time"));
     hint_ = new HintLine;
     hint_->setObjectName("hint");
-    hint_->setAccessibleName(tr("What the buttons do here"));
     column->addWidget(hint_);
     setCentralWidget(whole);
 }
