@@ -23,7 +23,7 @@ public:
 
     // Draws and reads back. False when the context was lost; then make a new renderer.
     [[nodiscard]] bool draw(const Drawing& drawing, const Image& into);
-    // Where the grid of the last picture lies; none: it has none.
+    // The plane of the last picture's grid; none: it has no grid.
     [[nodiscard]] const std::optional<GroundPlane>& ground() const;
 
     [[nodiscard]] int maximumSamples() const;

@@ -63,8 +63,8 @@ struct Condition {
     std::optional<Node> patch = {};
     std::vector<Node> valid = {}; // of a contact
     std::optional<Friction> friction = {};
-    // What the other rows of its friction bring to it, where normal forces press aside: something
-    // that is 0 where that is.
+    // A value that is 0 where the other rows of its friction bring nothing to it: they do where
+    // normal forces press aside.
     std::optional<Node> brought = {};
 };
 

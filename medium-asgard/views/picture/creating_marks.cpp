@@ -1,4 +1,4 @@
-// What is seen of an element that is being made: its ghost, its place in words, what is asked for.
+// The marks of an element that is being made: its ghost, its place in words, the question.
 #include "picture/creating.h"
 
 #include "editing/number_text.h"

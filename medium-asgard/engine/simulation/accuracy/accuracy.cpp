@@ -244,7 +244,7 @@ bool isSame(const Run& second, std::size_t body) {
     return !second.isTaken.empty() && second.isTaken[body];
 }
 
-// Where the motion is known in both runs and is compared.
+// The end of the time over which both runs know the motion, and over which it is compared.
 double comparedUntil(const Problem& problem, std::size_t b, const Run& first, const Run& second) {
     const BodyRecord& body = (*problem.bodies)[b];
     const double until = std::min({problem.finish(), knownUntil(body, *first.histories),

@@ -58,7 +58,7 @@ public:
                                  std::size_t partB) const;
     [[nodiscard]] bool hasFooting(std::size_t a, std::size_t b) const;
     // A resting body lies on its footing to the limits' gap, and no better: of all that it meets.
-    // What gives way to nothing, as a floor, stands exactly where it is, whoever lies on it.
+    // A body that gives way to nothing, as a floor, stands exactly where it is, whoever lies on it.
     [[nodiscard]] collision::Slack slack(std::size_t a, std::size_t b, double time) const {
         const auto of = [&](std::size_t body) {
             return isResting(body) && canGiveWay(body, time) ? world_.resolution[body].gap : 0;

@@ -152,7 +152,7 @@ private:
                               .normals = multipliersOf(friction.normals),
                               .sticking = friction.sticking,
                               .sliding = friction.sliding};
-        // What does not turn acts at one point.
+        // A disc that does not turn acts at one point.
         disc.hasLevers = !friction.levers.empty() && disc.rows.size() > 1 &&
                          multiplierOf(friction.rows.back()).has_value();
         const auto known = std::ranges::find(bound_.discs, disc);

@@ -40,8 +40,8 @@ struct BoundModel {
         std::vector<std::size_t> rows, normals;
         double sticking = 0, sliding = 0;
         bool hasLevers = false; // of its normals, for the rows but the last
-        // Where the forces of its rows for a normal force of 1 are among those of all discs, by
-        // normals.
+        // The place of its first row's force for a normal force of 1 among those of all discs; the
+        // others follow, by normals.
         std::size_t first = 0;
         [[nodiscard]] std::size_t frictionOf(std::size_t row, std::size_t normal) const {
             return first + normal * rows.size() +

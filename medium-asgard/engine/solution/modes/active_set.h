@@ -27,6 +27,7 @@
 #include "complementarity/laws.h"
 #include "modes/multipliers.h"
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <vector>
@@ -71,6 +72,12 @@ public:
     [[nodiscard]] bool hasContacts() const { return hasContacts_; }
 
 private:
+    static constexpr double atRest = 1e-12;  // of the rates that enter: none
+    static constexpr double noForce = 1e-11; // of the largest, between bodies in contact
+    static constexpr double rateOf = 1e-3;   // of a resolution, in the unit of time
+    [[nodiscard]] static bool isIn(std::span<const std::size_t> list, std::size_t value) {
+        return std::ranges::find(list, value) != list.end();
+    }
     enum class Kind { gap, least, most, forward, backward, parted, invalid, cone, turn };
     struct Watch {
         std::size_t row; // of cone and turn: the disc

@@ -244,7 +244,8 @@ bool Multipliers::solveOnce() {
     return isKept;
 }
 
-// What slips and turns does so about the centre of normal forces that its own friction shifts.
+// A body that slips and turns does so about the centre of normal forces, which its own friction
+// shifts.
 bool Multipliers::turnSlips() {
     std::vector<std::size_t>& turning = turning_;
     turning.clear();
