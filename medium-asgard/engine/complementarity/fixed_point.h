@@ -12,10 +12,9 @@
 
 namespace complementarity {
 
-// Of at most so many numbers; where they are few nothing is allocated.
-template <int Most = Eigen::Dynamic> class FixedPoint {
+class FixedPoint {
 public:
-    using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, Most, 1>;
+    using Vector = Eigen::VectorXd;
     explicit FixedPoint(Vector start) : at_(std::move(start)) {}
 
     [[nodiscard]] const Vector& at() const { return at_; }
@@ -34,7 +33,7 @@ public:
         at_ = value;
         if (steps_.cols() == 0)
             return;
-        const Parts parts = Eigen::ColPivHouseholderQR<Columns>(steps_).solve(step);
+        const Vector parts = Eigen::ColPivHouseholderQR<Columns>(steps_).solve(step);
         const Vector less = (moves_ + steps_) * parts;
         if (less.norm() < longest * step.norm())
             at_ -= less;
@@ -42,9 +41,7 @@ public:
 
 private:
     static constexpr int kept = 5; // differences
-    using Columns = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, Most,
-                                  Most == Eigen::Dynamic ? Eigen::Dynamic : kept>;
-    using Parts = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kept, 1>;
+    using Columns = Eigen::MatrixXd;
     // The last `count` columns.
     static Columns joined(const Columns& columns, const Vector& more, Eigen::Index count) {
         Columns all(more.size(), count);

@@ -58,6 +58,10 @@ Vector forcesAt(const Vector& centre, const Vector& forces) {
 
 Vector forcesFrom(const Vector& centre, const Vector& forces) { return forcesAt(-centre, forces); }
 
+Vector directionAt(const Vector& centre, const Law& slip) {
+    return (ratesAt(centre, slip.velocity) + slip.beside).normalized();
+}
+
 namespace {
 
 // The rate of an interval that its state does not allow.
@@ -107,6 +111,10 @@ double violation(const Matrix& a, const Vector& b, const Laws& laws, const Answe
         const Vector force = forcesAt(centre, answer.forces.segment(law.first, law.rows));
         const Vector rate = ratesAt(centre, answer.rates.segment(law.first, law.rows));
         const double radius = radiusOf(law, answer.forces), length = force.norm();
+        if (law.kind == Law::Kind::slip) {
+            worst = std::max(worst, (force + radius * directionAt(centre, law)).norm() / largest);
+            continue;
+        }
         worst = std::max(worst, (length - radius) / largest);
         const double last = rounding.segment(law.first, law.rows).norm();
         if (answer.states[k] == State::inside)

@@ -7,10 +7,12 @@
 //     disc      |f| <= r; w = 0 inside; at the edge w points against f
 //               f has one, two or three rows; r = radius + coefficient * N, at least 0, where N is
 //               the sum of some rows next to each other, the normal forces of one contact
+//     slip      f = -r v/|v|: a disc that moves already, with a velocity v that no force changes
+//     here
 //
 // The disc of a face acts at the centre of its normal forces, wherever they press. Its last row
 // turns, and the others read at the point of normal force i the rates  w_k + c_ki w_last  (levers).
-// With  c = sum c_i n_i / N  the law above holds for  w_k + c_k w_last  and  f_last - sum c_k f_k.
+// With  c = sum c_i n_i / N  the laws above hold for  w_k + c_k w_last  and  f_last - sum c_k f_k.
 //
 // A joint is an interval without ends, a contact one from 0 on, a motor one between its greatest
 // forces, Coulomb's friction a disc whose radius is the coefficient times the normal force.
@@ -33,14 +35,16 @@ using Vector = Eigen::VectorXd;
 inline constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 struct Law {
-    enum class Kind { interval, disc };
+    enum class Kind { interval, disc, slip };
     Kind kind = Kind::interval;
     Index first = 0, rows = 1;                 // an interval has one row
     double low = -unbounded, high = unbounded; // interval
-    double radius = 0, coefficient = 0;        // disc
-    Index normal = -1;                         // disc: the first row of the normal force; -1: none
-    Index normals = 1;                         // disc: its rows
-    Matrix levers = {};                        // disc: rows but the last, by normals; none: 0
+    double radius = 0, coefficient = 0;        // disc and slip, and all below
+    Index normal = -1;                         // the first row of the normal force; -1: none
+    Index normals = 1;                         // its rows
+    Matrix levers = {};                        // rows but the last, by normals; none: 0
+    Vector velocity = {};                      // slip: of its rows
+    Vector beside = {};                        // slip: what v has besides, at every centre
 };
 
 using Laws = std::vector<Law>;
@@ -55,7 +59,7 @@ void addFriction(Laws& laws, Index rows, Index normal, double coefficient, Index
 
 // The place of a law's force among those that the law allows.
 enum class State { inside, low, high, edge };
-using States = std::vector<State>; // one for each law
+using States = std::vector<State>; // one for each law; a slip is at the edge
 
 struct Answer {
     Vector forces, rates;
@@ -68,6 +72,8 @@ struct Answer {
 // Rows of the disc at that centre: from rates w, and from forces f.
 [[nodiscard]] Vector ratesAt(const Vector& centre, const Vector& rates);
 [[nodiscard]] Vector forcesAt(const Vector& centre, const Vector& forces);
+// Of a slip, the direction of its velocity.
+[[nodiscard]] Vector directionAt(const Vector& centre, const Law& slip);
 // Back from the centre.
 [[nodiscard]] Vector forcesFrom(const Vector& centre, const Vector& forces);
 

@@ -123,82 +123,39 @@ private:
     // whose rates may be millions of times smaller. Then the slips are turned, and all is again.
     std::optional<Answer> alongSlips(const Vector& estimate) {
         constexpr int most = 20;
-        const Slips slips = slipsOf(estimate);
-        if (slips.discs.empty())
+        const std::vector<std::size_t> fast = fastDiscs(estimate);
+        if (fast.empty())
             return std::nullopt;
-        Vector rates = a_ * estimate + b_;
-        Answer last;
+        Laws laws = laws_;
+        Answer answer{estimate, a_ * estimate + b_, {}};
         for (int round = 0; round < most; ++round) {
-            auto answer = alongSlips(slips, rates, last);
-            if (!answer || violation(a_, b_, laws_, *answer) <= kept)
-                return answer;
-            rates = answer->rates;
+            for (const std::size_t k : fast) {
+                laws[k].kind = Law::Kind::slip;
+                laws[k].velocity = answer.rates.segment(laws[k].first, laws[k].rows);
+                laws[k].beside.setZero(laws[k].rows);
+            }
+            Work work;
+            auto next = complementarity::solve(a_, b_, laws, answer, &work);
+            work_.steps += work.steps;
+            work_.sweeps += work.sweeps;
+            work_.tries += work.tries;
+            if (!next || violation(a_, b_, laws_, *next) <= kept)
+                return next;
+            answer = std::move(*next);
         }
         return std::nullopt;
     }
 
-    struct Slips {
-        std::vector<std::size_t> discs, others; // laws
-        std::vector<Index> rows;                // of the others
-    };
-    [[nodiscard]] Slips slipsOf(const Vector& estimate) const {
+    [[nodiscard]] std::vector<std::size_t> fastDiscs(const Vector& estimate) const {
         constexpr double fast = 10; // times what the forces change
         const Vector change = a_ * estimate;
-        Slips slips;
-        for (std::size_t k = 0; k < laws_.size(); ++k) {
-            const Law& law = laws_[k];
-            const bool isFast = law.kind == Law::Kind::disc &&
-                                b_.segment(law.first, law.rows).norm() >
-                                    fast * change.segment(law.first, law.rows).norm();
-            (isFast ? slips.discs : slips.others).push_back(k);
-            for (Index i = 0; i < law.rows && !isFast; ++i)
-                slips.rows.push_back(law.first + i);
-        }
-        return slips;
-    }
-
-    // `rates` have the directions of the slips; `last`: the answer of the others, before and after.
-    std::optional<Answer> alongSlips(const Slips& slips, const Vector& rates, Answer& last) {
-        Matrix a = a_;
-        Vector b = b_;
-        for (const std::size_t k : slips.discs) {
-            const Law& law = laws_[k];
-            const Vector against = -rates.segment(law.first, law.rows).normalized();
-            const Vector given = a_.middleCols(law.first, law.rows) * against;
-            b += law.radius * given;
-            for (Index n = 0; law.normal >= 0 && n < law.normals; ++n)
-                a.col(law.normal + n) += law.coefficient * given;
-        }
-        Laws laws;
-        std::vector<Index> placeOf(static_cast<std::size_t>(b_.size()), -1);
-        for (std::size_t i = 0; i < slips.rows.size(); ++i)
-            placeOf[static_cast<std::size_t>(slips.rows[i])] = static_cast<Index>(i);
-        for (const std::size_t k : slips.others) {
-            laws.push_back(laws_[k]);
-            laws.back().first = placeOf[static_cast<std::size_t>(laws_[k].first)];
-            if (laws_[k].normal >= 0)
-                laws.back().normal = placeOf[static_cast<std::size_t>(laws_[k].normal)];
-        }
-        Work work;
-        auto others =
-            complementarity::solve(a(slips.rows, slips.rows), b(slips.rows), laws, last, &work);
-        work_.steps += work.steps;
-        work_.sweeps += work.sweeps;
-        work_.tries += work.tries;
-        if (!others)
-            return std::nullopt;
-        last = std::move(*others);
-        Answer answer{Vector::Zero(b_.size()), {}, States(laws_.size(), State::edge)};
-        answer.forces(slips.rows) = last.forces;
-        for (std::size_t i = 0; i < slips.others.size(); ++i)
-            answer.states[slips.others[i]] = last.states[i];
-        for (const std::size_t k : slips.discs) {
-            const Law& law = laws_[k];
-            answer.forces.segment(law.first, law.rows) =
-                -radiusOf(law, answer.forces) * rates.segment(law.first, law.rows).normalized();
-        }
-        answer.rates = a_ * answer.forces + b_;
-        return answer;
+        std::vector<std::size_t> discs;
+        for (std::size_t k = 0; k < laws_.size(); ++k)
+            if (const Law& law = laws_[k]; law.kind == Law::Kind::disc &&
+                                           b_.segment(law.first, law.rows).norm() >
+                                               fast * change.segment(law.first, law.rows).norm())
+                discs.push_back(k);
+        return discs;
     }
 
     // A little on the diagonal leads redundant laws to short forces. Where the states do not tell
@@ -243,8 +200,10 @@ bool areFew(const Laws& laws) {
     return static_cast<std::size_t>(choices) <= fewLaws;
 }
 
-bool hasLevers(const Laws& laws) {
-    return std::ranges::any_of(laws, [](const Law& law) { return law.levers.size() > 0; });
+// Laws that hold at centres, or follow these.
+bool haveCentres(const Laws& laws) {
+    return std::ranges::any_of(
+        laws, [](const Law& law) { return law.levers.size() > 0 || law.kind == Law::Kind::slip; });
 }
 
 bool isOther(const Answer& answer, const std::vector<Answer>& found) {
@@ -258,7 +217,7 @@ bool isOther(const Answer& answer, const std::vector<Answer>& found) {
 
 std::vector<Answer> everySolution(const Matrix& a, const Vector& b, const Laws& laws) {
     std::vector<Answer> found;
-    if (!areFew(laws) || hasLevers(laws))
+    if (!areFew(laws) || haveCentres(laws))
         return found;
     std::vector<std::vector<State>> possible;
     std::size_t ways = 1;
@@ -284,7 +243,7 @@ std::vector<Answer> everySolution(const Matrix& a, const Vector& b, const Laws& 
 
 namespace {
 
-// Of laws without levers.
+// Of laws without levers and slips.
 std::optional<Answer> solveAtMiddles(const Matrix& a, const Vector& b, const Laws& laws,
                                      const Answer& guess, Work& counts) {
     Search search(a, b, laws, counts);
@@ -303,22 +262,35 @@ std::optional<Answer> solveAtMiddles(const Matrix& a, const Vector& b, const Law
     return all.empty() ? std::nullopt : std::optional(all.front());
 }
 
-// The same problem with the rows of discs at centres that are held.
+// The same problem with the rows of discs at centres that are held. There the forces of slips are
+// multiples of their normal forces, whose columns they join.
 class AtCentres {
 public:
-    AtCentres(const Matrix& a, const Vector& b, const Laws& laws)
-        : a_(a), b_(b), laws_(laws), plain_(laws) {
-        for (Law& law : plain_)
-            law.levers.resize(0, 0);
+    AtCentres(const Matrix& a, const Vector& b, const Laws& laws) : a_(a), b_(b), laws_(laws) {
+        std::vector<Index> placeOf(static_cast<std::size_t>(b.size()), -1);
+        for (const Law& law : laws)
+            for (Index i = 0; i < law.rows && law.kind != Law::Kind::slip; ++i) {
+                placeOf[static_cast<std::size_t>(law.first + i)] = static_cast<Index>(rows_.size());
+                rows_.push_back(law.first + i);
+            }
+        for (const Law& law : laws)
+            if (law.kind != Law::Kind::slip) {
+                others_.push_back(law);
+                others_.back().levers.resize(0, 0);
+                others_.back().first = placeOf[static_cast<std::size_t>(law.first)];
+                if (law.normal >= 0)
+                    others_.back().normal = placeOf[static_cast<std::size_t>(law.normal)];
+            }
     }
 
-    // Of the discs with levers, one after the other, at these forces.
+    // Of the laws with levers, one after the other, at these forces.
     [[nodiscard]] Vector centresOf(const Vector& forces) const {
         std::vector<double> centres;
-        eachDisc([&](const Law& law) {
-            const Vector centre = centreOf(law, forces);
-            centres.insert(centres.end(), centre.begin(), centre.end());
-        });
+        for (const Law& law : laws_)
+            if (law.levers.size() > 0) {
+                const Vector centre = centreOf(law, forces);
+                centres.insert(centres.end(), centre.begin(), centre.end());
+            }
         return Eigen::Map<const Vector>(centres.data(), static_cast<Index>(centres.size()));
     }
 
@@ -326,48 +298,98 @@ public:
                                               Work& counts) const {
         Matrix a = a_;
         Vector b = b_;
-        Answer from = guess;
+        eachSlip(centres, [&](const Law& law, const Vector& centre) { join(law, centre, a, b); });
         eachDisc(centres, [&](const Law& law, const Vector& centre) {
             const Index last = law.first + law.rows - 1;
             a.middleRows(law.first, law.rows - 1) += centre * a.row(last).eval();
             b.segment(law.first, law.rows - 1) += b[last] * centre;
-            if (from.forces.size() == b.size())
-                from.forces.segment(law.first, law.rows) =
-                    forcesAt(centre, from.forces.segment(law.first, law.rows));
         });
         eachDisc(centres, [&](const Law& law, const Vector& centre) {
             const Index last = law.first + law.rows - 1;
             a.middleCols(law.first, law.rows - 1) += a.col(last).eval() * centre.transpose();
         });
-        auto answer = solveAtMiddles(a, b, plain_, from, counts);
-        if (!answer)
-            return answer;
-        eachDisc(centres, [&](const Law& law, const Vector& centre) {
-            answer->forces.segment(law.first, law.rows) =
-                forcesFrom(centre, answer->forces.segment(law.first, law.rows));
-        });
-        answer->rates = a_ * answer->forces + b_;
-        return answer;
+        std::optional<Answer> found = Answer{};
+        if (!rows_.empty())
+            found =
+                solveAtMiddles(a(rows_, rows_), b(rows_), others_, guessAt(centres, guess), counts);
+        if (found)
+            found = whole(centres, *found);
+        return found;
     }
 
 private:
-    template <class Visit> void eachDisc(const Visit& visit) const {
-        for (const Law& law : laws_)
-            if (law.levers.size() > 0)
-                visit(law);
+    template <class Visit>
+    void each(const Vector& centres, Law::Kind kind, const Visit& visit) const {
+        Index first = 0;
+        for (const Law& law : laws_) {
+            const Index count = law.levers.size() > 0 ? law.rows - 1 : 0;
+            if (law.kind == kind && count > 0)
+                visit(law, Vector(centres.segment(first, count)));
+            else if (law.kind == kind)
+                visit(law, Vector(Vector::Zero(law.rows - 1)));
+            first += count;
+        }
     }
     template <class Visit> void eachDisc(const Vector& centres, const Visit& visit) const {
-        Index first = 0;
-        eachDisc([&](const Law& law) {
-            visit(law, Vector(centres.segment(first, law.rows - 1)));
-            first += law.rows - 1;
+        each(centres, Law::Kind::disc, visit);
+    }
+    template <class Visit> void eachSlip(const Vector& centres, const Visit& visit) const {
+        each(centres, Law::Kind::slip, visit);
+    }
+
+    // The force of a slip for each unit of its radius.
+    [[nodiscard]] static Vector unitForce(const Law& slip, const Vector& centre) {
+        return forcesFrom(centre, -directionAt(centre, slip));
+    }
+    void join(const Law& slip, const Vector& centre, Matrix& a, Vector& b) const {
+        const auto columns = a_.middleCols(slip.first, slip.rows);
+        b += slip.radius * columns * unitForce(slip, centre);
+        for (Index n = 0; slip.normal >= 0 && n < slip.normals; ++n) { // each at its own point
+            const Vector at = slip.levers.size() > 0 ? Vector(slip.levers.col(n)) : centre;
+            const Vector force = forcesFrom(at, -directionAt(centre, slip));
+            a.col(slip.normal + n) += slip.coefficient * columns * force;
+        }
+    }
+
+    // Of the other laws, there.
+    [[nodiscard]] Answer guessAt(const Vector& centres, const Answer& guess) const {
+        Answer at;
+        if (guess.forces.size() != b_.size() || guess.states.size() != laws_.size())
+            return at;
+        Vector forces = guess.forces;
+        eachDisc(centres, [&](const Law& law, const Vector& centre) {
+            forces.segment(law.first, law.rows) =
+                forcesAt(centre, forces.segment(law.first, law.rows));
         });
+        at.forces = forces(rows_);
+        for (std::size_t k = 0; k < laws_.size(); ++k)
+            if (laws_[k].kind != Law::Kind::slip)
+                at.states.push_back(guess.states[k]);
+        return at;
+    }
+    [[nodiscard]] Answer whole(const Vector& centres, const Answer& others) const {
+        Answer answer{Vector::Zero(b_.size()), {}, {}};
+        answer.forces(rows_) = others.forces;
+        auto state = others.states.begin();
+        for (const Law& law : laws_)
+            answer.states.push_back(law.kind == Law::Kind::slip ? State::edge : *state++);
+        eachDisc(centres, [&](const Law& law, const Vector& centre) {
+            answer.forces.segment(law.first, law.rows) =
+                forcesFrom(centre, answer.forces.segment(law.first, law.rows));
+        });
+        eachSlip(centres, [&](const Law& law, const Vector& centre) {
+            answer.forces.segment(law.first, law.rows) =
+                radiusOf(law, answer.forces) * unitForce(law, centre);
+        });
+        answer.rates = a_ * answer.forces + b_;
+        return answer;
     }
 
     const Matrix& a_;
     const Vector& b_;
     const Laws& laws_;
-    Laws plain_;
+    std::vector<Index> rows_; // of others than slips
+    Laws others_;
 };
 
 // The forces that the other laws have alone: none where those are not convex.
@@ -398,11 +420,11 @@ std::optional<Answer> solve(const Matrix& a, const Vector& b, const Laws& laws, 
     counts = {};
     if (b.size() == 0)
         return Answer{};
-    if (!hasLevers(laws))
+    if (!haveCentres(laws))
         return solveAtMiddles(a, b, laws, guess, counts);
     const AtCentres at(a, b, laws);
     const bool hasGuess = guess.forces.size() == b.size();
-    FixedPoint<> centres(at.centresOf(hasGuess ? guess.forces : withoutDiscs(a, b, laws)));
+    FixedPoint centres(at.centresOf(hasGuess ? guess.forces : withoutDiscs(a, b, laws)));
     constexpr int most = 60;
     constexpr double close = 1e-7; // of a violation that goes on no further down: rounding is left
     std::optional<Answer> answer = guess, best;
@@ -420,6 +442,8 @@ std::optional<Answer> solve(const Matrix& a, const Vector& b, const Laws& laws, 
         }
         if (least <= kept || (least <= close && !isOn))
             return best;
+        if (centres.at().size() == 0)
+            break;
         centres.moveFrom(at.centresOf(answer->forces));
     }
     return least <= close ? best : std::nullopt;

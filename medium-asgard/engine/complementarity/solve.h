@@ -5,8 +5,8 @@
 // not have a solution, and may have several. Here the states of a guess are tried first, so that
 // what held goes on holding where it can; then those to which an interior point method leads, with
 // fast slips put into the columns of their normal forces, with a pull to the last answer that
-// fades, and by sweeps; of few laws at last all states. Discs with levers are solved at the centres
-// of the last answer, until it keeps the laws at its own.
+// fades, and by sweeps; of few laws at last all states. Discs and slips with levers are solved at
+// the centres of the last answer, until it keeps the laws at its own.
 //
 // LIMIT: of more laws than those tried one by one, a problem whose sweeps do not converge counts as
 // one without solution.
@@ -31,7 +31,7 @@ struct Work {       // counts of the last solve, for tests and reports
 
 // All solutions of few laws, each with other states: two of one problem with different rates are an
 // indeterminate motion (Painleve's rod). None of more than six laws that are not equalities, or of
-// discs with levers.
+// discs with levers, or slips.
 [[nodiscard]] std::vector<Answer> everySolution(const Matrix& a, const Vector& b, const Laws& laws);
 
 } // namespace complementarity

@@ -92,6 +92,28 @@ TEST(Solve, FrictionOfAFaceActsAtTheCentreOfItsNormalForces) {
     EXPECT_LE(answer->rates.norm(), 1e-12);
 }
 
+// The same block while it slides and turns: its friction follows its normal forces, and the couple
+// of these.
+TEST(Solve, ASlipActsAtTheCentreOfItsNormalForces) {
+    for (const double turning : {0.0, 0.5, -3.0}) {
+        Loaded loaded(0.4, 0);
+        Law& slip = loaded.laws.back();
+        slip.kind = Law::Kind::slip;
+        slip.velocity = (Vector(3) << 1, 0.2, turning).finished();
+        slip.beside = Vector::Zero(3);
+        const auto answer = solve(loaded.a, loaded.b, loaded.laws);
+        ASSERT_TRUE(answer) << turning;
+        EXPECT_LE(violation(loaded.a, loaded.b, loaded.laws, *answer), 1e-11);
+        EXPECT_EQ(answer->states[2], State::edge);
+        const double pressed = answer->forces[0] + answer->forces[1];
+        const double centre = (answer->forces[1] - answer->forces[0]) / pressed;
+        const Eigen::Vector3d way(1 + centre * turning, 0.2, turning);
+        const Eigen::Vector3d force = -0.3 * pressed * way / way.norm();
+        EXPECT_NEAR(answer->forces[2], force[0], 1e-9);
+        EXPECT_NEAR(answer->forces[4], force[2] + centre * force[0], 1e-9);
+    }
+}
+
 // Four feet of a plate at x, y = -1 or 1, of mass 1, on a floor; `slide` of each normal force is
 // friction that turns the plate about y. Feet that are not quite in a plane have rates that cannot
 // all be 0.

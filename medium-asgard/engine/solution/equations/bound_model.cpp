@@ -140,9 +140,6 @@ private:
             for (const Node node : levers)
                 entries.push_back(entryOf(operandOf(node)));
         }
-        std::size_t first = 0;
-        for (BoundModel::Disc& disc : bound_.discs)
-            disc.first = std::exchange(first, first + disc.rows.size() * disc.normals.size());
         return entries;
     }
 

@@ -40,13 +40,6 @@ struct BoundModel {
         std::vector<std::size_t> rows, normals;
         double sticking = 0, sliding = 0;
         bool hasLevers = false; // of its normals, for the rows but the last
-        // The place of its first row's force for a normal force of 1 among those of all discs; the
-        // others follow, by normals.
-        std::size_t first = 0;
-        [[nodiscard]] std::size_t frictionOf(std::size_t row, std::size_t normal) const {
-            return first + normal * rows.size() +
-                   static_cast<std::size_t>(std::ranges::find(rows, row) - rows.begin());
-        }
         [[nodiscard]] bool operator==(const Disc&) const = default;
     };
     std::vector<Disc> discs;

@@ -212,6 +212,10 @@ std::unique_ptr<ComponentModel::Jacobian> ComponentModel::derivedJacobian() cons
     for (std::size_t row = 0; row < symbols_.states; ++row)
         for (const auto& [state, derivative] : rows[row])
             columns[state].emplace(static_cast<int>(row), derivative);
+    const auto addPushes = [&](std::uint32_t state) {
+        for (const Entry& push : conditions_.pushes)
+            columns[state].emplace(static_cast<int>(push.row), graph.constant(0));
+    };
     std::vector<Node> seconds, ofConditions;
     for (std::size_t r = 0; r < symbols_.multipliers; ++r)
         seconds.push_back(conditionNodes_[3 * r + 2]);
@@ -220,8 +224,26 @@ std::unique_ptr<ComponentModel::Jacobian> ComponentModel::derivedJacobian() cons
         for (const auto& [state, derivative] : ofSeconds[r]) {
             jacobian->ofConditions.push_back({static_cast<std::uint32_t>(r), state});
             ofConditions.push_back(derivative);
-            for (const Entry& push : conditions_.pushes)
-                columns[state].emplace(static_cast<int>(push.row), graph.constant(0));
+            addPushes(state);
+        }
+    std::vector<Node> read;
+    std::vector<std::uint32_t> places;
+    for (std::size_t r = 0; r < symbols_.multipliers; ++r)
+        if (graph.isConstant(conditionNodes_[3 * r], 0)) {
+            read.push_back(conditionNodes_[3 * r + 1]);
+            places.push_back(static_cast<std::uint32_t>(symbols_.multipliers + r));
+        }
+    for (std::uint32_t k = conditions_.firstLever.front(); k < conditions_.firstLever.back(); ++k) {
+        read.push_back(besideNodes_[k]);
+        places.push_back(static_cast<std::uint32_t>(2 * symbols_.multipliers + k));
+    }
+    std::vector<Node> ofGaps;
+    const auto ofRead = expression::gradients(graph, read, states);
+    for (std::size_t i = 0; i < read.size(); ++i)
+        for (const auto& [state, derivative] : ofRead[i]) {
+            jacobian->ofGaps.push_back({places[i], state});
+            ofGaps.push_back(derivative);
+            addPushes(state);
         }
     Pattern& pattern = jacobian->pattern;
     std::vector<Node> entries;
@@ -234,6 +256,7 @@ std::unique_ptr<ComponentModel::Jacobian> ComponentModel::derivedJacobian() cons
         pattern.columnStarts.push_back(static_cast<int>(pattern.rows.size()));
     }
     entries.insert(entries.end(), ofConditions.begin(), ofConditions.end());
+    entries.insert(entries.end(), ofGaps.begin(), ofGaps.end());
     jacobian->entries = derive(graph, entries);
     return jacobian;
 }

@@ -106,9 +106,11 @@ public:
     };
     struct Jacobian {
         Pattern pattern;
-        // Of the pattern, with multipliers as they are; then d g''/d y of conditions and states.
+        // Of the pattern, with multipliers as they are; then d g''/d y of conditions and states;
+        // then of the values of Conditions::gaps that friction reads: rates of conditions without a
+        // gap, and levers.
         Derived entries;
-        std::vector<Entry> ofConditions;
+        std::vector<Entry> ofConditions, ofGaps;
     };
     [[nodiscard]] const Jacobian& jacobian() const;
     struct Gradient {

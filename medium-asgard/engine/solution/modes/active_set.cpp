@@ -37,8 +37,10 @@ ActiveSet::ActiveSet(ModelFunctions& functions, Multipliers& multipliers, Mode& 
 bool ActiveSet::isStop(std::size_t row) const { return law(row).isStop; }
 
 bool ActiveSet::slips() const {
-    return std::ranges::any_of(
-        discs(), [this](const BoundModel::Disc& disc) { return multipliers_.slips(disc); });
+    for (std::size_t disc = 0; disc < discs().size(); ++disc)
+        if (multipliers_.friction().slips(disc))
+            return true;
+    return false;
 }
 
 // --------------------------------------------------------------------------------------- watches
@@ -76,7 +78,7 @@ void ActiveSet::watchDisc(std::size_t disc) {
     const bool isPressed = std::ranges::any_of(
         of.normals, [this](std::size_t row) { return mode_.kept[row] == State::inside; });
     if (isPressed && !isGone(of.rows[0]))
-        watches_.push_back({disc, multipliers_.slips(of) ? Kind::turn : Kind::cone});
+        watches_.push_back({disc, multipliers_.friction().slips(disc) ? Kind::turn : Kind::cone});
 }
 
 std::size_t ActiveSet::rowOf(std::size_t watch) const {
@@ -129,9 +131,9 @@ double ActiveSet::valueOf(const Watch& watch) const {
     const auto [row, kind] = watch;
     switch (kind) {
     case Kind::cone:
-        return beyondRounding(multipliers_.leewayOf(row));
+        return beyondRounding(multipliers_.friction().leewayOf(row, multipliers_.values()));
     case Kind::turn: { // others may hold it at rest, but for rounding
-        const Multipliers::InDisc slip = multipliers_.slipOf(row);
+        const DiscFriction::InDisc slip = multipliers_.friction().slipOf(row);
         const double along =
             slip.dot(Eigen::Map<const Eigen::Vector3d>(mode_.slips[row].data()).head(slip.size()));
         return along + rateOf * law(discs()[row].rows[0]).resolution;
@@ -214,7 +216,7 @@ bool ActiveSet::cross(std::span<const std::size_t> watches, double t, std::span<
     (void)multipliers_.solve();
     multipliers_.evaluateGaps();
     for (std::size_t disc = 0; disc < discs().size(); ++disc)
-        setCentre(disc, multipliers_.centreOf(disc));
+        setCentre(disc, multipliers_.friction().centreOf(disc, multipliers_.values()));
     const double elapsed = t - lastCross_;
     lastCross_ = t;
     const std::vector<State> before = mode_.kept;
@@ -230,7 +232,7 @@ bool ActiveSet::cross(std::span<const std::size_t> watches, double t, std::span<
         else if (kind == Kind::cone)
             candidates.push_back(discs()[row].rows[0]);
         else if (kind == Kind::turn)
-            setSlip(row, multipliers_.slipOf(row));
+            setSlip(row, multipliers_.friction().slipOf(row));
         else
             candidates.push_back(row);
         if (kind == Kind::gap && !isContact(row))
@@ -346,7 +348,7 @@ void ActiveSet::setDisc(std::size_t disc, State state) {
             mode_.kept[row] = state;
 }
 
-void ActiveSet::setSlip(std::size_t disc, const Multipliers::InDisc& direction) {
+void ActiveSet::setSlip(std::size_t disc, const DiscFriction::InDisc& direction) {
     setDisc(disc, State::low);
     const double length = direction.norm();
     if (!(length > 0))
@@ -355,7 +357,7 @@ void ActiveSet::setSlip(std::size_t disc, const Multipliers::InDisc& direction) 
         mode_.slips[disc][static_cast<std::size_t>(i)] = direction[i] / length;
 }
 
-void ActiveSet::setCentre(std::size_t disc, const Multipliers::Centre& centre) {
+void ActiveSet::setCentre(std::size_t disc, const DiscFriction::Centre& centre) {
     std::ranges::fill(mode_.centres[disc], 0);
     std::ranges::copy(centre, mode_.centres[disc].begin());
 }
@@ -366,9 +368,9 @@ void ActiveSet::takeSlips(double t, std::span<const double> y) {
     f_.fill(t, y);
     multipliers_.evaluateGaps();
     for (std::size_t disc = 0; disc < discs().size(); ++disc)
-        if (multipliers_.slips(discs()[disc])) {
+        if (multipliers_.friction().slips(disc)) {
             mode_.centres[disc] = {0, 0};
-            setSlip(disc, multipliers_.slipOf(disc));
+            setSlip(disc, multipliers_.friction().slipOf(disc));
         }
 }
 
@@ -383,7 +385,7 @@ void ActiveSet::slip(double fastest, double t, std::span<const double> y) {
                               : rate > 0                         ? State::low
                                                                  : State::high;
     for (std::size_t disc = 0; disc < discs().size(); ++disc)
-        setSlip(disc, multipliers_.slipOf(disc));
+        setSlip(disc, multipliers_.friction().slipOf(disc));
 }
 
 // It fell from a height that is none: it closes without a blow. A blow would drive what slides in
@@ -414,7 +416,7 @@ void ActiveSet::give(std::span<const std::size_t> hit, std::span<const std::size
         if (isHeld || isIn(hit, row) || isIn(shut, row))
             rows.push_back(row);
     }
-    const auto [a, none] = multipliers_.systemOf(rows, Multipliers::Friction::none);
+    const auto [a, none] = multipliers_.systemOf(rows);
     Eigen::VectorXd b(static_cast<Eigen::Index>(rows.size()));
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const double rate = multipliers_.rate(rows[i]);
@@ -437,7 +439,7 @@ bool ActiveSet::hasStopped(std::size_t disc, double elapsed, std::span<const dou
     const double none =
         std::max({2 * rateOf * law(of.rows[0]).resolution, ofLost * second * elapsed,
                   std::max(slow_, ofSpeeds) * multipliers_.fastest(y)});
-    return multipliers_.slipOf(disc).norm() <= none;
+    return multipliers_.friction().slipOf(disc).norm() <= none;
 }
 
 // By the least change of velocities.

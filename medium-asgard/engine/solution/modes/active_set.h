@@ -84,7 +84,7 @@ private:
         Kind kind;
     };
     // The rows of one system: first all without a disc, then of each disc its normal forces next
-    // to each other, and its own rows where it may hold.
+    // to each other, and its own rows.
     struct Rows {
         std::vector<std::size_t> rows;
         complementarity::Laws laws;
@@ -115,8 +115,8 @@ private:
               std::span<const double> restitutions, double t, std::span<double> y);
     void slip(double fastest, double t, std::span<const double> y);
     void setDisc(std::size_t disc, complementarity::State state);
-    void setCentre(std::size_t disc, const Multipliers::Centre& centre);
-    void setSlip(std::size_t disc, const Multipliers::InDisc& direction);
+    void setCentre(std::size_t disc, const DiscFriction::Centre& centre);
+    void setSlip(std::size_t disc, const DiscFriction::InDisc& direction);
     [[nodiscard]] bool isLow(std::size_t row, double rate);
     [[nodiscard]] bool hasFallenLow(std::size_t row) const;
     [[nodiscard]] bool isCandidate(std::size_t row, double fastest) const;
@@ -132,7 +132,7 @@ private:
     [[nodiscard]] bool areWithinBounds() const;
     [[nodiscard]] bool settle(std::span<const std::size_t> fallen, double fastest, double t,
                               std::span<const double> y);
-    [[nodiscard]] std::optional<complementarity::Answer> answerOf(const Rows& rows);
+    void addLaw(Rows& rows, std::size_t disc, std::span<const std::size_t> normals);
     [[nodiscard]] bool solveLaws(const Rows& rows);
 
     ModelFunctions& f_;

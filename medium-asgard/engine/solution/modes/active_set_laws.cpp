@@ -1,10 +1,10 @@
 // The laws on second rates: which rows take part, and the set that their answer gives.
-#include "complementarity/fixed_point.h"
 #include "complementarity/solve.h"
 #include "modes/active_set.h"
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 namespace solution {
@@ -29,7 +29,7 @@ bool ActiveSet::mayHold(std::size_t disc, std::span<const std::size_t> fallen,
     const double none = std::max(rateOf * law(of.rows[0]).resolution, atRest * fastest);
     const bool hasFallen = isIn(fallen, of.rows[0]);
     return mode_.kept[of.rows[0]] == State::inside || hasFallen ||
-           multipliers_.slipOf(disc).norm() <= none;
+           multipliers_.friction().slipOf(disc).norm() <= none;
 }
 
 ActiveSet::Rows ActiveSet::rowsFor(std::span<const std::size_t> fallen, double fastest,
@@ -70,38 +70,55 @@ ActiveSet::Rows ActiveSet::rowsFor(std::span<const std::size_t> fallen, double f
     for (std::size_t row = 0; row < mode_.kept.size(); ++row)
         if (takesPart[row] && !isOfDisc[row])
             add(row);
-    Eigen::Index first = 0, normals = 0;
+    std::vector<std::size_t> normals;
     for (std::size_t disc = 0; disc < discs().size(); ++disc) {
         const BoundModel::Disc& of = discs()[disc];
         // Friction and rolling friction have the same normal forces.
         const bool isKnown = disc > 0 && of.normals == discs()[disc - 1].normals;
         if (!isKnown) {
-            first = static_cast<Eigen::Index>(found.rows.size());
+            normals.clear();
             for (const std::size_t row : of.normals)
-                if (takesPart[row])
+                if (takesPart[row]) {
                     add(row);
-            normals = static_cast<Eigen::Index>(found.rows.size()) - first;
+                    normals.push_back(row);
+                }
         }
         const bool holds = !slipping[disc] && mayHold(disc, fallen, fastest);
         if (!holds && !slipping[disc])
-            setSlip(disc, multipliers_.slipOf(disc));
-        if (!holds || normals == 0)
-            continue;
-        setDisc(disc, State::inside); // while the laws are asked, it adds no friction of slip
-        complementarity::addFriction(found.laws, static_cast<Eigen::Index>(of.rows.size()), first,
-                                     of.sticking, normals);
-        if (of.hasLevers) {
-            complementarity::Matrix& levers = found.laws.back().levers;
-            levers.resize(static_cast<Eigen::Index>(of.rows.size()) - 1, normals);
-            Eigen::Index column = 0;
-            for (std::size_t n = 0; n < of.normals.size(); ++n)
-                if (takesPart[of.normals[n]])
-                    levers.col(column++) = multipliers_.leversOf(disc, n);
-        }
-        found.rows.insert(found.rows.end(), of.rows.begin(), of.rows.end());
-        found.discs.push_back(disc);
+            setSlip(disc, multipliers_.friction().slipOf(disc));
+        if (holds && !normals.empty())
+            setDisc(disc, State::inside);
+        if (!normals.empty() && !isGone(of.rows[0]))
+            addLaw(found, disc, normals);
     }
     return found;
+}
+
+// The law of a disc that may hold, or slips. Its normal forces are among the rows.
+void ActiveSet::addLaw(Rows& rows, std::size_t disc, std::span<const std::size_t> normals) {
+    const BoundModel::Disc& of = discs()[disc];
+    const DiscFriction& friction = multipliers_.friction();
+    const bool slips = friction.slips(disc);
+    const auto first = std::ranges::find(rows.rows, normals[0]) - rows.rows.begin();
+    complementarity::addFriction(rows.laws, static_cast<Eigen::Index>(of.rows.size()), first,
+                                 slips ? of.sliding : of.sticking,
+                                 static_cast<Eigen::Index>(normals.size()));
+    rows.rows.insert(rows.rows.end(), of.rows.begin(), of.rows.end());
+    complementarity::Law& law = rows.laws.back();
+    if (of.hasLevers) {
+        law.levers.resize(law.rows - 1, law.normals);
+        for (Eigen::Index n = 0; n < law.normals; ++n) {
+            const auto place = std::ranges::find(of.normals, normals[static_cast<std::size_t>(n)]);
+            law.levers.col(n) =
+                friction.leversOf(disc, static_cast<std::size_t>(place - of.normals.begin()));
+        }
+    }
+    if (slips) {
+        law.kind = complementarity::Law::Kind::slip;
+        std::tie(law.velocity, law.beside) = friction.velocityOf(disc);
+    } else {
+        rows.discs.push_back(disc);
+    }
 }
 
 bool ActiveSet::settle(std::span<const std::size_t> fallen, double fastest, double t,
@@ -119,7 +136,7 @@ bool ActiveSet::settle(std::span<const std::size_t> fallen, double fastest, doub
         isOther = false;
         for (const std::size_t disc : rows.discs) // these have the friction of slip from here on
             if (discs()[disc].sticking != discs()[disc].sliding &&
-                multipliers_.slips(discs()[disc]))
+                multipliers_.friction().slips(disc))
                 slipping[disc] = 1, isOther = true;
     }
     openUnpressed();
@@ -153,7 +170,7 @@ bool ActiveSet::areWithinBounds() const {
             return false;
     for (std::size_t disc = 0; disc < discs().size(); ++disc)
         if (mode_.kept[discs()[disc].rows[0]] == State::inside &&
-            multipliers_.leewayOf(disc) < -most)
+            multipliers_.friction().leewayOf(disc, multipliers_.values()) < -most)
             return false;
     return true;
 }
@@ -167,58 +184,14 @@ void ActiveSet::openUnpressed() {
             setDisc(disc, State::low);
 }
 
-// With discs that slip and turn about the centres of their normal forces. None: no forces keep the
-// laws, or no centres were found.
-std::optional<complementarity::Answer> ActiveSet::answerOf(const Rows& rows) {
-    constexpr int most = 40; // rounds
-    std::vector<std::size_t> slipping;
-    for (std::size_t disc = 0; disc < discs().size(); ++disc)
-        if (multipliers_.slips(discs()[disc]))
-            slipping.push_back(disc);
-    Eigen::VectorXd next = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(slipping.size()));
-    const auto collect = [&](const auto& centreOf) {
-        for (std::size_t i = 0; i < slipping.size(); ++i) {
-            const Multipliers::Centre centre = centreOf(slipping[i]);
-            next.segment(2 * static_cast<Eigen::Index>(i), centre.size()) = centre;
-        }
-    };
-    collect([this](std::size_t disc) { return multipliers_.centreIn(disc); });
-    complementarity::FixedPoint<> centres(next);
-    std::optional<complementarity::Answer> answer;
-    std::vector<double> forces(mode_.kept.size(), 0);
-    for (int round = 0; round < most; ++round) {
-        const auto [a, b] = multipliers_.systemOf(rows.rows, Multipliers::Friction::ofSlip);
-        // The guess: all that may rest does.
-        complementarity::Answer rest{.forces = Eigen::VectorXd::Zero(b.size()),
-                                     .rates = b,
-                                     .states =
-                                         complementarity::States(rows.laws.size(), State::inside)};
-        if (answer)
-            rest = std::move(*answer);
-        else if (rows.discs.empty())
-            rest = {};
-        answer = complementarity::solve(a, b, rows.laws, rest);
-        if (!answer)
-            return answer;
-        for (std::size_t i = 0; i < rows.rows.size(); ++i)
-            forces[rows.rows[i]] = answer->forces[static_cast<Eigen::Index>(i)];
-        if (std::ranges::none_of(slipping, [&](std::size_t disc) {
-                return multipliers_.turns(disc, multipliers_.centreIn(disc), forces);
-            })) {
-            for (std::size_t disc = 0; disc < discs().size(); ++disc)
-                setCentre(disc, multipliers_.centreOf(disc, forces));
-            return answer;
-        }
-        collect([&](std::size_t disc) { return multipliers_.centreOf(disc, forces); });
-        centres.moveFrom(next);
-        for (std::size_t i = 0; i < slipping.size(); ++i)
-            setCentre(slipping[i], centres.at().segment<2>(2 * static_cast<Eigen::Index>(i)));
-    }
-    return std::nullopt;
-}
-
 bool ActiveSet::solveLaws(const Rows& rows) {
-    const auto answer = answerOf(rows);
+    const auto [a, b] = multipliers_.systemOf(rows.rows);
+    complementarity::Answer rest; // the guess: all that may rest does
+    if (!rows.discs.empty()) {
+        rest.forces.setZero(b.size());
+        rest.states.assign(rows.laws.size(), State::inside);
+    }
+    const auto answer = complementarity::solve(a, b, rows.laws, rest);
     if (!answer)
         return false;
     const double largest = answer->forces.cwiseAbs().maxCoeff();
@@ -229,8 +202,10 @@ bool ActiveSet::solveLaws(const Rows& rows) {
     for (std::size_t k = 0; k < rows.laws.size(); ++k) {
         const complementarity::Law& of = rows.laws[k];
         const std::size_t row = rows.rows[static_cast<std::size_t>(of.first)];
+        if (of.kind == complementarity::Law::Kind::slip)
+            continue;
         if (of.kind == complementarity::Law::Kind::disc) {
-            const Multipliers::InDisc force =
+            const DiscFriction::InDisc force =
                 complementarity::forcesAt(complementarity::centreOf(of, answer->forces),
                                           answer->forces.segment(of.first, of.rows));
             if (answer->states[k] == State::inside)
@@ -245,6 +220,8 @@ bool ActiveSet::solveLaws(const Rows& rows) {
             mode_.touches[row] = isNothing ? 1 : 0;
         }
     }
+    for (std::size_t k = 0; k < discs().size(); ++k)
+        setCentre(k, multipliers_.friction().centreOf(k, mode_.forces));
     return true;
 }
 

@@ -174,7 +174,7 @@ bool ComponentEquations::rest(std::span<const std::size_t> directions, double t,
 const Pattern& ComponentEquations::jacobianPattern() { return model().jacobian().pattern; }
 
 bool ComponentEquations::jacobian(double t, std::span<const double> y, std::span<double> entries) {
-    if (sliding() || active_.slips())
+    if (sliding())
         return differences(t, y, entries);
     functions_.fill(t, y);
     const ComponentModel::Jacobian& jacobian = model().jacobian();
@@ -183,7 +183,8 @@ bool ComponentEquations::jacobian(double t, std::span<const double> y, std::span
     } else {
         if (!field_.multipliers().solve())
             return false;
-        std::vector<double> all(entries.size() + jacobian.ofConditions.size());
+        std::vector<double> all(entries.size() + jacobian.ofConditions.size() +
+                                jacobian.ofGaps.size());
         functions_.evaluate(jacobian.entries, all);
         std::copy_n(all.begin(), entries.size(), entries.begin());
         addMultipliers(std::span(all).subspan(entries.size()), entries);
@@ -192,8 +193,9 @@ bool ComponentEquations::jacobian(double t, std::span<const double> y, std::span
            differences(t, y, entries);
 }
 
-// With A m + b = 0:  df/dy + df/dm dm/dy,  and  A dm/dy = -d(A m + b)/dy.
-void ComponentEquations::addMultipliers(std::span<const double> ofConditions,
+// With A m + b = 0:  df/dy + df/dm dm/dy,  and  A dm/dy = -d(A m + b)/dy. Friction that slips
+// follows gaps, their rates and levers, too.
+void ComponentEquations::addMultipliers(std::span<const double> derivatives,
                                         std::span<double> entries) {
     const ComponentModel::Conditions& conditions = model().conditions();
     const ComponentModel::Jacobian& jacobian = model().jacobian();
@@ -202,15 +204,21 @@ void ComponentEquations::addMultipliers(std::span<const double> ofConditions,
     const auto m = static_cast<Eigen::Index>(multipliers().size());
     const auto n = static_cast<Eigen::Index>(states().size());
     Eigen::MatrixXd pushes = Eigen::MatrixXd::Zero(n, m), change = Eigen::MatrixXd::Zero(m, n);
+    Eigen::MatrixXd gaps = Eigen::MatrixXd::Zero(2 * m + conditions.firstLever.back(), n);
     for (std::size_t k = 0; k < conditions.pushes.size(); ++k)
         pushes(conditions.pushes[k].row, conditions.pushes[k].column) = moves[k];
-    for (std::size_t k = 0; k < ofConditions.size(); ++k)
-        change(jacobian.ofConditions[k].row, jacobian.ofConditions[k].column) = ofConditions[k];
+    std::size_t next = 0;
+    for (const ComponentModel::Entry& entry : jacobian.ofConditions)
+        change(entry.row, entry.column) = derivatives[next++];
+    for (const ComponentModel::Entry& entry : jacobian.ofGaps)
+        gaps(entry.row, entry.column) = derivatives[next++];
+    field_.multipliers().linearise();
     const Pattern& pattern = jacobian.pattern;
     for (Eigen::Index column = 0; column < n; ++column) {
-        if (change.col(column).isZero(0))
+        if (change.col(column).isZero(0) && gaps.col(column).isZero(0))
             continue;
-        field_.multipliers().solve(change.col(column));
+        field_.multipliers().change(
+            {gaps.col(column).data(), static_cast<std::size_t>(gaps.rows())}, change.col(column));
         const auto first = static_cast<std::size_t>(column);
         for (int k = pattern.columnStarts[first]; k < pattern.columnStarts[first + 1]; ++k)
             entries[static_cast<std::size_t>(k)] +=
@@ -225,9 +233,6 @@ bool ComponentEquations::differences(double t, std::span<const double> y,
                                      std::span<double> entries) {
     std::vector<double> at(y.begin(), y.end()), low(states().size()), high(states().size());
     const Pattern& pattern = model().jacobian().pattern;
-    if (active_.slips() && !rates(t, at, high))
-        return false;
-    const Multipliers::Near near(field_.multipliers());
     for (std::size_t column = 0; column < states().size(); ++column) {
         if (std::ranges::any_of(field_.columns(), [&](const HeldField::Column& c) {
                 return field_.gradientOf(c).state == column;

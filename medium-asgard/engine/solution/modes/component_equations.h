@@ -161,7 +161,7 @@ private:
             places.push_back(multipliers()[row]);
         return places;
     }
-    void addMultipliers(std::span<const double> ofConditions, std::span<double> entries);
+    void addMultipliers(std::span<const double> derivatives, std::span<double> entries);
     [[nodiscard]] bool differences(double t, std::span<const double> y, std::span<double> entries);
 
     Mode mode_;

@@ -10,7 +10,6 @@ namespace {
 // Of the diagonal:
 constexpr double leastPivot = 1e-10; // less may be what rounding leaves of 0
 constexpr double rounding = 1e-13;   // less is that
-constexpr double leastOfAny = 1e-4;  // where the matrix is not symmetric
 constexpr double ofTilt = 1e-7;      // less is a patch's tilt, where three of its rows are done
 constexpr double ofLine = 1e-10;     // less is that of three points in a line
 constexpr double differing = 1e-11;  // mirrored entries do by rounding
@@ -104,15 +103,6 @@ bool Elimination::isSymmetric() const {
     return true;
 }
 
-bool Elimination::factorise(Take take) {
-    std::copy_n(values_.data(), rowOf_.size(), own_.data());
-    dependent_.clear();
-    isLu_ = !isSymmetric();
-    if (isLu_)
-        return take == Take::all && factoriseAny();
-    return factoriseSymmetric(take);
-}
-
 void Elimination::setPatches(std::span<const Index> patches) {
     mates_.assign(rowOf_.size(), {});
     for (std::size_t rank = 0; rank < rowOf_.size(); ++rank)
@@ -136,8 +126,12 @@ double Elimination::invert(std::size_t rank, bool isNone) {
     return values_[rank] = isNone ? 0 : 1 / values_[rank];
 }
 
-bool Elimination::factoriseSymmetric(Take take) {
+bool Elimination::factorise(Take take) {
     const std::size_t size = rowOf_.size();
+    std::copy_n(values_.data(), size, own_.data());
+    dependent_.clear();
+    if (!isSymmetric())
+        return false;
     double* const values = values_.data();
     double* const lower = values + size;
     const Index* target = targets_.data();
@@ -155,46 +149,6 @@ bool Elimination::factoriseSymmetric(Take take) {
             lower[a] = l;
         }
     }
-    return true;
-}
-
-bool Elimination::factoriseAny() {
-    const std::size_t size = rowOf_.size(), entries = below_.size();
-    double* const values = values_.data();
-    double* const lower = values + size;
-    double* const upper = lower + entries;
-    const Index* target = targets_.data();
-    idle_.assign(entries, 0);
-    for (std::size_t rank = 0; rank < size; ++rank) {
-        const double pivot = values[rank];
-        const double least = leastOf(rank);
-        const bool isNone = std::abs(pivot) <= least * own_[rank];
-        if (isNone ? !isLeftOut(rank, std::max(rounding, std::sqrt(least / 10)))
-                   : !(pivot > leastOfAny * own_[rank]))
-            return false;
-        const double inverse = invert(rank, isNone);
-        const Index begin = firstBelow_[rank];
-        for (Index a = firstBelow_[rank + 1]; a-- > begin;) {
-            if (isNone)
-                idle_[a] = lower[a];
-            const double l = lower[a] * inverse, mirrored = upper[a];
-            for (Index b = begin; b < a; ++b, ++target) {
-                values[*target] -= l * upper[b];
-                values[*target + entries] -= lower[b] * inverse * mirrored;
-            }
-            values[*target++] -= l * mirrored;
-            lower[a] = l;
-        }
-    }
-    return true;
-}
-
-// Nothing is left of its row: of a patch's tilt, whose square the pivot is, the tilt itself may be.
-bool Elimination::isLeftOut(std::size_t rank, double least) const {
-    const double* const upper = values_.data() + rowOf_.size() + below_.size();
-    for (Index a = firstBelow_[rank]; a < firstBelow_[rank + 1]; ++a)
-        if (!(upper[a] * upper[a] <= least * least * own_[rank] * own_[below_[a]]))
-            return false;
     return true;
 }
 
@@ -221,7 +175,6 @@ void Elimination::substituteBack() {
     const std::size_t size = rowOf_.size();
     const double* const inverse = values_.data();
     const double* const lower = inverse + size;
-    const double* const row = isLu_ ? lower + below_.size() : lower;
     double* const y = ordered_.data();
     auto left = dependent_.rbegin();
     for (std::size_t rank = size; rank-- > 0;) {
@@ -229,27 +182,16 @@ void Elimination::substituteBack() {
             ++left;
             continue;
         }
-        double known = isLu_ ? y[rank] : y[rank] * inverse[rank];
+        y[rank] *= inverse[rank];
         for (Index a = firstBelow_[rank]; a < firstBelow_[rank + 1]; ++a)
-            known -= row[a] * y[below_[a]];
-        y[rank] = isLu_ ? known * inverse[rank] : known;
+            y[rank] -= lower[a] * y[below_[a]];
     }
 }
 
 void Elimination::kernel(std::size_t which, std::span<double> x) {
     const std::size_t size = rowOf_.size(), own = dependent_[which];
-    const double* const lower = values_.data() + size;
     double* const y = ordered_.data();
     std::fill_n(y, size, 0);
-    if (isLu_) { // what its column has below it
-        for (Index a = firstBelow_[own]; a < firstBelow_[own + 1]; ++a)
-            y[below_[a]] = -idle_[a];
-        for (std::size_t rank = own + 1; rank < size; ++rank)
-            for (Index a = firstBelow_[rank]; a < firstBelow_[rank + 1]; ++a)
-                y[below_[a]] -= lower[a] * y[rank];
-        for (const Index rank : dependent_)
-            y[rank] = 0;
-    }
     y[own] = 1;
     substituteBack();
     for (std::size_t rank = 0; rank < size; ++rank)

@@ -1,5 +1,4 @@
-// Gauss' elimination of a sparse matrix, in an order that is found once: L D L' of a symmetric one,
-// else L U.
+// Gauss' elimination of a sparse symmetric matrix, L D L', in an order that is found once.
 //
 // A joint couples its conditions with those of neighbouring joints alone. From the leaves of a tree
 // of joints on, elimination makes no entry that was 0 another number (Featherstone, Rigid Body
@@ -11,8 +10,7 @@
 // backward error is rounding for each product (Higham, Accuracy and Stability of Numerical
 // Algorithms, 2002, 10.1). A pivot that rounding alone keeps from 0 belongs to a row that those
 // before it make, as the fourth corner of a face does: such a row is left out, and what it may have
-// is the matrix' kernel, of which kernel() gives a basis. A matrix that is not symmetric, as
-// friction that slips makes it, is taken where its pivots are far from 0. Any other is refused.
+// is the matrix' kernel, of which kernel() gives a basis. Any other matrix is refused.
 #pragma once
 
 #include <cstdint>
@@ -44,8 +42,8 @@ public:
     [[nodiscard]] Index indexOf(Place place) const;
     // Of the matrix, before it is factorised.
     [[nodiscard]] std::span<double> values() { return values_; }
-    // Of values(). False: the matrix is refused; so is one that is singular or not symmetric, where
-    // it is to be regular.
+    // Of values(). False: the matrix is refused; so is one that is singular where it is to be
+    // regular.
     enum class Take { regular, all };
     [[nodiscard]] bool factorise(Take take = Take::regular);
     // Rows that others make, in the order of elimination.
@@ -61,10 +59,7 @@ private:
     [[nodiscard]] bool isSymmetric() const;
     // In the place of the pivot: its inverse; of a row that others make 0.
     double invert(std::size_t rank, bool isNone);
-    [[nodiscard]] bool factoriseSymmetric(Take take);
-    [[nodiscard]] bool factoriseAny();
     [[nodiscard]] double leastOf(std::size_t rank) const;
-    [[nodiscard]] bool isLeftOut(std::size_t rank, double least) const;
     void substituteBack();
 
     // By rank, the order in which rows are eliminated; a row's `below` are the later ranks where
@@ -77,11 +72,9 @@ private:
         values_;              // diagonal; then what is below it by columns; what is above by rows
     std::vector<double> own_; // the diagonal, before it is factorised
     std::vector<double> ordered_;
-    bool isLu_ = false; // not symmetric
     // By rank, the earlier ranks of the same patch; empty: no row has one.
     std::vector<std::vector<Index>> mates_;
     std::vector<Index> dependent_;
-    std::vector<double> idle_; // of rows left out: what was left of their columns; else 0
 };
 
 } // namespace solution

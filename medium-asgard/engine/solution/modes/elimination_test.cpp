@@ -142,28 +142,22 @@ TEST(Elimination, LeavesOutRowsThatOthersMake) {
                 j(first + row, k + (face == 0 ? 0 : 6 * (face - 1))) = number(random);
         j.row(first + 3) = j.row(first) - j.row(first + 1) + j.row(first + 2);
     }
-    for (const double friction : {0.0, 0.1}) { // of each first row of friction against its normals
-        Eigen::MatrixXd slipping = j;
-        for (Eigen::Index face = 1; face < bricks; face += 2)
-            for (Eigen::Index row = 0; row < 4; ++row)
-                slipping.row(5 * face + row) -= friction * j.row(5 * face + 4);
-        const Eigen::MatrixXd a = j * slipping.transpose();
-        Elimination elimination;
-        ASSERT_TRUE(elimination.plan(tower.size(), tower.places(), 1e9));
-        put(tower, a, elimination);
-        EXPECT_FALSE(elimination.factorise());
-        put(tower, a, elimination);
-        ASSERT_TRUE(elimination.factorise(Elimination::Take::all));
-        ASSERT_EQ(elimination.dependent().size(), static_cast<std::size_t>(bricks));
-        const Eigen::VectorXd wanted = a * Eigen::VectorXd::LinSpaced(n, -1, 2);
-        Eigen::VectorXd x = wanted;
-        elimination.solve({x.data(), tower.size()});
-        EXPECT_LT((a * x - wanted).cwiseAbs().maxCoeff(), 1e-9 * wanted.cwiseAbs().maxCoeff());
-        for (std::size_t k = 0; k < bricks; ++k) {
-            elimination.kernel(k, {x.data(), tower.size()});
-            EXPECT_GE(x.cwiseAbs().maxCoeff(), 1);
-            EXPECT_LT((a * x).cwiseAbs().maxCoeff(), 1e-9 * x.cwiseAbs().maxCoeff());
-        }
+    const Eigen::MatrixXd a = j * j.transpose();
+    Elimination elimination;
+    ASSERT_TRUE(elimination.plan(tower.size(), tower.places(), 1e9));
+    put(tower, a, elimination);
+    EXPECT_FALSE(elimination.factorise());
+    put(tower, a, elimination);
+    ASSERT_TRUE(elimination.factorise(Elimination::Take::all));
+    ASSERT_EQ(elimination.dependent().size(), static_cast<std::size_t>(bricks));
+    const Eigen::VectorXd wanted = a * Eigen::VectorXd::LinSpaced(n, -1, 2);
+    Eigen::VectorXd x = wanted;
+    elimination.solve({x.data(), tower.size()});
+    EXPECT_LT((a * x - wanted).cwiseAbs().maxCoeff(), 1e-9 * wanted.cwiseAbs().maxCoeff());
+    for (std::size_t k = 0; k < bricks; ++k) {
+        elimination.kernel(k, {x.data(), tower.size()});
+        EXPECT_GE(x.cwiseAbs().maxCoeff(), 1);
+        EXPECT_LT((a * x).cwiseAbs().maxCoeff(), 1e-9 * x.cwiseAbs().maxCoeff());
     }
 }
 
@@ -188,8 +182,7 @@ TEST(Elimination, ATiltMakesNoFourthRowOfAPatch) {
     }
 }
 
-// As friction that slips makes it.
-TEST(Elimination, TakesWhatIsNotSymmetricAndRefusesWhatIsNotDefinite) {
+TEST(Elimination, RefusesWhatIsNotSymmetricOrNotDefinite) {
     Mechanism pair;
     pair.join({0, 1}, 2);
     Elimination elimination;
@@ -199,11 +192,7 @@ TEST(Elimination, TakesWhatIsNotSymmetricAndRefusesWhatIsNotDefinite) {
     put(pair, Eigen::Matrix2d{{1, 0.5}, {0.4, 1}}, elimination);
     EXPECT_FALSE(elimination.factorise());
     put(pair, Eigen::Matrix2d{{1, 0.5}, {0.4, 1}}, elimination);
-    EXPECT_TRUE(elimination.factorise(Elimination::Take::all));
-    std::vector<double> y{2, 2.4};
-    elimination.solve(y);
-    EXPECT_NEAR(y[0], 1, 1e-15);
-    EXPECT_NEAR(y[1], 2, 1e-15);
+    EXPECT_FALSE(elimination.factorise(Elimination::Take::all));
     put(pair, Eigen::Matrix2d{{1, 0.5}, {0.5, 0}}, elimination);
     EXPECT_FALSE(elimination.factorise());
     put(pair, Eigen::Matrix2d{{1, std::numeric_limits<double>::quiet_NaN()}, {0, 1}}, elimination);

@@ -21,13 +21,10 @@ Eigen::Index count(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
 } // namespace
 
-void HeldConditions::makePlan(std::vector<std::size_t> slipping) {
-    plan_.slipping = std::move(slipping);
+void HeldConditions::makePlan() {
     plan_.terms.clear();
-    plan_.ofFriction.clear();
     plan_.entries.clear();
     plan_.indices.clear();
-    plan_.frictionIndices.clear();
     plan_.isSparse = false;
     plan_.isMade = true;
     constexpr auto none = std::numeric_limits<Elimination::Index>::max();
@@ -36,23 +33,11 @@ void HeldConditions::makePlan(std::vector<std::size_t> slipping) {
         placeOf[plan_.rows[i]] = static_cast<Elimination::Index>(i);
     for (std::size_t k = 0; k < conditions_.matrix.size(); ++k) {
         const auto [row, column] = conditions_.matrix[k];
-        if (placeOf[row] == none)
-            continue;
-        if (placeOf[column] != none)
+        if (placeOf[row] != none && placeOf[column] != none)
             plan_.terms.push_back({.entry = k, .place = {placeOf[row], placeOf[column]}});
-        const auto& which = bound_.laws[column].disc;
-        if (!which || std::ranges::find(plan_.slipping, *which) == plan_.slipping.end())
-            continue;
-        const BoundModel::Disc& disc = bound_.discs[*which];
-        for (std::size_t n = 0; n < disc.normals.size(); ++n)
-            if (const auto place = placeOf[disc.normals[n]]; place != none)
-                plan_.ofFriction.push_back({.entry = k,
-                                            .place = {placeOf[row], place},
-                                            .friction = disc.frictionOf(column, n)});
     }
     std::vector<Elimination::Place> places;
     std::ranges::transform(plan_.terms, std::back_inserter(places), &Term::place);
-    std::ranges::transform(plan_.ofFriction, std::back_inserter(places), &Term::place);
     plan_.hasContacts = std::ranges::any_of(
         plan_.rows, [this](std::size_t row) { return bound_.laws[row].leaving.has_value(); });
     const auto n = static_cast<double>(plan_.rows.size());
@@ -72,11 +57,9 @@ void HeldConditions::makePlan(std::vector<std::size_t> slipping) {
         plan_.entries.push_back(static_cast<Elimination::Index>(term.entry));
         plan_.indices.push_back(elimination_.indexOf(term.place));
     }
-    for (const Term& term : plan_.ofFriction)
-        plan_.frictionIndices.push_back(elimination_.indexOf(term.place));
 }
 
-void HeldConditions::followMode(bool hasFriction) {
+void HeldConditions::followMode() {
     std::size_t held = 0;
     bool isSame = plan_.isMade;
     for (std::size_t row = 0; row < mode_.kept.size(); ++row)
@@ -84,35 +67,28 @@ void HeldConditions::followMode(bool hasFriction) {
             isSame = isSame && held < plan_.rows.size() && plan_.rows[held] == row;
             ++held;
         }
-    std::vector<std::size_t> slipping;
-    for (std::size_t disc = 0; hasFriction && disc < bound_.discs.size(); ++disc)
-        if (mode_.kept[bound_.discs[disc].rows[0]] == State::low)
-            slipping.push_back(disc);
-    if (isSame && held == plan_.rows.size() && slipping == plan_.slipping)
+    if (isSame && held == plan_.rows.size())
         return;
     plan_.rows.clear();
     for (std::size_t row = 0; row < mode_.kept.size(); ++row)
         if (holds(row))
             plan_.rows.push_back(row);
-    makePlan(std::move(slipping));
+    makePlan();
 }
 
-bool HeldConditions::eliminate(std::span<const double> values, std::span<const double> friction) {
+bool HeldConditions::eliminate(std::span<const double> values) {
     const std::span<double> into = elimination_.values();
     std::ranges::fill(into, 0);
     for (std::size_t k = 0; k < plan_.indices.size(); ++k)
         into[plan_.indices[k]] = values[plan_.entries[k]];
-    for (std::size_t k = 0; k < plan_.frictionIndices.size(); ++k)
-        into[plan_.frictionIndices[k]] +=
-            friction[plan_.ofFriction[k].friction] * values[plan_.ofFriction[k].entry];
     if (!elimination_.factorise(plan_.hasContacts ? Elimination::Take::all
                                                   : Elimination::Take::regular))
         return false;
-    findKernel(values, friction);
+    findKernel(values);
     return true;
 }
 
-void HeldConditions::findKernel(std::span<const double> values, std::span<const double> friction) {
+void HeldConditions::findKernel(std::span<const double> values) {
     const std::size_t n = plan_.rows.size(), idle = elimination_.dependent().size();
     kernel_.resize(count(n), count(idle));
     if (idle == 0)
@@ -128,8 +104,6 @@ void HeldConditions::findKernel(std::span<const double> values, std::span<const 
         if (term.place.row == term.place.column && value != 0)
             scale_[term.place.row] = 1 / std::sqrt(std::abs(value));
     }
-    for (const Term& term : plan_.ofFriction)
-        redundant_.push_back(friction[term.friction] * values[term.entry]);
 }
 
 Eigen::VectorXd HeldConditions::left() const {
@@ -137,15 +111,13 @@ Eigen::VectorXd HeldConditions::left() const {
         return matrix_ * answer_ - right_;
     Eigen::VectorXd left = Eigen::VectorXd::Zero(answer_.size());
     for (std::size_t k = 0; k < redundant_.size(); ++k) {
-        const auto& [row, column] =
-            (k < plan_.terms.size() ? plan_.terms[k] : plan_.ofFriction[k - plan_.terms.size()])
-                .place;
+        const auto& [row, column] = plan_.terms[k].place;
         left[row] += redundant_[k] * answer_[column];
     }
     return scale_.cwiseProduct(left) - right_;
 }
 
-void HeldConditions::putMatrix(std::span<const double> values, std::span<const double> friction) {
+void HeldConditions::putMatrix(std::span<const double> values) {
     const Eigen::Index n = count(plan_.rows.size());
     matrix_.setZero(n, n);
     scale_.setOnes(n);
@@ -155,18 +127,16 @@ void HeldConditions::putMatrix(std::span<const double> values, std::span<const d
         if (row == column && value != 0)
             scale_[row] = 1 / std::sqrt(std::abs(value));
     }
-    for (const Term& term : plan_.ofFriction)
-        matrix_(term.place.row, term.place.column) += friction[term.friction] * values[term.entry];
     matrix_ = scale_.asDiagonal() * matrix_ * scale_.asDiagonal();
 }
 
-bool HeldConditions::factorise(std::span<const double> values, std::span<const double> friction) {
-    followMode(!friction.empty());
+bool HeldConditions::factorise(std::span<const double> values) {
+    followMode();
     way_ = Way::sparse;
-    if (plan_.isSparse && eliminate(values, friction))
+    if (plan_.isSparse && eliminate(values))
         return true;
     way_ = Way::dense;
-    putMatrix(values, friction);
+    putMatrix(values);
     if (!matrix_.allFinite())
         return false;
     lu_.compute(matrix_);

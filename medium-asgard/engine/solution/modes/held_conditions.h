@@ -34,10 +34,9 @@ public:
     HeldConditions(const ComponentModel& model, const BoundModel& bound, const Mode& mode)
         : conditions_(model.conditions()), bound_(bound), mode_(mode) {}
 
-    // `values`: of Conditions::matrix. `friction`: of discs that slip (BoundModel::Disc::first),
-    // the force of each row for a normal force of 1; empty: none slips. False: they are not finite.
-    // Without a heap allocation where the same conditions hold as before.
-    [[nodiscard]] bool factorise(std::span<const double> values, std::span<const double> friction);
+    // `values`: of Conditions::matrix. False: they are not finite. Without a heap allocation where
+    // the same conditions hold as before.
+    [[nodiscard]] bool factorise(std::span<const double> values);
     [[nodiscard]] const std::vector<std::size_t>& rows() const { return plan_.rows; }
     // Of conditions with these rates the m that keep them; 0 of others than those that hold. Of
     // several the one next to `wanted`, one for each condition; empty: the shortest.
@@ -58,13 +57,11 @@ private:
     struct Term { // of the matrix
         std::size_t entry = 0;
         Elimination::Place place = {};
-        std::size_t friction = 0; // times that force
     };
     struct Plan {
         std::vector<std::size_t> rows;
-        std::vector<std::size_t> slipping; // discs
-        std::vector<Term> terms, ofFriction;
-        std::vector<Elimination::Index> entries, indices, frictionIndices; // where it is sparse
+        std::vector<Term> terms;
+        std::vector<Elimination::Index> entries, indices; // where it is sparse
         bool isSparse = false;
         bool isMade = false, hasContacts = false;
         bool hasFaces = false; // of which more than three points hold
@@ -74,11 +71,11 @@ private:
     [[nodiscard]] bool holds(std::size_t row) const {
         return conditions_.isTie[row] == 0 && mode_.kept[row] == complementarity::State::inside;
     }
-    void followMode(bool hasFriction);
-    void makePlan(std::vector<std::size_t> slipping);
-    [[nodiscard]] bool eliminate(std::span<const double> values, std::span<const double> friction);
-    void findKernel(std::span<const double> values, std::span<const double> friction);
-    void putMatrix(std::span<const double> values, std::span<const double> friction);
+    void followMode();
+    void makePlan();
+    [[nodiscard]] bool eliminate(std::span<const double> values);
+    void findKernel(std::span<const double> values);
+    void putMatrix(std::span<const double> values);
     [[nodiscard]] Eigen::VectorXd leastSolution(const Eigen::VectorXd& wanted) const;
 
     const ComponentModel::Conditions& conditions_;

@@ -1,7 +1,5 @@
 #include "modes/multipliers.h"
 
-#include "complementarity/fixed_point.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -17,87 +15,12 @@ Eigen::Index indexOf(std::size_t i) { return static_cast<Eigen::Index>(i); }
 } // namespace
 
 // All conditions at the point.
-void Multipliers::evaluate(Friction friction) {
+void Multipliers::evaluate() {
     const ComponentModel::Conditions& conditions = model_.conditions();
     const std::size_t entries = conditions.matrix.size();
     second_.resize(entries + size());
     f_.evaluate(conditions.second, second_);
     rest_ = Eigen::Map<const Eigen::VectorXd>(second_.data() + entries, indexOf(size()));
-    friction_.clear();
-    if (friction == Friction::ofSlip)
-        findFriction();
-}
-
-void Multipliers::findFriction() {
-    const std::vector<BoundModel::Disc>& discs = f_.bound()->discs;
-    for (std::size_t k = 0; k < discs.size(); ++k) {
-        if (!slips(discs[k]) || discs[k].sliding == 0)
-            continue;
-        if (friction_.empty()) {
-            evaluateGaps();
-            const BoundModel::Disc& last = discs.back();
-            friction_.assign(last.first + last.rows.size() * last.normals.size(), 0);
-        }
-        putFriction(k, startOf(k));
-    }
-}
-
-// A normal force brings with it the friction of a contact that slips, at its own point, so that
-// all together act at their centre:  f = -coefficient n d.
-void Multipliers::putFriction(std::size_t disc, const Centre& centre) {
-    const BoundModel::Disc& of = f_.bound()->discs[disc];
-    const std::size_t rows = of.rows.size();
-    const InDisc force = -of.sliding * directionOf(disc, centre);
-    for (std::size_t n = 0; n < of.normals.size(); ++n) {
-        const std::span<double> into = std::span(friction_).subspan(of.first + n * rows, rows);
-        std::ranges::copy(force, into.begin());
-        if (of.hasLevers)
-            into.back() += leversOf(disc, n).dot(force.head(indexOf(rows) - 1));
-    }
-}
-
-// --------------------------------------------------------------------------- centres and slips
-
-Multipliers::Centre Multipliers::leversOf(std::size_t disc, std::size_t normal) const {
-    const BoundModel::Disc& of = f_.bound()->discs[disc];
-    const std::uint32_t first = model_.conditions().firstLever[of.normals[normal]];
-    return Eigen::Map<const Eigen::VectorXd>(gaps_.data() + 2 * size() + first,
-                                             indexOf(of.rows.size()) - 1);
-}
-
-Multipliers::Centre Multipliers::centreOf(std::size_t disc, std::span<const double> forces) const {
-    const BoundModel::Disc& of = f_.bound()->discs[disc];
-    Centre centre = Centre::Zero(of.hasLevers ? indexOf(of.rows.size()) - 1 : 0);
-    if (!of.hasLevers)
-        return centre;
-    double pressed = 0;
-    for (std::size_t n = 0; n < of.normals.size(); ++n) {
-        const double force = forces[of.normals[n]];
-        centre += force * leversOf(disc, n);
-        pressed += force;
-    }
-    if (!(pressed > 0))
-        return Centre::Zero(centre.size());
-    return centre / pressed;
-}
-
-Multipliers::Centre Multipliers::centreIn(std::size_t disc) const {
-    const BoundModel::Disc& of = f_.bound()->discs[disc];
-    return Eigen::Map<const Eigen::Vector2d>(mode_.centres[disc].data())
-        .head(of.hasLevers ? indexOf(of.rows.size()) - 1 : 0);
-}
-
-bool Multipliers::turns(std::size_t disc, const Centre& from,
-                        std::span<const double> forces) const {
-    constexpr double rounding = 1e-12; // of the largest force
-    const BoundModel::Disc& of = f_.bound()->discs[disc];
-    double pressed = 0, largest = 0;
-    for (const std::size_t row : of.normals)
-        pressed += forces[row];
-    for (const double force : forces)
-        largest = std::max(largest, std::abs(force));
-    const InDisc change = directionOf(disc, centreOf(disc, forces)) - directionOf(disc, from);
-    return of.sliding * pressed * change.norm() > rounding * largest;
 }
 
 double Multipliers::validity(std::size_t row) const {
@@ -123,48 +46,12 @@ double Multipliers::jumpOf(std::size_t row) const {
                        : std::numeric_limits<double>::infinity();
 }
 
-Multipliers::InDisc Multipliers::slipOf(std::size_t disc, const Centre& centre) const {
-    const std::vector<std::size_t>& rows = f_.bound()->discs[disc].rows;
-    InDisc slip(indexOf(rows.size()));
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        slip[indexOf(i)] = rate(rows[i]);
-    slip.head(centre.size()) += slip[slip.size() - 1] * centre;
-    return slip;
-}
-
-// Near rest the direction in which it began counts, so that the rates of states have no jump there.
-Multipliers::InDisc Multipliers::directionOf(std::size_t disc, const Centre& centre) const {
-    constexpr double atRest = 1e-3; // of a resolution, in the unit of time
-    const BoundModel::Disc& of = f_.bound()->discs[disc];
-    InDisc began =
-        Eigen::Map<const Eigen::Vector3d>(mode_.slips[disc].data()).head(indexOf(of.rows.size()));
-    const InDisc slip = slipOf(disc, centre);
-    if (slip.size() == 1)
-        return began;
-    const double least = atRest * f_.bound()->laws[of.rows[0]].resolution;
-    const InDisc way = (slipOf(disc).dot(began) < 0 ? -slip : slip) + least * began;
-    return way / way.norm();
-}
-
-double Multipliers::leewayOf(std::size_t disc) const {
-    const BoundModel::Disc& of = f_.bound()->discs[disc];
-    const Centre centre = centreOf(disc);
-    double normal = 0;
-    for (const std::size_t row : of.normals)
-        normal += values()[row];
-    InDisc force(indexOf(of.rows.size()));
-    for (std::size_t i = 0; i < of.rows.size(); ++i)
-        force[indexOf(i)] = values()[of.rows[i]];
-    force[force.size() - 1] -= centre.dot(force.head(centre.size()));
-    return of.sticking * normal - force.norm();
-}
-
 double Multipliers::bound(std::size_t row) const {
     if (mode_.kept[row] == Mode::gone)
         return 0;
     const BoundModel::Law& law = f_.bound()->laws[row];
     if (law.disc)
-        return 0; // it follows normal forces: putForcesOfSlip()
+        return 0; // it follows normal forces (slip_forces.h)
     return mode_.kept[row] == State::high ? law.high : law.low;
 }
 
@@ -226,103 +113,42 @@ void Multipliers::addBounds() {
 bool Multipliers::solve() {
     if (size() == 0)
         return true;
-    evaluate(Friction::ofSlip);
+    evaluate();
     addBounds();
-    return solveOnce() && turnSlips();
-}
-
-bool Multipliers::solveOnce() {
     if (!factorise())
         return false;
+    const std::span<const double> entries =
+        std::span(second_).first(model_.conditions().matrix.size());
+    slips_.find(f_.bound()->discs.size());
+    bool areBalanced = true;
+    if (!slips_.empty()) {
+        evaluateGaps();
+        found_ = rest_;
+        held_.solve(found_, mode_.forces);
+        areBalanced = slips_.solve(entries, held_, found_);
+        slips_.addTo(rest_, entries);
+    }
     found_ = rest_;
     held_.solve(found_, mode_.forces);
-    const bool isKept = found_.allFinite() && isSolved();
+    const bool isKept = areBalanced && found_.allFinite() && isSolved();
+    const std::span<double> into = std::span(f_.in()).last(size());
     for (std::size_t row = 0; row < size(); ++row)
-        f_.in()[f_.in().size() - size() + row] =
-            mode_.kept[row] == State::inside ? found_[indexOf(row)] : bound(row);
-    putForcesOfSlip();
+        into[row] = holds(row) ? found_[indexOf(row)] : bound(row);
+    if (!slips_.empty())
+        slips_.putInto(into);
     return isKept;
 }
 
-// A body that slips and turns does so about the centre of normal forces, which its own friction
-// shifts.
-bool Multipliers::turnSlips() {
-    std::vector<std::size_t>& turning = turning_;
-    turning.clear();
-    for (std::size_t k = 0; !friction_.empty() && k < f_.bound()->discs.size(); ++k)
-        if (const BoundModel::Disc& disc = f_.bound()->discs[k];
-            disc.hasLevers && slips(disc) && disc.sliding != 0 && rate(disc.rows.back()) != 0)
-            turning.push_back(k);
-    constexpr std::size_t few = 8;
-    return turning.empty() || (turning.size() <= few ? turnThem<2 * few>() : turnThem<-1>());
+void Multipliers::linearise() {
+    if (!slips_.empty())
+        slips_.linearise(values());
 }
 
-template <int Most> bool Multipliers::turnThem() {
-    constexpr int most = 40; // rounds
-    using Point = complementarity::FixedPoint<Most>;
-    using Together = typename Point::Vector;
-    const auto each = [&](const Together& centres, const auto& visit) {
-        Eigen::Index first = 0;
-        for (const std::size_t disc : turning_) {
-            const Eigen::Index count = indexOf(f_.bound()->discs[disc].rows.size()) - 1;
-            visit(disc, Centre(centres.segment(first, count)));
-            first += count;
-        }
-    };
-    const auto together = [&](const auto& centre) {
-        Together all(2 * indexOf(turning_.size()));
-        Eigen::Index count = 0;
-        for (const std::size_t disc : turning_) {
-            const Centre one = centre(disc);
-            all.segment(count, one.size()) = one;
-            count += one.size();
-        }
-        return Together(all.head(count));
-    };
-    Point centres(together([this](std::size_t disc) { return startOf(disc); }));
-    for (int round = 0; round < most; ++round) {
-        bool isOther = false;
-        each(centres.at(), [&](std::size_t disc, const Centre& centre) {
-            isOther = isOther || turns(disc, centre, values());
-        });
-        if (!isOther)
-            return true;
-        centres.moveFrom(together([this](std::size_t disc) { return centreOf(disc); }));
-        each(centres.at(),
-             [&](std::size_t disc, const Centre& centre) { putFriction(disc, centre); });
-        if (!solveOnce())
-            return false;
-    }
-    return false;
-}
-
-Multipliers::Centre Multipliers::startOf(std::size_t disc) const {
-    const Centre ofMode = centreIn(disc);
-    return starts_.empty()
-               ? ofMode
-               : Centre(
-                     Eigen::Map<const Eigen::Vector2d>(starts_[disc].data()).head(ofMode.size()));
-}
-
-void Multipliers::startHere() {
-    starts_.assign(f_.bound()->discs.size(), {});
-    for (std::size_t disc = 0; disc < starts_.size() && !friction_.empty(); ++disc)
-        std::ranges::copy(centreOf(disc), starts_[disc].begin());
-}
-
-// Of discs that slip.
-void Multipliers::putForcesOfSlip() {
-    if (friction_.empty())
-        return;
-    for (const BoundModel::Disc& disc : f_.bound()->discs) {
-        if (!slips(disc) || disc.sliding == 0)
-            continue;
-        for (const std::size_t row : disc.rows) {
-            double& force = f_.in()[f_.in().size() - size() + row] = 0;
-            for (std::size_t n = 0; n < disc.normals.size(); ++n)
-                force += friction_[disc.frictionOf(row, n)] * values()[disc.normals[n]];
-        }
-    }
+void Multipliers::change(std::span<const double> gaps, Eigen::Ref<Eigen::VectorXd> change) {
+    if (slips_.empty())
+        held_.solve(change);
+    else
+        slips_.change(values(), gaps, held_, change);
 }
 
 double Multipliers::secondRate(std::size_t row) const {
@@ -334,8 +160,8 @@ double Multipliers::secondRate(std::size_t row) const {
     return rate;
 }
 
-Multipliers::System Multipliers::systemOf(std::span<const std::size_t> rows, Friction friction) {
-    evaluate(friction);
+Multipliers::System Multipliers::systemOf(std::span<const std::size_t> rows) {
+    evaluate();
     const auto& matrix = model_.conditions().matrix;
     constexpr Eigen::Index none = -1;
     std::vector<Eigen::Index> placeOf(size(), none);
@@ -362,14 +188,6 @@ Multipliers::System Multipliers::systemOf(std::span<const std::size_t> rows, Fri
             system.matrix(row, column) += second_[k];
         else if (others[matrix[k].column] != 0)
             system.rest[row] += others[matrix[k].column] * second_[k];
-        const auto& of = f_.bound()->laws[matrix[k].column].disc;
-        if (friction_.empty() || !of)
-            continue;
-        const BoundModel::Disc& disc = f_.bound()->discs[*of];
-        for (std::size_t n = 0; n < disc.normals.size(); ++n)
-            if (const Eigen::Index normal = placeOf[disc.normals[n]]; normal != none)
-                system.matrix(row, normal) +=
-                    friction_[disc.frictionOf(matrix[k].column, n)] * second_[k];
     }
     return system;
 }
@@ -460,7 +278,7 @@ double Multipliers::largestGap() const {
 }
 
 bool Multipliers::factorise() {
-    return held_.factorise(std::span(second_).first(model_.conditions().matrix.size()), friction_);
+    return held_.factorise(std::span(second_).first(model_.conditions().matrix.size()));
 }
 
 bool Multipliers::factoriseMoves() {
@@ -468,7 +286,7 @@ bool Multipliers::factoriseMoves() {
     ties_.resize(conditions.ofTies.size());
     if (!ties_.empty())
         f_.evaluate(conditions.ties, ties_);
-    evaluate(Friction::none);
+    evaluate();
     if (!factorise())
         return false;
     evaluateMoves();

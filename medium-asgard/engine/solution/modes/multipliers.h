@@ -11,13 +11,14 @@
 // rounding is left, then velocities.
 #pragma once
 
+#include "modes/disc_friction.h"
 #include "modes/held_conditions.h"
 #include "modes/mode.h"
 #include "modes/model_functions.h"
+#include "modes/slip_forces.h"
 
 #include <Eigen/Core>
 
-#include <array>
 #include <span>
 #include <vector>
 
@@ -28,29 +29,22 @@ public:
     // `mode` outlives them, and says which conditions hold.
     Multipliers(ModelFunctions& functions, const Mode& mode)
         : f_(functions), model_(modelOf(*functions.bound())), mode_(mode),
-          held_(model_, *functions.bound(), mode) {}
+          held_(model_, *functions.bound(), mode), friction_(*functions.bound(), mode, gaps_),
+          slips_(model_, friction_) {}
+    Multipliers(const Multipliers&) = delete;
+    Multipliers& operator=(const Multipliers&) = delete;
 
     [[nodiscard]] std::size_t size() const { return model_.multipliers(); }
     // Puts them into the point of the functions, on the branches of the mode. False: none keep the
     // conditions that hold; then they are what errs least.
     bool solve();
-    // At the point that was solved for last, of conditions with these second rates; 0 of others
-    // than those that hold, and of ties.
-    void solve(Eigen::Ref<Eigen::VectorXd> rates) { held_.solve(rates); }
+    // At the point that was solved for last, once linearise() was called, how they change where the
+    // point does. `change`: of second rates with multipliers as they are; then of the multipliers.
+    // `gaps`: of the values of Conditions::gaps.
+    void linearise();
+    void change(std::span<const double> gaps, Eigen::Ref<Eigen::VectorXd> change);
     // Conditions that hold are redundant there.
     [[nodiscard]] bool isRedundant() const { return !held_.isRegular(); }
-    // While it lives points are next to the one that was solved for last: the centres about which
-    // slips turn are looked for from its own on, not from those of the mode.
-    class Near {
-    public:
-        explicit Near(Multipliers& of) : of_(of) { of_.startHere(); }
-        ~Near() { of_.starts_.clear(); }
-        Near(const Near&) = delete;
-        Near& operator=(const Near&) = delete;
-
-    private:
-        Multipliers& of_;
-    };
     // How the last forces were found: a clause; "": there are none.
     [[nodiscard]] std::string how() const { return held_.how(); }
     [[nodiscard]] std::span<const double> values() const { return std::span(f_.in()).last(size()); }
@@ -96,35 +90,17 @@ public:
     [[nodiscard]] double steadiness(std::size_t row) const;
     // How fast a rate is that no integration errs by, where second rates were last evaluated.
     [[nodiscard]] double jumpOf(std::size_t row) const;
-    // Of a disc of friction, once gaps are evaluated: the velocities of its rows, and how far its
-    // force is from its bound; the first at the centre of the mode, the second at that of the
-    // multipliers.
-    using InDisc = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1>;
-    [[nodiscard]] InDisc slipOf(std::size_t disc) const { return slipOf(disc, centreIn(disc)); }
-    [[nodiscard]] double leewayOf(std::size_t disc) const;
-    // Of normal forces by multiplier: their centre. Of one of them: the levers of its point.
-    using Centre = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 2, 1>;
-    [[nodiscard]] Centre centreOf(std::size_t disc, std::span<const double> forces) const;
-    [[nodiscard]] Centre centreOf(std::size_t disc) const { return centreOf(disc, values()); }
-    [[nodiscard]] Centre centreIn(std::size_t disc) const; // the mode
-    [[nodiscard]] Centre leversOf(std::size_t disc, std::size_t normal) const;
-    // Another centre, that of these normal forces, turns the friction by more than rounding.
-    [[nodiscard]] bool turns(std::size_t disc, const Centre& from,
-                             std::span<const double> forces) const;
-    [[nodiscard]] bool slips(const BoundModel::Disc& disc) const {
-        return mode_.kept[disc.rows[0]] == complementarity::State::low;
-    }
+    // Once gaps are evaluated.
+    [[nodiscard]] const DiscFriction& friction() const { return friction_; }
     // After solve(): of a condition, whether it holds or not.
     [[nodiscard]] double secondRate(std::size_t row) const;
     // Second rates of these conditions as matrix times their multipliers and a rest, in which the
-    // others stand at their bounds; those that are not on second rates have their own values. Discs
-    // that slip may add their friction to normal forces.
-    enum class Friction { none, ofSlip };
+    // others stand at their bounds; those that are not on second rates have their own values.
     struct System {
         Eigen::MatrixXd matrix;
         Eigen::VectorXd rest;
     };
-    [[nodiscard]] System systemOf(std::span<const std::size_t> rows, Friction friction);
+    [[nodiscard]] System systemOf(std::span<const std::size_t> rows);
     // Moves the velocities as these impulses do.
     void push(std::span<const std::size_t> rows, const Eigen::VectorXd& impulses,
               std::span<double> y);
@@ -133,18 +109,8 @@ private:
     [[nodiscard]] bool holds(std::size_t row) const {
         return mode_.kept[row] == complementarity::State::inside;
     }
-    void evaluate(Friction friction);
-    [[nodiscard]] InDisc slipOf(std::size_t disc, const Centre& centre) const;
-    [[nodiscard]] InDisc directionOf(std::size_t disc, const Centre& centre) const;
-    void findFriction();
-    void putFriction(std::size_t disc, const Centre& centre);
-    void putForcesOfSlip();
+    void evaluate();
     [[nodiscard]] bool factorise();
-    [[nodiscard]] bool solveOnce();
-    [[nodiscard]] bool turnSlips();
-    template <int Most> [[nodiscard]] bool turnThem(); // of at most so many centres' numbers
-    [[nodiscard]] Centre startOf(std::size_t disc) const;
-    void startHere();
     [[nodiscard]] bool factoriseMoves();
     [[nodiscard]] double bound(std::size_t row) const;
     void addBounds();
@@ -163,9 +129,8 @@ private:
     const Mode& mode_;
     HeldConditions held_;
     std::vector<double> second_, ties_, gaps_, moves_;
-    std::vector<double> friction_;              // where discs slip (BoundModel::Disc::first)
-    std::vector<std::size_t> turning_;          // discs
-    std::vector<std::array<double, 2>> starts_; // of their centres; none: those of the mode
+    DiscFriction friction_;
+    SlipForces slips_;
     Eigen::VectorXd rest_, found_; // second rates without the multipliers that hold; by row
     std::vector<std::size_t> apart_, farApart_, contradictory_;
 };

@@ -1,0 +1,156 @@
+#include "modes/disc_friction.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace solution {
+
+using complementarity::State;
+
+namespace {
+
+Eigen::Index indexOf(std::size_t i) { return static_cast<Eigen::Index>(i); }
+
+DiscFriction::InDisc at(const DiscFriction::Centre& centre, DiscFriction::InDisc rates) {
+    rates.head(centre.size()) += rates[rates.size() - 1] * centre;
+    return rates;
+}
+
+} // namespace
+
+DiscFriction::DiscFriction(const BoundModel& bound, const Mode& mode,
+                           const std::vector<double>& gaps)
+    : bound_(bound), mode_(mode), gaps_(gaps) {}
+
+bool DiscFriction::slips(std::size_t k) const { return mode_.kept[disc(k).rows[0]] == State::low; }
+
+bool DiscFriction::acts(std::size_t k) const {
+    return slips(k) && disc(k).sliding != 0 &&
+           std::ranges::any_of(disc(k).normals, [this](std::size_t row) {
+               return mode_.kept[row] == State::inside;
+           });
+}
+
+double DiscFriction::pressedBy(std::size_t k, std::span<const double> forces) const {
+    double pressed = 0;
+    for (const std::size_t row : disc(k).normals)
+        pressed += forces[row];
+    return pressed;
+}
+
+// --------------------------------------------------------------------------- centres and slips
+
+DiscFriction::Levers DiscFriction::leversAmong(std::span<const double> gaps, std::size_t k,
+                                               std::size_t normal) const {
+    const BoundModel::Disc& of = disc(k);
+    const std::size_t first = mode_.model->conditions().firstLever[of.normals[normal]];
+    return {gaps.data() + 2 * mode_.kept.size() + first, indexOf(of.rows.size()) - 1};
+}
+
+DiscFriction::InDisc DiscFriction::ratesAmong(std::span<const double> gaps, std::size_t k) const {
+    const std::vector<std::size_t>& rows = disc(k).rows;
+    InDisc rates(indexOf(rows.size()));
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        rates[indexOf(i)] = gaps[mode_.kept.size() + rows[i]];
+    return rates;
+}
+
+DiscFriction::Change DiscFriction::noChange(std::size_t k) const {
+    const Eigen::Index rows = indexOf(disc(k).rows.size());
+    return {.slip = InDisc::Zero(rows), .moment = Centre::Zero(disc(k).hasLevers ? rows - 1 : 0)};
+}
+
+DiscFriction::Change DiscFriction::changeBy(std::size_t k, std::span<const double> forces) const {
+    Change change = noChange(k);
+    const BoundModel::Disc& of = disc(k);
+    change.pressed = pressedBy(k, forces);
+    for (std::size_t n = 0; n < of.normals.size() && of.hasLevers; ++n)
+        change.moment += forces[of.normals[n]] * leversOf(k, n);
+    return change;
+}
+
+DiscFriction::Centre DiscFriction::centreOf(std::size_t k, std::span<const double> forces) const {
+    const Change all = changeBy(k, forces);
+    return all.pressed > 0 ? Centre(all.moment / all.pressed) : noChange(k).moment;
+}
+
+DiscFriction::Centre DiscFriction::centreIn(std::size_t k) const {
+    return Eigen::Map<const Eigen::Vector2d>(mode_.centres[k].data())
+        .head(noChange(k).moment.size());
+}
+
+DiscFriction::InDisc DiscFriction::beganOf(std::size_t k) const {
+    return Eigen::Map<const Eigen::Vector3d>(mode_.slips[k].data())
+        .head(indexOf(disc(k).rows.size()));
+}
+
+DiscFriction::InDisc DiscFriction::slipOf(std::size_t k) const {
+    return at(centreIn(k), ratesAmong(gaps_, k));
+}
+
+double DiscFriction::senseOf(std::size_t k) const { return slipOf(k).dot(beganOf(k)) < 0 ? -1 : 1; }
+
+std::pair<DiscFriction::InDisc, DiscFriction::InDisc>
+DiscFriction::velocityOf(std::size_t k) const {
+    constexpr double atRest = 1e-3; // of a resolution, in the unit of time
+    const InDisc began = beganOf(k);
+    if (began.size() == 1)
+        return {InDisc::Zero(1), began};
+    const double least = atRest * bound_.laws[disc(k).rows[0]].resolution;
+    return {senseOf(k) * ratesAmong(gaps_, k), least * began};
+}
+
+DiscFriction::InDisc DiscFriction::wayOf(std::size_t k, const Centre& centre) const {
+    const auto [velocity, beside] = velocityOf(k);
+    return at(centre, velocity) + beside;
+}
+
+double DiscFriction::leewayOf(std::size_t k, std::span<const double> forces) const {
+    const BoundModel::Disc& of = disc(k);
+    const Centre centre = centreOf(k, forces);
+    InDisc force(indexOf(of.rows.size()));
+    for (std::size_t i = 0; i < of.rows.size(); ++i)
+        force[indexOf(i)] = forces[of.rows[i]];
+    force[force.size() - 1] -= centre.dot(force.head(centre.size()));
+    return of.sticking * pressedBy(k, forces) - force.norm();
+}
+
+// ------------------------------------------------------------------------------------- forces
+
+DiscFriction::InDisc DiscFriction::forceOf(std::size_t k, std::span<const double> forces) const {
+    const Centre centre = centreOf(k, forces);
+    InDisc force = -disc(k).sliding * pressedBy(k, forces) * wayOf(k, centre).normalized();
+    force[force.size() - 1] += centre.dot(force.head(centre.size()));
+    return force;
+}
+
+void DiscFriction::addGaps(std::size_t k, std::span<const double> forces,
+                           std::span<const double> gaps, Change& change) const {
+    const BoundModel::Disc& of = disc(k);
+    change.slip += ratesAmong(gaps, k);
+    for (std::size_t n = 0; n < of.normals.size() && of.hasLevers; ++n)
+        change.moment += forces[of.normals[n]] * leversAmong(gaps, k, n);
+}
+
+DiscFriction::InDisc DiscFriction::changeOf(std::size_t k, std::span<const double> forces,
+                                            const Change& change) const {
+    const Change all = changeBy(k, forces);
+    const Centre centre = centreOf(k, forces);
+    const Centre moved = all.pressed > 0
+                             ? Centre((change.moment - change.pressed * centre) / all.pressed)
+                             : Centre(0 * centre);
+    const InDisc way = wayOf(k, centre), direction = way.normalized();
+    InDisc turned = InDisc::Zero(way.size());
+    if (way.size() > 1) {
+        InDisc slip = at(centre, change.slip);
+        slip.head(centre.size()) += ratesAmong(gaps_, k)[way.size() - 1] * moved;
+        turned = senseOf(k) / way.norm() * (slip - direction.dot(slip) * direction);
+    }
+    const double friction = -disc(k).sliding;
+    const InDisc force = friction * all.pressed * direction;
+    InDisc by = friction * (change.pressed * direction + all.pressed * turned);
+    by[by.size() - 1] += centre.dot(by.head(centre.size())) + moved.dot(force.head(centre.size()));
+    return by;
+}
+
+} // namespace solution

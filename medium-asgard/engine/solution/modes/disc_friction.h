@@ -1,0 +1,84 @@
+// The friction of contacts at one point: how discs slip, about which centre, and with which forces.
+//
+// A disc that slips has the force  f = -mu N d : N is the sum of its normal forces, d the direction
+// of its velocity at their centre (complementarity/laws.h). The force acts at that centre, and its
+// last row has the couple that this gives about the point of the disc.
+//
+// Near rest the direction in which the slip began counts, so that the rates of states have no jump
+// there.
+#pragma once
+
+#include "equations/bound_model.h"
+#include "modes/mode.h"
+
+#include <Eigen/Core>
+
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace solution {
+
+class DiscFriction {
+public:
+    // Of the rows of a disc.
+    using InDisc = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1>;
+    // The levers of a point, for the rows but the last; none where the disc has no levers.
+    using Centre = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 2, 1>;
+
+    // All outlive it. `gaps`: of Conditions::gaps, evaluated at the point.
+    DiscFriction(const BoundModel& bound, const Mode& mode, const std::vector<double>& gaps);
+
+    [[nodiscard]] const BoundModel::Disc& disc(std::size_t k) const { return bound_.discs[k]; }
+    [[nodiscard]] bool slips(std::size_t disc) const;
+    // It slips, and has a force.
+    [[nodiscard]] bool acts(std::size_t disc) const;
+
+    // The velocities of its rows at the centre of the mode.
+    [[nodiscard]] InDisc slipOf(std::size_t disc) const;
+    // By forces, one for each multiplier: how far the force of a disc is from its bound, and the
+    // centre of its normal forces.
+    [[nodiscard]] double leewayOf(std::size_t disc, std::span<const double> forces) const;
+    [[nodiscard]] Centre centreOf(std::size_t disc, std::span<const double> forces) const;
+    // The same as the mode has it.
+    [[nodiscard]] Centre centreIn(std::size_t disc) const;
+    [[nodiscard]] Centre leversOf(std::size_t disc, std::size_t normal) const {
+        return leversAmong(gaps_, disc, normal);
+    }
+
+    // Of one that slips, the velocity of its rows that gives its direction, and what this has
+    // besides at every centre.
+    [[nodiscard]] std::pair<InDisc, InDisc> velocityOf(std::size_t disc) const;
+    // Of one that slips, by these normal forces; and how that changes with what it follows from.
+    [[nodiscard]] InDisc forceOf(std::size_t disc, std::span<const double> forces) const;
+    struct Change {
+        double pressed = 0; // of the sum of normal forces
+        InDisc slip = {};   // of the velocities of the rows
+        Centre moment = {}; // of the sum of normal forces times their levers
+    };
+    [[nodiscard]] Change noChange(std::size_t disc) const;
+    [[nodiscard]] Change changeBy(std::size_t disc, std::span<const double> forces) const;
+    // Adds what these changes of gaps, of their rates and of levers bring.
+    void addGaps(std::size_t disc, std::span<const double> forces, std::span<const double> gaps,
+                 Change& change) const;
+    [[nodiscard]] InDisc changeOf(std::size_t disc, std::span<const double> forces,
+                                  const Change& change) const;
+
+private:
+    using Levers = Eigen::Map<const Eigen::VectorXd>;
+    [[nodiscard]] Levers leversAmong(std::span<const double> gaps, std::size_t disc,
+                                     std::size_t normal) const;
+    [[nodiscard]] InDisc ratesAmong(std::span<const double> gaps, std::size_t disc) const;
+    [[nodiscard]] double pressedBy(std::size_t disc, std::span<const double> forces) const;
+    // The force is against it.
+    [[nodiscard]] InDisc wayOf(std::size_t disc, const Centre& centre) const;
+    // +1, or -1 where it slips back along the way on which it began.
+    [[nodiscard]] double senseOf(std::size_t disc) const;
+    [[nodiscard]] InDisc beganOf(std::size_t disc) const;
+
+    const BoundModel& bound_;
+    const Mode& mode_;
+    const std::vector<double>& gaps_;
+};
+
+} // namespace solution

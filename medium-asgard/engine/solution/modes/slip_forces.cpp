@@ -1,0 +1,124 @@
+#include "modes/slip_forces.h"
+
+#include <algorithm>
+
+namespace solution {
+
+namespace {
+
+constexpr Eigen::Index none = -1;
+
+std::span<const double> spanOf(const Eigen::Ref<const Eigen::VectorXd>& values) {
+    return {values.data(), static_cast<std::size_t>(values.size())};
+}
+
+} // namespace
+
+void SlipForces::find(std::size_t discs) {
+    discs_.clear();
+    for (std::size_t disc = 0; disc < discs; ++disc)
+        if (friction_.acts(disc))
+            discs_.push_back(disc);
+    rows_ = 0;
+    if (empty())
+        return;
+    placeOf_.assign(conditions_.isTie.size(), none);
+    for (const std::size_t disc : discs_)
+        for (const std::size_t row : friction_.disc(disc).rows)
+            placeOf_[row] = rows_++;
+}
+
+// Of each disc, where its forces begin.
+template <class Visit> void SlipForces::each(const Visit& visit) const {
+    for (const std::size_t disc : discs_)
+        visit(disc, placeOf_[friction_.disc(disc).rows[0]]);
+}
+
+bool SlipForces::solve(std::span<const double> entries, HeldConditions& held,
+                       const Eigen::VectorXd& without) {
+    constexpr int most = 40, halvings = 10;
+    constexpr double rounding = 1e-15, close = 1e-12; // of the forces
+    responses_.setZero(without.size(), rows_);
+    for (std::size_t k = 0; k < entries.size(); ++k)
+        if (const auto [row, column] = conditions_.matrix[k]; placeOf_[column] != none)
+            responses_(row, placeOf_[column]) = entries[k];
+    for (Eigen::Index i = 0; i < rows_; ++i)
+        held.solve(responses_.col(i));
+    forces_.setZero(rows_);
+    Eigen::VectorXd multipliers = without;
+    Eigen::VectorXd error = errors(multipliers);
+    forces_ = error;
+    multipliers += responses_ * forces_;
+    error = errors(multipliers);
+    for (int round = 0; round < most; ++round) {
+        const double size = error.norm(), least = rounding * multipliers.norm();
+        if (!(size > least))
+            return size <= least; // not where it is no number
+        linearise(spanOf(multipliers));
+        Eigen::VectorXd step = lu_.solve(error);
+        const Eigen::VectorXd from = forces_;
+        for (int halving = 0; halving < halvings; ++halving, step /= 2) {
+            forces_ = from + step;
+            multipliers = without + responses_ * forces_;
+            error = errors(multipliers);
+            if (error.norm() < size)
+                break;
+        }
+        if (!(error.norm() < 0.5 * size)) // rounding is left
+            return error.norm() <= close * multipliers.norm();
+    }
+    return false;
+}
+
+// By how much the laws' forces differ.
+Eigen::VectorXd SlipForces::errors(const Eigen::VectorXd& multipliers) const {
+    Eigen::VectorXd errors = -forces_;
+    each([&](std::size_t disc, Eigen::Index first) {
+        const DiscFriction::InDisc force = friction_.forceOf(disc, spanOf(multipliers));
+        errors.segment(first, force.size()) += force;
+    });
+    return errors;
+}
+
+void SlipForces::linearise(std::span<const double> multipliers) {
+    slopes_.setIdentity(rows_, rows_);
+    each([&](std::size_t disc, Eigen::Index first) {
+        for (Eigen::Index i = 0; i < rows_; ++i) {
+            const DiscFriction::Change by = friction_.changeBy(disc, spanOf(responses_.col(i)));
+            const DiscFriction::InDisc change = friction_.changeOf(disc, multipliers, by);
+            slopes_.col(i).segment(first, change.size()) -= change;
+        }
+    });
+    lu_.compute(slopes_);
+}
+
+void SlipForces::change(std::span<const double> multipliers, std::span<const double> gaps,
+                        HeldConditions& held, Eigen::Ref<Eigen::VectorXd> change) const {
+    held.solve(change);
+    Eigen::VectorXd forces = Eigen::VectorXd::Zero(rows_);
+    each([&](std::size_t disc, Eigen::Index first) {
+        DiscFriction::Change by = friction_.changeBy(disc, spanOf(change));
+        friction_.addGaps(disc, multipliers, gaps, by);
+        const DiscFriction::InDisc of = friction_.changeOf(disc, multipliers, by);
+        forces.segment(first, of.size()) = of;
+    });
+    forces = lu_.solve(forces);
+    change += responses_ * forces;
+    for (Eigen::Index row = 0; row < change.size(); ++row)
+        if (const Eigen::Index place = placeOf_[static_cast<std::size_t>(row)]; place != none)
+            change[row] = forces[place];
+}
+
+void SlipForces::addTo(Eigen::VectorXd& rates, std::span<const double> entries) const {
+    for (std::size_t k = 0; k < entries.size(); ++k)
+        if (const auto [row, column] = conditions_.matrix[k]; placeOf_[column] != none)
+            rates[row] += entries[k] * forces_[placeOf_[column]];
+}
+
+void SlipForces::putInto(std::span<double> multipliers) const {
+    for (std::size_t row = 0; row < multipliers.size(); ++row)
+        if (placeOf_[row] != none)
+            multipliers[row] = forces_[placeOf_[row]];
+}
+
+} // namespace solution
