@@ -131,9 +131,10 @@ void HandleDrag::setTurns(int axis) {
         update();
 }
 
-double HandleDrag::turned() const {
+double HandleDrag::turned() const { return turning_ ? rounded(turning_->angle * 180 / M_PI) : 0; }
+
+double HandleDrag::rounded(double degrees) const {
     constexpr double round = 15, near = 2.5;
-    const double degrees = turning_ ? turning_->angle * 180 / M_PI : 0;
     if (snaps_.areHeldOff)
         return editing::roundedTo(degrees, 0.1);
     const double nearest = round * std::round(degrees / round);
@@ -176,7 +177,7 @@ Vector HandleDrag::wanted() {
     if (hold_.follows && !hold_.isFree) // beside the body it waits where it was
         return onSurface().value_or(place_);
     Vector place = unsnapped();
-    if (!snaps_.by || snaps_.areHeldOff)
+    if (!snaps_.by || snaps_.areHeldOff || (swings() && joined_->turns()))
         return place;
     snaps_.last = snaps_.by->at(place, handle_.place);
     Vector on = kept(snaps_.last.place);
@@ -187,8 +188,7 @@ Vector HandleDrag::wanted() {
 // Where the line of sight comes nearest to the axis, or meets the plane.
 Vector HandleDrag::unsnapped() const {
     if (!along_)
-        return isUpright_ ? sight_.across(held_ + grip_, plane_)
-                          : sight_.beside(held_ + grip_, plane_);
+        return under(held_ + grip_);
     constexpr double least = 0.03; // an axis or a plane that one looks along
     const Line line = lineOfSight(sight_, held_ + grip_);
     const Vector axis = Vector::Unit(along_->axis), way = handle_.place - line.from;
@@ -231,6 +231,12 @@ std::vector<editing::Wish> HandleDrag::wishes() const {
 
 // What it asks of the text. A point that ends one curve and begins the next moves in both.
 editing::Answer HandleDrag::asked(bool offers) const {
+    if (joined_) {
+        auto wishes = joined_->wishes(mapper_);
+        for (editing::Wish& wish : wishes)
+            wish.offers = offers;
+        return mapper_.answer(wishes);
+    }
     if (!path_) {
         auto wishes = withFollowing(*ground_.scene, this->wishes());
         for (editing::Wish& wish : wishes)
@@ -251,14 +257,46 @@ editing::Answer HandleDrag::asked(bool offers) const {
     return path_->move(point, now.time, place, 0);
 }
 
+Vector HandleDrag::under(const Eigen::Vector2d& pixels) const {
+    return isUpright_ ? sight_.across(pixels, plane_) : sight_.beside(pixels, plane_);
+}
+
+// By the point under the pointer, in the plane that it moves in.
+void HandleDrag::findJoined() {
+    if (handle_.kind == render::HandleKind::position)
+        joined_ = Joined::of(*ground_.scene, handle_.element,
+                             under(sight_.pixels(handle_.place) - grip_));
+}
+
+void HandleDrag::moveJoined() {
+    if (!swings()) {
+        // All by one way, which leaves this body at a round place.
+        for (const editing::Wish& wish : wishes())
+            for (std::size_t i = 0; i < 3; ++i)
+                place_[static_cast<Eigen::Index>(i)] =
+                    std::abs(wish.values[i] - wish.now[i]) < 0.5 * wish.resolution
+                        ? wish.now[i]
+                        : editing::roundedTo(wish.values[i], wish.resolution);
+        return joined_->moveAll(place_ - handle_.place);
+    }
+    joined_->pull(joined_->turns() ? Vector(under(held_) - joined_->grabbed())
+                                   : Vector(place_ - handle_.place));
+    if (joined_->turns())
+        joined_->turnTo(rounded(joined_->turned() * 180 / M_PI) * M_PI / 180);
+    place_ = joined_->poseOf(handle_.element).position;
+}
+
 void HandleDrag::update() {
-    moved_ = true;
+    if (!std::exchange(moved_, true))
+        findJoined();
     if (turning_) {
         const double now = angleOfHand();
         turning_->angle += std::remainder(now - std::exchange(turning_->last, now), 2 * M_PI);
     }
     const bool followed = hold_.follows && !hold_.isFree;
     place_ = wanted();
+    if (joined_)
+        moveJoined();
     if (followed)
         plane_ = place_; // freed, it goes on from here
     else if (hold_.surface && !hold_.isFree)
@@ -306,6 +344,17 @@ void HandleDrag::cancel() { ground_.finish(ground_.text, {}); }
 
 std::string HandleDrag::label() const { return labelOf(*ground_.scene, handle_); }
 
+std::string HandleDrag::joinedWords() const {
+    if (!joined_)
+        return {};
+    if (!swings())
+        return joined_->bodies().size() > 1 ? ", with all that is joined to it" : "";
+    return joined_->turns()
+               ? ", turned by " + editing::numberText(joined_->turned() * 180 / M_PI, 0.1) +
+                     " degrees, as its joints allow"
+               : ", as its joints allow";
+}
+
 std::string HandleDrag::words() const {
     if (!answer_.possible())
         return answer_.reason;
@@ -318,6 +367,7 @@ std::string HandleDrag::words() const {
            (snaps_.last.to.empty() ? "" : ", at " + snaps_.last.to + "; Ctrl takes it off") +
            (along_ ? std::string(along_->isPlane ? "; across " : "; along ") + "xyz"[along_->axis]
                    : "") +
+           joinedWords() +
            (isPlace() && moved_
                 ? "; moved " + distanceText((place_ - handle_.place).norm(), pixelLength_)
                 : "");

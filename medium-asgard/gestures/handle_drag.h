@@ -6,10 +6,15 @@
 // (Figure 4.5) until it is freed. Each place is a wish that editing/ answers with a change of the
 // text as it was when the drag began, so that a drag is one step of undo however long it was. A
 // handle without a possible change says why.
+//
+// A body that joints hold goes as they let it (joined.h), and turns by whole degrees as about an
+// axis of the world, where they leave it one way to go. Along an axis it takes all with it that is
+// joined to it.
 #pragma once
 
 #include "editing/value_edit.h"
 #include "gestures/ground.h"
+#include "gestures/joined.h"
 #include "gestures/snapping.h"
 #include "point_edits/trajectory_edit.h"
 
@@ -68,6 +73,12 @@ public:
     [[nodiscard]] std::vector<editing::Wish> wishes() const; // of where it is
 
 private:
+    [[nodiscard]] geometry::Vector under(const Eigen::Vector2d& pixels) const;
+    void findJoined();
+    void moveJoined();
+    [[nodiscard]] bool swings() const { return joined_ && !joined_->movesAsOne() && !along_; }
+    [[nodiscard]] std::string joinedWords() const;
+    [[nodiscard]] double rounded(double degrees) const;
     [[nodiscard]] geometry::Vector wanted();
     [[nodiscard]] geometry::Vector unsnapped() const;
     [[nodiscard]] geometry::Vector kept(const geometry::Vector& place) const; // on what it is along
@@ -89,6 +100,7 @@ private:
     geometry::Vector place_, plane_; // plane_: a point of the screen's plane that it moves in
     Eigen::Vector2d held_, grip_;    // pixels: of the pointer, and from it to the handle
     std::optional<editing::TrajectoryEdits> path_; // of a trajectory's point
+    std::unique_ptr<Joined> joined_;               // with the body that is dragged
     struct Hold {                                  // on the body's surface
         ShapePointer surface;
         bool follows = false, isFree = false;

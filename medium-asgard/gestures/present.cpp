@@ -56,8 +56,8 @@ std::vector<editing::Element> elementsOf(const scene::Released& released) {
 
 class Moment {
 public:
-    Moment(const Ground& ground, double time, const std::optional<Put>& put)
-        : ground_(ground), put_(put),
+    Moment(const Ground& ground, double time, const std::vector<Put>& puts)
+        : ground_(ground), puts_(puts),
           mapper_(ground.text, ground.scene,
                   [&ground](const std::string& name) {
                       return render::constantValue(*ground.scene, ground.motion.get(), name);
@@ -116,19 +116,21 @@ private:
                               numbersOf(Vector::Zero()),
                               numbersOf(now)});
         };
-        const bool isPut = put_ && put_->body == index;
-        wish("-init_pos", isPut ? put_->place : ground_.motion->shapePose(index, time_).position,
-             body.initialPosition, isPut ? put_->resolution : 1e-9 * size_);
-        if (isPut && put_->velocity)
-            wish("-init_dpos", *put_->velocity, body.initialVelocity, put_->resolution);
-        else
-            wish("-init_dpos", state.velocity, body.initialVelocity, 1e-9 * size_);
-        wish("-init_drot", state.angularVelocity, body.initialAngularVelocity, 1e-9);
-        if (state.attitude.angularDistance(body.initialAttitude) <= 1e-9)
+        const auto put = std::ranges::find(puts_, index, &Put::body);
+        const Put* const hand = put == puts_.end() ? nullptr : &*put;
+        const double fine = 1e-9 * size_;
+        wish("-init_pos", hand ? hand->place : ground_.motion->shapePose(index, time_).position,
+             body.initialPosition, hand ? hand->resolution : fine);
+        const bool isThrown = hand && hand->velocity;
+        wish("-init_dpos", isThrown ? *hand->velocity : state.velocity, body.initialVelocity,
+             isThrown ? hand->resolution : fine);
+        wish("-init_drot", hand && hand->spin ? *hand->spin : state.angularVelocity,
+             body.initialAngularVelocity, 1e-9);
+        const geometry::Quaternion q = hand && hand->attitude ? *hand->attitude : state.attitude;
+        if (q.angularDistance(body.initialAttitude) <= 1e-9)
             return;
-        wish("-init_rot", geometry::toRotationVector(state.attitude), Vector::Zero(), 1e-9);
+        wish("-init_rot", geometry::toRotationVector(q), Vector::Zero(), 1e-9);
         wishes.back().now.clear(); // one attitude has many rotation vectors
-        const auto& q = state.attitude;
         if (mapper_.count(wishes.back()) == 4)
             wishes.back().values = {q.w(), q.x(), q.y(), q.z()};
     }
@@ -142,7 +144,7 @@ private:
     }
 
     const Ground& ground_;
-    const std::optional<Put>& put_;
+    const std::vector<Put>& puts_;
     editing::Mapper mapper_;
     double time_;
     double size_ = 1e-3;
@@ -155,23 +157,47 @@ double roundMoment(const simulation::Motion& motion, double time) {
     return std::clamp(editing::roundedTo(time, step), motion.start(), motion.computed());
 }
 
-editing::Answer startingAt(const Ground& ground, double time, const std::optional<Put>& put) {
+std::string whyNotAt(const Ground& ground, double time) {
+    if (!ground.motion || time > ground.motion->computed() || ground.motion->draft())
+        return "The motion is not computed up to this time yet.";
+    if (time >= ground.motion->finish())
+        return "Nothing of the motion is left from here on: go to an earlier moment.";
+    return countsFromStart(*ground.scene,
+                           simulation::releasedBy(*ground.scene, *ground.motion, time));
+}
+
+scene::Scene sceneAt(const Ground& ground, double time) {
+    scene::Scene scene = *ground.scene;
+    const scene::Released released = simulation::releasedBy(scene, *ground.motion, time);
+    const auto end = [](auto& elements, const std::set<std::size_t>& which) {
+        for (const std::size_t index : which)
+            elements[index].release = "1";
+    };
+    end(scene.joints, released.joints);
+    end(scene.gears, released.gears);
+    end(scene.ropes, released.ropes);
+    scene.simulator.start = time;
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        scene::Body& body = scene.bodies[i];
+        if (body.fixed)
+            continue;
+        const simulation::BodyState state = ground.motion->at(i, time);
+        body.initialPosition = ground.motion->shapePose(i, time).position;
+        body.initialAttitude = state.attitude;
+        body.initialVelocity = state.velocity;
+        body.initialAngularVelocity = state.angularVelocity;
+    }
+    return scene;
+}
+
+editing::Answer startingAt(const Ground& ground, double time, const std::vector<Put>& puts) {
     editing::Answer answer;
-    if (!ground.motion || time > ground.motion->computed() || ground.motion->draft()) {
-        answer.reason = "The motion is not computed up to this time yet.";
-        return answer;
-    }
-    if (time >= ground.motion->finish()) {
-        answer.reason = "Nothing of the motion is left from here on: go to an earlier moment.";
-        return answer;
-    }
-    const scene::Released released = simulation::releasedBy(*ground.scene, *ground.motion, time);
-    answer.reason = countsFromStart(*ground.scene, released);
+    answer.reason = whyNotAt(ground, time);
     if (!answer.possible())
         return answer;
-    const Moment moment(ground, time, put);
+    const Moment moment(ground, time, puts);
     answer = moment.answer();
-    moment.release(answer, released);
+    moment.release(answer, simulation::releasedBy(*ground.scene, *ground.motion, time));
     return answer;
 }
 

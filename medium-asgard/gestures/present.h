@@ -16,20 +16,27 @@
 #include "gestures/ground.h"
 
 #include <optional>
+#include <vector>
 
 namespace gestures {
 
 // The moment to begin at: rounded to some thousandth of the motion, and not before its start.
 [[nodiscard]] double roundMoment(const simulation::Motion& motion, double time);
 
-// A body that a hand has put elsewhere at that moment.
+// A body that a hand has put elsewhere at that moment; as it was there where nothing is given.
 struct Put {
     std::size_t body = 0;
-    geometry::Vector place;                   // of its shape's origin
-    std::optional<geometry::Vector> velocity; // none: as it was
-    double resolution = 0;                    // what the hand tells apart
+    geometry::Vector place; // of its shape's origin
+    std::optional<geometry::Vector> velocity;
+    double resolution = 0; // what the hand tells apart
+    std::optional<geometry::Quaternion> attitude = std::nullopt;
+    std::optional<geometry::Vector> spin = std::nullopt; // angular velocity
 };
 [[nodiscard]] editing::Answer startingAt(const Ground& ground, double time,
-                                         const std::optional<Put>& put = std::nullopt);
+                                         const std::vector<Put>& puts = {});
+// Why it cannot begin at that moment; "": it can, as far as the text allows.
+[[nodiscard]] std::string whyNotAt(const Ground& ground, double time);
+// The scene as it would begin there.
+[[nodiscard]] scene::Scene sceneAt(const Ground& ground, double time);
 
 } // namespace gestures

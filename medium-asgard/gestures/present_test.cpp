@@ -93,7 +93,7 @@ TEST(Present, AnElementThatWasReleasedStaysSo) {
 TEST(Present, ABodyThatWasPutElsewhereStartsThereWithItsVelocityOrTheHands) {
     const Ground before = groundOf(thrown);
     const auto after = [&](const Put& put) {
-        const editing::Answer answer = startingAt(before, 0.5, put);
+        const editing::Answer answer = startingAt(before, 0.5, {put});
         EXPECT_TRUE(answer.possible()) << answer.reason;
         return groundOf(text::applied(thrown, answer.edits)).motion->at(0, 0.5);
     };

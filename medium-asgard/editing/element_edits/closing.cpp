@@ -31,11 +31,11 @@ std::vector<double> rounded(std::vector<double> values) {
     return values;
 }
 
-Wish positionOf(std::size_t body, const Vector& place) {
+Wish vectorOf(std::size_t body, const char* option, const Vector& value) {
     return {.element = {Kind::body, body},
-            .option = "-init_pos",
+            .option = option,
             .path = {},
-            .values = rounded(listOf(place)),
+            .values = rounded(listOf(value)),
             .absent = {0, 0, 0},
             .offers = false};
 }
@@ -59,14 +59,22 @@ Wish rotationOf(const Mapper& mapper, std::size_t body, const Quaternion& attitu
 
 } // namespace
 
+std::vector<Wish> wishesOf(const Mapper& mapper, const NewPlace& place) {
+    std::vector<Wish> wishes{vectorOf(place.body, "-init_pos", place.pose.position)};
+    if (place.turns)
+        wishes.push_back(rotationOf(mapper, place.body, place.pose.attitude));
+    if (place.velocity) {
+        wishes.push_back(vectorOf(place.body, "-init_dpos", place.velocity->linear));
+        wishes.push_back(vectorOf(place.body, "-init_drot", place.velocity->angular));
+    }
+    return wishes;
+}
+
 Closing closingEdits(const Mapper& mapper, const scene::Scene& scene,
                      const std::vector<NewPlace>& places) {
     Closing closing;
     for (const NewPlace& place : places) {
-        std::vector<Wish> wishes{positionOf(place.body, place.pose.position)};
-        if (place.turns)
-            wishes.push_back(rotationOf(mapper, place.body, place.pose.attitude));
-        const Answer answer = mapper.answer(wishes);
+        const Answer answer = mapper.answer(wishesOf(mapper, place));
         if (!answer.possible())
             return {{}, answer.reason, answer.cause};
         for (const text::Edit& edit : answer.edits)

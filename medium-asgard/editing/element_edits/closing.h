@@ -1,10 +1,11 @@
 // Writes where bodies are to stand into a scene's text, as numbers of -init_pos and -init_rot: how
-// joints are closed (physics/assembly.h).
+// joints are closed (physics/assembly.h), and how bodies go that a hand pulls (physics/pulling.h).
 #pragma once
 
 #include "editing/value_edit.h"
 #include "geometry/pose.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,13 @@ struct NewPlace {
     std::size_t body = 0;
     geometry::Pose pose; // of its reference point
     bool turns = false;
+    struct Velocity {
+        geometry::Vector linear, angular; // of the centre of mass; world
+    };
+    std::optional<Velocity> velocity = std::nullopt; // none: as it is written
 };
+
+[[nodiscard]] std::vector<Wish> wishesOf(const Mapper& mapper, const NewPlace& place);
 
 struct Closing {
     text::Edits edits;

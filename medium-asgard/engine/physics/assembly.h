@@ -42,7 +42,7 @@ struct Assembly {
 
 // `cancelled` is asked before each step of Newton's method.
 [[nodiscard]] Assembly assembled(const scene::Scene& scene,
-                                 std::function<bool()> cancelled = nullptr);
+                                 const std::function<bool()>& cancelled = nullptr);
 
 // A fault's sentence tells of a joint that its bodies miss at the start.
 inline constexpr const char* assembleAdvice =

@@ -364,19 +364,50 @@ TEST_F(SelectingTest, AHiddenBodyIsNotSelectedAnyMoreNorByTheBand) {
     EXPECT_EQ(std::ranges::find(bodies, nearOne.index), bodies.end());
 }
 
-// Where it is led or held a throw would not do what the hand asks.
-TEST_F(SelectingTest, WhatAPathOrAJointHoldsIsNotThrown) {
-    for (const std::string held :
-         {"joint pin -type hinge -body1 left -axis {0 0 1}\n",
-          "trajectory way -points {{0 -3 0 0} {1 -3 1 0}}\nconstrain left -pos way\n"}) {
-        editor.document().setText(three + held, "Edit");
-        ASSERT_TRUE(settle(editor.document()));
-        ASSERT_FALSE(editor.document().hasErrors()) << editor.document().diagnostics()[0].message;
-        viewer->playback().seek(0.5);
-        EXPECT_TRUE(display().throwing().press(leftOne.index, middle));
-        EXPECT_FALSE(display().throwing().active());
-        EXPECT_THAT(display().editing().said().toStdString(), HasSubstr("left is"));
+// Where it is led a throw would not do what the hand asks.
+TEST_F(SelectingTest, WhatAPathLeadsIsNotThrown) {
+    editor.document().setText(
+        three + "trajectory way -points {{0 -3 0 0} {1 -3 1 0}}\nconstrain left -pos way\n",
+        "Edit");
+    ASSERT_TRUE(settle(editor.document()));
+    ASSERT_FALSE(editor.document().hasErrors()) << editor.document().diagnostics()[0].message;
+    viewer->playback().seek(0.5);
+    EXPECT_TRUE(display().throwing().press(leftOne.index, middle));
+    EXPECT_FALSE(display().throwing().active());
+    EXPECT_THAT(display().editing().said().toStdString(), HasSubstr("left is led"));
+}
+
+TEST_F(SelectingTest, WhatAJointHoldsIsThrownAsTheJointAllows) {
+    editor.document().setText(three + "joint pin -type hinge -body1 left -offset1 {0 2 0}\n",
+                              "Edit");
+    ASSERT_TRUE(settle(editor.document()));
+    viewer->playback().setClock([] { return 0.0; });
+    viewer->playback().seek(0.5);
+    viewer->playback().play();
+    display().grab();
+    const QPoint from = at({-3, 0, 0});
+    for (int i = 0; i <= 11; ++i) {
+        const auto type = i == 0    ? QEvent::MouseButtonPress
+                          : i == 11 ? QEvent::MouseButtonRelease
+                                    : QEvent::MouseMove;
+        const QPoint place = from + QPoint(6 * std::min(i, 10), 0);
+        QMouseEvent event(type, place, display().mapToGlobal(place),
+                          type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton,
+                          i == 11 ? Qt::NoButton : Qt::LeftButton, {});
+        event.setTimestamp(20ULL * i);
+        QApplication::sendEvent(&display(), &event);
     }
+    ASSERT_TRUE(settle(editor.document()));
+    EXPECT_EQ(editor.document().undoLabel(), "Throw left at 0.5 s");
+    const scene::Body& body = editor.document().shown().scene->bodies[leftOne.index];
+    const Vector arm = body.initialPosition - Vector(-3, 2, 0);
+    EXPECT_NEAR(arm.norm(), 2, 1e-6);
+    EXPECT_GT(arm.x(), 0.1);
+    EXPECT_GT(body.initialVelocity.x(), 0.5);
+    EXPECT_NEAR(body.initialVelocity.dot(arm), 0, 1e-6);
+    EXPECT_LT((body.initialVelocity - body.initialAngularVelocity.cross(arm)).norm(), 1e-6);
+    EXPECT_TRUE(editor.document().diagnostics().empty()); // no joint forbids it
+    viewer->playback().stop();
 }
 
 } // namespace

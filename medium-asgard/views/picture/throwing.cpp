@@ -17,21 +17,12 @@ namespace {
 
 constexpr double lately = 0.1; // s: how the hand moved before it let go
 
-// What a hand could not take it away from: "led by path way"; "": nothing holds it.
-QString holderOf(const scene::Scene& scene, const std::string& body) {
-    const auto named = [](const char* kind, const std::string& name) {
-        return QObject::tr(kind).arg(QString::fromStdString(name));
-    };
-    for (const scene::Constraint& one : scene.constraints)
-        if (one.body == body)
-            return named("led by the path %1", one.trajectory);
-    for (const scene::Joint& one : scene.joints)
-        if (one.body1 == body || one.body2 == body)
-            return named("held by the joint %1", one.name);
-    for (const scene::Rope& one : scene.ropes)
-        if (std::ranges::find(one.points, body, &scene::Rope::Point::body) != one.points.end())
-            return named("held by the rope %1", one.name);
-    return {};
+// What a hand could not take it away from: "led by path way"; "": nothing leads it.
+QString leaderOf(const scene::Scene& scene, const std::string& body) {
+    const auto one = std::ranges::find(scene.constraints, body, &scene::Constraint::body);
+    return one == scene.constraints.end()
+               ? QString()
+               : QObject::tr("led by the path %1").arg(QString::fromStdString(one->trajectory));
 }
 
 double secondsOf(const QMouseEvent& event) { return 1e-3 * static_cast<double>(event.timestamp()); }
@@ -60,30 +51,37 @@ bool Throwing::isOnItsWay(std::size_t body) const {
 
 bool Throwing::takesAtOnce(std::size_t body) const {
     const scene::Scene& scene = *document_.shown().scene;
-    return plays_ && isOnItsWay(body) && holderOf(scene, scene.bodies[body].name).isEmpty();
+    return plays_ && isOnItsWay(body) && leaderOf(scene, scene.bodies[body].name).isEmpty();
 }
 
 bool Throwing::press(std::size_t body, const QPointF& position) {
     const Shown& shown = document_.shown();
     if (!isOnItsWay(body))
         return false;
-    const std::string& name = shown.scene->bodies[body].name;
-    if (const QString holder = holderOf(*shown.scene, name); !holder.isEmpty()) {
-        display_.editing().say(
-            tr("%1 is %2: it is neither thrown nor put elsewhere on its way. Its place at the "
-               "start can be dragged there.")
-                .arg(QString::fromStdString(name), holder));
+    const QString name = QString::fromStdString(shown.scene->bodies[body].name);
+    gestures::Ground ground = document_.ground();
+    const double time = gestures::roundMoment(*shown.motion, display_.time());
+    const QString leader = leaderOf(*shown.scene, name.toStdString());
+    const QString fault = leader.isEmpty()
+                              ? QString::fromStdString(gestures::whyNotAt(ground, time))
+                              : tr("%1 is %2: it is neither thrown nor put elsewhere on its way. "
+                                   "Its place at the start can be dragged there.")
+                                    .arg(name, leader);
+    if (!fault.isEmpty()) {
+        display_.editing().say(fault);
         return true;
     }
-    const double time = gestures::roundMoment(*shown.motion, display_.time());
     display_.keepCamera();
-    held_.emplace(Held{document_.ground(),
+    held_.emplace(Held{std::move(ground),
                        time,
                        body,
                        render::poseOf(*shown.scene, shown.motion.get(), body, time),
                        Vector::Zero(),
-                       {}});
-    held_->off = held_->pose.position - under(position);
+                       {},
+                       nullptr});
+    const Vector taken = under(position);
+    held_->off = held_->pose.position - taken;
+    held_->joined = gestures::Joined::of(gestures::sceneAt(held_->ground, time), body, taken);
     rate_.reset();
     Q_EMIT grabbed();
     return true;
@@ -93,6 +91,10 @@ bool Throwing::move(const QMouseEvent& event) {
     if (!held_)
         return false;
     held_->way.push_back({secondsOf(event), under(event.position()) + held_->off});
+    if (held_->joined) {
+        const Vector way = held_->way.back().place - held_->pose.position;
+        held_->joined->isLoose() ? held_->joined->moveAll(way) : held_->joined->pull(way);
+    }
     Q_EMIT changed();
     return true;
 }
@@ -108,6 +110,17 @@ Vector Throwing::velocity(double seconds) const {
     return (way.back().place - from.place) / lasted / *rate_;
 }
 
+std::vector<gestures::Put> Throwing::puts(Held& held, double resolution,
+                                          const std::optional<Vector>& velocity) {
+    if (!held.joined)
+        return {{held.body, held.way.back().place, velocity, resolution}};
+    std::vector<gestures::Put> puts;
+    for (const editing::NewPlace& one : held.joined->thrown(velocity))
+        puts.push_back({one.body, one.pose.position, one.velocity->linear, 0, one.pose.attitude,
+                        one.velocity->angular});
+    return puts;
+}
+
 bool Throwing::release(const QMouseEvent& event) {
     if (!held_)
         return false;
@@ -117,12 +130,11 @@ bool Throwing::release(const QMouseEvent& event) {
         cancel();
         return true;
     }
-    gestures::Put put{held_->body, held_->way.back().place, std::nullopt,
-                      display_.sight().pixelLength(held_->pose.position)};
-    if (rate_)
-        put.velocity = velocity(secondsOf(event));
-    const Held held = *std::exchange(held_, std::nullopt);
-    const editing::Answer answer = gestures::startingAt(held.ground, held.time, put);
+    const double resolution = display_.sight().pixelLength(held_->pose.position);
+    const auto thrown = rate_ ? std::optional(velocity(secondsOf(event))) : std::nullopt;
+    Held held = *std::exchange(held_, std::nullopt);
+    const editing::Answer answer =
+        gestures::startingAt(held.ground, held.time, puts(held, resolution, thrown));
     const QString name = QString::fromStdString(held.ground.scene->bodies[held.body].name);
     if (answer.possible())
         document_.setText(text::applied(held.ground.text, answer.edits),
@@ -155,26 +167,39 @@ QString Throwing::words() const {
                        .arg(held_->time);
 }
 
-// The body as it would be, and where it comes from.
+void Throwing::paintBody(QPainter& painter, std::size_t body, const geometry::Pose& pose) const {
+    const gestures::Sight sight = display_.sight();
+    const scene::Scene& scene = *held_->ground.scene;
+    const scene::ShapeSet* shape = scene::findShapeSet(scene, scene.bodies[body].shape);
+    if (!shape)
+        return;
+    for (const auto& line : gestures::wireframeOf(shape->parts)) {
+        QPolygonF drawn;
+        for (const Vector& point : line)
+            drawn.append(display_.fromPixels(sight.pixels(pose.toWorld(point))));
+        painter.drawPolyline(drawn);
+    }
+}
+
+// The body as it would be with what is joined to it, and where it comes from.
 void Throwing::paint(QPainter& painter) const {
     if (!held_ || held_->way.empty())
         return;
     const gestures::Sight sight = display_.sight();
-    const scene::Scene& scene = *held_->ground.scene;
-    const scene::ShapeSet* shape = scene::findShapeSet(scene, scene.bodies[held_->body].shape);
-    const Vector place = held_->way.back().place;
-    const auto at = [&](const Vector& point) { return display_.fromPixels(sight.pixels(point)); };
+    geometry::Pose there = held_->pose;
+    there.position = held_->way.back().place;
     painter.setPen(QPen(QColor(20, 90, 200), 1.5));
     painter.setBrush(Qt::NoBrush);
-    if (shape)
-        for (const auto& line : gestures::wireframeOf(shape->parts)) {
-            QPolygonF drawn;
-            for (const Vector& point : line)
-                drawn.append(at(place + held_->pose.attitude * point));
-            painter.drawPolyline(drawn);
-        }
+    if (!held_->joined) {
+        paintBody(painter, held_->body, there);
+    } else {
+        there = held_->joined->poseOf(held_->body);
+        for (const std::size_t body : held_->joined->bodies())
+            paintBody(painter, body, held_->joined->poseOf(body));
+    }
     painter.setPen(QPen(QColor(20, 90, 200), 1.5, Qt::DashLine));
-    painter.drawLine(at(held_->pose.position), at(place));
+    painter.drawLine(display_.fromPixels(sight.pixels(held_->pose.position)),
+                     display_.fromPixels(sight.pixels(there.position)));
 }
 
 } // namespace views

@@ -1,10 +1,12 @@
 // A body in the hand while the motion is past its start: the moment becomes the start, with the
 // body where it is let go. While the motion plays the body is thrown: it has the velocity of the
-// hand. One step of undo brings the motion back as it was.
+// hand. What joints hold goes and moves as they let it, with what is joined to it. One step of undo
+// brings the motion back as it was.
 #pragma once
 
-#include "gestures/ground.h"
+#include "gestures/joined.h"
 #include "gestures/picking.h"
+#include "gestures/present.h"
 
 #include <QObject>
 #include <QPointF>
@@ -52,14 +54,18 @@ private:
         double seconds; // of the hand's clock
         geometry::Vector place;
     };
-    struct Held {
+    struct Held { // a body
         gestures::Ground ground;
         double time;
         std::size_t body;
         geometry::Pose pose;  // when it was taken
         geometry::Vector off; // from the place under the pointer to the body's
         std::vector<Moment> way;
+        std::unique_ptr<gestures::Joined> joined; // null: nothing holds it
     };
+    [[nodiscard]] static std::vector<gestures::Put>
+    puts(Held& held, double resolution, const std::optional<geometry::Vector>& velocity);
+    void paintBody(QPainter& painter, std::size_t body, const geometry::Pose& pose) const;
     [[nodiscard]] geometry::Vector under(const QPointF& position) const;
     [[nodiscard]] geometry::Vector velocity(double seconds) const; // of the motion's seconds
 

@@ -1,0 +1,52 @@
+// A body that a hand pulls, with all that joints, gears and ropes connect with it
+// (physics/pulling.h): where they stand then, and the wishes that say so in the text.
+#pragma once
+
+#include "editing/value_edit.h"
+#include "element_edits/closing.h"
+#include "physics/pulling.h"
+
+#include <memory>
+
+namespace gestures {
+
+class Joined {
+public:
+    // `grabbed`: the point of the world that the hand takes. Null: nothing holds the body.
+    [[nodiscard]] static std::unique_ptr<Joined> of(const scene::Scene& scene, std::size_t body,
+                                                    const geometry::Vector& grabbed);
+
+    // No joint of them leads to what stands, or none lets the point go anywhere: all move along.
+    [[nodiscard]] bool movesAsOne() const { return pulling_.movesAsOne(); }
+    [[nodiscard]] bool isLoose() const { return pulling_.isLoose(); } // no joint leads there
+    [[nodiscard]] bool turns() const { return pulling_.turns(); }     // where the point goes on
+    [[nodiscard]] const std::vector<std::size_t>& bodies() const { return pulling_.bodies(); }
+
+    [[nodiscard]] const geometry::Vector& grabbed() const { return grabbed_; }
+    // The point so far from where it was grabbed, as near as joints let it.
+    void pull(const geometry::Vector& way);
+    // All by the same way, with what holds them to the world.
+    void moveAll(const geometry::Vector& way);
+    [[nodiscard]] double turned() const { return pulling_.turned(); } // radians, of the body
+    bool turnTo(double angle) { return pulling_.turnTo(angle); }
+
+    // Of those that have moved. Their velocities at the start go with them.
+    [[nodiscard]] std::vector<editing::NewPlace> places();
+    // `ofHand`: the velocity that the point has where it is let go; none: it has its own.
+    [[nodiscard]] std::vector<editing::NewPlace>
+    thrown(const std::optional<geometry::Vector>& ofHand);
+    [[nodiscard]] geometry::Pose poseOf(std::size_t body) const; // of its reference point
+    [[nodiscard]] std::vector<editing::Wish> wishes(const editing::Mapper& mapper);
+
+private:
+    Joined(const scene::Scene& scene, std::size_t body, const geometry::Vector& grabbed);
+    [[nodiscard]] std::vector<physics::Pulling::Velocity> turnedVelocities() const;
+    void addHolds(std::vector<editing::Wish>& wishes) const;
+
+    const scene::Scene scene_;
+    geometry::Vector grabbed_;
+    physics::Pulling pulling_;
+    std::optional<geometry::Vector> way_; // of all of them
+};
+
+} // namespace gestures

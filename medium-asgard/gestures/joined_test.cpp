@@ -1,0 +1,140 @@
+// Drags of bodies that joints hold.
+#include "gestures/handle_drag.h"
+
+#include "script/reader.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+namespace gestures {
+namespace {
+
+using ::testing::HasSubstr;
+
+script::Reader& reader() {
+    static script::Reader shared;
+    return shared;
+}
+
+struct Dragged {
+    std::string text, words;
+    std::shared_ptr<const scene::Scene> scene;
+    [[nodiscard]] const scene::Body& body(const std::string& name) const {
+        return *scene::findBody(*scene, name);
+    }
+};
+
+std::shared_ptr<const scene::Scene> sceneOf(const std::string& text) {
+    const script::ReadResult read = reader().read(text);
+    EXPECT_TRUE(read.usable) << text;
+    return std::make_shared<const scene::Scene>(read.scene);
+}
+
+// Seen along z; the body is taken beside its middle, and moved in two steps.
+Dragged drag(const std::string& text, std::size_t body, const Vector& off, const Vector& to,
+             const std::optional<HandleDrag::Along>& along = std::nullopt) {
+    const auto scene = sceneOf(text);
+    render::Camera camera;
+    camera.scale = 0.1;
+    const Sight sight{camera, {800, 800}};
+    Dragged made;
+    const Ground ground{text, scene, nullptr, [](const std::string&) {},
+                        [&](const std::string& now, const std::string&) { made.text = now; }};
+    render::Handle handle;
+    handle.element = body;
+    handle.base = handle.place = scene->bodies[body].initialPosition;
+    const Eigen::Vector2d from = sight.pixels(handle.place + off), target = sight.pixels(to);
+    HandleDrag drag(ground, sight, handle, from);
+    drag.setUpright();
+    drag.setAlong(along);
+    drag.move((from + target) / 2);
+    drag.move(target);
+    made.words = drag.words();
+    EXPECT_TRUE(drag.answer().possible()) << drag.words();
+    drag.finish();
+    made.scene = sceneOf(made.text);
+    return made;
+}
+
+Vector pointOf(const Dragged& made, const std::string& body, const Vector& offset) {
+    const scene::Body& one = made.body(body);
+    return one.initialPosition + one.initialAttitude * offset;
+}
+
+const std::string bob = "shape_set ball -desc {-sub {-sphere 0.3}}\n"
+                        "body bob ball -init_pos {1 -2 0}\n";
+const std::string pendulum = bob + "joint hinge -type hinge -body1 bob -offset1 {0 2 0}\n";
+
+TEST(Joined, APendulumIsPulledAsideByWholeDegreesAboutItsPivot) {
+    const Dragged made = drag(pendulum, 0, {0, 0, 0}, {3, -2, 0}); // past 45 degrees
+    EXPECT_LT((pointOf(made, "bob", {0, 2, 0}) - Vector(1, 0, 0)).norm(), 1e-12) << made.text;
+    const Vector way(std::sin(M_PI / 4), -std::cos(M_PI / 4), 0);
+    EXPECT_LT((made.body("bob").initialPosition - Vector(1, 0, 0) - 2 * way).norm(), 1e-12);
+    EXPECT_THAT(made.words, HasSubstr("turned by 45 degrees, as its joints allow"));
+    EXPECT_THAT(made.text, HasSubstr("joint hinge -type hinge -body1 bob -offset1 {0 2 0}\n"));
+    // Once more, and back: the pivot is where it was.
+    const Dragged back = drag(made.text, 0, {0, 0, 0}, {1, -3, 0});
+    EXPECT_LT((back.body("bob").initialPosition - Vector(1, -2, 0)).norm(), 1e-12) << back.text;
+}
+
+TEST(Joined, AVelocityAtTheStartTurnsWithThePendulum) {
+    const Dragged made = drag("shape_set ball -desc {-sub {-sphere 0.3}}\n"
+                              "body bob ball -init_pos {1 -2 0} -init_dpos {2 0 0} -init_drot "
+                              "{0 0 1}\njoint hinge -type hinge -body1 bob -offset1 {0 2 0}\n",
+                              0, {0, 0, 0}, {5, 0, 0});
+    EXPECT_LT((made.body("bob").initialVelocity - Vector(0, 2, 0)).norm(), 1e-9) << made.text;
+    EXPECT_LT((made.body("bob").initialAngularVelocity - Vector(0, 0, 1)).norm(), 1e-9);
+}
+
+TEST(Joined, AlongAnAxisItMovesWithItsPivot) {
+    for (const std::string pivot : {"", " -offset2 {1 0 0}"}) {
+        const std::string text = pendulum.substr(0, pendulum.size() - 1) + pivot + "\n";
+        const Dragged made = drag(text, 0, {0, 0, 0}, {2, -1, 0}, HandleDrag::Along{0});
+        EXPECT_LT((made.body("bob").initialPosition - Vector(2, -2, 0)).norm(), 1e-12);
+        EXPECT_TRUE(made.body("bob").initialAttitude.isApprox(geometry::Quaternion::Identity()));
+        EXPECT_EQ(made.text.find("-offset2 {2 0 0}") != std::string::npos, !pivot.empty());
+    }
+}
+
+TEST(Joined, ACarMovesAsAWholeAndAWheelOnTheWorldTurnsByItsRim) {
+    const std::string car = "shape_set box -desc {-sub {-box {4 1 1}}}\n"
+                            "shape_set wheel -desc {-sub {-sphere 0.5}}\n"
+                            "body chassis box\nbody front wheel -init_pos {1.5 -0.5 0}\n"
+                            "body back wheel -init_pos {-1.5 -0.5 0}\n"
+                            "joint f -type hinge -body1 front -body2 chassis\n"
+                            "joint b -type hinge -body1 back -body2 chassis\n";
+    const Dragged made = drag(car, 0, {1.8, 0, 0}, {2.8, 3, 0});
+    EXPECT_LT((made.body("chassis").initialPosition - Vector(1, 3, 0)).norm(), 1e-9);
+    EXPECT_LT((made.body("front").initialPosition - Vector(2.5, 2.5, 0)).norm(), 1e-9);
+    EXPECT_LT((made.body("back").initialPosition - Vector(-0.5, 2.5, 0)).norm(), 1e-9);
+    EXPECT_THAT(made.words, HasSubstr("with all that is joined to it"));
+    const std::string wheel = "shape_set wheel -desc {-sub {-sphere 0.5}}\nbody w wheel\n"
+                              "joint axle -type hinge -body1 w -offset1 {0 0 0}\n";
+    const Dragged turned = drag(wheel, 0, {0.4, 0, 0}, {0, 0.4, 0});
+    EXPECT_LT(turned.body("w").initialPosition.norm(), 1e-9);
+    EXPECT_NEAR(geometry::toRotationVector(turned.body("w").initialAttitude).z(), M_PI / 2, 1e-9);
+    const Dragged moved = drag(wheel, 0, {0, 0, 0}, {1, 1, 0});
+    EXPECT_LT((moved.body("w").initialPosition - Vector(1, 1, 0)).norm(), 1e-9);
+}
+
+TEST(Joined, ASupportThatIsFixedTakesAlongWhatHangsOnIt) {
+    const Dragged made =
+        drag("shape_set ball -desc {-sub {-sphere 0.3}}\nbody top ball -fixed 1\n"
+             "body bob ball -init_pos {0 -2 0}\n"
+             "joint hinge -type hinge -body1 bob -offset1 {0 2 0} -body2 top -offset2 {0 0 0}\n",
+             0, {0, 0, 0}, {1, 2, 0});
+    EXPECT_LT((made.body("bob").initialPosition - Vector(1, 0, 0)).norm(), 1e-9) << made.text;
+}
+
+TEST(Joined, ASliderGoesAlongItsLineToRoundPlaces) {
+    const Dragged made =
+        drag("shape_set ball -desc {-sub {-sphere 0.3}}\nbody b ball -init_pos {0 1 0}\n"
+             "joint rail -type slider -body1 b -axis {1 0 0}\n",
+             0, {0, 0, 0}, {2.5, 4, 0});
+    EXPECT_LT((made.body("b").initialPosition - Vector(2.5, 1, 0)).norm(), 0.02) << made.text;
+    EXPECT_EQ(made.body("b").initialPosition.y(), 1);
+}
+
+} // namespace
+} // namespace gestures
