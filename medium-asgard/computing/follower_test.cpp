@@ -97,6 +97,28 @@ TEST_F(FollowerTest, ATextIsReadAndComputedOnce) {
     EXPECT_EQ(motions, 1);
 }
 
+// As by an undo.
+TEST_F(FollowerTest, ATextThatComesBackHasTheMotionThatItHad) {
+    for (const char* text : {"1", "2"}) {
+        follower.follow(text, {}, moment);
+        settle();
+    }
+    const auto second = follower.shown().motion;
+    for (const double back : {1.0, 2.0, 1.0}) {
+        follower.follow(std::to_string(static_cast<int>(back)), {}, moment);
+        settle();
+        EXPECT_EQ(x(1), back);
+    }
+    EXPECT_EQ(motions, 2);
+    follower.follow("2", {}, moment);
+    settle();
+    EXPECT_EQ(follower.shown().motion, second);
+    EXPECT_EQ(follower.statistics()->steps, 0U);
+    follower.follow("1", {.parameters = {{"h", 2.0}}}, moment); // another motion
+    settle();
+    EXPECT_EQ(motions, 3);
+}
+
 TEST_F(FollowerTest, WithPatienceASceneIsShownWithItsMotionOnly) {
     follower.setSeen(1);
     follower.follow("1", {.patience = milliseconds(250)}, moment);

@@ -164,7 +164,7 @@ void Worker::read(const std::string& text, unsigned serial, Order order) {
     reading.moves = reading.scene && order.moves;
     std::optional<Job> job;
     if (reading.moves)
-        job = Job{serial, reading.scene, std::move(order)};
+        job = Job{serial, text, reading.scene, std::move(order)};
     tell(std::move(reading));
     if (!job)
         return;
@@ -205,7 +205,12 @@ void Worker::move(const Job& job) {
     moved.serial = job.serial;
     moved.scene = job.scene;
     try {
-        moved.result = tools_.simulate(job.scene, options, observer);
+        if (auto former = former_.of(job.text, options.parameters)) {
+            moved.result = std::move(*former);
+        } else {
+            moved.result = tools_.simulate(job.scene, options, observer);
+            former_.add(job.text, options.parameters, moved.result);
+        }
     } catch (const std::bad_alloc&) {
         moved.result.refusal.emplace_back("the motion needs more memory than its process may have");
     }

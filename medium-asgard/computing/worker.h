@@ -3,12 +3,13 @@
 // Each start has a serial, so that receivers know which start a result belongs to. A start cancels
 // the work of an older one. During a gesture, texts come faster than motion can follow: the older
 // work then gets some time to end first, so that pictures and paths follow the hand with that
-// delay, instead of standing still until the hand rests.
+// delay, instead of standing still until the hand rests. A text that comes back has the motion that
+// it had (former_motions.h).
 //
 // Results wait for their owner, who is woken and collects them.
 #pragma once
 
-#include "computing/tools.h"
+#include "computing/former_motions.h"
 
 #include <atomic>
 #include <chrono>
@@ -81,6 +82,7 @@ public:
 private:
     struct Job { // of the thread that computes motion
         unsigned serial = 0;
+        std::string text;
         ScenePointer scene;
         Order order;
     };
@@ -112,6 +114,7 @@ private:
     std::atomic<bool> stop_{false};
     std::mutex newsMutex_;
     std::vector<News> news_;
+    FormerMotions former_; // of the thread that computes
     std::thread reading_, moving_;
 };
 
