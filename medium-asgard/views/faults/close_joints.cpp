@@ -5,6 +5,7 @@
 #include "plain/plain.h"
 
 #include <QApplication>
+#include <QMouseEvent>
 #include <QPointer>
 #include <QThreadPool>
 #include <QToolTip>
@@ -48,6 +49,8 @@ void CloseJoints::startOrStop() {
     reason_ = tr("Stopped: the joints are as they were.");
     say();
 }
+
+void CloseJoints::mouseDoubleClickEvent(QMouseEvent* event) { event->accept(); }
 
 void CloseJoints::cancel() {
     if (!search_)

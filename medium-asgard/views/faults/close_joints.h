@@ -28,6 +28,10 @@ public:
     // Why the last click changed nothing; "": it did.
     [[nodiscard]] const QString& reason() const { return reason_; }
 
+protected:
+    // The second click of a double one does not stop what the first has begun.
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+
 private:
     // How joints close, as another thread finds out. Whoever sets it ends the search.
     using Search = std::shared_ptr<std::atomic<bool>>;

@@ -99,6 +99,18 @@ TEST_F(FaultListTest, OffersToCloseAJointThatItsBodiesMiss) {
     EXPECT_FALSE(offer->isVisibleTo(&list));
     document.undo();
     EXPECT_EQ(document.text(), text);
+    // A double click closes it, as one click does.
+    ASSERT_TRUE(settle(document));
+    computed.shown = document.shown();
+    document.setComputed(computed);
+    const QPoint middle = offer->rect().center();
+    QTest::mouseClick(offer, Qt::LeftButton, {}, middle);
+    QTest::mouseDClick(offer, Qt::LeftButton, {}, middle); // the second press alone
+    QTest::mouseRelease(offer, Qt::LeftButton, {}, middle);
+    EXPECT_EQ(offer->reason(), "");
+    ASSERT_TRUE(waitFor([&] { return document.text() != text; }));
+    document.undo();
+    EXPECT_EQ(document.text(), text);
     // A second click ends the search: nothing comes of it.
     ASSERT_TRUE(settle(document));
     computed.shown = document.shown();

@@ -4,6 +4,7 @@
 #include "point_edits/shape_edit.h"
 #include "recipes/recipe_words.h"
 #include "recipes/recipes.h"
+#include "script/svg_colors.h"
 
 #include <QObject>
 
@@ -28,15 +29,22 @@ std::vector<std::string> placeWords(const Indicated& shown) {
     return words;
 }
 
+// The one of these that the fewest bodies have, the first of several.
+const char* rarestColor(const scene::Scene& scene) {
+    static constexpr std::array<const char*, 6> colors{"steelblue", "indianred",    "goldenrod",
+                                                       "seagreen",  "mediumpurple", "peru"};
+    return *std::ranges::min_element(colors, {}, [&](const char* name) {
+        return std::ranges::count(scene.bodies, script::namedColor(name),
+                                  [](const scene::Body& body) { return body.appearance.color; });
+    });
+}
+
 // Things of a room, not the language's ideal ones: balls bounce, all else comes to rest where it
 // falls, and wheels roll. Bodies that one makes one after another differ in colour.
 void addRoomWords(NewElement& body, const scene::Scene& scene, bool isBall, bool isColored) {
-    static constexpr std::array<const char*, 6> colors{"steelblue", "indianred",    "goldenrod",
-                                                       "seagreen",  "mediumpurple", "peru"};
     body.words.insert(body.words.end(), {"-restitution", isBall ? "0.7" : "0", "-friction", "0.3"});
     if (!isColored)
-        body.words.insert(body.words.end(),
-                          {"-color", colors[scene.bodies.size() % colors.size()]});
+        body.words.insert(body.words.end(), {"-color", rarestColor(scene)});
 }
 
 bool isBallShape(const std::vector<scene::Part>& parts) {

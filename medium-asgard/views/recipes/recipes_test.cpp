@@ -56,6 +56,25 @@ TEST_F(RecipesTest, EachStepOfARecipeHasItsPrompt) {
     EXPECT_THAT(weightForAll({0, -9.81, 0}).steps, IsEmpty());
 }
 
+// Also after one of them is deleted.
+TEST_F(RecipesTest, ANewBodyHasTheColourThatTheFewestHave) {
+    Indicated place;
+    place.given = true;
+    const auto colorAfter = [&](const std::string& text) {
+        read(text);
+        const auto elements = made(newBody(BasicShape::box), {place});
+        const auto& words = elements.back().words;
+        const auto color = std::ranges::find(words, "-color");
+        return color == words.end() ? std::string() : *(color + 1);
+    };
+    const std::string two = stars + "body c star -color indianred\nbody d star -color goldenrod\n";
+    EXPECT_EQ(colorAfter(stars), "steelblue");
+    EXPECT_EQ(colorAfter(two), "steelblue");
+    EXPECT_EQ(colorAfter(two + "body e star -color steelblue\n"), "seagreen");
+    EXPECT_EQ(colorAfter(stars + "body d star -color goldenrod\nbody e star -color steelblue\n"),
+              "indianred");
+}
+
 TEST_F(RecipesTest, AForceActsWhereItsBodyWasShown) {
     read(stars);
     Indicated shown = onBody(1);
