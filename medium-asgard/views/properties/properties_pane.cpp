@@ -3,6 +3,7 @@
 #include "editing/element_values.h"
 #include "editing/number_text.h"
 #include "element_edits/attitude.h"
+#include "element_edits/units.h"
 #include "frame/names_box.h"
 #include "offers/asked_value.h"
 #include "plain/plain.h"
@@ -218,6 +219,14 @@ void PropertiesPane::showRow(PropertyRow& row) {
             : QString();
     row.show(properties_->sharedValue(elements(), row.option()), absentOf(row.option()), source);
     row.setNote(faultsAt(row));
+    const scene::Scene& scene = *document_.shown().scene;
+    const std::string_view unit = editing::unitOf(scene, elements().front(), row.option().name);
+    const bool isShared = std::ranges::all_of(elements(), [&](const Element& element) {
+        return editing::unitOf(scene, element, row.option().name) == unit;
+    });
+    row.setUnit(isShared ? toText(unit) : QString());
+    const bool meets = row.option().name == "-restitution" && elements().front().kind == Kind::body;
+    row.setRemark(meets ? tr("Of two bodies that meet the smaller one counts.") : QString());
 }
 
 // Faults of the text or the motion at the value that stands there.

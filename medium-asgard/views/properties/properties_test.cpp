@@ -88,6 +88,23 @@ TEST_F(PropertiesTest, ShowsWhatStandsInTheText) {
     EXPECT_THAT(pane.title().toStdString(), HasSubstr("Nothing is selected"));
 }
 
+TEST_F(PropertiesTest, NumbersHaveUnitsAndRestitutionSaysWhoseCounts) {
+    const auto has = [&](const QString& words) {
+        return std::ranges::any_of(pane.findChildren<QLabel*>(),
+                                   [&](const QLabel* label) { return label->text() == words; });
+    };
+    open(two, {{Kind::body, 0}});
+    for (const char* words : {"Mass, kg", "Place, m", "Velocity, m/s", "Angular velocity, rad/s",
+                              "Friction", "Of two bodies that meet the smaller one counts."})
+        EXPECT_TRUE(has(words)) << words;
+    document.select({{Kind::force, 0}});
+    settleTimers();
+    EXPECT_TRUE(has("Along y, N"));
+    open(two + "force -body a -torque 1 -z 2\n", {{Kind::force, 1}});
+    settleTimers();
+    EXPECT_TRUE(has("Along z, N m"));
+}
+
 TEST_F(PropertiesTest, AFieldWritesOneStepOfUndo) {
     open(two, {{Kind::body, 0}});
     type("-init_pos2", "5");

@@ -53,8 +53,8 @@ QColor colorOf(const std::string& text) {
 PropertyRow::PropertyRow(const SceneDocument& document, const editing::OptionHint& option,
                          const QString& caption, std::size_t most, QGridLayout& grid,
                          QObject* parent)
-    : QObject(parent), option_(option), caption_(plain::label(caption)), fault_(plain::label()),
-      offers_(new QVBoxLayout) {
+    : QObject(parent), option_(option), name_(caption), caption_(plain::label(caption)),
+      fault_(plain::label()), offers_(new QVBoxLayout) {
     const int row = grid.rowCount();
     const QString tip = QString::fromUtf8(option.name.data(), option.name.size()) +
                         QStringLiteral(": ") +
@@ -166,6 +166,11 @@ void PropertyRow::setNames(const QStringList& names) {
         fields_[i]->setAccessibleName(at < names.size() ? names[at] : caption);
         fields_[i]->setPlaceholderText(at < names.size() ? names[at] : QString());
     }
+}
+
+void PropertyRow::setUnit(const QString& unit) {
+    caption_->setText(
+        plain::ours(unit.isEmpty() ? name_ : QStringLiteral("%1, %2").arg(name_, unit)));
 }
 
 void PropertyRow::setVisible(bool visible) {

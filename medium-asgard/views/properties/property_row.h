@@ -44,6 +44,7 @@ public:
     [[nodiscard]] const PropertyParts& shown() const { return shown_; }
     void setChoices(const QStringList& choices); // of names
     void setNames(const QStringList& names);     // of its parts, in place of x, y and z
+    void setUnit(const QString& unit);           // beside its caption; "": none
     void setVisible(bool visible);
     void setEnabled(bool enabled);
     void setNote(const QString& note);     // about the value that stands there; "": none
@@ -81,6 +82,7 @@ private:
     PropertyParts shown_;
     PropertyParts entered_; // and not answered
     PropertyParts refused_;
+    QString name_; // its caption without the unit
     QString why_, note_, remark_;
     std::vector<QLineEdit*> fields_;
     QComboBox* box_ = nullptr;
