@@ -301,8 +301,33 @@ def check_coin():
     return 0
 
 
+def tilted_coin(radius, height, tilt, restitution, friction):
+    return f"""simulator -finish {12 * math.sqrt(radius / G)!r}
+shape_set ground -desc {{-sub {{-plane}}}}
+body ground ground -fixed 1 -friction {friction}
+shape_set coin -desc {{-sub {{-cylinder {{{radius} {height}}}}}}}
+body coin coin -restitution {restitution} -friction {friction} -init_pos {{0 {radius * math.sin(tilt) + height / 2 * math.cos(tilt)!r} 0}} -init_rot {{0 0 {tilt}}}
+force -body coin -gravitational {{0 -{G} 0}}
+"""
+
+
+def check_tilted_coins():
+    """Coins that stand tilted come to lie flat, at whatever speed their far sides land, and whether or not these bounce."""
+    faults = 0
+    for radius, height, tilt, restitution, friction, accuracy in (
+            (1, 0.2, 0.1, 0.5, 0.3, "1e-2"), (1, 0.2, 0.1, 0, 0.3, "1e-2"), (11.6, 1.16, 0.3, 0.5, 0.3, "1e-3"), (1, 0.05, 0.8, 0.5, 0.3, "1e-2"),
+            (1, 0.1, 0.5, 0, 0.3, "1e-2"), (1, 0.1, 0.5, 0, 0.3, "1e-3"), (1, 0.1, 0.5, 0, 0.3, "1e-6")):
+        run = subprocess.run([sys.argv[1], "simulate", "-", "--csv", "-", "--accuracy", accuracy], input=tilted_coin(radius, height, tilt, restitution, friction),
+                             capture_output=True, text=True, check=False)
+        last = list(csv.DictReader(run.stdout.splitlines()))[-1]
+        if run.returncode or abs(float(last["coin.y"]) - height / 2) > 1e-5 * radius:
+            faults += 1
+            print(f"FAIL a coin of {radius} x {height} tilted by {tilt}, bounce {restitution}, at {accuracy}: it ends at {last['coin.y']}; {run.stderr}")
+    return faults
+
+
 def main():
-    faults = (check_hops() + check_growing_hops() + check_half_space() + check_finish() + check_loose() + check_coin() +
+    faults = (check_tilted_coins() + check_hops() + check_growing_hops() + check_half_space() + check_finish() + check_loose() + check_coin() +
               check_flush_ladder() + check_names())
     for name, scene, expected in cases():
         found = events(scene, stops=name == "painleve")

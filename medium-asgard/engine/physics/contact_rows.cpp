@@ -17,6 +17,7 @@ using surfaces::Term;
 using surfaces::Triple;
 
 constexpr double resolved = 1e-9; // of the smaller part: gaps lower than that are none
+constexpr double lying = 5e-9;    // of the same: a rim whose far side is no higher lies flat
 
 const Phase& inForce(const expression::Unknown& unknown, double time) {
     const auto after = std::ranges::upper_bound(unknown.phases, time, {}, &Phase::from);
@@ -211,6 +212,22 @@ Node ContactRows::sideOf(const ContactPoint::Side& side, const Meeting& meeting)
     return value;
 }
 
+// Of a rim on a plane, how high its far side is above its lowest point. Where it comes to lie on
+// the plane that point leaps to the far side: the contact ends before, and all of the rim touches.
+std::optional<Node> ContactRows::tiltOf(const ContactPlace& place, const SurfaceGap& gap,
+                                        const Meeting& meeting) {
+    if (!gap.isOnPlane())
+        return std::nullopt;
+    const bool isBodys = gap.support.kind == Kind::plane; // the other piece
+    const SurfacePiece& piece = isBodys ? gap.body : gap.support;
+    if (piece.kind != Kind::circle)
+        return std::nullopt;
+    const Node reach = surfaces::lowest(piece, poseOf(isBodys ? place.body : place.support),
+                                        terms(g_, meeting.normal))
+                           .reach.node;
+    return g_.subtract(g_.multiply(g_.constant(2), reach), g_.constant(lying * place.size));
+}
+
 void ContactRows::addNormals(const ContactPlace& place, std::span<const Node> multipliers) {
     for (std::size_t k = 0; k < place.points.size(); ++k) {
         const ContactPoint& point = place.points[k];
@@ -223,6 +240,8 @@ void ContactRows::addNormals(const ContactPlace& place, std::span<const Node> mu
         const Meeting meeting = meetingOf(place, point.gap);
         for (const ContactPoint::Side& side : point.sides)
             condition.valid.push_back(sideOf(side, meeting));
+        if (const auto tilt = tiltOf(place, point.gap, meeting))
+            condition.valid.push_back(*tilt);
         const Node gap = g_.subtract(meeting.gap, g_.constant(point.start));
         addRow(place, multipliers[k], gap, along(std::span(&gap, 1))[0], std::move(condition));
     }

@@ -67,8 +67,7 @@ struct ContactPlace {
     double size = 1;                 // of the smaller part
     double leaving = 0;              // a gap that has opened so far is none
     // Pieces that are on their side of the plane of the first point; one that comes through it
-    // lands. Of a circle with a radius below 0 the far side is meant. One that is beneath, beside
-    // the other's face, may come up again, and over the face.
+    // lands. One that is beneath, beside the other's face, may come up again, and over the face.
     struct Landing {
         std::size_t body = 0;
         SurfacePiece piece;
@@ -139,6 +138,8 @@ private:
     [[nodiscard]] Meeting meetingOf(const ContactPlace& place, const SurfaceGap& gap);
     [[nodiscard]] Frame frameOf(const ContactPlace& place);
     [[nodiscard]] Node sideOf(const ContactPoint::Side& side, const Meeting& meeting);
+    [[nodiscard]] std::optional<Node> tiltOf(const ContactPlace& place, const SurfaceGap& gap,
+                                             const Meeting& meeting);
     [[nodiscard]] NodeVector velocityAt(std::size_t body, const NodeVector& point,
                                         const Vector& surface);
     [[nodiscard]] std::vector<Node> landingsOf(const ContactPlace& place);

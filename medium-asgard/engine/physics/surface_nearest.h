@@ -73,9 +73,10 @@ Extent<S> lowest(const SurfacePiece& piece, const Place<S>& owner, const Triple<
     using Kind = SurfacePiece::Kind;
     if (piece.kind == Kind::circle) {
         const Triple<S> a = owner.toWorld(piece.axis);
-        const S across = lengthOf(cross(a, n)), radius = owner.number(piece.radius);
-        const Triple<S> down = dot(a, n) * a - n;
-        return {radius * across, (radius / across) * down};
+        const Triple<S> tilt = cross(a, n);
+        const S across = lengthOf(tilt), radius = owner.number(piece.radius);
+        // As a product, exact to rounding however flat the circle lies.
+        return {radius * across, (radius / across) * cross(a, tilt)};
     }
     if (piece.kind == Kind::ellipsoid) {
         std::array<Triple<S>, 3> axes{owner.toWorld(piece.axes.col(0)),

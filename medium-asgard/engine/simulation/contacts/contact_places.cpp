@@ -167,7 +167,7 @@ SurfaceGap roundGap(const Touch& touch, const physics::GapConstraint& of, const 
 
 // Pieces that may land beside those that touch, of the one whose plane it is not: of polyhedra that
 // touch at fewer points than a face has vertices that touch and part, and their neighbours; of
-// curved parts all that may be lowest, and of the one rim that touches its far side.
+// a round end that lies flat its corners that part; of other curved parts all that may be lowest.
 class Landings {
 public:
     Landings(const Touch& touch, const Placed& body, const Placed& support,
@@ -187,8 +187,13 @@ public:
 private:
     void addOf(const Placed& owner, std::size_t part, const std::vector<Vector>& face, bool above) {
         const geometry::Part& of = owner.shape->parts[part];
-        if (of.curved || of.isCapsule())
+        if (of.isCapsule() || (of.curved && touch_.hasPieces))
             return addExtremes(owner, part, above);
+        if (of.curved) { // a round end that lies flat
+            for (const Corner& corner : touch_.corners)
+                addVertex(owner, localOf(owner, corner.point), above);
+            return;
+        }
         std::set<std::size_t> vertices;
         for (const Vector& vertex : face) {
             const std::size_t at = vertexAt(of, localOf(owner, vertex) + owner.record->centroid);
@@ -199,17 +204,11 @@ private:
             addVertex(owner, Vector(of.core.vertices[vertex] - owner.record->centroid), above);
     }
     void addExtremes(const Placed& owner, std::size_t part, bool above) {
-        if (!touch_.hasPieces)
-            return;
-        for (SurfacePiece piece : extremesOf(owner, part)) {
+        for (const SurfacePiece& piece : extremesOf(owner, part)) {
             const bool isOne = std::ranges::any_of(place_.points, [&](const ContactPoint& point) {
                 return isOnePiece(above ? point.gap.body : point.gap.support, piece, touch_.size);
             });
-            if (isOne && (piece.kind != Kind::circle || place_.points.size() > 1))
-                continue;
-            if (isOne)
-                piece.radius = -piece.radius;
-            if (isOverFace(piece, above))
+            if (!isOne && isOverFace(piece, above))
                 addPiece(owner, piece, above);
         }
     }

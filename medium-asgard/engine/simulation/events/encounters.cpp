@@ -258,7 +258,7 @@ bool CollisionSource::needsRows(const Instant& at, std::size_t body,
         const auto touches =
             touchesOf(placed, at.placed(other, states), world_.resolution[body].gap);
         for (const Touch& touch : touches) {
-            if (isAsked || (touch.hasPieces && !touch.isModelled))
+            if (isAsked || touch.isCurved)
                 return true;
             if (!touch.others.empty()) // a seam
                 continue;

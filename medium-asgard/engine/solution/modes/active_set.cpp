@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace solution {
@@ -29,7 +28,6 @@ ActiveSet::ActiveSet(ModelFunctions& functions, Multipliers& multipliers, Mode& 
             hasContacts_ = hasContacts_ || isContact(row);
         }
     opened_.assign(laws.size(), 0);
-    mode.jumps.assign(laws.size(), std::numeric_limits<double>::infinity());
     mode.slips.assign(functions.bound()->discs.size(), {1, 0, 0});
     mode.centres.assign(functions.bound()->discs.size(), {0, 0});
 }
@@ -56,7 +54,7 @@ void ActiveSet::refresh() {
 
 void ActiveSet::watchRow(std::size_t row) {
     const BoundModel::Law& of = law(row);
-    if (multipliers_.isConfined(row) || (isContact(row) && mode_.kept[row] == State::inside))
+    if (multipliers_.isConfined(row))
         watches_.push_back({row, Kind::invalid});
     if (mode_.kept[row] == State::inside) {
         if (of.low > -complementarity::unbounded)
@@ -145,8 +143,7 @@ double ActiveSet::valueOf(const Watch& watch) const {
     case Kind::parted:
         return *law(row).leaving - multipliers_.gap(row);
     case Kind::invalid:
-        return std::min(beyond(noLength * law(row).resolution, multipliers_.validity(row)),
-                        multipliers_.steadiness(row));
+        return beyond(noLength * law(row).resolution, multipliers_.validity(row));
     case Kind::least:
         return beyondRounding(multipliers_.values()[row] - law(row).low);
     case Kind::most:

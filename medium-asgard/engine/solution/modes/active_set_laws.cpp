@@ -141,8 +141,6 @@ bool ActiveSet::settle(std::span<const std::size_t> fallen, double fastest, doub
     }
     openUnpressed();
     takeForces();
-    for (std::size_t row = 0; row < mode_.kept.size(); ++row)
-        mode_.jumps[row] = multipliers_.jumpOf(row);
     return true;
 }
 

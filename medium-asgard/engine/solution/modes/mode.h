@@ -44,8 +44,6 @@ struct Mode {
     // Of redundant conditions the shortest forces are taken. Where these break bounds, those next
     // to these, by which the laws gave the set: one of each multiplier; empty: the shortest do.
     std::vector<double> forces;
-    // Of contacts that hold: how fast a rate is that no integration errs by.
-    std::vector<double> jumps;
     // Stops that touch without a force and without a rate: rounding may close them.
     std::vector<char> touches;
     // Of each disc of friction whose rows are at a bound: the direction in which it began to slip.

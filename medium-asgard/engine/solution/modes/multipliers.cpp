@@ -31,21 +31,6 @@ double Multipliers::validity(std::size_t row) const {
     return least;
 }
 
-double Multipliers::steadiness(std::size_t row) const {
-    return holds(row) ? mode_.jumps[row] + rate(row) : std::numeric_limits<double>::infinity();
-}
-
-// A thousandth of the speed that the fastest rate would give over the part's size, if no condition
-// held: of bodies that fall together it may be that of the joint which holds them.
-double Multipliers::jumpOf(std::size_t row) const {
-    constexpr double part = 1e-3, sizes = 1e9; // of resolutions
-    double fastest = 0;
-    for (std::size_t k = 0; k < size(); ++k)
-        fastest = std::max(fastest, std::abs(second_[model_.conditions().matrix.size() + k]));
-    return fastest > 0 ? part * std::sqrt(sizes * f_.bound()->laws[row].resolution * fastest)
-                       : std::numeric_limits<double>::infinity();
-}
-
 double Multipliers::bound(std::size_t row) const {
     if (mode_.kept[row] == Mode::gone)
         return 0;

@@ -85,11 +85,6 @@ public:
     }
     // The least of the functions that are not negative while a contact lasts.
     [[nodiscard]] double validity(std::size_t row) const;
-    // Below 0: a condition that holds has a rate that no integration errs by. Its point has jumped,
-    // as that of a coin does from one end of the rim to the other when it falls flat.
-    [[nodiscard]] double steadiness(std::size_t row) const;
-    // How fast a rate is that no integration errs by, where second rates were last evaluated.
-    [[nodiscard]] double jumpOf(std::size_t row) const;
     // Once gaps are evaluated.
     [[nodiscard]] const DiscFriction& friction() const { return friction_; }
     // After solve(): of a condition, whether it holds or not.

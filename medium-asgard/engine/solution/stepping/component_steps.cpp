@@ -104,6 +104,7 @@ void Component::accept(const StepPiece& piece) {
         pass(*piece.crossing, false);
     } else if (piece.endsAnew) {
         settle();
+        progress_.proposed = piece.next;
     } else if (piece.end) {
         const auto afterwards = models_.current()->goOn(y);
         if (const auto* violation = std::get_if<Violation>(&afterwards))

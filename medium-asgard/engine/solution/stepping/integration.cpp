@@ -269,11 +269,15 @@ Proposal Integration::review(double to) {
         return SwitchAtOnce{*found_};
     lastLength_ = h;
     y_.assign(method_->state().begin(), method_->state().end());
+    constexpr double beyond = 1.5; // of the way that is left: good where the contact changes
     if (const auto before = endBeforeContact(curves)) {
         curves.until = *before;
         curves.at(*before, y_);
-        return StepPiece{
-            .curves = curves, .end = y_, .kind = StepPiece::Kind::integrated, .endsAnew = true};
+        return StepPiece{.curves = curves,
+                         .end = y_,
+                         .kind = StepPiece::Kind::integrated,
+                         .endsAnew = true,
+                         .next = beyond * (found_->time - *before)};
     }
     if (found_)
         curves.at(curves.until, y_);

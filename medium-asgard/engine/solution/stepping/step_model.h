@@ -44,6 +44,7 @@ struct StepPiece {
     // The model begins anew at its end: directions are held that were not before, or a contact
     // changes shortly after.
     bool endsAnew = false;
+    double next = 0; // how long the step after that is; 0: not known
 };
 struct SwitchAtOnce { // before any time goes on
     Violation violation;
