@@ -16,6 +16,7 @@ void Follower::follow(const std::string& text, const Ask& ask, Instant now) {
     Order order;
     order.parameters = ask.parameters;
     order.moves = ask.asked || live_ == Live::always;
+    order.anew = ask.asked;
     order.haste = ask.gesture ? Haste::gesture : Haste::now;
     order.overlap = overlap_;
     order.mostBytes = mostBytes_.value_or(order.mostBytes);

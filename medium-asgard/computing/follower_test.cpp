@@ -117,6 +117,9 @@ TEST_F(FollowerTest, ATextThatComesBackHasTheMotionThatItHad) {
     follower.follow("1", {.parameters = {{"h", 2.0}}}, moment); // another motion
     settle();
     EXPECT_EQ(motions, 3);
+    follower.follow("1", {.asked = true}, moment); // by who wants it computed
+    settle();
+    EXPECT_EQ(motions, 4);
 }
 
 TEST_F(FollowerTest, WithPatienceASceneIsShownWithItsMotionOnly) {

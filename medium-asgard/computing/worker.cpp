@@ -205,7 +205,8 @@ void Worker::move(const Job& job) {
     moved.serial = job.serial;
     moved.scene = job.scene;
     try {
-        if (auto former = former_.of(job.text, options.parameters)) {
+        auto former = job.order.anew ? std::nullopt : former_.of(job.text, options.parameters);
+        if (former) {
             moved.result = std::move(*former);
         } else {
             moved.result = tools_.simulate(job.scene, options, observer);

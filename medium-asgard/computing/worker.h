@@ -32,6 +32,7 @@ enum class Haste {
 struct Order {
     ParameterValues parameters;
     bool moves = true; // its motion is wanted
+    bool anew = false; // computed again, also where this text has had one
     Haste haste = Haste::now;
     Clock::duration overlap{};                       // for the motion after a newer start
     std::size_t mostBytes = std::size_t{1500} << 20; // that a motion may add to the process

@@ -86,6 +86,8 @@ TEST_F(DocumentTest, TheInterfaceReadsAndSimulatesNothing) {
     document.recompute();
     document.undo();
     ASSERT_TRUE(settle(document));
+    document.redo();
+    ASSERT_TRUE(settle(document));
     EXPECT_GE(made.reads, 2);
     EXPECT_GE(made.simulations, 2);
     EXPECT_EQ(made.onTheInterface, 0);
