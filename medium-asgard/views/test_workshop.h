@@ -34,6 +34,7 @@ inline QApplication& theApplication() {
     static QApplication& application = *new QApplication(argc, argv);
     // However loaded the machine is, tests look at the picture that was asked for.
     SceneDisplay::setPatience(std::chrono::seconds(60));
+    Said::setPace(1000); // and at what is said, however late
     return application;
 }
 

@@ -20,6 +20,13 @@ double scaleFor(double longest) {
     return longest > 0 && std::isfinite(longest) ? roundBelow(good / longest) : roundBelow(good);
 }
 
+double scaleFor(double longest, const std::optional<double>& before) {
+    constexpr double shortest = 0.06, edge = 0.95; // view units, from the picture's middle
+    const bool fits =
+        before && (longest == 0 || (longest * *before >= shortest && longest * *before <= edge));
+    return fits ? *before : scaleFor(longest);
+}
+
 std::string number(double value, const char* unit) {
     char text[40];
     std::snprintf(text, sizeof text, "%.4g %s", value, unit);
@@ -45,14 +52,15 @@ std::array<std::string, 3> valuesOf(const std::string& trajectory) {
 
 } // namespace
 
-Handles::Handles(const scene::Scene& scene, simulation::MotionPointer motion)
+Handles::Handles(const scene::Scene& scene, simulation::MotionPointer motion,
+                 const std::optional<ArrowScales>& before)
     : scene_(scene), motion_(std::move(motion)), extent_(extentOf(scene, motion_.get())),
       names_(scene) {
     for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
         bodies_.emplace(scene_.bodies[i].name, i);
         reaches_.push_back(reachOf(scene_, scene_.bodies[i]));
     }
-    setScales();
+    setScales(before);
 }
 
 double Handles::massOf(std::size_t body) const {
@@ -88,7 +96,7 @@ std::optional<Vector> Handles::constant(const std::array<std::string, 3>& texts)
 
 // Arrows that never change are as long as they are; the others are measured at the start only, so
 // that playing does not change the scale.
-void Handles::setScales() {
+void Handles::setScales(const std::optional<ArrowScales>& before) {
     double velocity = 0, spin = 0, force = 0, torque = 0;
     for (const scene::Body& body : scene_.bodies)
         if (!body.fixed) {
@@ -113,10 +121,13 @@ void Handles::setScales() {
                     for (const Vector& along : pathOf(trajectory))
                         longest = std::max(longest, along.norm());
     }
-    velocityScale_ = scaleFor(velocity);
-    spinScale_ = scaleFor(spin);
-    forceScale_ = scaleFor(force);
-    torqueScale_ = scaleFor(torque);
+    const auto scale = [&](double ArrowScales::*which, double longest) {
+        scales_.*which = scaleFor(longest, before ? std::optional((*before).*which) : std::nullopt);
+    };
+    scale(&ArrowScales::velocity, velocity);
+    scale(&ArrowScales::spin, spin);
+    scale(&ArrowScales::force, force);
+    scale(&ArrowScales::torque, torque);
 }
 
 std::optional<Vector> Handles::now(const std::array<std::string, 3>& texts, double time) {
@@ -174,7 +185,7 @@ void Handles::addBody(HandleSet& set, std::size_t index, const Display& display)
                                    reach, start});
     }
     const Vector center = pointOn(index, std::nullopt, start);
-    const double perVelocity = velocityScale_ * viewUnit_, perSpin = spinScale_ * viewUnit_;
+    const double perVelocity = scales_.velocity * viewUnit_, perSpin = scales_.spin * viewUnit_;
     if (display.velocityHandles && !body.fixed)
         set.handles.push_back({HandleKind::velocity, index, 0, center,
                                center + perVelocity * body.initialVelocity, perVelocity});
@@ -202,7 +213,7 @@ void Handles::addForces(HandleSet& set, double time, const Display& display) {
         if (!shown || body == scene_.bodies.size())
             continue;
         const geometry::Pose pose = poseOf(scene_, motion_.get(), body, time);
-        const double scale = viewUnit_ * (force.couple ? torqueScale_ : forceScale_);
+        const double scale = viewUnit_ * (force.couple ? scales_.torque : scales_.force);
         Handle head{force.couple ? HandleKind::torqueHead : HandleKind::forceHead, i};
         head.perUnit = scale;
         std::optional<Vector> value;
@@ -366,7 +377,7 @@ void Handles::addTrajectories(HandleSet& set, double time) const {
             const std::size_t body = indexOf(force->body);
             const geometry::Pose pose = poseOf(scene_, motion_.get(), body, time);
             like.frame.position = pointOn(body, force->offset, pose);
-            like.perUnit = viewUnit_ * (force->couple ? torqueScale_ : forceScale_);
+            like.perUnit = viewUnit_ * (force->couple ? scales_.torque : scales_.force);
             like.clear = reaches_[body] + (like.frame.position - pose.position).norm();
         } else {
             set.lines.push_back({HandleKind::trajectoryPoint, i, pathOf(trajectory)});
@@ -376,7 +387,7 @@ void Handles::addTrajectories(HandleSet& set, double time) const {
 }
 
 double Handles::arrowLength(HandleKind kind, const Camera& camera) const {
-    return (kind == HandleKind::torqueHead ? torqueScale_ : forceScale_) / camera.scale;
+    return (kind == HandleKind::torqueHead ? scales_.torque : scales_.force) / camera.scale;
 }
 
 static thread_local std::size_t computed = 0;

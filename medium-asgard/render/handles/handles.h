@@ -40,11 +40,20 @@ namespace render {
 // A trajectory as a line, fine enough to be drawn.
 [[nodiscard]] std::vector<Vector> pathOf(const scene::Trajectory& trajectory);
 
+// View units for a value of 1.
+struct ArrowScales {
+    double velocity = 1, spin = 1, force = 1, torque = 1;
+};
+
 // Prepared once for a scene and a motion; then at() is cheap enough for each picture.
 class Handles {
 public:
-    // Keeps both; the scene must live as long.
-    Handles(const scene::Scene& scene, simulation::MotionPointer motion);
+    // Keeps both; the scene must live as long. `before`: scales of the arrows until now, which stay
+    // as long as the longest arrow neither leaves the picture nor gets too short to be taken.
+    Handles(const scene::Scene& scene, simulation::MotionPointer motion,
+            const std::optional<ArrowScales>& before = std::nullopt);
+
+    [[nodiscard]] const ArrowScales& scales() const { return scales_; }
 
     // Of the kinds that the display shows, as that camera sees them; bodies that are fixed have no
     // velocities.
@@ -67,7 +76,7 @@ private:
     void addPoints(HandleSet& set, std::size_t trajectory, const Handle& like) const;
     // The force that alone follows it.
     [[nodiscard]] const scene::Force* forceAlong(const scene::Trajectory& trajectory) const;
-    void setScales();
+    void setScales(const std::optional<ArrowScales>& before);
     [[nodiscard]] double massOf(std::size_t body) const;
     [[nodiscard]] std::size_t indexOf(const std::string& body) const;
     [[nodiscard]] Vector pointOn(std::size_t body, const std::optional<Vector>& offset,
@@ -83,8 +92,7 @@ private:
     std::unordered_map<std::string, std::size_t> bodies_;
     // The values of expressions that do not change; none: they do.
     std::unordered_map<std::string, std::optional<double>> constants_;
-    // View units for a value of 1.
-    double velocityScale_ = 1, spinScale_ = 1, forceScale_ = 1, torqueScale_ = 1;
+    ArrowScales scales_;
     double viewUnit_ = 1;         // world length of a view unit, of the set that is being made
     std::vector<double> reaches_; // of the bodies
     // The expressions of forces and links that change, in the order in which they are asked for.

@@ -144,5 +144,21 @@ TEST(Handles, TheTrajectoryOfAForceIsItsArrows) {
     EXPECT_EQ(Handles(scene, nullptr).at(0, display).lines.size(), 1U);
 }
 
+// While one edits: an arrow that is dragged stays under the hand.
+TEST(Handles, ArrowsKeepTheirScaleUnlessTheyLeaveThePictureOrGetTooShort) {
+    const auto scales = [](double velocity, const std::optional<ArrowScales>& before) {
+        scene::Scene scene;
+        scene.bodies.emplace_back().name = "b";
+        scene.bodies[0].initialVelocity = {velocity, 0, 0};
+        return Handles(scene, nullptr, before).scales();
+    };
+    const ArrowScales first = scales(10, std::nullopt);
+    EXPECT_NE(scales(14, std::nullopt).velocity, first.velocity);
+    for (const double near : {14.0, 9.0, 2.0, 0.0})
+        EXPECT_EQ(scales(near, first).velocity, first.velocity) << near;
+    for (const double far : {100.0, 0.01})
+        EXPECT_EQ(scales(far, first).velocity, scales(far, std::nullopt).velocity) << far;
+}
+
 } // namespace
 } // namespace render

@@ -52,6 +52,7 @@ std::optional<gestures::Hand::Key> handKey(int key) {
 PictureEditing::PictureEditing(SceneDocument& document, SceneDisplay& display)
     : document_(document), display_(display) {
     connect(&document_, &SceneDocument::selectionChanged, this, &PictureEditing::followSelection);
+    connect(&said_, &Said::changed, this, &PictureEditing::changed);
     // It was about the text before.
     connect(&document_, &SceneDocument::textChanged, this, [this] { say({}); });
     connect(&document_, &SceneDocument::opened, this, [this] { say({}); });
@@ -367,14 +368,6 @@ void PictureEditing::keyRelease(QKeyEvent& event) {
 }
 
 // --- taking out -----------------------------------------------------------------------------
-
-void PictureEditing::say(const QString& sentence, bool isFault) {
-    if (sentence == said_ && isFault == saidFault_)
-        return;
-    said_ = sentence;
-    saidFault_ = isFault;
-    Q_EMIT changed();
-}
 
 void PictureEditing::markElement(const editing::Element& element) {
     using editing::Kind;

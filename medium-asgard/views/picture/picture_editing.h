@@ -12,6 +12,7 @@
 
 #include "gestures/hand.h"
 #include "offers/value_entry.h"
+#include "picture/said.h"
 
 #include <QObject>
 #include <QPointer>
@@ -55,9 +56,9 @@ public:
     [[nodiscard]] std::optional<Asked> asked() const; // by what is dragged
     // The words of a drag, "" when there is none.
     [[nodiscard]] QString words() const;
-    // A sentence in the picture until something else is done.
-    void say(const QString& sentence, bool isFault = true);
-    [[nodiscard]] const QString& said() const { return said_; }
+    // A sentence in the picture until something else is done, or it was read.
+    void say(const QString& sentence, bool isFault = true) { said_.say(sentence, isFault); }
+    [[nodiscard]] const QString& said() const { return said_.text(); }
     void mark(const render::Handle& handle); // and selects its element, if it is not yet
     // As a click on it does.
     void choose(render::HandleKind kind, std::size_t element, std::size_t part);
@@ -114,8 +115,7 @@ private:
     SceneDocument& document_;
     SceneDisplay& display_;
     gestures::Hand hand_;
-    QString said_;
-    bool saidFault_ = false;
+    Said said_;
     std::vector<editing::Element> expected_; // of a scene yet to be read
     std::function<bool(const QString&)> confirm_;
     int since_ = 0; // the revision that a drag began at

@@ -99,6 +99,17 @@ TEST_F(PictureEditingTest, AHandleChangesItsNumbersAndNothingElseInOneStep) {
     EXPECT_EQ(scene().bodies[0].initialPosition.x(), x);
 }
 
+TEST_F(PictureEditingTest, WhatIsSaidFadesOnceThereWasTimeToReadIt) {
+    open(ballScene);
+    EXPECT_GT(Said::readingTime("A longer sentence takes longer."),
+              Said::readingTime("A short one."));
+    Said::setPace(0);
+    display().editing().say("That cannot be.");
+    EXPECT_EQ(display().editing().said(), "That cannot be.");
+    EXPECT_TRUE(waitFor([&] { return display().editing().said().isEmpty(); }));
+    Said::setPace(1000);
+}
+
 // As while the view is turned: the pictures are many, and the last one is what is looked at.
 TEST_F(PictureEditingTest, PicturesAreCoarseWhileAHandleIsDraggedAndThenFine) {
     open(ball + "body b1 ball\n");

@@ -144,12 +144,15 @@ void PictureEditing::paint(QPainter& painter) const {
         painter.setPen(QPen(QColor(20, 90, 200), 2));
         painter.drawEllipse(display_.fromPixels(display_.sight().pixels(point->place())), 8, 8);
     }
-    if (dragging())
+    if (dragging()) {
         paintWords(painter, words(), possible);
-    else if (!said_.isEmpty())
-        paintWords(painter, said_, !saidFault_);
-    else
+    } else if (!said().isEmpty()) {
+        painter.setOpacity(said_.opacity());
+        paintWords(painter, said(), !said_.isFault());
+        painter.setOpacity(1);
+    } else {
         paintWords(painter, display_.pointing().words(), true);
+    }
 }
 
 } // namespace views

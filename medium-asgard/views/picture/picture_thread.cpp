@@ -34,8 +34,9 @@ render::Camera framed(render::Handles& handles, const PictureWish& wish) {
             if ((kinds & 1U << static_cast<unsigned>(handle.kind)) != 0)
                 extent.balls.push_back({handle.place, 0});
     }
-    return render::fitted(extent, render::bestAttitude(extent), wish.size,
-                          wish.camera.orthographic);
+    return render::fitted(extent,
+                          wish.keepsDirection ? wish.camera.rotation : render::bestAttitude(extent),
+                          wish.size, wish.camera.orthographic);
 }
 
 } // namespace
@@ -56,6 +57,8 @@ private:
         std::string viewName;
         std::optional<render::Camera> framed;
         unsigned framedWith = 0; // the kinds of handles
+        bool keptDirection = false;
+        unsigned scaling = 0; // of the handles
     };
     [[nodiscard]] Kept& kept(Window window, const PictureWish& wish);
     [[nodiscard]] static render::Camera cameraOf(Kept& kept, const PictureWish& wish);
@@ -74,9 +77,16 @@ PictureThread::Studio::Kept& PictureThread::Studio::kept(Window window, const Pi
     const bool same = kept.handles && kept.of.scene == wish.shown.scene &&
                       kept.of.motion == wish.shown.motion && kept.size == wish.size;
     if (!same) {
+        const auto scales = kept.handles && kept.scaling == wish.scaling
+                                ? std::optional(kept.handles->scales())
+                                : std::nullopt;
         kept.handles.reset(); // it reads the scene
         kept = {wish.shown, wish.size, nullptr, std::nullopt, {}, std::nullopt};
+        kept.handles = std::make_unique<render::Handles>(*kept.of.scene, kept.of.motion, scales);
+        kept.scaling = wish.scaling;
+    } else if (kept.scaling != wish.scaling) {
         kept.handles = std::make_unique<render::Handles>(*kept.of.scene, kept.of.motion);
+        kept.scaling = wish.scaling;
     }
     return kept;
 }
@@ -88,9 +98,13 @@ render::Camera PictureThread::Studio::cameraOf(Kept& kept, const PictureWish& wi
         break;
     case SeenFrom::framed:
         if (!kept.framed || kept.framedWith != kindsOf(wish.framing) ||
-            kept.framed->orthographic != wish.camera.orthographic) {
+            kept.framed->orthographic != wish.camera.orthographic ||
+            kept.keptDirection != wish.keepsDirection ||
+            (wish.keepsDirection &&
+             kept.framed->rotation.coeffs() != wish.camera.rotation.coeffs())) {
             kept.framed = framed(*kept.handles, wish);
             kept.framedWith = kindsOf(wish.framing);
+            kept.keptDirection = wish.keepsDirection;
         }
         return *kept.framed;
     case SeenFrom::turned:

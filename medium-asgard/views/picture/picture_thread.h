@@ -38,6 +38,8 @@ struct PictureWish {
     render::Camera camera;
     std::string view;
     render::Display framing = {}; // whose handles are to be in the frame, too
+    bool keepsDirection = false;  // the frame is seen from the camera's, not from the best side
+    unsigned scaling = 0;         // while it stays, arrows keep their scale as long as they fit
 };
 
 struct Picture {

@@ -116,6 +116,8 @@ void SceneDisplay::ask() {
     wish.camera = control_.camera();
     wish.view = seen_.followed.toStdString();
     wish.framing = seen_.framing;
+    wish.keepsDirection = seen_.keepsDirection;
+    wish.scaling = seen_.scaling;
     wish.from = !seen_.followed.isEmpty()                                ? SeenFrom::view
                 : seen_.framesItself && (seen_.isDue || !seen_.isEdited) ? SeenFrom::framed
                 : seen_.turned                                           ? SeenFrom::turned
@@ -235,8 +237,10 @@ void SceneDisplay::sceneChanged() {
         followView(QString::fromStdString(views.front().name));
     else if (!seen_.followed.isEmpty() && !known)
         followView({});
-    if (std::exchange(seen_.isAnother, false))
+    if (std::exchange(seen_.isAnother, false)) {
         seen_.isPlaced = false;
+        ++seen_.scaling;
+    }
     seen_.isEdited = seen_.isPlaced;
     if (seen_.isEdited && seen_.framesItself)
         keepInSight();
@@ -277,8 +281,15 @@ void SceneDisplay::setCamera(const render::Camera& camera) {
     movedByUser();
 }
 
+void SceneDisplay::frameOpened() {
+    frameAll();
+    seen_.keepsDirection = false;
+}
+
 void SceneDisplay::frameAll() {
     followView({});
+    seen_.keepsDirection = seen_.isPlaced || !seen_.framesItself;
+    ++seen_.scaling;
     seen_.framesItself = seen_.isDue = true;
     seen_.isToStay = false;
     seen_.framing = display_; // switching handles on later moves nothing
@@ -295,6 +306,7 @@ void SceneDisplay::setOrthographic(bool orthographic) {
 }
 
 void SceneDisplay::frame(const render::Extent& extent) {
+    ++seen_.scaling;
     const render::Camera& camera = control_.camera();
     setCamera(render::fitted(extent, camera.rotation, pixelSize(), camera.orthographic));
     redraw(false);

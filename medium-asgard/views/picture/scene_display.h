@@ -60,7 +60,8 @@ public:
         return seen_.framesItself;
     } // nobody has moved it yet
     void setOrthographic(bool orthographic);
-    void frameAll();
+    void frameAll();    // from the direction that is seen
+    void frameOpened(); // from the best side, as if for the first time
     // Frames what stands there at this time, the selected bodies (none: all), or the whole motion;
     // fixed bodies included, from the direction that is seen.
     void frameNow();
@@ -161,14 +162,16 @@ private:
     // edits, the view stays there, and steps back only as far as bodies need that came or grew.
     struct Seen {
         bool framesItself = true;
-        bool isEdited = false;   // the scene came of the one before by an edit
-        bool isAnother = false;  // the next scene is one that was opened, no edit
-        bool isDue = false;      // the next picture frames all of the motion, edited or not
-        bool turned = false;     // framed anew, with the attitude as it is
-        bool isPlaced = false;   // its bodies were seen, since it was opened
-        bool isToStay = false;   // once the scene is framed, the view stays
-        render::Display framing; // whose handles it frames, too
-        QString followed, last;  // views of the scene
+        bool isEdited = false;       // the scene came of the one before by an edit
+        bool isAnother = false;      // the next scene is one that was opened, no edit
+        bool isDue = false;          // the next picture frames all of the motion, edited or not
+        bool turned = false;         // framed anew, with the attitude as it is
+        bool isPlaced = false;       // its bodies were seen, since it was opened
+        bool isToStay = false;       // once the scene is framed, the view stays
+        bool keepsDirection = false; // the reader has chosen it, or has seen it
+        unsigned scaling = 0;        // how often the reader has framed anew
+        render::Display framing;     // whose handles it frames, too
+        QString followed, last;      // views of the scene
     };
     // The picture that was asked for last, and those that are on their way.
     struct Asking {

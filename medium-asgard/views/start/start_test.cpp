@@ -208,8 +208,8 @@ TEST_F(StartTest, TheTourSeesEachStepAndItsUndoing) {
 TEST_F(StartTest, EachPageOfHelpHasItsChapterInTheManual) {
     for (const char* topic :
          {"The picture", "Body", "Joint", "Force", "Link", "Rope", "Trajectory", "Light", "Time",
-          "Motion and handles", "The text", "Plots", "The tour", "Shape editor",
-          "Trajectory editor", "Speed and accuracy"}) {
+          "Strip of times", "Tools", "Motion and handles", "The text", "Plots", "The tour",
+          "Shape editor", "Trajectory editor", "Speed and accuracy"}) {
         const auto page = helpPage(topic);
         ASSERT_TRUE(page) << topic;
         EXPECT_FALSE(page->words.contains("\n## ")) << topic;

@@ -100,6 +100,7 @@ Tour::Tour(SceneDocument& document, QWidget* parent) : QWidget(parent), document
     column->addWidget(end_);
     setMinimumSize(250, 330); // of the longest step
     connect(&document_, &SceneDocument::sceneChanged, this, &Tour::look);
+    connect(&document_, &SceneDocument::opened, this, &Tour::ended);
     look();
 }
 

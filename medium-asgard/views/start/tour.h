@@ -25,7 +25,7 @@ public:
     void played(); // the motion was seen
 
 Q_SIGNALS:
-    void ended(); // by the reader
+    void ended(); // by the reader, or another scene was opened
 
 private:
     void look();

@@ -132,8 +132,10 @@ void GraphicalViewer::buildPicture(std::shared_ptr<PictureThread> pictures) {
     times->addWidget(timeStrip_, 0, 1);
     times->addWidget(timeBar_, 1, 1);
     column->addLayout(times);
-    for (QWidget* one : std::initializer_list<QWidget*>{controls_, timeBar_, timeStrip_})
+    for (QWidget* one : std::initializer_list<QWidget*>{controls_, timeBar_})
         setHelp(*one, QStringLiteral("Time"));
+    for (QWidget* one : std::initializer_list<QWidget*>{timeStrip_, timeStrip_->controls()})
+        setHelp(*one, QStringLiteral("Strip of times"));
     hint_ = new HintLine;
     hint_->setObjectName("hint");
     column->addWidget(hint_);
@@ -221,6 +223,7 @@ void GraphicalViewer::showTour() {
 
 void GraphicalViewer::buildToolBar() {
     auto* bar = new ToolBar(*this);
+    setHelp(*bar, QStringLiteral("Tools"));
     const auto add = [bar](std::initializer_list<std::pair<const char*, Icon>> commands) {
         for (const auto& [name, which] : commands)
             bar->add(name, which);
@@ -303,7 +306,7 @@ void GraphicalViewer::connectParts() {
     connect(display_, &SceneDisplay::viewFollowed, this, &GraphicalViewer::fillViewsMenu);
     connect(&document_, &SceneDocument::opened, this, [this] { // seen as if for the first time
         playback_.stop();
-        display_->frameAll();
+        display_->frameOpened();
     });
     for (QAbstractButton* button : findChildren<QAbstractButton*>())
         button->installEventFilter(this);

@@ -1,4 +1,5 @@
 // One window with its panes: what it opens with, what its keys mean, and how it ends.
+#include "frame/help_page.h"
 #include "language/scene_editor.h"
 #include "panels/parameters_panel.h"
 #include "plots/plots_panel.h"
@@ -89,6 +90,29 @@ void typeMass(QWidget& window, const QString& mass) {
     field->setFocus();
     field->selectAll();
     QTest::keyClicks(field, mass);
+}
+
+TEST_F(MainWindowTest, TheTourClosesWhenAnotherSceneIsOpened) {
+    GraphicalViewer& viewer = open();
+    viewer.showTour();
+    ASSERT_TRUE(viewer.panes().isShown("tour"));
+    editor.document().setText("# mine\n" + ballScene, "Edit");
+    ASSERT_TRUE(settle(editor.document()));
+    EXPECT_TRUE(viewer.panes().isShown("tour"));
+    editor.document().reset(ballScene);
+    EXPECT_FALSE(viewer.panes().isShown("tour"));
+}
+
+TEST_F(MainWindowTest, TheToolBarAndTheStripOfTimesHaveTheirOwnHelp) {
+    const GraphicalViewer& viewer = open();
+    const auto topicOf = [&](const char* name) {
+        const auto* widget = viewer.findChild<QWidget*>(name);
+        return widget ? helpOf(widget) : QString();
+    };
+    EXPECT_EQ(topicOf("tool.frameAll"), "Tools");
+    EXPECT_EQ(topicOf("timeStrip"), "Strip of times");
+    EXPECT_EQ(topicOf("timeBar"), "Time");
+    EXPECT_EQ(topicOf("scene"), "The picture");
 }
 
 // A key of two commands in one window would call neither; of two meanings, surprise.
