@@ -110,8 +110,8 @@ Vector Throwing::velocity(double seconds) const {
     return (way.back().place - from.place) / lasted / *rate_;
 }
 
-std::vector<gestures::Put> Throwing::puts(Held& held, double resolution,
-                                          const std::optional<Vector>& velocity) {
+std::vector<gestures::Put> Throwing::handPuts(Held& held, double resolution,
+                                              const std::optional<Vector>& velocity) {
     if (!held.joined)
         return {{held.body, held.way.back().place, velocity, resolution}};
     std::vector<gestures::Put> puts;
@@ -134,7 +134,7 @@ bool Throwing::release(const QMouseEvent& event) {
     const auto thrown = rate_ ? std::optional(velocity(secondsOf(event))) : std::nullopt;
     Held held = *std::exchange(held_, std::nullopt);
     const editing::Answer answer =
-        gestures::startingAt(held.ground, held.time, puts(held, resolution, thrown));
+        gestures::startingAt(held.ground, held.time, handPuts(held, resolution, thrown));
     const QString name = QString::fromStdString(held.ground.scene->bodies[held.body].name);
     if (answer.possible())
         document_.setText(text::applied(held.ground.text, answer.edits),

@@ -64,7 +64,7 @@ private:
         std::unique_ptr<gestures::Joined> joined; // null: nothing holds it
     };
     [[nodiscard]] static std::vector<gestures::Put>
-    puts(Held& held, double resolution, const std::optional<geometry::Vector>& velocity);
+    handPuts(Held& held, double resolution, const std::optional<geometry::Vector>& velocity);
     void paintBody(QPainter& painter, std::size_t body, const geometry::Pose& pose) const;
     [[nodiscard]] geometry::Vector under(const QPointF& position) const;
     [[nodiscard]] geometry::Vector velocity(double seconds) const; // of the motion's seconds
