@@ -73,7 +73,11 @@ Creating::Creating(SceneDocument& document, SceneDisplay& display)
         cancel();
         Q_EMIT refused(tr("The text was changed meanwhile."));
     });
-    connect(&document_, &SceneDocument::workChanged, this, &Creating::stopWaiting);
+    // Once all who show the scene have followed it.
+    connect(&document_, &SceneDocument::sceneChanged, this, &Creating::stopWaiting,
+            Qt::QueuedConnection);
+    connect(&document_, &SceneDocument::workChanged, this, &Creating::stopWaiting,
+            Qt::QueuedConnection);
 }
 
 const Step& Creating::step() const {

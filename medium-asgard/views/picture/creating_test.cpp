@@ -211,6 +211,24 @@ TEST_F(CreatingTest, ACommandAndItsKeysWaitForAScene) {
     EXPECT_EQ(text(), "");
 }
 
+TEST_F(CreatingTest, ACommandWaitsForTheSceneAndForNoMotion) {
+    open(balls);
+    made.blocked = true; // no motion ends
+    editor.document().setText(balls + "set a 1\n", "Edit");
+    QTest::qWait(200); // read, and shown without its motion
+    made.readsSlowly = true;
+    editor.document().setText(balls + "set a 2\n", "Edit");
+    display().creating().start(newBody("ball"));
+    EXPECT_THAT(display().creating().prompt().toStdString(), HasSubstr("is being read"));
+    made.readsSlowly = false;
+    EXPECT_TRUE(QTest::qWaitFor([this] {
+        return editor.document().sceneIsCurrent() &&
+               !display().creating().prompt().contains("is being read");
+    }));
+    made.blocked = false;
+    done();
+}
+
 TEST_F(CreatingTest, WhatCannotBeMadeYetSaysWhy) {
     open(balls);
     editor.document().setText("body\n", "Edit");
