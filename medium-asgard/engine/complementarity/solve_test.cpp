@@ -50,7 +50,8 @@ TEST(Solve, AContactThatOpensHasNoFriction) {
 }
 
 // A block of mass 1 on a floor that slides along x with its centre of mass beside the middle of its
-// two feet, at z = -1 and 1: rows of the normals, of friction along x and z, and of turning.
+// two feet, at z = -1 and 1, and above them: rows of the normals, of friction along x and z, and of
+// turning.
 struct Loaded {
     Matrix a = Matrix::Zero(5, 5);
     Vector b = Vector::Zero(5);
@@ -62,7 +63,7 @@ struct Loaded {
         rows << 1, 0, 0, 1 + beside, 0, //
             1, 0, 0, beside - 1, 0,     //
             0, 1, 0, 0, -beside,        //
-            0, 0, 1, 0, 0,              //
+            0, 0, 1, -0.8, 0,           //
             0, 0, 0, 0, 1;
         a = rows * rows.transpose();
         b << -weight, -weight, speed, 0, 0;

@@ -1,7 +1,6 @@
 #include "modes/disc_friction.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace solution {
 
@@ -117,11 +116,13 @@ double DiscFriction::leewayOf(std::size_t k, std::span<const double> forces) con
 
 // ------------------------------------------------------------------------------------- forces
 
+// The friction of each normal force at its own point: its couples go through 0 with the forces.
 DiscFriction::InDisc DiscFriction::forceOf(std::size_t k, std::span<const double> forces) const {
-    const Centre centre = centreOf(k, forces);
-    InDisc force = -disc(k).sliding * pressedBy(k, forces) * wayOf(k, centre).normalized();
-    force[force.size() - 1] += centre.dot(force.head(centre.size()));
-    return force;
+    const Change all = changeBy(k, forces);
+    const InDisc direction = wayOf(k, centreOf(k, forces)).normalized();
+    InDisc force = all.pressed * direction;
+    force[force.size() - 1] += all.moment.dot(direction.head(all.moment.size()));
+    return -disc(k).sliding * force;
 }
 
 void DiscFriction::addGaps(std::size_t k, std::span<const double> forces,
@@ -146,11 +147,10 @@ DiscFriction::InDisc DiscFriction::changeOf(std::size_t k, std::span<const doubl
         slip.head(centre.size()) += ratesAmong(gaps_, k)[way.size() - 1] * moved;
         turned = senseOf(k) / way.norm() * (slip - direction.dot(slip) * direction);
     }
-    const double friction = -disc(k).sliding;
-    const InDisc force = friction * all.pressed * direction;
-    InDisc by = friction * (change.pressed * direction + all.pressed * turned);
-    by[by.size() - 1] += centre.dot(by.head(centre.size())) + moved.dot(force.head(centre.size()));
-    return by;
+    InDisc by = change.pressed * direction + all.pressed * turned;
+    by[by.size() - 1] += change.moment.dot(direction.head(centre.size())) +
+                         all.moment.dot(turned.head(centre.size()));
+    return -disc(k).sliding * by;
 }
 
 } // namespace solution

@@ -1,7 +1,5 @@
 #include "modes/slip_forces.h"
 
-#include <algorithm>
-
 namespace solution {
 
 namespace {
@@ -45,29 +43,27 @@ bool SlipForces::solve(std::span<const double> entries, HeldConditions& held,
     for (Eigen::Index i = 0; i < rows_; ++i)
         held.solve(responses_.col(i));
     forces_.setZero(rows_);
-    Eigen::VectorXd multipliers = without;
-    Eigen::VectorXd error = errors(multipliers);
-    forces_ = error;
-    multipliers += responses_ * forces_;
-    error = errors(multipliers);
+    Eigen::VectorXd multipliers = without, error = errors(multipliers);
     for (int round = 0; round < most; ++round) {
-        const double size = error.norm(), least = rounding * multipliers.norm();
-        if (!(size > least))
-            return size <= least; // not where it is no number
+        const double size = error.norm();
+        if (size <= rounding * multipliers.norm())
+            return true;
         linearise(spanOf(multipliers));
         Eigen::VectorXd step = lu_.solve(error);
-        const Eigen::VectorXd from = forces_;
-        for (int halving = 0; halving < halvings; ++halving, step /= 2) {
+        const Eigen::VectorXd from = forces_, ofFrom = multipliers;
+        bool isLess = false;
+        for (int halving = 0; halving < halvings && !isLess; ++halving, step /= 2) {
             forces_ = from + step;
             multipliers = without + responses_ * forces_;
             error = errors(multipliers);
-            if (error.norm() < size)
-                break;
+            isLess = error.norm() < size;
         }
-        if (!(error.norm() < 0.5 * size)) // rounding is left
-            return error.norm() <= close * multipliers.norm();
+        if (!isLess) { // rounding is left, or there is none
+            forces_ = from;
+            return size <= close * ofFrom.norm();
+        }
     }
-    return false;
+    return error.norm() <= close * multipliers.norm();
 }
 
 // By how much the laws' forces differ.

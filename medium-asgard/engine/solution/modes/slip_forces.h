@@ -3,10 +3,10 @@
 //     A m + S f + b = 0,   f = F(m)      (disc_friction.h)
 //
 // A body that slips and turns does so about the centre of its normal forces, which its own friction
-// shifts, so that F is not linear. A is factorised once, and the forces f, three for each disc, are
-// found by Newton's method:  m = m0 + G f  with the responses G = -A^-1 S.
+// shifts, so that F is not linear. A is factorised once, and the forces f, one to three for each
+// disc, are found by Newton's method:  m = m0 + G f  with the responses G = -A^-1 S.
 //
-// A friction that jams, so that no forces are in balance (Painleve), has no solution.
+// Guards see to it that normal forces press: of friction that jams (Painleve) they may pull here.
 #pragma once
 
 #include "modes/disc_friction.h"
@@ -30,7 +30,8 @@ public:
     void find(std::size_t discs);
     [[nodiscard]] bool empty() const { return discs_.empty(); }
     // `entries`: of Conditions::matrix at the point, for which `held` is factorised. `without`:
-    // what holds, by multiplier, where there is no friction of slip. False: none keep their laws.
+    // what holds, by multiplier, where there is no friction of slip. False: none were found; then
+    // they are those that err least.
     [[nodiscard]] bool solve(std::span<const double> entries, HeldConditions& held,
                              const Eigen::VectorXd& without);
     // To second rates, what the forces give.
