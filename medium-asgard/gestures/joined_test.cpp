@@ -12,11 +12,6 @@ namespace {
 
 using ::testing::HasSubstr;
 
-script::Reader& reader() {
-    static script::Reader shared;
-    return shared;
-}
-
 struct Dragged {
     std::string text, words;
     std::shared_ptr<const scene::Scene> scene;
@@ -26,7 +21,8 @@ struct Dragged {
 };
 
 std::shared_ptr<const scene::Scene> sceneOf(const std::string& text) {
-    const script::ReadResult read = reader().read(text);
+    static script::Reader reader;
+    const script::ReadResult read = reader.read(text);
     EXPECT_TRUE(read.usable) << text;
     return std::make_shared<const scene::Scene>(read.scene);
 }
