@@ -97,10 +97,10 @@ private:
     Sight sight_;
     render::Handle handle_;
     double pixelLength_;             // of the world, at the handle
+    std::unique_ptr<Joined> joined_; // with the body that is dragged
     geometry::Vector place_, plane_; // plane_: a point of the screen's plane that it moves in
     Eigen::Vector2d held_, grip_;    // pixels: of the pointer, and from it to the handle
     std::optional<editing::TrajectoryEdits> path_; // of a trajectory's point
-    std::unique_ptr<Joined> joined_;               // with the body that is dragged
     struct Hold {                                  // on the body's surface
         ShapePointer surface;
         bool follows = false, isFree = false;
@@ -118,8 +118,8 @@ private:
         bool areHeldOff = false;
     } snaps_;
     editing::Answer answer_;
-    bool quaternion_ = false, moved_ = false, isUpright_ = false;
     std::optional<Along> along_;
+    bool quaternion_ = false, moved_ = false, isUpright_ = false;
 };
 
 } // namespace gestures
