@@ -71,7 +71,7 @@ Linkage::Conditions Linkage::conditions() {
     return all;
 }
 
-// What a condition reads belongs together.
+// Bodies and angles that one condition reads belong together.
 void Linkage::keepTo(std::size_t body, Conditions& all) {
     const auto none = equations_.bodies.size() + angles_.places.size();
     std::unordered_map<std::uint32_t, std::size_t> things; // by symbol

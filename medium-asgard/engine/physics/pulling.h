@@ -8,6 +8,8 @@
 //
 // Coordinates of joints count from the start, wherever that is, so limits and positions of drives
 // are no conditions; nor is a rope without -length, which is as long as it measures then.
+//
+// LIMIT: more than 40 bodies that hang together are not pulled.
 #pragma once
 
 #include "physics/assembly.h"

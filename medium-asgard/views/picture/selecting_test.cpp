@@ -364,7 +364,7 @@ TEST_F(SelectingTest, AHiddenBodyIsNotSelectedAnyMoreNorByTheBand) {
     EXPECT_EQ(std::ranges::find(bodies, nearOne.index), bodies.end());
 }
 
-// Where it is led a throw would not do what the hand asks.
+// A throw of a body that a path leads would not do what the hand asks.
 TEST_F(SelectingTest, WhatAPathLeadsIsNotThrown) {
     editor.document().setText(
         three + "trajectory way -points {{0 -3 0 0} {1 -3 1 0}}\nconstrain left -pos way\n",

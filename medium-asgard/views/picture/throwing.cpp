@@ -17,7 +17,7 @@ namespace {
 
 constexpr double lately = 0.1; // s: how the hand moved before it let go
 
-// What a hand could not take it away from: "led by path way"; "": nothing leads it.
+// The leader from which no hand could take it: "led by path way"; "": nothing leads it.
 QString leaderOf(const scene::Scene& scene, const std::string& body) {
     const auto one = std::ranges::find(scene.constraints, body, &scene::Constraint::body);
     return one == scene.constraints.end()

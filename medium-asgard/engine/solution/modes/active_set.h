@@ -64,8 +64,6 @@ public:
     // `rates` of the states led there.
     [[nodiscard]] bool cross(std::span<const std::size_t> watches, double t, std::span<double> y,
                              std::span<const double> rates);
-    // A contact's friction slips.
-    [[nodiscard]] bool slips() const;
     // Friction that slips does so as these states move.
     void takeSlips(double t, std::span<const double> y);
     // There are contacts.
@@ -113,6 +111,7 @@ private:
     void blow(std::span<const std::size_t> hit, double t, std::span<double> y);
     void give(std::span<const std::size_t> hit, std::span<const std::size_t> shut,
               std::span<const double> restitutions, double t, std::span<double> y);
+    [[nodiscard]] bool slips() const; // some contact
     void slip(double fastest, double t, std::span<const double> y);
     void setDisc(std::size_t disc, complementarity::State state);
     void setCentre(std::size_t disc, const DiscFriction::Centre& centre);

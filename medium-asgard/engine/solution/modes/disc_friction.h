@@ -40,8 +40,6 @@ public:
     // centre of its normal forces.
     [[nodiscard]] double leewayOf(std::size_t disc, std::span<const double> forces) const;
     [[nodiscard]] Centre centreOf(std::size_t disc, std::span<const double> forces) const;
-    // The same as the mode has it.
-    [[nodiscard]] Centre centreIn(std::size_t disc) const;
     [[nodiscard]] Centre leversOf(std::size_t disc, std::size_t normal) const {
         return leversAmong(gaps_, disc, normal);
     }
@@ -56,7 +54,6 @@ public:
         InDisc slip = {};   // of the velocities of the rows
         Centre moment = {}; // of the sum of normal forces times their levers
     };
-    [[nodiscard]] Change noChange(std::size_t disc) const;
     [[nodiscard]] Change changeBy(std::size_t disc, std::span<const double> forces) const;
     // Adds what these changes of gaps, of their rates and of levers bring.
     void addGaps(std::size_t disc, std::span<const double> forces, std::span<const double> gaps,
@@ -69,6 +66,8 @@ private:
     [[nodiscard]] Levers leversAmong(std::span<const double> gaps, std::size_t disc,
                                      std::size_t normal) const;
     [[nodiscard]] InDisc ratesAmong(std::span<const double> gaps, std::size_t disc) const;
+    [[nodiscard]] Centre centreIn(std::size_t disc) const; // the mode
+    [[nodiscard]] Change noChange(std::size_t disc) const;
     [[nodiscard]] double pressedBy(std::size_t disc, std::span<const double> forces) const;
     // The force is against it.
     [[nodiscard]] InDisc wayOf(std::size_t disc, const Centre& centre) const;
