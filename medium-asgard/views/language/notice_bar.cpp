@@ -4,7 +4,6 @@
 
 #include <QHBoxLayout>
 #include <QPushButton>
-#include <QTimer>
 
 #include <algorithm>
 
@@ -112,16 +111,6 @@ void NoticeBar::showState() {
         button->setVisible(!all.empty());
     next_->setVisible(all.size() > 1);
     setVisible(!text.isEmpty());
-}
-
-// It takes room from the text: the line that one writes, and looks at, is not to be what goes.
-void NoticeBar::showEvent(QShowEvent* event) {
-    QFrame::showEvent(event);
-    const std::size_t caret = editor_.caret();
-    const QRect before = editor_.rectOf(caret);
-    if (!editor_.viewport()->rect().intersects(before))
-        return;
-    QTimer::singleShot(0, &editor_, [editor = &editor_, caret] { editor->reveal({caret, caret}); });
 }
 
 void NoticeBar::insist() {

@@ -43,9 +43,6 @@ public:
 Q_SIGNALS:
     void wanted(scene::Range range);
 
-protected:
-    void showEvent(QShowEvent* event) override;
-
 private:
     void showState();
     [[nodiscard]] std::optional<scene::Range> current() const;

@@ -10,6 +10,7 @@
 #include <QInputMethodEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QResizeEvent>
 #include <QToolTip>
 
 #include <algorithm>
@@ -327,6 +328,15 @@ void SceneEditor::paintEvent(QPaintEvent* event) {
     painter.setRenderHint(QPainter::Antialiasing);
     for (EditorTool* tool : tools_)
         tool->paint(painter);
+}
+
+// The line that one writes stays seen where something takes room from the text.
+void SceneEditor::resizeEvent(QResizeEvent* event) {
+    const QRect line = rectOf(caret());
+    const bool seen = line.bottom() >= 0 && line.top() < event->oldSize().height();
+    QsciScintilla::resizeEvent(event);
+    if (seen)
+        reveal({caret(), caret()});
 }
 
 bool SceneEditor::viewportEvent(QEvent* event) {
