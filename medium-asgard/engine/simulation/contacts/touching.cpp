@@ -259,10 +259,11 @@ private:
         return feature;
     }
 
-    // How far what lies furthest against a face of one of the two lies beside that face.
-    [[nodiscard]] double besideFace(const Vector& normal, bool isSupports) const {
+    // How far what lies furthest against a face of one of the two, within the tolerance, lies
+    // beside that face.
+    [[nodiscard]] double besideFace(const Vector& normal, bool isSupports, double tolerance) const {
         const collision::FacingFeatures facing =
-            collision::facingFeatures(first_, second_, normal, asGood * touch.size);
+            collision::facingFeatures(first_, second_, normal, tolerance);
         return isSupports ? besideOutline(facing.first, facing.second, normal)
                           : besideOutline(facing.second, facing.first, normal);
     }
@@ -271,7 +272,8 @@ private:
     // contact's. Of two faces the one along which the gap is larger: along the other it is that
     // of a vertex beside the face. Where faces all but lie on each other, gaps do not tell, and the
     // vertex itself does. The support's comes first where both are as good: it is the larger one,
-    // mostly.
+    // mostly. A face beside which all lies that is within the tolerance of it is touched by none of
+    // that.
     void preferFaces() {
         const auto gapAlong = [this](const Vector& n) {
             return n.dot(first_.world(first_.support(-n)) - second_.world(second_.support(n))) -
@@ -280,12 +282,15 @@ private:
         const Vector ofSupport = faceNormal(second_, touch.normal);
         const Vector ofBody = -faceNormal(first_, -touch.normal);
         const double alongSupport = gapAlong(ofSupport), alongBody = gapAlong(ofBody);
-        const bool isSupports = std::abs(alongSupport - alongBody) > asGood * touch.size
-                                    ? alongSupport > alongBody
-                                    : besideFace(ofSupport, true) <= besideFace(ofBody, false);
+        const double same = asGood * touch.size;
+        const bool isSupports =
+            std::abs(alongSupport - alongBody) > same
+                ? alongSupport > alongBody
+                : besideFace(ofSupport, true, same) <= besideFace(ofBody, false, same);
         const double gap = isSupports ? alongSupport : alongBody;
-        if (gap >= touch.gap - beside_) {
-            touch.normal = isSupports ? ofSupport : ofBody;
+        const Vector& normal = isSupports ? ofSupport : ofBody;
+        if (gap >= touch.gap - beside_ && besideFace(normal, isSupports, tolerance_) <= beside_) {
+            touch.normal = normal;
             touch.gap = gap;
         }
     }

@@ -192,5 +192,25 @@ TEST_F(Touching, AnEdgeThatJutsOutLandsNotWithItsEnd) {
         EXPECT_NEAR(height, 0, 1e-12);
 }
 
+// A box that is tilted by less than the tolerance, whose lowest vertex lies beside the face below:
+// where it touches, an edge of it goes over that face's border.
+TEST_F(Touching, AVertexBesideAFaceTouchesItNot) {
+    SceneBuilder b(1);
+    b.box("below", {0, 0, 0}, {1, 1, 1}).fixed = true;
+    b.box("box", {0, 3, 0}, {1, 1, 1});
+    build(b);
+    constexpr double tilt = 3e-7, beside = 0.16;
+    Placed box = placed(1, {-0.1, 1 + tilt / 2, beside});
+    box.state.attitude = geometry::Quaternion(Eigen::AngleAxisd(tilt, Vector::UnitX())) *
+                         geometry::Quaternion(Eigen::AngleAxisd(-tilt / 10, Vector::UnitZ()));
+    const auto found = touches(box);
+    ASSERT_EQ(found.size(), 1u);
+    ASSERT_FALSE(found[0].corners.empty());
+    for (const Corner& corner : found[0].corners) {
+        EXPECT_LT(corner.point.z(), 0.5 + 1e-6);
+        EXPECT_LE(corner.point.x(), 0.5 + 1e-6);
+    }
+}
+
 } // namespace
 } // namespace simulation::testing
