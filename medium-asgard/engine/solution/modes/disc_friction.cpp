@@ -117,12 +117,22 @@ double DiscFriction::leewayOf(std::size_t k, std::span<const double> forces) con
 // ------------------------------------------------------------------------------------- forces
 
 // The friction of each normal force at its own point: its couples go through 0 with the forces.
-DiscFriction::InDisc DiscFriction::forceOf(std::size_t k, std::span<const double> forces) const {
+DiscFriction::InDisc DiscFriction::forceAgainst(std::size_t k, const InDisc& way,
+                                                std::span<const double> forces) const {
     const Change all = changeBy(k, forces);
-    const InDisc direction = wayOf(k, centreOf(k, forces)).normalized();
+    const InDisc direction = way.normalized();
     InDisc force = all.pressed * direction;
     force[force.size() - 1] += all.moment.dot(direction.head(all.moment.size()));
     return -disc(k).sliding * force;
+}
+
+DiscFriction::InDisc DiscFriction::forceOf(std::size_t k, std::span<const double> forces) const {
+    return forceAgainst(k, wayOf(k, centreOf(k, forces)), forces);
+}
+
+DiscFriction::InDisc DiscFriction::forceInMode(std::size_t k,
+                                               std::span<const double> forces) const {
+    return forceAgainst(k, wayOf(k, centreIn(k)), forces);
 }
 
 void DiscFriction::addGaps(std::size_t k, std::span<const double> forces,

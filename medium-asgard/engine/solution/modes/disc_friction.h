@@ -49,6 +49,8 @@ public:
     [[nodiscard]] std::pair<InDisc, InDisc> velocityOf(std::size_t disc) const;
     // Of one that slips, by these normal forces; and how that changes with what it follows from.
     [[nodiscard]] InDisc forceOf(std::size_t disc, std::span<const double> forces) const;
+    // With the direction at the centre of the mode: linear in the normal forces.
+    [[nodiscard]] InDisc forceInMode(std::size_t disc, std::span<const double> forces) const;
     struct Change {
         double pressed = 0; // of the sum of normal forces
         InDisc slip = {};   // of the velocities of the rows
@@ -69,6 +71,8 @@ private:
     [[nodiscard]] Centre centreIn(std::size_t disc) const; // the mode
     [[nodiscard]] Change noChange(std::size_t disc) const;
     [[nodiscard]] double pressedBy(std::size_t disc, std::span<const double> forces) const;
+    [[nodiscard]] InDisc forceAgainst(std::size_t disc, const InDisc& way,
+                                      std::span<const double> forces) const;
     // The force is against it.
     [[nodiscard]] InDisc wayOf(std::size_t disc, const Centre& centre) const;
     // +1, or -1 where it slips back along the way on which it began.

@@ -34,16 +34,38 @@ template <class Visit> void SlipForces::each(const Visit& visit) const {
 
 bool SlipForces::solve(std::span<const double> entries, HeldConditions& held,
                        const Eigen::VectorXd& without) {
-    constexpr int most = 40, halvings = 10;
-    constexpr double rounding = 1e-15, close = 1e-12; // of the forces
     responses_.setZero(without.size(), rows_);
     for (std::size_t k = 0; k < entries.size(); ++k)
         if (const auto [row, column] = conditions_.matrix[k]; placeOf_[column] != none)
             responses_(row, placeOf_[column]) = entries[k];
     for (Eigen::Index i = 0; i < rows_; ++i)
         held.solve(responses_.col(i));
+    beginInMode(without);
+    if (forces_.allFinite() && improve(without))
+        return true;
     forces_.setZero(rows_);
-    Eigen::VectorXd multipliers = without, error = errors(multipliers);
+    return improve(without);
+}
+
+void SlipForces::beginInMode(const Eigen::VectorXd& without) {
+    slopes_.setIdentity(rows_, rows_);
+    forces_.resize(rows_);
+    each([&](std::size_t disc, Eigen::Index first) {
+        const DiscFriction::InDisc force = friction_.forceInMode(disc, spanOf(without));
+        forces_.segment(first, force.size()) = force;
+        for (Eigen::Index i = 0; i < rows_; ++i)
+            slopes_.col(i).segment(first, force.size()) -=
+                friction_.forceInMode(disc, spanOf(responses_.col(i)));
+    });
+    lu_.compute(slopes_);
+    forces_ = lu_.solve(forces_);
+}
+
+// By Newton's method, from the forces that there are.
+bool SlipForces::improve(const Eigen::VectorXd& without) {
+    constexpr int most = 40, halvings = 10;
+    constexpr double rounding = 1e-15, close = 1e-12; // of the forces
+    Eigen::VectorXd multipliers = without + responses_ * forces_, error = errors(multipliers);
     for (int round = 0; round < most; ++round) {
         const double size = error.norm();
         if (size <= rounding * multipliers.norm())

@@ -4,7 +4,9 @@
 //
 // A body that slips and turns does so about the centre of its normal forces, which its own friction
 // shifts, so that F is not linear. A is factorised once, and the forces f, one to three for each
-// disc, are found by Newton's method:  m = m0 + G f  with the responses G = -A^-1 S.
+// disc, are found by Newton's method:  m = m0 + G f  with the responses G = -A^-1 S. It begins with
+// directions held at the centres of the mode, where F is linear: friction that lifts a tipping body
+// is far from none.
 //
 // Guards see to it that normal forces press: of friction that jams (Painleve) they may pull here.
 #pragma once
@@ -48,6 +50,8 @@ public:
 
 private:
     template <class Visit> void each(const Visit& visit) const;
+    void beginInMode(const Eigen::VectorXd& without);
+    [[nodiscard]] bool improve(const Eigen::VectorXd& without);
     [[nodiscard]] Eigen::VectorXd errors(const Eigen::VectorXd& multipliers) const;
 
     const ComponentModel::Conditions& conditions_;

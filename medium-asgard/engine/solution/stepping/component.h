@@ -126,7 +126,7 @@ private:
     void pass(const Violation& violation, bool immediate);
     [[nodiscard]] ComponentEquations::Passing passing(const Violation& violation, bool immediate);
     [[nodiscard]] bool comesToRest(std::vector<double>& y);
-    void settle();
+    void settle(double next);
     [[nodiscard]] std::string switchingWith(const Violation& violation) const;
 
     Surroundings around_;

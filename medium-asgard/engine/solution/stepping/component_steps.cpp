@@ -103,8 +103,7 @@ void Component::accept(const StepPiece& piece) {
     if (piece.crossing) {
         pass(*piece.crossing, false);
     } else if (piece.endsAnew) {
-        settle();
-        progress_.proposed = piece.next;
+        settle(piece.next);
     } else if (piece.end) {
         const auto afterwards = models_.current()->goOn(y);
         if (const auto* violation = std::get_if<Violation>(&afterwards))
@@ -227,15 +226,19 @@ void Component::pass(const Violation& violation, bool immediate) {
     progress_.put(equations_->states(), y);
     takeHeldValues();
     releaseConditions();
-    settle();
+    // Of the forces of contacts most are as they were; behind a stop, or the switch of an
+    // expression, all may be others.
+    const bool hasContacts = std::ranges::any_of(
+        equations_->bound()->laws, [](const auto& law) { return law.leaving.has_value(); });
+    settle(hasContacts ? progress_.proposed : 0);
 }
 
-// On other branches from here on.
-void Component::settle() {
+// On other branches from here on; `next`: how long the next step may be, 0: not known.
+void Component::settle(double next) {
     if (stop_)
         return;
     models_.forget();
-    progress_.proposed = 0;
+    progress_.proposed = next;
     writer_.beginAnew();
     memory_.keep(progress_.time);
     placeAnchor();

@@ -73,11 +73,12 @@ std::optional<Ending> Integration::beginMethod() {
     if (const std::string how = equations.howMultipliersAreFound(); !how.empty())
         counts.why += "; " + how;
     double& proposed = context_.progress.proposed;
-    if (options.fixedStep)
-        proposed = *options.fixedStep;
-    else if (proposed == 0)
-        proposed = options.firstStep.value_or(
-            method_->firstStep(std::min(context_.limit() - context_.time(), longestFirst())));
+    const double first =
+        options.fixedStep ? *options.fixedStep
+        : options.firstStep
+            ? *options.firstStep
+            : method_->firstStep(std::min(context_.limit() - context_.time(), longestFirst()));
+    proposed = proposed > 0 && !options.fixedStep ? std::min(proposed, first) : first;
     strides_ = mayStride();
     return std::nullopt;
 }
@@ -166,7 +167,7 @@ Proposal Integration::propose() {
     double& proposed = context_.progress.proposed;
     const double time = context_.time(), limit = context_.limit();
     if (context_.equations().hasDirections())
-        if (auto piece = rest_.arrive(proposed > 0 ? proposed : longestFirst()))
+        if (auto piece = rest_.arrive(method_ ? proposed : longestFirst()))
             return *piece;
     if (!method_)
         if (auto ending = beginMethod())
@@ -213,6 +214,7 @@ std::optional<Proposal> Integration::refuse(const Attempt& attempt, double h) {
         proposed = next;
         return std::nullopt;
     }
+    proposed = 0; // what was refused says nothing of what comes behind
     if (comesToEnd) {
         found_ = switchesHere();
         if (found_)
