@@ -4,6 +4,7 @@
 #include "script/suggestion.h"
 
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include <Eigen/Cholesky>
@@ -16,6 +17,18 @@ namespace {
 
 constexpr std::string_view wantsDescription =
     "a list of -face {points} and -sub {part} descriptions";
+
+// About one axis: 1.5708 means a quarter turn, and 3.1416 a half.
+Vector withWholeQuarters(Vector rotation) {
+    constexpr double quarter = std::numbers::pi / 2, digits = 1e-5;
+    for (double& angle : rotation) {
+        const double whole = std::round(angle / quarter) * quarter;
+        if (angle != 0 && std::abs(angle) == rotation.norm() && std::abs(angle - whole) <= digits &&
+            whole != 0)
+            angle = whole;
+    }
+    return rotation;
+}
 
 // Four of the points span a body that is not flat against its own size.
 bool spanSpace(const std::vector<Vector>& points) {
@@ -244,7 +257,8 @@ std::optional<scene::Part> SceneMaker::partOf(Arguments& arguments, const Value&
         if (option.text == "-pos" || option.text == "-rot") {
             const auto v = arguments.vectorIn(option.text, value, "three numbers");
             good = good && v.has_value();
-            (option.text == "-pos" ? part.position : part.rotation) = v.value_or(Vector::Zero());
+            (option.text == "-pos" ? part.position : part.rotation) =
+                option.text == "-rot" && v ? withWholeQuarters(*v) : v.value_or(Vector::Zero());
         } else if (option.text == "-density") {
             part.density =
                 arguments.numberIn(option.text, value, Sign::positive, "a positive number");
@@ -350,7 +364,7 @@ void SceneMaker::attitude(Arguments& arguments, scene::Body& body) {
     if (!n)
         return;
     if (n->size() == 3) {
-        const Vector v((*n)[0], (*n)[1], (*n)[2]);
+        const Vector v = withWholeQuarters({(*n)[0], (*n)[1], (*n)[2]});
         const double angle = v.norm();
         if (angle > 0)
             body.initialAttitude =
