@@ -461,11 +461,11 @@ LastingContact contactOf(const Touch& touch, const Placed& body, const Placed& s
                          .isModelled = touch.hasPieces || touch.isModelled ||
                                        (touch.isRound && !touch.isCurved),
                          .place = {}};
-    if (!found.isModelled)
-        return found;
     physics::ContactPlace& place = found.place;
     place.body = body.index;
     place.support = support.index;
+    if (!found.isModelled)
+        return found;
     place.normal = touch.normal;
     place.size = touch.size;
     place.leaving = 2 * limits.gap * touch.size;
