@@ -122,6 +122,60 @@ TEST_F(FollowerTest, ATextThatComesBackHasTheMotionThatItHad) {
     EXPECT_EQ(motions, 4);
 }
 
+// However long the drag or the way of a slider was.
+TEST_F(FollowerTest, AfterAGestureTheTextBeforeItHasItsMotion) {
+    follower.follow("1", {}, moment);
+    settle();
+    for (int i = 10; i < 20 + static_cast<int>(FormerMotions::mostTexts); ++i) {
+        follower.follow(std::to_string(i), {.gesture = true}, moment);
+        settle();
+    }
+    const std::string last = std::to_string(19 + FormerMotions::mostTexts);
+    follower.follow(last, {}, moment); // it is let go
+    settle();
+    const int before = motions;
+    follower.follow("1", {}, moment);
+    settle();
+    follower.follow(last, {}, moment);
+    settle();
+    EXPECT_EQ(motions, before);
+    follower.follow("15", {}, moment); // a step of the gesture
+    settle();
+    EXPECT_EQ(motions, before + 1);
+}
+
+TEST_F(FollowerTest, ATextThatComesBackHasItsMotionUnasked) {
+    follower.setLive(Live::never);
+    for (const char* text : {"1", "2"}) {
+        follower.follow(text, {.asked = true}, moment);
+        settle();
+    }
+    follower.follow("3", {}, moment);
+    settle();
+    EXPECT_TRUE(follower.motionIsStale());
+    follower.follow("1", {}, moment);
+    settle();
+    EXPECT_FALSE(follower.motionIsStale());
+    EXPECT_EQ(x(1), 1);
+    EXPECT_EQ(motions, 2);
+}
+
+TEST(FormerMotions, LongTextsAndManyBodiesCount) {
+    const auto result = simulation::simulate(ballAt(1), {});
+    const auto kept = [&](std::size_t length, std::size_t bodies) {
+        FormerMotions former;
+        std::size_t count = 0;
+        for (int i = 0; i < 60; ++i)
+            former.add(std::string(length, 'x') + std::to_string(i), {}, result, bodies);
+        for (int i = 0; i < 60; ++i)
+            count += former.of(std::string(length, 'x') + std::to_string(i), {}) ? 1 : 0;
+        return count;
+    };
+    EXPECT_EQ(kept(10, 1), FormerMotions::mostTexts);
+    EXPECT_EQ(kept(std::size_t{8} << 20, 1), 24U);
+    EXPECT_LT(kept(10, 500), 9U);
+}
+
 TEST_F(FollowerTest, WithPatienceASceneIsShownWithItsMotionOnly) {
     follower.setSeen(1);
     follower.follow("1", {.patience = milliseconds(250)}, moment);

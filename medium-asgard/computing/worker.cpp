@@ -161,10 +161,13 @@ void Worker::read(const std::string& text, unsigned serial, Order order) {
     reading.diagnostics = std::move(result.diagnostics);
     if (result.usable)
         reading.scene = std::make_shared<const scene::Scene>(std::move(result.scene));
-    reading.moves = reading.scene && order.moves;
+    std::optional<simulation::Result> known;
+    if (reading.scene && !order.moves)
+        known = former_.of(text, order.parameters, order.haste == Haste::gesture);
+    reading.moves = reading.scene && (order.moves || known);
     std::optional<Job> job;
     if (reading.moves)
-        job = Job{serial, text, reading.scene, std::move(order)};
+        job = Job{serial, text, reading.scene, std::move(order), std::move(known)};
     tell(std::move(reading));
     if (!job)
         return;
@@ -205,12 +208,16 @@ void Worker::move(const Job& job) {
     moved.serial = job.serial;
     moved.scene = job.scene;
     try {
-        auto former = job.order.anew ? std::nullopt : former_.of(job.text, options.parameters);
+        const bool isGesture = job.order.haste == Haste::gesture;
+        auto former = job.known || job.order.anew
+                          ? job.known
+                          : former_.of(job.text, options.parameters, isGesture);
         if (former) {
             moved.result = std::move(*former);
         } else {
             moved.result = tools_.simulate(job.scene, options, observer);
-            former_.add(job.text, options.parameters, moved.result);
+            former_.add(job.text, options.parameters, moved.result, job.scene->bodies.size(),
+                        isGesture);
         }
     } catch (const std::bad_alloc&) {
         moved.result.refusal.emplace_back("the motion needs more memory than its process may have");

@@ -31,7 +31,7 @@ enum class Haste {
 
 struct Order {
     ParameterValues parameters;
-    bool moves = true; // its motion is wanted
+    bool moves = true; // its motion is wanted, also where it is not known
     bool anew = false; // computed again, also where this text has had one
     Haste haste = Haste::now;
     Clock::duration overlap{};                       // for the motion after a newer start
@@ -86,6 +86,7 @@ private:
         std::string text;
         ScenePointer scene;
         Order order;
+        std::optional<simulation::Result> known;
     };
     void readOn();
     void moveOn();
@@ -115,7 +116,7 @@ private:
     std::atomic<bool> stop_{false};
     std::mutex newsMutex_;
     std::vector<News> news_;
-    FormerMotions former_; // of the thread that computes
+    FormerMotions former_;
     std::thread reading_, moving_;
 };
 
