@@ -411,20 +411,11 @@ Vector withoutDiscs(const Matrix& a, const Vector& b, const Laws& laws) {
     return forces;
 }
 
-} // namespace
-
-std::optional<Answer> solve(const Matrix& a, const Vector& b, const Laws& laws, const Answer& guess,
-                            Work* work) {
-    Work counted;
-    Work& counts = work != nullptr ? *work : counted;
-    counts = {};
-    if (b.size() == 0)
-        return Answer{};
-    if (!haveCentres(laws))
-        return solveAtMiddles(a, b, laws, guess, counts);
-    const AtCentres at(a, b, laws);
-    const bool hasGuess = guess.forces.size() == b.size();
-    FixedPoint centres(at.centresOf(hasGuess ? guess.forces : withoutDiscs(a, b, laws)));
+// From centre to centre, beginning with these.
+std::optional<Answer> solveFrom(const Vector& start, const AtCentres& at, const Matrix& a,
+                                const Vector& b, const Laws& laws, const Answer& guess,
+                                Work& counts) {
+    FixedPoint centres(start);
     constexpr int most = 60;
     constexpr double close = 1e-7; // of a violation that goes on no further down: rounding is left
     std::optional<Answer> answer = guess, best;
@@ -447,6 +438,27 @@ std::optional<Answer> solve(const Matrix& a, const Vector& b, const Laws& laws, 
         centres.moveFrom(at.centresOf(answer->forces));
     }
     return least <= close ? best : std::nullopt;
+}
+
+} // namespace
+
+std::optional<Answer> solve(const Matrix& a, const Vector& b, const Laws& laws, const Answer& guess,
+                            Work* work) {
+    Work counted;
+    Work& counts = work != nullptr ? *work : counted;
+    counts = {};
+    if (b.size() == 0)
+        return Answer{};
+    if (!haveCentres(laws))
+        return solveAtMiddles(a, b, laws, guess, counts);
+    const AtCentres at(a, b, laws);
+    const bool hasGuess = guess.forces.size() == b.size();
+    const Vector start = at.centresOf(hasGuess ? guess.forces : withoutDiscs(a, b, laws));
+    // The centres that forces without friction have may lie far from all answers.
+    for (const double part : {1.0, 0.0, -1.0, 0.5})
+        if (auto found = solveFrom(part * start, at, a, b, laws, guess, counts))
+            return found;
+    return std::nullopt;
 }
 
 } // namespace complementarity
