@@ -118,6 +118,64 @@ def rope_atwood():
     return rows
 
 
+def rope_tilted():
+    """A double machine of Atwood: with a of the lower wheel and s of the light weight beside it, both upwards, and wheels of
+    which each counts as 0.1 kg at the rope,  g + a = 3.1 s,  g / 5 + 6.3 a = s."""
+    rows = Rows()
+    a = G * (1 / 3.1 - 0.2) / (6.3 - 1 / 3.1)
+    s = (G + a) / 3.1
+    for t in steps(0.7, 7):
+        for heavy, wheel, light, middle in (("m1", "low", "m2", "m3"), ("n1", "deep", "n2", "n3")):
+            rows.put(t, 5, {f"{heavy}.y": 1 - a * t * t / 2, f"{wheel}.y": 1.2 + a * t * t / 2})
+            rows.put(t, 5, {f"{light}.y": 0.2 + (a + s) * t * t / 2, f"{middle}.y": 0.2 + (a - s) * t * t / 2})
+        rows.put(t, 100, {"r2.tension1": G + a + s, "r2.tension2": 2 * (G + a - s), "v2.tension1": G + a + s})
+    return rows
+
+
+def rope_blow():
+    """The same, and then a blow that keeps the energy: the ropes stay taut."""
+    a = G * (1 / 3.1 - 0.2) / (6.3 - 1 / 3.1)
+    s = (G + a) / 3.1
+    rows = Rows()
+    for t in (0.3, 0.6, 0.7, 0.74, 0.77, 0.8):
+        rows.put(t, 20, {"scene.energy": G * (3 * 1 + 0.2 * 1.2 + 1 * 0.2 + 2 * 0.2)})
+        if t < 0.73:
+            rows.put(t, 5, {"m1.y": 1 - a * t * t / 2, "m2.y": 0.2 + (a + s) * t * t / 2})
+    return rows
+
+
+def rope_sways():
+    """A bob at a drum of radius R about z, with the direction u and the length l of the span within the plane, left beside u, and
+    the length L in space: the rope, L + R q with q the angle of u, stays as long as it is. So the tension pulls along its gradient
+    n = l/L u + (R/l - R/L) left + z/L, and  n' v + n v' = 0."""
+    rows, at, radius, mass = Rows(), steps(2, 10), 0.2, 2
+
+    def parts(y):
+        px, py, z, vx, vy, vz = y
+        l, L = math.sqrt(px * px + py * py - radius ** 2), math.sqrt(px * px + py * py + z * z - radius ** 2)
+        square = px * px + py * py
+        u = ((l * px - radius * py) / square, (l * py + radius * px) / square)  # p = l u - R left
+        left = (-u[1], u[0])
+        dl, dL, dq = (px * vx + py * vy) / l, (px * vx + py * vy + z * vz) / L, (left[0] * vx + left[1] * vy) / l
+        along, beside = l / L, radius / l - radius / L
+        dalong = dl / L - l * dL / L ** 2
+        dbeside = -radius * dl / l ** 2 + radius * dL / L ** 2
+        n = [along * u[i] + beside * left[i] for i in (0, 1)] + [z / L]
+        dn = [(dalong - beside * dq) * u[i] + (dbeside + along * dq) * left[i] for i in (0, 1)] + [vz / L - z * dL / L ** 2]
+        pull = mass * (dn[0] * vx + dn[1] * vy + dn[2] * vz - G * n[1]) / sum(x * x for x in n)
+        return n, pull, L
+
+    def rate(_, y):
+        n, pull, _ = parts(y)
+        return [*y[3:], -pull * n[0] / mass, -G - pull * n[1] / mass, -pull * n[2] / mass]
+
+    for t, y in zip(at, solve(rate, [-radius, -1, 0, 0.3, 0, 0.5], at)):
+        _, pull, length = parts(y)
+        rows.put(t, 10, {"b.x": y[0], "b.y": y[1], "b.z": y[2], "r.length": length})
+        rows.put(t, 200, {"r.tension": pull})
+    return rows
+
+
 def rope_swinging():
     """Atwood's machine with one mass that swings:  (m + M) r'' = m r a'^2 + g (m cos a - M),  r a'' = -2 r' a' - g sin a."""
     rows, at = Rows(), steps(4, 12)
@@ -334,5 +392,5 @@ def rope_corner():
     return rows
 
 
-CASES = (rope_drop, rope_slack, rope_atwood, rope_light_wheel, rope_swinging, rope_peg, rope_galileo, rope_yoyo, rope_winch,
-         rope_belt, rope_snaps, hit_stop, coupled_brakes, weak_servo, speed_jump, rope_corner)
+CASES = (rope_drop, rope_slack, rope_atwood, rope_light_wheel, rope_tilted, rope_blow, rope_sways, rope_swinging, rope_peg, rope_galileo, rope_yoyo,
+         rope_winch, rope_belt, rope_snaps, hit_stop, coupled_brakes, weak_servo, speed_jump, rope_corner)

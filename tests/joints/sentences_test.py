@@ -9,6 +9,8 @@ import sys
 import tempfile
 
 SHAPES = "shape_set rod -desc {-sub {-box {1 0.1 0.1}}}\nsimulator -finish 2\nbody a rod -mass 1 -init_pos {0.5 0 0}\n"
+DRUM = ("body h rod -fixed 1 -init_pos {0 3 0}\nbody b rod -mass 1 -init_pos %s\nrope r -points {{h {0 0 0} 0.2} {b}}\n"
+        "force -body b -gravitational {0 -9.81 0}")
 PIN = "joint pin -type hinge -body1 a -offset1 {-0.5 0 0} "
 HELD = "body h rod -mass 1 -init_pos {0 3 0}\n"
 # What is added, and what asgard says; "": nothing, and the motion reaches its end.
@@ -45,6 +47,12 @@ CASES = (
      "body v rod -fixed 1 -init_pos {-2 3 0}\nforce -body b -gravitational {0 -9.81 0}\n"
      "rope r -points {{-2.1 2 0} {v {0 0 0} 0.1} {w {0 0 0} 0.1} {b}}",
      'warning: rope "r": it would lift off the wheel of body "w" at t = '),
+    (DRUM % "{-0.2 2 0}", ""),
+    (DRUM % "{0.2 2 0}", ':6:1: warning: rope "r": leads askew from the one side of the wheel at point 1, and straight from the other'),
+    (DRUM % "{-0.2 2 0} -init_dpos {0 0 2}",
+     ':6:1: warning: rope "r": it leads more than 5.7 degrees out of the plane of the wheel of body "h" at t = '),
+    (DRUM % "{-0.2 2 0} -init_dpos {0 0 6.5}", 'rope "r" at the wheel of body "h" leads '),
+    (DRUM % "{-0.2 2 0} -init_dpos {0 0 6.5}", " degrees out of its plane and over its side, which is not modelled; let the motion finish"),
     (PIN + "-limits {-1 1} -release {a.x}", ':4:76: error: -release of joint "pin": it wants a comparison, as {t > 2}'),
     ("joint pin -type ball -body1 a -offset1 {-0.5 0 0} -offset2 {0 1 0}",
      ':4:1: error: joint "pin": its bodies miss each other by 1 at the start'),

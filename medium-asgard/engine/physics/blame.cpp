@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 namespace physics {
 namespace {
@@ -41,7 +42,10 @@ std::string shortened(const std::string& expression) {
 }
 
 std::string nameOf(const scene::Scene& scene, const Contribution& c) {
-    return c.kind == Contribution::Kind::joint ? " \"" + scene.joints[c.element].name + "\"" : "";
+    using enum Contribution::Kind;
+    if (c.kind == joint)
+        return " \"" + scene.joints[c.element].name + "\"";
+    return c.kind == rope ? " \"" + scene.ropes[c.element].name + "\"" : "";
 }
 
 // The author's expressions that drive a joint.
@@ -59,7 +63,8 @@ std::string drivesOf(const scene::Scene& scene, const Contribution& c) {
 
 } // namespace
 
-Suspects::Suspects(const EquationsOfMotion& equations) : equations_(equations) {
+Suspects::Suspects(const scene::Scene& scene, const EquationsOfMotion& equations)
+    : scene_(scene), equations_(equations) {
     for (std::size_t u = 0; u < equations.set.unknowns.size(); ++u)
         unknownOf_.emplace(equations.set.unknowns[u].symbol.index, u);
     for (std::size_t i = 0; i < equations.contributions.size(); ++i)
@@ -90,6 +95,35 @@ std::vector<std::size_t> Suspects::on(std::span<const std::size_t> bodies) const
     return all;
 }
 
+std::string Suspects::atWheel(const Contribution& of, const Instant& now) const {
+    constexpr double near = 1e-3; // a motion ends a little before
+    constexpr double inPlane = 1; // degrees
+    for (const RopeLean& lean : equations_.ropeLeans) {
+        if (of.kind != Contribution::Kind::rope || lean.rope != of.element)
+            continue;
+        const auto [out, way, none] = valueOf({lean.out, lean.way, lean.way}, now);
+        const double within = std::sqrt(std::max(0.0, way * way - out * out));
+        if (!(within <= (1 + near) * lean.least))
+            continue;
+        const double leans = std::abs(std::asin(std::clamp(out / way, -1.0, 1.0)));
+        const double degrees = leans * 180 / std::numbers::pi;
+        char text[200];
+        if (degrees > inPlane)
+            std::snprintf(text, sizeof text,
+                          "\" leads %.3g degrees out of its plane and over its side, which is not "
+                          "modelled",
+                          degrees);
+        else
+            std::snprintf(text, sizeof text,
+                          "\" comes as near as %.4g to its centre, from where a rope cannot leave "
+                          "the wheel",
+                          within);
+        return "rope \"" + scene_.ropes[lean.rope].name + "\" at the wheel of body \"" +
+               scene_.bodies[lean.body].name + text;
+    }
+    return "";
+}
+
 std::vector<Blame> Suspects::notFinite(const Instant& now,
                                        std::span<const std::size_t> onBodies) const {
     std::vector<Blame> found;
@@ -105,7 +139,8 @@ std::vector<Blame> Suspects::notFinite(const Instant& now,
             found.push_back({.contribution = i,
                              .axis = static_cast<std::size_t>(bad - value.begin()),
                              .isWritten = c.written && nodes == *c.written,
-                             .value = *bad});
+                             .value = *bad,
+                             .said = atWheel(c, now)});
             break;
         }
     }
@@ -125,13 +160,15 @@ std::optional<Blame> Suspects::growing(const Instant& before, const Instant& now
         for (std::size_t axis = 0; axis < is.size(); ++axis)
             if (std::abs(is[axis]) > std::min(much * std::abs(was[axis]), enormous) &&
                 (!largest || std::abs(is[axis]) > std::abs(largest->value)))
-                largest = Blame{i, axis, isWritten, is[axis]};
+                largest = Blame{i, axis, isWritten, is[axis], atWheel(c, now)};
     }
     return largest;
 }
 
 std::string inWords(const scene::Scene& scene, const EquationsOfMotion& equations,
                     const Blame& blame) {
+    if (!blame.said.empty())
+        return blame.said;
     const Contribution& c = equations.contributions[blame.contribution];
     const auto* texts = blame.isWritten ? expressionsOf(scene, c) : nullptr;
     const bool isFinite = std::isfinite(blame.value);
@@ -149,6 +186,12 @@ std::string inWords(const scene::Scene& scene, const EquationsOfMotion& equation
            drivesOf(scene, c) + " " + (isFinite ? "grows without bound" : "is not finite") +
            ": its " + axes[blame.axis] +
            (texts ? ", \"" + shortened((*texts)[blame.axis]) + "\"," : "") + " is " + value;
+}
+
+bool hasExpression(const EquationsOfMotion& equations, const Blame& blame) {
+    using enum Contribution::Kind;
+    const auto kind = equations.contributions[blame.contribution].kind;
+    return kind == force || kind == link || kind == joint;
 }
 
 std::string optionOf(const Blame& blame) {

@@ -23,6 +23,7 @@ struct Blame {
     std::size_t axis = 0;
     bool isWritten = false; // the value is that of the scene's own expression
     double value = 0;
+    std::string said = {}; // the sentence, where it is another than of most
 };
 
 // The value of any unknown at a time, as asked.
@@ -32,10 +33,10 @@ struct Instant {
 };
 
 // Looks at the forces and links on some bodies, and reads no other unknowns than these do. The
-// equations must outlive it.
+// scene and its equations must outlive it.
 class Suspects {
 public:
-    explicit Suspects(const EquationsOfMotion& equations);
+    Suspects(const scene::Scene& scene, const EquationsOfMotion& equations);
 
     // Those with a value that is not finite.
     [[nodiscard]] std::vector<Blame> notFinite(const Instant& now,
@@ -45,9 +46,12 @@ public:
                                                std::span<const std::size_t> onBodies) const;
 
 private:
+    // How a rope cannot leave a wheel, whatever its forces are; "": it can.
+    [[nodiscard]] std::string atWheel(const Contribution& of, const Instant& now) const;
     [[nodiscard]] std::array<double, 3> valueOf(const NodeVector& nodes, const Instant& now) const;
     [[nodiscard]] std::vector<std::size_t> on(std::span<const std::size_t> bodies) const;
 
+    const scene::Scene& scene_;
     const EquationsOfMotion& equations_;
     std::unordered_map<std::uint32_t, std::size_t> unknownOf_;                  // by symbol
     std::unordered_map<std::size_t, std::vector<std::size_t>> contributionsOn_; // by body
@@ -58,6 +62,9 @@ private:
 // the joint "p" on body "b1", -motor "log(1-t)", is not finite: its z is infinite
 [[nodiscard]] std::string inWords(const scene::Scene& scene, const EquationsOfMotion& equations,
                                   const Blame& blame);
+
+// The author can change an expression so that this ends.
+[[nodiscard]] bool hasExpression(const EquationsOfMotion& equations, const Blame& blame);
 
 // The option whose expression is to blame; "": none is, the whole element.
 [[nodiscard]] std::string optionOf(const Blame& blame);

@@ -26,7 +26,8 @@ std::vector<std::size_t> allBodies(const scene::Scene& scene) {
 std::vector<std::string> notFinite(const scene::Scene& scene, const EquationsOfMotion& motion,
                                    const std::vector<double>& state, double time) {
     std::vector<std::string> found;
-    for (const Blame& blame : Suspects(motion).notFinite(instant(state, time), allBodies(scene)))
+    for (const Blame& blame :
+         Suspects(scene, motion).notFinite(instant(state, time), allBodies(scene)))
         found.push_back(inWords(scene, motion, blame) + optionOf(blame));
     return found;
 }
@@ -62,13 +63,38 @@ TEST(Blame, WhatIsNotFiniteIsNamedAsItIsWritten) {
                      "number-y"}));
 }
 
+TEST(Blame, ARopeThatComesOverTheSideOfItsWheelIsNamed) {
+    scene::Scene scene = ballAndRod();
+    scene.bodies[0].initialPosition = {0, -3, 0};
+    scene.bodies[1].initialPosition = {0.5, 0, 0};
+    scene.ropes.emplace_back().name = "r";
+    scene.ropes[0].points = {{.body = "rod", .place = Vector::Zero(), .radius = 0.5},
+                             {.body = "ball", .place = Vector::Zero()}};
+    const EquationsOfMotion motion(scene);
+    std::vector<double> state;
+    for (const expression::Unknown& unknown : motion.set.unknowns)
+        state.push_back(unknown.initial);
+    EXPECT_EQ(notFinite(scene, motion, state, 0), Words());
+    const std::size_t ball = motion.bodies[0].firstUnknown;
+    const Vector over{0.6, 0, 1}, within{0.7, 0, 0};
+    std::copy(over.begin(), over.end(), state.begin() + static_cast<std::ptrdiff_t>(ball));
+    const std::string side =
+        "rope \"r\" at the wheel of body \"rod\" leads 84.3 degrees out of its "
+        "plane and over its side, which is not modelled";
+    EXPECT_EQ(notFinite(scene, motion, state, 0), (Words{side, side}));
+    std::copy(within.begin(), within.end(), state.begin() + static_cast<std::ptrdiff_t>(ball));
+    const std::string near = "rope \"r\" at the wheel of body \"rod\" comes as near as 0.2 to its "
+                             "centre, from where a rope cannot leave the wheel";
+    EXPECT_EQ(notFinite(scene, motion, state, 0), (Words{near, near}));
+}
+
 TEST(Blame, AtAPoleTheForceThatGrowsIsNamed) {
     scene::Scene scene = ballAndRod();
     scene.forces = {testing::force("ball", "1e9", "0", "0"),
                     testing::force("ball", "0", "0", "1/(2-t)^2")};
     const EquationsOfMotion motion(scene);
     const std::vector<double> state(motion.set.unknowns.size(), 0.5);
-    const Suspects suspects(motion);
+    const Suspects suspects(scene, motion);
     const auto growing =
         suspects.growing(instant(state, 0), instant(state, 2 - 1e-10), allBodies(scene));
     ASSERT_TRUE(growing);
@@ -91,7 +117,7 @@ TEST(Blame, NothingElseIsReadThanWhatTheForcesRead) {
                           },
                       .time = 0};
     const std::size_t ball = 0;
-    EXPECT_EQ(Suspects(motion).notFinite(now, {&ball, 1}).size(), 1u);
+    EXPECT_EQ(Suspects(scene, motion).notFinite(now, {&ball, 1}).size(), 1u);
     EXPECT_EQ(read, std::set<std::string>{"ball.x"});
 }
 

@@ -230,6 +230,7 @@ EquationsOfMotion::EquationsOfMotion(const scene::Scene& scene,
     ropes.contribute(contributions);
     multipliers.readReleases();
     jointEnergies = joints.energies();
+    notes = ropes.notes();
 
     std::vector<std::vector<const Contribution*>> acting(bodies.size());
     for (const Contribution& c : contributions)
@@ -251,6 +252,7 @@ EquationsOfMotion::EquationsOfMotion(const scene::Scene& scene,
     }
     jointRows = multipliers.addUnknowns(set, owners, notes, start == Start::closes);
     ropeWraps = ropes.wraps(set);
+    ropeLeans = ropes.leans();
     contactReaders = multipliers.contactReaders();
     times.erase(-std::numeric_limits<double>::infinity());
     breakpoints.assign(times.begin(), times.end());

@@ -103,6 +103,14 @@ struct RopeWrap {
     double start = 0, sign = 1;
 };
 
+// How a span lies at a wheel: how far the way between the centres of its ends leads out of the
+// wheel's plane, how long that way is, and how long it is within the plane at least.
+struct RopeLean {
+    std::size_t rope = 0, body = 0; // of the scene; of the wheel
+    Node out, way;
+    double least = 0;
+};
+
 // A given unknown that reads contacts, and its value with their symbols.
 struct ContactReader {
     std::size_t unknown = 0;
@@ -131,6 +139,7 @@ struct EquationsOfMotion {
     std::vector<JointRow> jointRows;
     std::vector<Node> jointEnergies; // of the springs of joints
     std::vector<RopeWrap> ropeWraps;
+    std::vector<RopeLean> ropeLeans;
     std::vector<ContactReader> contactReaders;
     std::vector<std::string> notes; // what is not as it was written, as sentences
     // Why the scene has no equations: sentences. Empty: it has.

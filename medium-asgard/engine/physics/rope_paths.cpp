@@ -10,9 +10,11 @@
 namespace physics {
 namespace {
 
-constexpr double offPlane = 1e-6; // of the rope's size
-constexpr double noTurn = 1e-9;   // of the sine of a turn
-constexpr double blunt = 1e-9;    // of the rope's size: two points in one place have a direction
+constexpr double offPlane = 1e-3;    // of the rope's size; an angle of 1.5708 or 1.571 is pi/2
+constexpr double notParallel = 1e-6; // of the cosine
+constexpr double tooShort = 1e-6;    // of the rope's size
+constexpr double noTurn = 1e-9;      // of the sine of a turn
+constexpr double blunt = 1e-9;       // of the rope's size: two points in one place have a direction
 
 std::string faultOf(const scene::Rope& rope) { return "rope \"" + rope.name + "\": "; }
 
@@ -20,6 +22,11 @@ std::string faultOf(const scene::Rope& rope) { return "rope \"" + rope.name + "\
 Jet quotient(Graph& g, const Jet& a, const Jet& b) {
     const Node value = g.divide(a.value, b.value);
     return {value, g.divide(g.subtract(a.rate, g.multiply(value, b.rate)), b.value), {}};
+}
+
+// The end of a span that is a wheel, if one is.
+std::size_t wheelOf(const RopePath& path, const RopeSpan& span) {
+    return path.points[span.from].radius != 0 ? 0 : 1;
 }
 
 double signOf(double value) { return value < 0 ? -1 : 1; }
@@ -81,8 +88,12 @@ RopePath RopePaths::pathOf(const scene::Rope& rope) {
              {std::pair(span.from, span.to), std::pair(span.to, span.from)})
             if (path.points[wheel].radius != 0 && faults_.size() == told)
                 checkWheel(rope, path, wheel, other);
-    if (faults_.size() == told)
-        findFrames(rope, path);
+    if (faults_.size() != told)
+        return path;
+    findFrames(rope, path);
+    for (const std::size_t end : {0U, 1U})
+        if (!rope.isClosed)
+            noteOtherSide(rope, path, end);
     return path;
 }
 
@@ -139,7 +150,7 @@ void RopePaths::checkWheel(const scene::Rope& rope, const RopePath& path, std::s
     double between = point.radius;
     if (other.radius != 0) {
         const double along = axis.dot(directionOf(other, other.axis));
-        if (!(std::abs(along) > 1 - offPlane)) {
+        if (!(std::abs(along) > 1 - notParallel)) {
             faults_.push_back(faultOf(rope) + "the axes of the wheels at points " +
                               std::to_string(std::min(wheel, neighbour) + 1) + " and " +
                               std::to_string(std::max(wheel, neighbour) + 1) + " are not parallel");
@@ -147,31 +158,28 @@ void RopePaths::checkWheel(const scene::Rope& rope, const RopePath& path, std::s
         }
         between -= signOf(along) * other.radius;
     }
-    if (!(d.norm() > std::abs(between))) {
+    const double apart = (d - axis * axis.dot(d)).norm();
+    if (!(apart > std::abs(between))) {
         std::snprintf(text, sizeof text,
                       "%s lies %.4g from the centre of %s, and a rope cannot leave it",
-                      which.c_str(), d.norm(), of.c_str());
+                      which.c_str(), apart, of.c_str());
         faults_.push_back(faultOf(rope) + text);
     }
 }
 
-// Length and direction of a span as the bodies stand at the start.
-std::pair<double, Vector> RopePaths::startOf(const RopePath& path, std::size_t from,
-                                             std::size_t to) {
-    const RopePoint &a = path.points[from], &b = path.points[to];
+// Length of a span as the bodies stand at the start, and its direction in the plane of a wheel at
+// one of its ends.
+std::pair<double, Vector> RopePaths::startOf(const RopePath& path, const RopeSpan& span,
+                                             std::size_t end) {
+    const RopePoint &a = path.points[span.from], &b = path.points[span.to];
     const Vector d = placeOf(b) - placeOf(a);
-    const RopePoint& wheel = a.radius != 0 ? a : b;
+    const RopePoint& wheel = end == 0 ? a : b;
     if (wheel.radius == 0)
         return {d.norm(), d.normalized()};
-    const Vector axis = directionOf(wheel, wheel.axis);
-    const auto radiusOf = [&](const RopePoint& point) {
-        return point.radius == 0 ? 0
-                                 : point.radius * signOf(axis.dot(directionOf(point, point.axis)));
-    };
-    const Vector flat = d - axis * axis.dot(d);
-    const double off = radiusOf(b) - radiusOf(a), square = flat.squaredNorm();
+    const Vector axis = directionOf(wheel, wheel.axis), flat = d - axis * axis.dot(d);
+    const double off = offOf(path, span, end), square = flat.squaredNorm();
     const double l = std::sqrt(square - off * off);
-    return {l, (l * flat - off * axis.cross(flat)) / square};
+    return {std::sqrt(d.squaredNorm() - off * off), (l * flat - off * axis.cross(flat)) / square};
 }
 
 void RopePaths::findFrames(const scene::Rope& rope, RopePath& path) {
@@ -181,11 +189,11 @@ void RopePaths::findFrames(const scene::Rope& rope, RopePath& path) {
     };
     for (std::size_t k = 0; k < path.spans.size(); ++k) {
         RopeSpan& span = path.spans[k];
-        const Vector u = startOf(path, span.from, span.to).second;
         for (const std::size_t end : {0U, 1U}) {
             RopePoint& point = path.points[end == 0 ? span.from : span.to];
             if (point.radius == 0)
                 continue;
+            const Vector u = startOf(path, span, end).second;
             const Vector left = directionOf(point, point.axis).cross(u);
             const Quaternion back = point.body ? start_.poseOf(*point.body).attitude.conjugate()
                                                : Quaternion::Identity();
@@ -201,8 +209,9 @@ void RopePaths::findFrames(const scene::Rope& rope, RopePath& path) {
         RopePoint& point = path.points[i];
         if (!point.in || !point.out)
             continue;
-        const Vector before = startOf(path, (i + count - 1) % count, i).second,
-                     after = startOf(path, i, (i + 1) % count).second;
+        const RopeSpan to{.from = (i + count - 1) % count, .to = i, .ends = {}},
+            from{.from = i, .to = (i + 1) % count, .ends = {}};
+        const Vector before = startOf(path, to, 1).second, after = startOf(path, from, 0).second;
         const Vector axis = directionOf(point, point.axis);
         const double turn = std::atan2(axis.dot(before.cross(after)), before.dot(after));
         const double angle = signOf(point.radius) * turn;
@@ -218,29 +227,58 @@ void RopePaths::findFrames(const scene::Rope& rope, RopePath& path) {
     }
 }
 
+// Who hangs a weight beside a drum means it to hang straight down: where the span leads along an
+// axis of the world on the other side of the drum alone, it is on the wrong one.
+void RopePaths::noteOtherSide(const scene::Rope& rope, const RopePath& path, std::size_t end) {
+    constexpr double straight = 1e-6; // of the cosine
+    RopePath other = path;
+    const RopeSpan& span = end == 0 ? path.spans.front() : path.spans.back();
+    RopePoint& drum = other.points[end == 0 ? span.from : span.to];
+    drum.radius *= -1;
+    const auto isStraight = [&](const RopePath& of) {
+        return startOf(of, span, end).second.cwiseAbs().maxCoeff() > 1 - straight;
+    };
+    if (drum.radius == 0 || !drum.body || isStraight(path) || !isStraight(other))
+        return;
+    char text[200];
+    std::snprintf(text, sizeof text,
+                  "leads askew from the one side of the wheel at point %zu, and straight from the "
+                  "other with a radius of %g",
+                  (end == 0 ? span.from : span.to) + 1, drum.radius);
+    notes_.push_back(faultOf(rope) + text);
+}
+
 // Its length does not reach around its wheels as they are wrapped.
 bool RopePaths::isTooShort(const scene::Rope& rope, const RopePath& path) {
     if (!rope.length)
         return false;
     double measured = 0;
     for (const RopeSpan& span : path.spans)
-        measured += startOf(path, span.from, span.to).first;
+        measured += startOf(path, span, wheelOf(path, span)).first;
     for (const RopePoint& point : path.points)
         measured += std::abs(point.radius) * point.wrapped;
-    return *rope.length < measured - offPlane * path.size;
+    return *rope.length < measured - tooShort * path.size;
 }
 
-RopePaths::Plane RopePaths::planeOf(const RopePath& path, const RopeSpan& span, std::size_t end,
-                                    const Along& along) {
+// The difference of the radii at the ends of a span, about the axis of the wheel at one of them.
+double RopePaths::offOf(const RopePath& path, const RopeSpan& span, std::size_t end) {
     const RopePoint &a = path.points[span.from], &b = path.points[span.to],
                     &wheel = end == 0 ? a : b, &other = end == 0 ? b : a;
-    const JetVector d = points_.apart(b, a, along);
     double off = end == 0 ? -wheel.radius : wheel.radius;
     if (other.radius != 0) {
         const double sense =
             signOf(directionOf(wheel, wheel.axis).dot(directionOf(other, other.axis)));
         off += sense * (end == 0 ? other.radius : -other.radius);
     }
+    return off;
+}
+
+RopePaths::Plane RopePaths::planeOf(const RopePath& path, const RopeSpan& span, std::size_t end,
+                                    const Along& along) {
+    const RopePoint &a = path.points[span.from], &b = path.points[span.to],
+                    &wheel = end == 0 ? a : b;
+    const JetVector d = points_.apart(b, a, along);
+    const double off = offOf(path, span, end);
     Plane plane;
     plane.x = product(g_, points_.carried(wheel, span.ends[end].along, along), d);
     plane.y = product(g_, points_.carried(wheel, span.ends[end].left, along), d);
@@ -252,12 +290,29 @@ RopePaths::Plane RopePaths::planeOf(const RopePath& path, const RopeSpan& span, 
     return plane;
 }
 
+// In space: a span that leaves the plane of its wheel is as long as the way is. A length within the
+// plane would become less as the wheel tilts, and the rope's tension would drive the tilt on.
 Jet RopePaths::lengthOf(const RopePath& path, const RopeSpan& span, const Along& along) {
-    if (path.points[span.from].radius != 0)
-        return planeOf(path, span, 0, along).length;
-    if (path.points[span.to].radius != 0)
-        return planeOf(path, span, 1, along).length;
-    return straight(path, span.from, span.to, along);
+    const RopePoint &a = path.points[span.from], &b = path.points[span.to];
+    if (a.radius == 0 && b.radius == 0)
+        return straight(path, span.from, span.to, along);
+    const JetVector d = points_.apart(b, a, along);
+    const double off = offOf(path, span, wheelOf(path, span));
+    return root(g_, difference(g_, product(g_, d, d), constantJet(g_, off * off)));
+}
+
+std::optional<RopeLean> RopePaths::lean(std::size_t rope, std::size_t span, std::size_t end) {
+    const RopePath& path = paths_[rope];
+    const RopeSpan& of = path.spans[span];
+    const RopePoint &a = path.points[of.from], &b = path.points[of.to], &wheel = end == 0 ? a : b;
+    if (wheel.radius == 0 || !wheel.body)
+        return std::nullopt;
+    const JetVector d = points_.apart(b, a, {});
+    return RopeLean{.rope = rope,
+                    .body = *wheel.body,
+                    .out = product(g_, points_.carried(wheel, wheel.axis, {}), d).value,
+                    .way = physics::length(g_, d).value,
+                    .least = std::abs(offOf(path, of, end))};
 }
 
 Jet RopePaths::straight(const RopePath& path, std::size_t from, std::size_t to,

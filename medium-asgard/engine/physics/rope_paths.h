@@ -8,6 +8,10 @@
 //     d = l u + D left(u),   D = r_b - r_a,     l = sqrt(|d|^2 - D^2),   u = (l d - D left(d)) /
 //     |d|^2.
 //
+// All of this is within the wheel's plane, as if a groove held the rope there, but for the length,
+// which is that in space: sqrt(|d|^2 - D^2) of the whole d. So a span that is out of the plane
+// pulls its ends back towards it.
+//
 // A wheel between two points lets the rope off where its wrapped angle falls to 0, and takes it
 // again there. While it is off, the two stretches beside it are one with a straight span between
 // the points, and the rope slides past the wheel: `slid` counts how much, so that what then lies on
@@ -85,6 +89,10 @@ public:
     [[nodiscard]] Jet tie(std::size_t rope, std::size_t span, std::size_t end, const Along& along);
     void setTie(Node angle, Node multiplier) { ties_.emplace(angle.index, multiplier); }
     [[nodiscard]] Node length(std::size_t rope); // what it measures
+    // At an end of a span that is a wheel of a body.
+    [[nodiscard]] std::optional<RopeLean> lean(std::size_t rope, std::size_t span, std::size_t end);
+    // About ropes that may not be as they are meant.
+    [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
     // Free lengths of a stretch at the start.
     [[nodiscard]] double startOf(std::size_t rope, std::size_t stretch);
 
@@ -97,12 +105,14 @@ private:
     void findFrames(const scene::Rope& rope, RopePath& path);
     void checkWheel(const scene::Rope& rope, const RopePath& path, std::size_t wheel,
                     std::size_t neighbour);
+    void noteOtherSide(const scene::Rope& rope, const RopePath& path, std::size_t end);
     [[nodiscard]] bool isTooShort(const scene::Rope& rope, const RopePath& path);
     void divide(const scene::Rope& rope, RopePath& path) const;
     [[nodiscard]] Vector placeOf(const CarriedPoint& point);
     [[nodiscard]] Vector directionOf(const CarriedPoint& point, const Vector& v);
-    [[nodiscard]] std::pair<double, Vector> startOf(const RopePath& path, std::size_t from,
-                                                    std::size_t to);
+    [[nodiscard]] std::pair<double, Vector> startOf(const RopePath& path, const RopeSpan& span,
+                                                    std::size_t end);
+    [[nodiscard]] double offOf(const RopePath& path, const RopeSpan& span, std::size_t end);
     [[nodiscard]] Plane planeOf(const RopePath& path, const RopeSpan& span, std::size_t end,
                                 const Along& along);
     [[nodiscard]] Jet lengthOf(const RopePath& path, const RopeSpan& span, const Along& along);
@@ -121,6 +131,7 @@ private:
     const Scope& scope_;
     std::span<const BodyMotion> bodies_;
     std::vector<std::string>& faults_;
+    std::vector<std::string> notes_;
     StartValues start_;
     CarriedPoints points_;
     std::vector<RopePath> paths_;

@@ -56,6 +56,16 @@ std::vector<RopeWrap> RopeReader::wraps(const expression::EquationSet& set) cons
     return found;
 }
 
+std::vector<RopeLean> RopeReader::leans() {
+    std::vector<RopeLean> found;
+    for (std::size_t r = 0; r < paths_.size(); ++r)
+        for (std::size_t k = 0; k < paths_[r].spans.size(); ++k)
+            for (const std::size_t end : {0U, 1U})
+                if (auto lean = paths_.lean(r, k, end))
+                    found.push_back(*lean);
+    return found;
+}
+
 void RopeReader::contribute(std::vector<Contribution>& contributions) {
     for (std::size_t r = 0; r < paths_.size(); ++r)
         if (!paths_[r].moving.empty())

@@ -26,6 +26,10 @@ public:
 
     // Of wheels whose angles are unknowns of the set.
     [[nodiscard]] std::vector<RopeWrap> wraps(const expression::EquationSet& set) const;
+    // Of all spans at wheels.
+    [[nodiscard]] std::vector<RopeLean> leans();
+    // About ropes that may not be as they are meant.
+    [[nodiscard]] const std::vector<std::string>& notes() const { return paths_.notes(); }
 
 private:
     void contribute(std::size_t rope, std::vector<Contribution>& contributions);

@@ -60,6 +60,33 @@ TEST(Ropes, MeasureSpansAndArcs) {
     EXPECT_NEAR(lengthOf(around), 2 * span + 0.5 * (std::numbers::pi + 2 * lean), 1e-14);
 }
 
+// The wheel's plane is across its axis; a point a little beside it is as far away as it is in
+// space.
+TEST(Ropes, ThatLeaveThePlaneOfTheirWheelAreAsLongAsTheirWay) {
+    scene::Scene around = ropeThrough({on("ball"), on("rod", 0.5), at({4.5, -3, 0.003})});
+    around.bodies[0].initialPosition = {3.5, -3, 0};
+    EXPECT_NEAR(lengthOf(around), 3 + std::hypot(3, 0.003) + 0.5 * std::numbers::pi, 1e-14);
+}
+
+// A rope that begins at a drum of positive radius leads down on the side of -x.
+TEST(Ropes, ThatLeadAskewFromTheWrongSideOfADrumAreNoted) {
+    scene::Scene winch = ropeThrough({on("rod", 0.5), on("ball")});
+    const auto notesOf = [](const scene::Scene& scene) {
+        const EquationsOfMotion motion(scene);
+        EXPECT_TRUE(motion.faults.empty());
+        return motion.notes;
+    };
+    winch.bodies[0].initialPosition = {4.5, -3, 0};
+    EXPECT_EQ(notesOf(winch),
+              std::vector<std::string>{
+                  "rope \"r\": leads askew from the one side of the wheel at point 1, and straight "
+                  "from the other with a radius of -0.5"});
+    winch.ropes[0].points[0].radius = -0.5;
+    EXPECT_EQ(notesOf(winch), std::vector<std::string>());
+    winch.bodies[0].initialPosition = {4.2, -3, 0}; // on neither side
+    EXPECT_EQ(notesOf(winch), std::vector<std::string>());
+}
+
 TEST(Ropes, OfACircleCountTheirArcs) {
     scene::Scene belt = ropeThrough({on("ball", 0.5), on("rod", 0.5)});
     belt.bodies[0].initialPosition = {0, 0, 0};

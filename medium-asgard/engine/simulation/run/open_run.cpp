@@ -3,11 +3,11 @@
 #include "events/collision_source.h"
 #include "run/cpu_seconds.h"
 #include "run/nudge.h"
+#include "run/rope_notes.h"
 #include "run/stops.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <iterator>
 
 namespace simulation {
@@ -164,41 +164,6 @@ void OpenRun::publish(double known) {
     observer_.progress(run.motion(problem_, true));
 }
 
-namespace {
-
-// LIMIT: a rope that is wrapped by less than nothing is kept on its wheel; that is told.
-void addLiftOffs(const Problem& problem, const solution::Histories& histories, double until,
-                 std::vector<std::string>& notes) {
-    constexpr int samples = 500, halvings = 40;
-    constexpr double none = -1e-6; // radians
-    for (const physics::RopeWrap& wrap : problem.equations.ropeWraps) {
-        const auto valueOf = [&](std::optional<std::size_t> angle, double t) {
-            return angle ? histories.value(*angle, t) : 0;
-        };
-        const auto wrapped = [&](double t) {
-            return wrap.start + wrap.sign * (valueOf(wrap.out, t) - valueOf(wrap.in, t));
-        };
-        const double step = (until - problem.start()) / samples;
-        int i = 0;
-        while (i <= samples && !(wrapped(problem.start() + i * step) < none))
-            ++i;
-        if (i > samples)
-            continue;
-        double on = problem.start() + std::max(i - 1, 0) * step, off = problem.start() + i * step;
-        for (int k = 0; k < halvings; ++k) {
-            const double middle = 0.5 * (on + off);
-            (wrapped(middle) < none ? off : on) = middle;
-        }
-        char time[40];
-        std::snprintf(time, sizeof time, "%.4g", off);
-        notes.push_back("rope \"" + wrap.rope + "\": it would lift off the wheel of body \"" +
-                        wrap.body + "\" at t = " + time +
-                        ", which is not modelled: it goes on as if it were wrapped backwards");
-    }
-}
-
-} // namespace
-
 Run OpenRun::collect(double until) {
     Run run;
     run.histories = machinery_->solver->snapshot();
@@ -211,7 +176,7 @@ Run OpenRun::collect(double until) {
     run.statistics = machinery_->solver->statistics();
     run.before = std::exchange(counted_, run.statistics);
     run.notes = problem_.equations.notes;
-    addLiftOffs(problem_, *run.histories, until, run.notes);
+    addRopeNotes(problem_, *run.histories, until, run.notes);
     std::vector<collision::Pair> blocked;
     if (machinery_->collisions) {
         CollisionSource& collisions = *machinery_->collisions;

@@ -71,7 +71,7 @@ Stop::Culprit culpritOf(const Problem& problem, const physics::Blame& blame) {
 }
 
 // What an author can do about it.
-std::string adviceFor(solution::Stop::Reason reason, bool isBlamed) {
+std::string adviceFor(solution::Stop::Reason reason, bool isBlamed, bool isWritten) {
     using Reason = solution::Stop::Reason;
     switch (reason) {
     case Reason::notFinite:
@@ -79,9 +79,11 @@ std::string adviceFor(solution::Stop::Reason reason, bool isBlamed) {
     case Reason::overflow:
     case Reason::stepUnderflow:
     case Reason::notConverged:
-        return isBlamed ? "; keep that expression finite there (with ?: or max, say), or let the "
-                          "motion finish before (-finish)"
-                        : "";
+        return !isBlamed ? ""
+               : isWritten
+                   ? "; keep that expression finite there (with ?: or max, say), or let the "
+                     "motion finish before (-finish)"
+                   : "; let the motion finish before (-finish)";
     case Reason::tooManySteps:
         return "; ask for less accuracy (-accuracy), or let the motion finish before (-finish)";
     case Reason::decisions:
@@ -124,14 +126,21 @@ Why whyOf(const Problem& problem, const physics::Suspects& suspects,
     if (stop.reason == Reason::bounds)
         reason += ": there is no solution";
     std::string named;
-    for (const physics::Blame& blame : blames)
-        named +=
-            (named.empty() ? "" : "; ") + physics::inWords(problem.scene, problem.equations, blame);
+    bool isWritten = false;
+    std::vector<std::string> told; // once, though it is on several bodies
+    for (const physics::Blame& blame : blames) {
+        isWritten = isWritten || physics::hasExpression(problem.equations, blame);
+        std::string words = physics::inWords(problem.scene, problem.equations, blame);
+        if (std::ranges::find(told, words) != told.end())
+            continue;
+        named += (named.empty() ? "" : "; ") + words;
+        told.push_back(std::move(words));
+    }
     if ((contradicts || stop.reason == Reason::notFinite) && !named.empty())
         reason = named;
     else if (!named.empty())
         reason += ", since " + named;
-    Why why{.reason = reason + adviceFor(stop.reason, !named.empty())};
+    Why why{.reason = reason + adviceFor(stop.reason, !named.empty(), isWritten)};
     using enum physics::Contribution::Kind;
     if (!blames.empty()) {
         const auto kind = problem.equations.contributions[blames[0].contribution].kind;
@@ -203,7 +212,7 @@ std::map<std::size_t, Stop> solversStops(const Problem& problem,
     if (histories.stops().empty())
         return stops;
     const std::vector<std::size_t> owners = ownersOf(problem);
-    const physics::Suspects suspects(problem.equations);
+    const physics::Suspects suspects(problem.scene, problem.equations);
     std::optional<Stop> full;
     for (const solution::Stop& stop : histories.stops()) {
         const bool isFull = stop.reason == solution::Stop::Reason::tooMuchKept;
