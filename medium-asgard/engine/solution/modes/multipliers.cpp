@@ -194,16 +194,23 @@ void Multipliers::rest(double none, std::span<double> y) const {
             y[push.row] = 0;
 }
 
+// The gaps of stops of joints and ropes read angles, which their ties put back: with the tie of an
+// angle off, such a stop would be found open that holds.
 bool Multipliers::isOff(std::span<const double> y) const {
     constexpr double ofResolution = 0.1, ofVelocities = 1e-9;
     const double slow = ofVelocities * fastest(y);
+    bool isStopHeld = false, isTieOff = false;
     for (std::size_t row = 0; row < size(); ++row) {
         const BoundModel::Law& law = f_.bound()->laws[row];
-        const bool isApart = law.isStop && std::abs(gap(row)) > ofResolution * law.resolution;
-        if (holds(row) && (law.isStop || law.disc) && (isApart || std::abs(rate(row)) > slow))
+        if (!holds(row))
+            continue;
+        const bool isApart = std::abs(gap(row)) > ofResolution * law.resolution;
+        isStopHeld = isStopHeld || (law.isStop && !law.leaving);
+        isTieOff = isTieOff || (!law.isOnSecondRates && isApart);
+        if ((law.isStop && isApart) || ((law.isStop || law.disc) && std::abs(rate(row)) > slow))
             return true;
     }
-    return false;
+    return isStopHeld && isTieOff;
 }
 
 double Multipliers::fastest(std::span<const double> y) const {
