@@ -33,9 +33,7 @@ void waitUntilRead(const SceneDocument& document) {
     const QDeadlineTimer end(20s);
     while (document.isAwaited() && !end.hasExpired()) {
         QEventLoop loop;
-        for (const auto signal : {&SceneDocument::sceneChanged, &SceneDocument::workChanged,
-                                  &SceneDocument::diagnosticsChanged})
-            QObject::connect(&document, signal, &loop, &QEventLoop::quit);
+        QObject::connect(&document, &SceneDocument::wasRead, &loop, &QEventLoop::quit);
         QTimer::singleShot(static_cast<int>(end.remainingTime()), &loop, &QEventLoop::quit);
         loop.exec(QEventLoop::ExcludeUserInputEvents);
     }

@@ -19,14 +19,13 @@ namespace {
 
 constexpr const char* startOption = "-start";
 constexpr const char* finishOption = "-finish";
-constexpr const char* waits = "waits"; // the field, for the text to be read
 
 QString written(double value) { return QString::fromStdString(editing::numberText(value, 0)); }
 
 } // namespace
 
 MotionSpan::MotionSpan(SceneDocument& document, QWidget* parent)
-    : QWidget(parent), document_(document) {
+    : QWidget(parent), document_(document), later_(document) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(4);
@@ -37,13 +36,6 @@ MotionSpan::MotionSpan(SceneDocument& document, QWidget* parent)
     row->addWidget(plain::label(tr("s")));
     row->addStretch();
     connect(&document_, &SceneDocument::sceneChanged, this, &MotionSpan::show);
-    for (const auto signal : {&SceneDocument::sceneChanged, &SceneDocument::workChanged})
-        connect(&document_, signal, this, [this] {
-            for (const auto& [field, option] :
-                 {std::pair(start_, startOption), std::pair(finish_, finishOption)})
-                if (field->property(waits).toBool())
-                    take(field, option);
-        });
     show();
 }
 
@@ -56,7 +48,9 @@ QLineEdit* MotionSpan::addField(const QString& label, const QString& name, const
     field->setObjectName(option + 1); // without its hyphen
     field->setAccessibleName(name);
     new TypedField(*field, document_,
-                   {[this, field, option](bool) { take(field, option); },
+                   {[this, field, option](bool) {
+                        later_.take(field, [this, field, option] { take(field, option); });
+                    },
                     [this, field] {
                         field->setModified(false);
                         show();
@@ -78,9 +72,7 @@ void MotionSpan::show() {
 }
 
 void MotionSpan::take(QLineEdit* field, const char* option) {
-    // While the text is being read it stays, and is taken then.
-    field->setProperty(waits, document_.isAwaited());
-    if (!field->isModified() || document_.isAwaited())
+    if (!field->isModified())
         return;
     field->setModified(false);
     const auto value = script::decimalNumber(field->text().trimmed().toStdString());

@@ -1,7 +1,7 @@
 // From when to when a scene moves: two fields in a window, the `simulator` of the text.
 #pragma once
 
-#include "workbench/scene_document.h"
+#include "workbench/when_read.h"
 
 #include <QWidget>
 
@@ -25,6 +25,7 @@ private:
     [[nodiscard]] QString change(const char* option, double value); // "" or why not
 
     SceneDocument& document_;
+    WhenRead later_;
     QLineEdit* start_ = nullptr;
     QLineEdit* finish_ = nullptr;
 };

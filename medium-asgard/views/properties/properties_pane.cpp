@@ -363,13 +363,13 @@ void PropertiesPane::setSize(const Entered& entered) {
 void PropertiesPane::listen(PropertyRow& row, Enter enter) {
     connect(&row, &PropertyRow::entered, this, [this, &row, enter](const PropertyParts& parts) {
         const Entered entered{&row, &row.option(), elements(), parts};
-        later_.take(&row, [this, entered, now = later_.following(entered.elements), enter] {
+        later_.take(&row, [this, entered, now = following(document_, entered.elements), enter] {
             take(entered, now, enter);
         });
     });
 }
 
-void PropertiesPane::take(Entered entered, const EnteredLater::Follow& now, Enter enter) {
+void PropertiesPane::take(Entered entered, const Follow& now, Enter enter) {
     if (!document_.sceneIsCurrent())
         return answer(entered, document_.whyNotCurrent());
     const auto& scene = document_.shown().scene;

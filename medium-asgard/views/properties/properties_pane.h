@@ -9,11 +9,11 @@
 
 #include "element_edits/property_edit.h"
 #include "properties/element_commands.h"
-#include "properties/entered_later.h"
 #include "properties/property_head.h"
 #include "properties/property_row.h"
 #include "properties/trial.h"
 #include "workbench/scene_document.h"
+#include "workbench/when_read.h"
 
 #include <QPointer>
 #include <QTimer>
@@ -84,7 +84,7 @@ private:
     };
     using Enter = void (PropertiesPane::*)(const Entered& entered);
     void listen(PropertyRow& row, Enter enter);
-    void take(Entered entered, const EnteredLater::Follow& now, Enter enter);
+    void take(Entered entered, const Follow& now, Enter enter);
     void set(const Entered& entered);
     void setTurn(const Entered& entered);
     void setSize(const Entered& entered);
@@ -96,7 +96,7 @@ private:
     SceneDocument& document_;
     ElementCommands commands_;
     Trial trial_;
-    EnteredLater later_;
+    WhenRead later_;
     QTimer soon_;
     std::unique_ptr<editing::Properties> properties_; // of the scene that is shown
     std::vector<const editing::OptionHint*> options_;

@@ -21,7 +21,7 @@ namespace views {
 using editing::Element;
 using editing::Kind;
 
-PropertyHead::PropertyHead(SceneDocument& document, ElementCommands& commands, EnteredLater& later,
+PropertyHead::PropertyHead(SceneDocument& document, ElementCommands& commands, WhenRead& later,
                            std::function<void()> showText, QWidget* parent)
     : QWidget(parent), document_(document), commands_(commands), later_(later) {
     auto* column = new QVBoxLayout(this);
@@ -114,18 +114,19 @@ void PropertyHead::forget() {
 void PropertyHead::rename() {
     if (document_.selected().size() != 1)
         return;
-    later_.take(name_, [this, now = later_.following(document_.selected()), name = name_->text()] {
-        const auto element = now();
-        if (!element)
-            return; // it was deleted meanwhile
-        commands_.rename(element->front(), name, [this, name](const QString& why) {
-            if (name_->text() == name)
-                name_->setModified(false); // the name as it is comes back
-            TypedField::setRefusal(*name_, why);
-            say(why);
-            Q_EMIT renamed();
-        });
-    });
+    later_.take(name_,
+                [this, now = following(document_, document_.selected()), name = name_->text()] {
+                    const auto element = now();
+                    if (!element)
+                        return; // it was deleted meanwhile
+                    commands_.rename(element->front(), name, [this, name](const QString& why) {
+                        if (name_->text() == name)
+                            name_->setModified(false); // the name as it is comes back
+                        TypedField::setRefusal(*name_, why);
+                        say(why);
+                        Q_EMIT renamed();
+                    });
+                });
 }
 
 } // namespace views

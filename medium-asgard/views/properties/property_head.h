@@ -2,7 +2,7 @@
 #pragma once
 
 #include "properties/element_commands.h"
-#include "properties/entered_later.h"
+#include "workbench/when_read.h"
 
 #include <QWidget>
 
@@ -17,7 +17,7 @@ namespace views {
 class PropertyHead : public QWidget {
     Q_OBJECT
 public:
-    PropertyHead(SceneDocument& document, ElementCommands& commands, EnteredLater& later,
+    PropertyHead(SceneDocument& document, ElementCommands& commands, WhenRead& later,
                  std::function<void()> showText, QWidget* parent = nullptr);
 
     [[nodiscard]] QLineEdit& name() { return *name_; }
@@ -38,7 +38,7 @@ private:
 
     SceneDocument& document_;
     ElementCommands& commands_;
-    EnteredLater& later_;
+    WhenRead& later_;
     QString said_;
     QLabel *title_, *fault_;
     QLineEdit* name_;

@@ -201,6 +201,8 @@ void SceneDocument::didRefuse(const std::string& hostText, const QString& why) {
 }
 
 void SceneDocument::setComputed(Computed computed) {
+    const bool wasAwaited = isAwaited();
+    const int revision = revision_;
     const Computed before = std::exchange(computed_, std::move(computed));
     const bool otherScene = computed_.shown.scene != before.shown.scene;
     const bool otherMotion = otherScene || computed_.shown.motion != before.shown.motion;
@@ -229,10 +231,12 @@ void SceneDocument::setComputed(Computed computed) {
     if (otherFaults)
         Q_EMIT diagnosticsChanged();
     // Who is told of a scene may have changed the text, and then all begins anew.
-    const Work now = follower_ ? follower_->work() : came;
+    const Work now = follower_ ? follower_->work() : revision == revision_ ? came : work();
     if (otherStale && now == work())
         Q_EMIT workChanged();
     setWork(now);
+    if (wasAwaited && !isAwaited())
+        Q_EMIT wasRead();
 }
 
 bool SceneDocument::canUndo() const { return host_.undo || history_.canUndo(); }

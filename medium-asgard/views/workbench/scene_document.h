@@ -188,7 +188,9 @@ Q_SIGNALS:
     void selectionChanged();
     void motionChanged(); // more or other motion of it
     void workChanged();   // or whether the motion is stale
-    void nameChanged();   // or whether it is modified
+    // Last of all, once everyone has followed: the scene of the text is shown, or none will come.
+    void wasRead();
+    void nameChanged(); // or whether it is modified
     void changeAccepted();
     void changeRefused(const QString& why); // the text is the host's again
 
