@@ -170,8 +170,9 @@ private:
         computed.shown.motion = from.motion();
         computed.diagnostics = from.faults();
         computed.statistics = from.statistics();
-        computed.work = now.work;
-        computed.current = from.upToDate() && document().text() == from.shownText();
+        const bool isOfText = document().text() == from.shownText();
+        computed.work = isOfText ? now.work : computing::Work::reading; // it is on its way
+        computed.current = from.upToDate() && isOfText;
         computed.stale = from.motionIsStale();
         computed.stopped = from.isCancelled();
         document().setComputed(std::move(computed));

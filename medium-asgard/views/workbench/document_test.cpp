@@ -272,6 +272,34 @@ TEST_F(DocumentTest, ARefusedChangeLeavesTheTextOfTheHost) {
     EXPECT_EQ(why, "too late");
 }
 
+TEST_F(DocumentTest, AChangeIsAwaitedUntilTheHostsSessionHasReadIt) {
+    SceneDocument shown{Workshop{}};
+    int read = 0;
+    bool isKnown = false; // to whoever waits
+    QObject::connect(&shown, &SceneDocument::wasRead, [&] {
+        ++read;
+        isKnown = shown.sceneIsCurrent();
+    });
+    shown.setHostLink({[](const text::Edit&, const QString&) {}, [] {}, [] {}});
+    shown.setTextFromHost(ballScene);
+    EXPECT_TRUE(shown.isAwaited());
+    Computed computed;
+    computed.shown.scene = std::make_shared<const scene::Scene>(theReader().read(ballScene).scene);
+    computed.text = ballScene;
+    computed.current = true;
+    shown.setComputed(computed);
+    EXPECT_FALSE(shown.isAwaited());
+    EXPECT_EQ(read, 1);
+    EXPECT_TRUE(isKnown);
+    shown.setText(ballScene + "# a\n", "Edit");
+    EXPECT_TRUE(shown.isAwaited());
+    EXPECT_EQ(read, 1);
+    computed.current = false; // the text has errors
+    shown.setComputed(computed);
+    EXPECT_FALSE(shown.isAwaited());
+    EXPECT_EQ(read, 2);
+}
+
 TEST_F(DocumentTest, WhatAnotherComputedIsShownAndNothingIsComputedHere) {
     SceneDocument shown{Workshop{}};
     int scenes = 0, motions = 0, faults = 0, asked = 0;

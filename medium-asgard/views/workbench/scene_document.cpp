@@ -301,6 +301,8 @@ void SceneDocument::setOverlap(std::chrono::milliseconds overlap) {
 }
 
 void SceneDocument::start(bool asked) {
+    if (!follower_ && hasHost()) // the host's session reads it
+        setWork(Work::reading);
     if (!follower_)
         return;
     computing::Ask ask;
