@@ -76,9 +76,14 @@ void fillBodies(QMenu* menu, SceneDocument& document, SceneDisplay& display) {
                            [&display, &shape] { display.creating().start(newBody(shape)); });
     menu->addSeparator(); // what grows stands below: the rest stays where the hand knows it
     for (const scene::ShapeSet& set : document.shown().scene->shapeSets)
-        menu->addAction(
-            plain::caption(QString::fromStdString(set.name)), &display,
-            [&display, set] { display.creating().start(newBody(set.name, set.parts)); });
+        menu->addAction(plain::caption(QString::fromStdString(set.name)), &display,
+                        [&document, &display, name = set.name] {
+                            display.creating().start([&document, name] {
+                                const auto* now =
+                                    scene::findShapeSet(*document.shown().scene, name);
+                                return newBody(name, now ? now->parts : std::vector<scene::Part>());
+                            });
+                        });
 }
 
 } // namespace

@@ -5,10 +5,6 @@
 #include "picture/scene_display.h"
 #include "recipes/recipe_words.h"
 #include "scene/shape_of.h"
-#include "script/numbers.h"
-
-#include <QKeyEvent>
-#include <QRegularExpression>
 
 #include <algorithm>
 #include <cmath>
@@ -65,7 +61,7 @@ Vector besideMiddle(Vector place, const Vector& up, const Vector& middle, double
 } // namespace
 
 Creating::Creating(SceneDocument& document, SceneDisplay& display)
-    : document_(document), display_(display) {
+    : document_(document), display_(display), later_(document) {
     // A thing that was clicked on may be gone, or another one.
     connect(&document_, &SceneDocument::textChanged, this, [this] {
         if (!active())
@@ -73,11 +69,7 @@ Creating::Creating(SceneDocument& document, SceneDisplay& display)
         cancel();
         Q_EMIT refused(tr("The text was changed meanwhile."));
     });
-    // Once all who show the scene have followed it.
-    connect(&document_, &SceneDocument::sceneChanged, this, &Creating::stopWaiting,
-            Qt::QueuedConnection);
-    connect(&document_, &SceneDocument::workChanged, this, &Creating::stopWaiting,
-            Qt::QueuedConnection);
+    connect(&display_, &SceneDisplay::pictured, this, &Creating::stopWaiting);
 }
 
 const Step& Creating::step() const {
@@ -88,30 +80,63 @@ void Creating::start(Recipe recipe) {
     start([recipe = std::move(recipe)] { return recipe; });
 }
 
-void Creating::start(std::function<Recipe()> recipe) {
+void Creating::start(std::function<Recipe()> recipe, std::optional<Aim> aim) {
     cancel();
     display_.editing().say({}); // it was about what was done before
-    waiting_.emplace(Waiting{std::move(recipe), {}});
-    if (document_.isAwaited()) {
-        display_.setFocus();
-        Q_EMIT changed();
-    } else {
-        stopWaiting();
-    }
+    waiting_.emplace(Waiting{std::move(recipe), std::move(aim), {}});
+    later_.take(this, [this] { stopWaiting(); });
+    if (!waiting_)
+        return;
+    display_.setFocus();
+    Q_EMIT changed();
 }
 
+// Keys act on what is seen.
 void Creating::stopWaiting() {
     if (!waiting_ || document_.isAwaited())
         return;
-    const Waiting waited = *std::exchange(waiting_, std::nullopt);
     if (!document_.sceneIsCurrent()) {
         cancel();
         Q_EMIT refused(document_.whyNotCurrent());
         return;
     }
+    if (!waiting_->keys.empty()) {
+        display_.bringUpToDate();
+        if (!display_.showsScene())
+            return;
+    }
+    const Waiting waited = *std::exchange(waiting_, std::nullopt);
     begin(waited.recipe());
+    if (waited.aim && recipe_)
+        takeAim(*waited.aim);
     for (const std::unique_ptr<QKeyEvent>& typed : waited.keys)
         (void)key(*typed);
+}
+
+Creating::Aim Creating::aimAt(const editing::Element& body, const QPointF& position) const {
+    const render::Drawing drawing = display_.drawing();
+    Aim aim{following(document_, {body}), std::nullopt};
+    const auto picked = gestures::bodyAt(drawing, display_.sight(), display_.inPixels(position));
+    if (picked && picked->body == body.index)
+        aim.place = render::poseOf(*drawing.scene, drawing.motion.get(), body.index, drawing.time)
+                        .toLocal(picked->point);
+    return aim;
+}
+
+void Creating::takeAim(const Aim& aim) {
+    const auto body = aim.body();
+    if (!body) {
+        cancel();
+        Q_EMIT refused(tr("The body is gone."));
+        return;
+    }
+    const std::size_t index = body->front().index;
+    const render::Drawing drawing = display_.drawing();
+    take(aim.place ? indicatedOn(index, render::poseOf(*drawing.scene, drawing.motion.get(), index,
+                                                       drawing.time)
+                                            .toWorld(*aim.place))
+                   : centerOf(index));
+    Q_EMIT changed();
 }
 
 void Creating::begin(Recipe recipe) {
@@ -182,11 +207,18 @@ std::optional<Indicated> Creating::indicated(const QPointF& position) {
         fault_ = tr("There is no body.");
         return std::nullopt;
     }
-    const Indicated center = centerOf(picked->body);
+    return indicatedOn(picked->body, picked->point);
+}
+
+// A body that is shown by a place of its surface.
+Indicated Creating::indicatedOn(std::size_t body, const Vector& surface) const {
+    const gestures::Sight sight = display_.sight();
+    const Eigen::Vector2d pixels = sight.pixels(surface);
+    const Indicated center = centerOf(body);
     if (step().whole || (sight.pixels(center.point) - pixels).norm() <=
                             0.7 * clickReach * display_.devicePixelRatioF())
         return center;
-    return onBody(picked->body, step().deep ? sight.beside(pixels, center.point) : picked->point);
+    return onBody(body, step().deep ? sight.beside(pixels, center.point) : surface);
 }
 
 const gestures::Snapping& Creating::snapping() {
@@ -308,41 +340,6 @@ Indicated Creating::restingOn(const gestures::Picked& picked, Indicated found) {
                        .arg(QString::fromStdString(drawing.scene->bodies[picked.body].name))
                        .toStdString();
     return found;
-}
-
-// Numbers that are not typed are 0. None: it is no place.
-std::optional<Indicated> Creating::typed() const {
-    const QStringList words =
-        typed_.split(QRegularExpression(QStringLiteral("[\\s,;]+")), Qt::SkipEmptyParts);
-    if (words.isEmpty() || words.size() > 3)
-        return std::nullopt;
-    Indicated found;
-    found.given = true;
-    found.sight = display_.sight().camera.rotation.conjugate() * Vector::UnitZ();
-    for (qsizetype i = 0; i < words.size(); ++i) {
-        const auto number = script::decimalNumber(words[i].toStdString());
-        if (!number)
-            return std::nullopt;
-        found.point[i] = *number;
-    }
-    return found;
-}
-
-bool Creating::type(const QKeyEvent& event) {
-    if (step().wanted != Wanted::point || event.modifiers() & Qt::ControlModifier)
-        return false;
-    static const QString letters = QStringLiteral("0123456789.-+eE,; ");
-    if (event.key() == Qt::Key_Backspace)
-        typed_.chop(1);
-    else if (event.text().size() == 1 && letters.contains(event.text()) &&
-             !(typed_.isEmpty() && event.text() == QLatin1String(" ")))
-        typed_ += event.text();
-    else
-        return false;
-    fault_.clear();
-    next_ = typed();
-    Q_EMIT changed();
-    return true;
 }
 
 // A point of the world on a body; one that is meant to be deep lies on the body's axes if near.
@@ -501,54 +498,6 @@ void Creating::finish() {
 
 bool Creating::isInSight(const Vector& place) const {
     return display_.rect().contains(display_.fromPixels(display_.sight().pixels(place)).toPoint());
-}
-
-bool Creating::key(const QKeyEvent& event) {
-    if (waiting_ && event.key() != Qt::Key_Escape) {
-        waiting_->keys.emplace_back(event.clone());
-        return true;
-    }
-    if (!active())
-        return false;
-    const double stride = event.modifiers() & Qt::ControlModifier ? 2 : 12;
-    const auto cross = [&](double x, double y) {
-        const QPointF now = cross_.value_or(QRectF(display_.rect()).center());
-        cross_ = QPointF(std::clamp(now.x() + x, 0.0, display_.width() - 1.0),
-                         std::clamp(now.y() + y, 0.0, display_.height() - 1.0));
-        Q_EMIT changed();
-    };
-    if (recipe_ && type(event))
-        return true;
-    switch (event.key()) {
-    case Qt::Key_Escape:
-        cancel();
-        return true;
-    case Qt::Key_Left:
-        cross(-stride, 0);
-        return true;
-    case Qt::Key_Right:
-        cross(stride, 0);
-        return true;
-    case Qt::Key_Up:
-        cross(0, -stride);
-        return true;
-    case Qt::Key_Down:
-        cross(0, stride);
-        return true;
-    case Qt::Key_Return:
-    case Qt::Key_Enter:
-        if (cross_)
-            click(*std::exchange(cross_, std::nullopt));
-        else
-            otherwise();
-        return true;
-    case Qt::Key_Delete: // what is selected is not meant now
-    case Qt::Key_Backspace:
-    case Qt::Key_Insert:
-        return true;
-    default:
-        return false;
-    }
 }
 
 QString Creating::prompt() const {

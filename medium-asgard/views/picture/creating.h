@@ -1,5 +1,5 @@
 // A Create command on its way: it asks for clicks, one step after another, and then writes the new
-// element into the text as one step of undo.
+// element into the text as one step of undo. The menu of a body has made the first click already.
 //
 // A click is the left button, shifted or not, let go where it was pressed; dragging turns the view
 // meanwhile, so that what is to be clicked on can be brought to the front. With the keys: the
@@ -8,13 +8,13 @@
 // up. Until the click the new thing is outlined where it would be, drawn to things and round
 // numbers nearby (gestures/snapping.h) unless Ctrl is held.
 //
-// While a text is being read, a command waits for the scene, and keys wait with it: however slowly
-// a machine reads, what was asked for comes.
+// While a text is being read, a command waits for the scene, and the keys that a command has a use
+// for wait with it until the scene is seen. A text with errors ends it, and so does another change.
 #pragma once
 
 #include "gestures/snapping.h"
 #include "recipes/recipes.h"
-#include "workbench/scene_document.h"
+#include "workbench/when_read.h"
 
 #include <QKeyEvent>
 #include <QObject>
@@ -36,14 +36,22 @@ class Creating : public QObject {
 public:
     Creating(SceneDocument& document, SceneDisplay& display);
 
+    // A place on a body, shown before the command began.
+    struct Aim {
+        Follow body;
+        std::optional<Vector> place; // in the body's frame; none: its centre
+    };
     void start(Recipe recipe);
-    void start(std::function<Recipe()> recipe); // made of the scene that it is for
+    // The recipe is made of the scene that it is for.
+    void start(std::function<Recipe()> recipe, std::optional<Aim> aim = std::nullopt);
+    [[nodiscard]] Aim aimAt(const editing::Element& body, const QPointF& position) const;
     [[nodiscard]] bool active() const { return recipe_ || waiting_; }
     void cancel();
     void click(const QPointF& position, bool holdsOff = false);
     // Shows what a click there would make. `holdsOff`: things nearby do not draw it to them.
     void hover(const QPointF& position, bool holdsOff = false);
     bool key(const QKeyEvent& event); // false: not theirs
+    [[nodiscard]] bool uses(const QKeyEvent& event) const;
     // The step that is asked for, and the fault of the last click.
     [[nodiscard]] QString prompt() const;
     void paint(QPainter& painter) const;
@@ -60,11 +68,13 @@ Q_SIGNALS:
 private:
     struct Waiting { // for the scene of the text
         std::function<Recipe()> recipe;
+        std::optional<Aim> aim;
         std::vector<std::unique_ptr<QKeyEvent>> keys; // that were typed meanwhile
     };
 
     void stopWaiting(); // if the scene is there, or will not come
     void begin(Recipe recipe);
+    void takeAim(const Aim& aim);
     [[nodiscard]] const Step& step() const;
     void offerBody();
     [[nodiscard]] std::optional<Indicated> indicated(const QPointF& position);
@@ -75,12 +85,14 @@ private:
     [[nodiscard]] double heightOf(const Vector& up, const geometry::Quaternion& attitude) const;
     [[nodiscard]] Indicated restingOn(const gestures::Picked& body, Indicated found);
     [[nodiscard]] std::optional<Indicated> typed() const;
+    [[nodiscard]] bool types(const QKeyEvent& event) const;
     bool type(const QKeyEvent& event);
     void paintSteps(QPainter& painter) const;
     void paintGhost(QPainter& painter, const Indicated& next) const;
     void paintWords(QPainter& painter, const QPointF& place, const QString& words) const;
     [[nodiscard]] QString wordsOf(const Indicated& next) const;
     [[nodiscard]] Indicated held(const Eigen::Vector2d& pixels) const;
+    [[nodiscard]] Indicated indicatedOn(std::size_t body, const Vector& surface) const;
     [[nodiscard]] Indicated onBody(std::size_t body, const Vector& point) const;
     [[nodiscard]] Vector onAxes(std::size_t body, const Vector& onBody, double near) const;
     [[nodiscard]] Indicated centerOf(std::size_t body) const;
@@ -91,6 +103,7 @@ private:
 
     SceneDocument& document_;
     SceneDisplay& display_;
+    WhenRead later_;
     std::optional<Waiting> waiting_;
     std::optional<Recipe> recipe_;
     gestures::ShapePointer ghost_; // of the recipe; null: it has none that can rest on a body

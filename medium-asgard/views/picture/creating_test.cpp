@@ -3,6 +3,8 @@
 #include "shapes/shape_names.h"
 
 #include <QCheckBox>
+#include <QKeyEvent>
+#include <QMenu>
 
 #include <gmock/gmock.h>
 
@@ -227,6 +229,110 @@ TEST_F(CreatingTest, ACommandWaitsForTheSceneAndForNoMotion) {
     }));
     made.blocked = false;
     done();
+}
+
+TEST_F(CreatingTest, TheMenuOfABodyMeansThisBodyWhenItsCommandHasWaited) {
+    open(balls);
+    display().editing().say({});
+    const QPointF place = display().placeOf(1, 0.2, 0);
+    made.readsSlowly = true;
+    editor.document().setText(balls.substr(0, balls.find("body b1")) +
+                                  "body b0 ball -init_pos {0 3 0}\n" +
+                                  balls.substr(balls.find("body b1")),
+                              "Edit");
+    const auto menu = elementMenu(editor.document(), display(),
+                                  menuPlaceAt(editor.document(), display(), place), {});
+    QAction* gravity = nullptr;
+    for (const QMenu* one : menu->findChildren<QMenu*>())
+        for (QAction* action : one->actions())
+            if (action->text() == "&Gravity")
+                gravity = action;
+    ASSERT_TRUE(gravity);
+    gravity->trigger();
+    EXPECT_THAT(display().creating().prompt().toStdString(), HasSubstr("is being read"));
+    made.readsSlowly = false;
+    done();
+    EXPECT_THAT(display().creating().prompt().toStdString(), HasSubstr("9.81 downwards"));
+    key(Qt::Key_Return);
+    done();
+    EXPECT_THAT(text(), HasSubstr("force -body b2 -gravitational {0 -9.81 0}"));
+}
+
+TEST_F(CreatingTest, ACommandThatWaitsKeepsOnlyKeysThatItHasAUseFor) {
+    open(balls);
+    const auto isTaken = [this](QEvent::Type type, Qt::Key key, Qt::KeyboardModifiers modifiers,
+                                const QString& letters) {
+        QKeyEvent event(type, key, modifiers, letters);
+        event.ignore();
+        QApplication::sendEvent(&display(), &event);
+        return event.isAccepted();
+    };
+    const auto both = [&](Qt::Key key, Qt::KeyboardModifiers modifiers, const QString& letters) {
+        return isTaken(QEvent::ShortcutOverride, key, modifiers, letters) ||
+               isTaken(QEvent::KeyPress, key, modifiers, letters);
+    };
+    for (const bool waits : {true, false}) {
+        made.readsSlowly = waits;
+        if (waits)
+            editor.document().setText(balls + "set a 1\n", "Edit");
+        display().creating().start(newBody("ball"));
+        EXPECT_EQ(display().creating().prompt().contains("is being read"), waits);
+        EXPECT_FALSE(both(Qt::Key_Space, {}, " ")) << waits;
+        EXPECT_FALSE(both(Qt::Key_S, Qt::ControlModifier, "\x13")) << waits;
+        EXPECT_FALSE(both(Qt::Key_F1, {}, "")) << waits;
+        EXPECT_TRUE(isTaken(QEvent::ShortcutOverride, Qt::Key_Return, {}, "\r")) << waits;
+        EXPECT_TRUE(isTaken(QEvent::ShortcutOverride, Qt::Key_5, {}, "5")) << waits;
+        QTest::keyClicks(&display(), "1 2"); // the sign between numbers is one of a place
+        made.readsSlowly = false;
+        done();
+        EXPECT_THAT(display().creating().prompt().toStdString(), HasSubstr("x y z = 1 2_"));
+        key(Qt::Key_Escape);
+    }
+}
+
+TEST_F(CreatingTest, ArrowsThatWaitedMoveInTheNewView) {
+    open("shape_set ball -desc {-sub {-sphere 0.5}}\nbody b1 ball -init_pos {-100 0 0}\n"
+         "body b2 ball -init_pos {100 0 0}\n");
+    made.readsSlowly = true;
+    editor.document().reset(balls);
+    display().creating().start(newBody("ball"));
+    key(Qt::Key_Right);
+    key(Qt::Key_Return);
+    made.readsSlowly = false;
+    done();
+    ASSERT_TRUE(waitFor([this] { return !display().creating().active(); }));
+    done();
+    ASSERT_EQ(scene().bodies.size(), 3U);
+    const Vector place = scene().bodies.back().initialPosition;
+    EXPECT_GT(place.norm(), 0.01);
+    EXPECT_LT(place.norm(), 2);
+}
+
+// Until the host's session has read a change of a window, a command waits as it does alone.
+TEST_F(CreatingTest, UnderAHostACommandWaitsForTheHost) {
+    Editor hosted{Workshop{}};
+    SceneDocument& document = hosted.document();
+    document.setHostLink({[](const text::Edit&, const QString&) {}, [] {}, [] {}});
+    const auto read = [&document] {
+        Computed computed;
+        computed.shown.scene =
+            std::make_shared<const scene::Scene>(theReader().read(document.text()).scene);
+        computed.text = document.text();
+        computed.current = true;
+        document.setComputed(computed);
+    };
+    document.setTextFromHost(balls);
+    read();
+    SceneDisplay& picture = hosted.openGraphicalViewer()->display();
+    picture.grab();
+    document.setText(balls + "set a 1\n", "Edit");
+    EXPECT_TRUE(document.isAwaited());
+    picture.creating().start(newBody("ball"));
+    EXPECT_THAT(picture.creating().prompt().toStdString(), HasSubstr("is being read"));
+    QTest::keyClick(&picture, Qt::Key_Return);
+    EXPECT_EQ(document.text(), balls + "set a 1\n");
+    read();
+    EXPECT_THAT(document.text(), HasSubstr("body b3 ball -init_pos {0 0 0}"));
 }
 
 TEST_F(CreatingTest, WhatCannotBeMadeYetSaysWhy) {

@@ -36,7 +36,7 @@ private:
     void trajectory();
     void charts();
     void addPlots();
-    // A Create command whose first click is here.
+    // A Create command that begins with the body.
     void create(QMenu* menu, const QString& label, std::function<Recipe()> recipe);
 
     QMenu& menu_;
@@ -44,6 +44,7 @@ private:
     SceneDisplay& display_;
     const MenuPlace& place_;
     const MenuWindows& windows_;
+    std::optional<Creating::Aim> aim_; // at the body
 };
 
 // Each handle of the element asks for its exact value; those of its kind that are not shown come
@@ -73,10 +74,8 @@ void Building::values() {
 
 void Building::create(QMenu* menu, const QString& label, std::function<Recipe()> recipe) {
     menu->addAction(plain::ours(label), &display_,
-                    [&display = display_, position = place_.position, recipe = std::move(recipe)] {
-                        display.creating().start(recipe());
-                        if (display.creating().active())
-                            display.creating().click(position);
+                    [&display = display_, recipe = std::move(recipe), aim = aim_] {
+                        display.creating().start(recipe, aim);
                     });
 }
 
@@ -84,6 +83,7 @@ void Building::body() {
     SceneDisplay& display = display_;
     const std::size_t index = place_.element->index;
     const scene::Body& one = scene().bodies[index];
+    aim_ = display.creating().aimAt(*place_.element, place_.position);
     menu_.addAction(QObject::tr("&Size…"), &display_,
                     [&display, index] { display.editing().openSize(index); });
     menu_.addAction(QObject::tr("S&urface…"), &display_,

@@ -171,6 +171,7 @@ void SceneDisplay::bringUpToDate() {
 void SceneDisplay::ready() {
     take();
     update();
+    Q_EMIT pictured();
 }
 
 void SceneDisplay::setTime(double time, bool moving) {
@@ -394,9 +395,7 @@ render::Drawing SceneDisplay::drawing() const {
 }
 
 std::optional<render::GroundPlane> SceneDisplay::ground() const {
-    return picture_ && display_.grid && picture_->of.shown.scene == document_.shown().scene
-               ? picture_->ground
-               : std::nullopt;
+    return display_.grid && showsScene() ? picture_->ground : std::nullopt;
 }
 
 const render::HandleSet& SceneDisplay::handles() {
@@ -407,10 +406,7 @@ const render::HandleSet& SceneDisplay::handles() {
 
 const render::HandleSet& SceneDisplay::knownHandles() const {
     static const render::HandleSet none;
-    return picture_ && render::showsHandles(display_) &&
-                   picture_->of.shown.scene == document_.shown().scene
-               ? picture_->handles
-               : none;
+    return render::showsHandles(display_) && showsScene() ? picture_->handles : none;
 }
 
 const render::HandleSet& SceneDisplay::drawnHandles() const {

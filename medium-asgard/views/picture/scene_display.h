@@ -97,6 +97,12 @@ public:
     [[nodiscard]] bool showsNewest() const {
         return !asking_.isOld && picture_ && picture_->of.serial == asking_.wished;
     }
+    // The newest wish is asked for, and waited for as long as there is patience.
+    void bringUpToDate();
+    // The picture is of the scene that the document shows.
+    [[nodiscard]] bool showsScene() const {
+        return picture_ && picture_->of.shown.scene == document_.shown().scene;
+    }
     // The things to see in the picture as it is.
     [[nodiscard]] const render::HandleSet& drawnHandles() const;
     // The same, as far as it is of the scene that is shown.
@@ -118,6 +124,7 @@ public:
 
 Q_SIGNALS:
     void cameraChanged();
+    void pictured();      // a newer picture is there
     void handleDragged(); // its words changed
     void hiddenChanged();
     void viewFollowed(); // another named view, or none any more
@@ -143,8 +150,6 @@ private:
     void sceneChanged();
     void motionChanged();
     void rename(const std::vector<editing::Renamed>& renamed); // of what is hidden
-    // The newest wish is asked for, and waited for as long as there is patience.
-    void bringUpToDate();
     void ask();
     void take();
     void ready(); // the thread has drawn a picture

@@ -156,7 +156,8 @@ bool SceneDisplay::event(QEvent* event) {
     if (event->type() == QEvent::PaletteChange)
         redraw(false);
     if (event->type() == QEvent::ShortcutOverride &&
-        (editing_.dragging() || creating_.active() || selecting_.hasBand())) {
+        (editing_.dragging() || selecting_.hasBand() ||
+         creating_.uses(static_cast<const QKeyEvent&>(*event)))) {
         event->accept();
         return true;
     }

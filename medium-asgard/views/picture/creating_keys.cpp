@@ -1,0 +1,128 @@
+// Keys of an element that is being made: which it has a use for, a place that is typed, the cross.
+#include "picture/creating.h"
+
+#include "picture/scene_display.h"
+#include "script/numbers.h"
+
+#include <QKeyEvent>
+#include <QRegularExpression>
+
+#include <algorithm>
+
+namespace views {
+
+// Numbers that are not typed are 0. None: it is no place.
+std::optional<Indicated> Creating::typed() const {
+    const QStringList words =
+        typed_.split(QRegularExpression(QStringLiteral("[\\s,;]+")), Qt::SkipEmptyParts);
+    if (words.isEmpty() || words.size() > 3)
+        return std::nullopt;
+    Indicated found;
+    found.given = true;
+    found.sight = display_.sight().camera.rotation.conjugate() * Vector::UnitZ();
+    for (qsizetype i = 0; i < words.size(); ++i) {
+        const auto number = script::decimalNumber(words[i].toStdString());
+        if (!number)
+            return std::nullopt;
+        found.point[i] = *number;
+    }
+    return found;
+}
+
+// A sign of a place's numbers. The sign between them is one only after a number.
+bool Creating::types(const QKeyEvent& event) const {
+    constexpr auto others = Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier;
+    static const QString letters = QStringLiteral("0123456789.-+eE,; ");
+    const auto isSign = [](const QKeyEvent& one) {
+        return one.text().size() == 1 && letters.contains(one.text());
+    };
+    const bool begun =
+        !typed_.isEmpty() || (waiting_ && std::ranges::any_of(waiting_->keys, [&](const auto& one) {
+                                  return isSign(*one);
+                              }));
+    return (waiting_ || step().wanted == Wanted::point) && !(event.modifiers() & others) &&
+           isSign(event) && (begun || event.key() != Qt::Key_Space);
+}
+
+bool Creating::type(const QKeyEvent& event) {
+    if (types(event))
+        typed_ += event.text();
+    else if (event.key() == Qt::Key_Backspace && step().wanted == Wanted::point)
+        typed_.chop(1);
+    else
+        return false;
+    fault_.clear();
+    next_ = typed();
+    Q_EMIT changed();
+    return true;
+}
+
+bool Creating::uses(const QKeyEvent& event) const {
+    if (!active())
+        return false;
+    if (types(event))
+        return true;
+    constexpr auto others = Qt::AltModifier | Qt::MetaModifier;
+    switch (event.key()) {
+    case Qt::Key_Left:
+    case Qt::Key_Right:
+    case Qt::Key_Up:
+    case Qt::Key_Down:
+        return !(event.modifiers() & others);
+    case Qt::Key_Escape:
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+    case Qt::Key_Delete: // what is selected is not meant now
+    case Qt::Key_Backspace:
+    case Qt::Key_Insert:
+        return true;
+    default:
+        return false;
+    }
+}
+
+bool Creating::key(const QKeyEvent& event) {
+    if (!uses(event))
+        return false;
+    if (waiting_ && event.key() != Qt::Key_Escape) {
+        waiting_->keys.emplace_back(event.clone());
+        return true;
+    }
+    const double stride = event.modifiers() & Qt::ControlModifier ? 2 : 12;
+    const auto cross = [&](double x, double y) {
+        const QPointF now = cross_.value_or(QRectF(display_.rect()).center());
+        cross_ = QPointF(std::clamp(now.x() + x, 0.0, display_.width() - 1.0),
+                         std::clamp(now.y() + y, 0.0, display_.height() - 1.0));
+        Q_EMIT changed();
+    };
+    if (recipe_ && type(event))
+        return true;
+    switch (event.key()) {
+    case Qt::Key_Escape:
+        cancel();
+        return true;
+    case Qt::Key_Left:
+        cross(-stride, 0);
+        return true;
+    case Qt::Key_Right:
+        cross(stride, 0);
+        return true;
+    case Qt::Key_Up:
+        cross(0, -stride);
+        return true;
+    case Qt::Key_Down:
+        cross(0, stride);
+        return true;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+        if (cross_)
+            click(*std::exchange(cross_, std::nullopt));
+        else
+            otherwise();
+        return true;
+    default:
+        return true;
+    }
+}
+
+} // namespace views
