@@ -36,16 +36,16 @@ Grasp bodyHeld(const render::Drawing& drawing, const Sight& sight, const Picked&
              reach, pose}};
 }
 
-// A fixed half space lies behind everything: a drag that missed something else does not mean it.
-// Its handle moves it.
-bool isEndlessFloor(const scene::Scene& scene, const scene::Body& body) {
-    const scene::ShapeSet* set = scene::findShapeSet(scene, body.shape);
-    return body.fixed && set && std::ranges::any_of(set->parts, [](const scene::Part& part) {
-               return std::holds_alternative<scene::PlaneShape>(part.shape);
-           });
-}
-
 } // namespace
+
+bool isGrasped(const scene::Scene& scene, std::size_t body) {
+    const scene::Body& one = scene.bodies[body];
+    const scene::ShapeSet* set = scene::findShapeSet(scene, one.shape);
+    const bool isEndless = set && std::ranges::any_of(set->parts, [](const scene::Part& part) {
+                               return std::holds_alternative<scene::PlaneShape>(part.shape);
+                           });
+    return !one.fixed || !isEndless;
+}
 
 std::optional<Grasp> graspAt(const render::Drawing& drawing, const render::HandleSet& handles,
                              const Sight& sight, Button button, const Eigen::Vector2d& pixels,
@@ -60,7 +60,7 @@ std::optional<Grasp> graspAt(const render::Drawing& drawing, const render::Handl
                          handle};
     }
     const auto picked = bodyAt(drawing, sight, pixels);
-    if (!picked || isEndlessFloor(*drawing.scene, drawing.scene->bodies[picked->body]))
+    if (!picked || !isGrasped(*drawing.scene, picked->body))
         return std::nullopt;
     return bodyHeld(drawing, sight, *picked, button);
 }

@@ -10,6 +10,10 @@ namespace gestures {
 
 constexpr double handleReach = 14; // pixels, of a handle
 
+// A drag of the picture may mean the body where it is seen. An endless floor lies behind
+// everything: a drag that missed something else does not mean it. Its handle moves it.
+[[nodiscard]] bool isGrasped(const scene::Scene& scene, std::size_t body);
+
 struct Grasp {
     enum class What { drag, roll, newPoint, removePoint } what = What::drag;
     render::Handle handle;

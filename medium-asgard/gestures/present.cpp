@@ -157,13 +157,13 @@ double roundMoment(const simulation::Motion& motion, double time) {
     return std::clamp(editing::roundedTo(time, step), motion.start(), motion.computed());
 }
 
-std::string whyNotAt(const Ground& ground, double time) {
-    if (!ground.motion || time > ground.motion->computed() || ground.motion->draft())
+std::string whyNotAt(const scene::Scene& scene, const simulation::MotionPointer& motion,
+                     double time) {
+    if (!motion || time > motion->computed() || motion->draft())
         return "The motion is not computed up to this time yet.";
-    if (time >= ground.motion->finish())
+    if (time >= motion->finish())
         return "Nothing of the motion is left from here on: go to an earlier moment.";
-    return countsFromStart(*ground.scene,
-                           simulation::releasedBy(*ground.scene, *ground.motion, time));
+    return countsFromStart(scene, simulation::releasedBy(scene, *motion, time));
 }
 
 scene::Scene sceneAt(const Ground& ground, double time) {
@@ -192,7 +192,7 @@ scene::Scene sceneAt(const Ground& ground, double time) {
 
 editing::Answer startingAt(const Ground& ground, double time, const std::vector<Put>& puts) {
     editing::Answer answer;
-    answer.reason = whyNotAt(ground, time);
+    answer.reason = whyNotAt(*ground.scene, ground.motion, time);
     if (!answer.possible())
         return answer;
     const Moment moment(ground, time, puts);

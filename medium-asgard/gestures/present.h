@@ -35,7 +35,8 @@ struct Put {
 [[nodiscard]] editing::Answer startingAt(const Ground& ground, double time,
                                          const std::vector<Put>& puts = {});
 // Why it cannot begin at that moment; "": it can, as far as the text allows.
-[[nodiscard]] std::string whyNotAt(const Ground& ground, double time);
+[[nodiscard]] std::string whyNotAt(const scene::Scene& scene,
+                                   const simulation::MotionPointer& motion, double time);
 // The scene as it would begin there.
 [[nodiscard]] scene::Scene sceneAt(const Ground& ground, double time);
 

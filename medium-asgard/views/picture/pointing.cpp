@@ -48,7 +48,8 @@ void Pointing::look() {
     const auto before = std::pair(subject_, words_);
     const bool wasBody = body_ || path_;
     handle_.reset();
-    body_ = path_ = isSelected_ = isThrown_ = false;
+    body_ = path_ = isGrasped_ = isDragged_ = false;
+    whyNot_.reset();
     subject_.clear();
     words_.clear();
     const render::HandleSet& set = display_.knownHandles();
@@ -81,9 +82,13 @@ void Pointing::rest() {
     const Eigen::Vector2d pixels = display_.inPixels(*position_);
     if (const auto picked = gestures::bodyAt(drawing, display_.sight(), pixels)) {
         body_ = true;
-        isSelected_ = display_.selecting().selectedBodyAt(*position_).has_value();
-        isThrown_ = display_.throwing().takesAtOnce(picked->body);
-        subject_ = QString::fromStdString(drawing.scene->bodies[picked->body].name);
+        isGrasped_ = gestures::isGrasped(*drawing.scene, picked->body);
+        const auto dragged = display_.selecting().draggedBodyAt(*position_);
+        isDragged_ = dragged.has_value();
+        if (dragged)
+            whyNot_ = display_.throwing().whyNot(*dragged);
+        subject_ =
+            QString::fromStdString(drawing.scene->bodies[dragged.value_or(picked->body)].name);
     } else if (drawing.display.trajectories) {
         const auto path =
             gestures::trajectoryAt(*drawing.scene, display_.sight(), pixels,
@@ -101,7 +106,8 @@ void Pointing::showCursor() {
     const bool shifted = keys_ & Qt::ShiftModifier;
     if (display_.creating().active())
         display_.setCursor(Qt::CrossCursor);
-    else if ((shifted && (handle_ || body_)) || isSelected_ || isThrown_)
+    else if ((shifted && (handle_ || isGrasped_)) ||
+             (isDragged_ && (!whyNot_ || whyNot_->isEmpty())))
         display_.setCursor(Qt::SizeAllCursor);
     else if (handle_ || (position_ && display_.gizmo().at(*position_)) ||
              (position_ && !display_.triadEndAt(*position_).isEmpty()))
@@ -142,22 +148,24 @@ QString Pointing::hint() const {
                   " "
                   "double click: exact place  ·  %2")
             .arg(subject_, menu);
-    const bool isLater =
-        document_.shown().motion && display_.time() > document_.shown().motion->start();
-    if (isThrown_)
-        return tr("Drag throws %1  ·  Shift-drag changes its start  ·  %2").arg(subject_, menu);
-    if (isSelected_ && isLater)
-        return tr("Drag puts %1 elsewhere from this moment on  ·  Shift-drag changes its start  ·  "
-                  "%2")
+    if (whyNot_ && !whyNot_->isEmpty())
+        return tr("%1  ·  Shift-drag changes the start of %2  ·  %3").arg(*whyNot_, subject_, menu);
+    if (whyNot_)
+        return (display_.throwing().plays()
+                    ? tr("Drag throws %1  ·  Shift-drag changes its start  ·  %2")
+                    : tr("Drag puts %1 elsewhere from this moment on  ·  Shift-drag changes its "
+                         "start  ·  %2"))
             .arg(subject_, menu);
     if (handle_)
         return tr("Shift-drag changes %1  ·  double click: exact value  ·  %2").arg(subject_, menu);
+    if (body_ && !isGrasped_ && !isDragged_)
+        return tr("Click selects %1  ·  Drag turns the view  ·  double click: size  ·  %2")
+            .arg(subject_, menu);
     if (body_)
-        return (isSelected_
-                    ? tr("Drag moves %1  ·  Shift-middle turns it  ·  a click selects what "
-                         "lies behind  ·  double click: size  ·  %2")
-                    : tr("Click selects %1, with Shift one more  ·  Shift-drag moves it  ·  "
-                         "Shift-middle turns it  ·  double click: size  ·  %2"))
+        return (isDragged_ ? tr("Drag moves %1  ·  Shift-middle turns it  ·  a click selects what "
+                                "lies behind  ·  double click: size  ·  %2")
+                           : tr("Click selects %1, with Shift one more  ·  Shift-drag moves it  ·  "
+                                "Shift-middle turns it  ·  double click: size  ·  %2"))
             .arg(subject_, menu);
     if (path_)
         return tr("Click selects %1  ·  %2").arg(subject_, menu);

@@ -53,9 +53,10 @@ private:
     QString subject_; // "the velocity of b1", "b1"
     QString words_;
     bool body_ = false, path_ = false;
-    bool isSelected_ = false; // the body
-    bool isThrown_ = false;   // a drag takes it while the motion plays
-    QTimer rest_;             // bodies are looked for when the pointer stays
+    bool isGrasped_ = false;        // a drag with Shift takes the body
+    bool isDragged_ = false;        // one without it does
+    std::optional<QString> whyNot_; // Throwing::whyNot(), of a body that is dragged
+    QTimer rest_;                   // bodies are looked for when the pointer stays
 };
 
 } // namespace views

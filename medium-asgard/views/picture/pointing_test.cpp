@@ -12,6 +12,7 @@ namespace {
 
 using geometry::Vector;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 const std::string thrown = "simulator -finish 2\n"
                            "shape_set s -desc {-sub {-sphere 0.5}}\n"
@@ -136,6 +137,56 @@ TEST_F(PointingTest, WhileTheMotionPlaysTheLineSaysWhatADragThrows) {
     viewer->playback().stop();
     editor.document().setText(editor.document().text() + "\n", "Edit");
     EXPECT_EQ(display().editing().said(), ""); // it was about the text before
+}
+
+// Hint, cursor and drag ask one question.
+TEST_F(PointingTest, AtTheEndOfTheMotionNoDragIsPromised) {
+    viewer->playback().setClock([] { return 0.0; });
+    viewer->playback().seek(1.9999);
+    viewer->playback().play();
+    display().throwing().setPlays(true);
+    display().frameNow();
+    display().grab();
+    const QPoint middle = display().placeOf(5, 0.2, 0).toPoint();
+    ASSERT_TRUE(display().rect().contains(middle));
+    const auto isNamed = [&] { return hint().find("ball") != std::string::npos; };
+    pointAt(middle);
+    EXPECT_TRUE(waitFor(isNamed));
+    EXPECT_THAT(hint(), Not(HasSubstr("Drag throws")));
+    EXPECT_EQ(display().cursor().shape(), Qt::ArrowCursor);
+    EXPECT_FALSE(display().selecting().draggedBodyAt(middle).has_value());
+    viewer->playback().pause();
+    editor.document().select({{editing::Kind::body, 0}});
+    pointAt(middle);
+    EXPECT_TRUE(waitFor([&] { return hint().find("Nothing of the motion") != std::string::npos; }))
+        << hint();
+    EXPECT_NE(display().cursor().shape(), Qt::SizeAllCursor);
+}
+
+TEST_F(PointingTest, OfAnEndlessFloorNoDragIsPromised) {
+    editor.document().setText(
+        "shape_set ground -desc {-sub {-plane}}\nbody floor ground -fixed 1\n", "Edit");
+    ASSERT_TRUE(settle(editor.document()));
+    ASSERT_FALSE(editor.document().hasErrors());
+    display().lookAlong(Vector(0, 0.6, 1));
+    display().grab();
+    const QPoint middle = QRect(QPoint(), display().size()).center() + QPoint(3, 60);
+    for (const bool isSelected : {false, true}) {
+        if (isSelected)
+            editor.document().select({{editing::Kind::body, 0}});
+        pointAt(middle);
+        EXPECT_TRUE(waitFor([&] { return hint().find("Click selects floor") == 0; })) << hint();
+        EXPECT_THAT(hint(), Not(HasSubstr("moves it")));
+        EXPECT_THAT(hint(), Not(HasSubstr("turns it")));
+        const std::string before = editor.document().text();
+        QTest::mousePress(&display(), Qt::LeftButton, {}, middle);
+        QMouseEvent move(QEvent::MouseMove, middle + QPoint(40, 0),
+                         display().mapToGlobal(middle + QPoint(40, 0)), Qt::NoButton,
+                         Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(&display(), &move);
+        QTest::mouseRelease(&display(), Qt::LeftButton, {}, middle + QPoint(40, 0));
+        EXPECT_EQ(editor.document().text(), before);
+    }
 }
 
 TEST_F(PointingTest, WhatIsNoLongerThereIsNotNamed) {

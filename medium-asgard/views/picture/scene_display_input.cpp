@@ -76,11 +76,7 @@ bool SceneDisplay::beginDrag(QMouseEvent& event) {
     if (!isPlain)
         return false;
     const auto arrow = gizmo_.at(press_.at);
-    auto body = arrow ? std::optional(arrow->body) : selecting_.selectedBodyAt(press_.at);
-    if (!body)
-        if (const auto one = gestures::bodyAt(drawing(), sight(), inPixels(press_.at));
-            one && throwing_.takesAtOnce(one->body))
-            body = one->body;
+    const auto body = arrow ? std::optional(arrow->body) : selecting_.draggedBodyAt(press_.at);
     if (!body)
         return false;
     if (arrow && arrow->isRing) {

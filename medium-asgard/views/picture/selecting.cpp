@@ -109,15 +109,19 @@ bool Selecting::cancel() {
     return true;
 }
 
-std::optional<std::size_t> Selecting::selectedBodyAt(const QPointF& position) const {
+std::optional<std::size_t> Selecting::draggedBodyAt(const QPointF& position) const {
     const auto& selected = document_.selected();
-    if (std::ranges::find(selected, Kind::body, &Element::kind) == selected.end())
-        return std::nullopt;
-    for (const gestures::Picked& picked :
-         gestures::bodiesAt(display_.drawing(), display_.sight(), display_.inPixels(position)))
-        if (std::ranges::find(selected, Element{Kind::body, picked.body}) != selected.end())
-            return picked.body;
-    return std::nullopt;
+    const render::Drawing drawing = display_.drawing();
+    const gestures::Sight sight = display_.sight();
+    const Eigen::Vector2d pixels = display_.inPixels(position);
+    if (std::ranges::find(selected, Kind::body, &Element::kind) != selected.end())
+        for (const gestures::Picked& picked : gestures::bodiesAt(drawing, sight, pixels))
+            if (std::ranges::find(selected, Element{Kind::body, picked.body}) != selected.end() &&
+                gestures::isGrasped(*drawing.scene, picked.body))
+                return picked.body;
+    const auto front = gestures::bodyAt(drawing, sight, pixels);
+    return front && display_.throwing().takesAtOnce(front->body) ? std::optional(front->body)
+                                                                 : std::nullopt;
 }
 
 std::vector<Selecting::Thing> Selecting::thingsAt(const QPointF& position) const {

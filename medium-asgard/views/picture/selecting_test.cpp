@@ -303,6 +303,7 @@ TEST_F(SelectingTest, ABodyIsThrownWhileTheMotionPlaysAndPutWhileItRests) {
         EXPECT_TRUE(waitFor([&] { return viewer->playback().isPlaying() == plays; }));
         EXPECT_EQ(editor.document().undoLabel(),
                   plays ? "Throw left at 0.5 s" : "Put left Elsewhere at 0.5 s");
+        EXPECT_TRUE(viewer->findChild<QAction*>("undo")->isEnabled());
         viewer->playback().stop();
     }
 }

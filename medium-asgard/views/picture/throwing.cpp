@@ -42,37 +42,34 @@ Vector Throwing::under(const QPointF& position) const {
     return display_.sight().across(display_.inPixels(position), held_->pose.position);
 }
 
-bool Throwing::isOnItsWay(std::size_t body) const {
+std::optional<QString> Throwing::whyNot(std::size_t body) const {
     const Shown& shown = document_.shown();
-    return shown.motion && display_.time() > shown.motion->start() &&
-           !shown.scene->bodies[body].fixed && document_.sceneIsCurrent() &&
-           !document_.motionIsStale();
+    const scene::Body& one = shown.scene->bodies[body];
+    if (!shown.motion || display_.time() <= shown.motion->start() || one.fixed ||
+        !document_.sceneIsCurrent() || document_.motionIsStale())
+        return std::nullopt;
+    if (const QString leader = leaderOf(*shown.scene, one.name); !leader.isEmpty())
+        return tr("%1 is %2: it is neither thrown nor put elsewhere on its way. Its place at the "
+                  "start can be dragged there.")
+            .arg(QString::fromStdString(one.name), leader);
+    return QString::fromStdString(gestures::whyNotAt(
+        *shown.scene, shown.motion, gestures::roundMoment(*shown.motion, display_.time())));
 }
 
-bool Throwing::takesAtOnce(std::size_t body) const {
-    const scene::Scene& scene = *document_.shown().scene;
-    return plays_ && isOnItsWay(body) && leaderOf(scene, scene.bodies[body].name).isEmpty();
-}
+bool Throwing::takesAtOnce(std::size_t body) const { return plays_ && whyNot(body) == QString(); }
 
 bool Throwing::press(std::size_t body, const QPointF& position) {
-    const Shown& shown = document_.shown();
-    if (!isOnItsWay(body))
+    const auto fault = whyNot(body);
+    if (!fault)
         return false;
-    const QString name = QString::fromStdString(shown.scene->bodies[body].name);
-    gestures::Ground ground = document_.ground();
-    const double time = gestures::roundMoment(*shown.motion, display_.time());
-    const QString leader = leaderOf(*shown.scene, name.toStdString());
-    const QString fault = leader.isEmpty()
-                              ? QString::fromStdString(gestures::whyNotAt(ground, time))
-                              : tr("%1 is %2: it is neither thrown nor put elsewhere on its way. "
-                                   "Its place at the start can be dragged there.")
-                                    .arg(name, leader);
-    if (!fault.isEmpty()) {
-        display_.editing().say(fault);
+    if (!fault->isEmpty()) {
+        display_.editing().say(*fault);
         return true;
     }
+    const Shown& shown = document_.shown();
+    const double time = gestures::roundMoment(*shown.motion, display_.time());
     display_.keepCamera();
-    held_.emplace(Held{std::move(ground),
+    held_.emplace(Held{document_.ground(),
                        time,
                        body,
                        render::poseOf(*shown.scene, shown.motion.get(), body, time),

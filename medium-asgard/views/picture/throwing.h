@@ -27,11 +27,14 @@ class Throwing : public QObject {
 public:
     Throwing(SceneDocument& document, SceneDisplay& display);
 
-    // False: it is the start, where a drag changes initial values, or nothing can be changed. What
-    // is held by something else is not taken, and the picture says why.
+    // Why a drag may not take the body out of its way at this moment; "": it may. None: a drag does
+    // not mean that; it is the start, where one changes initial values, or nothing can be changed.
+    [[nodiscard]] std::optional<QString> whyNot(std::size_t body) const;
+    // False: a drag does not mean that. The picture says why it may not.
     bool press(std::size_t body, const QPointF& position);
     // While the motion plays any body is taken that nothing holds, selected or not.
     void setPlays(bool plays) { plays_ = plays; }
+    [[nodiscard]] bool plays() const { return plays_; }
     [[nodiscard]] bool takesAtOnce(std::size_t body) const;
     bool move(const QMouseEvent& event);    // false: nothing is held
     bool release(const QMouseEvent& event); // false: nothing is held
@@ -49,7 +52,6 @@ Q_SIGNALS:
     void letGo(bool isChanged); // the text has the moment as its start
 
 private:
-    [[nodiscard]] bool isOnItsWay(std::size_t body) const; // and can be changed there
     struct Moment {
         double seconds; // of the hand's clock
         geometry::Vector place;
