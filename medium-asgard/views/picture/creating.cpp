@@ -2,6 +2,7 @@
 
 #include "editing/number_text.h"
 #include "gestures/snapping.h"
+#include "gestures/standing.h"
 #include "picture/scene_display.h"
 #include "recipes/recipe_words.h"
 #include "scene/shape_of.h"
@@ -302,6 +303,12 @@ std::optional<Indicated> Creating::onGrid(const Eigen::Vector2d& pixels, Indicat
     found.point += (ground->height - found.point.dot(ground->up)) * ground->up;
     found.at = meant.isExact ? meant.to : tr("on the grid").toStdString();
     found.point += heightOf(ground->up, found.attitude) * ground->up;
+    const auto free =
+        gestures::standingFree(display_.drawing(), *ghost_, {found.point, found.attitude}, *ground,
+                               snapping().step(*place));
+    if (free && *free != found.point)
+        found.at = tr("on the grid, where there is room").toStdString();
+    found.point = free.value_or(found.point);
     found.resolution *= 1e-3; // so that it touches
     return found;
 }

@@ -86,6 +86,30 @@ TEST_F(CreatingTest, ABodyStandsOnTheGridThatIsClicked) {
     EXPECT_NEAR(scene().bodies.back().initialPosition.y(), 0.75, 0.06);
 }
 
+// Its middle is drawn to a corner of the block, and then stands beside it.
+TEST_F(CreatingTest, ABodyOnTheGridStandsBesideTheOthersAndNeverInside) {
+    open(block + "body b1 block -init_pos {0 0.5 0}\n");
+    display().lookAlong(Vector(0, 0.8, 1));
+    display().grab();
+    for (const Vector& place : {Vector(1, 0, 1.02), Vector(0.3, 0, 1.1), Vector(-1.2, 0, 1.1)}) {
+        display().creating().start(newBody(BasicShape::box));
+        click(place);
+        done();
+        const Vector stands = scene().bodies.back().initialPosition;
+        EXPECT_EQ(stands.y(), 0.5);
+        EXPECT_LT((stands - place).head<2>().norm() + std::abs(stands.z() - place.z()), 1.6);
+        display().grab();
+    }
+    EXPECT_EQ(scene().bodies.size(), 4U);
+    for (const scene::Body& one : scene().bodies)
+        for (const scene::Body& other : scene().bodies) {
+            const Vector apart = (one.initialPosition - other.initialPosition).cwiseAbs();
+            const double x = one.shape == "block" || other.shape == "block" ? 1.5 : 1;
+            EXPECT_TRUE(&one == &other || apart.x() > x - 1e-6 || apart.z() > x - 1e-6)
+                << one.name << " " << other.name;
+        }
+}
+
 TEST_F(CreatingTest, ABodyLiesOnASlopeAsTheSlopeIsTurned) {
     open(block + "body slope block -init_rot {0 0 0.5} -fixed 1\n");
     display().lookAlong(Vector(0, 0.6, 1));
