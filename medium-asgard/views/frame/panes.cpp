@@ -80,12 +80,9 @@ void Panes::add(Pane pane) {
     auto* dock = new QDockWidget(plain::ours(pane.title), &window_);
     dock->setObjectName(QStringLiteral("pane.") + pane.name);
     dock->setAccessibleName(pane.title);
-    window_.addDockWidget(pane.side, dock);
-    if (const Placed* before = find(pane.behind))
-        window_.tabifyDockWidget(before->dock, dock);
-    dock->hide();
     dock->toggleViewAction()->setShortcut(pane.key);
     panes_.push_back({std::move(pane), dock});
+    put(panes_.back());
     const QString name = panes_.back().pane.name;
     connect(dock->toggleViewAction(), &QAction::triggered, this, [this, name](bool on) {
         if (on)
@@ -95,6 +92,24 @@ void Panes::add(Pane pane) {
         if (on)
             made(name);
     });
+}
+
+void Panes::put(const Placed& placed) {
+    placed.dock->setFloating(false);
+    window_.addDockWidget(placed.pane.side, placed.dock);
+    if (const Placed* before = find(placed.pane.behind))
+        window_.tabifyDockWidget(before->dock, placed.dock);
+    placed.dock->hide();
+}
+
+void Panes::beginAnew() {
+    for (Placed& one : panes_) {
+        put(one);
+        one.wasEmpty = true;
+    }
+    for (const Placed& one : panes_)
+        if (one.pane.isEmpty)
+            update(one.pane.name);
 }
 
 const Panes::Placed* Panes::find(const QString& name) const {
@@ -180,11 +195,11 @@ bool Panes::restore(const QByteArray& arrangement, const QSize& room) {
             contentOf(one);
     }
     const QSize least = window_.minimumSizeHint();
-    const bool fits = least.boundedTo(room) == least;
-    if (!fits)
-        for (const Placed& one : panes_)
-            one.dock->hide();
-    return fits;
+    if (least.boundedTo(room) != least) {
+        beginAnew();
+        return false;
+    }
+    return true;
 }
 
 } // namespace views

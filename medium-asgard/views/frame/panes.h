@@ -54,7 +54,8 @@ public:
     void fillMenu(QMenu& menu) const;
 
     // Sizes, places and which are shown; `restore` gives false for another program's arrangement,
-    // and for one that takes more than that room, as on a smaller screen: then none is shown.
+    // and for one that takes more than that room, as on a smaller screen: then all are in their
+    // places as after add(), and those that open by themselves are shown.
     [[nodiscard]] QByteArray arrangement() const;
     bool restore(const QByteArray& arrangement, const QSize& room);
 
@@ -70,6 +71,8 @@ private:
     [[nodiscard]] Placed* find(const QString& name);
     [[nodiscard]] const Placed* find(const QString& name) const;
     QWidget* contentOf(const Placed& placed);
+    void put(const Placed& placed); // in its place, closed
+    void beginAnew();
 
     QMainWindow& window_;
     QList<Placed> panes_;

@@ -261,7 +261,9 @@ void GraphicalViewer::showUsualPanes() {
     if (!text || !isWide)
         return;
     constexpr int usual = 460;
-    resizeDocks({text}, {std::min(usual, width() * 3 / 10)}, Qt::Horizontal);
+    auto* values = findChild<QDockWidget*>("pane.properties");
+    resizeDocks({text, values}, {std::min(usual, width() * 3 / 10), values->sizeHint().width()},
+                Qt::Horizontal);
     resizeDocks({text, findChild<QDockWidget*>("pane.sceneList")}, {3, 2}, Qt::Vertical);
 }
 

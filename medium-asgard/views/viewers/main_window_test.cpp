@@ -296,6 +296,20 @@ TEST_F(MainWindowTest, AnArrangementThatIsTooLargeForTheScreenIsLeft) {
         EXPECT_FALSE(viewer.panes().isShown(one)) << one;
 }
 
+TEST_F(MainWindowTest, WhatIsArrangedAnewHasItsSliders) {
+    GraphicalViewer& viewer = open();
+    viewer.resize(1600, 1000);
+    editor.document().setText("parameter pull -value 1\n" + ballScene, "Edit");
+    ASSERT_TRUE(settle(editor.document()));
+    auto* sliders = viewer.findChild<QDockWidget*>("pane.parameters");
+    sliders->setFloating(true);
+    const QByteArray kept = viewer.panes().arrangement();
+    EXPECT_FALSE(viewer.panes().restore(kept, QSize(10, 10)));
+    EXPECT_TRUE(viewer.panes().isShown("parameters"));
+    EXPECT_FALSE(sliders->isFloating());
+    EXPECT_FALSE(viewer.panes().isShown("text"));
+}
+
 // The sliders are seen beside the values of the selected, while there are any.
 TEST_F(MainWindowTest, SlidersHaveAPaneOfTheirOwn) {
     GraphicalViewer& viewer = open();
