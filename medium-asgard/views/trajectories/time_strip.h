@@ -113,7 +113,7 @@ private:
         QPointF at;
         bool left = false; // the pointer has left that place clearly
         double offset = 0; // pixels from the pointer to the mark
-        TimeScale scale;   // as it was
+        double time = 0;   // that was under it
     };
     Press press_;
     QPointer<QLineEdit> field_;

@@ -33,7 +33,7 @@ void TimeStrip::mousePressEvent(QMouseEvent* event) {
         choose(*mark);
     } else {
         press_.grip = Grip::scale;
-        press_.scale = scale_;
+        press_.time = timeAt(press_.at.x());
         setCursor(Qt::ClosedHandCursor);
     }
 }
@@ -50,10 +50,7 @@ void TimeStrip::mouseMoveEvent(QMouseEvent* event) {
     if (press_.grip == Grip::mark)
         return retime(
             editing::roundedTo(timeAt(x + press_.offset), editing::decimalStep(timeStep())));
-    TimeScale scale = press_.scale;
-    const bool isOther = scale.pan((press_.at.x() - x) / area().width() * scale.length());
-    scale_ = scale;
-    scaled(isOther);
+    scaled(scale_.pan(press_.time - timeAt(x)));
 }
 
 void TimeStrip::mouseReleaseEvent(QMouseEvent*) {

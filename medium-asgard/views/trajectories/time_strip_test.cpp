@@ -98,6 +98,20 @@ TEST_F(TimeStripTest, ADraggedMarkChangesItsTimeAndNothingElseInOneNamedStep) {
     EXPECT_EQ(text(), before);
 }
 
+TEST_F(TimeStripTest, AMotionThatGrowsWhileOneDragsTheScaleIsAllShownAfterwards) {
+    open(line);
+    const double time = strip().from() + 0.6 * (strip().to() - strip().from());
+    const QPoint from = at(time), to = from + QPoint(40, 0);
+    QTest::mousePress(&strip(), Qt::LeftButton, {}, from);
+    moveTo(from + QPoint(20, 0));
+    strip().setRange(0, 8);
+    moveTo(to);
+    EXPECT_NEAR(strip().position(time), to.x(), 1.5); // what was taken is under the pointer
+    QTest::mouseRelease(&strip(), Qt::LeftButton, {}, to);
+    strip().showAll();
+    EXPECT_EQ(strip().to(), 8);
+}
+
 TEST_F(TimeStripTest, TheTextFollowsWhileAMarkMovesAndEscapeBringsItBack) {
     open(line);
     QTest::mousePress(&strip(), Qt::LeftButton, {}, at(1));
