@@ -1,7 +1,7 @@
 // One line of what the buttons do, the most important first: parts with "  ·  " between them.
 //
-// Parts that do not fit are left out whole, which a sign tells, and the tip has all of them; only
-// of a first part that is too long itself the end is cut.
+// A line that is too long loses whole parts from its end, which a sign tells, and the tip has all
+// of them; a first part that is too long itself loses its end.
 #pragma once
 
 #include <QWidget>

@@ -163,8 +163,9 @@ private:
     bool beginDrag(QMouseEvent& event); // of a body; false: the view moves
     [[nodiscard]] std::vector<geometry::Vector> verticesAndHandles();
 
-    // The place from which the scene is seen, as long as the user has not moved the view. While one
-    // edits, the view stays there, and steps back only as far as bodies need that came or grew.
+    // The chooser of the place that the scene is seen from: the display itself, until the user
+    // moves the view. While one edits, the view stays, and steps back only as far as bodies need
+    // that came or grew.
     struct Seen {
         bool framesItself = true;
         bool isEdited = false;       // the scene came of the one before by an edit

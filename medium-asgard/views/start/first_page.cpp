@@ -14,8 +14,10 @@
 #include <QPushButton>
 #include <QScreen>
 #include <QVBoxLayout>
+#include <QWindow>
 
 #include <algorithm>
+#include <utility>
 
 namespace views {
 
@@ -47,7 +49,7 @@ QLabel* heading(const QString& text) {
 
 FirstPage::FirstPage(QList<Sample> samples, const QStringList& recent, SamplePictures* pictures,
                      QWidget* parent)
-    : QMainWindow(parent), samples_(std::move(samples)) {
+    : QMainWindow(parent), samples_(std::move(samples)), pictures_(pictures) {
     setObjectName("firstPage");
     setWindowTitle(tr("Asgard"));
     setAttribute(Qt::WA_DeleteOnClose);
@@ -62,9 +64,7 @@ FirstPage::FirstPage(QList<Sample> samples, const QStringList& recent, SamplePic
         addSample(sample);
     if (pictures) {
         connect(pictures, &SamplePictures::drawn, this, &FirstPage::showPicture);
-        // Sharp on a fine screen, too, and on the paper of the list.
-        pictures->ask(samples_, largest * devicePixelRatioF(),
-                      list_->palette().color(QPalette::Base));
+        askForPictures();
     }
     addAction(tr("Close"), QKeySequence(Qt::CTRL | Qt::Key_W), this, &QWidget::close);
     addAction(tr("Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), this, &FirstPage::quitWanted);
@@ -72,6 +72,13 @@ FirstPage::FirstPage(QList<Sample> samples, const QStringList& recent, SamplePic
     list_->setCurrentRow(0);
     constexpr QSize usual(1120, 780);
     resize(usual.boundedTo(screen()->availableGeometry().size() - QSize(16, 40)));
+}
+
+// Sharp on a fine screen, too, and on the paper of the list.
+void FirstPage::askForPictures() {
+    const std::pair wanted(largest * devicePixelRatioF(), palette().color(QPalette::Base));
+    if (pictures_ && std::exchange(asked_, wanted) != wanted)
+        pictures_->ask(samples_, wanted.first, wanted.second);
 }
 
 QWidget* FirstPage::buildLeft(const QStringList& recent) {
@@ -238,8 +245,17 @@ void FirstPage::keyPressEvent(QKeyEvent* event) {
 
 void FirstPage::changeEvent(QEvent* event) {
     QMainWindow::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange && list_)
-        colourCards();
+    if (event->type() != QEvent::PaletteChange || !list_)
+        return;
+    colourCards();
+    askForPictures();
+}
+
+void FirstPage::showEvent(QShowEvent* event) {
+    QMainWindow::showEvent(event);
+    connect(windowHandle(), &QWindow::screenChanged, this, &FirstPage::askForPictures,
+            Qt::UniqueConnection);
+    askForPictures();
 }
 
 void FirstPage::colourCards() {

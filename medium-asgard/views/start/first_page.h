@@ -5,7 +5,12 @@
 #include "start/sample_pictures.h"
 #include "start/samples.h"
 
+#include <QColor>
 #include <QMainWindow>
+#include <QPointer>
+#include <QSize>
+
+#include <utility>
 
 class QLabel;
 class QListWidget;
@@ -31,6 +36,7 @@ Q_SIGNALS:
 protected:
     void keyPressEvent(QKeyEvent* event) override; // Escape closes
     void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
@@ -41,9 +47,12 @@ private:
     void showPicture(const Sample& sample, const QImage& image);
     void colourCards();
     void fitCards();
+    void askForPictures(); // as the screen and the colours are now
     [[nodiscard]] const Sample* sampleOf(const QListWidgetItem& item) const;
 
     QList<Sample> samples_;
+    QPointer<SamplePictures> pictures_;
+    std::pair<QSize, QColor> asked_; // of them
     QListWidget *list_ = nullptr, *recent_ = nullptr;
     QLabel* about_ = nullptr;
 };

@@ -38,7 +38,8 @@ SamplePictures::~SamplePictures() {
 }
 
 // A scene that was changed has another picture, and so has a program that was installed anew.
-QString SamplePictures::pathOf(const Sample& sample) const {
+QString SamplePictures::pathOf(const Sample& sample, const QSize& pixels,
+                               const QColor& background) const {
     QFile file(sample.path);
     QCryptographicHash hash(QCryptographicHash::Sha256);
     if (file.open(QIODevice::ReadOnly))
@@ -51,21 +52,21 @@ QString SamplePictures::pathOf(const Sample& sample) const {
     const QString name = QStringLiteral("%1-%2-%3x%4-%5.png")
                              .arg(QString::fromLatin1(hash.result().toHex().left(16)))
                              .arg(sample.time)
-                             .arg(pixels_.width())
-                             .arg(pixels_.height())
-                             .arg(background_.name().mid(1));
+                             .arg(pixels.width())
+                             .arg(pixels.height())
+                             .arg(background.name().mid(1));
     return QDir(folder_).filePath(name);
 }
 
 void SamplePictures::ask(QList<Sample> samples, const QSize& pixels, const QColor& background) {
-    pixels_ = pixels;
-    background_ = background;
     const bool idle = waiting_.isEmpty();
+    waiting_.resize(idle ? 0 : 1);
     for (Sample& sample : samples) {
-        if (const QImage kept(pathOf(sample)); !kept.isNull())
+        const QString path = pathOf(sample, pixels, background);
+        if (const QImage kept(path); !kept.isNull())
             Q_EMIT drawn(sample, kept);
         else
-            waiting_.push_back(std::move(sample));
+            waiting_.push_back({std::move(sample), pixels, background, path});
     }
     if (idle)
         next();
@@ -74,24 +75,25 @@ void SamplePictures::ask(QList<Sample> samples, const QSize& pixels, const QColo
 void SamplePictures::next() {
     if (waiting_.isEmpty())
         return;
-    const Sample& sample = waiting_.front();
+    const Wish& wish = waiting_.front();
     QDir().mkpath(folder_);
     process_.start(program_,
-                   {"render", sample.path, "--time", QString::number(sample.time), "--size",
-                    QStringLiteral("%1x%2").arg(pixels_.width()).arg(pixels_.height()),
-                    "--background", background_.name(), "--output", pathOf(sample)});
-    QTimer::singleShot(longestMs, &process_, [this, path = sample.path] {
+                   {"render", wish.sample.path, "--time", QString::number(wish.sample.time),
+                    "--size",
+                    QStringLiteral("%1x%2").arg(wish.pixels.width()).arg(wish.pixels.height()),
+                    "--background", wish.background.name(), "--output", wish.path});
+    QTimer::singleShot(longestMs, &process_, [this, path = wish.path] {
         if (!waiting_.isEmpty() && waiting_.front().path == path)
             process_.kill();
     });
 }
 
 void SamplePictures::take() {
-    const Sample sample = waiting_.takeFirst();
-    if (const QImage image(pathOf(sample)); !image.isNull())
-        Q_EMIT drawn(sample, image);
+    const Wish wish = waiting_.takeFirst();
+    if (const QImage image(wish.path); !image.isNull())
+        Q_EMIT drawn(wish.sample, image);
     else
-        Q_EMIT failed(sample);
+        Q_EMIT failed(wish.sample);
     next();
 }
 

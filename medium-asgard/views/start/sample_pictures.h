@@ -19,7 +19,8 @@ public:
     SamplePictures(QString program, QString folder, QObject* parent = nullptr);
     ~SamplePictures() override; // ends what is being drawn
 
-    // The kept ones come at once, in the order of the list; the others as they are drawn.
+    // The kept ones come at once, in the order of the list; the others as they are drawn. What was
+    // asked for before is forgotten, but for the one that is being drawn.
     void ask(QList<Sample> samples, const QSize& pixels, const QColor& background);
 
 Q_SIGNALS:
@@ -29,12 +30,17 @@ Q_SIGNALS:
 private:
     void next();
     void take();
-    [[nodiscard]] QString pathOf(const Sample& sample) const;
+    [[nodiscard]] QString pathOf(const Sample& sample, const QSize& pixels,
+                                 const QColor& background) const;
 
+    struct Wish {
+        Sample sample;
+        QSize pixels;
+        QColor background;
+        QString path; // of its picture
+    };
     QString program_, folder_;
-    QSize pixels_;
-    QColor background_;
-    QList<Sample> waiting_; // the first is being drawn
+    QList<Wish> waiting_; // the first is being drawn
     QProcess process_;
 };
 

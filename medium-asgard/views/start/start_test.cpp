@@ -128,6 +128,24 @@ TEST_F(StartTest, PicturesLieOnThePaperOfThePageAlsoADarkOne) {
     EXPECT_THAT(calls().toStdString(), HasSubstr("--background #1e2022"));
 }
 
+// As after a move to a screen of another scale.
+TEST_F(StartTest, AnOpenPageAsksForPicturesAnewWhenItsLookChanges) {
+    const QPalette light = QApplication::palette();
+    QPalette dark = light;
+    dark.setColor(QPalette::Base, QColor(30, 32, 34));
+    SamplePictures pictures(painter(), folder.filePath("kept"));
+    QSignalSpy drawn(&pictures, &SamplePictures::drawn), failed(&pictures, &SamplePictures::failed);
+    {
+        const FirstPage page(samples(), {}, &pictures);
+        QApplication::setPalette(dark); // the first picture is being drawn
+        EXPECT_TRUE(waitFor([&] { return calls().count("--background #1e2022") == 2; }));
+        EXPECT_TRUE(waitFor([&] { return drawn.count() >= 3; }));
+    }
+    QApplication::setPalette(light);
+    EXPECT_EQ(failed.count(), 0);
+    EXPECT_EQ(calls().count("--background #1e2022"), 2);
+}
+
 TEST_F(StartTest, APictureThatCannotBeDrawnIsLeftOut) {
     SamplePictures pictures(folder.filePath("no-program"), folder.filePath("kept"));
     QSignalSpy failed(&pictures, &SamplePictures::failed);
