@@ -100,8 +100,10 @@ void StatusPanel::addSwitches(const render::Display& display) {
     grid->setVerticalSpacing(3);
     QVBoxLayout* column = nullptr;
     bool areHandles = false;
-    const auto add = [&](const QString& label, const QString& tip, bool render::Display::*what) {
+    const auto add = [&](const char* name, const QString& label, const QString& tip,
+                         bool render::Display::*what) {
         auto* box = new QCheckBox(plain::ours(label));
+        box->setObjectName(name);
         box->setToolTip(plain::tip(tip));
         box->setChecked(display.*what);
         box->setFocusPolicy(Qt::TabFocus); // a click leaves the keys to the picture
@@ -117,17 +119,21 @@ void StatusPanel::addSwitches(const render::Display& display) {
         });
     };
     using render::Display;
-    add(tr("&Trails"), tr("The paths of the centres of mass up to now"), &Display::trails);
-    add(tr("Joints"), tr("Hinges, sliders and the like, with their range"), &Display::joints);
-    add(tr("&Grid"), tr("On the ground, at round coordinates of the world"), &Display::grid);
-    add(tr("S&hadows"),
+    add("trails", tr("&Trails"), tr("The paths of the centres of mass up to now"),
+        &Display::trails);
+    add("joints", tr("Joints"), tr("Hinges, sliders and the like, with their range"),
+        &Display::joints);
+    add("grid", tr("&Grid"), tr("On the ground, at round coordinates of the world"),
+        &Display::grid);
+    add("shadows", tr("S&hadows"),
         tr("Bodies shade the ground and each other; while a large scene moves they are left out"),
         &Display::shadows);
-    add(tr("&Axes"), tr("The world's axes: x red, y green, z blue"), &Display::axes);
-    add(tr("&Wireframe"), tr("Edges only"), &Display::wireframe);
-    add(tr("Contacts"), tr("The forces with which bodies press on each other"),
+    add("axes", tr("&Axes"), tr("The world's axes: x red, y green, z blue"), &Display::axes);
+    add("wireframe", tr("&Wireframe"), tr("Edges only"), &Display::wireframe);
+    add("contactForces", tr("Contacts"), tr("The forces with which bodies press on each other"),
         &Display::contactForces);
-    add(tr("Cones"), tr("Friction cones: while the force is inside, the contact sticks"),
+    add("frictionCones", tr("Cones"),
+        tr("Friction cones: while the force is inside, the contact sticks"),
         &Display::frictionCones);
     layout()->addWidget(group);
     group = new QGroupBox(tr("Handles"));
@@ -139,30 +145,35 @@ void StatusPanel::addSwitches(const render::Display& display) {
     column->setSpacing(2);
     using render::HandleKind;
     const struct {
+        const char* name;
         QString label, tip;
         bool Display::*what;
         HandleKind kind;
     } kinds[] = {
-        {tr("&Positions"), tr("Where bodies start"), &Display::positionHandles,
+        {"positionHandles", tr("&Positions"), tr("Where bodies start"), &Display::positionHandles,
          HandleKind::position},
-        {tr("Ori&entations"), tr("How bodies are turned at the start"),
+        {"orientationHandles", tr("Ori&entations"), tr("How bodies are turned at the start"),
          &Display::orientationHandles, HandleKind::orientation},
-        {tr("Ve&locities"), tr("Velocities at the start"), &Display::velocityHandles,
-         HandleKind::velocity},
-        {tr("Angular velocities"), tr("Turning at the start: about the arrow, by the right hand"),
-         &Display::spinHandles, HandleKind::spin},
-        {tr("F&orces"), tr("As they are now"), &Display::forceHandles, HandleKind::forceHead},
-        {tr("Tor&ques"), tr("About the arrow, by the right hand"), &Display::torqueHandles,
-         HandleKind::torqueHead},
-        {tr("Lin&ks"), tr("Their two ends"), &Display::linkHandles, HandleKind::linkEnd},
-        {tr("Joints"), tr("Their points and axes"), &Display::jointHandles, HandleKind::jointPoint},
-        {tr("L&ights"), tr("Where they stand and shine"), &Display::lightHandles,
+        {"velocityHandles", tr("Ve&locities"), tr("Velocities at the start"),
+         &Display::velocityHandles, HandleKind::velocity},
+        {"spinHandles", tr("Angular velocities"),
+         tr("Turning at the start: about the arrow, by the right hand"), &Display::spinHandles,
+         HandleKind::spin},
+        {"forceHandles", tr("F&orces"), tr("As they are now"), &Display::forceHandles,
+         HandleKind::forceHead},
+        {"torqueHandles", tr("Tor&ques"), tr("About the arrow, by the right hand"),
+         &Display::torqueHandles, HandleKind::torqueHead},
+        {"linkHandles", tr("Lin&ks"), tr("Their two ends"), &Display::linkHandles,
+         HandleKind::linkEnd},
+        {"jointHandles", tr("Joints"), tr("Their points and axes"), &Display::jointHandles,
+         HandleKind::jointPoint},
+        {"lightHandles", tr("L&ights"), tr("Where they stand and shine"), &Display::lightHandles,
          HandleKind::lightPlace},
-        {tr("Tra&jectories"), tr("Their paths and points"), &Display::trajectories,
+        {"trajectories", tr("Tra&jectories"), tr("Their paths and points"), &Display::trajectories,
          HandleKind::trajectoryPoint},
     };
     for (const auto& kind : kinds) {
-        add(kind.label, kind.tip, kind.what);
+        add(kind.name, kind.label, kind.tip, kind.what);
         switches_.back().box->setIcon(ballIcon(render::colorOf(kind.kind)));
     }
     layout()->addWidget(group);
@@ -172,6 +183,19 @@ void StatusPanel::show(bool render::Display::*what) {
     for (const Switch& one : switches_)
         if (one.what == what)
             one.box->setChecked(true);
+}
+
+QStringList StatusPanel::shown() const {
+    QStringList names;
+    for (const Switch& one : switches_)
+        if (one.box->isChecked())
+            names << one.box->objectName();
+    return names;
+}
+
+void StatusPanel::setShown(const QStringList& names) {
+    for (const Switch& one : switches_)
+        one.box->setChecked(names.contains(one.box->objectName()));
 }
 
 void StatusPanel::showTime() {

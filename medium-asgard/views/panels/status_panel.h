@@ -30,6 +30,9 @@ public:
 
     // Switches it on.
     void show(bool render::Display::*what);
+    // The switches that are on, by the names of their boxes: the same in each language.
+    [[nodiscard]] QStringList shown() const;
+    void setShown(const QStringList& names);
 
 Q_SIGNALS:
     void displayChanged(const render::Display& display);

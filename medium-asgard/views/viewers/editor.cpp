@@ -144,6 +144,7 @@ namespace {
 
 constexpr const char* placeKey = "mainWindow/place";
 constexpr const char* panesKey = "mainWindow/panes";
+constexpr const char* shownKey = "mainWindow/shown";
 
 // Beside a document a window has no place of its own.
 void remember(GraphicalViewer& viewer, bool withPlace) {
@@ -151,6 +152,7 @@ void remember(GraphicalViewer& viewer, bool withPlace) {
     if (withPlace)
         settings.setValue(placeKey, viewer.saveGeometry());
     settings.setValue(panesKey, viewer.panes().arrangement());
+    settings.setValue(shownKey, viewer.switches().shown());
 }
 
 } // namespace
@@ -170,6 +172,8 @@ GraphicalViewer* Editor::openMainWindow() {
                                  viewer->screen()->availableSize()))
         viewer->showUsualPanes();
     viewer->panes().hide("tour");
+    if (settings.contains(shownKey))
+        viewer->switches().setShown(settings.value(shownKey).toStringList());
     return viewer;
 }
 

@@ -37,6 +37,7 @@ public:
     [[nodiscard]] TimeBar& timeBar() { return *timeBar_; }
     [[nodiscard]] TimeStrip& timeStrip() { return *timeStrip_; }
     [[nodiscard]] Panes& panes() { return panes_; }
+    [[nodiscard]] StatusPanel& switches() { return *panel_; }
     // The panes that one begins with, in their usual places.
     void showUsualPanes();
     void showTour();

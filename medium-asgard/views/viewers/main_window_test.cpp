@@ -350,6 +350,25 @@ TEST_F(MainWindowTest, PanesAreMadeWhenTheyAreShownAndRemembered) {
     EXPECT_FALSE(second->panes().restore("nonsense", QSize(5000, 5000)));
 }
 
+TEST_F(MainWindowTest, SwitchesOfWhatIsShownComeBack) {
+    GraphicalViewer& viewer = open();
+    viewer.switches().show(&render::Display::velocityHandles);
+    viewer.switches().show(&render::Display::axes);
+    QStringList shown = viewer.switches().shown();
+    shown.removeAll("grid");
+    viewer.switches().setShown(shown);
+    EXPECT_FALSE(viewer.display().display().grid);
+    Editor next(made.workshop());
+    next.restoreWindows(editor.windowsState(), {});
+    ASSERT_EQ(next.graphicalViewers().size(), 1);
+    const render::Display& now = next.graphicalViewers().front()->display().display();
+    EXPECT_TRUE(now.velocityHandles);
+    EXPECT_TRUE(now.axes);
+    EXPECT_FALSE(now.grid);
+    EXPECT_TRUE(now.studio);
+    EXPECT_FALSE(now.forceHandles);
+}
+
 TEST_F(MainWindowTest, AViewersWindowsAndDraftsComeBack) {
     GraphicalViewer& viewer = open();
     viewer.text()->editor().setText(QString::fromStdString("# mine\n" + ballScene));

@@ -67,6 +67,7 @@ QJsonObject written(GraphicalViewer& viewer, bool withDraft) {
     for (const std::string& name : viewer.display().hidden())
         hidden.append(QString::fromStdString(name));
     window["hidden"] = hidden;
+    window["shown"] = QJsonArray::fromStringList(viewer.switches().shown());
     QJsonArray meters;
     for (const Meter& meter : viewer.display().meters().all())
         meters.append(
@@ -113,6 +114,8 @@ void restore(GraphicalViewer& viewer, const QJsonObject& as) {
     for (const auto& name : as["hidden"].toArray())
         hidden.insert(name.toString().toStdString());
     viewer.display().setHidden(std::move(hidden));
+    if (as.contains("shown"))
+        viewer.switches().setShown(as["shown"].toVariant().toStringList());
     std::vector<Meter> meters;
     for (const auto& each : as["meters"].toArray()) {
         const QJsonObject one = each.toObject();
