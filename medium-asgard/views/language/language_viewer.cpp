@@ -186,7 +186,7 @@ QWidget* LanguageViewer::buildButtons() {
         state_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     connect(updateButton_, &QPushButton::clicked, this, &LanguageViewer::updateDocument);
     connect(saveButton_, &QPushButton::clicked, this, &LanguageViewer::save);
-    connect(revertButton_, &QPushButton::clicked, this, &LanguageViewer::revert);
+    connect(revertButton_, &QPushButton::clicked, this, &LanguageViewer::askToRevert);
     connect(dismiss, &QPushButton::clicked, this, &QWidget::close);
     return buttons;
 }
@@ -208,7 +208,7 @@ void LanguageViewer::buildMenus() {
         file->actions().back()->setShortcuts(
             {QKeySequence(Qt::CTRL | Qt::Key_Return), QKeySequence::Save});
     file->addAction(tr("&Revert"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_R), this,
-                    &LanguageViewer::revert);
+                    &LanguageViewer::askToRevert);
     if (!isPane())
         file->addAction(tr("&Dismiss"), QKeySequence(Qt::CTRL | Qt::Key_W), this, &QWidget::close);
     buildEditMenu();
@@ -323,6 +323,17 @@ void LanguageViewer::save() {
     const bool any = draft_->edited() || document_.isModified();
     if (any && updateDocument())
         windows_.save();
+}
+
+// Undo brings back the scene's text, but no draft.
+void LanguageViewer::askToRevert() {
+    if (!draft_->edited() ||
+        plain::Message::ask(QMessageBox::Question, this, document_.name(),
+                            tr("What was typed here and is not the scene's text yet will be lost, "
+                               "and Undo does not bring it back. Revert?"),
+                            QMessageBox::Yes | QMessageBox::No,
+                            QMessageBox::No) == QMessageBox::Yes)
+        revert();
 }
 
 void LanguageViewer::revert() {

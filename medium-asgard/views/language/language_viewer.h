@@ -84,6 +84,7 @@ private:
     void tellChanges();
     void updateTitle();
     void save();
+    void askToRevert();
     void followed();
     [[nodiscard]] bool typingIsUndone() const;
     [[nodiscard]] QAction* commandOf(const QKeyEvent& event) const;

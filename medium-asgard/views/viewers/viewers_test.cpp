@@ -398,6 +398,30 @@ TEST_F(ViewersTest, RevertGoesBackToWhatWasSaved) {
     EXPECT_EQ(viewer->draft(), ballScene);
 }
 
+TEST_F(ViewersTest, RevertAsksBeforeWhatWasTypedIsLost) {
+    LanguageViewer* viewer = editor.openLanguageViewer();
+    const auto revertChoosing = [&](QMessageBox::StandardButton choice) {
+        bool isAsked = false;
+        QTimer::singleShot(0, [&] {
+            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+            isAsked = box != nullptr;
+            if (box)
+                box->button(choice)->click();
+        });
+        button(*viewer, "Revert")->click();
+        QCoreApplication::processEvents();
+        return isAsked;
+    };
+    type(*viewer, "# something else\n");
+    EXPECT_TRUE(revertChoosing(QMessageBox::No));
+    EXPECT_EQ(viewer->draft(), "# something else\n");
+    EXPECT_TRUE(revertChoosing(QMessageBox::Yes));
+    EXPECT_EQ(viewer->draft(), "");
+    editor.document().undo();
+    EXPECT_FALSE(revertChoosing(QMessageBox::Yes)); // Undo brings it back
+    EXPECT_EQ(editor.document().text(), "");
+}
+
 TEST_F(ViewersTest, UnderAHostRevertDropsTheDraftOnly) {
     editor.document().setHostLink({[](const text::Edit&, const QString&) {}, [] {}, [] {}});
     LanguageViewer* viewer = editor.openLanguageViewer();
