@@ -222,11 +222,24 @@ void HandleDrag::setAlong(const std::optional<Along>& along) {
 std::vector<editing::Wish> HandleDrag::wishes() const {
     constexpr double exact = 1e-9;
     if (turning_)
-        return {turnWish(*ground_.scene, handle_,
-                         geometry::Quaternion(Eigen::AngleAxisd(turned() * M_PI / 180,
-                                                                Vector::Unit(turning_->axis))),
-                         exact, quaternion_)};
+        return turnWishes(exact);
     return wishesFor(*ground_.scene, handle_, place_, resolution(), quaternion_);
+}
+
+// The middle of the rings stays.
+std::vector<editing::Wish> HandleDrag::turnWishes(double exact) const {
+    const geometry::Quaternion turn(
+        Eigen::AngleAxisd(turned() * M_PI / 180, Vector::Unit(turning_->axis)));
+    std::vector<editing::Wish> wishes{turnWish(*ground_.scene, handle_, turn, exact, quaternion_)};
+    render::Handle place = handle_;
+    place.kind = render::HandleKind::position;
+    place.base = place.place = handle_.frame.position;
+    const Vector arm = handle_.frame.position - handle_.base;
+    if (arm.norm() > exact * (1 + handle_.base.norm()))
+        wishes.push_back(
+            wishesFor(*ground_.scene, place, handle_.base + turn * arm, 0.01 * pixelLength_, false)
+                .front());
+    return wishes;
 }
 
 // What it asks of the text. A point that ends one curve and begins the next moves in both.

@@ -73,6 +73,7 @@ public:
     [[nodiscard]] std::vector<editing::Wish> wishes() const; // of where it is
 
 private:
+    [[nodiscard]] std::vector<editing::Wish> turnWishes(double exact) const;
     [[nodiscard]] geometry::Vector under(const Eigen::Vector2d& pixels) const;
     void findJoined();
     void moveJoined();

@@ -36,8 +36,7 @@ std::optional<std::pair<std::size_t, Vector>> Gizmo::place() const {
     if (display_.time() > start)
         return std::nullopt; // there it is thrown
     const std::size_t body = selected.front().index;
-    return std::pair(
-        body, render::poseOf(*shown.scene, shown.motion.get(), body, display_.time()).position);
+    return std::pair(body, display_.centerOf(body));
 }
 
 std::optional<std::pair<QPointF, QPointF>> Gizmo::arrow(const Vector& place, int axis) const {

@@ -14,10 +14,10 @@ bool PictureEditing::turnBody(std::size_t body, const QPointF& position, int axi
         render::poseOf(*drawing.scene, drawing.motion.get(), body, drawing.time);
     render::Handle turned = *handle;
     turned.kind = render::HandleKind::orientation;
-    turned.base = turned.place = pose.position;
+    turned.base = turned.place = display_.centerOf(body);
     turned.frame = pose;
     turned.perUnit =
-        Gizmo::ring * display_.devicePixelRatioF() * display_.sight().pixelLength(pose.position);
+        Gizmo::ring * display_.devicePixelRatioF() * display_.sight().pixelLength(turned.base);
     button_ = Qt::LeftButton;
     take({gestures::Grasp::What::drag, turned}, display_.inPixels(position));
     hand_.setTurns(axis);

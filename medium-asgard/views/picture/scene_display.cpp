@@ -476,6 +476,13 @@ double SceneDisplay::massOf(std::size_t body) const {
     return std::isfinite(mass) && mass > 0 ? mass : 1;
 }
 
+geometry::Vector SceneDisplay::centerOf(std::size_t body) const {
+    const Shown& shown = document_.shown();
+    const geometry::Pose pose = render::poseOf(*shown.scene, shown.motion.get(), body, time_);
+    const bool known = shown.motion && body < shown.motion->bodies();
+    return pose.toWorld(known ? shown.motion->centroid(body) : geometry::Vector::Zero().eval());
+}
+
 void SceneDisplay::resizeEvent(QResizeEvent*) { asking_.isOld = true; }
 
 void SceneDisplay::paintEvent(QPaintEvent*) {

@@ -89,6 +89,8 @@ public:
     // How long the arrow of a force, or a torque, of 1 is drawn.
     [[nodiscard]] double arrowLength(bool couple);
     [[nodiscard]] double massOf(std::size_t body) const; // 1 while it is not known
+    // Of mass, now; its shape's origin while that is not known.
+    [[nodiscard]] geometry::Vector centerOf(std::size_t body) const;
     [[nodiscard]] QString words() const { return editing_.words(); }
     // The handles that the display shows of the scene at this time; as of the last picture, where a
     // newer one takes long, and none of another scene.

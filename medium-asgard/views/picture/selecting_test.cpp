@@ -237,6 +237,42 @@ TEST_F(SelectingTest, ARingTurnsTheSelectedBodyAboutItsAxis) {
     EXPECT_EQ(editor.document().shown().scene->bodies[2].initialPosition, center);
 }
 
+TEST_F(SelectingTest, RingsStandAroundTheCentreOfMassAndTurnTheBodyAboutIt) {
+    Editor other{engineWorkshop()};
+    SceneDocument& document = other.document();
+    document.setText("shape_set s -desc {-sub {-pos {2 0 0} -box {1 1 1}}}\nbody b s\n", "Edit");
+    ASSERT_TRUE(settle(document));
+    ASSERT_TRUE(document.shown().motion);
+    SceneDisplay& picture = other.openGraphicalViewer()->display();
+    picture.lookAlong({0.4, 0.5, 1});
+    picture.grab();
+    document.select({{Kind::body, 0}});
+    const Vector center(2, 0, 0);
+    const gestures::Sight sight = picture.sight();
+    const double radius = Gizmo::ring * sight.pixelLength(center) * picture.devicePixelRatioF();
+    const auto onRing = [&](double degrees) {
+        const double angle = degrees * M_PI / 180;
+        return picture
+            .fromPixels(sight.pixels(center + radius * Vector(std::cos(angle), std::sin(angle), 0)))
+            .toPoint();
+    };
+    const auto part = picture.gizmo().at(onRing(110));
+    ASSERT_TRUE(part && part->isRing && part->axis == 2);
+    QTest::mousePress(&picture, Qt::LeftButton, {}, onRing(110));
+    for (const double degrees : {120.0, 155.0}) {
+        QMouseEvent move(QEvent::MouseMove, onRing(degrees), picture.mapToGlobal(onRing(degrees)),
+                         Qt::NoButton, Qt::LeftButton, {});
+        QApplication::sendEvent(&picture, &move);
+    }
+    QTest::mouseRelease(&picture, Qt::LeftButton, {}, onRing(155));
+    ASSERT_TRUE(settle(document));
+    const scene::Body& body = document.shown().scene->bodies[0];
+    EXPECT_NEAR(geometry::toRotationVector(body.initialAttitude).z(), M_PI / 4, 1e-6);
+    EXPECT_LT((body.initialPosition + body.initialAttitude * center - center).norm(), 1e-2);
+    document.undo(); // one step
+    EXPECT_EQ(document.undoLabel(), "Edit");
+}
+
 TEST_F(SelectingTest, AKeyKeepsADragToAnAxisAndWithShiftAcrossIt) {
     editor.document().select({leftOne});
     display().lookAlong({0.4, 0.5, 1});
