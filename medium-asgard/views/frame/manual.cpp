@@ -1,7 +1,9 @@
 #include "frame/manual.h"
 
 #include "frame/manual_window.h"
+#include "frame/placing.h"
 
+#include <QApplication>
 #include <QFile>
 #include <QPointer>
 #include <QTimer>
@@ -22,6 +24,7 @@ void showManual(const QString& chapter) {
     if (!manual)
         manual = new ManualWindow(read(QStringLiteral("editing.md")) + QStringLiteral("\n\n") +
                                   read(QStringLiteral("scene-language.md")));
+    fitScreen(*manual, QApplication::activeWindow());
     manual->show();
     manual->raise();
     manual->activateWindow();

@@ -2,6 +2,7 @@
 
 #include "frame/help_menu.h"
 #include "frame/names_box.h"
+#include "frame/panes.h"
 #include "frame/undo_actions.h"
 #include "plain/plain.h"
 #include "point_edits/shape_library.h"
@@ -43,7 +44,7 @@ ShapeEditor::ShapeEditor(SceneDocument& document)
     column->addLayout(top);
     auto* middle = new QHBoxLayout;
     middle->addWidget(display_, 1);
-    middle->addWidget(panel_);
+    middle->addWidget(scrolled(panel_));
     column->addLayout(middle, 1);
     column->addWidget(fields_);
     words_->setWordWrap(true);

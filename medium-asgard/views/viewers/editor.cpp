@@ -1,5 +1,6 @@
 #include "viewers/editor.h"
 
+#include "frame/placing.h"
 #include "frame/readable.h"
 #include "frame/spoken.h"
 #include "plots/plots_panel.h"
@@ -7,7 +8,6 @@
 #include "shapes/shape_editor.h"
 #include "shapes/shape_names.h"
 #include "trajectories/trajectory_editor.h"
-#include "viewers/placing.h"
 #include "viewers/scene_files.h"
 #include "workbench/recent_files.h"
 

@@ -1,5 +1,6 @@
 // One window with its panes: what it opens with, what its keys mean, and how it ends.
 #include "frame/help_page.h"
+#include "frame/placing.h"
 #include "language/scene_editor.h"
 #include "panels/parameters_panel.h"
 #include "plots/plots_panel.h"
@@ -8,7 +9,6 @@
 #include "start/first_page.h"
 #include "trajectories/trajectory_editor.h"
 #include "viewers/editor.h"
-#include "viewers/placing.h"
 #include "viewers/scene_files.h"
 #include "viewers/starting.h"
 #include "views/test_workshop.h"

@@ -1,4 +1,6 @@
 // What a new user stumbled over in the windows.
+#include "frame/manual.h"
+#include "frame/manual_window.h"
 #include "language/scene_editor.h"
 #include "shapes/shape_editor.h"
 #include "viewers/editor.h"
@@ -228,8 +230,16 @@ TEST_F(NewcomerTest, ANewWindowLiesWhereItIsSeenAndHidesNothingWhole) {
 // As where everything is twice as large. No window of this process is active under a document.
 TEST_F(NewcomerTest, ANewWindowIsNotLargerThanItsScreen) {
     open(ballScene);
-    const QList<QMainWindow*> all{editor.openGraphicalViewer(), editor.openLanguageViewer()};
+    showManual();
+    QList<QMainWindow*> all{editor.openGraphicalViewer(), editor.openLanguageViewer(),
+                            editor.openShapeEditor()};
+    for (QWidget* window : QApplication::topLevelWidgets())
+        if (auto* manual = qobject_cast<ManualWindow*>(window))
+            all << manual;
+    EXPECT_EQ(all.size(), 4);
     for (const QMainWindow* window : all) {
+        EXPECT_LE(window->minimumSizeHint().width(), 700) << window->windowTitle().toStdString();
+        EXPECT_LE(window->minimumSizeHint().height(), 450) << window->windowTitle().toStdString();
         const QSize room = window->screen()->availableGeometry().size();
         EXPECT_LT(window->width(), room.width()) << window->windowTitle().toStdString();
         EXPECT_LT(window->height(), room.height()) << window->windowTitle().toStdString();

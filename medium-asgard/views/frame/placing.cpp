@@ -1,4 +1,4 @@
-#include "viewers/placing.h"
+#include "frame/placing.h"
 
 #include <QApplication>
 #include <QScreen>
