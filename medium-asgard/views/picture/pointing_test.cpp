@@ -122,6 +122,7 @@ TEST_F(PointingTest, WhileTheMotionPlaysTheLineSaysWhatADragThrows) {
     editor.document().setText(slow, "Edit");
     ASSERT_TRUE(settle(editor.document()));
     display().editing().say("about this text", false);
+    viewer->playback().setClock([now = 0.0]() mutable { return now += 1e-3; });
     viewer->playback().play();
     ASSERT_TRUE(waitFor([&] { return display().time() > 0.05; }));
     EXPECT_TRUE(waitFor([&] {
