@@ -71,6 +71,7 @@ public:
     // does not stand.
     [[nodiscard]] std::vector<std::string> written(const Wish& wish) const;
     [[nodiscard]] const scene::Source* sourceOf(const Element& element) const;
+    [[nodiscard]] const scene::Scene& scene() const { return *scene_; }
     [[nodiscard]] std::string
     nameOf(const Element& element) const; // "body \"b1\"", "the force of line 7"
 

@@ -14,6 +14,8 @@ using geometry::Vector;
 
 namespace {
 
+constexpr double unturned = 1e-6; // radians
+
 std::string distanceText(double distance, double resolution) {
     return editing::numberText(distance, editing::decimalStep(resolution));
 }
@@ -29,7 +31,7 @@ HandleDrag::HandleDrag(Ground ground, const Sight& sight, const render::Handle& 
               }),
       sight_(sight), handle_(handle), pixelLength_(sight.pixelLength(handle.place)),
       place_(handle.place), plane_(handle.place), held_(sight.pixels(handle.place)),
-      grip_(Eigen::Vector2d::Zero()) {
+      grip_(Eigen::Vector2d::Zero()), isByKeys_(!pixels) {
     if (pixels) {
         grip_ = held_ - *pixels;
         held_ = *pixels;
@@ -176,8 +178,12 @@ Vector HandleDrag::wanted() {
         return onSphere();
     if (hold_.follows && !hold_.isFree) // beside the body it waits where it was
         return onSurface().value_or(place_);
-    Vector place = unsnapped();
-    if (!snaps_.by || snaps_.areHeldOff || (swings() && joined_->turns()))
+    const Vector place = unsnapped();
+    return swings() && joined_->turns() ? place : snapped(place);
+}
+
+Vector HandleDrag::snapped(const Vector& place) {
+    if (!snaps_.by || snaps_.areHeldOff)
         return place;
     snaps_.last = snaps_.by->at(place, handle_.place);
     Vector on = kept(snaps_.last.place);
@@ -244,6 +250,8 @@ std::vector<editing::Wish> HandleDrag::turnWishes(double exact) const {
 
 // What it asks of the text. A point that ends one curve and begins the next moves in both.
 editing::Answer HandleDrag::asked(bool offers) const {
+    if (joined_ && !whyNotJoined().empty())
+        return {.edits = {}, .reason = whyNotJoined(), .cause = {}, .offers = {}, .kept = {}};
     if (joined_) {
         auto wishes = joined_->wishes(mapper_);
         for (editing::Wish& wish : wishes)
@@ -281,7 +289,20 @@ void HandleDrag::findJoined() {
                              under(sight_.pixels(handle_.place) - grip_));
 }
 
+// Along an axis any number of them moves.
+std::string HandleDrag::whyNotJoined() const {
+    return along_ ? std::string() : joined_->whyNotPulled();
+}
+
+// A key that is pressed once turns it, if by less than a degree.
+double HandleDrag::joinedDegrees() const {
+    const double degrees = joined_->turned() * 180 / M_PI;
+    return isByKeys_ ? editing::roundedTo(degrees, 0.1) : rounded(degrees);
+}
+
 void HandleDrag::moveJoined() {
+    if (!whyNotJoined().empty())
+        return;
     if (!swings()) {
         // All by one way, which leaves this body at a round place.
         for (const editing::Wish& wish : wishes())
@@ -292,10 +313,12 @@ void HandleDrag::moveJoined() {
                         : editing::roundedTo(wish.values[i], wish.resolution);
         return joined_->moveAll(place_ - handle_.place);
     }
-    joined_->pull(joined_->turns() ? Vector(under(held_) - joined_->grabbed())
-                                   : Vector(place_ - handle_.place));
     if (joined_->turns())
-        joined_->turnTo(rounded(joined_->turned() * 180 / M_PI) * M_PI / 180);
+        joined_->pull(under(held_) - joined_->grabbed());
+    if (joined_->turned() > unturned)
+        joined_->turnTo(joinedDegrees() * M_PI / 180);
+    else
+        joined_->pull((joined_->turns() ? snapped(place_) : place_) - handle_.place);
     place_ = joined_->poseOf(handle_.element).position;
 }
 
@@ -362,7 +385,7 @@ std::string HandleDrag::joinedWords() const {
         return {};
     if (!swings())
         return joined_->bodies().size() > 1 ? ", with all that is joined to it" : "";
-    return joined_->turns()
+    return joined_->turned() > unturned
                ? ", turned by " + editing::numberText(joined_->turned() * 180 / M_PI, 0.1) +
                      " degrees, as its joints allow"
                : ", as its joints allow";

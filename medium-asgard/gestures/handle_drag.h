@@ -8,8 +8,8 @@
 // handle without a possible change says why.
 //
 // A body that joints hold goes as they let it (joined.h), and turns by whole degrees as about an
-// axis of the world, where they leave it one way to go. Along an axis it takes all with it that is
-// joined to it.
+// axis of the world, where one joint holds it to what stands. By the keys it turns by tenths. Along
+// an axis it takes all with it that is joined to it.
 #pragma once
 
 #include "editing/value_edit.h"
@@ -79,8 +79,11 @@ private:
     void moveJoined();
     [[nodiscard]] bool swings() const { return joined_ && !joined_->movesAsOne() && !along_; }
     [[nodiscard]] std::string joinedWords() const;
+    [[nodiscard]] std::string whyNotJoined() const;
+    [[nodiscard]] double joinedDegrees() const;
     [[nodiscard]] double rounded(double degrees) const;
     [[nodiscard]] geometry::Vector wanted();
+    [[nodiscard]] geometry::Vector snapped(const geometry::Vector& place);
     [[nodiscard]] geometry::Vector unsnapped() const;
     [[nodiscard]] geometry::Vector kept(const geometry::Vector& place) const; // on what it is along
     [[nodiscard]] bool isPlace() const; // of a thing, which others may meet
@@ -120,7 +123,7 @@ private:
     } snaps_;
     editing::Answer answer_;
     std::optional<Along> along_;
-    bool quaternion_ = false, moved_ = false, isUpright_ = false;
+    bool quaternion_ = false, moved_ = false, isUpright_ = false, isByKeys_;
 };
 
 } // namespace gestures

@@ -10,7 +10,7 @@ using geometry::Vector;
 using physics::Pulling;
 
 Joined::Joined(const scene::Scene& scene, std::size_t body, const Vector& grabbed)
-    : scene_(scene), grabbed_(grabbed), pulling_(scene, body, grabbed) {}
+    : scene_(scene), body_(body), grabbed_(grabbed), pulling_(scene, body, grabbed) {}
 
 std::unique_ptr<Joined> Joined::of(const scene::Scene& scene, std::size_t body,
                                    const Vector& grabbed) {
@@ -27,7 +27,34 @@ std::unique_ptr<Joined> Joined::of(const scene::Scene& scene, std::size_t body,
     if (!isNamed)
         return nullptr;
     std::unique_ptr<Joined> made(new Joined(scene, body, grabbed));
-    return made->pulling_.isJoined() ? std::move(made) : nullptr;
+    return made->pulling_.state() == Pulling::State::free ? nullptr : std::move(made);
+}
+
+std::string Joined::holderOf() const {
+    for (const scene::Joint& joint : scene_.joints)
+        if (joint.body1 == name() || joint.body2 == name())
+            return "joint \"" + joint.name + "\"";
+    return "a rope";
+}
+
+std::string Joined::whyNotPulled() const {
+    if (pulling_.state() != Pulling::State::tooMany)
+        return {};
+    return "\"" + name() + "\" hangs together with " + std::to_string(bodies().size() - 1) +
+           " other bodies: a hand pulls " + std::to_string(Pulling::most) +
+           " at most. Along an axis all of them move (x, y or z).";
+}
+
+std::string Joined::whyNotThrown() const {
+    if (pulling_.state() == Pulling::State::tooMany)
+        return "\"" + name() + "\" hangs together with " + std::to_string(bodies().size() - 1) +
+               " other bodies: a hand throws " + std::to_string(Pulling::most) + " at most.";
+    if (pulling_.isStuck())
+        return "\"" + name() + "\" is held by " + holderOf() + ": nothing lets it go anywhere.";
+    if (movesAsOne() && !isLoose())
+        return "\"" + name() + "\" is held by " + holderOf() +
+               " where it is taken: take it further away from there.";
+    return {};
 }
 
 void Joined::pull(const Vector& way) {
@@ -49,13 +76,11 @@ geometry::Pose Joined::poseOf(std::size_t body) const {
     return pose;
 }
 
-std::vector<Pulling::Velocity> Joined::turnedVelocities() const {
+std::vector<Pulling::Velocity> Joined::writtenVelocities() const {
     std::vector<Pulling::Velocity> velocities;
     for (const std::size_t body : pulling_.bodies()) {
         const scene::Body& said = scene_.bodies[body];
-        const geometry::Quaternion turn = poseOf(body).attitude * said.initialAttitude.conjugate();
-        velocities.push_back(
-            {body, turn * said.initialVelocity, turn * said.initialAngularVelocity});
+        velocities.push_back({body, said.initialVelocity, said.initialAngularVelocity});
     }
     return velocities;
 }
@@ -69,7 +94,7 @@ std::vector<editing::NewPlace> Joined::places() {
     }
     for (const physics::Assembly::Moved& moved : pulling_.moved())
         places.push_back({moved.body, moved.pose, moved.turns});
-    const auto before = turnedVelocities();
+    const auto before = writtenVelocities();
     const bool rests = std::ranges::all_of(before, [](const Pulling::Velocity& one) {
         return one.linear.isZero(0) && one.angular.isZero(0);
     });
@@ -85,37 +110,68 @@ std::vector<editing::NewPlace> Joined::places() {
 
 std::vector<editing::NewPlace> Joined::thrown(const std::optional<Vector>& ofHand) {
     std::vector<editing::NewPlace> places;
-    for (const Pulling::Velocity& one : pulling_.velocities(turnedVelocities(), ofHand))
+    for (const Pulling::Velocity& one : pulling_.velocities(writtenVelocities(), ofHand))
         places.push_back({one.body, poseOf(one.body), true, {{one.linear, one.angular}}});
     return places;
 }
 
-// The points of the world, and of bodies that stay, that joints hold them by.
+bool Joined::moves(const std::string& body) const {
+    return std::ranges::any_of(bodies(),
+                               [&](std::size_t one) { return scene_.bodies[one].name == body; });
+}
+
+Wish Joined::holdOf(const editing::Element& element, const char* option,
+                    const std::optional<std::string>& body, const Vector& now) const {
+    Vector way = *way_;
+    if (body)
+        if (const scene::Body* stays = scene::findBody(scene_, *body))
+            way = stays->initialAttitude.conjugate() * way;
+    const Vector place = now + way;
+    return {.element = element,
+            .option = option,
+            .path = {},
+            .values = {place.x(), place.y(), place.z()},
+            .absent = {now.x(), now.y(), now.z()},
+            .now = {now.x(), now.y(), now.z()},
+            .offers = false};
+}
+
+// The points of the world, and of bodies that stay, that joints and ropes hold them by.
 void Joined::addHolds(std::vector<Wish>& wishes) const {
-    const auto& bodies = pulling_.bodies();
-    const auto moves = [&](const std::string& name) {
-        return std::ranges::any_of(
-            bodies, [&](std::size_t body) { return scene_.bodies[body].name == name; });
-    };
-    const auto add = [&](std::size_t joint, const char* option, const scene::Body* stays,
-                         const Vector& now) {
-        const Vector way = stays ? Vector(stays->initialAttitude.conjugate() * *way_) : *way_;
-        const Vector place = now + way;
-        wishes.push_back({.element = {Kind::joint, joint},
-                          .option = option,
-                          .path = {},
-                          .values = {place.x(), place.y(), place.z()},
-                          .absent = {now.x(), now.y(), now.z()},
-                          .offers = false});
-    };
     for (std::size_t k = 0; k < scene_.joints.size(); ++k) {
         const scene::Joint& joint = scene_.joints[k];
         const bool first = moves(joint.body1), second = joint.body2 && moves(*joint.body2);
-        if (first && !second && joint.offset2)
-            add(k, "-offset2", joint.body2 ? scene::findBody(scene_, *joint.body2) : nullptr,
-                *joint.offset2);
-        else if (second && !first && joint.offset1)
-            add(k, "-offset1", scene::findBody(scene_, joint.body1), *joint.offset1);
+        // Without it the point of the second body is where that of the first is.
+        const bool hasSecond =
+            joint.offset2 || (joint.body2 && joint.type == scene::JointType::distance);
+        if (first && !second && hasSecond)
+            wishes.push_back(
+                holdOf({Kind::joint, k}, "-offset2", joint.body2,
+                       joint.offset2 ? *joint.offset2 : pulling_.centreOf(*joint.body2)));
+        else if (second && !first)
+            wishes.push_back(
+                holdOf({Kind::joint, k}, "-offset1", joint.body1,
+                       joint.offset1 ? *joint.offset1 : pulling_.centreOf(joint.body1)));
+    }
+    addRopeHolds(wishes);
+}
+
+void Joined::addRopeHolds(std::vector<Wish>& wishes) const {
+    for (std::size_t k = 0; k < scene_.ropes.size(); ++k) {
+        const auto& points = scene_.ropes[k].points;
+        if (!scene_.ropes[k].length || std::ranges::none_of(points, [&](const auto& point) {
+                return point.body && moves(*point.body);
+            }))
+            continue;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            if (!points[i].place || (points[i].body && moves(*points[i].body)))
+                continue;
+            Wish wish = holdOf({Kind::rope, k}, "-points", points[i].body, *points[i].place);
+            wish.path = {i};
+            if (points[i].body)
+                wish.path.push_back(1);
+            wishes.push_back(std::move(wish));
+        }
     }
 }
 

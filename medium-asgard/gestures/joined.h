@@ -12,14 +12,18 @@ namespace gestures {
 
 class Joined {
 public:
-    // `grabbed`: the point of the world that the hand takes. Null: nothing holds the body.
+    // `grabbed`: the point of the world that the hand takes. Null: nothing holds the body, or what
+    // holds it is open.
     [[nodiscard]] static std::unique_ptr<Joined> of(const scene::Scene& scene, std::size_t body,
                                                     const geometry::Vector& grabbed);
 
     // No joint of them leads to what stands, or none lets the point go anywhere: all move along.
     [[nodiscard]] bool movesAsOne() const { return pulling_.movesAsOne(); }
     [[nodiscard]] bool isLoose() const { return pulling_.isLoose(); } // no joint leads there
-    [[nodiscard]] bool turns() const { return pulling_.turns(); }     // where the point goes on
+    // A sentence; "": nothing forbids it.
+    [[nodiscard]] std::string whyNotPulled() const;
+    [[nodiscard]] std::string whyNotThrown() const;
+    [[nodiscard]] bool turns() const { return pulling_.turns(); } // where the point goes on
     [[nodiscard]] const std::vector<std::size_t>& bodies() const { return pulling_.bodies(); }
 
     [[nodiscard]] const geometry::Vector& grabbed() const { return grabbed_; }
@@ -40,10 +44,19 @@ public:
 
 private:
     Joined(const scene::Scene& scene, std::size_t body, const geometry::Vector& grabbed);
-    [[nodiscard]] std::vector<physics::Pulling::Velocity> turnedVelocities() const;
+    [[nodiscard]] std::vector<physics::Pulling::Velocity> writtenVelocities() const;
+    [[nodiscard]] const std::string& name() const { return scene_.bodies[body_].name; }
+    [[nodiscard]] std::string holderOf() const;
+    [[nodiscard]] bool moves(const std::string& body) const;
+    // A point of the world or of a body that stays, as far on as all that move.
+    [[nodiscard]] editing::Wish holdOf(const editing::Element& element, const char* option,
+                                       const std::optional<std::string>& body,
+                                       const geometry::Vector& now) const;
     void addHolds(std::vector<editing::Wish>& wishes) const;
+    void addRopeHolds(std::vector<editing::Wish>& wishes) const;
 
     const scene::Scene scene_;
+    std::size_t body_;
     geometry::Vector grabbed_;
     physics::Pulling pulling_;
     std::optional<geometry::Vector> way_; // of all of them

@@ -14,6 +14,7 @@ using ::testing::HasSubstr;
 
 struct Dragged {
     std::string text, words;
+    bool isPossible = false;
     std::shared_ptr<const scene::Scene> scene;
     [[nodiscard]] const scene::Body& body(const std::string& name) const {
         return *scene::findBody(*scene, name);
@@ -29,7 +30,7 @@ std::shared_ptr<const scene::Scene> sceneOf(const std::string& text) {
 
 // Seen along z; the body is taken beside its middle, and moved in two steps.
 Dragged drag(const std::string& text, std::size_t body, const Vector& off, const Vector& to,
-             const std::optional<HandleDrag::Along>& along = std::nullopt) {
+             const std::optional<HandleDrag::Along>& along = std::nullopt, bool snaps = false) {
     const auto scene = sceneOf(text);
     render::Camera camera;
     camera.scale = 0.1;
@@ -44,10 +45,12 @@ Dragged drag(const std::string& text, std::size_t body, const Vector& off, const
     HandleDrag drag(ground, sight, handle, from);
     drag.setUpright();
     drag.setAlong(along);
+    if (snaps)
+        drag.setSnaps(1);
     drag.move((from + target) / 2);
     drag.move(target);
     made.words = drag.words();
-    EXPECT_TRUE(drag.answer().possible()) << drag.words();
+    made.isPossible = drag.answer().possible();
     drag.finish();
     made.scene = sceneOf(made.text);
     return made;
@@ -130,6 +133,74 @@ TEST(Joined, ASliderGoesAlongItsLineToRoundPlaces) {
              0, {0, 0, 0}, {2.5, 4, 0});
     EXPECT_LT((made.body("b").initialPosition - Vector(2.5, 1, 0)).norm(), 0.02) << made.text;
     EXPECT_EQ(made.body("b").initialPosition.y(), 1);
+}
+
+TEST(Joined, WhatNothingLetsGoIsMovedWithWhatHoldsIt) {
+    const Dragged made = drag(bob + "joint pin -type fixed -body1 bob -offset2 {1 -2 0}\n", 0,
+                              {0, 0, 0}, {2, -1, 0});
+    EXPECT_TRUE(made.isPossible) << made.words;
+    EXPECT_LT((made.body("bob").initialPosition - Vector(2, -1, 0)).norm(), 1e-9) << made.text;
+    EXPECT_THAT(made.text, HasSubstr("-offset2 {2 -1 0}"));
+}
+
+TEST(Joined, AlongAnAxisRopesAndPointsOfBodiesThatStayGoAlong) {
+    const Dragged hung = drag(bob + "rope r -points {{bob {0 0 0}} {1 0 0}} -length 2\n", 0,
+                              {0, 0, 0}, {2, -1, 0}, HandleDrag::Along{0});
+    EXPECT_THAT(hung.text, HasSubstr("{{bob {0 0 0}} {2 0 0}}")) << hung.words;
+    EXPECT_LT((hung.body("bob").initialPosition - Vector(2, -2, 0)).norm(), 1e-9);
+    const Dragged held = drag(bob + "body top ball -fixed 1 -init_pos {1 0 0}\n"
+                                    "joint j -type ball -body1 top -body2 bob -offset2 {0 2 0}\n",
+                              0, {0, 0, 0}, {2, -1, 0}, HandleDrag::Along{0});
+    EXPECT_THAT(held.text, HasSubstr("-offset1 {1 0 0}")) << held.words;
+}
+
+TEST(Joined, MoreBodiesThanAHandPullsAreNotTornApart) {
+    std::string chain = "shape_set ball -desc {-sub {-sphere 0.3}}\n";
+    for (int i = 0; i < 42; ++i)
+        chain += "body b" + std::to_string(i) + " ball -init_pos {0 " + std::to_string(-i) +
+                 " 0}\njoint j" + std::to_string(i) + " -type ball -body1 b" + std::to_string(i) +
+                 " -offset1 {0 0.5 0}" +
+                 (i == 0 ? std::string() : " -body2 b" + std::to_string(i - 1)) + "\n";
+    const Dragged refused = drag(chain, 1, {0, 0, 0}, {1, -1, 0});
+    EXPECT_FALSE(refused.isPossible);
+    EXPECT_THAT(refused.words, HasSubstr("\"b1\" hangs together with 41 other bodies"));
+    EXPECT_EQ(refused.text, chain);
+    const Dragged moved = drag(chain, 1, {0, 0, 0}, {1, -1, 0}, HandleDrag::Along{0});
+    EXPECT_TRUE(moved.isPossible) << moved.words;
+    EXPECT_NEAR(moved.body("b41").initialPosition.x(), 1, 1e-9);
+}
+
+TEST(Joined, CoordinatesThatStayMayBeComputed) {
+    const Dragged made = drag("set L 2\nshape_set ball -desc {-sub {-sphere 0.3}}\n"
+                              "body bob ball -init_pos \"0 [expr {-$L}] 0\"\n"
+                              "joint rail -type slider -body1 bob -axis {1 0 0}\n",
+                              0, {0, 0, 0}, {2, -1, 0});
+    EXPECT_TRUE(made.isPossible) << made.words;
+    EXPECT_NEAR(made.body("bob").initialPosition.x(), 2, 0.05) << made.text;
+    EXPECT_THAT(made.text, HasSubstr("[expr {-$L}] 0\""));
+}
+
+TEST(Joined, WhatCouldTurnAndDoesNotComesToRoundPlaces) {
+    const Dragged made = drag("shape_set ball -desc {-sub {-sphere 0.3}}\nbody b ball\n"
+                              "joint table -type planar -body1 b -axis {0 0 1}\n",
+                              0, {0, 0, 0}, {2.02, 1.03, 0}, std::nullopt, true);
+    EXPECT_LT((made.body("b").initialPosition - Vector(2, 1, 0)).norm(), 1e-9) << made.text;
+    EXPECT_THAT(made.words, ::testing::Not(HasSubstr("degrees")));
+}
+
+TEST(Joined, AKeyTurnsAPendulum) {
+    const auto scene = sceneOf(pendulum);
+    render::Camera camera;
+    camera.scale = 0.1;
+    std::string made;
+    const Ground ground{pendulum, scene, nullptr, [](const std::string&) {},
+                        [&](const std::string& now, const std::string&) { made = now; }};
+    render::Handle handle;
+    handle.base = handle.place = scene->bodies[0].initialPosition;
+    HandleDrag drag(ground, {camera, {800, 800}}, handle, std::nullopt);
+    drag.nudge({2, 0});
+    drag.finish();
+    EXPECT_GT(sceneOf(made)->bodies[0].initialPosition.x(), 1.01) << made;
 }
 
 } // namespace

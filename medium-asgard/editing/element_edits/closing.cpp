@@ -31,12 +31,23 @@ std::vector<double> rounded(std::vector<double> values) {
     return values;
 }
 
-Wish vectorOf(std::size_t body, const char* option, const Vector& value) {
+// Values that rounding alone tells from those that are there are these.
+std::vector<double> unchanged(std::vector<double> values, const std::vector<double>& now) {
+    const double largest =
+        std::abs(*std::ranges::max_element(now, {}, [](double value) { return std::abs(value); }));
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (std::abs(values[i] - now[i]) <= 1e-12 * largest)
+            values[i] = now[i];
+    return values;
+}
+
+Wish vectorOf(std::size_t body, const char* option, const Vector& value, const Vector& now) {
     return {.element = {Kind::body, body},
             .option = option,
             .path = {},
-            .values = rounded(listOf(value)),
+            .values = unchanged(rounded(listOf(value)), listOf(now)),
             .absent = {0, 0, 0},
+            .now = listOf(now),
             .offers = false};
 }
 
@@ -60,12 +71,16 @@ Wish rotationOf(const Mapper& mapper, std::size_t body, const Quaternion& attitu
 } // namespace
 
 std::vector<Wish> wishesOf(const Mapper& mapper, const NewPlace& place) {
-    std::vector<Wish> wishes{vectorOf(place.body, "-init_pos", place.pose.position)};
+    const scene::Body& body = mapper.scene().bodies[place.body];
+    std::vector<Wish> wishes{
+        vectorOf(place.body, "-init_pos", place.pose.position, body.initialPosition)};
     if (place.turns)
         wishes.push_back(rotationOf(mapper, place.body, place.pose.attitude));
     if (place.velocity) {
-        wishes.push_back(vectorOf(place.body, "-init_dpos", place.velocity->linear));
-        wishes.push_back(vectorOf(place.body, "-init_drot", place.velocity->angular));
+        wishes.push_back(
+            vectorOf(place.body, "-init_dpos", place.velocity->linear, body.initialVelocity));
+        wishes.push_back(vectorOf(place.body, "-init_drot", place.velocity->angular,
+                                  body.initialAngularVelocity));
     }
     return wishes;
 }

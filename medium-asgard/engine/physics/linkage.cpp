@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <set>
 #include <unordered_map>
 
 namespace physics {
@@ -41,7 +42,9 @@ Linkage::Linkage(const scene::Scene& scene, EquationsOfMotion& equations,
         size_ = std::max(size_, radiusOf(i));
         first_.push_back(poseOf(i));
     }
-    takeFirstGaps();
+    conditions_.lasting = conditions_.gaps.size();
+    tighten();
+    makeTape();
 }
 
 bool Linkage::isHeld(const BodyMotion& body) const {
@@ -59,15 +62,24 @@ Linkage::Conditions Linkage::conditions() {
             angles_.places.push_back(1 + u);
             unturned.emplace(unknowns[u].symbol.index, graph().constant(unknowns[u].initial));
         }
-        if (!phase.condition || !phase.condition->gap ||
-            unknowns[u].initial == expression::goneFromStart)
+        if (!phase.condition || unknowns[u].initial == expression::goneFromStart)
             continue;
         const auto& condition = *phase.condition;
         const bool isBounded = std::isfinite(condition.low) || std::isfinite(condition.high);
+        if (!condition.gap) {
+            if (condition.rate && !isBounded)
+                all.drives.push_back(*condition.rate);
+            continue;
+        }
         (isBounded ? all.ropes : condition.rate ? all.gaps : all.ties).push_back(*condition.gap);
+        if (condition.rate)
+            all.rates.emplace(condition.gap->index, *condition.rate);
     }
-    for (Node& rope : all.ropes) // a wheel winds nothing before the start
+    for (Node& rope : all.ropes) { // a wheel winds nothing before the start
+        const Node rate = expression::substitute(graph(), all.rates.at(rope.index), unturned);
         rope = expression::substitute(graph(), rope, unturned);
+        all.rates.emplace(rope.index, rate);
+    }
     return all;
 }
 
@@ -81,6 +93,10 @@ void Linkage::keepTo(std::size_t body, Conditions& all) {
             things.emplace(symbol.index, b);
         for (const Node& symbol : s.attitude)
             things.emplace(symbol.index, b);
+        for (std::size_t i = 0; i < 3; ++i) {
+            things.emplace(s.velocity[i].index, b);
+            things.emplace(s.spin[i].index, b);
+        }
     }
     for (std::size_t k = 0; k < angles_.places.size(); ++k)
         things.emplace(inputs_[angles_.places[k]].index, equations_.bodies.size() + k);
@@ -98,7 +114,7 @@ void Linkage::keepTo(std::size_t body, Conditions& all) {
                 if (const auto found = things.find(symbol.index); found != things.end())
                     std::ranges::replace(group, std::size_t{group[found->second]}, firstOf(node));
     const std::size_t mine = group[body];
-    for (auto* list : {&all.ties, &all.gaps, &all.ropes})
+    for (auto* list : {&all.ties, &all.gaps, &all.ropes, &all.drives})
         std::erase_if(*list, [&](const Node& node) { return firstOf(node) != mine; });
     std::erase_if(free_, [&](std::size_t b) { return group[b] != mine; });
     std::vector<std::size_t> kept;
@@ -106,12 +122,6 @@ void Linkage::keepTo(std::size_t body, Conditions& all) {
         if (group[equations_.bodies.size() + k] == mine)
             kept.push_back(angles_.places[k]);
     angles_.places = std::move(kept);
-}
-
-void Linkage::takeFirstGaps() {
-    tighten();
-    conditions_.lasting = conditions_.gaps.size();
-    makeTape();
 }
 
 bool Linkage::tighten() {
@@ -138,25 +148,93 @@ void Linkage::slacken() {
     makeTape();
 }
 
-bool Linkage::hasConditions() const {
-    return !(conditions_.gaps.empty() && conditions_.ropes.empty());
-}
-
-bool Linkage::staysWhenAllMove() {
+std::vector<Linkage::Reads> Linkage::reads() {
     std::vector<Node> all = conditions_.gaps;
     all.insert(all.end(), conditions_.ropes.begin(), conditions_.ropes.end());
+    std::unordered_map<std::uint32_t, std::set<std::size_t>> readBy; // by symbol
+    for (std::size_t i = 0; i < free_.size(); ++i) {
+        const BodySymbols& s = equations_.bodies[free_[i]].symbols;
+        for (const Node& symbol : s.position)
+            readBy[symbol.index].insert(i);
+        for (const Node& symbol : s.attitude)
+            readBy[symbol.index].insert(i);
+    }
+    const auto placesOf = [&](const Node& node) {
+        std::set<std::size_t> places;
+        for (const Node& symbol : expression::symbolsOf(graph(), std::span(&node, 1)))
+            if (const auto found = readBy.find(symbol.index); found != readBy.end())
+                places.insert(found->second.begin(), found->second.end());
+        return places;
+    };
+    for (const Node& tie : conditions_.ties) { // an angle is that of its bodies
+        const auto bodies = placesOf(tie);
+        for (const std::size_t place : angles_.places)
+            for (const Node& symbol : expression::symbolsOf(graph(), std::span(&tie, 1)))
+                if (symbol == inputs_[place])
+                    readBy[symbol.index].insert(bodies.begin(), bodies.end());
+    }
+    std::vector<Reads> reads;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        const auto places = placesOf(all[k]);
+        reads.push_back({{places.begin(), places.end()}, true, k >= conditions_.gaps.size()});
+    }
     const expression::Tape tape(graph(), inputs_, all);
     const std::vector<double> before = valuesOf(tape, all.size()), first = values_;
-    bool stays = true;
     for (const BodyUnknown axis : {x, y, z}) {
         for (const std::size_t b : free_)
             values_[1 + equations_.bodies[b].unknown(axis)] += size_;
         const std::vector<double> after = valuesOf(tape, all.size());
         for (std::size_t k = 0; k < all.size(); ++k)
-            stays = stays && std::abs(after[k] - before[k]) <= isIndependent * size_;
+            reads[k].isLoose =
+                reads[k].isLoose && std::abs(after[k] - before[k]) <= isIndependent * size_;
         values_ = first;
     }
-    return stays;
+    return reads;
+}
+
+Linkage::Rates Linkage::rates() {
+    constexpr double taut = 1e-9; // of the largest radius
+    Rates made;
+    std::vector<Node> ropes = conditions_.ropes, nodes = conditions_.drives;
+    for (std::size_t k = 0; k < conditions_.gaps.size(); ++k)
+        if (k < conditions_.lasting)
+            nodes.push_back(conditions_.rates.at(conditions_.gaps[k].index));
+        else
+            ropes.push_back(conditions_.gaps[k]);
+    made.isRope.assign(nodes.size(), 0);
+    const std::vector<double> left =
+        valuesOf(expression::Tape(graph(), inputs_, ropes), ropes.size());
+    for (std::size_t k = 0; k < ropes.size(); ++k)
+        if (left[k] < taut * size_) {
+            nodes.push_back(conditions_.rates.at(ropes[k].index));
+            made.isRope.push_back(1);
+        }
+    const expression::Tape tape(graph(), inputs_, nodes);
+    const auto columns = static_cast<Eigen::Index>(6 * free_.size());
+    const auto rows = static_cast<Eigen::Index>(nodes.size());
+    const std::vector<double> first = values_;
+    const auto at = [&](const Eigen::VectorXd& velocities) {
+        for (std::size_t i = 0; i < free_.size(); ++i) {
+            const BodyMotion& body = equations_.bodies[free_[i]];
+            const auto from = static_cast<Eigen::Index>(6 * i);
+            Vector spin = velocities.segment<3>(from + 3) / radiusOf(i);
+            if (!body.symbols.isSpinInWorldAxes)
+                spin = poseOf(i).attitude.conjugate() * spin;
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const auto k = static_cast<Eigen::Index>(axis);
+                values_[1 + body.unknown(dx) + axis] = velocities[from + k];
+                values_[1 + body.unknown(w1) + axis] = spin[k];
+            }
+        }
+        const std::vector<double> found = valuesOf(tape, nodes.size());
+        return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(found.data(), rows));
+    };
+    made.led = at(Eigen::VectorXd::Zero(columns));
+    made.by.resize(rows, columns);
+    for (Eigen::Index c = 0; c < columns; ++c)
+        made.by.col(c) = at(Eigen::VectorXd::Unit(columns, c)) - made.led;
+    values_ = first;
+    return made;
 }
 
 void Linkage::makeTape() {
@@ -211,11 +289,29 @@ bool Linkage::close(const std::function<bool()>& cancelled) {
     for (int k = 0; k < most && !(cancelled && cancelled()); ++k) {
         if (largest(gaps) <= closed * size_)
             return true;
-        step(jacobian_.rows() == 0 ? Eigen::VectorXd::Zero(jacobian_.cols())
-                                   : Eigen::VectorXd(-solver().solve(gaps)));
+        step(leastStep(gaps));
         gaps = gapsNow();
     }
     return largest(gaps) <= 1e3 * closed * size_;
+}
+
+// Held columns make the system smaller.
+Eigen::VectorXd Linkage::leastStep(const Eigen::VectorXd& gaps) const {
+    Eigen::VectorXd by = Eigen::VectorXd::Zero(jacobian_.cols());
+    if (jacobian_.rows() == 0)
+        return by;
+    if (held_.empty())
+        return -solver().solve(gaps);
+    std::vector<Eigen::Index> rows, columns;
+    for (Eigen::Index c = 0; c < jacobian_.cols(); ++c)
+        if (held_[static_cast<std::size_t>(c)] == 0)
+            columns.push_back(c);
+    for (Eigen::Index r = 0; r < jacobian_.rows(); ++r)
+        if (!jacobian_.row(r).isZero(0))
+            rows.push_back(r);
+    if (!rows.empty() && !columns.empty())
+        by(columns) = -solverOf(jacobian_(rows, columns)).solve(gaps(rows));
+    return by;
 }
 
 const Eigen::MatrixXd& Linkage::jacobian() {
@@ -236,15 +332,24 @@ Eigen::VectorXd Linkage::gapsNow() {
     const Eigen::Map<const Eigen::VectorXd> gaps(all.data(), rows);
     angles_.missed = gaps.head(ties);
     jacobian_ = by.bottomLeftCorner(rows - ties, columns);
-    if (ties == 0 || angles == 0)
+    if (ties == 0 || angles == 0) {
+        leaveOutHeld();
         return gaps.tail(rows - ties);
+    }
     const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> own(
         by.topRightCorner(ties, angles));
     angles_.by = own.solve(by.topLeftCorner(ties, columns));
     angles_.off = own.solve(angles_.missed);
     const auto through = by.bottomRightCorner(rows - ties, angles);
     jacobian_ -= through * angles_.by;
+    leaveOutHeld();
     return gaps.tail(rows - ties) - through * angles_.off;
+}
+
+void Linkage::leaveOutHeld() {
+    for (std::size_t c = 0; c < held_.size(); ++c)
+        if (held_[c] != 0)
+            jacobian_.col(static_cast<Eigen::Index>(c)).setZero();
 }
 
 void Linkage::addDerivative(Eigen::MatrixXd& by, std::size_t row, std::size_t symbol,
@@ -270,11 +375,10 @@ void Linkage::addDerivative(Eigen::MatrixXd& by, std::size_t row, std::size_t sy
     }
 }
 
-Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> Linkage::solver() const {
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> least(jacobian_.rows(),
-                                                                  jacobian_.cols());
+Linkage::Solver Linkage::solverOf(const Eigen::MatrixXd& matrix) {
+    Solver least(matrix.rows(), matrix.cols());
     least.setThreshold(isIndependent);
-    least.compute(jacobian_);
+    least.compute(matrix);
     return least;
 }
 

@@ -14,6 +14,7 @@
 #include <Eigen/QR>
 
 #include <functional>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -38,14 +39,30 @@ public:
     [[nodiscard]] bool close(const std::function<bool()>& cancelled = nullptr);
     // Ropes that have become too short are conditions from now on. True: there are new ones.
     bool tighten();
-    void slacken(); // all but those that were too short at first
-    [[nodiscard]] bool hasConditions() const;
-    // No gap and no rope changes when all bodies are moved by the same way.
-    [[nodiscard]] bool staysWhenAllMove();
+    void slacken(); // ropes are no conditions until they are too short
+    // Columns of movements that are none for now; empty: all are.
+    void hold(std::vector<char> columns) { held_ = std::move(columns); }
+    // A joint's condition, a gear or a rope, taut or slack.
+    struct Reads {
+        std::vector<std::size_t> places; // of bodies
+        bool isLoose = false;            // it stays when all of them are moved by the same way
+        bool isSlack = false;            // a rope
+    };
+    [[nodiscard]] std::vector<Reads> reads();
     [[nodiscard]] double largestGap() { return largest(gapsNow()); }
     // How the gaps change with a movement, where the bodies are now.
     [[nodiscard]] const Eigen::MatrixXd& jacobian();
-    [[nodiscard]] Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver() const;
+    // The conditions on velocities where the bodies are, those of drives, too: by * v + led = 0,
+    // with v like a movement. What holds the bodies may move: that is `led`.
+    struct Rates {
+        Eigen::MatrixXd by;
+        Eigen::VectorXd led;
+        std::vector<char> isRope; // a taut one: its rate may be more than 0
+    };
+    [[nodiscard]] Rates rates();
+    using Solver = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>;
+    [[nodiscard]] static Solver solverOf(const Eigen::MatrixXd& matrix); // of rows like these
+    [[nodiscard]] Solver solver() const { return solverOf(jacobian_); }
     void step(const Eigen::VectorXd& by); // as shortened() has it
     // No turn in it is longer than a part of a radian.
     [[nodiscard]] Eigen::VectorXd shortened(const Eigen::VectorXd& by) const;
@@ -58,18 +75,21 @@ private:
     struct Conditions {
         std::vector<Node> ties; // make an unknown the angle of a joint, or what a drum has wound
         std::vector<Node> gaps, ropes;
-        std::size_t lasting = 0; // gaps that hold whatever the ropes do
+        std::vector<Node> drives;                      // rates of coordinates, without a gap
+        std::unordered_map<std::uint32_t, Node> rates; // by the gap's index
+        std::size_t lasting = 0;                       // gaps that hold whatever the ropes do
     };
     [[nodiscard]] bool isHeld(const BodyMotion& body) const;
     [[nodiscard]] double largest(const Eigen::VectorXd& gaps) const;
     [[nodiscard]] Conditions conditions();
     void keepTo(std::size_t body, Conditions& all);
-    void takeFirstGaps();
     void makeTape();
     [[nodiscard]] std::size_t afterBodies() const;
     [[nodiscard]] expression::Graph& graph() { return equations_.set.graph; }
     [[nodiscard]] std::vector<double> valuesOf(const expression::Tape& tape, std::size_t count);
     Eigen::VectorXd gapsNow();
+    void leaveOutHeld();
+    [[nodiscard]] Eigen::VectorXd leastStep(const Eigen::VectorXd& gaps) const;
     void addDerivative(Eigen::MatrixXd& by, std::size_t row, std::size_t symbol, double derivative);
 
     EquationsOfMotion& equations_;
@@ -87,6 +107,7 @@ private:
     std::vector<std::pair<std::size_t, std::uint32_t>> entries_; // row, symbol
     expression::Tape tape_;                                      // gaps, then derivatives
     Eigen::MatrixXd jacobian_;
+    std::vector<char> held_; // by column
 };
 
 } // namespace physics

@@ -10,12 +10,13 @@
 namespace physics {
 namespace {
 
-constexpr std::size_t most = 40;  // bodies
 constexpr double farther = 10;    // a joint that is one body further away costs so much more
 constexpr double absolute = 1e-3; // movements cost so much beside those of joints
 constexpr double noWay = 0.15;    // of the body's radius: an arm so short turns nothing
 constexpr double damping = 1e-7;
 constexpr double converged = 1e-9; // of the size and the way: refine() does the rest
+constexpr double isIndependent = 1e-9;
+constexpr double unreached = 1e-3;
 
 Eigen::Matrix3d crossed(const Vector& v) {
     Eigen::Matrix3d m;
@@ -26,7 +27,6 @@ Eigen::Matrix3d crossed(const Vector& v) {
 Eigen::Index columnOf(std::size_t place) { return static_cast<Eigen::Index>(6 * place); }
 
 scene::Scene withoutWhatCounts(scene::Scene scene, std::size_t body) {
-    constexpr double anyLength = 1e9;
     for (scene::Joint& joint : scene.joints)
         for (scene::JointCoordinate& coordinate : joint.coordinates) {
             coordinate.position.reset();
@@ -34,9 +34,66 @@ scene::Scene withoutWhatCounts(scene::Scene scene, std::size_t body) {
             coordinate.upper.reset();
         }
     for (scene::Rope& rope : scene.ropes)
-        rope.length = rope.length.value_or(anyLength);
+        if (!rope.length)
+            rope.release = "1"; // it is gone from the start on
     scene.bodies[body].fixed = false;
     return scene;
+}
+
+// How far the point may be from the hand, of the hand's way, where it is `left` from it.
+double permitted(double left) {
+    constexpr double most = 0.5, none = 0.75;
+    return left <= most ? left : std::max(0.0, most * (none - left) / (none - most));
+}
+
+// Of a way of the hand, where the fastest body moves so many times as fast as the hand.
+double share(double fastest) {
+    constexpr double most = 3;
+    return fastest > most ? std::pow(most / fastest, 2) : 1;
+}
+
+// Movements that it takes to 0, without the held columns: each of length 1 and across the others.
+Eigen::MatrixXd nullSpaceOf(const Eigen::MatrixXd& matrix, const std::vector<char>& held = {}) {
+    std::vector<Eigen::Index> columns;
+    for (Eigen::Index c = 0; c < matrix.cols(); ++c)
+        if (held.empty() || held[static_cast<std::size_t>(c)] == 0)
+            columns.push_back(c);
+    const auto count = static_cast<Eigen::Index>(columns.size());
+    Eigen::MatrixXd own = Eigen::MatrixXd::Identity(count, count);
+    std::vector<Eigen::Index> rows;
+    for (Eigen::Index r = 0; r < matrix.rows(); ++r)
+        if (!matrix(r, columns).isZero(0))
+            rows.push_back(r);
+    if (!rows.empty() && count > 0) {
+        const auto solver = Linkage::solverOf(matrix(rows, columns));
+        if (solver.rank() > 0)
+            own = solver.colsPermutation() *
+                  Eigen::MatrixXd(solver.matrixZ().adjoint().rightCols(count - solver.rank()));
+    }
+    Eigen::MatrixXd all = Eigen::MatrixXd::Zero(matrix.cols(), own.cols());
+    for (Eigen::Index k = 0; k < count; ++k)
+        all.row(columns[static_cast<std::size_t>(k)]) = own.row(k);
+    return all;
+}
+
+// The velocities that conditions give by themselves: they turn as little as can be, then move as
+// little.
+Eigen::VectorXd ledBy(const Eigen::MatrixXd& by, const Eigen::VectorXd& led) {
+    if (led.size() == 0 || led.isZero(0))
+        return Eigen::VectorXd::Zero(by.cols());
+    Eigen::VectorXd v = -Linkage::solverOf(by).solve(led);
+    const Eigen::MatrixXd free = nullSpaceOf(by);
+    if (free.cols() == 0)
+        return v;
+    const auto turnsOf = [](Eigen::MatrixXd movements) {
+        for (Eigen::Index i = 0; i < movements.rows(); i += 6)
+            movements.middleRows<3>(i).setZero();
+        return movements;
+    };
+    const Eigen::MatrixXd turns = turnsOf(free);
+    v -= free * Linkage::solverOf(turns).solve(Eigen::VectorXd(turnsOf(v)));
+    const Eigen::MatrixXd shifts = free * nullSpaceOf(turns);
+    return v - shifts * Eigen::VectorXd(shifts.transpose() * v);
 }
 
 } // namespace
@@ -50,23 +107,96 @@ Pulling::Pulling(const scene::Scene& scene, std::size_t body, const Vector& poin
     linkage_ = std::make_unique<Linkage>(scene_, *equations_, body);
     const auto& bodies = linkage_->bodies();
     const auto found = std::ranges::find(bodies, body);
-    if (found == bodies.end() || bodies.size() > most || !linkage_->hasConditions() ||
-        !linkage_->close())
+    if (found == bodies.end() || linkage_->reads().empty())
         return;
-    isJoined_ = true;
+    if (bodies.size() > most) {
+        state_ = State::tooMany;
+        return;
+    }
+    if (!linkage_->close())
+        return;
+    state_ = State::joined;
     place_ = static_cast<std::size_t>(found - bodies.begin());
     const geometry::Pose pose = linkage_->firstPoseOf(place_);
     arm_ = pose.attitude.conjugate() * (point - pose.position);
     findCosts();
-    isLoose_ = linkage_->staysWhenAllMove();
-    const Eigen::MatrixXd own = allowed().middleRows(columnOf(place_), 6);
+    findStages();
+    if (scene.bodies[body].fixed) // it is put elsewhere as it is
+        for (Held& held : stages_)
+            std::fill_n(held.begin() + columnOf(place_) + 3, 3, 1);
+    held_ = stages_.back();
+    linkage_->hold(held_);
+    const Eigen::MatrixXd free = allowed();
+    isStuck_ = free.cols() == 0;
+    movesAsOne_ = isLoose_ || isStuck_;
+    if (movesAsOne_)
+        return;
+    const Eigen::MatrixXd own = free.middleRows(columnOf(place_), 6);
     const Eigen::JacobiSVD<Eigen::MatrixXd> ways(own, Eigen::ComputeThinU);
     turns_ = own.bottomRows(3).norm() > 1e-9;
-    Eigen::MatrixXd reached(3, 0);
     const auto independent = (ways.singularValues().array() > 1e-9).count();
+    Eigen::MatrixXd reached = Eigen::MatrixXd::Zero(3, 1);
     if (independent > 0)
         reached = pointBy().middleCols(columnOf(place_), 6) * ways.matrixU().leftCols(independent);
-    movesAsOne_ = isLoose_ || !(independent > 0 && reached.jacobiSvd().singularValues()[0] > noWay);
+    movesAsOne_ = !(reached.jacobiSvd().singularValues()[0] > noWay);
+}
+
+// Bodies that hang together but for the pulled one hold it where one of them is held by what
+// stands.
+void Pulling::findStages() {
+    constexpr std::size_t steps = 3; // then all of them move
+    const auto reads = linkage_->reads();
+    const std::size_t count = bodies().size();
+    const std::size_t far = count + 1;
+    std::vector<std::size_t> away(count, far), group(count);
+    for (std::size_t i = 0; i < count; ++i)
+        group[i] = i;
+    away[place_] = 0;
+    std::vector<char> stands(count, 0); // by group
+    const auto others = [&](const Linkage::Reads& one) {
+        std::vector<std::size_t> places = one.places;
+        std::erase(places, place_);
+        return places;
+    };
+    for (const Linkage::Reads& one : reads)
+        if (const auto places = others(one); !places.empty())
+            for (const std::size_t place : places)
+                std::ranges::replace(group, std::size_t{group[place]}, group[places.front()]);
+    bool isLoose = true, hangsSlackly = false;
+    for (const Linkage::Reads& one : reads) {
+        isLoose = isLoose && one.isLoose;
+        hangsSlackly = hangsSlackly || one.isSlack;
+        if (one.isLoose)
+            continue;
+        const auto places = others(one);
+        isOnGround_ = isOnGround_ || (places.empty() && !one.isSlack);
+        for (const std::size_t place : places)
+            stands[group[place]] = 1;
+    }
+    isLoose_ = isLoose && !hangsSlackly;
+    for (std::size_t round = 0; round < count; ++round)
+        for (const Linkage::Reads& one : reads) {
+            std::size_t nearest = far;
+            for (const std::size_t place : one.places)
+                nearest = std::min(nearest, away[place]);
+            for (const std::size_t place : one.places)
+                away[place] = std::min(away[place], nearest + 1);
+        }
+    for (std::size_t step = 0; step <= steps; ++step) {
+        Held held(6 * count, 0);
+        for (std::size_t i = 0; i < count && step < steps; ++i)
+            if (stands[group[i]] != 0 && away[i] > step)
+                std::fill_n(held.begin() + columnOf(i), 6, 1);
+        if (stages_.empty() || held != stages_.back())
+            stages_.push_back(std::move(held));
+    }
+}
+
+Vector Pulling::centreOf(const std::string& body) const {
+    const scene::Body* found = scene::findBody(scene_, body);
+    return found ? equations_->bodies[static_cast<std::size_t>(found - scene_.bodies.data())]
+                       .mass.centroid
+                 : Vector::Zero();
 }
 
 Vector Pulling::point() const {
@@ -83,16 +213,13 @@ Eigen::MatrixXd Pulling::pointBy() const {
     return by;
 }
 
-// Each of length 1 and across the others.
-Eigen::MatrixXd Pulling::allowed() const {
-    const Eigen::MatrixXd& jacobian = linkage_->jacobian();
-    const Eigen::Index columns = jacobian.cols();
-    if (jacobian.rows() == 0)
-        return Eigen::MatrixXd::Identity(columns, columns);
-    const auto solver = linkage_->solver();
-    const Eigen::Index rank = solver.rank();
-    return solver.colsPermutation() *
-           Eigen::MatrixXd(solver.matrixZ().adjoint().rightCols(columns - rank));
+Eigen::MatrixXd Pulling::allowed() const { return nullSpaceOf(linkage_->jacobian(), held_); }
+
+bool Pulling::isGone(const std::string& joint) const {
+    return std::ranges::any_of(equations_->set.unknowns, [&](const expression::Unknown& one) {
+        return one.name == joint && one.initial == expression::goneFromStart &&
+               one.phases.front().condition;
+    });
 }
 
 void Pulling::findCosts() {
@@ -105,7 +232,7 @@ void Pulling::findCosts() {
     for (const scene::Joint& joint : scene_.joints) {
         const auto first = placeOf(joint.body1);
         const auto second = joint.body2 ? placeOf(*joint.body2) : std::nullopt;
-        if (!first && !second)
+        if ((!first && !second) || isGone(joint.name))
             continue;
         Cost cost{first, second, Vector::Zero(), Vector::Zero(), 0, 1};
         const scene::Body* body1 = scene::findBody(scene_, joint.body1);
@@ -136,8 +263,7 @@ void Pulling::findCosts() {
                                                  cost.second ? away[*cost.second] : 3));
 }
 
-Eigen::VectorXd Pulling::towards(const Vector& way) const {
-    const Eigen::MatrixXd free = allowed();
+Eigen::MatrixXd Pulling::costOf(const Eigen::MatrixXd& free) const {
     const auto columns = free.rows();
     Eigen::VectorXd each = Eigen::VectorXd::Constant(columns, absolute * absolute);
     for (Eigen::Index i = 0; i < columns; i += 6) // a turn rather than none costs much
@@ -161,8 +287,15 @@ Eigen::VectorXd Pulling::towards(const Vector& way) const {
         turns = turns * free;
         cost += one.weight * one.weight * (slides.transpose() * slides + turns.transpose() * turns);
     }
+    return cost;
+}
+
+Eigen::VectorXd Pulling::towards(const Vector& way) const {
+    const Eigen::MatrixXd free = allowed();
+    if (free.cols() == 0)
+        return Eigen::VectorXd::Zero(free.rows());
     const Eigen::MatrixXd reaches = pointBy() * free;
-    const Eigen::MatrixXd cheaply = cost.ldlt().solve(reaches.transpose());
+    const Eigen::MatrixXd cheaply = costOf(free).ldlt().solve(reaches.transpose());
     Eigen::Matrix3d compliance = reaches * cheaply;
     compliance.diagonal().array() += damping * compliance.trace();
     const Vector pull = compliance.ldlt().solve(way);
@@ -170,16 +303,60 @@ Eigen::VectorXd Pulling::towards(const Vector& way) const {
     return free * shares;
 }
 
+Eigen::VectorXd Pulling::given(const Vector& velocity, const Eigen::MatrixXd& free) const {
+    Eigen::VectorXd all = Eigen::VectorXd::Zero(free.rows());
+    if (free.cols() == 0)
+        return all;
+    const Eigen::MatrixXd reaches = pointBy() * free;
+    const Eigen::MatrixXd cheaply = costOf(free).ldlt().solve(reaches.transpose());
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> ways(Eigen::Matrix3d(reaches * cheaply));
+    for (Eigen::Index k = 0; k < 3; ++k) {
+        const double compliance = ways.eigenvalues()[k];
+        if (!(compliance > damping * ways.eigenvalues()[2]))
+            continue;
+        const Vector way = ways.eigenvectors().col(k);
+        const Eigen::VectorXd by = free * Eigen::VectorXd(cheaply * way) / compliance;
+        double fastest = 0;
+        for (Eigen::Index i = 0; i < by.size(); i += 3) // the centres' and the arcs'
+            fastest = std::max(fastest, by.segment<3>(i).norm());
+        all += share(fastest) * way.dot(velocity) * by;
+    }
+    return all;
+}
+
+std::vector<std::size_t> Pulling::loose(const Eigen::MatrixXd& conditions) const {
+    const std::size_t count = bodies().size();
+    std::vector<std::size_t> group{place_};
+    std::vector<char> isIn(count, 0);
+    isIn[place_] = 1;
+    for (std::size_t k = 0; k < group.size(); ++k)
+        for (Eigen::Index r = 0; r < conditions.rows(); ++r) {
+            const double size = conditions.row(r).norm();
+            const auto reads = [&](std::size_t place) {
+                return conditions.block<1, 6>(r, columnOf(place)).norm() > isIndependent * size;
+            };
+            if (!reads(group[k]))
+                continue;
+            Eigen::RowVector3d shift = Eigen::RowVector3d::Zero();
+            for (std::size_t i = 0; i < count; ++i) {
+                shift += conditions.block<1, 3>(r, columnOf(i));
+                if (reads(i) && std::exchange(isIn[i], 1) == 0)
+                    group.push_back(i);
+            }
+            if (shift.norm() > isIndependent * size)
+                return {};
+        }
+    return group;
+}
+
 bool Pulling::nearer(const Vector& place) {
     const Vector way = place - point();
-    Eigen::VectorXd by;
-    if (linkage_->jacobian().rows() == 0) { // nothing holds it here
-        by = Eigen::VectorXd::Zero(linkage_->jacobian().cols());
-        for (Eigen::Index i = 0; i < by.size(); i += 6)
-            by.segment<3>(i) = way;
-    } else {
+    const auto group = loose(linkage_->jacobian());
+    Eigen::VectorXd by = Eigen::VectorXd::Zero(linkage_->jacobian().cols());
+    for (const std::size_t one : group)
+        by.segment<3>(columnOf(one)) = way;
+    if (group.empty())
         by = towards(way);
-    }
     by = linkage_->shortened(by);
     constexpr double enough = 0.25; // of what the way would get shorter along a straight line
     const double least = converged * (linkage_->size() + way.norm());
@@ -199,7 +376,7 @@ bool Pulling::nearer(const Vector& place) {
 void Pulling::refine(const Vector& place) {
     constexpr double small = 1e-4;
     double last = small * linkage_->size();
-    for (int k = 0; k < 4 && linkage_->jacobian().rows() > 0; ++k) {
+    for (int k = 0; k < 4 && loose(linkage_->jacobian()).empty(); ++k) {
         const Eigen::VectorXd by = towards(place - point());
         const std::vector<double> before = linkage_->values();
         if (!(by.norm() < last))
@@ -211,7 +388,7 @@ void Pulling::refine(const Vector& place) {
     }
 }
 
-void Pulling::pullTo(const Vector& place) {
+void Pulling::approach(const Vector& place) {
     constexpr int steps = 60, rounds = 4;
     linkage_->slacken();
     const std::vector<double> before = linkage_->values();
@@ -227,6 +404,41 @@ void Pulling::pullTo(const Vector& place) {
     linkage_->setValues(before);
 }
 
+// The holders stand at their places again at first. A way around, which was found step by step,
+// counts where that does not come as near.
+void Pulling::pullTo(const Vector& place) {
+    const std::vector<double> before = linkage_->values();
+    const std::size_t last = stage_;
+    if (first_.empty())
+        first_ = before;
+    if (last > 0)
+        linkage_->setValues(first_);
+    const Vector from = linkage_->firstPoseOf(place_).toWorld(arm_);
+    const double way = (place - from).norm();
+    Vector target = place;
+    double left = way;
+    bool isAside = true;
+    for (stage_ = 0; isAside && stage_ < stages_.size(); ++stage_) {
+        held_ = stages_[stage_];
+        linkage_->hold(held_);
+        approach(target);
+        left = (place - point()).norm();
+        const double mayBeLeft = permitted(left / way) * way;
+        isAside = left > mayBeLeft + unreached * unreached * (linkage_->size() + way);
+        target = place - mayBeLeft / std::max(left, mayBeLeft) * (place - point());
+    }
+    --stage_; // the last one
+    held_ = stages_.back();
+    linkage_->hold(held_);
+    if (last == 0 || !isAside)
+        return;
+    const std::vector<double> found = linkage_->values();
+    linkage_->setValues(before);
+    approach(place);
+    if (!((place - point()).norm() < (1 - unreached) * left))
+        linkage_->setValues(found);
+}
+
 double Pulling::turned() const {
     const geometry::Quaternion turn =
         linkage_->poseOf(place_).attitude * linkage_->firstPoseOf(place_).attitude.conjugate();
@@ -234,6 +446,18 @@ double Pulling::turned() const {
 }
 
 bool Pulling::turnTo(double angle) {
+    const bool isAboutWhatStands = isOnGround_ || stage_ + 1 < stages_.size();
+    if (!isAboutWhatStands)
+        return false;
+    held_ = stages_[stage_];
+    linkage_->hold(held_);
+    const bool is = turnsTo(angle);
+    held_ = stages_.back();
+    linkage_->hold(held_);
+    return is;
+}
+
+bool Pulling::turnsTo(double angle) {
     const std::vector<double> before = linkage_->values();
     for (int k = 0; k < 20; ++k) {
         const Eigen::MatrixXd free = allowed();
@@ -258,25 +482,71 @@ bool Pulling::turnTo(double angle) {
     return false;
 }
 
-std::vector<Pulling::Velocity> Pulling::velocities(const std::vector<Velocity>& before,
-                                                   const std::optional<Vector>& ofHand) {
-    Eigen::VectorXd rates(static_cast<Eigen::Index>(6 * before.size()));
-    for (std::size_t i = 0; i < before.size(); ++i) {
-        rates.segment<3>(columnOf(i)) = before[i].linear;
-        rates.segment<3>(columnOf(i) + 3) = linkage_->radiusOf(i) * before[i].angular;
+Eigen::VectorXd Pulling::addHand(Eigen::VectorXd rates, const Eigen::MatrixXd& conditions,
+                                 const Vector& ofHand) const {
+    const Vector more = ofHand - pointBy() * rates;
+    const auto group = loose(conditions);
+    for (const std::size_t one : group)
+        rates.segment<3>(columnOf(one)) += more;
+    if (!group.empty())
+        return rates;
+    Vector target = ofHand;
+    for (std::size_t stage = 0; stage < stages_.size(); ++stage) {
+        rates += given(target - pointBy() * rates, nullSpaceOf(conditions, stages_[stage]));
+        const Vector left = ofHand - pointBy() * rates;
+        const double mayBeLeft = permitted(left.norm() / more.norm()) * more.norm();
+        if (!(left.norm() > (1 + converged) * mayBeLeft))
+            break;
+        target = ofHand - mayBeLeft / left.norm() * left;
     }
-    const Eigen::MatrixXd free = allowed();
-    rates = free * Eigen::VectorXd(free.transpose() * rates);
-    if (ofHand) {
-        const Vector more = *ofHand - pointBy() * rates;
-        if (isLoose_)
-            for (Eigen::Index i = 0; i < rates.size(); i += 6)
-                rates.segment<3>(i) += more;
-        else
-            rates += towards(more);
+    return rates;
+}
+
+std::vector<Pulling::Velocity> Pulling::velocities(const std::vector<Velocity>& atFirst,
+                                                   const std::optional<Vector>& ofHand) {
+    const auto onlyJoints = [](const Linkage::Rates& all, const std::vector<char>& isLeftOut) {
+        std::vector<Eigen::Index> rows;
+        for (std::size_t r = 0; r < isLeftOut.size(); ++r)
+            if (isLeftOut[r] == 0)
+                rows.push_back(static_cast<Eigen::Index>(r));
+        return std::pair<Eigen::MatrixXd, Eigen::VectorXd>(all.by(rows, Eigen::all), all.led(rows));
+    };
+    const std::vector<double> place = linkage_->values();
+    if (!first_.empty())
+        linkage_->setValues(first_);
+    const Linkage::Rates before = linkage_->rates();
+    const auto [byFirst, ledFirst] = onlyJoints(before, before.isRope);
+    linkage_->setValues(place);
+    const Eigen::VectorXd led = ledBy(byFirst, ledFirst);
+    Eigen::VectorXd own(led.size());
+    for (std::size_t i = 0; i < atFirst.size(); ++i) {
+        const Eigen::Index at = columnOf(i);
+        const geometry::Quaternion turn =
+            linkage_->poseOf(i).attitude * linkage_->firstPoseOf(i).attitude.conjugate();
+        own.segment<3>(at) = turn * Vector(atFirst[i].linear - led.segment<3>(at));
+        own.segment<3>(at + 3) =
+            turn * Vector(linkage_->radiusOf(i) * atFirst[i].angular - led.segment<3>(at + 3));
+    }
+    const Linkage::Rates now = linkage_->rates();
+    std::vector<char> isLeftOut = now.isRope;
+    Eigen::VectorXd rates;
+    for (bool isNew = true; isNew;) { // ropes that would become longer hold
+        const auto [by, ledNow] = onlyJoints(now, isLeftOut);
+        const Eigen::MatrixXd free = nullSpaceOf(by);
+        rates = ledBy(by, ledNow) + free * Eigen::VectorXd(free.transpose() * own);
+        if (ofHand)
+            rates = addHand(std::move(rates), by, *ofHand);
+        const Eigen::VectorXd left = now.by * rates + now.led;
+        isNew = false;
+        for (std::size_t r = 0; r < isLeftOut.size(); ++r)
+            if (isLeftOut[r] != 0 &&
+                left[static_cast<Eigen::Index>(r)] < -isIndependent * rates.norm()) {
+                isLeftOut[r] = 0;
+                isNew = true;
+            }
     }
     std::vector<Velocity> after;
-    for (std::size_t i = 0; i < before.size(); ++i)
+    for (std::size_t i = 0; i < atFirst.size(); ++i)
         after.push_back({bodies()[i], rates.segment<3>(columnOf(i)),
                          rates.segment<3>(columnOf(i) + 3) / linkage_->radiusOf(i)});
     return after;

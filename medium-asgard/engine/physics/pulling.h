@@ -1,10 +1,17 @@
 // A hand that pulls a point of a body, whose joints, gears and ropes hold: where it and the bodies
-// that they connect with it go.
+// that they connect with it go, and how fast.
 //
-// The point goes as near to the hand as the conditions allow. Of all such movements the one is
-// taken that turns or slides the joints least, those nearest to the body before those that are
-// further from it: what holds it follows only where it must, and what hangs on it goes along as it
-// is. Where nothing holds all of them to the world they are moved together, without a turn.
+// At first the body alone moves, with what hangs on it; what holds it stands. Where that leaves the
+// point aside of the hand, by more than half of the hand's way, the next bodies move, too, and the
+// more of the rest is made up for the more is left (permitted()). Of the movements that remain the
+// one is taken that turns or slides the joints least, those nearest to the body before those that
+// are further from it: what hangs on it goes along as it is. Where nothing holds all of them to the
+// world they are moved together, without a turn.
+//
+// A hand gives velocities by the same rule, on top of those that paths and drives give. A way of
+// the point along which some body would move more than three times as fast as the hand is given in
+// part, the less the faster that would be (share()): nothing of it where a chain is stretched, or
+// where the hand is on an axle.
 //
 // Coordinates of joints count from the start, wherever that is, so limits and positions of drives
 // are no conditions; nor is a rope without -length, which is as long as it measures then.
@@ -21,21 +28,32 @@ namespace physics {
 
 class Pulling {
 public:
+    static constexpr std::size_t most = 40; // bodies
     // `point`: of the world, where the body is at the start; the body carries it. A body that is
     // fixed is free for the hand.
     Pulling(const scene::Scene& scene, std::size_t body, const Vector& point);
 
-    // False: nothing connects it with others or with the world, or the joints are open.
-    [[nodiscard]] bool isJoined() const { return isJoined_; }
+    enum class State {
+        free, // nothing connects it with others or with the world, or the joints are open
+        joined,
+        tooMany // bodies: it is not pulled
+    };
+    [[nodiscard]] State state() const { return state_; }
+    [[nodiscard]] bool isJoined() const { return state_ == State::joined; }
+    [[nodiscard]] bool isStuck() const { return isStuck_; } // none of them can go anywhere
     // They are loose, or no joint lets the point go anywhere.
     [[nodiscard]] bool movesAsOne() const { return movesAsOne_; }
     [[nodiscard]] bool isLoose() const { return isLoose_; } // no joint gives way when all move
     [[nodiscard]] bool turns() const { return turns_; }     // the body, where the point goes on
     [[nodiscard]] const std::vector<std::size_t>& bodies() const { return linkage_->bodies(); }
 
+    // Of a body, from its reference point along its axes.
+    [[nodiscard]] Vector centreOf(const std::string& body) const;
+
     // Places as near as they come: from those that the last call gave.
     void pullTo(const Vector& place);
-    // The body turned by exactly that angle, where one way to go is left. False: there are others.
+    // The body turned by exactly that angle about what stands. False: there are other ways to go,
+    // or what holds it has moved, too.
     bool turnTo(double angle);
     [[nodiscard]] double turned() const; // radians: of the body, from where it was at first
     [[nodiscard]] std::vector<Assembly::Moved> moved() const { return linkage_->moved(); }
@@ -45,18 +63,31 @@ public:
         Vector linear, angular; // of the centre of mass; world
     };
     // The velocities that the conditions allow where the bodies are: the point has that of the hand
-    // as far as they do. `before`: those that they had otherwise, in the order of bodies().
-    [[nodiscard]] std::vector<Velocity> velocities(const std::vector<Velocity>& before,
+    // as far as they do. `atFirst`: those that they had where they were, in the order of bodies().
+    // They turn with the bodies, but for what comes from what leads them.
+    [[nodiscard]] std::vector<Velocity> velocities(const std::vector<Velocity>& atFirst,
                                                    const std::optional<Vector>& ofHand);
 
 private:
+    using Held = std::vector<char>; // columns of movements that are none
     void findCosts();
+    void findStages();
+    [[nodiscard]] bool isGone(const std::string& joint) const;
     [[nodiscard]] Vector point() const;
     [[nodiscard]] Eigen::MatrixXd pointBy() const; // its way by a movement
     [[nodiscard]] Eigen::MatrixXd allowed() const; // movements that open nothing, as columns
+    // The cost of a movement, by shares of these columns.
+    [[nodiscard]] Eigen::MatrixXd costOf(const Eigen::MatrixXd& free) const;
     [[nodiscard]] Eigen::VectorXd towards(const Vector& way) const; // the cheapest movement
+    [[nodiscard]] Eigen::VectorXd given(const Vector& velocity, const Eigen::MatrixXd& free) const;
+    // The body and all that goes with it by the same way; empty: something that stands holds it.
+    [[nodiscard]] std::vector<std::size_t> loose(const Eigen::MatrixXd& conditions) const;
+    [[nodiscard]] Eigen::VectorXd addHand(Eigen::VectorXd rates, const Eigen::MatrixXd& conditions,
+                                          const Vector& ofHand) const;
     [[nodiscard]] bool nearer(const Vector& place);
     void refine(const Vector& place);
+    void approach(const Vector& place);
+    [[nodiscard]] bool turnsTo(double angle);
 
     scene::Scene scene_; // without what is no condition
     std::unique_ptr<EquationsOfMotion> equations_;
@@ -69,7 +100,13 @@ private:
         double radius, weight;
     };
     std::vector<Cost> costs_;
-    bool isJoined_ = false, isLoose_ = false, movesAsOne_ = false, turns_ = false;
+    std::vector<Held> stages_;  // each with fewer of them than the one before
+    std::size_t stage_ = 0;     // of the last pull
+    Held held_;                 // columns of movements that are none now
+    std::vector<double> first_; // values of the linkage
+    bool isOnGround_ = false;   // what stands holds the body itself
+    State state_ = State::free;
+    bool isLoose_ = false, movesAsOne_ = false, turns_ = false, isStuck_ = false;
 };
 
 } // namespace physics

@@ -447,5 +447,15 @@ TEST_F(SelectingTest, WhatAJointHoldsIsThrownAsTheJointAllows) {
     viewer->playback().stop();
 }
 
+TEST_F(SelectingTest, WhatAJointHoldsFastIsNotThrown) {
+    editor.document().setText(three + "joint pin -type fixed -body1 left\n", "Edit");
+    ASSERT_TRUE(settle(editor.document()));
+    viewer->playback().seek(0.5);
+    EXPECT_TRUE(display().throwing().press(leftOne.index, middle));
+    EXPECT_FALSE(display().throwing().active());
+    EXPECT_THAT(display().editing().said().toStdString(),
+                HasSubstr("\"left\" is held by joint \"pin\": nothing lets it go anywhere"));
+}
+
 } // namespace
 } // namespace views

@@ -79,6 +79,11 @@ bool Throwing::press(std::size_t body, const QPointF& position) {
     const Vector taken = under(position);
     held_->off = held_->pose.position - taken;
     held_->joined = gestures::Joined::of(gestures::sceneAt(held_->ground, time), body, taken);
+    if (const std::string why = held_->joined ? held_->joined->whyNotThrown() : ""; !why.empty()) {
+        held_.reset();
+        display_.editing().say(QString::fromStdString(why));
+        return true;
+    }
     rate_.reset();
     Q_EMIT grabbed();
     return true;
