@@ -56,11 +56,13 @@ TEST(Body, TakesARotationVectorOrAQuaternion) {
 TEST(Body, TurnsByAQuarterThatIsWrittenWithFewDigits) {
     const Scene scene = read("body a s -init_rot {0 -1.5708 0}\nbody b s -init_rot {0 1.571 0}\n"
                              "body c s -init_rot {1.5708 0.1 0}\nbody d s -init_rot {1e-6 0 0}\n"
+                             "body e s -init_rot {1.57079 0 0}\n"
                              "shape_set can -desc {-sub {-rot {3.14159 0 0} -cylinder {1 2}}}");
     EXPECT_EQ(scene.bodies[0].initialAttitude.w(), std::cos(std::numbers::pi / 4));
     EXPECT_NEAR(scene.bodies[1].initialAttitude.w(), std::cos(1.571 / 2), 1e-15);
     EXPECT_NEAR(scene.bodies[2].initialAttitude.w(), std::cos(std::hypot(1.5708, 0.1) / 2), 1e-15);
     EXPECT_NEAR(scene.bodies[3].initialAttitude.x(), 5e-7, 1e-18);
+    EXPECT_NEAR(scene.bodies[4].initialAttitude.w(), std::cos(1.57079 / 2), 1e-15);
     EXPECT_EQ(scene.shapeSets.back().parts[0].rotation.x(), std::numbers::pi);
 }
 

@@ -18,13 +18,21 @@ namespace {
 constexpr std::string_view wantsDescription =
     "a list of -face {points} and -sub {part} descriptions";
 
+// It is the other one, rounded to four digits behind the point or more.
+bool isRounded(double number, double of) {
+    constexpr double none = 1e-13;
+    for (const double unit : {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9})
+        if (std::abs(number - std::round(of / unit) * unit) <= none)
+            return true;
+    return false;
+}
+
 // About one axis: 1.5708 means a quarter turn, and 3.1416 a half.
 Vector withWholeQuarters(Vector rotation) {
-    constexpr double quarter = std::numbers::pi / 2, digits = 1e-5;
+    constexpr double quarter = std::numbers::pi / 2;
     for (double& angle : rotation) {
         const double whole = std::round(angle / quarter) * quarter;
-        if (angle != 0 && std::abs(angle) == rotation.norm() && std::abs(angle - whole) <= digits &&
-            whole != 0)
+        if (whole != 0 && std::abs(angle) == rotation.norm() && isRounded(angle, whole))
             angle = whole;
     }
     return rotation;

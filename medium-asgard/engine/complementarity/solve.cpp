@@ -455,9 +455,12 @@ std::optional<Answer> solve(const Matrix& a, const Vector& b, const Laws& laws, 
     const bool hasGuess = guess.forces.size() == b.size();
     const Vector start = at.centresOf(hasGuess ? guess.forces : withoutDiscs(a, b, laws));
     // The centres that forces without friction have may lie far from all answers.
-    for (const double part : {1.0, 0.0, -1.0, 0.5})
+    for (const double part : {1.0, 0.0, -1.0, 0.5}) {
+        if (part != 1 && start.isZero(0))
+            break;
         if (auto found = solveFrom(part * start, at, a, b, laws, guess, counts))
             return found;
+    }
     return std::nullopt;
 }
 

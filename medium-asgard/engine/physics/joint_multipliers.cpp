@@ -18,7 +18,7 @@ namespace physics {
 namespace {
 
 constexpr double stopResolution = 1e-9;  // of the joint's size: lower hops and gaps are none
-constexpr double startResolution = 1e-6; // of the scene's size: a smaller gap is closed
+constexpr double startResolution = 1e-5; // of the scene's size: a smaller gap is closed
 
 // A comparison, several that are joined, or a number: it changes from 0 in a jump.
 bool isCondition(const Graph& g, Node node) {

@@ -3,7 +3,6 @@
 #include "equations/partition.h"
 #include "motion/groups.h"
 #include "run/budget.h"
-#include "run/put_apart.h"
 #include "run/quantities.h"
 #include "scene/shape_of.h"
 
@@ -97,7 +96,6 @@ posed(const scene::Scene& original, const Options& options,
     std::vector<geometry::Shape> shapes = shapesOf(scene, reader, meanwhile, faults);
     if (!faults.empty())
         return faults;
-    putApart(scene, shapes);
     physics::EquationsOfMotion equations(scene, meanwhile, &reader);
     if (!equations.faults.empty())
         return equations.faults;
