@@ -1,5 +1,7 @@
 #include "element_edits/units.h"
 
+#include "scene/joint_types.h"
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -37,6 +39,26 @@ constexpr std::array springUnits{Unit{"-stiffness", "N/m"}, Unit{"-damping", "N 
                                  Unit{"-rest", "m"},        Unit{"-x", "m"},
                                  Unit{"-y", "m"},           Unit{"-z", "m"}};
 
+// Of a joint's coordinate, where it is a length and where it is an angle.
+struct CoordinateUnit {
+    std::string_view option, length, angle;
+};
+constexpr std::array coordinateUnits{
+    CoordinateUnit{"-limits", "m", "rad"},    CoordinateUnit{"-motor", "N", "N m"},
+    CoordinateUnit{"-speed", "m/s", "rad/s"}, CoordinateUnit{"-position", "m", "rad"},
+    CoordinateUnit{"-max_motor", "N", "N m"}, CoordinateUnit{"-stiffness", "N/m", "N m/rad"},
+    CoordinateUnit{"-rest", "m", "rad"},      CoordinateUnit{"-damping", "N s/m", "N m s/rad"},
+    CoordinateUnit{"-friction", "N", "N m"}};
+
+std::string_view ofCoordinate(scene::JointType type, std::string_view option) {
+    const auto kinds = scene::traitsOf(type).coordinates;
+    for (std::size_t k = 0; k < kinds.size(); ++k)
+        for (const CoordinateUnit& unit : coordinateUnits)
+            if (option == std::string(unit.option) + scene::coordinateSuffix(type, k))
+                return kinds[k] == scene::CoordinateKind::angle ? unit.angle : unit.length;
+    return {};
+}
+
 template <std::size_t count>
 std::string_view found(const std::array<Unit, count>& units, std::string_view option) {
     const auto* unit = std::ranges::find(units, option, &Unit::first);
@@ -52,6 +74,9 @@ std::string_view unitOf(const scene::Scene& scene, const Element& element,
         return scene.forces[element.index].couple ? "N m" : "N";
     if (element.kind == Kind::link)
         if (const std::string_view unit = found(springUnits, option); !unit.empty())
+            return unit;
+    if (element.kind == Kind::joint)
+        if (const auto unit = ofCoordinate(scene.joints[element.index].type, option); !unit.empty())
             return unit;
     if (element.kind == Kind::view || element.kind == Kind::parameter)
         return {};

@@ -110,6 +110,24 @@ TEST_F(PictureEditingTest, WhatIsSaidFadesOnceThereWasTimeToReadIt) {
     Said::setPace(1000);
 }
 
+TEST_F(PictureEditingTest, WhatIsSaidAgainWhileItFadesIsSeenAgain) {
+    Said said;
+    double seen = 1;
+    bool isAgain = false;
+    QObject::connect(&said, &Said::changed, [&] {
+        seen = said.opacity();
+        if (seen == 1 || std::exchange(isAgain, true))
+            return;
+        Said::setPace(1000);
+        said.say("That cannot be.", false);
+    });
+    Said::setPace(0);
+    said.say("That cannot be.", false);
+    EXPECT_TRUE(waitFor([&] { return isAgain; }));
+    EXPECT_EQ(said.text(), "That cannot be.");
+    EXPECT_EQ(seen, 1);
+}
+
 // As while the view is turned: the pictures are many, and the last one is what is looked at.
 TEST_F(PictureEditingTest, PicturesAreCoarseWhileAHandleIsDraggedAndThenFine) {
     open(ball + "body b1 ball\n");

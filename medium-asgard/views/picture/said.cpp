@@ -1,5 +1,7 @@
 #include "picture/said.h"
 
+#include <utility>
+
 namespace views {
 
 namespace {
@@ -30,10 +32,10 @@ double Said::opacity() const { return static_cast<double>(left_) / steps; }
 
 void Said::say(const QString& sentence, bool isFault) {
     timer_.stop();
-    left_ = steps;
+    const bool isPale = std::exchange(left_, steps) < steps && !text_.isEmpty();
     if (!sentence.isEmpty())
         timer_.start(std::chrono::duration_cast<milliseconds>(pace * readingTime(sentence)));
-    if (sentence == text_ && isFault == isFault_)
+    if (sentence == text_ && isFault == isFault_ && !isPale)
         return;
     text_ = sentence;
     isFault_ = isFault;

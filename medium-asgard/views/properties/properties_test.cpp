@@ -103,6 +103,24 @@ TEST_F(PropertiesTest, NumbersHaveUnitsAndRestitutionSaysWhoseCounts) {
     open(two + "force -body a -torque 1 -z 2\n", {{Kind::force, 1}});
     settleTimers();
     EXPECT_TRUE(has("Along z, N m"));
+    open(two + "joint h -type hinge -body1 a -offset1 {0 1 0} -limits {-1 1} -stiffness 2\n"
+               "joint s -type slider -body1 b -axis {1 0 0}\n",
+         {{Kind::joint, 0}});
+    settleTimers();
+    for (const char* words : {"Limits, rad", "Stiffness, N m/rad", "Damping, N m s/rad",
+                              "Friction, N m", "Speed, rad/s", "Motor, N m", "Rests at, rad"})
+        EXPECT_TRUE(has(words)) << words;
+    document.select({{Kind::joint, 1}});
+    settleTimers();
+    for (const char* words : {"Limits, m", "Stiffness, N/m", "Speed, m/s", "Friction, N"})
+        EXPECT_TRUE(has(words)) << words;
+    open(shape + "body a s -init_rot {1 0 0 0}\nbody b s -init_rot {0 0 1}\n", {{Kind::body, 0}});
+    settleTimers();
+    EXPECT_TRUE(has("Attitude"));
+    EXPECT_TRUE(has("Radius, m"));
+    document.select({{Kind::body, 1}});
+    settleTimers();
+    EXPECT_TRUE(has("Attitude, rad"));
 }
 
 TEST_F(PropertiesTest, AFieldWritesOneStepOfUndo) {

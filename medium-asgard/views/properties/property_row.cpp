@@ -160,7 +160,7 @@ void PropertyRow::showColor() {
 
 void PropertyRow::setNames(const QStringList& names) {
     const QString caption = names.size() == 1 ? names.front() : tr("Size");
-    caption_->setText(plain::ours(caption));
+    caption_->setText(plain::ours(QStringLiteral("%1, m").arg(caption)));
     for (std::size_t i = 0; i < fields_.size(); ++i) {
         const auto at = static_cast<qsizetype>(i);
         fields_[i]->setAccessibleName(at < names.size() ? names[at] : caption);
