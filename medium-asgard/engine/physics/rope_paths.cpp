@@ -227,8 +227,8 @@ void RopePaths::findFrames(const scene::Rope& rope, RopePath& path) {
     }
 }
 
-// Who hangs a weight beside a drum means it to hang straight down: where the span leads along an
-// axis of the world on the other side of the drum alone, it is on the wrong one.
+// A weight beside a drum is meant to hang straight down: a span that leads along an axis of the
+// world on the other side of the drum alone is on the wrong one.
 void RopePaths::noteOtherSide(const scene::Rope& rope, const RopePath& path, std::size_t end) {
     constexpr double straight = 1e-6; // of the cosine
     RopePath other = path;

@@ -224,8 +224,7 @@ void PropertiesPane::showRow(PropertyRow& row) {
     const bool isShared = std::ranges::all_of(elements(), [&](const Element& element) {
         return editing::unitOf(scene, element, row.option().name) == unit;
     });
-    const bool isQuaternion = row.option().name == "-init_rot" && row.shown().size() == 4;
-    row.setUnit(isShared && !isQuaternion ? toText(unit) : QString());
+    row.setUnit(isShared ? toText(unit) : QString());
     const bool meets = row.option().name == "-restitution" && elements().front().kind == Kind::body;
     row.setRemark(meets ? tr("Of two bodies that meet the smaller one counts.") : QString());
 }
