@@ -272,8 +272,8 @@ private:
     // contact's. Of two faces the one along which the gap is larger: along the other it is that
     // of a vertex beside the face. Where faces all but lie on each other, gaps do not tell, and the
     // vertex itself does. The support's comes first where both are as good: it is the larger one,
-    // mostly. A face beside which all lies that is within the tolerance of it is touched by none of
-    // that.
+    // mostly. A face is not touched by vertices that lie beside it, however near its plane they
+    // are.
     void preferFaces() {
         const auto gapAlong = [this](const Vector& n) {
             return n.dot(first_.world(first_.support(-n)) - second_.world(second_.support(n))) -
