@@ -215,7 +215,7 @@ std::optional<Indicated> Creating::indicated(const QPointF& position) {
 Indicated Creating::indicatedOn(std::size_t body, const Vector& surface) const {
     const gestures::Sight sight = display_.sight();
     const Eigen::Vector2d pixels = sight.pixels(surface);
-    const Indicated center = centerOf(body);
+    Indicated center = centerOf(body);
     if (step().whole || (sight.pixels(center.point) - pixels).norm() <=
                             0.7 * clickReach * display_.devicePixelRatioF())
         return center;
