@@ -98,7 +98,8 @@ surfaces::Place<Term> ContactRows::poseOf(std::size_t body) {
 ContactRows::Meeting ContactRows::meetingOf(const ContactPlace& place, const SurfaceGap& gap) {
     const surfaces::Nearest<Term> found =
         surfaces::nearestOf(gap, poseOf(place.body), poseOf(place.support));
-    return {found.gap.node, nodes(found.normal), nodes(found.contact), nodes(found.place)};
+    return {found.gap.node, nodes(found.normal), nodes(found.contact), nodes(found.place),
+            found.steady.node};
 }
 
 // Directions follow the normal.
@@ -228,6 +229,15 @@ std::optional<Node> ContactRows::tiltOf(const ContactPlace& place, const Surface
     return g_.subtract(g_.multiply(g_.constant(2), reach), g_.constant(lying * place.size));
 }
 
+// Nearest points are at their nearest: a gap changes as the bodies move there, whatever the way of
+// the points on the curves.
+Node ContactRows::openingOf(const ContactPlace& place, const Meeting& meeting) {
+    const Vector none = Vector::Zero();
+    return dot(g_, meeting.normal,
+               subtract(g_, velocityAt(place.body, meeting.contact, none),
+                        velocityAt(place.support, meeting.contact, none)));
+}
+
 void ContactRows::addNormals(const ContactPlace& place, std::span<const Node> multipliers) {
     for (std::size_t k = 0; k < place.points.size(); ++k) {
         const ContactPoint& point = place.points[k];
@@ -242,8 +252,12 @@ void ContactRows::addNormals(const ContactPlace& place, std::span<const Node> mu
             condition.valid.push_back(sideOf(side, meeting));
         if (const auto tilt = tiltOf(place, point.gap, meeting))
             condition.valid.push_back(*tilt);
+        if (point.gap.hasFeet())
+            condition.valid.push_back(g_.subtract(meeting.steady, g_.constant(leastSteady)));
         const Node gap = g_.subtract(meeting.gap, g_.constant(point.start));
-        addRow(place, multipliers[k], gap, along(std::span(&gap, 1))[0], std::move(condition));
+        const Node rate =
+            point.gap.hasFeet() ? openingOf(place, meeting) : along(std::span(&gap, 1))[0];
+        addRow(place, multipliers[k], gap, rate, std::move(condition));
     }
 }
 

@@ -133,6 +133,7 @@ private:
     struct Meeting { // of two pieces
         Node gap;
         NodeVector normal, contact, place;
+        Node steady;
     };
     [[nodiscard]] surfaces::Place<surfaces::Term> poseOf(std::size_t body);
     [[nodiscard]] Meeting meetingOf(const ContactPlace& place, const SurfaceGap& gap);
@@ -143,6 +144,7 @@ private:
     [[nodiscard]] NodeVector velocityAt(std::size_t body, const NodeVector& point,
                                         const Vector& surface);
     [[nodiscard]] std::vector<Node> landingsOf(const ContactPlace& place);
+    [[nodiscard]] Node openingOf(const ContactPlace& place, const Meeting& meeting);
     void addNormals(const ContactPlace& place, std::span<const Node> multipliers);
     void addFriction(const ContactPlace& place, const Frame& frame,
                      std::span<const Node> multipliers);

@@ -3,6 +3,7 @@
 #include "physics/surface_nearest.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace physics {
 namespace {
@@ -28,14 +29,16 @@ bool haveGap(SurfacePiece::Kind body, SurfacePiece::Kind support) {
         return first == Kind::point || first == Kind::circle || first == Kind::ellipsoid;
     if (first == Kind::point)
         return second != Kind::ellipsoid;
-    return first == Kind::line && second == Kind::line;
+    return second == Kind::line || second == Kind::circle;
 }
 
 NearestSurfaces nearest(const SurfaceGap& gap, const SurfacePose& body,
                         const SurfacePose& support) {
     const surfaces::Nearest<double> found = surfaces::nearestOf(gap, of(body), of(support));
-    return {found.gap, of(found.normal), of(found.contact), of(found.place)};
+    return {found.gap, of(found.normal), of(found.contact), of(found.place), found.steady};
 }
+
+double NearestSurfaces::nearFoot() const { return std::min(0.2, std::sqrt(steady) / 4); }
 
 double reachBelow(const SurfacePiece& piece, const Vector& normal) {
     return surfaces::lowest(piece, of(SurfacePose{}), of(normal)).reach;

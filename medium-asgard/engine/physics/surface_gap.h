@@ -22,6 +22,14 @@
 //     point and cone      g = n.d - r                         n.a = sine of the cone
 //     line and line       g = n.d - r, n along a x b          x where they cross
 //
+// A circle has no closed form with a line or a circle (a rim across an edge, a side or another
+// rim). Four steps of Newton's method find the two nearest points p and q, from the circle's `foot`
+// on, which is where it touched. They are exact to rounding near it (nearFoot()), and as smooth as
+// what they come from:
+//
+//     two curves          g = n.(p - q), n along both tangents' product        x = p
+//     round line, circle  g = |p - q| - r                                      x on the circle
+//
 // A point or a line with a radius below 0 is the inside of a shell or a tube; with a point within
 // it
 //     g = -r - |d|, -r - |d - b (b.d)|       r: both radii together, and below 0.
@@ -45,20 +53,32 @@ struct SurfacePiece {
     Vector place = Vector::Zero();
     Vector axis = Vector::UnitX(); // outward; along the line; across the circle; to the apex
     double radius = 0;             // around a point or a line, below 0: hollow; of the circle
+    Vector foot = Vector::UnitY(); // circle: from its centre to where it touched a curve
     double sine = 0;               // cone: of the angle between its axis and its side
     Matrix axes = Matrix::Zero();  // ellipsoid: its half axes are the columns
 };
 
 struct SurfaceGap {
     SurfacePiece body, support;
-    bool isFlipped = false; // lines: the normal is along support x body
+    bool isFlipped = false; // curves: the normal is along support x body
+
+    // A curve across a curve, of which one is a circle.
+    [[nodiscard]] bool hasFeet() const {
+        const auto isCurve = [](const SurfacePiece& piece) {
+            return piece.kind == SurfacePiece::Kind::line ||
+                   piece.kind == SurfacePiece::Kind::circle;
+        };
+        return isCurve(body) && isCurve(support) &&
+               (body.kind == SurfacePiece::Kind::circle ||
+                support.kind == SurfacePiece::Kind::circle);
+    }
 
     [[nodiscard]] bool isOnPlane() const {
         return body.kind == SurfacePiece::Kind::plane || support.kind == SurfacePiece::Kind::plane;
     }
 };
 
-// There is a closed form.
+// There is a formula.
 [[nodiscard]] bool haveGap(SurfacePiece::Kind body, SurfacePiece::Kind support);
 
 struct SurfacePose {                // of a body
@@ -72,7 +92,16 @@ struct NearestSurfaces {
     Vector contact = Vector::Zero(); // on one of the surfaces, world
     // Of a point its place, within its radius; else `contact`.
     Vector place = Vector::Zero();
+    // Of curves with feet how well the two points are determined, else 1: the determinant of their
+    // distance's half square by both points' ways. Of edges that cross it is the square of the
+    // sine of their angle.
+    double steady = 1;
+    // How far, in rad, a circle's point may be from its foot.
+    [[nodiscard]] double nearFoot() const;
 };
+// Curves that are less steady have no gap.
+inline constexpr double leastSteady = 1e-4;
+
 [[nodiscard]] NearestSurfaces nearest(const SurfaceGap& gap, const SurfacePose& body,
                                       const SurfacePose& support);
 

@@ -95,11 +95,105 @@ TEST(SurfaceGap, OfSidesThatCrossIsAlongBothAxesNormal) {
     expectNear(at.contact, {4, 0.8, 0});
 }
 
-TEST(SurfaceGap, IsKnownOfPairsWithAClosedFormAlone) {
+// A rim of 0.1 stands on end, with its lowest point at the origin; the other curve goes through the
+// same point. Each may turn about it.
+struct Curves {
+    SurfacePiece rim{
+        .kind = Kind::circle, .place = {0, 0.1, 0}, .axis = Vector::UnitZ(), .radius = 0.1};
+    SurfacePiece other;
+};
+Curves curves(Kind kind, double radius) {
+    Curves made{.other = {.kind = kind, .axis = Vector(0.3, 0, 1).normalized()}};
+    made.rim.foot = -Vector::UnitY();
+    if (kind == Kind::line) {
+        made.other.place = {0, -radius, 0};
+        made.other.radius = radius;
+    } else { // its highest point is there
+        made.other.axis = Vector(1, 0, 0.3).normalized();
+        made.other.place = {0, -radius, 0};
+        made.other.radius = radius;
+        made.other.foot = Vector::UnitY();
+    }
+    return made;
+}
+
+// The same gap with its feet where its points are now.
+SurfaceGap withFeet(SurfaceGap gap, const SurfacePose& body) {
+    for (int i = 0; i < 4; ++i) {
+        const Vector contact = nearest(gap, body, {}).contact;
+        for (SurfacePiece* piece : {&gap.body, &gap.support}) {
+            const SurfacePose of = piece == &gap.body ? body : SurfacePose{};
+            const Vector off = of.rotation.transpose() * (contact - of.centre) - piece->place;
+            piece->foot = (off - piece->axis * piece->axis.dot(off)).normalized();
+        }
+    }
+    return gap;
+}
+
+// However they have gone from their feet, within nearFoot(): as from feet that are there.
+TEST(SurfaceGap, OfCurvesNearTheirFeetIsExact) {
+    int tried = 0;
+    for (const auto& [kind, radius] : {std::pair(Kind::line, 0.0), std::pair(Kind::line, 0.04),
+                                       std::pair(Kind::line, 0.5), std::pair(Kind::circle, 0.05),
+                                       std::pair(Kind::circle, 0.1), std::pair(Kind::circle, 1.0)})
+        for (int i = 0; i < 400; ++i) {
+            const Curves made = curves(kind, radius);
+            const SurfaceGap gap{made.rim, made.other, false};
+            const Vector axis(std::cos(i), std::sin(1.7 * i), std::cos(2.3 * i + 1));
+            SurfacePose pose = posed(Vector::Zero(), axis, 0.5 * std::sin(0.9 * i));
+            pose.centre = pose.rotation * Vector(0.02 * std::sin(0.3 * i), 0, 0);
+            const NearestSurfaces apart = nearest(gap, pose, {});
+            pose.centre -= apart.normal * apart.gap; // they touch
+            const NearestSurfaces found = nearest(gap, pose, {});
+            const SurfaceGap anew = withFeet(gap, pose);
+            const NearestSurfaces exact = nearest(anew, pose, {});
+            const double near = std::cos(nearest(gap, {}, {}).nearFoot());
+            if (anew.body.foot.dot(gap.body.foot) < near ||
+                (kind == Kind::circle && anew.support.foot.dot(gap.support.foot) < near))
+                continue;
+            ++tried;
+            EXPECT_NEAR(found.gap, exact.gap, 1e-15);
+            EXPECT_LT((found.normal - exact.normal).norm(), 2e-12) << int(kind) << ' ' << i;
+            EXPECT_LT((found.contact - exact.contact).norm(), 1e-12) << int(kind) << ' ' << i;
+        }
+    EXPECT_GT(tried, 1000);
+}
+
+// Of a rim and a line the gap is the least distance of the rim's points from the line.
+TEST(SurfaceGap, OfARimAndALineIsTheirLeastDistance) {
+    const Curves made = curves(Kind::line, 0.04);
+    const SurfacePose pose = posed({0.01, 0.003, 0.02}, {1, 2, 3}, 0.1);
+    const NearestSurfaces at = nearest({made.rim, made.other, false}, pose, {});
+    double least = HUGE_VAL;
+    for (int i = 0; i < 20000; ++i) {
+        const double a = i * std::numbers::pi / 10000;
+        const Vector on =
+            pose.centre + pose.rotation * Vector(0.1 * std::cos(a), 0.1 + 0.1 * std::sin(a), 0);
+        least = std::min(least, made.other.axis.cross(on - made.other.place).norm() - 0.04);
+    }
+    EXPECT_NEAR(at.gap, least, 1e-9);
+    EXPECT_LE(at.gap, least + 1e-15);
+}
+
+// Normal and tangents of two rims: the normal is across both, from the other to the rim.
+TEST(SurfaceGap, OfRimsAndEdgesThatCrossIsAlongBothTangentsNormal) {
+    for (const Kind kind : {Kind::line, Kind::circle}) {
+        const Curves made = curves(kind, kind == Kind::line ? 0 : 0.3);
+        const SurfacePose pose{.centre = {0, 0.002, 0}, .rotation = Matrix::Identity()};
+        NearestSurfaces at = nearest({made.rim, made.other, false}, pose, {});
+        if (at.normal.y() < 0)
+            at = nearest({made.rim, made.other, true}, pose, {});
+        EXPECT_NEAR(at.gap, 0.002, 1e-15);
+        expectNear(at.normal, Vector::UnitY());
+    }
+}
+
+TEST(SurfaceGap, IsKnownOfPairsWithAFormulaAlone) {
     EXPECT_TRUE(haveGap(Kind::plane, Kind::ellipsoid));
     EXPECT_TRUE(haveGap(Kind::cone, Kind::point));
-    EXPECT_FALSE(haveGap(Kind::circle, Kind::circle));
-    EXPECT_FALSE(haveGap(Kind::line, Kind::circle));
+    EXPECT_TRUE(haveGap(Kind::circle, Kind::circle));
+    EXPECT_TRUE(haveGap(Kind::line, Kind::circle));
+    EXPECT_FALSE(haveGap(Kind::line, Kind::cone));
     EXPECT_FALSE(haveGap(Kind::ellipsoid, Kind::point));
 }
 

@@ -61,6 +61,7 @@ template <class S> struct Place { // of a body
 template <class S> struct Nearest {
     S gap;
     Triple<S> normal, contact, place;
+    S steady; // of curves with feet, else 1
 };
 
 // Of one piece below the other's plane: how deep it reaches along -n, and where.
@@ -90,6 +91,65 @@ Extent<S> lowest(const SurfacePiece& piece, const Place<S>& owner, const Triple<
     return {owner.number(piece.radius), owner.number(-piece.radius) * n};
 }
 
+template <class S> Triple<S> unit(const Triple<S>& a) { return a / lengthOf(a); }
+
+// Of two curves: a line or a circle, and a circle. Each step of Newton's method for the points that
+// are nearest to each other begins at those of the step before, the first at the pieces' feet;
+// a point moves along its tangent and from there back onto its circle. Of a line the nearest point
+// to any other is known.
+constexpr int curveSteps = 4;
+
+template <class S> struct Circle {
+    Triple<S> axis;
+    S radius;
+    Triple<S> out; // from the centre to the point, a unit vector
+
+    Circle(const SurfacePiece& piece, const Place<S>& owner)
+        : axis(owner.toWorld(piece.axis)), radius(owner.number(piece.radius)),
+          out(owner.toWorld(piece.foot)) {}
+    [[nodiscard]] Triple<S> tangent() const { return cross(axis, out); }
+    void move(const S& angle) { out = unit(out + angle * tangent()); }
+};
+
+template <class S> struct Crossing { // of two curves
+    Triple<S> apart;                 // from the second's point to the first's
+    Triple<S> first, second;         // the tangents there
+    Triple<S> offset;                // of the first's point, from its place
+    S steady;                        // surface_gap.h
+};
+
+// `d` from the circle's centre to the line's place.
+template <class S>
+Crossing<S> crossingOf(const Triple<S>& line, Circle<S> circle, const Triple<S>& d) {
+    for (int i = 0;; ++i) {
+        const Triple<S> from = d - circle.radius * circle.out, tangent = circle.tangent();
+        const Triple<S> apart = from - dot(line, from) * line;
+        const S across = dot(line, tangent), bends = dot(apart, circle.out) / circle.radius;
+        const S steady = like(across, 1) - across * across + bends;
+        if (i == curveSteps)
+            return {apart, line, tangent, apart + circle.radius * circle.out - d, steady};
+        circle.move(dot(apart, tangent) / circle.radius / steady);
+    }
+}
+
+// `d` from the second's centre to the first's.
+template <class S> Crossing<S> crossingOf(Circle<S> first, Circle<S> second, const Triple<S>& d) {
+    for (int i = 0;; ++i) {
+        const Triple<S> offset = first.radius * first.out;
+        const Triple<S> apart = d + offset - second.radius * second.out;
+        const Triple<S> along = first.tangent(), other = second.tangent();
+        // How far the points move, with the rates of their distance's half square.
+        const S one = dot(apart, along), two = dot(apart, other), both = dot(along, other);
+        const S ofFirst = like(both, 1) - dot(apart, first.out) / first.radius;
+        const S ofSecond = like(both, 1) + dot(apart, second.out) / second.radius;
+        const S steady = ofFirst * ofSecond - both * both;
+        if (i == curveSteps)
+            return {apart, along, other, offset, steady};
+        first.move((two * both - one * ofSecond) / steady / first.radius);
+        second.move((two * ofFirst - one * both) / steady / second.radius);
+    }
+}
+
 // From b to a; `d` from b's place to a's. a's kind does not come after b's, and a is not hollow.
 // Places: from a's place.
 template <class S>
@@ -101,17 +161,30 @@ Nearest<S> between(const SurfacePiece& a, const Place<S>& ofA, const SurfacePiec
         const Triple<S> n = ofB.toWorld(b.axis);
         const Extent<S> extent = lowest(a, ofA, n);
         return {dot(n, d) - extent.reach, n, extent.offset,
-                a.kind == Kind::point ? none : extent.offset};
+                a.kind == Kind::point ? none : extent.offset, ofA.number(1)};
     }
     const S radius = ofA.number(a.radius);
     const auto round = [&](const Triple<S>& way, const S& length, double both) {
         const bool isWithin = both < 0; // a in the hollow of b
         const Triple<S> n = (isWithin ? ofA.number(-1) * way : way) / length;
         const S gap = isWithin ? ofA.number(-both) - length : length - ofA.number(both);
-        return Nearest<S>{gap, n, ofA.number(-a.radius) * n, none};
+        return Nearest<S>{gap, n, ofA.number(-a.radius) * n, none, ofA.number(1)};
     };
     if (b.kind == Kind::point)
         return round(d, lengthOf(d), a.radius + b.radius);
+    if (b.kind == Kind::circle && a.kind != Kind::point) {
+        const Circle<S> circle(b, ofB);
+        const Crossing<S> found = a.kind == Kind::line ? crossingOf(ofA.toWorld(a.axis), circle, d)
+                                                       : crossingOf(Circle<S>(a, ofA), circle, d);
+        if (a.kind == Kind::line && a.radius > 0) {
+            const S length = lengthOf(found.apart);
+            const Triple<S> n = found.apart / length, on = found.offset - found.apart;
+            return {length - radius, n, on, on, found.steady};
+        }
+        const Triple<S> n =
+            unit(isFlipped ? cross(found.second, found.first) : cross(found.first, found.second));
+        return {dot(n, found.apart), n, found.offset, found.offset, found.steady};
+    }
     const Triple<S> axis = ofB.toWorld(b.axis);
     const Triple<S> across = d - dot(axis, d) * axis;
     if (a.kind == Kind::line) {
@@ -121,7 +194,7 @@ Nearest<S> between(const SurfacePiece& a, const Place<S>& ofA, const SurfacePiec
         const S both = dot(own, axis);
         const S way = (both * dot(axis, d) - dot(own, d)) / dot(common, common);
         const Triple<S> on = way * own - radius * n;
-        return {dot(n, d) - ofA.number(a.radius + b.radius), n, on, on};
+        return {dot(n, d) - ofA.number(a.radius + b.radius), n, on, on, ofA.number(1)};
     }
     if (b.kind == Kind::line)
         return round(across, lengthOf(across), a.radius + b.radius);
@@ -132,7 +205,7 @@ Nearest<S> between(const SurfacePiece& a, const Place<S>& ofA, const SurfacePiec
     const double cosine = std::sqrt(1 - b.sine * b.sine);
     const Triple<S> n =
         (ofA.number(cosine) / lengthOf(across)) * across + ofA.number(b.sine) * axis;
-    return {dot(n, d) - radius, n, ofA.number(-a.radius) * n, none};
+    return {dot(n, d) - radius, n, ofA.number(-a.radius) * n, none, ofA.number(1)};
 }
 
 template <class S>

@@ -208,8 +208,8 @@ private:
             const bool isOne = std::ranges::any_of(place_.points, [&](const ContactPoint& point) {
                 return isOnePiece(above ? point.gap.body : point.gap.support, piece, touch_.size);
             });
-            if (!isOne && isOverFace(piece, above))
-                addPiece(owner, piece, above);
+            if (!isOne)
+                addPiece(owner, piece, above, !isOverFace(piece, above));
         }
     }
     [[nodiscard]] bool isOverFace(const SurfacePiece& piece, bool above) const {
@@ -360,17 +360,30 @@ public:
 
     void flatten(SurfaceGap& gap) const {
         const Vector normal = nearestOf(gap, body_, support_).normal;
+        if (gap.hasFeet()) {
+            atFoot(gap.body, body_);
+            atFoot(gap.support, support_);
+        }
         const bool isBodyAcross = cross(gap.body, body_), isAcross = cross(gap.support, support_);
-        const bool isSharp = !gap.isOnPlane() && gap.body.radius + gap.support.radius == 0;
-        if (isSharp && isBodyAcross)
+        // A rim that is crossed is in the plane of what crosses it, as an edge is.
+        const bool isRim = gap.body.kind == Kind::circle || gap.support.kind == Kind::circle;
+        const bool isSharp = isRim || gap.body.radius + gap.support.radius == 0;
+        if (!gap.isOnPlane() && isSharp && isBodyAcross)
             gap.support = planeAt(gap.support.place, support_, normal);
-        else if (isSharp && isAcross)
+        else if (!gap.isOnPlane() && isSharp && isAcross)
             gap.body = planeAt(gap.body.place, body_, -normal);
         put(gap.body, body_);
         put(gap.support, support_);
     }
 
 private:
+    // A rim that a line only touches has one point there, in the plane.
+    void atFoot(SurfacePiece& piece, const Placed& owner) const {
+        const Vector foot = owner.state.attitude * piece.foot;
+        if (piece.kind != Kind::circle || std::abs(foot[plane_.axis]) > same)
+            return;
+        piece = {.kind = Kind::point, .place = piece.place + piece.radius * piece.foot};
+    }
     [[nodiscard]] bool cross(SurfacePiece& piece, const Placed& owner) const {
         const Vector axis = owner.state.attitude * piece.axis;
         const bool hasAxis = piece.kind == Kind::line || piece.kind == Kind::circle;
@@ -405,6 +418,21 @@ private:
     const Placed& support_;
 };
 
+// Where something lies across a round end in the plane, its ends go along the rim; the point is on
+// the end from one side of the rim to the other.
+void keepOnEnd(ContactPoint& point, const SurfaceGap& gap, double size, const Placed& body,
+               const Placed& support) {
+    const bool isBodys = gap.body.kind == Kind::circle;
+    const Placed& owner = isBodys ? body : support;
+    const SurfacePiece& rim = isBodys ? gap.body : gap.support;
+    std::erase_if(point.sides,
+                  [&](const ContactPoint::Side& side) { return side.body == owner.index; });
+    const Vector at = nearestOf(point.gap, body, support).contact;
+    Sides sides(owner.index, localOf(owner, at), size);
+    sides.addRound(Vector::Zero(), -1, rim.radius, rim.axis, rim.place);
+    point.sides.insert(point.sides.end(), sides.sides.begin(), sides.sides.end());
+}
+
 void putInPlane(physics::ContactPlace& place, const std::vector<Vector>& corners,
                 const MotionPlane& plane, const Placed& body, const Placed& support) {
     const std::vector<std::size_t> first = standing(corners, plane, place.size);
@@ -415,13 +443,22 @@ void putInPlane(physics::ContactPlace& place, const std::vector<Vector>& corners
         if (first[i] != i)
             continue;
         points.push_back(std::move(place.points[i]));
-        Flattening(plane, body, support).flatten(points.back().gap);
-        // An edge's end stands for the edge: how far it reaches across the plane does not change.
-        std::erase_if(points.back().sides, [&](const ContactPoint::Side& side) {
+        ContactPoint& point = points.back();
+        const SurfaceGap gap = point.gap;
+        Flattening(plane, body, support).flatten(point.gap);
+        // The point stands for the corner: how far that lies across the plane does not change.
+        std::erase_if(point.sides, [&](ContactPoint::Side& side) {
             const Placed& owner = side.body == body.index ? body : support;
             const Vector inward = owner.state.attitude * side.inward;
+            const Vector across =
+                owner.state.attitude.conjugate() *
+                Vector((corners[i][plane.axis] - plane.at) * Vector::Unit(plane.axis));
+            side.offset += side.inward.dot(across);
+            side.on -= across;
             return side.radial == 0 && std::abs(inward[plane.axis]) >= 1 - same;
         });
+        if (gap.hasFeet() && point.gap.isOnPlane())
+            keepOnEnd(point, gap, place.size, body, support);
     }
     place.points = std::move(points);
     place.normal[plane.axis] = 0;

@@ -84,6 +84,8 @@ void Sides::addEnds(const Vector& from, const Vector& to) {
 
 namespace {
 
+constexpr double rimTilt = 0.1; // of a contact's normal from a round end's
+
 // The cell of the feature (of the support's part, as vertices) in which the centre lies.
 void addCell(const Part& part, const Vector& centroid, const std::vector<std::size_t>& feature,
              Sides& sides) {
@@ -111,7 +113,7 @@ void addCell(const Part& part, const Vector& centroid, const std::vector<std::si
     }
 }
 
-void addCellOf(const Curved& curved, const Vector& centroid, const SurfacePiece& piece,
+void addCellOf(const Curved& curved, const Vector& centroid, const SurfacePiece& piece, double size,
                Sides& sides) {
     const Vector axis = curved.axis(), middle = curved.center - centroid;
     const double r = curved.radius(), half = curved.half();
@@ -123,6 +125,11 @@ void addCellOf(const Curved& curved, const Vector& centroid, const SurfacePiece&
         const Vector out = axis.dot(piece.place - middle) > 0 ? axis : Vector(-axis);
         sides.add(out, piece.place);
         return sides.addRound(Vector::Zero(), 1, -r, axis, piece.place);
+    }
+    if (isCylinder && piece.kind == Piece::point) { // of a rim: until all of the rim may touch
+        const double cosine = std::cos(rimTilt);
+        const Vector out = axis.dot(piece.place - middle) > 0 ? axis : Vector(-axis);
+        return sides.add(out, piece.place + size * cosine * out);
     }
     if (curved.kind == Curved::Kind::bowl && piece.kind == Piece::point)
         return sides.add(-axis, middle);
@@ -151,7 +158,7 @@ void addCellOf(const Placed& owner, std::size_t index, const SurfacePiece& piece
     const Part& part = owner.shape->parts[index];
     const Vector& centroid = owner.record->centroid;
     if (part.curved)
-        return addCellOf(*part.curved, centroid, piece, sides);
+        return addCellOf(*part.curved, centroid, piece, size, sides);
     const auto& vertices = part.core.vertices;
     if (part.isCapsule()) {
         const Vector from = vertices[0] - centroid, to = vertices[1] - centroid;
@@ -257,6 +264,9 @@ std::vector<ContactPoint::Side> sidesOfPieces(const physics::SurfaceGap& gap, co
         } else if (piece.kind == Piece::plane && face && !face->isEndless()) {
             sides.addRound(Vector::Zero(), -1, face->radius, face->plane.axis, face->plane.place);
         } else if (piece.kind != Piece::plane) {
+            if (gap.hasFeet() && piece.kind == Piece::circle)
+                sides.add(piece.foot,
+                          piece.place + piece.radius * std::cos(at.nearFoot()) * piece.foot);
             sides.moveAlong(owner->state.attitude.conjugate() * at.normal,
                             isBodys ? -touch.size : touch.size);
             addCellOf(*owner, part, piece, touch.size, sides);

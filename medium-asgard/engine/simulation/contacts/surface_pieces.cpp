@@ -21,6 +21,10 @@ constexpr double parallel = 1e-6; // sine of an angle between axes
 // Of the tolerance: less than what a point goes beyond its sides (contact_sides.h) before its
 // bodies are looked at again.
 constexpr double beyond = 1e-4;
+constexpr double farthest = 10;    // of the tolerance: how deep what touches overlaps
+constexpr double sameWay = 0.9;    // cosine between the normals of one touch
+constexpr double shortest = 0.015; // of the rim's radius: half of a line across it
+constexpr double steadyEnough = 2 * physics::leastSteady;
 
 const Part& partOf(const Placed& owner, std::size_t part) { return owner.shape->parts[part]; }
 
@@ -105,8 +109,30 @@ private:
                 .offset = pose.centre - pose.rotation * owner.record->centroid};
     }
 
+    // Curves that have feet begin where their pieces say; then the feet are where they touch.
     [[nodiscard]] PiecePoint pointOf(const SurfaceGap& gap) const {
-        return {.gap = gap, .at = physics::nearest(gap, ofBody_, ofSupport_)};
+        PiecePoint point{.gap = gap, .at = physics::nearest(gap, ofBody_, ofSupport_)};
+        constexpr int times = 3;
+        for (int i = 0; i < times && gap.hasFeet(); ++i) {
+            putFoot(point.gap.body, ofBody_, point.at.contact);
+            putFoot(point.gap.support, ofSupport_, point.at.contact);
+            point.at = physics::nearest(point.gap, ofBody_, ofSupport_);
+        }
+        return point;
+    }
+    // Of two curves whose normal may be the opposite one.
+    [[nodiscard]] PiecePoint crossingOf(const SurfacePiece& body,
+                                        const SurfacePiece& support) const {
+        const PiecePoint point = pointOf({body, support, false});
+        return point.at.normal.dot(found_.normal) < 0 ? pointOf({body, support, true}) : point;
+    }
+    // On the circle the point that is nearest to one of the world.
+    static void putFoot(SurfacePiece& piece, const physics::SurfacePose& of, const Vector& point) {
+        if (piece.kind != Kind::circle)
+            return;
+        Vector off = of.rotation.transpose() * Vector(point - of.centre) - piece.place;
+        off -= piece.axis * piece.axis.dot(off);
+        piece.foot = off.normalized();
     }
     void keep(const PiecePoint& point) { found_.points.push_back(point); }
 
@@ -143,50 +169,133 @@ private:
         return up.dot(toWorld(round, of.curved->axis())) < 0;
     }
 
-    // A line of contact ends where it crosses an edge of the face.
+    // What lies on the face lies on it up to the face's border: a line to where it crosses it, of a
+    // polyhedron each vertex within; a rim that has come over the border crosses it.
     void acrossBorder(const FlatFace& face, bool isBodys) {
-        const Placed &owner = isBodys ? body_ : support_, &round = isBodys ? support_ : body_;
+        const Placed& other = isBodys ? support_ : body_;
         const std::size_t part = isBodys ? supportPart_ : bodyPart_;
-        const Vector towards = found_.normal * (isBodys ? 1 : -1); // of the round part, outward
+        const Vector towards = found_.normal * (isBodys ? 1 : -1); // of the other part, outward
         const Feature feature = collision::bearingFeature(
-            partOf(round, part), round.state.attitude.conjugate() * towards, tolerance_);
-        if (feature.kind != Feature::Kind::segment || face.outline.empty()) {
+            partOf(other, part), other.state.attitude.conjugate() * towards, tolerance_);
+        std::optional<SurfacePiece> piece = pieceOf(feature, other.record->centroid);
+        if (!piece || piece->kind > Kind::circle || face.isEndless()) {
             found_.isModelled = false;
             return;
         }
-        const SurfacePiece line = *pieceOf(feature, round.record->centroid);
-        const Vector along = owner.state.attitude.conjugate() * toWorld(round, line.axis);
+        if (partOf(other, part).isPolyhedron())
+            for (const double end : {-0.5, 0.5})
+                if (end < 0 || piece->kind == Kind::line)
+                    keepOver(face, isBodys,
+                             pointAt(piece->place + end * feature.length * piece->axis, 0));
+        if (piece->kind == Kind::point)
+            return;
+        if (piece->kind == Kind::circle)
+            piece->foot = footOf(*piece, other.state.attitude.conjugate() * towards);
+        if (face.outline.empty())
+            acrossRim(face, isBodys, *piece, feature.length);
+        else
+            acrossOutline(face, isBodys, *piece, feature.length);
+    }
+
+    // Of the circle the point furthest along a direction, from its centre.
+    static Vector footOf(const SurfacePiece& circle, const Vector& direction) {
+        return (direction - circle.axis * circle.axis.dot(direction)).normalized();
+    }
+
+    void keepOver(const FlatFace& face, bool isBodys, const SurfacePiece& vertex) {
+        const PiecePoint point = pointOf(isBodys ? SurfaceGap{face.plane, vertex, false}
+                                                 : SurfaceGap{vertex, face.plane, false});
+        const physics::SurfacePose& of = isBodys ? ofBody_ : ofSupport_;
+        if (point.at.gap <= tolerance_ &&
+            depthIn(face, of.rotation.transpose() * Vector(point.at.contact - of.centre)) >= 0)
+            keep(point);
+    }
+
+    // Where the other's piece, of this length, crosses a piece of the face's border.
+    void keepCrossing(const FlatFace& face, bool isBodys, const SurfacePiece& border,
+                      const SurfacePiece& piece, double length) {
+        const PiecePoint point = isBodys ? crossingOf(border, piece) : crossingOf(piece, border);
+        const physics::SurfacePose& ofOwner = isBodys ? ofBody_ : ofSupport_;
+        const physics::SurfacePose& ofOther = isBodys ? ofSupport_ : ofBody_;
+        const Vector at = ofOwner.rotation.transpose() * Vector(point.at.contact - ofOwner.centre);
+        const Vector on = ofOther.rotation.transpose() * Vector(point.at.contact - ofOther.centre);
+        const bool isIn =
+            piece.kind == Kind::circle || std::abs(piece.axis.dot(on - piece.place)) <= length / 2;
+        if (isIn && depthIn(face, at) >= -tolerance_ && isThere(point))
+            keep(point);
+    }
+    // The feet were found, near where the parts touch.
+    [[nodiscard]] bool isThere(const PiecePoint& point) const {
+        return !point.gap.hasFeet() ||
+               (std::abs(point.at.gap) <= farthest * tolerance_ &&
+                point.at.normal.dot(found_.normal) > sameWay && point.at.steady > steadyEnough);
+    }
+
+    void acrossOutline(const FlatFace& face, bool isBodys, const SurfacePiece& piece,
+                       double pieceLength) {
+        const Placed &owner = isBodys ? body_ : support_, &other = isBodys ? support_ : body_;
+        const Vector along = owner.state.attitude.conjugate() * toWorld(other, piece.axis);
         for (std::size_t i = 0; i < face.outline.size(); ++i) {
             const Vector &from = face.outline[i], &to = face.outline[(i + 1) % face.outline.size()];
             const Vector way = (to - from).normalized();
             const SurfacePiece edge{.kind = Kind::line, .place = (from + to) / 2, .axis = way};
-            if (way.cross(along).norm() < parallel) {
-                const Vector apart = round.state.position - owner.state.position;
+            if (piece.kind == Kind::line && way.cross(along).norm() < parallel) {
+                const Vector apart = other.state.position - owner.state.position;
                 const Vector at =
-                    owner.state.attitude.conjugate() * Vector(toWorld(round, line.place) + apart);
+                    owner.state.attitude.conjugate() * Vector(toWorld(other, piece.place) + apart);
                 const double in = face.plane.axis.cross(way).dot(at - from);
                 const double length = (to - from).norm();
                 if (in < 0 && in >= -tolerance_)
-                    return isBodys ? sideBySide(edge, length, line, feature.length)
-                                   : sideBySide(line, feature.length, edge, length);
+                    return isBodys ? sideBySide(edge, length, piece, pieceLength)
+                                   : sideBySide(piece, pieceLength, edge, length);
                 continue;
             }
-            PiecePoint point =
-                pointOf(isBodys ? SurfaceGap{edge, line, false} : SurfaceGap{line, edge, false});
-            if (point.at.normal.dot(found_.normal) < 0) {
-                point.gap.isFlipped = true;
-                point = pointOf(point.gap);
-            }
-            const physics::SurfacePose& ofOwner = isBodys ? ofBody_ : ofSupport_;
-            const physics::SurfacePose& ofRound = isBodys ? ofSupport_ : ofBody_;
-            const Vector at =
-                ofOwner.rotation.transpose() * Vector(point.at.contact - ofOwner.centre);
-            const Vector onLine =
-                ofRound.rotation.transpose() * Vector(point.at.contact - ofRound.centre);
-            const double far = std::abs(line.axis.dot(onLine - line.place));
-            if (depthIn(face, at) >= -tolerance_ && far <= feature.length / 2)
-                keep(point);
+            keepCrossing(face, isBodys, edge, piece, pieceLength);
         }
+    }
+
+    void acrossRim(const FlatFace& face, bool isBodys, const SurfacePiece& piece, double length) {
+        SurfacePiece rim{.kind = Kind::circle,
+                         .place = face.plane.place,
+                         .axis = face.plane.axis,
+                         .radius = face.radius};
+        const physics::SurfacePose& ofOwner = isBodys ? ofBody_ : ofSupport_;
+        const physics::SurfacePose& ofOther = isBodys ? ofSupport_ : ofBody_;
+        const auto turned = [&](const Vector& direction) {
+            return Vector(ofOwner.rotation.transpose() * (ofOther.rotation * direction));
+        };
+        const Vector apart = ofOwner.rotation.transpose() * (ofOther.centre - ofOwner.centre) +
+                             turned(piece.place) - rim.place;
+        if (piece.kind == Kind::circle) {
+            rim.foot = footOf(rim, apart + piece.radius * turned(piece.foot));
+            return keepCrossing(face, isBodys, rim, piece, length);
+        }
+        const Vector way = footOf(rim, turned(piece.axis));
+        Vector nearest = apart - way * way.dot(apart);
+        nearest -= rim.axis * rim.axis.dot(nearest);
+        const double half = std::sqrt(1 - nearest.squaredNorm() / (rim.radius * rim.radius));
+        if (!(half > shortest)) {
+            const Vector along = turned(piece.axis);
+            const double at = way.dot(nearest - apart) / way.dot(along);
+            return touchingRim(face, isBodys, rim.radius * nearest.normalized(),
+                               pointAt(piece.place + at * piece.axis, piece.radius), piece);
+        }
+        for (const double sign : {-1.0, 1.0}) {
+            rim.foot = nearest / rim.radius + sign * half * way;
+            keepCrossing(face, isBodys, rim, piece, length);
+        }
+    }
+
+    // A line lies next to the outermost point of the rim: its own point there is on the face, or,
+    // beyond the rim, a round one is on that point of the rim. LIMIT: the line's ends on the rim
+    // are less than 0.03 of its radius apart.
+    void touchingRim(const FlatFace& face, bool isBodys, const Vector& out,
+                     const SurfacePiece& point, const SurfacePiece& line) {
+        keepOver(face, isBodys, point);
+        if (!found_.points.empty() || !(line.radius > 0))
+            return;
+        const SurfacePiece vertex = pointAt(face.plane.place + out, 0);
+        keep(pointOf(isBodys ? SurfaceGap{vertex, line, false} : SurfaceGap{line, vertex, false}));
     }
 
     [[nodiscard]] std::optional<SurfacePiece> bearing(const Placed& owner, std::size_t part,
@@ -221,9 +330,15 @@ private:
             found_.isModelled = false;
             return;
         }
-        PiecePoint point = pointOf({*body, *support, false});
-        if (areLines && point.at.normal.dot(n) < 0)
-            point = pointOf({*body, *support, true});
+        if (body->kind == Kind::circle)
+            body->foot = footOf(*body, body_.state.attitude.conjugate() * -n);
+        if (support->kind == Kind::circle)
+            support->foot = footOf(*support, support_.state.attitude.conjugate() * n);
+        const PiecePoint point = crossingOf(*body, *support);
+        if (!isThere(point)) {
+            found_.isModelled = false;
+            return;
+        }
         found_.normal = point.at.normal;
         keep(point);
     }

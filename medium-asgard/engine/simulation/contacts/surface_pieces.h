@@ -4,14 +4,16 @@
 //                      of a capsule, apex and rim of a cone, one rim, a tip, a sphere, an ellipsoid
 //     a hollow part    a sphere, the end of a capsule or a vertex touches one of its pieces, inside
 //                      of it (geometry/hollow.h); a sphere outside, too
+//     a flat round end an edge or a side up to where it crosses the rim, each vertex within
 //     else             the pieces that bear along the normal: sphere on a side, a rim or a cone,
-//                      side across side or edge; side by side, both ends of the common stretch
+//                      side, rim or edge across each other; side by side, both ends of the common
+//                      stretch
 //
 // A piece of a polyhedron is touched as long as the other's place is in its cell, so is one of a
 // curved part. What lies on a face has none: there other pieces land.
 //
-// LIMIT: pairs without a closed form have no contact that lasts: a rim on a rim or an edge, a
-// cone's side on what is no face, an ellipsoid on what is no face.
+// LIMIT: pairs without a formula have no contact that lasts: a cone's side on what is no face, an
+// ellipsoid on what is no face, a rim along an edge or a rim.
 #pragma once
 
 #include "contacts/placed.h"

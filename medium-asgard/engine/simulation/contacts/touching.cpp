@@ -192,6 +192,7 @@ private:
             addPatch();
             return thinOut();
         }
+        keepFaces();
         addPieces();
         if (touch.hasPieces)
             return;
@@ -422,15 +423,19 @@ private:
         }
     }
 
+    void keepFaces() {
+        for (const auto& [from, to] :
+             {std::pair(&ofBody_, &touch.bodyFace), {&ofSupport_, &touch.supportFace}})
+            for (const Vector& vertex : *from)
+                to->push_back(origin_ + vertex);
+    }
+
     void addPatch() {
         const bool onFace = ofSupport_.size() > 2, byFace = ofBody_.size() > 2;
         const auto corners =
             collision::patchOf(first_, second_, touch.normal, tolerance_, beside_).corners;
         touch.isFlat = onFace && byFace && corners.size() > 2;
-        for (const auto& [from, to] :
-             {std::pair(&ofBody_, &touch.bodyFace), {&ofSupport_, &touch.supportFace}})
-            for (const Vector& vertex : *from)
-                to->push_back(origin_ + vertex);
+        keepFaces();
         if (onFace || byFace) {
             for (const Vector& corner : corners)
                 if (onFace)

@@ -40,8 +40,9 @@ std::string withoutEnd(const Colliders& world, const Pair& pair, bool isBetweenS
 }
 
 std::string onlyEdges(const Colliders& world, const Pair& pair) {
-    return bodies(world, pair) + " rest on each other with a rim across an edge, or with edges or "
-                                 "vertices only, which is not modelled";
+    return bodies(world, pair) +
+           " rest on each other with an ellipsoid, the side of a cone, edges or "
+           "rims along each other, or vertices, which is not modelled";
 }
 
 std::string onRim(const Colliders& world, const Pair& pair) {
