@@ -94,7 +94,30 @@ def rough_post(size, friction, velocity, spin):
         f"-init_drot {{0 {spin} 0}}", "force -body post -gravitational {0 -9.81 0}"]) + "\n"
 
 
+def pin(restitution):
+    """A bowling pin as a plain cylinder, hit off its middle: it rattles down to lie on its side."""
+    return ("simulator -finish 3\nshape_set lane -desc {-sub {-box {20 0.2 2}}}\nshape_set ball -desc {-sub {-sphere 0.11}}\n"
+            "shape_set pin -desc {-sub {-cylinder {0.055 0.38}}}\n"
+            f"body lane lane -fixed 1 -init_pos {{8 -0.1 0}} -friction 0.2 -restitution {restitution}\n"
+            f"body ball ball -mass 6 -init_pos {{0 0.11 0.03}} -init_dpos {{6 0 0}} -friction 0.2 -restitution {restitution}\n"
+            f"body p pin -mass 1.5 -init_pos {{3 0.19 0}} -friction 0.2 -restitution {restitution}\n"
+            "force -body ball -gravitational {0 -9.81 0}\nforce -body p -gravitational {0 -9.81 0}\n")
+
+
+LOG_AND_DISC = """simulator -finish 1.2
+shape_set floor -desc {-sub {-plane}}
+shape_set disc -desc {-sub {-cylinder {0.2 0.04}}}
+body floor floor -fixed 1 -friction 0.2
+body low disc -mass 1 -init_pos {0 0.2 0} -init_rot {1.5707963267948966 0 0} -friction 0.2 -restitution 0.3
+body top disc -mass 0.7 -init_pos {0.010 0.760 -0.019} -init_rot {-0.469 1.042 -0.440} -init_dpos {0.25 0 0.10} -friction 0.2 -restitution 0.3
+force -body top -gravitational {0 -9.81 0}
+force -body low -gravitational {0 -9.81 0}
+"""
+
 CASES = [
+    # A rim that slides bends its gap, which pulls it down where its points go up: it hopped without end.
+    ("a pin that rattles down", pin(0.4), {"evaluations": 30000, "collisions": 150}),
+    ("a disc on a disc that lies", LOG_AND_DISC, {"evaluations": 150000, "collisions": 150}),
     # With a factorization for each look for the centres of pressure, and derivatives by differences: 10076 evaluations.
     ("two hinged boxes that slide and turn", hinged_boxes(), {"steps": 250, "rejected_steps": 120, "evaluations": 5000}),
     # Newton's method for the forces of a slip began without friction, which lifts a post that tips: none were found.

@@ -6,6 +6,42 @@
 #include <cmath>
 
 namespace physics {
+namespace surfaces {
+namespace {
+
+// A number with its first two rates.
+struct Moving {
+    double value = 0, rate = 0, second = 0;
+};
+Moving operator+(const Moving& a, const Moving& b) {
+    return {a.value + b.value, a.rate + b.rate, a.second + b.second};
+}
+Moving operator-(const Moving& a, const Moving& b) {
+    return {a.value - b.value, a.rate - b.rate, a.second - b.second};
+}
+Moving operator*(const Moving& a, const Moving& b) {
+    return {a.value * b.value, a.rate * b.value + a.value * b.rate,
+            a.second * b.value + 2 * a.rate * b.rate + a.value * b.second};
+}
+Moving operator/(const Moving& a, const Moving& b) {
+    const double value = a.value / b.value, rate = (a.rate - value * b.rate) / b.value;
+    return {value, rate, (a.second - 2 * rate * b.rate - value * b.second) / b.value};
+}
+Moving sqrt(const Moving& a) {
+    const double value = std::sqrt(a.value), rate = a.rate / (2 * value);
+    return {value, rate, (a.second - 2 * rate * rate) / (2 * value)};
+}
+Moving like(const Moving& /*a*/, double value) { return {value, 0, 0}; }
+
+Triple<Moving> moving(const Vector& value, const Vector& rate, const Vector& second) {
+    return {{value.x(), rate.x(), second.x()},
+            {value.y(), rate.y(), second.y()},
+            {value.z(), rate.z(), second.z()}};
+}
+
+} // namespace
+} // namespace surfaces
+
 namespace {
 
 using surfaces::Place;
@@ -18,6 +54,24 @@ Place<double> of(const SurfacePose& pose) {
     return {of(pose.centre),
             {of(Vector(pose.rotation.row(0))), of(Vector(pose.rotation.row(1))),
              of(Vector(pose.rotation.row(2)))}};
+}
+
+Matrix crossing(const Vector& v) {
+    Matrix m;
+    m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
+    return m;
+}
+
+Place<surfaces::Moving> of(const SurfaceMotion& motion) {
+    const Matrix turns = crossing(motion.spin), &rotation = motion.pose.rotation;
+    const Matrix rate = turns * rotation;
+    const Matrix second = crossing(motion.spinRate) * rotation + turns * rate;
+    Place<surfaces::Moving> place;
+    place.centre = surfaces::moving(motion.pose.centre, motion.velocity, motion.acceleration);
+    for (int i = 0; i < 3; ++i)
+        place.rotation[static_cast<std::size_t>(i)] =
+            surfaces::moving(rotation.row(i), rate.row(i), second.row(i));
+    return place;
 }
 
 } // namespace
@@ -36,6 +90,11 @@ NearestSurfaces nearest(const SurfaceGap& gap, const SurfacePose& body,
                         const SurfacePose& support) {
     const surfaces::Nearest<double> found = surfaces::nearestOf(gap, of(body), of(support));
     return {found.gap, of(found.normal), of(found.contact), of(found.place), found.steady};
+}
+
+double accelerationOf(const SurfaceGap& gap, const SurfaceMotion& body,
+                      const SurfaceMotion& support) {
+    return surfaces::nearestOf(gap, of(body), of(support)).gap.second;
 }
 
 double NearestSurfaces::nearFoot() const { return std::min(0.2, std::sqrt(steady) / 4); }

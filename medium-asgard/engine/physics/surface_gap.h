@@ -105,6 +105,15 @@ inline constexpr double leastSteady = 1e-4;
 [[nodiscard]] NearestSurfaces nearest(const SurfaceGap& gap, const SurfacePose& body,
                                       const SurfacePose& support);
 
+struct SurfaceMotion { // of a body, along the world's axes
+    SurfacePose pose;
+    Vector velocity = Vector::Zero(), spin = Vector::Zero();
+    Vector acceleration = Vector::Zero(), spinRate = Vector::Zero();
+};
+// How the gap accelerates as the bodies move on: also by the curvature of what slides on what.
+[[nodiscard]] double accelerationOf(const SurfaceGap& gap, const SurfaceMotion& body,
+                                    const SurfaceMotion& support);
+
 // How far the piece reaches from its place against a normal, all in one frame.
 [[nodiscard]] double reachBelow(const SurfacePiece& piece, const Vector& normal);
 

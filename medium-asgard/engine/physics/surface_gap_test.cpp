@@ -188,6 +188,45 @@ TEST(SurfaceGap, OfRimsAndEdgesThatCrossIsAlongBothTangentsNormal) {
     }
 }
 
+SurfaceMotion after(double time, const SurfaceMotion& m) {
+    const auto turn = [](const Vector& by) {
+        const double angle = by.norm();
+        return Matrix(angle > 0 ? Eigen::AngleAxisd(angle, by / angle).toRotationMatrix()
+                                : Matrix(Matrix::Identity()));
+    };
+    SurfaceMotion moved = m;
+    moved.pose.centre += time * m.velocity + time * time / 2 * m.acceleration;
+    // The spin turns steadily: to third order.
+    moved.pose.rotation = turn(time * m.spin + time * time / 2 * m.spinRate) * m.pose.rotation;
+    return moved;
+}
+
+TEST(SurfaceGap, AcceleratesAsItsSecondDifferenceSays) {
+    const Curves edge = curves(Kind::line, 0), log = curves(Kind::line, 0.04),
+                 rim = curves(Kind::circle, 0.3);
+    const SurfacePiece ball{.kind = Kind::point, .radius = 0.1};
+    const SurfacePiece below{.kind = Kind::plane, .axis = Vector::UnitY()};
+    const SurfaceMotion body{.pose = posed({0.01, 0.2, 0.02}, {1, 2, 3}, 0.1),
+                             .velocity = {0.3, -0.2, 0.5},
+                             .spin = {2, -3, 1},
+                             .acceleration = {0.5, -9.81, 1},
+                             .spinRate = {10, 20, -5}};
+    const SurfaceMotion support{.pose = {}, .velocity = {-0.1, 0.2, 0}, .spin = {0, 1, -0.5}};
+    for (const SurfaceGap& gap :
+         {SurfaceGap{edge.rim, edge.other, false}, SurfaceGap{log.rim, log.other, false},
+          SurfaceGap{rim.rim, rim.other, false}, SurfaceGap{ball, log.other, false},
+          SurfaceGap{edge.rim, below, false}}) {
+        constexpr double h = 1e-4;
+        const auto at = [&](double time) {
+            return nearest(gap, after(time, body).pose, after(time, support).pose).gap;
+        };
+        const double difference = (at(h) - 2 * at(0) + at(-h)) / (h * h);
+        EXPECT_NEAR(accelerationOf(gap, body, support), difference,
+                    1e-4 * (1 + std::abs(difference)))
+            << int(gap.support.kind);
+    }
+}
+
 TEST(SurfaceGap, IsKnownOfPairsWithAFormulaAlone) {
     EXPECT_TRUE(haveGap(Kind::plane, Kind::ellipsoid));
     EXPECT_TRUE(haveGap(Kind::cone, Kind::point));

@@ -588,8 +588,9 @@ std::vector<PointInTouch> pointsInTouch(const Placed& body, const Placed& suppor
     std::size_t patch = 0;
     for (const Touch& touch : touchesOf(body, support, gap)) {
         const LastingContact contact = contactOf(touch, body, support, limits);
-        const auto add = [&](const Vector& point, const Vector& normal) {
-            found.push_back({contact.bodyPart, contact.supportPart, patch, point, normal});
+        const auto add = [&](const Vector& point, const Vector& normal,
+                             const std::optional<SurfaceGap>& of) {
+            found.push_back({contact.bodyPart, contact.supportPart, patch, point, normal, of});
         };
         if (contact.isModelled)
             for (const ContactPoint& point : contact.place.points) {
@@ -597,12 +598,12 @@ std::vector<PointInTouch> pointsInTouch(const Placed& body, const Placed& suppor
                 // Of more points than a plane needs the rates agree with one normal alone.
                 const bool isOne =
                     contact.place.points.size() > 3 && isOneNormal(near.normal, touch.normal);
-                add(near.contact, isOne ? touch.normal : near.normal);
+                add(near.contact, isOne ? touch.normal : near.normal, point.gap);
             }
         else
             for (const Corner& corner : touch.corners)
                 if (corner.gap <= gap * touch.size)
-                    add(corner.point, touch.normal);
+                    add(corner.point, touch.normal, std::nullopt);
         ++patch;
     }
     return found;

@@ -55,6 +55,7 @@ struct PointInTouch {
     std::size_t bodyPart = 0, supportPart = 0;
     std::size_t patch = 0;                                   // those of one have the same friction
     Vector point = Vector::Zero(), normal = Vector::UnitX(); // from the support to the body
+    std::optional<physics::SurfaceGap> gap = {};             // of the support and the body
 };
 [[nodiscard]] std::vector<PointInTouch> pointsInTouch(const Placed& body, const Placed& support,
                                                       double gap,

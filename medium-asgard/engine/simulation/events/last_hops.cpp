@@ -1,6 +1,7 @@
 #include "events/last_hops.h"
 
 #include "collision/contact.h"
+#include "contacts/contact_places.h"
 #include "events/cluster_impulses.h"
 
 #include <algorithm>
@@ -22,6 +23,8 @@ double lastHopHeight(double hopHeight, double radius, double reach, double slack
 }
 
 namespace {
+
+constexpr double touching = 1e-8; // of the parts' size
 
 struct Hop { // that an impact would lead to
     bool approaches = false, isLow = true;
@@ -48,9 +51,44 @@ double pushAt(const Instant& at, const ImpactCluster& cluster, const ImpactConta
     return push;
 }
 
+physics::SurfaceMotion motionOf(const Instant& at, std::size_t body, const ImpactBody& before,
+                                const Vector& origin) {
+    const Placed placed = at.placed(body);
+    const Acceleration a = at.accelerationOf(body);
+    return {.pose = {placed.state.position - origin, placed.state.attitude.toRotationMatrix()},
+            .velocity = before.velocity,
+            .spin = before.angularVelocity,
+            .acceleration = a.linear,
+            .spinRate = a.angular};
+}
+
+// The same of the pieces of surfaces that touch there: edges and rims that slide along each other
+// bend the gap, too.
+std::optional<double> pushOfPieces(const Instant& at, const ImpactCluster& cluster,
+                                   const ImpactContact& c, std::span<const ImpactBody> bodies) {
+    constexpr double near = 1e-6; // of the parts' size
+    const Pair pair = cluster.pairOf(c);
+    const auto [body, support] = at.world.bodyAndSupport(pair);
+    const bool isFirst = body == pair.first;
+    const double size = at.world.smallerRadius(pair);
+    const Placed of = at.placed(body);
+    for (const PointInTouch& point :
+         pointsInTouch(of, at.placed(support), touching, std::nullopt)) {
+        const Vector normal = isFirst ? c.normal : Vector(-c.normal);
+        if (!point.gap || !((point.point - c.point).norm() <= near * size) ||
+            !isOneNormal(point.normal, normal))
+            continue;
+        const Vector& origin = of.state.position;
+        return physics::accelerationOf(
+            *point.gap, motionOf(at, body, bodies[isFirst ? c.first : c.second], origin),
+            motionOf(at, support, bodies[isFirst ? c.second : c.first], origin));
+    }
+    return std::nullopt;
+}
+
 Hop hopOf(const Instant& at, const ImpactCluster& cluster, const ImpactContact& contact,
           const std::array<double, 2>& radii, std::span<const ImpactBody> bodies) {
-    const double push = pushAt(at, cluster, contact, radii, bodies);
+    double push = pushAt(at, cluster, contact, radii, bodies);
     double approach = 0, speed = 0, reach = 0, lowest = infinity;
     for (const auto& [index, sign] :
          {std::pair{contact.first, 1.0}, std::pair{contact.second, -1.0}}) {
@@ -70,6 +108,11 @@ Hop hopOf(const Instant& at, const ImpactCluster& cluster, const ImpactContact& 
         at.resting.slack(cluster.bodies[contact.first], cluster.bodies[contact.second], at.time);
     lowest = lastHopHeight(lowest, radius, reach, slack);
     const double parting = -contact.restitution * approach;
+    // However closely they bend around each other there, it may be low.
+    constexpr double closely = 10;
+    const double most = std::abs(push) + closely * speed * speed / radius;
+    if (parting * parting / (2 * most) < lowest)
+        push = pushOfPieces(at, cluster, contact, bodies).value_or(push);
     Hop hop{.approaches = true, .isLow = push < 0 && parting * parting / (-2 * push) < lowest};
     if (hop.isLow)
         hop.height = parting * parting / (-2 * push);
