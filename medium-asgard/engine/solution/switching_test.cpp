@@ -72,6 +72,18 @@ TEST(FirstViolation, KinksAndTouchesAreFollowedToTheirGround) {
     }
 }
 
+// As a normal force does where a slip passes by 0 and turns: there is no root near it.
+TEST(FirstViolation, AJumpFarAboveZeroIsLeftAlone) {
+    int asked = 0;
+    const auto jumps = [&](double t) {
+        ++asked;
+        return t < 0.7123 ? 2.9 : 2.2;
+    };
+    EXPECT_FALSE(violationOf(jumps, 0, 1));
+    EXPECT_LE(asked, 400); // to the ground: 860
+    EXPECT_TRUE(violationOf([](double t) { return t < 0.7123 ? 2.9 : -0.1; }, 0, 1));
+}
+
 // More waves than one search has pieces for; the last one alone goes below 0.
 TEST(FirstViolation, IsFoundBehindManyOscillations) {
     const auto found = violationOf(

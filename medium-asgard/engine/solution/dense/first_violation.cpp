@@ -19,6 +19,7 @@ using Samples = std::array<double, maximumCoefficients>;
 // Between the points of interpolation, where it is worst.
 constexpr double checkPoints[] = {0.09, 0.405, 0.595, 0.91};
 constexpr int deepest = 24;
+constexpr int shortPiece = 8; // the depth from which a watch far above 0 may jump
 constexpr int mostPieces = 500, mostSearches = 100;
 
 class Search {
@@ -49,7 +50,7 @@ public:
                 const auto found = in(a, bump->time, depth + 1);
                 return found ? found : bump;
             }
-        if (depth < deepest && budget_ > 0 && (!explained(a, b) || almostTouches())) {
+        if (depth < deepest && budget_ > 0 && (!explained(a, b, depth) || almostTouches())) {
             const double middle = a + 0.5 * (b - a);
             if (auto found = in(a, middle, depth + 1))
                 return found;
@@ -116,8 +117,9 @@ private:
         return earliest;
     }
 
-    // Does a polynomial of degree 8 follow the watches here? Far above 0 it need not do so closely.
-    bool explained(double a, double b) {
+    // Does a polynomial of degree 8 follow the watches here? Far above 0 it need not do so closely,
+    // and in a short piece not at all: a force jumps where a slip passes by 0 and turns.
+    bool explained(double a, double b, int depth) {
         std::vector<Coefficients> curves;
         for (const Samples& samples : samples_)
             curves.push_back(interpolate(samples));
@@ -128,7 +130,8 @@ private:
                     std::minmax_element(samples_[k].begin(), samples_[k].end());
                 const double size = std::max(std::abs(*low), std::abs(*high));
                 const double wrong = std::abs(evaluate(curves[k], point) - values_[k]);
-                if (!(wrong <= std::max(1e-4 * size, 0.02 * *low)))
+                const bool jumps = depth >= shortPiece && std::min(*low, values_[k]) > 0.2 * size;
+                if (!jumps && !(wrong <= std::max(1e-4 * size, 0.02 * *low)))
                     return false;
             }
         }
