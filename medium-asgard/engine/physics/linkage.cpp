@@ -1,6 +1,7 @@
 #include "physics/linkage.h"
 
 #include "physics/carried_points.h"
+#include "physics/independent_rows.h"
 
 #include <Eigen/Geometry>
 
@@ -255,6 +256,7 @@ void Linkage::makeTape() {
             outputs.push_back(derivative);
         }
     tape_ = expression::Tape(graph(), inputs_, outputs);
+    now_.isKnown = false;
 }
 
 std::size_t Linkage::afterBodies() const {
@@ -297,82 +299,102 @@ bool Linkage::close(const std::function<bool()>& cancelled) {
 
 // Held columns make the system smaller.
 Eigen::VectorXd Linkage::leastStep(const Eigen::VectorXd& gaps) const {
-    Eigen::VectorXd by = Eigen::VectorXd::Zero(jacobian_.cols());
-    if (jacobian_.rows() == 0)
+    const Eigen::MatrixXd& jacobian = now_.jacobian;
+    Eigen::VectorXd by = Eigen::VectorXd::Zero(jacobian.cols());
+    if (jacobian.rows() == 0)
         return by;
     if (held_.empty())
-        return -solver().solve(gaps);
+        return -solverOf(jacobian).solve(gaps);
+    if (const IndependentRows independent(jacobian, held_); independent.are())
+        return -independent.least(gaps);
     std::vector<Eigen::Index> rows, columns;
-    for (Eigen::Index c = 0; c < jacobian_.cols(); ++c)
+    for (Eigen::Index c = 0; c < jacobian.cols(); ++c)
         if (held_[static_cast<std::size_t>(c)] == 0)
             columns.push_back(c);
-    for (Eigen::Index r = 0; r < jacobian_.rows(); ++r)
-        if (!jacobian_.row(r).isZero(0))
+    for (Eigen::Index r = 0; r < jacobian.rows(); ++r)
+        if (!jacobian.row(r).isZero(0))
             rows.push_back(r);
     if (!rows.empty() && !columns.empty())
-        by(columns) = -solverOf(jacobian_(rows, columns)).solve(gaps(rows));
+        by(columns) = -solverOf(jacobian(rows, columns)).solve(gaps(rows));
     return by;
 }
 
 const Eigen::MatrixXd& Linkage::jacobian() {
     gapsNow();
-    return jacobian_;
+    return now_.jacobian;
+}
+
+const Eigen::VectorXd& Linkage::gapsNow() {
+    if (!std::exchange(now_.isKnown, true))
+        findGaps();
+    return now_.gaps;
 }
 
 // The angles follow the bodies and cost nothing, so the ties solve them away.
-Eigen::VectorXd Linkage::gapsNow() {
+void Linkage::findGaps() {
+    ++now_.places;
     const auto tieCount = conditions_.ties.size(), count = tieCount + conditions_.gaps.size();
     const std::vector<double> all = valuesOf(tape_, count + entries_.size());
     const auto rows = static_cast<Eigen::Index>(count), ties = static_cast<Eigen::Index>(tieCount),
                columns = static_cast<Eigen::Index>(6 * free_.size()),
                angles = static_cast<Eigen::Index>(angles_.places.size());
     Eigen::MatrixXd by = Eigen::MatrixXd::Zero(rows, columns + angles);
-    for (std::size_t k = 0; k < entries_.size(); ++k)
-        addDerivative(by, entries_[k].first, entries_[k].second, all[count + k]);
+    const std::vector<Turning> turning = this->turning();
+    for (std::size_t k = 0; k < entries_.size(); ++k) {
+        const double derivative = all[count + k];
+        const auto row = static_cast<Eigen::Index>(entries_[k].first);
+        const auto symbol = static_cast<Eigen::Index>(entries_[k].second);
+        const Eigen::Index body = symbol / 7, of = symbol % 7;
+        if (body >= columns / 6)
+            by(row, columns + symbol - 7 * (columns / 6)) += derivative;
+        else if (of < 3)
+            by(row, 6 * body + of) += derivative;
+        else
+            by.block<1, 3>(row, 6 * body + 3) +=
+                derivative * turning[static_cast<std::size_t>(body)].row(of - 3);
+    }
     const Eigen::Map<const Eigen::VectorXd> gaps(all.data(), rows);
     angles_.missed = gaps.head(ties);
-    jacobian_ = by.bottomLeftCorner(rows - ties, columns);
-    if (ties == 0 || angles == 0) {
-        leaveOutHeld();
-        return gaps.tail(rows - ties);
+    now_.jacobian = by.bottomLeftCorner(rows - ties, columns);
+    now_.gaps = gaps.tail(rows - ties);
+    if (ties > 0 && angles > 0) {
+        const Eigen::MatrixXd own = by.topRightCorner(ties, angles);
+        if (ties == angles && own.isDiagonal(0) && own.diagonal().cwiseAbs().minCoeff() > 0) {
+            const auto each = own.diagonal().cwiseInverse().asDiagonal();
+            angles_.by = each * by.topLeftCorner(ties, columns);
+            angles_.off = each * angles_.missed;
+        } else {
+            const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver(own);
+            angles_.by = solver.solve(by.topLeftCorner(ties, columns));
+            angles_.off = solver.solve(angles_.missed);
+        }
+        const auto through = by.bottomRightCorner(rows - ties, angles);
+        if (!through.isZero(0)) {
+            now_.jacobian -= through * angles_.by;
+            now_.gaps -= through * angles_.off;
+        }
     }
-    const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> own(
-        by.topRightCorner(ties, angles));
-    angles_.by = own.solve(by.topLeftCorner(ties, columns));
-    angles_.off = own.solve(angles_.missed);
-    const auto through = by.bottomRightCorner(rows - ties, angles);
-    jacobian_ -= through * angles_.by;
     leaveOutHeld();
-    return gaps.tail(rows - ties) - through * angles_.off;
 }
 
 void Linkage::leaveOutHeld() {
     for (std::size_t c = 0; c < held_.size(); ++c)
         if (held_[c] != 0)
-            jacobian_.col(static_cast<Eigen::Index>(c)).setZero();
+            now_.jacobian.col(static_cast<Eigen::Index>(c)).setZero();
 }
 
-void Linkage::addDerivative(Eigen::MatrixXd& by, std::size_t row, std::size_t symbol,
-                            double derivative) {
-    const auto r = static_cast<Eigen::Index>(row);
-    if (symbol >= 7 * free_.size()) {
-        by(r, static_cast<Eigen::Index>(symbol - free_.size())) += derivative;
-        return;
+std::vector<Linkage::Turning> Linkage::turning() const {
+    std::vector<Turning> all(free_.size());
+    for (std::size_t i = 0; i < free_.size(); ++i) {
+        const Quaternion q = poseOf(i).attitude;
+        for (Eigen::Index axis = 0; axis < 3; ++axis) { // q' = (0, w) q / 2
+            Quaternion turn(0, 0, 0, 0);
+            turn.vec()[axis] = 0.5 / radiusOf(i);
+            const Quaternion rate = turn * q;
+            all[i].col(axis) << rate.w(), rate.x(), rate.y(), rate.z();
+        }
     }
-    const auto at = static_cast<Eigen::Index>(6 * (symbol / 7));
-    if (symbol % 7 < 3) {
-        by(r, at + static_cast<Eigen::Index>(symbol % 7)) += derivative;
-        return;
-    }
-    const Quaternion q = poseOf(symbol / 7).attitude;
-    const double radius = radiusOf(symbol / 7);
-    for (Eigen::Index axis = 0; axis < 3; ++axis) { // q' = (0, w) q / 2
-        Quaternion turn(0, 0, 0, 0);
-        turn.vec()[axis] = 0.5 / radius;
-        const Quaternion rate = turn * q;
-        const std::array<double, 4> rates{rate.w(), rate.x(), rate.y(), rate.z()};
-        by(r, at + 3 + axis) += derivative * rates[symbol % 7 - 3];
-    }
+    return all;
 }
 
 Linkage::Solver Linkage::solverOf(const Eigen::MatrixXd& matrix) {
@@ -391,6 +413,7 @@ Eigen::VectorXd Linkage::shortened(const Eigen::VectorXd& by) const {
 }
 
 void Linkage::step(const Eigen::VectorXd& wanted) {
+    now_.isKnown = false;
     const Eigen::VectorXd by = shortened(wanted);
     if (angles_.off.size() > 0) {
         const Eigen::VectorXd angles = angles_.off + angles_.by * by;

@@ -41,7 +41,10 @@ public:
     bool tighten();
     void slacken(); // ropes are no conditions until they are too short
     // Columns of movements that are none for now; empty: all are.
-    void hold(std::vector<char> columns) { held_ = std::move(columns); }
+    void hold(std::vector<char> columns) {
+        held_ = std::move(columns);
+        now_.isKnown = false;
+    }
     // A joint's condition, a gear or a rope, taut or slack.
     struct Reads {
         std::vector<std::size_t> places; // of bodies
@@ -52,6 +55,8 @@ public:
     [[nodiscard]] double largestGap() { return largest(gapsNow()); }
     // How the gaps change with a movement, where the bodies are now.
     [[nodiscard]] const Eigen::MatrixXd& jacobian();
+    // The work so far: places at which that was worked out.
+    [[nodiscard]] std::size_t places() const { return now_.places; }
     // The conditions on velocities where the bodies are, those of drives, too: by * v + led = 0,
     // with v like a movement. What holds the bodies may move: that is `led`.
     struct Rates {
@@ -62,14 +67,17 @@ public:
     [[nodiscard]] Rates rates();
     using Solver = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>;
     [[nodiscard]] static Solver solverOf(const Eigen::MatrixXd& matrix); // of rows like these
-    [[nodiscard]] Solver solver() const { return solverOf(jacobian_); }
+    [[nodiscard]] Solver solver() { return solverOf(jacobian()); }
     void step(const Eigen::VectorXd& by); // as shortened() has it
     // No turn in it is longer than a part of a radian.
     [[nodiscard]] Eigen::VectorXd shortened(const Eigen::VectorXd& by) const;
     [[nodiscard]] Eigen::VectorXd movement() const;           // from where the bodies were
     [[nodiscard]] std::vector<Assembly::Moved> moved() const; // those that are elsewhere
     [[nodiscard]] const std::vector<double>& values() const { return values_; }
-    void setValues(std::vector<double> values) { values_ = std::move(values); }
+    void setValues(std::vector<double> values) {
+        values_ = std::move(values);
+        now_.isKnown = false;
+    }
 
 private:
     struct Conditions {
@@ -87,10 +95,13 @@ private:
     [[nodiscard]] std::size_t afterBodies() const;
     [[nodiscard]] expression::Graph& graph() { return equations_.set.graph; }
     [[nodiscard]] std::vector<double> valuesOf(const expression::Tape& tape, std::size_t count);
-    Eigen::VectorXd gapsNow();
+    const Eigen::VectorXd& gapsNow();
+    void findGaps();
     void leaveOutHeld();
     [[nodiscard]] Eigen::VectorXd leastStep(const Eigen::VectorXd& gaps) const;
-    void addDerivative(Eigen::MatrixXd& by, std::size_t row, std::size_t symbol, double derivative);
+    // By entries of an attitude: how they change with an arc about each axis, for each body.
+    using Turning = Eigen::Matrix<double, 4, 3>;
+    [[nodiscard]] std::vector<Turning> turning() const;
 
     EquationsOfMotion& equations_;
     double start_, size_ = 0;
@@ -106,7 +117,12 @@ private:
     } angles_;
     std::vector<std::pair<std::size_t, std::uint32_t>> entries_; // row, symbol
     expression::Tape tape_;                                      // gaps, then derivatives
-    Eigen::MatrixXd jacobian_;
+    struct Now {                                                 // where the bodies are
+        bool isKnown = false;
+        std::size_t places = 0;
+        Eigen::VectorXd gaps;
+        Eigen::MatrixXd jacobian;
+    } now_;
     std::vector<char> held_; // by column
 };
 

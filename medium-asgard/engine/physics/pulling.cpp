@@ -1,5 +1,7 @@
 #include "physics/pulling.h"
 
+#include "physics/independent_rows.h"
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
 
@@ -17,14 +19,15 @@ constexpr double damping = 1e-7;
 constexpr double converged = 1e-9; // of the size and the way: refine() does the rest
 constexpr double isIndependent = 1e-9;
 constexpr double unreached = 1e-3;
+// Places that one pull may look at.
+constexpr std::size_t work = 1000, fewest = 12;
+constexpr std::size_t quickly = 8; // places to close after a good step
 
 Eigen::Matrix3d crossed(const Vector& v) {
     Eigen::Matrix3d m;
     m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
     return m;
 }
-
-Eigen::Index columnOf(std::size_t place) { return static_cast<Eigen::Index>(6 * place); }
 
 scene::Scene withoutWhatCounts(scene::Scene scene, std::size_t body) {
     for (scene::Joint& joint : scene.joints)
@@ -263,59 +266,76 @@ void Pulling::findCosts() {
                                                  cost.second ? away[*cost.second] : 3));
 }
 
-Eigen::MatrixXd Pulling::costOf(const Eigen::MatrixXd& free) const {
-    const auto columns = free.rows();
-    Eigen::VectorXd each = Eigen::VectorXd::Constant(columns, absolute * absolute);
-    for (Eigen::Index i = 0; i < columns; i += 6) // a turn rather than none costs much
-        each.segment<3>(i + 3) *= 1e2;
-    Eigen::MatrixXd cost = free.transpose() * each.asDiagonal() * free;
+Eigen::SparseMatrix<double> Pulling::cost() const {
+    const auto columns = columnOf(bodies().size());
+    std::vector<Eigen::Triplet<double>> entries;
+    for (Eigen::Index i = 0; i < columns; ++i) // a turn rather than none costs much
+        entries.emplace_back(static_cast<int>(i), static_cast<int>(i),
+                             absolute * absolute * (i % 6 < 3 ? 1 : 1e2));
     for (const Cost& one : costs_) {
-        Eigen::MatrixXd slides = Eigen::MatrixXd::Zero(3, columns), turns = slides;
+        Eigen::Matrix<double, 6, 12> by = Eigen::Matrix<double, 6, 12>::Zero(); // slides and turns
+        std::vector<Eigen::Index> at;
         const auto add = [&](std::size_t place, const Vector& arm, double sign) {
-            const Eigen::Index at = columnOf(place);
+            const auto own = static_cast<Eigen::Index>(at.size());
             const double radius = linkage_->radiusOf(place);
-            slides.middleCols<3>(at) += sign * Eigen::Matrix3d::Identity();
-            slides.middleCols<3>(at + 3) -=
-                sign * crossed(linkage_->poseOf(place).attitude * arm) / radius;
-            turns.middleCols<3>(at + 3) += sign * one.radius / radius * Eigen::Matrix3d::Identity();
+            by.block<3, 3>(0, own) = sign * Eigen::Matrix3d::Identity();
+            by.block<3, 3>(0, own + 3) =
+                -sign * crossed(linkage_->poseOf(place).attitude * arm) / radius;
+            by.block<3, 3>(3, own + 3) = sign * one.radius / radius * Eigen::Matrix3d::Identity();
+            for (Eigen::Index k = 0; k < 6; ++k)
+                at.push_back(columnOf(place) + k);
         };
         if (one.first)
             add(*one.first, one.arm1, 1);
         if (one.second)
             add(*one.second, one.arm2, -1);
-        slides = slides * free;
-        turns = turns * free;
-        cost += one.weight * one.weight * (slides.transpose() * slides + turns.transpose() * turns);
+        const double weight = effort_.goesOn ? 1 : one.weight; // alike: they go far in a few steps
+        const Eigen::Matrix<double, 12, 12> square = weight * weight * by.transpose() * by;
+        for (std::size_t i = 0; i < at.size(); ++i)
+            for (std::size_t k = 0; k < at.size(); ++k)
+                entries.emplace_back(
+                    static_cast<int>(at[i]), static_cast<int>(at[k]),
+                    square(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)));
     }
-    return cost;
+    Eigen::SparseMatrix<double> all(columns, columns);
+    all.setFromTriplets(entries.begin(), entries.end());
+    return all;
 }
 
-Eigen::VectorXd Pulling::towards(const Vector& way) const {
-    const Eigen::MatrixXd free = allowed();
+// For each row of `by` the movement that changes no condition, and changes that most for its cost.
+Eigen::MatrixXd Pulling::cheapest(const Eigen::MatrixXd& by, const Eigen::MatrixXd& conditions,
+                                  const Held& held) const {
+    const Eigen::SparseMatrix<double> cost = this->cost();
+    if (const IndependentRows independent(conditions, held); independent.are())
+        if (auto found = independent.cheapest(cost, by.transpose()))
+            return *std::move(found);
+    const Eigen::MatrixXd free = nullSpaceOf(conditions, held);
     if (free.cols() == 0)
-        return Eigen::VectorXd::Zero(free.rows());
-    const Eigen::MatrixXd reaches = pointBy() * free;
-    const Eigen::MatrixXd cheaply = costOf(free).ldlt().solve(reaches.transpose());
-    Eigen::Matrix3d compliance = reaches * cheaply;
+        return Eigen::MatrixXd::Zero(by.cols(), by.rows());
+    const Eigen::MatrixXd own = free.transpose() * (cost * free), reaches = by * free;
+    return free * own.ldlt().solve(reaches.transpose());
+}
+
+Eigen::VectorXd Pulling::towards(const Vector& way, const Eigen::MatrixXd& by) const {
+    const Eigen::MatrixXd cheaply = cheapest(by, linkage_->jacobian(), held_);
+    Eigen::Matrix3d compliance = by * cheaply;
+    if (!(compliance.trace() > 0))
+        return Eigen::VectorXd::Zero(cheaply.rows());
     compliance.diagonal().array() += damping * compliance.trace();
-    const Vector pull = compliance.ldlt().solve(way);
-    const Eigen::VectorXd shares = cheaply * pull;
-    return free * shares;
+    return cheaply * compliance.ldlt().solve(way);
 }
 
-Eigen::VectorXd Pulling::given(const Vector& velocity, const Eigen::MatrixXd& free) const {
-    Eigen::VectorXd all = Eigen::VectorXd::Zero(free.rows());
-    if (free.cols() == 0)
-        return all;
-    const Eigen::MatrixXd reaches = pointBy() * free;
-    const Eigen::MatrixXd cheaply = costOf(free).ldlt().solve(reaches.transpose());
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> ways(Eigen::Matrix3d(reaches * cheaply));
+Eigen::VectorXd Pulling::given(const Vector& velocity, const Eigen::MatrixXd& conditions,
+                               const Held& held) const {
+    const Eigen::MatrixXd cheaply = cheapest(pointBy(), conditions, held);
+    Eigen::VectorXd all = Eigen::VectorXd::Zero(cheaply.rows());
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> ways(Eigen::Matrix3d(pointBy() * cheaply));
     for (Eigen::Index k = 0; k < 3; ++k) {
         const double compliance = ways.eigenvalues()[k];
         if (!(compliance > damping * ways.eigenvalues()[2]))
             continue;
         const Vector way = ways.eigenvectors().col(k);
-        const Eigen::VectorXd by = free * Eigen::VectorXd(cheaply * way) / compliance;
+        const Eigen::VectorXd by = cheaply * way / compliance;
         double fastest = 0;
         for (Eigen::Index i = 0; i < by.size(); i += 3) // the centres' and the arcs'
             fastest = std::max(fastest, by.segment<3>(i).norm());
@@ -356,19 +376,23 @@ bool Pulling::nearer(const Vector& place) {
     for (const std::size_t one : group)
         by.segment<3>(columnOf(one)) = way;
     if (group.empty())
-        by = towards(way);
+        by = towards(way, pointBy());
     by = linkage_->shortened(by);
     constexpr double enough = 0.25; // of what the way would get shorter along a straight line
     const double least = converged * (linkage_->size() + way.norm());
     const double straight = 2 * way.dot(pointBy() * by);
     const std::vector<double> before = linkage_->values();
-    for (double share = 1; share > 1e-3 && share * by.norm() > least; share /= 2) {
+    const double whole = effort_.goesOn ? std::min(1.0, 4 * effort_.share) : 1;
+    for (double share = whole; share > 1e-3 && share * by.norm() > least; share /= 2) {
         linkage_->step(share * by);
-        if (linkage_->close() &&
+        effort_.share = share;
+        const std::size_t until = linkage_->places() + quickly;
+        if (linkage_->close([&] { return linkage_->places() >= until; }) &&
             way.squaredNorm() - (place - point()).squaredNorm() > enough * share * straight)
             return true;
         linkage_->setValues(before);
     }
+    effort_.share = 1;
     return false;
 }
 
@@ -377,7 +401,7 @@ void Pulling::refine(const Vector& place) {
     constexpr double small = 1e-4;
     double last = small * linkage_->size();
     for (int k = 0; k < 4 && loose(linkage_->jacobian()).empty(); ++k) {
-        const Eigen::VectorXd by = towards(place - point());
+        const Eigen::VectorXd by = towards(place - point(), pointBy());
         const std::vector<double> before = linkage_->values();
         if (!(by.norm() < last))
             return;
@@ -393,9 +417,10 @@ void Pulling::approach(const Vector& place) {
     linkage_->slacken();
     const std::vector<double> before = linkage_->values();
     for (int round = 0; round < rounds; ++round) {
-        for (int k = 0; k < steps && nearer(place); ++k)
+        for (int k = 0; k < steps && !isSpent() && nearer(place); ++k)
             ;
-        refine(place);
+        if (!isSpent())
+            refine(place);
         if (!linkage_->tighten())
             return;
         if (!linkage_->close())
@@ -404,9 +429,27 @@ void Pulling::approach(const Vector& place) {
     linkage_->setValues(before);
 }
 
+void Pulling::allow() {
+    effort_.until = linkage_->places() + std::max(fewest, work / bodies().size());
+}
+
+bool Pulling::isSpent() const { return linkage_->places() >= effort_.until; }
+
+// From where they are, with all of them moving.
+void Pulling::follow(const Vector& place) {
+    effort_.goesOn = true;
+    stage_ = stages_.size() - 1;
+    held_ = stages_.back();
+    linkage_->hold(held_);
+    allow();
+    approach(place);
+}
+
 // The holders stand at their places again at first. A way around, which was found step by step,
 // counts where that does not come as near.
 void Pulling::pullTo(const Vector& place) {
+    if (effort_.goesOn)
+        return follow(place);
     const std::vector<double> before = linkage_->values();
     const std::size_t last = stage_;
     if (first_.empty())
@@ -418,7 +461,8 @@ void Pulling::pullTo(const Vector& place) {
     Vector target = place;
     double left = way;
     bool isAside = true;
-    for (stage_ = 0; isAside && stage_ < stages_.size(); ++stage_) {
+    allow();
+    for (stage_ = 0; isAside && stage_ < stages_.size() && !isSpent(); ++stage_) {
         held_ = stages_[stage_];
         linkage_->hold(held_);
         approach(target);
@@ -426,6 +470,10 @@ void Pulling::pullTo(const Vector& place) {
         const double mayBeLeft = permitted(left / way) * way;
         isAside = left > mayBeLeft + unreached * unreached * (linkage_->size() + way);
         target = place - mayBeLeft / std::max(left, mayBeLeft) * (place - point());
+    }
+    if (isSpent()) {
+        linkage_->setValues(before);
+        return follow(place);
     }
     --stage_; // the last one
     held_ = stages_.back();
@@ -439,49 +487,6 @@ void Pulling::pullTo(const Vector& place) {
         linkage_->setValues(found);
 }
 
-double Pulling::turned() const {
-    const geometry::Quaternion turn =
-        linkage_->poseOf(place_).attitude * linkage_->firstPoseOf(place_).attitude.conjugate();
-    return geometry::toRotationVector(turn.normalized()).norm();
-}
-
-bool Pulling::turnTo(double angle) {
-    const bool isAboutWhatStands = isOnGround_ || stage_ + 1 < stages_.size();
-    if (!isAboutWhatStands)
-        return false;
-    held_ = stages_[stage_];
-    linkage_->hold(held_);
-    const bool is = turnsTo(angle);
-    held_ = stages_.back();
-    linkage_->hold(held_);
-    return is;
-}
-
-bool Pulling::turnsTo(double angle) {
-    const std::vector<double> before = linkage_->values();
-    for (int k = 0; k < 20; ++k) {
-        const Eigen::MatrixXd free = allowed();
-        const geometry::Quaternion turn =
-            linkage_->poseOf(place_).attitude * linkage_->firstPoseOf(place_).attitude.conjugate();
-        const Vector about = geometry::toRotationVector(turn.normalized());
-        const double missing = angle - about.norm();
-        if (free.cols() == 1 && std::abs(missing) <= 1e-13)
-            return true;
-        const double rate =
-            free.cols() != 1 || !(about.norm() > 0)
-                ? 0
-                : about.normalized().dot(free.col(0).segment<3>(columnOf(place_) + 3)) /
-                      linkage_->radiusOf(place_);
-        if (!(std::abs(rate) > 1e-6))
-            break;
-        linkage_->step(missing / rate * free.col(0));
-        if (!linkage_->close())
-            break;
-    }
-    linkage_->setValues(before);
-    return false;
-}
-
 Eigen::VectorXd Pulling::addHand(Eigen::VectorXd rates, const Eigen::MatrixXd& conditions,
                                  const Vector& ofHand) const {
     const Vector more = ofHand - pointBy() * rates;
@@ -492,7 +497,7 @@ Eigen::VectorXd Pulling::addHand(Eigen::VectorXd rates, const Eigen::MatrixXd& c
         return rates;
     Vector target = ofHand;
     for (std::size_t stage = 0; stage < stages_.size(); ++stage) {
-        rates += given(target - pointBy() * rates, nullSpaceOf(conditions, stages_[stage]));
+        rates += given(target - pointBy() * rates, conditions, stages_[stage]);
         const Vector left = ofHand - pointBy() * rates;
         const double mayBeLeft = permitted(left.norm() / more.norm()) * more.norm();
         if (!(left.norm() > (1 + converged) * mayBeLeft))

@@ -22,6 +22,8 @@
 #include "physics/assembly.h"
 #include "physics/linkage.h"
 
+#include <Eigen/SparseCore>
+
 #include <memory>
 
 namespace physics {
@@ -50,12 +52,18 @@ public:
     // Of a body, from its reference point along its axes.
     [[nodiscard]] Vector centreOf(const std::string& body) const;
 
-    // Places as near as they come: from those that the last call gave.
+    // Places as near as they come: from those that the last call gave. Where that takes long, a
+    // call comes a part of the way only, and the next ones go on from there.
     void pullTo(const Vector& place);
     // The body turned by exactly that angle about what stands. False: there are other ways to go,
     // or what holds it has moved, too.
     bool turnTo(double angle);
     [[nodiscard]] double turned() const; // radians: of the body, from where it was at first
+    // The body turned by that angle about an axis of the world, from its attitude at first. What
+    // moves with it is as little as joints allow. False: they do not; all stays where it was.
+    bool turnAbout(const Vector& axis, double angle);
+    // Places at which conditions were worked out: the work so far.
+    [[nodiscard]] std::size_t places() const { return linkage_->places(); }
     [[nodiscard]] std::vector<Assembly::Moved> moved() const { return linkage_->moved(); }
 
     struct Velocity {
@@ -70,16 +78,23 @@ public:
 
 private:
     using Held = std::vector<char>; // columns of movements that are none
+    [[nodiscard]] static Eigen::Index columnOf(std::size_t place) {
+        return static_cast<Eigen::Index>(6 * place);
+    }
     void findCosts();
     void findStages();
     [[nodiscard]] bool isGone(const std::string& joint) const;
     [[nodiscard]] Vector point() const;
     [[nodiscard]] Eigen::MatrixXd pointBy() const; // its way by a movement
     [[nodiscard]] Eigen::MatrixXd allowed() const; // movements that open nothing, as columns
-    // The cost of a movement, by shares of these columns.
-    [[nodiscard]] Eigen::MatrixXd costOf(const Eigen::MatrixXd& free) const;
-    [[nodiscard]] Eigen::VectorXd towards(const Vector& way) const; // the cheapest movement
-    [[nodiscard]] Eigen::VectorXd given(const Vector& velocity, const Eigen::MatrixXd& free) const;
+    [[nodiscard]] Eigen::MatrixXd turnBy() const;  // the body's turn by a movement
+    [[nodiscard]] Eigen::SparseMatrix<double> cost() const; // of a movement
+    [[nodiscard]] Eigen::MatrixXd
+    cheapest(const Eigen::MatrixXd& by, const Eigen::MatrixXd& conditions, const Held& held) const;
+    // The cheapest movement that changes so what a movement changes like that.
+    [[nodiscard]] Eigen::VectorXd towards(const Vector& way, const Eigen::MatrixXd& by) const;
+    [[nodiscard]] Eigen::VectorXd given(const Vector& velocity, const Eigen::MatrixXd& conditions,
+                                        const Held& held) const;
     // The body and all that goes with it by the same way; empty: something that stands holds it.
     [[nodiscard]] std::vector<std::size_t> loose(const Eigen::MatrixXd& conditions) const;
     [[nodiscard]] Eigen::VectorXd addHand(Eigen::VectorXd rates, const Eigen::MatrixXd& conditions,
@@ -87,7 +102,12 @@ private:
     [[nodiscard]] bool nearer(const Vector& place);
     void refine(const Vector& place);
     void approach(const Vector& place);
+    void allow(); // the work of one pull
+    [[nodiscard]] bool isSpent() const;
+    void follow(const Vector& place);
     [[nodiscard]] bool turnsTo(double angle);
+    [[nodiscard]] std::vector<Held> stagesOfTurns() const;
+    [[nodiscard]] bool reach(const geometry::Quaternion& attitude);
 
     scene::Scene scene_; // without what is no condition
     std::unique_ptr<EquationsOfMotion> equations_;
@@ -104,7 +124,12 @@ private:
     std::size_t stage_ = 0;     // of the last pull
     Held held_;                 // columns of movements that are none now
     std::vector<double> first_; // values of the linkage
-    bool isOnGround_ = false;   // what stands holds the body itself
+    struct Effort {             // of a pull
+        std::size_t until = 0;  // so many places of the linkage were looked at
+        bool goesOn = false;    // one was cut short: from where it is
+        double share = 1;       // of the last step, as far as it came nearer
+    } effort_;
+    bool isOnGround_ = false; // what stands holds the body itself
     State state_ = State::free;
     bool isLoose_ = false, movesAsOne_ = false, turns_ = false, isStuck_ = false;
 };

@@ -348,6 +348,62 @@ TEST(Pulling, MoreThanItsMostBodiesAreToldApart) {
     EXPECT_EQ(Pulling(ballAndRod(), 0, {0, 0, 0}).state(), Pulling::State::free);
 }
 
+TEST(Pulling, OneMoveOfTheHandIsOneShareOfWorkHoweverLongTheChain) {
+    for (const std::size_t count : {std::size_t{10}, Pulling::most}) {
+        const scene::Scene scene = chain(count);
+        const std::size_t body = count / 2;
+        const Vector from = scene.bodies[body].initialPosition;
+        Pulling pulling(scene, body, from);
+        std::size_t most = 0;
+        Vector hand = from;
+        for (int k = 0; k < 45; ++k) {
+            hand += Vector(0.12, 0.16, 0);
+            const std::size_t before = pulling.places();
+            pulling.pullTo(hand);
+            most = std::max(most, pulling.places() - before);
+        }
+        EXPECT_LT(most * count, 6000U) << count;
+        EXPECT_LT((poseOf(pulling, scene, body).position - hand).norm(), 1e-3) << count;
+        for (std::size_t i = 1; i < count; ++i) // none of it is torn
+            EXPECT_LT((poseOf(pulling, scene, i).toWorld({0, 1, 0}) -
+                       poseOf(pulling, scene, i - 1).toWorld({0, -1, 0}))
+                          .norm(),
+                      1e-9);
+    }
+}
+
+TEST(Pulling, ABodyTurnsAboutItsHingeAndAboutNoOtherAxis) {
+    scene::Scene scene = pendulum(); // its hinge at two units above, along z
+    Pulling pulling(scene, 0, {0, 0, 0});
+    for (const double angle : {0.5, 4.0, -2.0}) {
+        ASSERT_TRUE(pulling.turnAbout(Vector::UnitZ(), angle));
+        const geometry::Pose pose = poseOf(pulling, scene, 0);
+        const Vector way(std::sin(angle), -std::cos(angle), 0);
+        EXPECT_LT((pose.position - (Vector(0, 2, 0) + 2 * way)).norm(), 1e-11) << angle;
+    }
+    const geometry::Pose before = poseOf(pulling, scene, 0);
+    EXPECT_FALSE(pulling.turnAbout(Vector::UnitX(), 0.1));
+    EXPECT_EQ(poseOf(pulling, scene, 0).position, before.position);
+    scene.joints[0].type = scene::JointType::ball;
+    scene.joints[0].coordinates.clear();
+    EXPECT_TRUE(Pulling(scene, 0, {0, 0, 0}).turnAbout(Vector::UnitX(), 0.1));
+}
+
+TEST(Pulling, ATurnMovesAsLittleAsItMust) {
+    const scene::Scene scene = chain(3);
+    Pulling middle(scene, 1, {0, -3, 0});
+    ASSERT_TRUE(middle.turnAbout(Vector::UnitZ(), 0.5));
+    EXPECT_EQ(poseOf(middle, scene, 0).position, scene.bodies[0].initialPosition);
+    EXPECT_GT((poseOf(middle, scene, 2).position - scene.bodies[2].initialPosition).norm(), 0.5);
+    scene::Scene loose = chain(2); // nothing holds them to the world
+    loose.joints.erase(loose.joints.begin());
+    Pulling upper(loose, 0, {0, -1, 0});
+    ASSERT_TRUE(upper.turnAbout(Vector::UnitZ(), 0.5));
+    EXPECT_EQ(poseOf(upper, loose, 1).position, loose.bodies[1].initialPosition);
+    ASSERT_TRUE(upper.turnAbout(Vector::UnitX(), 0.5)); // both
+    EXPECT_LT((poseOf(upper, loose, 0).position - Vector(0, -1, 0)).norm(), 1e-9);
+}
+
 TEST(Pulling, AFixedSupportKeepsItsAttitude) {
     scene::Scene scene = pendulum();
     scene.bodies[1].fixed = true;
