@@ -133,7 +133,11 @@ void HandleDrag::setTurns(int axis) {
         update();
 }
 
-double HandleDrag::turned() const { return turning_ ? rounded(turning_->angle * 180 / M_PI) : 0; }
+double HandleDrag::turned() const {
+    if (!turning_)
+        return 0;
+    return joined_ ? turning_->reached : rounded(turning_->angle * 180 / M_PI);
+}
 
 double HandleDrag::rounded(double degrees) const {
     constexpr double round = 15, near = 2.5;
@@ -287,10 +291,23 @@ void HandleDrag::findJoined() {
     if (handle_.kind == render::HandleKind::position)
         joined_ = Joined::of(*ground_.scene, handle_.element,
                              under(sight_.pixels(handle_.place) - grip_));
+    else if (turning_)
+        joined_ = Joined::of(*ground_.scene, handle_.element, handle_.base);
+}
+
+void HandleDrag::turnJoined() {
+    const double degrees = rounded(turning_->angle * 180 / M_PI);
+    if (!joined_->areTooMany() &&
+        joined_->turnAbout(Vector::Unit(turning_->axis), degrees * M_PI / 180))
+        turning_->reached = degrees;
 }
 
 // Along an axis any number of them moves.
 std::string HandleDrag::whyNotJoined() const {
+    if (turning_)
+        return turned() == 0 && rounded(turning_->angle * 180 / M_PI) != 0
+                   ? joined_->whyNotTurned("xyz"[turning_->axis])
+                   : std::string();
     return along_ ? std::string() : joined_->whyNotPulled();
 }
 
@@ -301,6 +318,8 @@ double HandleDrag::joinedDegrees() const {
 }
 
 void HandleDrag::moveJoined() {
+    if (turning_)
+        return turnJoined();
     if (!whyNotJoined().empty())
         return;
     if (!swings()) {
@@ -396,7 +415,8 @@ std::string HandleDrag::words() const {
         return answer_.reason;
     if (turning_)
         return subjectOf(*ground_.scene, handle_) + ": turned by " +
-               editing::numberText(turned(), 0.1) + " degrees about " + "xyz"[turning_->axis];
+               editing::numberText(turned(), 0.1) + " degrees about " + "xyz"[turning_->axis] +
+               (joined_ ? ", as its joints allow" : "");
     return subjectOf(*ground_.scene, handle_) + ": " + quantityOf(*ground_.scene, handle_) + " " +
            valuesOf(wishes()) +
            (hold_.follows && !hold_.isFree ? ", on the surface; a takes it off" : "") +

@@ -9,7 +9,8 @@
 //
 // A body that joints hold goes as they let it (joined.h), and turns by whole degrees as about an
 // axis of the world, where one joint holds it to what stands. By the keys it turns by tenths. Along
-// an axis it takes all with it that is joined to it.
+// an axis it takes all with it that is joined to it. About an axis it turns as far as joints let
+// it, and takes with it what must follow.
 #pragma once
 
 #include "editing/value_edit.h"
@@ -77,6 +78,7 @@ private:
     [[nodiscard]] geometry::Vector under(const Eigen::Vector2d& pixels) const;
     void findJoined();
     void moveJoined();
+    void turnJoined();
     [[nodiscard]] bool swings() const { return joined_ && !joined_->movesAsOne() && !along_; }
     [[nodiscard]] std::string joinedWords() const;
     [[nodiscard]] std::string whyNotJoined() const;
@@ -112,8 +114,9 @@ private:
     std::optional<double> rollsFrom_; // pixels, of where it was pressed
     struct Turning {
         int axis;
-        double last;      // the angle of the hand
-        double angle = 0; // radians, since it was taken
+        double last;        // the angle of the hand
+        double angle = 0;   // radians, since it was taken
+        double reached = 0; // degrees: of a body that joints hold
     };
     std::optional<Turning> turning_;
     struct Snaps {

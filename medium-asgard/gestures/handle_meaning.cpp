@@ -102,6 +102,22 @@ Wish turnWish(const scene::Scene& scene, const Handle& handle, const geometry::Q
     return wish;
 }
 
+bool isPlacedAlone(const editing::Mapper& mapper, std::size_t body) {
+    const Vector now = mapper.scene().bodies[body].initialPosition;
+    Wish wish;
+    wish.element = {Kind::body, body};
+    wish.option = "-init_pos";
+    wish.values = listed(now + Vector::Ones());
+    wish.absent = {0, 0, 0};
+    wish.now = listed(now);
+    wish.offers = false;
+    const editing::Answer answer = mapper.answer(wish);
+    const scene::Range own = mapper.scene().bodies[body].source.command;
+    return answer.possible() && std::ranges::all_of(answer.edits, [&](const text::Edit& edit) {
+               return own.from <= edit.range.from && edit.range.to <= own.to;
+           });
+}
+
 editing::Element elementOf(const Handle& handle) {
     switch (handle.kind) {
     case HandleKind::position:

@@ -25,6 +25,9 @@ namespace gestures {
 [[nodiscard]] std::vector<editing::Wish> withValues(std::vector<editing::Wish> wishes,
                                                     const std::vector<double>& values);
 
+// Numbers of its own place the body: another place moves nothing else, and can be written.
+[[nodiscard]] bool isPlacedAlone(const editing::Mapper& mapper, std::size_t body);
+
 // With the wishes that follow from them: the point of a joint moves on both of its bodies, so that
 // they still meet there at the start.
 [[nodiscard]] std::vector<editing::Wish> withFollowing(const scene::Scene& scene,

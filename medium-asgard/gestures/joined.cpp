@@ -37,18 +37,28 @@ std::string Joined::holderOf() const {
     return "a rope";
 }
 
-std::string Joined::whyNotPulled() const {
-    if (pulling_.state() != Pulling::State::tooMany)
-        return {};
+std::string Joined::together() const {
     return "\"" + name() + "\" hangs together with " + std::to_string(bodies().size() - 1) +
-           " other bodies: a hand pulls " + std::to_string(Pulling::most) +
+           " other bodies";
+}
+
+std::string Joined::whyNotPulled() const {
+    if (!areTooMany())
+        return {};
+    return together() + ": a hand pulls " + std::to_string(Pulling::most) +
            " at most. Along an axis all of them move (x, y or z).";
 }
 
+std::string Joined::whyNotTurned(char axis) const {
+    if (areTooMany())
+        return together() + ": a hand turns " + std::to_string(Pulling::most) + " at most.";
+    return "\"" + name() + "\" is held by " + holderOf() + ": it does not turn so about " + axis +
+           ".";
+}
+
 std::string Joined::whyNotThrown() const {
-    if (pulling_.state() == Pulling::State::tooMany)
-        return "\"" + name() + "\" hangs together with " + std::to_string(bodies().size() - 1) +
-               " other bodies: a hand throws " + std::to_string(Pulling::most) + " at most.";
+    if (areTooMany())
+        return together() + ": a hand throws " + std::to_string(Pulling::most) + " at most.";
     if (pulling_.isStuck())
         return "\"" + name() + "\" is held by " + holderOf() + ": nothing lets it go anywhere.";
     if (movesAsOne() && !isLoose())

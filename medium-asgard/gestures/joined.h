@@ -20,6 +20,9 @@ public:
     // No joint of them leads to what stands, or none lets the point go anywhere: all move along.
     [[nodiscard]] bool movesAsOne() const { return pulling_.movesAsOne(); }
     [[nodiscard]] bool isLoose() const { return pulling_.isLoose(); } // no joint leads there
+    [[nodiscard]] bool areTooMany() const {
+        return pulling_.state() == physics::Pulling::State::tooMany;
+    }
     // A sentence; "": nothing forbids it.
     [[nodiscard]] std::string whyNotPulled() const;
     [[nodiscard]] std::string whyNotThrown() const;
@@ -33,6 +36,12 @@ public:
     void moveAll(const geometry::Vector& way);
     [[nodiscard]] double turned() const { return pulling_.turned(); } // radians, of the body
     bool turnTo(double angle) { return pulling_.turnTo(angle); }
+    // False: its joints do not let it turn so; it stays.
+    bool turnAbout(const geometry::Vector& axis, double angle) {
+        way_.reset();
+        return pulling_.turnAbout(axis, angle);
+    }
+    [[nodiscard]] std::string whyNotTurned(char axis) const; // where its joints do not let it
 
     // Of those that have moved. Their velocities at the start go with them.
     [[nodiscard]] std::vector<editing::NewPlace> places();
@@ -47,6 +56,7 @@ private:
     [[nodiscard]] std::vector<physics::Pulling::Velocity> writtenVelocities() const;
     [[nodiscard]] const std::string& name() const { return scene_.bodies[body_].name; }
     [[nodiscard]] std::string holderOf() const;
+    [[nodiscard]] std::string together() const;
     [[nodiscard]] bool moves(const std::string& body) const;
     // A point of the world or of a body that stays, as far on as all that move.
     [[nodiscard]] editing::Wish holdOf(const editing::Element& element, const char* option,

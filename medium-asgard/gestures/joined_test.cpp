@@ -1,5 +1,6 @@
 // Drags of bodies that joints hold.
 #include "gestures/handle_drag.h"
+#include "gestures/handle_meaning.h"
 
 #include "script/reader.h"
 
@@ -201,6 +202,69 @@ TEST(Joined, AKeyTurnsAPendulum) {
     drag.nudge({2, 0});
     drag.finish();
     EXPECT_GT(sceneOf(made)->bodies[0].initialPosition.x(), 1.01) << made;
+}
+
+struct Turned {
+    std::string text, words;
+};
+
+// By a ring, about the middle of a bar that reaches from the body's origin to 4 along x.
+Turned turn(const std::string& text, std::size_t body, int axis, double quarters) {
+    const auto scene = sceneOf(text);
+    render::Camera camera;
+    camera.scale = 0.1;
+    const Sight sight{camera, {800, 800}};
+    Turned made;
+    const Ground ground{text, scene, nullptr, [](const std::string&) {},
+                        [&](const std::string& now, const std::string&) { made.text = now; }};
+    render::Handle handle;
+    handle.kind = render::HandleKind::orientation;
+    handle.element = body;
+    handle.frame = {scene->bodies[body].initialPosition, scene->bodies[body].initialAttitude};
+    handle.base = handle.place = handle.frame.toWorld({2, 0, 0});
+    handle.perUnit = 1;
+    const Eigen::Vector2d middle = sight.pixels(handle.base);
+    const auto at = [&](double angle) {
+        return Eigen::Vector2d(middle + 100 * Eigen::Vector2d(std::cos(angle), -std::sin(angle)));
+    };
+    HandleDrag drag(ground, sight, handle, at(0));
+    drag.setTurns(axis);
+    for (int k = 1; k <= 10; ++k)
+        if (axis == 2)
+            drag.move(at(quarters * M_PI / 20 * k));
+        else // seen from the side
+            drag.move(at(0) + Eigen::Vector2d(0, 15 * quarters * k));
+    made.words = drag.words();
+    drag.finish();
+    return made;
+}
+
+const std::string bar = "shape_set bar -desc {-sub {-pos {2 0 0} -box {4 0.4 0.4}}}\n"
+                        "body b bar -init_pos {0 3 0}\n";
+
+TEST(Joined, ARingTurnsAHingedBodyAboutItsHingeOnly) {
+    const std::string hinged = bar + "joint h -type hinge -body1 b -offset1 {0 0 0} -offset2 "
+                                     "{0 3 0} -axis {0 0 1}\n";
+    const Turned made = turn(hinged, 0, 2, 3);
+    EXPECT_THAT(made.text, HasSubstr("body b bar -init_pos {0 3 0} -init_rot {0 0 "));
+    EXPECT_THAT(made.words, HasSubstr("turned by 270 degrees about z, as its joints allow"));
+    const Turned across = turn(hinged, 0, 0, 1);
+    EXPECT_EQ(across.text, hinged);
+    EXPECT_EQ(across.words, "\"b\" is held by joint \"h\": it does not turn so about x.");
+    const Turned alone = turn(bar, 0, 2, 1); // about its middle
+    EXPECT_THAT(alone.text, HasSubstr("-init_pos {2 1 0}"));
+}
+
+TEST(Joined, ATextThatPlacesABodyWithOthersDoesNotPlaceItAlone) {
+    const auto isAlone = [](const std::string& position) {
+        const std::string text = "shape_set s -desc {-sub {-sphere 1}}\nset h 3\nbody b s " +
+                                 position + "\nbody c s -init_pos \"0 $h 3\"\n";
+        return isPlacedAlone(editing::Mapper(text, sceneOf(text)), 0);
+    };
+    EXPECT_TRUE(isAlone("-init_pos {0 3 0}"));
+    EXPECT_TRUE(isAlone(""));
+    EXPECT_FALSE(isAlone("-init_pos \"0 $h 0\""));
+    EXPECT_FALSE(isAlone("-init_pos \"[expr {$h * $h}] 0 0\""));
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "framing/extent.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace gestures {
@@ -69,21 +70,36 @@ private:
     std::vector<Standing> all_;
 };
 
+// Numbers of steps along two axes, the nearest first.
+const std::vector<Eigen::Vector2i>& around() {
+    static const std::vector<Eigen::Vector2i> all = [] {
+        constexpr int most = 24;
+        std::vector<Eigen::Vector2i> made;
+        for (int i = -most; i <= most; ++i)
+            for (int k = -most; k <= most; ++k)
+                made.emplace_back(i, k);
+        std::ranges::stable_sort(made, {}, [](const auto& one) { return one.squaredNorm(); });
+        return made;
+    }();
+    return all;
+}
+
 } // namespace
 
 std::optional<Vector> standingFree(const render::Drawing& drawing, const geometry::Shape& shape,
                                    const geometry::Pose& wanted, const render::GroundPlane& ground,
                                    double step) {
-    constexpr int most = 300; // steps
     const Others others(drawing, shape);
-    for (int steps = 0; steps <= most; ++steps)
-        for (const int axis : ground.across)
-            for (const double way : {-step, step}) {
-                geometry::Pose pose = wanted;
-                pose.position[axis] += steps * way;
-                if (others.isFree(pose))
-                    return pose.position;
-            }
+    const geometry::Box box = geometry::bounds(shape, wanted);
+    const double width = std::max(box.sizes()[ground.across[0]], box.sizes()[ground.across[1]]);
+    const double stride = step * std::max(1.0, std::ceil(width / 10 / step)); // round, too
+    for (const Eigen::Vector2i& steps : around()) {
+        geometry::Pose pose = wanted;
+        for (int k = 0; k < 2; ++k)
+            pose.position[ground.across[static_cast<std::size_t>(k)]] += steps[k] * stride;
+        if (others.isFree(pose))
+            return pose.position;
+    }
     return std::nullopt;
 }
 

@@ -71,6 +71,7 @@ Creating::Creating(SceneDocument& document, SceneDisplay& display)
         Q_EMIT refused(tr("The text was changed meanwhile."));
     });
     connect(&display_, &SceneDisplay::pictured, this, &Creating::stopWaiting);
+    connect(&display_, &SceneDisplay::pictured, this, &Creating::clickLate);
 }
 
 const Step& Creating::step() const {
@@ -111,7 +112,15 @@ void Creating::stopWaiting() {
     if (waited.aim && recipe_)
         takeAim(*waited.aim);
     for (const std::unique_ptr<QKeyEvent>& typed : waited.keys)
-        (void)key(*typed);
+        if (!key(*typed))
+            handBack(*typed);
+}
+
+void Creating::clickLate() {
+    if (!click_ || !display_.showsScene())
+        return;
+    const Click late = *std::exchange(click_, std::nullopt);
+    click(late.position, late.holdsOff);
 }
 
 Creating::Aim Creating::aimAt(const editing::Element& body, const QPointF& position) const {
@@ -181,6 +190,7 @@ void Creating::cancel() {
     next_.reset();
     fault_.clear();
     cross_.reset();
+    click_.reset();
     typed_.clear();
     near_.reset();
     Q_EMIT changed();
@@ -366,13 +376,12 @@ Indicated Creating::onBody(std::size_t body, const Vector& point) const {
 
 // A hand's unsteadiness beside an axis of the body through its centre is none.
 Vector Creating::onAxes(std::size_t body, const Vector& onBody, double near) const {
-    const render::Drawing drawing = display_.drawing();
-    const bool known = drawing.motion && body < drawing.motion->bodies();
-    Vector from = onBody - (known ? drawing.motion->centroid(body) : Vector::Zero());
+    const Vector center = display_.centroidOf(body);
+    Vector from = onBody - center;
     for (Eigen::Index i = 0; i < 3; ++i)
         if (std::abs(from[i]) < 0.6 * clickReach * display_.devicePixelRatioF() * near)
             from[i] = 0;
-    return from + (known ? drawing.motion->centroid(body) : Vector::Zero());
+    return from + center;
 }
 
 // Where something holds the first body: in the plane of the screen through what was shown of it.
@@ -410,8 +419,10 @@ void Creating::hover(const QPointF& position, bool holdsOff) {
     holdsOff_ = holdsOff;
     const bool shows = recipe_ && !recipe_->steps.empty() &&
                        ((step().wanted == Wanted::hold && !shown_.empty()) || step().snaps);
+    if (shows)
+        display_.bringUpToDate();
     if (typed_.isEmpty())
-        next_ = shows ? indicated(position) : std::nullopt;
+        next_ = shows && display_.showsScene() ? indicated(position) : std::nullopt;
     fault_ = fault;
     if (active())
         Q_EMIT changed();
@@ -419,14 +430,13 @@ void Creating::hover(const QPointF& position, bool holdsOff) {
 
 Indicated Creating::centerOf(std::size_t body) const {
     const render::Drawing drawing = display_.drawing();
-    const bool known = drawing.motion && body < drawing.motion->bodies();
     Indicated center;
     center.given = center.atCenter = true;
     center.body = body;
     center.attitude =
         render::poseOf(*drawing.scene, drawing.motion.get(), body, drawing.time).attitude;
     center.sight = display_.sight().camera.rotation.conjugate() * Vector::UnitZ();
-    center.onBody = known ? drawing.motion->centroid(body) : Vector::Zero();
+    center.onBody = display_.centroidOf(body);
     center.point = render::poseOf(*drawing.scene, drawing.motion.get(), body, drawing.time)
                        .toWorld(center.onBody);
     center.resolution = display_.sight().pixelLength(center.point);
@@ -436,8 +446,11 @@ Indicated Creating::centerOf(std::size_t body) const {
 void Creating::click(const QPointF& position, bool holdsOff) {
     fault_.clear();
     holdsOff_ = holdsOff;
+    display_.bringUpToDate();
     if (waiting_) // what will stand there is not seen yet
         fault_ = tr("The click came before the scene.");
+    else if (!display_.showsScene())
+        click_ = Click{position, holdsOff};
     else if (const auto found = indicated(position))
         take(*found);
     Q_EMIT changed();

@@ -9,7 +9,8 @@
 // numbers nearby (gestures/snapping.h) unless Ctrl is held.
 //
 // While a text is being read, a command waits for the scene, and the keys that a command has a use
-// for wait with it until the scene is seen. A text with errors ends it, and so does another change.
+// for wait with it until the scene is seen; those that it has no use for then are the window's. A
+// click waits for the picture, too. A text with errors ends it, and so does another change.
 #pragma once
 
 #include "gestures/snapping.h"
@@ -73,6 +74,8 @@ private:
     };
 
     void stopWaiting(); // if the scene is there, or will not come
+    void clickLate();   // if the picture is there
+    void handBack(const QKeyEvent& event);
     void begin(Recipe recipe);
     void takeAim(const Aim& aim);
     [[nodiscard]] const Step& step() const;
@@ -111,7 +114,12 @@ private:
     std::optional<Indicated> next_; // under the pointer
     QString fault_;
     std::optional<QPointF> cross_; // moved by the keys
-    struct Near {                  // what stands in the picture, as long as that stays as it is
+    struct Click {
+        QPointF position;
+        bool holdsOff;
+    };
+    std::optional<Click> click_; // before its scene is seen
+    struct Near {                // what stands in the picture, as long as that stays as it is
         Shown of;
         double time;
         gestures::Sight sight;

@@ -4,6 +4,8 @@
 #include "picture/scene_display.h"
 #include "script/numbers.h"
 
+#include <QAction>
+#include <QCoreApplication>
 #include <QKeyEvent>
 #include <QRegularExpression>
 
@@ -123,6 +125,16 @@ bool Creating::key(const QKeyEvent& event) {
     default:
         return true;
     }
+}
+
+// A key that waited in vain does what it does in the window without a command.
+void Creating::handBack(const QKeyEvent& event) {
+    const QKeySequence keys(event.keyCombination());
+    for (QAction* action : display_.window()->findChildren<QAction*>())
+        if (action->isEnabled() && action->shortcuts().contains(keys))
+            return action->trigger();
+    const std::unique_ptr<QKeyEvent> again(event.clone());
+    QCoreApplication::sendEvent(&display_, again.get());
 }
 
 } // namespace views

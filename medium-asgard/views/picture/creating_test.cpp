@@ -314,6 +314,49 @@ TEST_F(CreatingTest, ACommandThatWaitsKeepsOnlyKeysThatItHasAUseFor) {
     }
 }
 
+TEST_F(CreatingTest, AClickBeforeItsSceneIsSeenCountsWhenItIs) {
+    open(balls);
+    display().lookAlong(Vector(0.3, 0.5, 1));
+    display().grab();
+    SceneDisplay::setPatience({});
+    editor.document().setText("# nothing yet\n", "Edit");
+    done();
+    display().creating().start(newBody(BasicShape::box));
+    click({0.01, 0, 0.02});
+    EXPECT_TRUE(waitFor([this] { return !display().creating().active(); }));
+    SceneDisplay::setPatience(std::chrono::seconds(60));
+    done();
+    ASSERT_EQ(scene().bodies.size(), 1U);
+    EXPECT_EQ(scene().bodies[0].initialPosition.y(), 0.5); // on the grid
+}
+
+TEST_F(CreatingTest, ADigitThatTheCommandHadNoUseForTurnsTheView) {
+    open(balls);
+    made.readsSlowly = true;
+    editor.document().setText(balls + "set a 1\n", "Edit");
+    display().creating().start(newSpring(Wanted::body));
+    const Vector before = display().camera().rotation * Vector::UnitZ();
+    QTest::keyClicks(&display(), "2");
+    made.readsSlowly = false;
+    done();
+    EXPECT_TRUE(waitFor(
+        [&] { return (display().camera().rotation * Vector::UnitZ() - before).norm() > 0.5; }));
+    EXPECT_TRUE(display().creating().active());
+}
+
+TEST_F(CreatingTest, WhereThereIsNoRoomABodyStandsWhereItIsClicked) {
+    open("shape_set ring -desc {-sub {-tube {4.8 5 0.4}}}\n"
+         "shape_set s -desc {-sub {-cylinder {0.4 1}}}\n"
+         "body fence ring -init_pos {0 0.2 0} -fixed 1\nbody b1 s -init_pos {-1 0.5 0}\n");
+    display().lookAlong(Vector(0.3, 0.5, 1));
+    display().grab();
+    display().creating().start(newBody(BasicShape::box));
+    click({1, 0, 0});
+    done();
+    const Vector place = scene().bodies.back().initialPosition;
+    EXPECT_LT((place - Vector(1, 0.5, 0)).norm(), 0.2) << place;
+}
+
 TEST_F(CreatingTest, ArrowsThatWaitedMoveInTheNewView) {
     open("shape_set ball -desc {-sub {-sphere 0.5}}\nbody b1 ball -init_pos {-100 0 0}\n"
          "body b2 ball -init_pos {100 0 0}\n");

@@ -1,5 +1,6 @@
 #include "picture/gizmo.h"
 
+#include "gestures/handle_meaning.h"
 #include "picture/scene_display.h"
 
 #include <QLineF>
@@ -36,7 +37,29 @@ std::optional<std::pair<std::size_t, Vector>> Gizmo::place() const {
     if (display_.time() > start)
         return std::nullopt; // there it is thrown
     const std::size_t body = selected.front().index;
-    return std::pair(body, display_.centerOf(body));
+    return std::pair(body, pivotOf(body));
+}
+
+// A drag goes on with what it began with, and so does a scene that is awaited.
+bool Gizmo::isPlacedAlone(std::size_t body) const {
+    const auto& scene = document_.shown().scene;
+    const bool isKnown = alone_.scene == scene && alone_.body == body;
+    if (!isKnown && !display_.editing().dragging() && document_.sceneIsCurrent())
+        alone_ = {scene, body,
+                  gestures::isPlacedAlone(editing::Mapper(document_.text(), scene), body)};
+    return alone_.body != body || alone_.is;
+}
+
+// What joints hold turns as they let it.
+Vector Gizmo::pivotOf(std::size_t body) const {
+    const Shown& shown = document_.shown();
+    const std::string& name = shown.scene->bodies[body].name;
+    const bool isHeld = std::ranges::any_of(shown.scene->joints, [&](const scene::Joint& joint) {
+        return joint.body1 == name || joint.body2 == name;
+    });
+    if (isHeld || isPlacedAlone(body))
+        return display_.centerOf(body);
+    return render::poseOf(*shown.scene, shown.motion.get(), body, display_.time()).position;
 }
 
 std::optional<std::pair<QPointF, QPointF>> Gizmo::arrow(const Vector& place, int axis) const {

@@ -3,10 +3,12 @@
 #pragma once
 
 #include "geometry/pose.h"
+#include "scene/scene.h"
 
 #include <QPointF>
 #include <QPolygonF>
 
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -31,8 +33,12 @@ public:
     };
     [[nodiscard]] std::optional<Part> at(const QPointF& position) const;
     void paint(QPainter& painter) const;
+    // The point about which rings turn the body: the middle of its mass, or the origin of its shape
+    // where the text cannot move that alone.
+    [[nodiscard]] geometry::Vector pivotOf(std::size_t body) const;
 
 private:
+    [[nodiscard]] bool isPlacedAlone(std::size_t body) const;
     // The one body that is selected, while a drag would move its start.
     [[nodiscard]] std::optional<std::pair<std::size_t, geometry::Vector>> place() const;
     // From its tail to its head on the screen; none: it looks at the viewer.
@@ -44,6 +50,12 @@ private:
 
     SceneDocument& document_;
     SceneDisplay& display_;
+    struct Alone { // as it was found last
+        std::shared_ptr<const scene::Scene> scene;
+        std::size_t body = 0;
+        bool is = true;
+    };
+    mutable Alone alone_;
 };
 
 // Red, green and blue, as the axes of the world are.

@@ -14,7 +14,7 @@ bool PictureEditing::turnBody(std::size_t body, const QPointF& position, int axi
         render::poseOf(*drawing.scene, drawing.motion.get(), body, drawing.time);
     render::Handle turned = *handle;
     turned.kind = render::HandleKind::orientation;
-    turned.base = turned.place = display_.centerOf(body);
+    turned.base = turned.place = display_.gizmo().pivotOf(body);
     turned.frame = pose;
     turned.perUnit =
         Gizmo::ring * display_.devicePixelRatioF() * display_.sight().pixelLength(turned.base);

@@ -86,7 +86,7 @@ void Pointing::rest() {
         const auto dragged = display_.selecting().draggedBodyAt(*position_);
         isDragged_ = dragged.has_value();
         if (dragged)
-            whyNot_ = display_.throwing().whyNot(*dragged);
+            whyNot_ = display_.throwing().whyNot(*dragged, *position_);
         subject_ =
             QString::fromStdString(drawing.scene->bodies[dragged.value_or(picked->body)].name);
     } else if (drawing.display.trajectories) {

@@ -164,6 +164,29 @@ TEST_F(PointingTest, AtTheEndOfTheMotionNoDragIsPromised) {
     EXPECT_NE(display().cursor().shape(), Qt::SizeAllCursor);
 }
 
+TEST_F(PointingTest, OfABodyThatAJointLetsGoNowhereNoDragIsPromised) {
+    editor.document().setText("simulator -finish 4\nshape_set s -desc {-sub {-box {1 1 1}}}\n"
+                              "body b1 s -init_pos {-2 1 0}\n"
+                              "body b2 s -init_pos {2 1 0} -init_dpos {0 1 0}\n"
+                              "joint j -type fixed -body1 b1\n",
+                              "Edit");
+    ASSERT_TRUE(settle(editor.document()));
+    viewer->playback().seek(0.24);
+    display().frameNow();
+    display().grab();
+    const std::string before = editor.document().text();
+    for (const std::size_t body : {0U, 1U}) {
+        editor.document().select({{editing::Kind::body, body}});
+        const double x = body == 0 ? -2 : 2;
+        const QPoint place = display().placeOf(x + 0.3, body == 0 ? 1.2 : 1.44, 0).toPoint();
+        pointAt(place);
+        const std::string wanted = body == 0 ? "\"b1\" is held by joint \"j\"" : "Drag puts b2";
+        EXPECT_TRUE(waitFor([&] { return hint().find(wanted) == 0; })) << hint();
+        EXPECT_EQ(display().cursor().shape() == Qt::SizeAllCursor, body == 1);
+    }
+    EXPECT_EQ(editor.document().text(), before);
+}
+
 TEST_F(PointingTest, OfAnEndlessFloorNoDragIsPromised) {
     editor.document().setText(
         "shape_set ground -desc {-sub {-plane}}\nbody floor ground -fixed 1\n", "Edit");

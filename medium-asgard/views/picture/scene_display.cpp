@@ -476,11 +476,13 @@ double SceneDisplay::massOf(std::size_t body) const {
     return std::isfinite(mass) && mass > 0 ? mass : 1;
 }
 
+geometry::Vector SceneDisplay::centroidOf(std::size_t body) const {
+    return centroids_.of(document_.shown(), body);
+}
+
 geometry::Vector SceneDisplay::centerOf(std::size_t body) const {
     const Shown& shown = document_.shown();
-    const geometry::Pose pose = render::poseOf(*shown.scene, shown.motion.get(), body, time_);
-    const bool known = shown.motion && body < shown.motion->bodies();
-    return pose.toWorld(known ? shown.motion->centroid(body) : geometry::Vector::Zero().eval());
+    return render::poseOf(*shown.scene, shown.motion.get(), body, time_).toWorld(centroidOf(body));
 }
 
 void SceneDisplay::resizeEvent(QResizeEvent*) { asking_.isOld = true; }

@@ -10,6 +10,7 @@
 
 #include "framing/extent.h"
 #include "gestures/picking.h"
+#include "picture/centroids.h"
 #include "picture/creating.h"
 #include "picture/element_menu.h"
 #include "picture/gizmo.h"
@@ -89,8 +90,9 @@ public:
     // How long the arrow of a force, or a torque, of 1 is drawn.
     [[nodiscard]] double arrowLength(bool couple);
     [[nodiscard]] double massOf(std::size_t body) const; // 1 while it is not known
-    // Of mass, now; its shape's origin while that is not known.
+    // Of mass, now; its shape's origin where it has no mass.
     [[nodiscard]] geometry::Vector centerOf(std::size_t body) const;
+    [[nodiscard]] geometry::Vector centroidOf(std::size_t body) const; // in the body's frame
     [[nodiscard]] QString words() const { return editing_.words(); }
     // The handles that the display shows of the scene at this time; as of the last picture, where a
     // newer one takes long, and none of another scene.
@@ -208,6 +210,7 @@ private:
     Selecting selecting_;
     Throwing throwing_;
     Gizmo gizmo_;
+    mutable Centroids centroids_;
     Meters meters_;
     Press press_;
     Asking asking_;

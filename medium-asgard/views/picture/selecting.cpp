@@ -120,8 +120,9 @@ std::optional<std::size_t> Selecting::draggedBodyAt(const QPointF& position) con
                 gestures::isGrasped(*drawing.scene, picked.body))
                 return picked.body;
     const auto front = gestures::bodyAt(drawing, sight, pixels);
-    return front && display_.throwing().takesAtOnce(front->body) ? std::optional(front->body)
-                                                                 : std::nullopt;
+    return front && display_.throwing().takesAtOnce(front->body, position)
+               ? std::optional(front->body)
+               : std::nullopt;
 }
 
 std::vector<Selecting::Thing> Selecting::thingsAt(const QPointF& position) const {

@@ -37,12 +37,36 @@ Throwing::Throwing(SceneDocument& document, SceneDisplay& display)
     });
 }
 
-// In the upright or level plane through the body.
-Vector Throwing::under(const QPointF& position) const {
-    return display_.sight().across(display_.inPixels(position), held_->pose.position);
+// In the upright or level plane through a place of the body.
+Vector Throwing::under(const QPointF& position, const Vector& through) const {
+    return display_.sight().across(display_.inPixels(position), through);
 }
 
-std::optional<QString> Throwing::whyNot(std::size_t body) const {
+double Throwing::moment() const {
+    return gestures::roundMoment(*document_.shown().motion, display_.time());
+}
+
+// Null: nothing holds it.
+std::unique_ptr<gestures::Joined> Throwing::joinedAt(std::size_t body,
+                                                     const QPointF& position) const {
+    const Shown& shown = document_.shown();
+    const Vector place = render::poseOf(*shown.scene, shown.motion.get(), body, moment()).position;
+    return gestures::Joined::of(gestures::sceneAt(document_.ground(), moment()), body,
+                                under(position, place));
+}
+
+const std::string& Throwing::whyHeld(std::size_t body, const QPointF& position) const {
+    const auto& motion = document_.shown().motion;
+    const bool isKnown = asked_ && asked_->motion == motion && asked_->body == body &&
+                         (plays_ || (asked_->moment == moment() && asked_->position == position));
+    if (!isKnown) {
+        const auto joined = joinedAt(body, position);
+        asked_ = {motion, body, moment(), position, joined ? joined->whyNotThrown() : ""};
+    }
+    return asked_->why;
+}
+
+std::optional<QString> Throwing::whyNot(std::size_t body, const QPointF& position) const {
     const Shown& shown = document_.shown();
     const scene::Body& one = shown.scene->bodies[body];
     if (!shown.motion || display_.time() <= shown.motion->start() || one.fixed ||
@@ -52,14 +76,16 @@ std::optional<QString> Throwing::whyNot(std::size_t body) const {
         return tr("%1 is %2: it is neither thrown nor put elsewhere on its way. Its place at the "
                   "start can be dragged there.")
             .arg(QString::fromStdString(one.name), leader);
-    return QString::fromStdString(gestures::whyNotAt(
-        *shown.scene, shown.motion, gestures::roundMoment(*shown.motion, display_.time())));
+    const std::string why = gestures::whyNotAt(*shown.scene, shown.motion, moment());
+    return QString::fromStdString(why.empty() ? whyHeld(body, position) : why);
 }
 
-bool Throwing::takesAtOnce(std::size_t body) const { return plays_ && whyNot(body) == QString(); }
+bool Throwing::takesAtOnce(std::size_t body, const QPointF& position) const {
+    return plays_ && whyNot(body, position) == QString();
+}
 
 bool Throwing::press(std::size_t body, const QPointF& position) {
-    const auto fault = whyNot(body);
+    const auto fault = whyNot(body, position);
     if (!fault)
         return false;
     if (!fault->isEmpty()) {
@@ -67,23 +93,15 @@ bool Throwing::press(std::size_t body, const QPointF& position) {
         return true;
     }
     const Shown& shown = document_.shown();
-    const double time = gestures::roundMoment(*shown.motion, display_.time());
     display_.keepCamera();
+    const geometry::Pose pose = render::poseOf(*shown.scene, shown.motion.get(), body, moment());
     held_.emplace(Held{document_.ground(),
-                       time,
+                       moment(),
                        body,
-                       render::poseOf(*shown.scene, shown.motion.get(), body, time),
-                       Vector::Zero(),
+                       pose,
+                       pose.position - under(position, pose.position),
                        {},
-                       nullptr});
-    const Vector taken = under(position);
-    held_->off = held_->pose.position - taken;
-    held_->joined = gestures::Joined::of(gestures::sceneAt(held_->ground, time), body, taken);
-    if (const std::string why = held_->joined ? held_->joined->whyNotThrown() : ""; !why.empty()) {
-        held_.reset();
-        display_.editing().say(QString::fromStdString(why));
-        return true;
-    }
+                       joinedAt(body, position)});
     rate_.reset();
     Q_EMIT grabbed();
     return true;
@@ -92,7 +110,8 @@ bool Throwing::press(std::size_t body, const QPointF& position) {
 bool Throwing::move(const QMouseEvent& event) {
     if (!held_)
         return false;
-    held_->way.push_back({secondsOf(event), under(event.position()) + held_->off});
+    held_->way.push_back(
+        {secondsOf(event), under(event.position(), held_->pose.position) + held_->off});
     if (held_->joined) {
         const Vector way = held_->way.back().place - held_->pose.position;
         held_->joined->isLoose() ? held_->joined->moveAll(way) : held_->joined->pull(way);

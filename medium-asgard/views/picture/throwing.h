@@ -27,15 +27,16 @@ class Throwing : public QObject {
 public:
     Throwing(SceneDocument& document, SceneDisplay& display);
 
-    // Why a drag may not take the body out of its way at this moment; "": it may. None: a drag does
-    // not mean that; it is the start, where one changes initial values, or nothing can be changed.
-    [[nodiscard]] std::optional<QString> whyNot(std::size_t body) const;
+    // Why a drag from there may not take the body out of its way at this moment; "": it may. None:
+    // a drag does not mean that; it is the start, where one changes initial values, or nothing can
+    // be changed.
+    [[nodiscard]] std::optional<QString> whyNot(std::size_t body, const QPointF& position) const;
     // False: a drag does not mean that. The picture says why it may not.
     bool press(std::size_t body, const QPointF& position);
     // While the motion plays any body is taken that nothing holds, selected or not.
     void setPlays(bool plays) { plays_ = plays; }
     [[nodiscard]] bool plays() const { return plays_; }
-    [[nodiscard]] bool takesAtOnce(std::size_t body) const;
+    [[nodiscard]] bool takesAtOnce(std::size_t body, const QPointF& position) const;
     bool move(const QMouseEvent& event);    // false: nothing is held
     bool release(const QMouseEvent& event); // false: nothing is held
     bool cancel();                          // false: nothing is held
@@ -67,8 +68,13 @@ private:
     };
     [[nodiscard]] static std::vector<gestures::Put>
     handPuts(Held& held, double resolution, const std::optional<geometry::Vector>& velocity);
+    [[nodiscard]] std::unique_ptr<gestures::Joined> joinedAt(std::size_t body,
+                                                             const QPointF& position) const;
+    [[nodiscard]] const std::string& whyHeld(std::size_t body, const QPointF& position) const;
     void paintBody(QPainter& painter, std::size_t body, const geometry::Pose& pose) const;
-    [[nodiscard]] geometry::Vector under(const QPointF& position) const;
+    [[nodiscard]] double moment() const;
+    [[nodiscard]] geometry::Vector under(const QPointF& position,
+                                         const geometry::Vector& through) const;
     [[nodiscard]] geometry::Vector velocity(double seconds) const; // of the motion's seconds
 
     SceneDocument& document_;
@@ -76,6 +82,14 @@ private:
     std::optional<Held> held_;
     std::optional<double> rate_;
     bool plays_ = false;
+    struct Asked { // of joints; while it plays the answer of a moment before counts
+        simulation::MotionPointer motion;
+        std::size_t body;
+        double moment;
+        QPointF position;
+        std::string why;
+    };
+    mutable std::optional<Asked> asked_;
 };
 
 } // namespace views
