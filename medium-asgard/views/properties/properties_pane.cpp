@@ -208,23 +208,29 @@ void PropertiesPane::addSize(QGridLayout& grid) {
     listen(*size_, &PropertiesPane::setSize);
 }
 
+// Of numbers that all of the selected have. A quaternion, which is one text, has none.
+QString PropertiesPane::unitOf(const PropertyRow& row) const {
+    const scene::Scene& scene = *document_.shown().scene;
+    const std::string_view unit = editing::unitOf(scene, elements().front(), row.option().name);
+    const bool isShared = std::ranges::all_of(elements(), [&](const Element& element) {
+        return editing::unitOf(scene, element, row.option().name) == unit;
+    });
+    const bool isQuaternion = row.option().name == "-init_rot" && row.shown().size() == 1;
+    return isShared && !isQuaternion ? toText(unit) : QString();
+}
+
 void PropertiesPane::showRow(PropertyRow& row) {
     row.setEnabled(properties_ != nullptr || !document_.hasErrors());
     if (!properties_)
-        return;
+        return row.setUnit(unitOf(row));
     row.setChoices(namesFor(row.option().wants));
     const QString source =
         elements().size() == 1
             ? QString::fromStdString(properties_->valueOf(elements().front(), row.option()).source)
             : QString();
     row.show(properties_->sharedValue(elements(), row.option()), absentOf(row.option()), source);
+    row.setUnit(unitOf(row));
     row.setNote(faultsAt(row));
-    const scene::Scene& scene = *document_.shown().scene;
-    const std::string_view unit = editing::unitOf(scene, elements().front(), row.option().name);
-    const bool isShared = std::ranges::all_of(elements(), [&](const Element& element) {
-        return editing::unitOf(scene, element, row.option().name) == unit;
-    });
-    row.setUnit(isShared ? toText(unit) : QString());
     const bool meets = row.option().name == "-restitution" && elements().front().kind == Kind::body;
     row.setRemark(meets ? tr("Of two bodies that meet the smaller one counts.") : QString());
 }

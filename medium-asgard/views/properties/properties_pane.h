@@ -67,6 +67,7 @@ private:
     void addTurn(const editing::OptionHint& option);
     void showHead();
     void showRow(PropertyRow& row);
+    [[nodiscard]] QString unitOf(const PropertyRow& row) const;
     void showTurn();
     void addSize(QGridLayout& grid);
     void showSize();

@@ -48,6 +48,13 @@ QColor colorOf(const std::string& text) {
     return QColor::fromRgbF(rgb[0], rgb[1], rgb[2]);
 }
 
+// A caption may break before its unit, and not in it.
+QString withUnit(const QString& caption, QString unit) {
+    constexpr QChar noBreak(0x00A0), joiner(0x2060);
+    unit.replace(' ', noBreak).replace(QStringLiteral("/"), QStringLiteral("/") + joiner);
+    return unit.isEmpty() ? caption : QStringLiteral("%1, %2").arg(caption, unit);
+}
+
 } // namespace
 
 PropertyRow::PropertyRow(const SceneDocument& document, const editing::OptionHint& option,
@@ -160,7 +167,7 @@ void PropertyRow::showColor() {
 
 void PropertyRow::setNames(const QStringList& names) {
     const QString caption = names.size() == 1 ? names.front() : tr("Size");
-    caption_->setText(plain::ours(QStringLiteral("%1, m").arg(caption)));
+    caption_->setText(plain::ours(withUnit(caption, QStringLiteral("m"))));
     for (std::size_t i = 0; i < fields_.size(); ++i) {
         const auto at = static_cast<qsizetype>(i);
         fields_[i]->setAccessibleName(at < names.size() ? names[at] : caption);
@@ -169,8 +176,7 @@ void PropertyRow::setNames(const QStringList& names) {
 }
 
 void PropertyRow::setUnit(const QString& unit) {
-    caption_->setText(
-        plain::ours(unit.isEmpty() ? name_ : QStringLiteral("%1, %2").arg(name_, unit)));
+    caption_->setText(plain::ours(withUnit(name_, unit)));
 }
 
 void PropertyRow::setVisible(bool visible) {
