@@ -50,10 +50,7 @@ public:
             attend();
         };
         link.preview = [this](const std::string& text) {
-            if (text == subdocument().text())
-                subdocument().endPreview(Clock::now());
-            else
-                subdocument().preview(text, Clock::now());
+            preview(text);
             attend();
         };
         link.setLive = [this](views::Live live) {
@@ -133,6 +130,13 @@ private:
         } else {
             due_.stop();
         }
+    }
+
+    void preview(const std::string& text) {
+        if (text == subdocument().text())
+            subdocument().endPreview(Clock::now());
+        else
+            subdocument().preview(text, Clock::now());
     }
 
     service::Subdocument& subdocument() { return connection_.session().subdocument(); }
@@ -232,8 +236,9 @@ private:
 
     void answered(const std::optional<std::string>& refusal) {
         followed_ = subdocument().revision();
+        // A gesture that began meanwhile asks when it ends, and until then its text is read.
         if (!refusal && document().isPreview())
-            return; // a gesture that began meanwhile; it asks when it ends
+            return preview(document().text());
         if (!refusal)
             return propose();
         subdocument().endPreview(Clock::now());

@@ -21,10 +21,11 @@ QString read(const QString& name) {
 
 void showManual(const QString& chapter) {
     static QPointer<ManualWindow> manual;
-    if (!manual)
+    if (!manual) {
         manual = new ManualWindow(read(QStringLiteral("editing.md")) + QStringLiteral("\n\n") +
                                   read(QStringLiteral("scene-language.md")));
-    fitScreen(*manual, QApplication::activeWindow());
+        fitScreen(*manual, QApplication::activeWindow()); // later it is as large as it was made
+    }
     manual->show();
     manual->raise();
     manual->activateWindow();

@@ -31,10 +31,16 @@ bool isOthersUndo(const QLineEdit& field, const QEvent& event) {
 void waitUntilRead(const SceneDocument& document) {
     using namespace std::chrono_literals;
     const QDeadlineTimer end(20s);
-    while (document.isAwaited() && !end.hasExpired()) {
+    bool isGoingOn = true; // false: the program ends, and no loop waits any more
+    while (document.isAwaited() && isGoingOn && !end.hasExpired()) {
         QEventLoop loop;
-        QObject::connect(&document, &SceneDocument::wasRead, &loop, &QEventLoop::quit);
-        QTimer::singleShot(static_cast<int>(end.remainingTime()), &loop, &QEventLoop::quit);
+        isGoingOn = false;
+        const auto goOn = [&] {
+            isGoingOn = true;
+            loop.quit();
+        };
+        QObject::connect(&document, &SceneDocument::wasRead, &loop, goOn);
+        QTimer::singleShot(static_cast<int>(end.remainingTime()), &loop, goOn);
         loop.exec(QEventLoop::ExcludeUserInputEvents);
     }
 }

@@ -112,9 +112,11 @@ void StatusPanel::addSwitches(const render::Display& display) {
             column->addWidget(box);
         else
             grid->addWidget(box, place / 2, place % 2);
-        switches_.push_back({box, what, areHandles});
-        connect(box, &QCheckBox::toggled, this, [this, what](bool on) {
+        switches_.push_back({box, what, areHandles, box->isChecked(), box->isChecked()});
+        connect(box, &QCheckBox::toggled, this, [this, place, what](bool on) {
             display_.*what = on;
+            if (!isCommanded_)
+                switches_[static_cast<std::size_t>(place)].isChosen = on;
             Q_EMIT displayChanged(display_);
         });
     };
@@ -180,22 +182,35 @@ void StatusPanel::addSwitches(const render::Display& display) {
 }
 
 void StatusPanel::show(bool render::Display::*what) {
+    isCommanded_ = true;
     for (const Switch& one : switches_)
         if (one.what == what)
             one.box->setChecked(true);
+    isCommanded_ = false;
 }
 
-QStringList StatusPanel::shown() const {
+QStringList StatusPanel::unusual(bool (*isOn)(const Switch& one)) const {
     QStringList names;
     for (const Switch& one : switches_)
-        if (one.box->isChecked())
-            names << one.box->objectName();
+        if (isOn(one) != one.isUsual)
+            names << (isOn(one) ? '+' : '-') + one.box->objectName();
     return names;
 }
 
+QStringList StatusPanel::shown() const {
+    return unusual([](const Switch& one) { return one.box->isChecked(); });
+}
+
+QStringList StatusPanel::chosen() const {
+    return unusual([](const Switch& one) { return one.isChosen; });
+}
+
 void StatusPanel::setShown(const QStringList& names) {
-    for (const Switch& one : switches_)
-        one.box->setChecked(names.contains(one.box->objectName()));
+    for (const Switch& one : switches_) {
+        const QString& name = one.box->objectName();
+        one.box->setChecked(names.contains('+' + name) ||
+                            (one.isUsual && !names.contains('-' + name)));
+    }
 }
 
 void StatusPanel::showTime() {

@@ -25,13 +25,17 @@ public:
         QCheckBox* box;
         bool render::Display::*what;
         bool isHandle = false;
+        bool isUsual = false;  // on
+        bool isChosen = false; // on, when the user, and no command, has switched it last
     };
     [[nodiscard]] const std::vector<Switch>& switches() const { return switches_; }
 
-    // Switches it on.
+    // Switches it on, for a command.
     void show(bool render::Display::*what);
-    // The switches that are on, by the names of their boxes: the same in each language.
+    // Switches that are not as usual: "+grid" is on, "-joints" off; by the names of their boxes,
+    // the same in each language. Switches that others do not name are as usual.
     [[nodiscard]] QStringList shown() const;
+    [[nodiscard]] QStringList chosen() const; // by the user
     void setShown(const QStringList& names);
 
 Q_SIGNALS:
@@ -39,6 +43,7 @@ Q_SIGNALS:
 
 private:
     void addSwitches(const render::Display& display);
+    [[nodiscard]] QStringList unusual(bool (*isOn)(const Switch& one)) const;
     void showTime();
     void showMotion();
 
@@ -47,6 +52,7 @@ private:
     render::Display display_;
     QLabel *time_, *computed_, *accuracy_, *predictable_, *impacts_, *state_;
     std::vector<Switch> switches_;
+    bool isCommanded_ = false; // what is switched now
 };
 
 } // namespace views

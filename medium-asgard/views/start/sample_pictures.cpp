@@ -61,10 +61,14 @@ QString SamplePictures::pathOf(const Sample& sample, const QSize& pixels,
 void SamplePictures::ask(QList<Sample> samples, const QSize& pixels, const QColor& background) {
     const bool idle = waiting_.isEmpty();
     waiting_.resize(idle ? 0 : 1);
+    if (!idle)
+        waiting_.front().isWanted = false;
     for (Sample& sample : samples) {
         const QString path = pathOf(sample, pixels, background);
         if (const QImage kept(path); !kept.isNull())
             Q_EMIT drawn(sample, kept);
+        else if (!idle && waiting_.front().path == path)
+            waiting_.front().isWanted = true;
         else
             waiting_.push_back({std::move(sample), pixels, background, path});
     }
@@ -90,6 +94,8 @@ void SamplePictures::next() {
 
 void SamplePictures::take() {
     const Wish wish = waiting_.takeFirst();
+    if (!wish.isWanted) // it is kept for another time
+        return next();
     if (const QImage image(wish.path); !image.isNull())
         Q_EMIT drawn(wish.sample, image);
     else

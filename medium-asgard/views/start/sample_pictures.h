@@ -20,7 +20,7 @@ public:
     ~SamplePictures() override; // ends what is being drawn
 
     // The kept ones come at once, in the order of the list; the others as they are drawn. What was
-    // asked for before is forgotten, but for the one that is being drawn.
+    // asked for before is forgotten; the one that is being drawn is kept in the folder.
     void ask(QList<Sample> samples, const QSize& pixels, const QColor& background);
 
 Q_SIGNALS:
@@ -37,7 +37,8 @@ private:
         Sample sample;
         QSize pixels;
         QColor background;
-        QString path; // of its picture
+        QString path;         // of its picture
+        bool isWanted = true; // another look was asked for since
     };
     QString program_, folder_;
     QList<Wish> waiting_; // the first is being drawn

@@ -144,7 +144,7 @@ namespace {
 
 constexpr const char* placeKey = "mainWindow/place";
 constexpr const char* panesKey = "mainWindow/panes";
-constexpr const char* shownKey = "mainWindow/shown";
+constexpr const char* shownKey = "mainWindow/switches";
 
 // Beside a document a window has no place of its own.
 void remember(GraphicalViewer& viewer, bool withPlace) {
@@ -152,7 +152,7 @@ void remember(GraphicalViewer& viewer, bool withPlace) {
     if (withPlace)
         settings.setValue(placeKey, viewer.saveGeometry());
     settings.setValue(panesKey, viewer.panes().arrangement());
-    settings.setValue(shownKey, viewer.switches().shown());
+    settings.setValue(shownKey, viewer.switches().chosen());
 }
 
 } // namespace
@@ -168,9 +168,7 @@ GraphicalViewer* Editor::openMainWindow() {
         placeFirst(*viewer);
         viewer->restoreGeometry(settings.value(placeKey).toByteArray());
     }
-    if (!viewer->panes().restore(settings.value(panesKey).toByteArray(),
-                                 viewer->screen()->availableSize()))
-        viewer->showUsualPanes();
+    viewer->arrange(settings.value(panesKey).toByteArray());
     viewer->panes().hide("tour");
     if (settings.contains(shownKey))
         viewer->switches().setShown(settings.value(shownKey).toStringList());
@@ -186,6 +184,7 @@ GraphicalViewer* Editor::openGraphicalViewer() {
         viewer->playback().seek(open.back()->playback().time());
     graphical_.push_back(viewer);
     connect(viewer, &QObject::destroyed, this, &Editor::viewersChanged);
+    connect(&viewer->switches(), &StatusPanel::displayChanged, this, &Editor::viewersChanged);
     showBeside(*viewer);
     Q_EMIT viewersChanged();
     return viewer;

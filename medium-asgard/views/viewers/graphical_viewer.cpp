@@ -3,6 +3,7 @@
 #include "frame/help_page.h"
 #include "frame/hint_line.h"
 #include "frame/icons.h"
+#include "frame/placing.h"
 #include "frame/typed_field.h"
 #include "gestures/new_point.h"
 #include "language/language_viewer.h"
@@ -265,6 +266,16 @@ void GraphicalViewer::showUsualPanes() {
     resizeDocks({text, values}, {std::min(usual, width() * 3 / 10), values->sizeHint().width()},
                 Qt::Horizontal);
     resizeDocks({text, findChild<QDockWidget*>("pane.sceneList")}, {3, 2}, Qt::Vertical);
+}
+
+// A window that a larger arrangement has made wider does not become narrow by itself.
+void GraphicalViewer::arrange(const QByteArray& panes) {
+    if (panes_.restore(panes, screen()->availableSize()))
+        return;
+    layout()->activate(); // it needs less room now
+    fitScreen(*this, nullptr);
+    showUsualPanes();
+    moveWithinScreen(*this, pos());
 }
 
 LanguageViewer* GraphicalViewer::text() const {

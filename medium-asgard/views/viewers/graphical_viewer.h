@@ -40,6 +40,8 @@ public:
     [[nodiscard]] StatusPanel& switches() { return *panel_; }
     // The panes that one begins with, in their usual places.
     void showUsualPanes();
+    // As they were in another window; as usual, and within the screen, where that cannot be.
+    void arrange(const QByteArray& panes);
     void showTour();
     void buildToolBar();                        // once all commands are in the menus
     [[nodiscard]] LanguageViewer* text() const; // nullptr while its pane was never shown

@@ -13,6 +13,7 @@
 #include "viewers/starting.h"
 #include "views/test_workshop.h"
 
+#include <QCheckBox>
 #include <QClipboard>
 #include <QDockWidget>
 #include <QLineEdit>
@@ -20,6 +21,7 @@
 #include <QMenuBar>
 #include <QPushButton>
 #include <QScreen>
+#include <QSettings>
 #include <QTimer>
 #include <QTreeWidget>
 
@@ -296,6 +298,30 @@ TEST_F(MainWindowTest, AnArrangementThatIsTooLargeForTheScreenIsLeft) {
         EXPECT_FALSE(viewer.panes().isShown(one)) << one;
 }
 
+TEST_F(MainWindowTest, AWindowThatIsArrangedAnewFitsItsScreen) {
+    GraphicalViewer& viewer = open();
+    viewer.resize(3000, 1000);
+    QDockWidget* before = nullptr;
+    for (const char* one : {"text", "sceneList", "status", "properties", "plots", "faults"}) {
+        viewer.panes().show(one);
+        auto* dock = viewer.findChild<QDockWidget*>(QStringLiteral("pane.") + one);
+        if (before)
+            viewer.splitDockWidget(before, dock, Qt::Horizontal);
+        before = dock;
+    }
+    QCoreApplication::processEvents();
+    const QSize room = viewer.screen()->availableSize();
+    ASSERT_GT(viewer.minimumSizeHint().width(), room.width());
+    const QByteArray kept = viewer.panes().arrangement();
+    GraphicalViewer* next = editor.openGraphicalViewer();
+    next->resize(room - QSize(40, 60));
+    next->arrange(kept);
+    QCoreApplication::processEvents();
+    EXPECT_LE(next->width(), room.width());
+    EXPECT_LE(next->geometry().right(), next->screen()->availableGeometry().right());
+    EXPECT_TRUE(next->panes().isShown("status"));
+}
+
 TEST_F(MainWindowTest, WhatIsArrangedAnewHasItsSliders) {
     GraphicalViewer& viewer = open();
     viewer.resize(1600, 1000);
@@ -354,9 +380,7 @@ TEST_F(MainWindowTest, SwitchesOfWhatIsShownComeBack) {
     GraphicalViewer& viewer = open();
     viewer.switches().show(&render::Display::velocityHandles);
     viewer.switches().show(&render::Display::axes);
-    QStringList shown = viewer.switches().shown();
-    shown.removeAll("grid");
-    viewer.switches().setShown(shown);
+    viewer.findChild<QCheckBox*>("grid")->click();
     EXPECT_FALSE(viewer.display().display().grid);
     Editor next(made.workshop());
     next.restoreWindows(editor.windowsState(), {});
@@ -367,6 +391,28 @@ TEST_F(MainWindowTest, SwitchesOfWhatIsShownComeBack) {
     EXPECT_FALSE(now.grid);
     EXPECT_TRUE(now.studio);
     EXPECT_FALSE(now.forceHandles);
+}
+
+TEST_F(MainWindowTest, SwitchesThatTheUserChoseComeBackInTheNextSession) {
+    QSettings().remove("mainWindow");
+    {
+        Editor first(made.workshop());
+        GraphicalViewer* viewer = first.openMainWindow();
+        viewer->findChild<QCheckBox*>("axes")->click();
+        viewer->findChild<QCheckBox*>("grid")->click();
+        viewer->switches().show(&render::Display::positionHandles); // as Create does
+        viewer->close();
+    }
+    Editor next(made.workshop());
+    const render::Display& now = next.openMainWindow()->display().display();
+    EXPECT_TRUE(now.axes);
+    EXPECT_FALSE(now.grid);
+    EXPECT_FALSE(now.positionHandles);
+    // A switch that another version does not know is as usual.
+    next.graphicalViewers().front()->switches().setShown({"+axes", "-none"});
+    EXPECT_TRUE(now.axes);
+    EXPECT_TRUE(now.grid);
+    QSettings().remove("mainWindow");
 }
 
 TEST_F(MainWindowTest, AViewersWindowsAndDraftsComeBack) {

@@ -227,6 +227,19 @@ TEST_F(NewcomerTest, ANewWindowLiesWhereItIsSeenAndHidesNothingWhole) {
     EXPECT_NE(second->pos(), QPoint(0, 0));
 }
 
+TEST_F(NewcomerTest, TheManualThatIsOpenStaysAsLargeAsItWasMade) {
+    open(ballScene);
+    showManual();
+    for (QWidget* window : QApplication::topLevelWidgets())
+        if (auto* manual = qobject_cast<ManualWindow*>(window)) {
+            const QSize large = manual->screen()->availableGeometry().size() + QSize(50, 50);
+            manual->resize(large);
+            showManual();
+            EXPECT_EQ(manual->size(), large);
+            manual->close();
+        }
+}
+
 // As where everything is twice as large. No window of this process is active under a document.
 TEST_F(NewcomerTest, ANewWindowIsNotLargerThanItsScreen) {
     open(ballScene);

@@ -129,9 +129,8 @@ void restore(GraphicalViewer& viewer, const QJsonObject& as) {
     }
     viewer.display().meters().set(std::move(meters));
     viewer.playback().seek(as["time"].toDouble());
-    const auto panes = QByteArray::fromBase64(as["panes"].toString().toLatin1());
-    if (!viewer.panes().restore(panes, viewer.screen()->availableSize()) && !panes.isEmpty())
-        viewer.showUsualPanes();
+    if (const QString panes = as["panes"].toString(); !panes.isEmpty())
+        viewer.arrange(QByteArray::fromBase64(panes.toLatin1()));
     if (as.contains("text"))
         restore(static_cast<LanguageViewer&>(*viewer.panes().made("text")), as["text"].toObject());
 }
