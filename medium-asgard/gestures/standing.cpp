@@ -73,7 +73,7 @@ private:
 // Numbers of steps along two axes, the nearest first.
 const std::vector<Eigen::Vector2i>& around() {
     static const std::vector<Eigen::Vector2i> all = [] {
-        constexpr int most = 24;
+        constexpr int most = 25;
         std::vector<Eigen::Vector2i> made;
         for (int i = -most; i <= most; ++i)
             for (int k = -most; k <= most; ++k)
@@ -93,7 +93,10 @@ std::optional<Vector> standingFree(const render::Drawing& drawing, const geometr
     const geometry::Box box = geometry::bounds(shape, wanted);
     const double width = std::max(box.sizes()[ground.across[0]], box.sizes()[ground.across[1]]);
     const double stride = step * std::max(1.0, std::ceil(width / 10 / step)); // round, too
+    const double reach = 2.5 * std::max(width, stride); // further away it is not what is meant
     for (const Eigen::Vector2i& steps : around()) {
+        if (stride * steps.cast<double>().norm() > reach)
+            break;
         geometry::Pose pose = wanted;
         for (int k = 0; k < 2; ++k)
             pose.position[ground.across[static_cast<std::size_t>(k)]] += steps[k] * stride;

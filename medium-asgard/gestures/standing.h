@@ -1,7 +1,8 @@
 // The place on level ground where a new body stands beside the others, inside of none.
 //
-// LIMIT: a tube, a ring or a bowl counts as if it were full: in a large one there is no room, and a
-// new body stands where it is wanted.
+// LIMIT: to cylinders, cones and ellipsoids a tube or a bowl counts as if it were full
+// (collision/hollow_separation.h): in a large one there is no room, and they stand where they are
+// wanted.
 #pragma once
 
 #include "gestures/picking.h"
@@ -12,8 +13,8 @@
 namespace gestures {
 
 // The nearest one by whole steps along the axes of the ground; `wanted` itself where that is free.
-// `step`: the least; it is a tenth of the shape's width at least. None: there is no room within a
-// few widths.
+// `step`: the least; it is a tenth of the shape's width at least. None: there is no room within two
+// widths and a half.
 [[nodiscard]] std::optional<Vector> standingFree(const render::Drawing& drawing,
                                                  const geometry::Shape& shape,
                                                  const geometry::Pose& wanted,

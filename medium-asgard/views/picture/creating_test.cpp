@@ -350,7 +350,8 @@ TEST_F(CreatingTest, WhereThereIsNoRoomABodyStandsWhereItIsClicked) {
          "body fence ring -init_pos {0 0.2 0} -fixed 1\nbody b1 s -init_pos {-1 0.5 0}\n");
     display().lookAlong(Vector(0.3, 0.5, 1));
     display().grab();
-    display().creating().start(newBody(BasicShape::box));
+    // To a cylinder a tube is full.
+    display().creating().start(newBody("s", scene().shapeSets[1].parts));
     click({1, 0, 0});
     done();
     const Vector place = scene().bodies.back().initialPosition;

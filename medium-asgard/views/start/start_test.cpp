@@ -139,7 +139,9 @@ TEST_F(StartTest, AnOpenPageAsksForPicturesAnewWhenItsLookChanges) {
         const FirstPage page(samples(), {}, &pictures);
         QApplication::setPalette(dark); // the first picture is being drawn
         EXPECT_TRUE(waitFor([&] { return calls().count("--background #1e2022") == 2; }));
-        EXPECT_TRUE(waitFor([&] { return drawn.count() >= 2; }));
+        EXPECT_TRUE(waitFor([&] {
+            return !drawn.isEmpty() && drawn.last()[0].value<Sample>() == samples().back();
+        }));
         EXPECT_EQ(drawn.count(), 2); // and not the first one, of the old look
     }
     QApplication::setPalette(light);
