@@ -344,6 +344,20 @@ TEST_F(CreatingTest, ADigitThatTheCommandHadNoUseForTurnsTheView) {
     EXPECT_TRUE(display().creating().active());
 }
 
+TEST_F(CreatingTest, TheMiddleOfABodyIsKnownBeforeItsMotion) {
+    open(balls);
+    made.blocked = true; // no motion ends
+    editor.document().setText("shape_set bar -desc {-sub {-pos {2 0 0} -box {4 0.4 0.4}}}\n"
+                              "body b bar -init_pos {0 3 0}\n",
+                              "Edit");
+    EXPECT_TRUE(waitFor(
+        [this] { return editor.document().sceneIsCurrent() && scene().bodies.size() == 1; }));
+    EXPECT_FALSE(editor.document().shown().motion);
+    EXPECT_LT((display().centerOf(0) - Vector(2, 3, 0)).norm(), 1e-9);
+    made.blocked = false;
+    done();
+}
+
 TEST_F(CreatingTest, WhereThereIsNoRoomABodyStandsWhereItIsClicked) {
     open("shape_set ring -desc {-sub {-tube {4.8 5 0.4}}}\n"
          "shape_set s -desc {-sub {-cylinder {0.4 1}}}\n"
