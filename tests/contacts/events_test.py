@@ -338,8 +338,41 @@ def check_tilted_coins():
     return faults
 
 
+def block_off(table, place, turn=""):
+    return f"""simulator -finish 0.4 -accuracy 1e-6
+shape_set ground -desc {{-sub {{-plane}}}}
+shape_set table -desc {{-sub {{{turn} {table}}}}}
+shape_set block -desc {{-sub {{-box {{0.1 0.1 0.1}}}}}}
+body floor ground -fixed 1 -friction 0.3
+body bd table -init_pos {{0 0.05 0}} -friction 0.2 -restitution 0 -fixed 1
+body b block -init_pos {{{place}}} -friction 0.2 -restitution 0 -mass 1 -init_dpos {{0.8 0 0}}
+force -body b -gravitational {{0 -{G} 0}}
+"""
+
+
+def check_slides_off():
+    """A block slides off a round table, whose outermost corner is at the edge of the square one, as off that; and off the
+    corner of a square table beside the middle, where one of its own corners leaves an edge askew to its way."""
+    ways = []
+    for table in ("-cylinder {0.4 0.1}", "-box {0.8 0.1 0.8}"):
+        run = subprocess.run([sys.argv[1], "simulate", "-", "--csv", "-", "--at", "0:0.1:0.3", "--only", "--quantities", "b.x,b.y,b.wz"],
+                             input=block_off(table, "0.3 0.15 0"), capture_output=True, text=True, check=False)
+        ways.append([float(x) for x in run.stdout.strip().splitlines()[-1].split(",")] if run.returncode == 0 else [])
+    faults = 0
+    if len(ways[0]) != 4 or max(abs(a - b) for a, b in zip(*ways)) > 1e-5:
+        print(f"FAIL a block that slides off a round table: {ways}")
+        faults += 1
+    for beside in ("0.02", "0.001"):
+        scene = block_off("-box {0.6 0.1 0.6}", "0.28 0.15 " + beside, turn="-rot {0 0.7853981633974483 0}")
+        run = subprocess.run([sys.argv[1], "simulate", "-", "--csv", os.devnull], input=scene, capture_output=True, text=True, check=False)
+        if run.returncode != 0:
+            print(f"FAIL a block {beside} beside the corner: {run.stderr}")
+            faults += 1
+    return faults
+
+
 def main():
-    faults = (check_tilted_coins() + check_hops() + check_growing_hops() + check_half_space() + check_finish() + check_loose() + check_coin() +
+    faults = (check_slides_off() + check_tilted_coins() + check_hops() + check_growing_hops() + check_half_space() + check_finish() + check_loose() + check_coin() +
               check_flush_ladder() + check_names())
     for name, scene, expected in cases():
         found = events(scene, stops=name == "painleve")

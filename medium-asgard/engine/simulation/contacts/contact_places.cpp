@@ -1,6 +1,7 @@
 #include "contacts/contact_places.h"
 
 #include "contacts/contact_sides.h"
+#include "contacts/in_plane.h"
 #include "contacts/surface_pieces.h"
 #include "geometry/patch_middle.h"
 
@@ -310,163 +311,6 @@ void addLandingsInHollow(const Touch& touch, const Placed& body, const Placed& s
     }
 }
 
-// Where each of the points goes in the plane: the place of the one that stands for it, or, between
-// the outermost two, none; nothing where they do not lie symmetrically.
-std::vector<std::size_t> standing(const std::vector<Vector>& points, const MotionPlane& plane,
-                                  double size) {
-    const double near = same * size;
-    std::vector<std::size_t> first;
-    std::vector<double> sums(points.size(), 0), counts(points.size(), 0);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        std::size_t of = 0;
-        for (; of < i; ++of) {
-            Vector off = points[i] - points[of];
-            off[plane.axis] = 0;
-            if (first[of] == of && off.norm() <= near)
-                break;
-        }
-        first.push_back(of);
-        sums[of] += points[i][plane.axis];
-        counts[of] += 1;
-    }
-    std::size_t low = points.size(), high = low; // furthest along the face's line in the plane
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (first[i] != i)
-            continue;
-        if (!(std::abs(sums[i] / counts[i] - plane.at) <= near))
-            return {};
-        const auto isBefore = [&](std::size_t a, std::size_t b) {
-            Vector way = points[b] - points[a];
-            way[plane.axis] = 0;
-            return way[plane.axis == 0 ? 1 : 0] + 0.5 * way[plane.axis == 2 ? 1 : 2] > 0;
-        };
-        if (low == points.size() || isBefore(i, low))
-            low = i;
-        if (high == points.size() || isBefore(high, i))
-            high = i;
-    }
-    for (std::size_t i = 0; i < points.size(); ++i)
-        if (first[i] == i && i != low && i != high)
-            first[i] = points.size(); // between them
-    return first;
-}
-
-// In the plane an edge, a side or a rim that is across it is the point where its axis meets it, and
-// a corner is a vertex of the one or the other.
-class Flattening {
-public:
-    Flattening(const MotionPlane& plane, const Placed& body, const Placed& support)
-        : plane_(plane), body_(body), support_(support) {}
-
-    void flatten(SurfaceGap& gap) const {
-        const Vector normal = nearestOf(gap, body_, support_).normal;
-        if (gap.hasFeet()) {
-            atFoot(gap.body, body_);
-            atFoot(gap.support, support_);
-        }
-        const bool isBodyAcross = cross(gap.body, body_), isAcross = cross(gap.support, support_);
-        // A rim that is crossed is in the plane of what crosses it, as an edge is.
-        const bool isRim = gap.body.kind == Kind::circle || gap.support.kind == Kind::circle;
-        const bool isSharp = isRim || gap.body.radius + gap.support.radius == 0;
-        if (!gap.isOnPlane() && isSharp && isBodyAcross)
-            gap.support = planeAt(gap.support.place, support_, normal);
-        else if (!gap.isOnPlane() && isSharp && isAcross)
-            gap.body = planeAt(gap.body.place, body_, -normal);
-        put(gap.body, body_);
-        put(gap.support, support_);
-    }
-
-private:
-    // A rim that a line only touches has one point there, in the plane.
-    void atFoot(SurfacePiece& piece, const Placed& owner) const {
-        const Vector foot = owner.state.attitude * piece.foot;
-        if (piece.kind != Kind::circle || std::abs(foot[plane_.axis]) > same)
-            return;
-        piece = {.kind = Kind::point, .place = piece.place + piece.radius * piece.foot};
-    }
-    [[nodiscard]] bool cross(SurfacePiece& piece, const Placed& owner) const {
-        const Vector axis = owner.state.attitude * piece.axis;
-        const bool hasAxis = piece.kind == Kind::line || piece.kind == Kind::circle;
-        if (!hasAxis || !(std::abs(axis[plane_.axis]) >= 1 - same))
-            return false;
-        const Vector at = owner.state.position + owner.state.attitude * piece.place;
-        piece.place += piece.axis * ((plane_.at - at[plane_.axis]) / axis[plane_.axis]);
-        piece.kind = Kind::point;
-        piece.axis = Vector::UnitX();
-        return true;
-    }
-    [[nodiscard]] static SurfacePiece planeAt(const Vector& place, const Placed& owner,
-                                              const Vector& outward) {
-        return {.kind = Kind::plane,
-                .place = place,
-                .axis = owner.state.attitude.conjugate() * outward};
-    }
-    void put(SurfacePiece& piece, const Placed& owner) const {
-        if (!owner.record->isFixed)
-            piece.place[plane_.axis] = 0;
-        if (piece.kind != Kind::plane && piece.kind != Kind::line)
-            return;
-        Vector axis = owner.state.attitude * piece.axis;
-        if (axis[plane_.axis] == 0)
-            return;
-        axis[plane_.axis] = 0;
-        piece.axis = owner.state.attitude.conjugate() * axis.normalized();
-    }
-
-    const MotionPlane& plane_;
-    const Placed& body_;
-    const Placed& support_;
-};
-
-// Where something lies across a round end in the plane, its ends go along the rim; the point is on
-// the end from one side of the rim to the other.
-void keepOnEnd(ContactPoint& point, const SurfaceGap& gap, double size, const Placed& body,
-               const Placed& support) {
-    const bool isBodys = gap.body.kind == Kind::circle;
-    const Placed& owner = isBodys ? body : support;
-    const SurfacePiece& rim = isBodys ? gap.body : gap.support;
-    std::erase_if(point.sides,
-                  [&](const ContactPoint::Side& side) { return side.body == owner.index; });
-    const Vector at = nearestOf(point.gap, body, support).contact;
-    Sides sides(owner.index, localOf(owner, at), size);
-    sides.addRound(Vector::Zero(), -1, rim.radius, rim.axis, rim.place);
-    point.sides.insert(point.sides.end(), sides.sides.begin(), sides.sides.end());
-}
-
-void putInPlane(physics::ContactPlace& place, const std::vector<Vector>& corners,
-                const MotionPlane& plane, const Placed& body, const Placed& support) {
-    const std::vector<std::size_t> first = standing(corners, plane, place.size);
-    if (first.empty() || std::abs(place.normal[plane.axis]) > same)
-        return;
-    std::vector<ContactPoint> points;
-    for (std::size_t i = 0; i < first.size(); ++i) {
-        if (first[i] != i)
-            continue;
-        points.push_back(std::move(place.points[i]));
-        ContactPoint& point = points.back();
-        const SurfaceGap gap = point.gap;
-        Flattening(plane, body, support).flatten(point.gap);
-        // The point stands for the corner: how far that lies across the plane does not change.
-        std::erase_if(point.sides, [&](ContactPoint::Side& side) {
-            const Placed& owner = side.body == body.index ? body : support;
-            const Vector inward = owner.state.attitude * side.inward;
-            const Vector across =
-                owner.state.attitude.conjugate() *
-                Vector((corners[i][plane.axis] - plane.at) * Vector::Unit(plane.axis));
-            side.offset += side.inward.dot(across);
-            side.on -= across;
-            return side.radial == 0 && std::abs(inward[plane.axis]) >= 1 - same;
-        });
-        if (gap.hasFeet() && point.gap.isOnPlane())
-            keepOnEnd(point, gap, place.size, body, support);
-    }
-    place.points = std::move(points);
-    place.normal[plane.axis] = 0;
-    place.normal.normalize();
-    if (place.centre)
-        (*place.centre)[plane.axis] = 0;
-}
-
 // The surfaces roll there: no point of either stays where they touch.
 bool rolls(const ContactPoint& point) {
     const auto isRound = [](const SurfacePiece& piece) {
@@ -549,22 +393,6 @@ LastingContact contactOf(const Touch& touch, const Placed& body, const Placed& s
 }
 
 } // namespace
-
-std::vector<Vector> inPlane(const std::vector<Vector>& points,
-                            const std::optional<MotionPlane>& plane, double size) {
-    if (!plane)
-        return points;
-    const std::vector<std::size_t> first = standing(points, *plane, size);
-    if (first.empty())
-        return points;
-    std::vector<Vector> left;
-    for (std::size_t i = 0; i < first.size(); ++i)
-        if (first[i] == i) {
-            left.push_back(points[i]);
-            left.back()[plane->axis] = plane->at;
-        }
-    return left;
-}
 
 std::vector<LastingContact> lastingContacts(const Placed& body, const Placed& support,
                                             const TouchLimits& limits) {

@@ -10,6 +10,7 @@
 // have no contact that lasts.
 #pragma once
 
+#include "contacts/in_plane.h"
 #include "contacts/touching.h"
 #include "physics/contact_rows.h"
 
@@ -26,15 +27,6 @@ struct LastingContact {
     physics::ContactPlace place; // without friction
 };
 
-// Bodies that move in a plane across an axis of the world, with their centres of mass at this place
-// along it. Corners that lie symmetrically about the plane are one in it: so a scene in a
-// plane has as few contacts as a drawing of it, and stays there.
-struct MotionPlane {
-    int axis = 2;
-    double at = 0;
-    [[nodiscard]] bool operator==(const MotionPlane&) const = default;
-};
-
 struct TouchLimits {
     double gap = 1e-7;          // of the parts' size
     double slow = 0;            // corners that part faster take no part
@@ -42,10 +34,6 @@ struct TouchLimits {
     bool isStart = false;       // of the motion: gaps stay what they are
     std::optional<MotionPlane> plane;
 };
-
-// The same points, or those that are left in the plane.
-[[nodiscard]] std::vector<Vector> inPlane(const std::vector<Vector>& points,
-                                          const std::optional<MotionPlane>& plane, double size);
 
 [[nodiscard]] std::vector<LastingContact> lastingContacts(const Placed& body, const Placed& support,
                                                           const TouchLimits& limits);
