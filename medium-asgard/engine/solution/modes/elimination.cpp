@@ -12,6 +12,8 @@ constexpr double leastPivot = 1e-10; // less may be what rounding leaves of 0
 constexpr double rounding = 1e-13;   // less is that
 constexpr double ofTilt = 1e-7;      // less is a patch's tilt, where three of its rows are done
 constexpr double ofLine = 1e-10;     // less is that of three points in a line
+constexpr double narrow = 1e-3;      // less is better taken from another row of the patch,
+constexpr double better = 10;        // ... one that has as many times more
 constexpr double differing = 1e-11;  // mirrored entries do by rounding
 
 } // namespace
@@ -120,6 +122,43 @@ double Elimination::leastOf(std::size_t rank) const {
     return done >= 3 ? ofTilt : done == 2 ? ofLine : rounding;
 }
 
+// Below the diagonal; none where the matrix has 0.
+double* Elimination::entry(std::size_t rank, std::size_t other) {
+    const auto [first, last] = std::minmax(rank, other);
+    const auto begin = below_.begin() + firstBelow_[first],
+               end = below_.begin() + firstBelow_[first + 1];
+    const auto at = std::lower_bound(begin, end, static_cast<Index>(last));
+    if (at == end || *at != last)
+        return nullptr;
+    return values_.data() + rowOf_.size() + (at - below_.begin());
+}
+
+bool Elimination::areAlike(std::size_t rank, std::size_t mate) {
+    for (std::size_t other = 0; other < rowOf_.size(); ++other)
+        if (other != rank && other != mate && !entry(rank, other) != !entry(mate, other))
+            return false;
+    return true;
+}
+
+void Elimination::takeBetterMate(std::size_t rank) {
+    std::size_t best = rank;
+    double most = better * values_[rank] / own_[rank];
+    for (std::size_t mate = rank + 1; mate < rowOf_.size(); ++mate)
+        if (std::ranges::find(mates_[mate], rank) != mates_[mate].end() &&
+            values_[mate] / own_[mate] > most && areAlike(rank, mate)) {
+            best = mate;
+            most = values_[mate] / own_[mate];
+        }
+    if (best == rank)
+        return;
+    std::swap(order_[rank], order_[best]);
+    std::swap(values_[rank], values_[best]);
+    std::swap(own_[rank], own_[best]);
+    for (std::size_t other = 0; other < rowOf_.size(); ++other)
+        if (other != rank && other != best && entry(rank, other))
+            std::swap(*entry(rank, other), *entry(best, other));
+}
+
 double Elimination::invert(std::size_t rank, bool isNone) {
     if (isNone)
         dependent_.push_back(static_cast<Index>(rank));
@@ -130,12 +169,15 @@ bool Elimination::factorise(Take take) {
     const std::size_t size = rowOf_.size();
     std::copy_n(values_.data(), size, own_.data());
     dependent_.clear();
+    order_ = rowOf_;
     if (!isSymmetric())
         return false;
     double* const values = values_.data();
     double* const lower = values + size;
     const Index* target = targets_.data();
     for (std::size_t rank = 0; rank < size; ++rank) {
+        if (take == Take::all && !mates_.empty() && values[rank] <= narrow * own_[rank])
+            takeBetterMate(rank);
         const double pivot = values[rank];
         const bool isNone = take == Take::all && std::abs(pivot) <= leastOf(rank) * own_[rank];
         if (!isNone && !(pivot > leastPivot * own_[rank]))
@@ -157,7 +199,7 @@ void Elimination::solve(std::span<double> x) {
     const double* const lower = values_.data() + size;
     double* const y = ordered_.data();
     for (std::size_t rank = 0; rank < size; ++rank)
-        y[rank] = x[rowOf_[rank]];
+        y[rank] = x[order_[rank]];
     for (const Index rank : dependent_)
         y[rank] = 0;
     for (std::size_t rank = 0; rank < size; ++rank)
@@ -167,7 +209,7 @@ void Elimination::solve(std::span<double> x) {
         y[rank] = 0;
     substituteBack();
     for (std::size_t rank = 0; rank < size; ++rank)
-        x[rowOf_[rank]] = y[rank];
+        x[order_[rank]] = y[rank];
 }
 
 // Of rows that others make, `ordered_` has their value already, and `values_` has 0.
@@ -195,7 +237,7 @@ void Elimination::kernel(std::size_t which, std::span<double> x) {
     y[own] = 1;
     substituteBack();
     for (std::size_t rank = 0; rank < size; ++rank)
-        x[rowOf_[rank]] = y[rank];
+        x[order_[rank]] = y[rank];
 }
 
 } // namespace solution

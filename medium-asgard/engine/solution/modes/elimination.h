@@ -11,6 +11,10 @@
 // Algorithms, 2002, 10.1). A pivot that rounding alone keeps from 0 belongs to a row that those
 // before it make, as the fourth corner of a face does: such a row is left out, and what it may have
 // is the matrix' kernel, of which kernel() gives a basis. Any other matrix is refused.
+//
+// Two points of a patch that are next to each other, or three next to a line, would leave a small
+// pivot and large errors: the row of a better point of the patch takes the place, which has the
+// same entries.
 #pragma once
 
 #include <cstdint>
@@ -60,6 +64,9 @@ private:
     // In the place of the pivot: its inverse; of a row that others make 0.
     double invert(std::size_t rank, bool isNone);
     [[nodiscard]] double leastOf(std::size_t rank) const;
+    void takeBetterMate(std::size_t rank);
+    [[nodiscard]] bool areAlike(std::size_t rank, std::size_t mate);
+    [[nodiscard]] double* entry(std::size_t rank, std::size_t other);
     void substituteBack();
 
     // By rank, the order in which rows are eliminated; a row's `below` are the later ranks where
@@ -72,6 +79,7 @@ private:
         values_;              // diagonal; then what is below it by columns; what is above by rows
     std::vector<double> own_; // the diagonal, before it is factorised
     std::vector<double> ordered_;
+    std::vector<Index> order_; // rowOf_, with rows of a patch exchanged
     // By rank, the earlier ranks of the same patch; empty: no row has one.
     std::vector<std::vector<Index>> mates_;
     std::vector<Index> dependent_;

@@ -182,6 +182,34 @@ TEST(Elimination, ATiltMakesNoFourthRowOfAPatch) {
     }
 }
 
+// Forces along y at points of a floor, on a body of mass and moments of 1: the second point lies
+// next to the first. What they make of right-hand sides that some forces have is right to rounding.
+TEST(Elimination, NeighboursInAPatchLeaveItsFartherPointsFirst) {
+    const std::vector<Eigen::Vector2d> points{{1, 1}, {1, 1 - 1e-5}, {-1, 1}, {-1, -1}, {1, -1}};
+    const auto n = static_cast<Eigen::Index>(points.size());
+    Eigen::MatrixXd moves(n, 3);
+    Mechanism patch;
+    patch.join({0}, static_cast<int>(points.size()));
+    for (Eigen::Index i = 0; i < n; ++i)
+        moves.row(i) << 1, points[static_cast<std::size_t>(i)].transpose();
+    const Eigen::MatrixXd matrix = moves * moves.transpose();
+    Elimination elimination;
+    ASSERT_TRUE(elimination.plan(points.size(), patch.places(), 1e9));
+    elimination.setPatches(std::vector<Elimination::Index>(points.size(), 7));
+    put(patch, matrix, elimination);
+    ASSERT_TRUE(elimination.factorise(Elimination::Take::all));
+    EXPECT_EQ(elimination.dependent().size(), 2U);
+    const Eigen::VectorXd right = moves * Eigen::Vector3d(0.3, -0.7, 1.1);
+    Eigen::VectorXd forces = right;
+    elimination.solve({forces.data(), points.size()});
+    EXPECT_LT((matrix * forces - right).cwiseAbs().maxCoeff(), 1e-13);
+    for (std::size_t k = 0; k < 2; ++k) {
+        Eigen::VectorXd idle(n);
+        elimination.kernel(k, {idle.data(), points.size()});
+        EXPECT_LT((matrix * idle).cwiseAbs().maxCoeff(), 1e-13);
+    }
+}
+
 TEST(Elimination, RefusesWhatIsNotSymmetricOrNotDefinite) {
     Mechanism pair;
     pair.join({0, 1}, 2);

@@ -95,6 +95,7 @@ void HeldConditions::findKernel(std::span<const double> values) {
         return;
     for (std::size_t k = 0; k < idle; ++k)
         elimination_.kernel(k, {kernel_.col(count(k)).data(), n});
+    ofKernel_.compute(kernel_.transpose() * kernel_);
     redundant_.clear();
     scale_.setOnes(count(n));
     for (const Term& term : plan_.terms) {
@@ -103,36 +104,17 @@ void HeldConditions::findKernel(std::span<const double> values) {
         if (term.place.row == term.place.column && value != 0)
             scale_[term.place.row] = 1 / std::sqrt(std::abs(value));
     }
-    for (std::size_t k = 0; k < idle; ++k)
-        sharpen(kernel_.col(count(k)));
-    ofKernel_.compute(kernel_.transpose() * kernel_);
-}
-
-Eigen::VectorXd HeldConditions::product(const Eigen::Ref<const Eigen::VectorXd>& forces) const {
-    Eigen::VectorXd product = Eigen::VectorXd::Zero(forces.size());
-    for (std::size_t k = 0; k < redundant_.size(); ++k) {
-        const auto& [row, column] = plan_.terms[k].place;
-        product[row] += redundant_[k] * forces[column];
-    }
-    return product;
-}
-
-// A row that counts as one of those before it, since it is within 1e-5 of the line through their
-// points, is one of all of the patch exactly.
-void HeldConditions::sharpen(Eigen::Ref<Eigen::VectorXd> idle) {
-    constexpr double rounding = 1e-12;
-    Eigen::VectorXd off = product(idle);
-    if (scale_.cwiseProduct(off).cwiseAbs().maxCoeff() <=
-        rounding * idle.cwiseQuotient(scale_).cwiseAbs().maxCoeff())
-        return;
-    elimination_.solve({off.data(), plan_.rows.size()});
-    idle -= off;
 }
 
 Eigen::VectorXd HeldConditions::left() const {
     if (way_ != Way::sparse)
         return matrix_ * answer_ - right_;
-    return scale_.cwiseProduct(product(answer_)) - right_;
+    Eigen::VectorXd left = Eigen::VectorXd::Zero(answer_.size());
+    for (std::size_t k = 0; k < redundant_.size(); ++k) {
+        const auto& [row, column] = plan_.terms[k].place;
+        left[row] += redundant_[k] * answer_[column];
+    }
+    return scale_.cwiseProduct(left) - right_;
 }
 
 void HeldConditions::putMatrix(std::span<const double> values) {

@@ -74,9 +74,6 @@ private:
     void followMode();
     void makePlan();
     [[nodiscard]] bool eliminate(std::span<const double> values);
-    // With the matrix of elimination.
-    [[nodiscard]] Eigen::VectorXd product(const Eigen::Ref<const Eigen::VectorXd>& forces) const;
-    void sharpen(Eigen::Ref<Eigen::VectorXd> idle);
     void findKernel(std::span<const double> values);
     void putMatrix(std::span<const double> values);
     [[nodiscard]] Eigen::VectorXd leastSolution(const Eigen::VectorXd& wanted) const;
