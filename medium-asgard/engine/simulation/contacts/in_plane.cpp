@@ -14,13 +14,13 @@ using physics::SurfaceGap;
 using physics::SurfacePiece;
 using Kind = SurfacePiece::Kind;
 
-constexpr double same = 1e-9; // of the parts' size, and of unit vectors
+constexpr double negligible = 1e-9; // of the parts' size, and of unit vectors
 
 // Where each of the points goes in the plane: the place of the one that stands for it, or, between
 // the outermost two, none; nothing where they do not lie symmetrically.
 std::vector<std::size_t> standing(const std::vector<Vector>& points, const MotionPlane& plane,
                                   double size) {
-    const double near = same * size;
+    const double near = negligible * size;
     std::vector<std::size_t> first;
     std::vector<double> sums(points.size(), 0), counts(points.size(), 0);
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -114,7 +114,7 @@ private:
     // A rim that a line only touches has one point there, in the plane.
     void atFoot(SurfacePiece& piece, const Placed& owner) const {
         const Vector foot = owner.state.attitude * piece.foot;
-        if (piece.kind == Kind::circle && std::abs(foot.dot(across_)) <= same)
+        if (piece.kind == Kind::circle && std::abs(foot.dot(across_)) <= negligible)
             piece = {.kind = Kind::point, .place = piece.place + piece.radius * piece.foot};
     }
     [[nodiscard]] double acrossOf(const SurfacePiece& piece, const Placed& owner) const {
@@ -122,10 +122,10 @@ private:
     }
     [[nodiscard]] bool isAcross(const SurfacePiece& piece, const Placed& owner) const {
         const bool hasAxis = piece.kind == Kind::line || piece.kind == Kind::circle;
-        return hasAxis && acrossOf(piece, owner) >= 1 - same;
+        return hasAxis && acrossOf(piece, owner) >= 1 - negligible;
     }
     [[nodiscard]] bool isInPlane(const SurfacePiece& piece, const Placed& owner) const {
-        return acrossOf(piece, owner) <= same;
+        return acrossOf(piece, owner) <= negligible;
     }
     void atPlane(SurfacePiece& piece, const Placed& owner) const {
         const Vector axis = owner.state.attitude * piece.axis;
@@ -196,7 +196,7 @@ private:
     // The ends of an edge across the plane: they do not count there.
     [[nodiscard]] bool isAcross(const ContactPoint::Side& side, const Placed& owner) const {
         const Vector inward = owner.state.attitude * side.inward;
-        return side.radial == 0 && std::abs(inward[plane_.axis]) >= 1 - same;
+        return side.radial == 0 && std::abs(inward[plane_.axis]) >= 1 - negligible;
     }
     // In the owner's frame.
     [[nodiscard]] static Vector placeOf(const ContactPoint::Side& side, const Placed& owner,
@@ -239,7 +239,7 @@ private:
 void putInPlane(physics::ContactPlace& place, const std::vector<Vector>& corners,
                 const MotionPlane& plane, const Placed& body, const Placed& support) {
     const std::vector<std::size_t> first = standing(corners, plane, place.size);
-    if (first.empty() || std::abs(place.normal[plane.axis]) > same)
+    if (first.empty() || std::abs(place.normal[plane.axis]) > negligible)
         return;
     std::vector<ContactPoint> points;
     std::vector<std::size_t> pointOf(first.size());
