@@ -134,7 +134,7 @@ private:
         piece.kind = Kind::point;
         piece.axis = Vector::UnitX();
     }
-    // What is across the plane crosses a line along this way.
+    // An edge across the plane crosses a line along this way.
     void follow(const Vector& way, Matrix& follows) const {
         const Vector within = way - across_ * across_.dot(way);
         follows += across_ * (across_.dot(way) / within.squaredNorm() * within.transpose());
@@ -214,8 +214,8 @@ private:
         side.on += owner.state.attitude.conjugate() * Vector(across) - (from - to);
         return side;
     }
-    // What lies across a round end has its ends on the rim; in the plane it is on the end from one
-    // side of the rim to the other.
+    // An edge across a round end has its ends on the rim; in the plane its point is on the end from
+    // one side of the rim to the other.
     [[nodiscard]] ContactPoint::Side onEnd() const {
         const Placed& owner = rimsOwner();
         const bool isBodys = &owner == &body_;

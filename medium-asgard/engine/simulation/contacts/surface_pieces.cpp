@@ -169,8 +169,8 @@ private:
         return up.dot(toWorld(round, of.curved->axis())) < 0;
     }
 
-    // What lies on the face lies on it up to the face's border: a line to where it crosses it, of a
-    // polyhedron each vertex within; a rim that has come over the border crosses it.
+    // A line lies on the face to where it crosses the border, a polyhedron with each vertex within;
+    // a rim that has come over the border crosses it.
     void acrossBorder(const FlatFace& face, bool isBodys) {
         const Placed& other = isBodys ? support_ : body_;
         const std::size_t part = isBodys ? supportPart_ : bodyPart_;
@@ -211,7 +211,7 @@ private:
             keep(point);
     }
 
-    // Where the other's piece, of this length, crosses a piece of the face's border.
+    // The crossing of the other's piece, of this length, and a piece of the face's border.
     void keepCrossing(const FlatFace& face, bool isBodys, const SurfacePiece& border,
                       const SurfacePiece& piece, double length) {
         const PiecePoint point = isBodys ? crossingOf(border, piece) : crossingOf(piece, border);
