@@ -7,6 +7,7 @@ keeps its velocity across the normal.
 
 usage: rim_cases.py
 """
+import functools
 import math
 import os
 import sys
@@ -16,41 +17,16 @@ from contact_cases import G, case, gravity
 
 sys.path.insert(0, os.path.join(contact_cases.HERE, "..", "joints"))
 from integration import solve  # noqa: E402
+from vectors import attitude, cross, dot, norm, times, turned, turned_back, unit  # noqa: E402
+from vectors import add as sum_of_two  # noqa: E402
 
 R, HIGH, MASS = 0.1, 0.3, 1.0
 ACROSS, ALONG = MASS * (3 * R * R + HIGH * HIGH) / 12, MASS * R * R / 2
 CAN = f"shape_set can -desc {{-sub {{-cylinder {{{R} {HIGH}}}}}}}\n"
 
 
-def add(*vectors):
-    return [sum(values) for values in zip(*vectors)]
-
-
-def times(k, a):
-    return [k * x for x in a]
-
-
-def dot(a, b):
-    return sum(x * y for x, y in zip(a, b))
-
-
-def cross(a, b):
-    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-
-
-def turned(q, a):
-    """A vector of the body's frame in the world; q is a unit quaternion."""
-    inner = add(times(q[0], a), cross(q[1:], a))
-    return add(a, times(2, cross(q[1:], inner)))
-
-
-def unit(a):
-    return times(1 / math.sqrt(dot(a, a)), a)
-
-
-def quaternion(rotation):
-    angle = math.sqrt(dot(rotation, rotation))
-    return [math.cos(angle / 2)] + times(math.sin(angle / 2) / angle, rotation)
+def add(*all_of_them):
+    return functools.reduce(sum_of_two, all_of_them)
 
 
 class Rim:
@@ -74,7 +50,7 @@ class Edge:
         line = [0, 0, 1]
         normal = cross(rim.along, line)
         side = -1 if dot(normal, rim.out) > 0 else 1
-        size = math.sqrt(dot(normal, normal))
+        size = norm(normal)
         n = times(side / size, normal)
         across = cross(line, n)
         rate = -dot(velocity, across) / (R * dot(rim.along, across))
@@ -119,7 +95,7 @@ class Other:
         out, along = [math.cos(angle), 0, math.sin(angle)], [-math.sin(angle), 0, math.cos(angle)]
         normal = cross(rim.along, along)
         side = -1 if dot(normal, rim.out) > 0 else 1
-        size = math.sqrt(dot(normal, normal))
+        size = norm(normal)
         n = times(side / size, normal)
         both = dot(cross(rim.along, along), n)
         rate = -dot(cross(velocity, along), n) / (R * both)
@@ -133,7 +109,7 @@ class Other:
 
 
 def inertia_times(q, w, inverse):
-    local = turned([q[0]] + times(-1, q[1:]), w)
+    local = turned_back(q, w)
     sizes = [ACROSS, ALONG, ACROSS]
     return turned(q, [x / s if inverse else x * s for x, s in zip(local, sizes)])
 
@@ -160,13 +136,13 @@ def rates(support):
 
 def lowest(rotation):
     """The angle of the rim's lowest point."""
-    right, far = (turned(quaternion(rotation), axis)[1] for axis in ([1, 0, 0], [0, 0, 1]))
+    right, far = (turned(attitude(rotation), axis)[1] for axis in ([1, 0, 0], [0, 0, 1]))
     return math.atan2(-far, -right)
 
 
 def slides(name, support, rotation, angle, spin, finish):
     """The rim touches at the origin, where its point has no velocity across the normal."""
-    q = quaternion(rotation)
+    q = attitude(rotation)
     rim = Rim(q, angle)
     centre = times(-1, rim.arm)
     more = [0.0] * support.angles

@@ -50,7 +50,7 @@ bool Gizmo::isPlacedAlone(std::size_t body) const {
     return alone_.body != body || alone_.is;
 }
 
-// What joints hold turns as they let it.
+// A body in joints turns as these let it.
 Vector Gizmo::pivotOf(std::size_t body) const {
     const Shown& shown = document_.shown();
     const std::string& name = shown.scene->bodies[body].name;

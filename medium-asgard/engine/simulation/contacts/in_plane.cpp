@@ -16,8 +16,8 @@ using Kind = SurfacePiece::Kind;
 
 constexpr double negligible = 1e-9; // of the parts' size, and of unit vectors
 
-// Where each of the points goes in the plane: the place of the one that stands for it, or, between
-// the outermost two, none; nothing where they do not lie symmetrically.
+// For each of the points the place of the one that stands for it in the plane, or, between the
+// outermost two, none; nothing for points that do not lie symmetrically.
 std::vector<std::size_t> standing(const std::vector<Vector>& points, const MotionPlane& plane,
                                   double size) {
     const double near = negligible * size;

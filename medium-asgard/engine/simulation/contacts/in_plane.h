@@ -1,4 +1,4 @@
-// Where do two bodies touch that move in a plane?
+// Contact points of two bodies that move in a plane.
 //
 // A box that slides along x has four corners on its floor, and two in the plane: those that lie
 // symmetrically about it are one. A gap becomes that of pieces in the plane, which only its motion

@@ -136,7 +136,7 @@ private:
     // As rows have them, which then hold what the blow leaves.
     void findPoints() {
         const auto [body, support] = at_.world.bodyAndSupport({a_, b_});
-        points_ = pointsInTouch(at_.placed(body), at_.placed(support), landing_, plane_);
+        points_ = pointsInTouch(at_.placed(body), at_.placed(support), landing, plane_);
         if (body == a_)
             return;
         for (PointInTouch& point : points_) {
@@ -204,7 +204,7 @@ private:
 
     // Without what is rounding beside the plane of motion.
     [[nodiscard]] Vector flat(Vector normal) const {
-        if (plane_ && std::abs(normal[plane_->axis]) <= landing_) {
+        if (plane_ && std::abs(normal[plane_->axis]) <= landing) {
             normal[plane_->axis] = 0;
             normal.normalize();
         }
@@ -217,7 +217,6 @@ private:
     bool arePoints_ = false;           // their contacts last as rows
     std::vector<PointInTouch> points_; // then
     std::optional<MotionPlane> plane_;
-    static constexpr double landing_ = 1e-8; // of the parts' size: a corner that touches
     physics::ContactFriction friction_;
     Vector surface_ = Vector::Zero();
 };

@@ -9,6 +9,8 @@
 
 namespace simulation {
 
+inline constexpr double landing = 1e-8; // of the parts' size: a corner that touches
+
 struct ImpactCluster {
     std::vector<std::size_t> bodies;              // indices into the scene's
     std::vector<physics::ImpactContact> contacts; // with indices into `bodies`

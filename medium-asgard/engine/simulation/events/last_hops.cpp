@@ -24,8 +24,6 @@ double lastHopHeight(double hopHeight, double radius, double reach, double slack
 
 namespace {
 
-constexpr double touching = 1e-8; // of the parts' size
-
 struct Hop { // that an impact would lead to
     bool approaches = false, isLow = true;
     double settling = 0; // the time that it and all hops after it take
@@ -72,8 +70,7 @@ std::optional<double> pushOfPieces(const Instant& at, const ImpactCluster& clust
     const bool isFirst = body == pair.first;
     const double size = at.world.smallerRadius(pair);
     const Placed of = at.placed(body);
-    for (const PointInTouch& point :
-         pointsInTouch(of, at.placed(support), touching, std::nullopt)) {
+    for (const PointInTouch& point : pointsInTouch(of, at.placed(support), landing, std::nullopt)) {
         const Vector normal = isFirst ? c.normal : Vector(-c.normal);
         if (!point.gap || !((point.point - c.point).norm() <= near * size) ||
             !isOneNormal(point.normal, normal))
