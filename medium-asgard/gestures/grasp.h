@@ -17,6 +17,7 @@ constexpr double handleReach = 14; // pixels, of a handle
 struct Grasp {
     enum class What { drag, roll, newPoint, removePoint } what = What::drag;
     render::Handle handle;
+    std::vector<std::size_t> company = {}; // bodies that go with it
 };
 
 // `handles`: those that are shown. `reach`: how far from its middle a handle is taken.

@@ -22,6 +22,7 @@ void Hand::take(Ground ground, const Sight& sight, const Grasp& grasp, Button bu
         return;
     }
     drag_ = std::make_unique<HandleDrag>(std::move(ground), sight, grasp.handle, pixels);
+    drag_->setCompany(grasp.company);
     if (grasp.what == Grasp::What::roll)
         drag_->setRolls();
     else

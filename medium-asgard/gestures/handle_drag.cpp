@@ -163,7 +163,16 @@ void HandleDrag::setSnaps(double scale) {
     drawing.scene = ground_.scene.get();
     drawing.motion = ground_.motion;
     drawing.time = ground_.motion ? ground_.motion->start() : ground_.scene->simulator.start;
-    snaps_.by.emplace(drawing, sight_, scale, &handle_);
+    snaps_.by.emplace(drawing, sight_, scale, &handle_,
+                      company_ ? company_->bodies() : std::vector<std::size_t>());
+}
+
+void HandleDrag::setCompany(const std::vector<std::size_t>& others) {
+    if (others.empty() || handle_.kind != render::HandleKind::position)
+        return;
+    std::vector<std::size_t> all{handle_.element};
+    all.insert(all.end(), others.begin(), others.end());
+    company_.emplace(*ground_.scene, all);
 }
 
 // A place that a thing draws is written so finely that it meets the thing.
@@ -256,8 +265,8 @@ std::vector<editing::Wish> HandleDrag::turnWishes(double exact) const {
 editing::Answer HandleDrag::asked(bool offers) const {
     if (joined_ && !whyNotJoined().empty())
         return {.edits = {}, .reason = whyNotJoined(), .cause = {}, .offers = {}, .kept = {}};
-    if (joined_) {
-        auto wishes = joined_->wishes(mapper_);
+    if (joined_ || company_) {
+        auto wishes = company_ ? company_->wishes(mapper_) : joined_->wishes(mapper_);
         for (editing::Wish& wish : wishes)
             wish.offers = offers;
         return mapper_.answer(wishes);
@@ -288,6 +297,8 @@ Vector HandleDrag::under(const Eigen::Vector2d& pixels) const {
 
 // By the point under the pointer, in the plane that it moves in.
 void HandleDrag::findJoined() {
+    if (company_)
+        return;
     if (handle_.kind == render::HandleKind::position)
         joined_ = Joined::of(*ground_.scene, handle_.element,
                              under(sight_.pixels(handle_.place) - grip_));
@@ -317,19 +328,23 @@ double HandleDrag::joinedDegrees() const {
     return isByKeys_ ? editing::roundedTo(degrees, 0.1) : rounded(degrees);
 }
 
+// Where all go by one way, it leaves this body at a round place.
+void HandleDrag::roundPlace() {
+    for (const editing::Wish& wish : wishes())
+        for (std::size_t i = 0; i < 3; ++i)
+            place_[static_cast<Eigen::Index>(i)] =
+                std::abs(wish.values[i] - wish.now[i]) < 0.5 * wish.resolution
+                    ? wish.now[i]
+                    : editing::roundedTo(wish.values[i], wish.resolution);
+}
+
 void HandleDrag::moveJoined() {
     if (turning_)
         return turnJoined();
     if (!whyNotJoined().empty())
         return;
     if (!swings()) {
-        // All by one way, which leaves this body at a round place.
-        for (const editing::Wish& wish : wishes())
-            for (std::size_t i = 0; i < 3; ++i)
-                place_[static_cast<Eigen::Index>(i)] =
-                    std::abs(wish.values[i] - wish.now[i]) < 0.5 * wish.resolution
-                        ? wish.now[i]
-                        : editing::roundedTo(wish.values[i], wish.resolution);
+        roundPlace();
         return joined_->moveAll(place_ - handle_.place);
     }
     if (joined_->turns())
@@ -352,6 +367,10 @@ void HandleDrag::update() {
     place_ = wanted();
     if (joined_)
         moveJoined();
+    if (company_) {
+        roundPlace();
+        company_->moveAll(place_ - handle_.place);
+    }
     if (followed)
         plane_ = place_; // freed, it goes on from here
     else if (hold_.surface && !hold_.isFree)
@@ -397,9 +416,14 @@ void HandleDrag::finish() {
 
 void HandleDrag::cancel() { ground_.finish(ground_.text, {}); }
 
-std::string HandleDrag::label() const { return labelOf(*ground_.scene, handle_); }
+std::string HandleDrag::label() const {
+    return company_ ? "Move " + std::to_string(company_->bodies().size()) + " bodies"
+                    : labelOf(*ground_.scene, handle_);
+}
 
 std::string HandleDrag::joinedWords() const {
+    if (company_)
+        return ", with " + std::to_string(company_->bodies().size() - 1) + " more";
     if (!joined_)
         return {};
     if (!swings())

@@ -10,10 +10,12 @@
 // A body that joints hold goes as they let it (joined.h), and turns by whole degrees as about an
 // axis of the world, where one joint holds it to what stands. By the keys it turns by tenths. Along
 // an axis it takes all with it that is joined to it. About an axis it turns as far as joints let
-// it, and takes with it what must follow.
+// it, and takes with it what must follow. Several bodies that are dragged together go by one way
+// (company.h).
 #pragma once
 
 #include "editing/value_edit.h"
+#include "gestures/company.h"
 #include "gestures/ground.h"
 #include "gestures/joined.h"
 #include "gestures/snapping.h"
@@ -36,6 +38,8 @@ public:
     void nudge(const Eigen::Vector2d& byPixels);
     void push(double pixels); // away from the viewer, as far as so many pixels across
     void setFree(bool free);  // does not follow the surface
+    // Of a body that is dragged: these go with it. Before setSnaps().
+    void setCompany(const std::vector<std::size_t>& others);
     // A place is drawn to things and round numbers nearby (snapping.h), unless that is held off.
     // `scale`: device pixels for each of the reader's.
     void setSnaps(double scale);
@@ -79,6 +83,7 @@ private:
     void findJoined();
     void moveJoined();
     void turnJoined();
+    void roundPlace();
     [[nodiscard]] bool swings() const { return joined_ && !joined_->movesAsOne() && !along_; }
     [[nodiscard]] std::string joinedWords() const;
     [[nodiscard]] std::string whyNotJoined() const;
@@ -104,6 +109,7 @@ private:
     render::Handle handle_;
     double pixelLength_;             // of the world, at the handle
     std::unique_ptr<Joined> joined_; // with the body that is dragged
+    std::optional<Company> company_; // with others
     geometry::Vector place_, plane_; // plane_: a point of the screen's plane that it moves in
     Eigen::Vector2d held_, grip_;    // pixels: of the pointer, and from it to the handle
     std::optional<editing::TrajectoryEdits> path_; // of a trajectory's point

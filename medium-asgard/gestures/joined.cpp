@@ -126,8 +126,8 @@ std::vector<editing::NewPlace> Joined::thrown(const std::optional<Vector>& ofHan
 }
 
 bool Joined::moves(const std::string& body) const {
-    return std::ranges::any_of(bodies(),
-                               [&](std::size_t one) { return scene_.bodies[one].name == body; });
+    const auto isIt = [&](std::size_t one) { return scene_.bodies[one].name == body; };
+    return std::ranges::any_of(bodies(), isIt) || std::ranges::any_of(others_, isIt);
 }
 
 Wish Joined::holdOf(const editing::Element& element, const char* option,

@@ -34,6 +34,8 @@ public:
     void pull(const geometry::Vector& way);
     // All by the same way, with what holds them to the world.
     void moveAll(const geometry::Vector& way);
+    // Other bodies go the same way: what holds them to these stays as it is.
+    void moveWith(std::vector<std::size_t> others) { others_ = std::move(others); }
     [[nodiscard]] double turned() const { return pulling_.turned(); } // radians, of the body
     bool turnTo(double angle) { return pulling_.turnTo(angle); }
     // False: its joints do not let it turn so; it stays.
@@ -70,6 +72,7 @@ private:
     geometry::Vector grabbed_;
     physics::Pulling pulling_;
     std::optional<geometry::Vector> way_; // of all of them
+    std::vector<std::size_t> others_;     // that go the same way
 };
 
 } // namespace gestures

@@ -31,7 +31,8 @@ std::shared_ptr<const scene::Scene> sceneOf(const std::string& text) {
 
 // Seen along z; the body is taken beside its middle, and moved in two steps.
 Dragged drag(const std::string& text, std::size_t body, const Vector& off, const Vector& to,
-             const std::optional<HandleDrag::Along>& along = std::nullopt, bool snaps = false) {
+             const std::optional<HandleDrag::Along>& along = std::nullopt, bool snaps = false,
+             const std::vector<std::size_t>& company = {}) {
     const auto scene = sceneOf(text);
     render::Camera camera;
     camera.scale = 0.1;
@@ -44,6 +45,7 @@ Dragged drag(const std::string& text, std::size_t body, const Vector& off, const
     handle.base = handle.place = scene->bodies[body].initialPosition;
     const Eigen::Vector2d from = sight.pixels(handle.place + off), target = sight.pixels(to);
     HandleDrag drag(ground, sight, handle, from);
+    drag.setCompany(company);
     drag.setUpright();
     drag.setAlong(along);
     if (snaps)
@@ -95,6 +97,28 @@ TEST(Joined, AlongAnAxisItMovesWithItsPivot) {
         EXPECT_TRUE(made.body("bob").initialAttitude.isApprox(geometry::Quaternion::Identity()));
         EXPECT_EQ(made.text.find("-offset2 {2 0 0}") != std::string::npos, !pivot.empty());
     }
+}
+
+// A ball, a pendulum on the world, and a ball that hangs on a body that goes along, too.
+TEST(Joined, SeveralAreDraggedByOneWayWithWhatHoldsThem) {
+    const std::string text =
+        pendulum + "body free ball -init_pos {4 1 2}\n"
+                   "body post ball -fixed 1 -init_pos {-3 0 0}\n"
+                   "body low ball -init_pos {-3 -2 0}\n"
+                   "joint h -type hinge -body1 low -offset1 {0 2 0} -body2 post -offset2 {0 0 0}\n"
+                   "body stays ball -init_pos {0 5 0}\n";
+    const Dragged made = drag(text, 1, {0.1, 0, 0}, {5.1, 3, 2}, std::nullopt, false, {0, 2, 3});
+    const Vector way(1, 2, 0);
+    const auto before = sceneOf(text);
+    for (const std::string name : {"bob", "free", "post", "low"})
+        EXPECT_LT((made.body(name).initialPosition - way -
+                   scene::findBody(*before, name)->initialPosition)
+                      .norm(),
+                  1e-9)
+            << name << made.text;
+    EXPECT_EQ(made.body("stays").initialPosition, Vector(0, 5, 0));
+    EXPECT_THAT(made.text, HasSubstr("-offset2 {0 0 0}\n")); // of a body that goes along
+    EXPECT_THAT(made.words, HasSubstr("with 3 more"));
 }
 
 TEST(Joined, ACarMovesAsAWholeAndAWheelOnTheWorldTurnsByItsRim) {

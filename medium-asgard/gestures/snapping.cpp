@@ -117,7 +117,7 @@ double roundStep(double length) {
 }
 
 Snapping::Snapping(const render::Drawing& drawing, const Sight& sight, double scale,
-                   const render::Handle* held)
+                   const render::Handle* held, const std::vector<std::size_t>& company)
     : sight_(sight), reach_(reachOfThings * scale), apart_(betweenRound * scale) {
     for (const scene::Body& body : drawing.scene->bodies)
         bodies_.push_back(body.name);
@@ -125,6 +125,8 @@ Snapping::Snapping(const render::Drawing& drawing, const Sight& sight, double sc
         held_ = held->place;
         moving_ = movedBy(*drawing.scene, *held);
     }
+    for (const std::size_t body : company)
+        moving_.push_back(bodies_[body]);
     for (std::size_t i = 0; i < std::min(mostBodies, bodies_.size()); ++i)
         if (!moves(bodies_[i]) && !render::isHidden(drawing.display, drawing.scene->bodies[i]))
             addBody(drawing, i);

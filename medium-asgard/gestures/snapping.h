@@ -27,9 +27,10 @@ struct Snapped {
 class Snapping {
 public:
     // The things stand where the drawing shows them. `scale`: device pixels for each of the
-    // reader's. `held`: the handle that the hand moves. Things that move with it draw nothing.
+    // reader's. `held`: the handle that the hand moves. Things that move with it draw nothing, nor
+    // do those bodies.
     Snapping(const render::Drawing& drawing, const Sight& sight, double scale,
-             const render::Handle* held = nullptr);
+             const render::Handle* held = nullptr, const std::vector<std::size_t>& company = {});
 
     // `before`: where it was before it was moved.
     [[nodiscard]] Snapped at(const Vector& wanted,

@@ -106,6 +106,29 @@ TEST_F(RendererTest, AStudioHasASkyAndAHorizonLightOrDark) {
     EXPECT_EQ(draw().bytes, dark.bytes);
 }
 
+// A table stands on the ground, or over it; a slab that the ground would cut is a floor.
+TEST_F(RendererTest, AFixedTableTakesTheGridNowhere) {
+    drawing_.display.grid = true;
+    const auto groundWith = [&](const scene::Part& part, const Vector& place, bool isFixed) {
+        scene_ = {};
+        addBody(scene_, part, place, blue).fixed = isFixed;
+        static_cast<void>(draw());
+        return renderer_->ground().value();
+    };
+    const scene::Part table = box({2, 0.1, 1});
+    for (const bool isFixed : {false, true}) {
+        const GroundPlane under = groundWith(table, {0, 0.5, 0}, isFixed);
+        EXPECT_NEAR(under.height, 0, 1e-9) << isFixed;
+        const GroundPlane wall = groundWith(box({0.1, 2, 1}), {0, 1, 0}, isFixed);
+        EXPECT_EQ(wall.up, Vector(0, 1, 0)) << isFixed;
+    }
+    EXPECT_NEAR(groundWith(table, {0, -0.05, 0}, true).height, 0, 1e-6);
+    EXPECT_NEAR(groundWith(table, {0, -2, 0}, true).height, -1.95, 1e-6);
+    scene::Part half;
+    half.shape = scene::PlaneShape{};
+    EXPECT_NEAR(groundWith(half, {0, 0.3, 0}, true).height, 0.3, 1e-6);
+}
+
 // The grid stands still in the world: the same lines are seen wherever the view's middle is.
 TEST_F(RendererTest, TheGridStaysWhereItIsWhenTheViewMoves) {
     addBody(scene_, sphere(0.05), {0, 0, 0}, red);

@@ -10,8 +10,10 @@
 #include "script/structure.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <map>
+#include <optional>
 #include <set>
 
 namespace editing {
@@ -135,6 +137,20 @@ std::optional<Kind> kindOf(std::string_view command) {
     return std::nullopt;
 }
 
+} // namespace
+
+std::set<std::string> bodiesOf(const std::string& commands) {
+    std::set<std::string> names;
+    const Structure structure = script::structureOf(commands);
+    for (const Command& command : structure.commands)
+        if (command.parent < 0 && command.words.size() > 1 &&
+            kindOf(command.name(commands)) == Kind::body)
+            names.insert(slice(commands, command.words[1].content));
+    return names;
+}
+
+namespace {
+
 class Pasting {
 public:
     Pasting(const std::string& text, const scene::Scene& scene, const std::string& commands,
@@ -152,14 +168,18 @@ private:
     [[nodiscard]] std::string readItems();
     [[nodiscard]] bool isThere(const Item& item) const;
     void nameAnew();
-    void moveAside(const Item& item, NewElement& element) const;
-    [[nodiscard]] Vector freePlace(Vector place) const;
+    void findWay();
+    [[nodiscard]] const Word* valueOf(const Item& item, std::string_view option) const;
+    [[nodiscard]] std::optional<Vector> placeOf(const Item& item, std::string_view option) const;
+    static void move(NewElement& element, const char* option, const Vector& now, const Vector& way);
+    void moveBody(const Item& item, NewElement& element) const;
+    void moveHold(const Item& item, NewElement& element) const;
     [[nodiscard]] NewElement elementOf(const Item& item) const;
 
     const std::string& text_;
     const scene::Scene& scene_;
     std::string clip_;
-    Vector beside_;
+    Vector beside_, way_ = Vector::Zero();
     Structure structure_;
     std::vector<Item> items_;
 };
@@ -218,48 +238,97 @@ void Pasting::nameAnew() {
     clip_ = text::applied(clip_, edits);
 }
 
-Vector Pasting::freePlace(Vector place) const {
-    if (beside_.isZero())
-        return place;
-    while (std::ranges::any_of(scene_.bodies, [&](const scene::Body& body) {
-        return body.initialPosition.isApprox(place, 1e-9) ||
-               (body.initialPosition - place).norm() < 1e-9 * beside_.norm();
-    }))
-        place += beside_;
-    return place;
+const Word* Pasting::valueOf(const Item& item, std::string_view option) const {
+    const auto& words = item.command->words;
+    for (std::size_t i = 1; i + 1 < words.size(); ++i)
+        if (slice(clip_, words[i].range) == option)
+            return &words[i + 1];
+    return nullptr;
 }
 
 // LIMIT: a place that is computed stays as it is.
-void Pasting::moveAside(const Item& item, NewElement& element) const {
-    const auto option = std::ranges::find(element.words, "-init_pos");
-    Vector place = Vector::Zero();
-    if (option != element.words.end() && option + 1 != element.words.end()) {
-        const Word& word =
-            item.command->words[item.command->words.size() -
-                                static_cast<std::size_t>(element.words.end() - option) + 1];
-        const script::ElementList list = script::elementsOf(slice(clip_, word.content));
-        if (!word.literal || list.elements.size() != 3)
-            return;
-        for (int i = 0; i < 3; ++i) {
-            const auto number =
-                script::decimalNumber(list.elements[static_cast<std::size_t>(i)].value);
-            if (!number)
-                return;
-            place[i] = *number;
-        }
+std::optional<Vector> Pasting::placeOf(const Item& item, std::string_view option) const {
+    const Word* word = valueOf(item, option);
+    if (word == nullptr)
+        return std::nullopt;
+    const script::ElementList list = script::elementsOf(slice(clip_, word->content));
+    if (!word->literal || list.elements.size() != 3)
+        return std::nullopt;
+    Vector place;
+    for (int i = 0; i < 3; ++i) {
+        const auto number = script::decimalNumber(list.elements[static_cast<std::size_t>(i)].value);
+        if (!number)
+            return std::nullopt;
+        place[i] = *number;
     }
-    const Vector free = freePlace(place);
-    if (free == place)
+    return place;
+}
+
+void Pasting::findWay() {
+    std::vector<Vector> places;
+    for (const Item& item : items_)
+        if (item.kind == Kind::body) {
+            const bool isGiven = valueOf(item, "-init_pos") != nullptr;
+            if (const auto place = placeOf(item, "-init_pos"); place || !isGiven)
+                places.push_back(place.value_or(Vector::Zero()));
+        }
+    const auto isTaken = [&](const Vector& place) {
+        return std::ranges::any_of(scene_.bodies, [&](const scene::Body& body) {
+            return body.initialPosition.isApprox(place, 1e-9) ||
+                   (body.initialPosition - place).norm() < 1e-9 * beside_.norm();
+        });
+    };
+    while (!beside_.isZero() &&
+           std::ranges::any_of(places, [&](const Vector& one) { return isTaken(one + way_); }))
+        way_ += beside_;
+}
+
+void Pasting::move(NewElement& element, const char* option, const Vector& now, const Vector& way) {
+    if (way.isZero())
         return;
     std::string written = "{";
-    for (int i = 0; i < 3; ++i)
-        written +=
-            (i > 0 ? " " : "") + numberText(free[i], 1e-9 * std::max(1.0, std::abs(free[i])));
+    for (int i = 0; i < 3; ++i) {
+        const double sum = now[i] + way[i];
+        const double value = std::abs(sum) < 1e-12 * way.norm() ? 0 : sum; // rounding
+        written += (i > 0 ? " " : "") + numberText(value, 1e-9 * std::max(1.0, std::abs(value)));
+    }
     written += "}";
-    if (option != element.words.end())
-        *(option + 1) = written;
+    const auto word = std::ranges::find(element.words, option);
+    if (word != element.words.end() && word + 1 != element.words.end())
+        *(word + 1) = written;
     else
-        element.words.insert(element.words.end(), {"-init_pos", written});
+        element.words.insert(element.words.end(), {option, written});
+}
+
+void Pasting::moveBody(const Item& item, NewElement& element) const {
+    const bool isGiven = valueOf(item, "-init_pos") != nullptr;
+    if (const auto place = placeOf(item, "-init_pos"); place || !isGiven)
+        move(element, "-init_pos", place.value_or(Vector::Zero()), way_);
+}
+
+// The point of the world, or of a body that stays, that a body of the copy is held by.
+void Pasting::moveHold(const Item& item, NewElement& element) const {
+    constexpr std::array<std::array<const char*, 2>, 2> ends{
+        {{"-body1", "-offset1"}, {"-body2", "-offset2"}}};
+    const auto bodyOf = [&](std::size_t end) {
+        const Word* word = valueOf(item, ends[end][0]);
+        return word != nullptr ? slice(clip_, word->content) : std::string();
+    };
+    const auto isCopied = [&](const std::string& body) {
+        return std::ranges::any_of(
+            items_, [&](const Item& one) { return one.kind == Kind::body && one.name == body; });
+    };
+    for (const std::size_t end : {0U, 1U}) {
+        const std::string body = bodyOf(end);
+        const auto place = placeOf(item, ends[end][1]);
+        if (isCopied(body) || !isCopied(bodyOf(1 - end)) || !place)
+            continue;
+        const scene::Body* stays = scene::findBody(scene_, body);
+        if (!body.empty() && stays == nullptr)
+            continue;
+        move(element, ends[end][1], *place,
+             stays != nullptr ? Vector(stays->initialAttitude.conjugate() * way_) : way_);
+    }
 }
 
 NewElement Pasting::elementOf(const Item& item) const {
@@ -272,7 +341,9 @@ NewElement Pasting::elementOf(const Item& item) const {
         if (!item.command->words[i].fromList)
             element.words.push_back(slice(clip_, item.command->words[i].range));
     if (item.kind == Kind::body)
-        moveAside(item, element);
+        moveBody(item, element);
+    if (item.kind == Kind::joint || item.kind == Kind::link)
+        moveHold(item, element);
     return element;
 }
 
@@ -283,6 +354,7 @@ Pasted Pasting::pasted() {
         return pasted;
     nameAnew();
     pasted.reason = readItems(); // with the new names
+    findWay();
     std::vector<NewElement> elements;
     std::map<Kind, std::size_t> counts;
     for (const Item& item : items_) {

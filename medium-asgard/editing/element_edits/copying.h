@@ -8,6 +8,7 @@
 #include "editing/element.h"
 #include "text/edit.h"
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,9 @@ struct Copied {
 [[nodiscard]] Copied copied(const std::string& text, const scene::Scene& scene,
                             const std::vector<Element>& elements);
 
+// The names of the bodies that commands make.
+[[nodiscard]] std::set<std::string> bodiesOf(const std::string& commands);
+
 struct Pasted {
     text::Edits edits;
     std::vector<Element> added; // of the scene that will be read
@@ -30,9 +34,11 @@ struct Pasted {
 };
 
 // Puts commands into a text. A shape set or trajectory that is there word for word is not put in
-// again. A name that is taken gets a number, wherever the commands mention it. A body that would
-// stand exactly where another one does is moved by `beside`, as often as it takes. What is the same
-// and cannot be there twice (a simulator) is refused, as is all that is no command of a scene.
+// again. A name that is taken gets a number, wherever the commands mention it. Where a body would
+// stand exactly where another one does, all of them are moved by `beside`, as often as it takes,
+// and so are the points of the world and of other bodies that joints and springs hold them by. What
+// is the same and cannot be there twice (a simulator) is refused, as is all that is no command of a
+// scene.
 [[nodiscard]] Pasted pasted(const std::string& text, const scene::Scene& scene,
                             const std::string& commands, const geometry::Vector& beside);
 

@@ -61,6 +61,36 @@ TEST(Copying, BothBodiesKeepTheirJoint) {
     (void)readScene(text);
 }
 
+// A wheel with its hinge: the copy is held beside by the same body, and by the world.
+TEST(Copying, WhatHoldsACopyIsMovedWithIt) {
+    const std::string car =
+        "shape_set s -desc {-sub {-sphere 0.5}}\n"
+        "body box s -init_pos {0 1 0} -init_rot {0 0 1.5707963267948966}\n"
+        "body wheel s -init_pos {1 1 0}\n"
+        "joint h -type hinge -body1 box -offset1 {0 -1 0} -body2 wheel -offset2 {0 0 0}\n"
+        "joint w -type ball -body1 wheel -offset2 {1 1 0}\n";
+    const auto scene = readScene(car);
+    const Copied copy = copied(car, *scene, {{Kind::body, 1}, {Kind::joint, 0}, {Kind::joint, 1}});
+    const std::string text =
+        text::applied(car, pasted(car, *scene, copy.commands, Vector(2, 0, 0)).edits);
+    EXPECT_THAT(text, HasSubstr("body wheel2 s -init_pos {3 1 0}\n"));
+    EXPECT_THAT(text, HasSubstr("joint h2 -type hinge -body1 box -offset1 {0 -3 0} -body2 wheel2 "
+                                "-offset2 {0 0 0}\n"));
+    EXPECT_THAT(text, HasSubstr("joint w2 -type ball -body1 wheel2 -offset2 {3 1 0}\n"));
+}
+
+// Copies stand to each other as the originals do, also where one would stand on another.
+TEST(Copying, AllBodiesMoveByOneWay) {
+    const std::string row = "shape_set s -desc {-sub {-sphere 0.5}}\n"
+                            "body a s\nbody b s -init_pos {1 0 0}\n";
+    const auto scene = readScene(row);
+    const Copied copy = copied(row, *scene, {{Kind::body, 0}, {Kind::body, 1}});
+    const std::string text =
+        text::applied(row, pasted(row, *scene, copy.commands, Vector(1, 0, 0)).edits);
+    EXPECT_THAT(text, HasSubstr("body a2 s -init_pos {2 0 0}\n"));
+    EXPECT_THAT(text, HasSubstr("body b2 s -init_pos {3 0 0}\n"));
+}
+
 TEST(Copying, IntoAnotherSceneNamesStayWhereTheyAreFree) {
     const auto scene = readScene(pair);
     const Copied copy = copied(pair, *scene, {{Kind::body, 0}});

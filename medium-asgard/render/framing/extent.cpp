@@ -243,29 +243,6 @@ bool isZero(const std::string& expression) {
 
 Vector upOf(const scene::Scene& scene) { return againstGravity(scene).value_or(Vector::UnitY()); }
 
-std::optional<Vector> tableNormal(const scene::Scene& scene) {
-    double largest = 0;
-    std::optional<Vector> normal;
-    for (const scene::Body& body : scene.bodies) {
-        const scene::ShapeSet* shape = scene::findShapeSet(scene, body.shape);
-        if (!body.fixed || shape == nullptr || body.initialAttitude.vec().norm() > 1e-9)
-            continue;
-        for (const scene::Part& part : shape->parts) {
-            const auto* box = std::get_if<scene::BoxShape>(&part.shape);
-            Eigen::Index thin = 0;
-            if (box == nullptr || !part.rotation.isZero() || box->edges.minCoeff(&thin) <= 0)
-                continue;
-            const double area = box->edges.prod() / box->edges[thin];
-            const double narrow = std::min(box->edges[(thin + 1) % 3], box->edges[(thin + 2) % 3]);
-            if (area > largest && box->edges[thin] < 0.25 * narrow) {
-                largest = area;
-                normal = Vector(Vector::Unit(thin));
-            }
-        }
-    }
-    return normal;
-}
-
 std::optional<Vector> againstGravity(const scene::Scene& scene) {
     std::array<int, 6> votes{}; // against -x, +x, -y, ...
     for (const scene::Force& force : scene.forces) {
@@ -295,6 +272,62 @@ std::optional<Vector> againstGravity(const scene::Scene& scene) {
 
 namespace {
 
+// The direction to the side of a wide flat box on which all bodies that are not fixed stand.
+std::optional<Vector> sideOfAll(const scene::Scene& scene, const Vector& middle, const Vector& half,
+                                Eigen::Index thin) {
+    constexpr double near = 0.25; // of a body's height
+    std::array<bool, 2> standOn{true, true};
+    bool any = false;
+    for (const scene::Body& body : scene.bodies) {
+        if (body.fixed)
+            continue;
+        any = true;
+        Box box;
+        for (const Ball& ball : outlineOf(scene, body))
+            box.extend(
+                around({body.initialPosition + body.initialAttitude * ball.center, ball.radius}));
+        const Vector apart = box.center() - middle;
+        const double gap = std::abs(apart[thin]) - half[thin] - box.sizes()[thin] / 2;
+        Vector beside = apart.cwiseAbs() - half;
+        beside[thin] = 0;
+        const bool isOn =
+            !box.isEmpty() && beside.maxCoeff() <= 0 && std::abs(gap) <= near * box.sizes()[thin];
+        standOn[0] = standOn[0] && isOn && apart[thin] > 0;
+        standOn[1] = standOn[1] && isOn && apart[thin] < 0;
+    }
+    if (!any || (!standOn[0] && !standOn[1]))
+        return std::nullopt;
+    return Vector(Vector::Unit(thin) * (standOn[0] ? 1.0 : -1.0));
+}
+
+// Where nothing falls, a table tells what things stand on: a wide flat box that is fixed, and on
+// which all stands that is not.
+std::optional<Vector> tableNormal(const scene::Scene& scene) {
+    double largest = 0;
+    std::optional<Vector> normal;
+    for (const scene::Body& body : scene.bodies) {
+        const scene::ShapeSet* shape = scene::findShapeSet(scene, body.shape);
+        if (!body.fixed || shape == nullptr || body.initialAttitude.vec().norm() > 1e-9)
+            continue;
+        for (const scene::Part& part : shape->parts) {
+            const auto* box = std::get_if<scene::BoxShape>(&part.shape);
+            Eigen::Index thin = 0;
+            if (box == nullptr || !part.rotation.isZero() || box->edges.minCoeff(&thin) <= 0)
+                continue;
+            const double area = box->edges.prod() / box->edges[thin];
+            const double narrow = std::min(box->edges[(thin + 1) % 3], box->edges[(thin + 2) % 3]);
+            if (area <= largest || box->edges[thin] >= 0.25 * narrow)
+                continue;
+            if (const auto side =
+                    sideOfAll(scene, body.initialPosition + part.position, box->edges / 2, thin)) {
+                largest = area;
+                normal = side;
+            }
+        }
+    }
+    return normal;
+}
+
 Extent directionsOf(const scene::Scene& scene) {
     Extent extent;
     const std::optional<Vector> up = againstGravity(scene);
@@ -303,14 +336,18 @@ Extent directionsOf(const scene::Scene& scene) {
     return extent;
 }
 
+// Of the lowest point.
+double heightOf(const Box& box, const Vector& up) {
+    return box.center().dot(up) - box.sizes().dot(up.cwiseAbs()) / 2;
+}
+
 // The parts of an extent that follow from its balls.
 void settle(Extent& extent) {
     const bool isEmpty = extent.box.isEmpty();
     if (isEmpty)
         keep(extent, {Vector::Zero(), 1});
     extent.size = std::max(extent.box.sizes().maxCoeff(), 1e-9);
-    extent.lowest = extent.box.center().dot(extent.ground) -
-                    extent.box.sizes().dot(extent.ground.cwiseAbs()) / 2;
+    extent.lowest = heightOf(extent.box, extent.ground);
     if (isEmpty) // where a first body stands
         extent.lowest = 0;
 }
@@ -326,30 +363,94 @@ double lowestOfFixed(const scene::Scene& scene, const Survey& survey, const Exte
     return lowest;
 }
 
-// Bodies that fall off, since nothing catches them, take the ground with them only so far that the
-// place at which they started is seen.
-void keepGround(Extent& extent, const scene::Scene& scene, const Survey& survey) {
-    constexpr double far = 10; // times the size of the start
+// The room of what moves where it starts, what holds it, and what is fixed near it.
+Box startOf(const scene::Scene& scene, const Survey& survey, const Extent& extent,
+            const std::vector<Vector>& anchors, double near) {
     Box start;
-    for (std::size_t i = 0; i < survey.paths.size(); ++i)
-        if (extent.moves[i] && !survey.paths[i].poses.empty())
+    const auto outline = [&](std::size_t i) {
+        Box box;
+        if (!survey.paths[i].poses.empty())
             for (const Ball& ball : survey.outlines[i])
-                start.extend(
+                box.extend(
                     around({survey.paths[i].poses.front().toWorld(ball.center), ball.radius}));
-    if (start.isEmpty() || extent.up != extent.ground || !againstGravity(scene))
-        return;
-    const double lowest =
-        start.center().dot(extent.ground) - start.sizes().dot(extent.ground.cwiseAbs()) / 2;
-    const bool mayCatch = lowestOfFixed(scene, survey, extent) < lowest;
-    if (!mayCatch && extent.lowest < lowest - far * start.sizes().maxCoeff())
-        extent.lowest = lowest;
+        return box;
+    };
+    for (std::size_t i = 0; i < survey.paths.size(); ++i)
+        if (extent.moves[i])
+            start.extend(outline(i));
+    if (start.isEmpty())
+        return start;
+    for (const Vector& anchor : anchors)
+        start.extend(anchor);
+    const double size = start.sizes().maxCoeff();
+    const Box beside(start.min().array() - near * size, start.max().array() + near * size);
+    for (std::size_t i = 0; i < survey.paths.size(); ++i)
+        if (scene.bodies[i].fixed && !extent.moves[i])
+            start.extend(beside.intersection(outline(i)));
+    return start;
 }
 
-} // namespace
+// Something level without an end catches all that is still above it.
+bool hasEndlessFloor(const scene::Scene& scene, const Vector& up) {
+    return std::ranges::any_of(scene.bodies, [&](const scene::Body& body) {
+        const scene::ShapeSet* shape = scene::findShapeSet(scene, body.shape);
+        return body.fixed && shape != nullptr &&
+               std::ranges::any_of(shape->parts, [&](const scene::Part& part) {
+                   return std::holds_alternative<scene::PlaneShape>(part.shape) &&
+                          up.dot(body.initialAttitude *
+                                 geometry::fromRotationVector(part.rotation) * Vector::UnitY()) >
+                              0.999;
+               });
+    });
+}
 
-Extent extentOf(const scene::Scene& scene, const simulation::Motion* motion) {
+// It comes below that height for good, and still falls when the motion ends, about as fast as ever.
+bool dropsBelow(const Path& path, double height, const Vector& up) {
+    bool isBelow = false;
+    double last = 0, most = 0;
+    for (std::size_t k = 1; k < path.poses.size(); ++k) {
+        const double now = path.poses[k].position.dot(up);
+        if (isBelow && now >= height)
+            return false;
+        isBelow = now < height;
+        last = path.poses[k - 1].position.dot(up) - now;
+        most = std::max(most, last);
+    }
+    return isBelow && last > 0.9 * most;
+}
+
+// Ends the paths of bodies that drop out of sight, as nothing catches them, while one still sees
+// them beside the place where they start. Returns which they are.
+std::vector<bool> cutFalls(Survey& survey, const scene::Scene& scene, const Extent& extent,
+                           const std::vector<Vector>& anchors) {
+    constexpr double far = 5; // times the size of the start
+    std::vector<bool> falls(survey.paths.size());
+    const Vector& up = extent.up;
+    const Box start = startOf(scene, survey, extent, anchors, far);
+    if (start.isEmpty() || !againstGravity(scene) || hasEndlessFloor(scene, up))
+        return falls;
+    const double lowest = heightOf(start, up) - far * start.sizes().maxCoeff();
+    const double below = std::min(lowest, lowestOfFixed(scene, survey, extent));
+    for (std::size_t i = 0; i < survey.paths.size(); ++i) {
+        Path& path = survey.paths[i];
+        falls[i] = extent.moves[i] && dropsBelow(path, below, up);
+        if (!falls[i])
+            continue;
+        const auto out = std::ranges::find_if(
+            path.poses, [&](const Pose& pose) { return pose.position.dot(up) < lowest; });
+        path.poses.erase(out, path.poses.end());
+        path.centers.setEmpty();
+        for (const Pose& pose : path.poses)
+            path.centers.extend(pose.position);
+    }
+    return falls;
+}
+
+enum class Falls { cut, whole };
+
+Extent extentWith(const scene::Scene& scene, const simulation::Motion* motion, Falls wanted) {
     Extent extent = directionsOf(scene);
-    const Survey survey = surveyOf(scene, motion);
+    Survey survey = surveyOf(scene, motion);
     bool anyMoves = false;
     for (const scene::Body& body : scene.bodies)
         extent.fixed.push_back(body.fixed);
@@ -358,32 +459,49 @@ Extent extentOf(const scene::Scene& scene, const simulation::Motion* motion) {
         extent.moves.push_back(path.travels() || path.turns());
         anyMoves = anyMoves || extent.moves.back();
     }
-    std::vector<bool> belongs, wanders(survey.paths.size());
+    extent.planeNormal = flatAlong(survey.paths, extent.moves, extent.up);
+    std::vector<Vector> anchors = anchorsOf(scene, motion);
+    std::ranges::copy(jointAnchorsOf(scene, motion), std::back_inserter(anchors));
+    std::ranges::copy(ropeAnchorsOf(scene), std::back_inserter(anchors));
+    std::vector<bool> belongs, wanders(survey.paths.size()), falls(survey.paths.size());
+    if (wanted == Falls::cut)
+        falls = cutFalls(survey, scene, extent, anchors);
     for (std::size_t i = 0; i < survey.paths.size(); ++i)
         belongs.push_back(!anyMoves || extent.moves[i] || !scene.bodies[i].fixed);
     const std::optional<Box> room = roomOfTheOthers(survey, belongs, wanders);
-    for (std::size_t i = 0; i < survey.paths.size(); ++i)
-        if (belongs[i])
-            keepPath(extent, survey.paths[i], survey.outlines[i], wanders[i] ? room : std::nullopt);
-    const Box moving = extent.box;
+    Extent dropping; // below what the ground is for
+    for (std::size_t i = 0; i < survey.paths.size(); ++i) {
+        if (!belongs[i])
+            continue;
+        const auto& near = wanders[i] ? room : std::nullopt;
+        keepPath(extent, survey.paths[i], survey.outlines[i], falls[i] ? Box() : near);
+        if (falls[i])
+            keepPath(dropping, survey.paths[i], survey.outlines[i], near);
+    }
+    const Box moving = extent.box.merged(dropping.box);
     for (std::size_t i = 0; i < survey.paths.size(); ++i)
         if (!belongs[i] && !survey.paths[i].poses.empty())
             keepNear(extent, moving, survey.paths[i].poses.front(), survey.outlines[i]);
     for (std::size_t i = 0; i < survey.paths.size(); ++i)
         if (!survey.paths[i].poses.empty())
             keepPlanes(extent, scene, scene.bodies[i], survey.paths[i].poses.front());
-    for (const Vector& anchor : anchorsOf(scene, motion))
-        keep(extent, {anchor, 0});
-    for (const Vector& anchor : jointAnchorsOf(scene, motion))
-        keep(extent, {anchor, 0});
-    for (const Vector& anchor : ropeAnchorsOf(scene))
+    for (const Vector& anchor : anchors)
         keep(extent, {anchor, 0});
     settle(extent);
-    keepGround(extent, scene, survey);
-    extent.planeNormal = flatAlong(survey.paths, extent.moves, extent.up);
+    const double lowest = extent.lowest;
+    for (const Ball& ball : dropping.balls)
+        keep(extent, ball);
+    settle(extent);
+    extent.lowest = lowest;
     extent.lowestStands =
         lowestOfFixed(scene, survey, extent) <= extent.lowest + 1e-3 * extent.size;
     return extent;
+}
+
+} // namespace
+
+Extent extentOf(const scene::Scene& scene, const simulation::Motion* motion) {
+    return extentWith(scene, motion, Falls::cut);
 }
 
 Extent extentAt(const scene::Scene& scene, const simulation::Motion* motion, double time,
@@ -407,7 +525,7 @@ Extent extentAt(const scene::Scene& scene, const simulation::Motion* motion, dou
 
 Extent extentOfAll(const scene::Scene& scene, const simulation::Motion* motion) {
     constexpr double much = 4;
-    Extent extent = extentOf(scene, motion);
+    Extent extent = extentWith(scene, motion, Falls::whole);
     const double size = extent.size;
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         if (extent.moves[i])

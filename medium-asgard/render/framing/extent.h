@@ -19,15 +19,12 @@ struct Extent {
     std::vector<bool> turns; // of each body: its attitude changes
     std::vector<bool> fixed; // of each body
     Vector up = Vector::UnitY();
-    Vector ground = Vector::UnitY();   // normal of what things stand on: up, where anything falls
+    Vector ground = Vector::UnitY();   // normal of what things stand on: up, or that of a table
     double lowest = 0;                 // along the ground's normal
     bool lowestStands = false;         // what reaches there is fixed
     double size = 1;                   // longest edge of the box
     std::optional<Vector> planeNormal; // the axis that the motion is flat along
 };
-
-// Where nothing falls, a wide flat box that is fixed, as a table, tells what things stand on.
-[[nodiscard]] std::optional<Vector> tableNormal(const scene::Scene& scene);
 
 // Against gravity, as far as the scene's forces tell: the world axis that most bodies fall along;
 // y when nothing falls.
@@ -35,6 +32,8 @@ struct Extent {
 // None: nothing falls.
 [[nodiscard]] std::optional<Vector> againstGravity(const scene::Scene& scene);
 
+// Bodies that drop out of sight, as nothing catches them, count only while they are seen beside the
+// place where they start; the ground is that of the start.
 [[nodiscard]] Extent extentOf(const scene::Scene& scene, const simulation::Motion* motion);
 
 // The extent of a picture at that time: of those bodies, or of all when none are given, fixed
@@ -43,8 +42,8 @@ struct Extent {
 [[nodiscard]] Extent extentAt(const scene::Scene& scene, const simulation::Motion* motion,
                               double time, const std::vector<std::size_t>& bodies = {});
 
-// The whole motion and all of the fixed bodies, but of those that are much larger than it what lies
-// near it.
+// The whole motion, falls out of sight, too, and all of the fixed bodies, but of those that are
+// much larger than it what lies near it.
 [[nodiscard]] Extent extentOfAll(const scene::Scene& scene, const simulation::Motion* motion);
 
 } // namespace render

@@ -167,6 +167,61 @@ TEST(Framed, TheGroundStaysWhereBodiesStartThatFallOff) {
     EXPECT_NEAR(extentOf(scene, falling(1).get()).lowest, -3, 1e-9); // as far as one sees
 }
 
+// A ball falls 490 m beside a box that is fixed, which does not catch it: both are seen.
+TEST(Framed, WhatDropsOutOfSightIsSeenBesideItsStart) {
+    scene::Scene scene;
+    addBody(scene, sphere(0.5), {0, 0.5, 0}, {});
+    addBody(scene, box({1, 1, 1}), {2, 0.4, 0}, {}).fixed = true;
+    scene.forces = {fallingAlong(scene.bodies[0].name, {0, -9.8, 0})};
+    const auto stands = [](double) { return placed({2, 0.4, 0}); };
+    const GivenMotion falls(10, {[](double t) {
+                                     return placed({0, 0.5 - 4.9 * t * t, 0});
+                                 },
+                                 stands});
+    const Extent extent = extentOf(scene, &falls);
+    EXPECT_NEAR(extent.lowest, -0.1, 1e-9);
+    EXPECT_TRUE(extent.moves[0]);
+    EXPECT_LT(extent.size, 20);
+    EXPECT_GT(extent.size, 10); // its fall is seen
+    EXPECT_GT(extentOfAll(scene, &falls).size, 480);
+    // It comes up again: nothing drops out of sight.
+    const GivenMotion swings(10, {[](double t) {
+                                      return placed({0, 200 * std::cos(2 * t) - 200, 0});
+                                  },
+                                  stands});
+    EXPECT_GT(extentOf(scene, &swings).size, 390);
+    // It lies on something that moves.
+    const GivenMotion lies(10, {[](double t) {
+                                    return placed({0, std::max(0.5 - 4.9 * t * t, -200.0), 0});
+                                },
+                                stands});
+    EXPECT_GT(extentOf(scene, &lies).size, 200);
+    // A floor without an end is far below, and the motion ends before.
+    scene::Part half;
+    half.shape = scene::PlaneShape{};
+    addBody(scene, half, {0, -900, 0}, {}).fixed = true;
+    const GivenMotion isCaught(10, {[](double t) {
+                                        return placed({0, 0.5 - 4.9 * t * t, 0});
+                                    },
+                                    stands,
+                                    [](double) {
+                                        return placed({0, -900, 0});
+                                    }});
+    EXPECT_GT(extentOf(scene, &isCaught).size, 480);
+}
+
+// A table in the plane x y, whose balls stand on it; a wall beside a ball is none.
+TEST(Framed, WhereNothingFallsATableIsTheGround) {
+    scene::Scene scene;
+    addBody(scene, sphere(0.1), {0, 0, 0.11}, {});
+    addBody(scene, box({2, 3, 0.1}), {0, 0, -0.05}, {}).fixed = true;
+    EXPECT_EQ(extentOf(scene, nullptr).ground, Vector(0, 0, 1));
+    scene.bodies[0].initialPosition.z() = 0.5;
+    EXPECT_EQ(extentOf(scene, nullptr).ground, Vector(0, 1, 0));
+    scene.bodies[0].initialPosition = {1.2, 0, 0.11};
+    EXPECT_EQ(extentOf(scene, nullptr).ground, Vector(0, 1, 0));
+}
+
 TEST(Framed, TheGroundLiesWhereAFloorCatchesWhatFallsFar) {
     scene::Scene scene;
     addBody(scene, sphere(1), {0, 3, 0}, {});

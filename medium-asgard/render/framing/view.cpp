@@ -20,6 +20,7 @@ struct Bound {
 } // namespace
 
 struct SceneView::Implementation {
+    Extent framed; // as it was given
     Extent extent;
     Size size;
     std::vector<std::string> expressions;
@@ -125,10 +126,11 @@ Camera SceneView::Implementation::fromAttitude(const std::vector<double>& values
 }
 
 SceneView::SceneView(const scene::Scene& scene, const simulation::MotionPointer& motion,
-                     const std::string& name, Size size)
+                     const std::string& name, Size size, std::optional<Extent> framed)
     : implementation_(std::make_unique<Implementation>()) {
     Implementation& my = *implementation_;
-    my.extent = extentOf(scene, motion.get());
+    my.framed = framed ? *std::move(framed) : extentOf(scene, motion.get());
+    my.extent = my.framed;
     my.size = size;
     const auto named = std::find_if(scene.views.begin(), scene.views.end(),
                                     [&](const auto& v) { return name.empty() || v.name == name; });
@@ -149,6 +151,8 @@ Camera SceneView::at(double time) const {
         my.quantities ? my.quantities->at(time) : std::vector<double>{};
     return my.eye.given || my.look.given ? my.fromEye(values) : my.fromAttitude(values);
 }
+
+const Extent& SceneView::framed() const { return implementation_->framed; }
 
 bool SceneView::follows() const { return !implementation_->expressions.empty(); }
 

@@ -61,8 +61,7 @@ void keepInside(HandleSet& set, const Camera& camera, Size size) {
     const double margin = 12 * strokeOf(size);
     const Box inside(Pixels(margin, margin), Pixels(size.width - margin, size.height - margin));
     for (Handle& handle : set.handles) {
-        if (!handle.isArrow() || handle.kind == HandleKind::orientation ||
-            !inside.contains(toPixels(camera, size, handle.base)) ||
+        if (!handle.isArrow() || !inside.contains(toPixels(camera, size, handle.base)) ||
             inside.contains(toPixels(camera, size, handle.place)))
             continue;
         // Perspective: the head's way over the picture is straight, but not even.

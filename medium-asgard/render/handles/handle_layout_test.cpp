@@ -59,6 +59,16 @@ TEST(HandleLayout, HeadsOutsideThePictureAreBroughtInside) {
     EXPECT_FALSE(set.handles[1].cut);
 }
 
+// A body that fills the picture has handles of its attitude, too.
+TEST(HandleLayout, TheHeadsOfAnAttitudeAreBroughtInside) {
+    const Size size{640, 480};
+    HandleSet set;
+    set.handles.push_back({HandleKind::orientation, 0, 0, {0, 0, 0}, {0, 30, 0}, 30});
+    keepInside(set, Camera(), size);
+    EXPECT_GT(toPixels(Camera(), size, set.handles[0].place).y(), 0);
+    EXPECT_NEAR(set.handles[0].place.y() / set.handles[0].perUnit, 1, 1e-9);
+}
+
 TEST(HandleLayout, LabelsAvoidEachOther) {
     const Eigen::AlignedBox2d picture(Pixels(0, 0), Pixels(400, 300));
     std::vector<LabelWish> wishes;

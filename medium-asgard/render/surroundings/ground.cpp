@@ -11,10 +11,12 @@ namespace render {
 
 namespace {
 
-// Area of the mesh's level upward faces that stand highest, and their height.
+// Area of the mesh's level upward faces that stand highest, their height, and that of its lowest
+// corner.
 struct Top {
     double area = 0;
     double height = 0;
+    double bottom = std::numeric_limits<double>::infinity();
 };
 
 Top topOf(const Solid& solid, const Mesh& mesh, const Vector& up) {
@@ -26,22 +28,22 @@ Top topOf(const Solid& solid, const Mesh& mesh, const Vector& up) {
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
         const Vector a = corner(i);
         const Vector twice = (corner(i + 1) - a).cross(corner(i + 2) - a);
+        const double low = std::min({a.dot(up), corner(i + 1).dot(up), corner(i + 2).dot(up)});
+        top.bottom = std::min(top.bottom, low);
         if (twice.dot(up) < 0.9999 * twice.norm())
             continue;
         const double height = a.dot(up);
         if (top.area == 0 || height > top.height + 1e-6 * solid.radius)
-            top = {0, height};
+            top = {0, height, top.bottom};
         top.area += twice.norm() / 2;
     }
     return top;
 }
 
-} // namespace
-
-namespace {
+constexpr double far = 1.5; // sizes: further away 0 would be out of the picture
 
 // The height in the world of the largest level face of a fixed body, if it is large enough to be a
-// floor and no ceiling.
+// floor and no ceiling. A table that stands above the ground at 0 is none.
 std::optional<double> floorHeight(std::span<const Solid> solids, const Extent& extent,
                                   const Frame& frame, Solids& meshes) {
     const Vector up = frame.directionInView(extent.ground);
@@ -52,6 +54,14 @@ std::optional<double> floorHeight(std::span<const Solid> solids, const Extent& e
         anyMoves ? middleHeight + 0.499 * frame.camera().scale *
                                       extent.box.sizes().dot(extent.ground.cwiseAbs())
                  : std::numeric_limits<double>::infinity();
+    const auto inWorld = [&](double height) {
+        return middle.dot(extent.ground) + (height - middleHeight) / frame.camera().scale;
+    };
+    const auto isTable = [&](const Solid& solid, const Top& top) {
+        const double bottom = inWorld(top.bottom);
+        return !std::holds_alternative<scene::PlaneShape>(solid.part->shape) &&
+               bottom >= -1e-6 * extent.size && bottom <= far * extent.size;
+    };
     std::optional<double> height;
     double largest = std::pow(0.3 * extent.size * frame.camera().scale, 2);
     for (const Solid& solid : solids) {
@@ -59,24 +69,23 @@ std::optional<double> floorHeight(std::span<const Solid> solids, const Extent& e
             std::holds_alternative<scene::SphereShape>(solid.part->shape))
             continue;
         const Top top = topOf(solid, meshes.meshOf(solid, frame), up);
-        if (top.area > largest && top.height < highest) {
+        if (top.area > largest && top.height < highest && !isTable(solid, top)) {
             largest = top.area;
             height = top.height;
         }
     }
     if (!height)
         return std::nullopt;
-    return middle.dot(extent.ground) + (*height - middleHeight) / frame.camera().scale;
+    return inWorld(*height);
 }
 
 } // namespace
 
 double groundHeight(const Extent& extent) {
-    if (extent.lowestStands)
-        return extent.lowest;
-    constexpr double far = 1.5; // sizes: then 0 would be out of the picture
     if (extent.lowest >= -1e-6 * extent.size && extent.lowest <= far * extent.size)
         return 0;
+    if (extent.lowestStands)
+        return extent.lowest;
     const double step = roundBelow(extent.size / 8);
     return step * std::floor(extent.lowest / step + 0.02);
 }

@@ -1,8 +1,8 @@
 // The ground that a scene stands on, and the shadows on it.
 //
-// A scene's own floor (a large level face of something that never moves) bears the grid. Without
-// one the ground lies under everything, at a round height, so that it stays where it is while one
-// edits; it is not seen itself, but shadows fall on it.
+// A scene's own floor (a large level face of something that never moves, and that reaches below 0)
+// bears the grid. Without one the ground lies under everything, at a round height, so that it stays
+// where it is while one edits; it is not seen itself, but shadows fall on it.
 #pragma once
 
 #include "drawing/frame.h"
@@ -23,8 +23,8 @@ struct Ground {
 [[nodiscard]] Ground groundOf(std::span<const Solid> solids, const Extent& extent,
                               const Frame& frame, Solids& meshes);
 
-// 0 while all is above it and not far; else under everything, a little lower where that is not
-// round. Under what is fixed exactly.
+// 0 while all is above it and not far; else under everything: exactly under what is fixed, and a
+// little lower under what moves where that is not round.
 [[nodiscard]] double groundHeight(const Extent& extent);
 
 class GroundShadow {

@@ -56,6 +56,8 @@ TEST(Ground, IsARoundHeightThatSmallChangesLeaveAlone) {
     extent.lowest = -3.3;
     extent.lowestStands = true;
     EXPECT_EQ(groundHeight(extent), -3.3);
+    extent.lowest = 0.45; // a table leaves it behind, too
+    EXPECT_EQ(groundHeight(extent), 0);
 }
 
 TEST(Horizon, IsWhereLevelLinesOfSightLead) {

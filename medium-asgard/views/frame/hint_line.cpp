@@ -2,20 +2,29 @@
 
 #include "plain/plain.h"
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QResizeEvent>
 
+#include <algorithm>
+
 namespace views {
 
+namespace {
+
+// Most texts of a picture have no more.
+constexpr int usualLetters = 130;
+constexpr int mostLines = 3;
+
+} // namespace
+
 HintLine::HintLine(QWidget* parent) : QWidget(parent), shown_(plain::label({}, this)) {
-    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    shown_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    QSizePolicy policy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    policy.setHeightForWidth(true);
+    setSizePolicy(policy);
+    shown_->setWordWrap(true);
+    shown_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     shown_->setForegroundRole(QPalette::PlaceholderText);
     shown_->setAccessibleName(tr("What the buttons do here"));
-    auto* const layout = new QHBoxLayout(this);
-    layout->setContentsMargins({});
-    layout->addWidget(shown_);
 }
 
 QString HintLine::text() const { return shown_->text(); }
@@ -25,10 +34,23 @@ void HintLine::say(const QString& parts) {
     fit();
 }
 
+int HintLine::heightForWidth(int width) const {
+    const QFontMetrics metrics = shown_->fontMetrics();
+    const int usual = usualLetters * metrics.averageCharWidth();
+    const int lines = std::clamp((usual + width - 1) / std::max(width, 1), 1, mostLines);
+    return metrics.height() + (lines - 1) * metrics.lineSpacing();
+}
+
+QSize HintLine::sizeHint() const { return {0, heightForWidth(width())}; }
+
 void HintLine::fit() {
     const QString between = QStringLiteral("  ·  ");
-    const auto fits = [this](const QString& text) {
-        return shown_->fontMetrics().horizontalAdvance(text) <= width();
+    const QFontMetrics metrics = shown_->fontMetrics();
+    const QRect room(0, 0, width(), heightForWidth(width()));
+    const auto fits = [&](const QString& text) {
+        const QRect taken =
+            metrics.boundingRect(room, Qt::TextWordWrap | Qt::AlignTop | Qt::AlignLeft, text);
+        return taken.height() <= room.height() && taken.width() <= room.width();
     };
     QStringList parts = all_.split(between);
     QString text = all_;
@@ -36,14 +58,17 @@ void HintLine::fit() {
         parts.removeLast();
         text = parts.join(between) + between + QStringLiteral("…");
     }
-    if (!fits(text))
-        text = shown_->fontMetrics().elidedText(parts.front(), Qt::ElideRight, width());
+    for (QString words = parts.front(); !fits(text) && !words.isEmpty();) {
+        words.chop(1);
+        text = words.trimmed() + QStringLiteral("…");
+    }
     shown_->setText(text);
     setToolTip(text == all_ ? QString() : plain::tip(all_));
 }
 
 void HintLine::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
+    shown_->setGeometry(rect()); // a layout's height would follow the text
     fit();
 }
 

@@ -1,7 +1,9 @@
-// One line of what the buttons do, the most important first: parts with "  ·  " between them.
+// What the buttons do, the most important first: parts with "  ·  " between them.
 //
-// A line that is too long loses whole parts from its end, which a sign tells, and the tip has all
-// of them; a first part that is too long itself loses its end.
+// A narrow line has room for two or three lines of text, by its width alone: whatever is said, the
+// picture above keeps its height. A text that is too long for it loses whole parts from its end,
+// which a sign tells, and the tip has all of them; a first part that is too long itself loses its
+// end.
 #pragma once
 
 #include <QWidget>
@@ -18,6 +20,10 @@ public:
 
     void say(const QString& parts);
     [[nodiscard]] QString text() const; // that is shown
+
+    [[nodiscard]] bool hasHeightForWidth() const override { return true; }
+    [[nodiscard]] int heightForWidth(int width) const override;
+    [[nodiscard]] QSize sizeHint() const override;
 
 protected:
     void resizeEvent(QResizeEvent* event) override;

@@ -27,6 +27,15 @@ bool isOthersUndo(const QLineEdit& field, const QEvent& event) {
     return key.matches(QKeySequence::Undo) || key.matches(QKeySequence::Redo);
 }
 
+// A number that nobody changes any more: a blank adds nothing to it, and the key plays.
+bool isOthersBlank(const QLineEdit& field, const QEvent& event, const QString& asked) {
+    if (event.type() != QEvent::ShortcutOverride || (field.isModified() && field.text() != asked))
+        return false;
+    bool isNumber = false;
+    static_cast<void>(field.text().toDouble(&isNumber));
+    return isNumber && static_cast<const QKeyEvent&>(event).key() == Qt::Key_Space;
+}
+
 // The reader has a limit of its own; this one holds when somebody else reads, and is gone.
 void waitUntilRead(const SceneDocument& document) {
     using namespace std::chrono_literals;
@@ -122,8 +131,10 @@ bool TypedField::takesKey(QEvent& event) {
         return true;
     if (key == Qt::Key_Escape)
         uses_.bringBack();
-    else
+    else {
+        asked_ = field_.text();
         take(true);
+    }
     leave();
     return true;
 }
@@ -141,7 +152,7 @@ bool TypedField::eventFilter(QObject* watched, QEvent* event) {
         qApp->installEventFilter(this);
     else if (event->type() == QEvent::FocusOut)
         qApp->removeEventFilter(this);
-    if (isOthersUndo(field_, *event)) {
+    if (isOthersUndo(field_, *event) || isOthersBlank(field_, *event, asked_)) {
         event->ignore();
         return true;
     }

@@ -2,7 +2,8 @@
 //
 // The value is taken with Return, when the keyboard leaves the field, and before the next action in
 // its window: a press elsewhere, a key that is a command. Escape brings back what was there. A
-// field in which nothing was typed has nothing to undo: that key is the window's then.
+// field in which nothing was typed has nothing to undo: that key is the window's then, and so is a
+// blank in a number.
 #pragma once
 
 #include "workbench/scene_document.h"
@@ -49,6 +50,7 @@ private:
     QLineEdit& field_;
     const SceneDocument& document_;
     Uses uses_;
+    QString asked_; // to be taken, by Return
 };
 
 } // namespace views

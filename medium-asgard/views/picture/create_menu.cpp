@@ -52,28 +52,43 @@ void askForParameter(SceneDocument& document, SceneDisplay& display) {
             minimum->text().trimmed().toStdString(), maximum->text().trimmed().toStdString()));
 }
 
+// How many times as large as usual a new body is, so that the picture shows it as a body.
+double sizeIn(const SceneDisplay& display) {
+    const gestures::Sight sight = display.sight();
+    const double height = sight.pixelLength(sight.camera.center) * sight.size.height;
+    constexpr double least = 1.0 / 40, most = 0.95, usual = 1.0 / 8; // of the picture's height
+    return least * height <= 1 && 1 <= most * height ? 1 : gestures::roundStep(usual * height);
+}
+
+void startBody(SceneDisplay& display, BasicShape shape) {
+    display.creating().start([&display, shape] { return newBody(shape, sizeIn(display)); });
+}
+
+void startBody(SceneDisplay& display, const editing::LibraryShape& shape) {
+    display.creating().start([&display, &shape] { return newBody(shape, sizeIn(display)); });
+}
+
 void fillBodies(QMenu* menu, SceneDocument& document, SceneDisplay& display) {
     menu->clear();
     menu->addAction(QObject::tr("New &Sphere"), &display,
-                    [&display] { display.creating().start(newBody(BasicShape::sphere)); });
+                    [&display] { startBody(display, BasicShape::sphere); });
     menu->addAction(QObject::tr("New &Box"), &display,
-                    [&display] { display.creating().start(newBody(BasicShape::box)); });
+                    [&display] { startBody(display, BasicShape::box); });
     const std::pair<QString, const char*> round[] = {{QObject::tr("New &Wheel"), "Wheel"},
                                                      {QObject::tr("New &Capsule"), "Capsule"},
                                                      {QObject::tr("New C&one"), "Cone"},
                                                      {QObject::tr("New &Tube"), "Tube"},
                                                      {QObject::tr("New Bo&wl"), "Bowl"}};
     for (const auto& [label, name] : round)
-        menu->addAction(plain::ours(label), &display,
-                        [&display, &shape = editing::libraryShape(name)] {
-                            display.creating().start(newBody(shape));
-                        });
+        menu->addAction(
+            plain::ours(label), &display,
+            [&display, &shape = editing::libraryShape(name)] { startBody(display, shape); });
     menu->addAction(plain::ours(QObject::tr("New &Floor Below All")), &display,
                     [&display] { display.creating().start(newFloor()); });
     QMenu* library = menu->addMenu(QObject::tr("New from the &Library"));
     for (const editing::LibraryShape& shape : editing::shapeLibrary())
         library->addAction(plain::caption(QString::fromStdString(shape.name)), &display,
-                           [&display, &shape] { display.creating().start(newBody(shape)); });
+                           [&display, &shape] { startBody(display, shape); });
     menu->addSeparator(); // what grows stands below: the rest stays where the hand knows it
     for (const scene::ShapeSet& set : document.shown().scene->shapeSets)
         menu->addAction(plain::caption(QString::fromStdString(set.name)), &display,

@@ -3,6 +3,7 @@
 #include "editing/number_text.h"
 #include "gestures/snapping.h"
 #include "gestures/standing.h"
+#include "gestures/wireframe.h"
 #include "picture/scene_display.h"
 #include "recipes/recipe_words.h"
 #include "scene/shape_of.h"
@@ -49,9 +50,9 @@ gestures::ShapePointer restingShape(const std::vector<scene::Part>& ghost) {
 bool isUpright(const Vector& direction) { return direction.cwiseAbs().maxCoeff() > 1 - 1e-9; }
 
 // On a level face: above the middle of the body below where that is near, else at round numbers.
-Vector besideMiddle(Vector place, const Vector& up, const Vector& middle, double resolution) {
-    const double near = 1.5 * clickReach * resolution;
-    const double step = editing::decimalStep(resolution);
+Vector besideMiddle(Vector place, const Vector& up, const Vector& middle, double resolution,
+                    double step) {
+    const double near = std::min(1.5 * clickReach * resolution, step / 2);
     for (Eigen::Index i = 0; i < 3; ++i)
         if (std::abs(up[i]) < 0.5)
             place[i] = std::abs(place[i] - middle[i]) < near ? middle[i]
@@ -344,7 +345,7 @@ Indicated Creating::restingOn(const gestures::Picked& picked, Indicated found) {
         place = meant.place;
         found.at = meant.to;
     } else if (isLevel) {
-        place = besideMiddle(place, up, pose.position, found.resolution);
+        place = besideMiddle(place, up, pose.position, found.resolution, snapping().step(place));
     }
     found.point = place + heightOf(up, found.attitude) * up;
     found.resolution *= 1e-3; // so that it touches
@@ -385,7 +386,7 @@ Vector Creating::onAxes(std::size_t body, const Vector& onBody, double near) con
 }
 
 // Where something holds the first body: in the plane of the screen through what was shown of it.
-Indicated Creating::held(const Eigen::Vector2d& pixels) const {
+Indicated Creating::held(const Eigen::Vector2d& pixels) {
     const gestures::Sight sight = display_.sight();
     const render::Drawing drawing = display_.drawing();
     const Indicated& first = shown_.front();
@@ -411,7 +412,31 @@ Indicated Creating::held(const Eigen::Vector2d& pixels) const {
     found.onFirst = onAxes(*first.body, pose.toLocal(found.point), found.resolution);
     if (!other && first.atCenter)
         found.point = pose.toWorld(found.onFirst);
+    if (!other && !holdsOff_)
+        drawn(found, pose);
     return found;
+}
+
+// On the ground it is drawn to things and round numbers, but for what lies on the body's axes.
+void Creating::drawn(Indicated& found, const geometry::Pose& first) {
+    const gestures::Snapped meant = snapping().at(found.point);
+    found.at = meant.to;
+    const Vector center = first.toWorld(display_.centroidOf(*shown_.front().body));
+    Vector place = meant.place;
+    constexpr double finer = 4; // than for bodies: a joint may be anywhere on them
+    const double step = gestures::roundStep(snapping().step(found.point) / finer);
+    if (meant.isExact)
+        found.resolution *= 0.01; // so that it meets the thing
+    for (Eigen::Index i = 0; i < 3 && !meant.isExact; ++i) {
+        const bool isOnAxis =
+            std::abs(found.point[i] - center[i]) < 1e-9 * (1 + std::abs(center[i]));
+        const bool isDepth = i == display_.sight().facing(); // nobody points at it
+        place[i] = isOnAxis  ? center[i]
+                   : isDepth ? found.point[i]
+                             : step * std::round(found.point[i] / step);
+    }
+    found.point = place;
+    found.onFirst = first.toLocal(place);
 }
 
 void Creating::hover(const QPointF& position, bool holdsOff) {
@@ -492,8 +517,7 @@ void Creating::finish() {
     auto made = recipe.make(document_.text(), scene, shown_);
     const QString answer = recipe.tells ? recipe.tells(shown_) : QString();
     const bool isOutOfSight = !shown_.empty() && !made.empty() &&
-                              made.back().kind == editing::Kind::body &&
-                              !isInSight(shown_.front().point);
+                              made.back().kind == editing::Kind::body && !isInSight(recipe);
     cancel();
     if (!answer.isEmpty())
         Q_EMIT told(answer);
@@ -516,8 +540,20 @@ void Creating::finish() {
                 Qt::SingleShotConnection);
 }
 
-bool Creating::isInSight(const Vector& place) const {
-    return display_.rect().contains(display_.fromPixels(display_.sight().pixels(place)).toPoint());
+// A place that was clicked on is what one sees; of one that was typed, all that is made there.
+bool Creating::isInSight(const Recipe& recipe) const {
+    const Indicated& shown = shown_.front();
+    const gestures::Sight sight = display_.sight();
+    const auto isSeen = [&](const Vector& point) {
+        return display_.rect().contains(display_.fromPixels(sight.pixels(point)).toPoint());
+    };
+    return isSeen(shown.point) &&
+           (!shown.isTyped ||
+            std::ranges::all_of(gestures::wireframeOf(recipe.ghost), [&](const auto& line) {
+                return std::ranges::all_of(line, [&](const Vector& point) {
+                    return isSeen(shown.point + shown.attitude * point);
+                });
+            }));
 }
 
 QString Creating::prompt() const {

@@ -94,12 +94,13 @@ private:
     void paintGhost(QPainter& painter, const Indicated& next) const;
     void paintWords(QPainter& painter, const QPointF& place, const QString& words) const;
     [[nodiscard]] QString wordsOf(const Indicated& next) const;
-    [[nodiscard]] Indicated held(const Eigen::Vector2d& pixels) const;
+    [[nodiscard]] Indicated held(const Eigen::Vector2d& pixels);
+    void drawn(Indicated& found, const geometry::Pose& first);
     [[nodiscard]] Indicated indicatedOn(std::size_t body, const Vector& surface) const;
     [[nodiscard]] Indicated onBody(std::size_t body, const Vector& point) const;
     [[nodiscard]] Vector onAxes(std::size_t body, const Vector& onBody, double near) const;
     [[nodiscard]] Indicated centerOf(std::size_t body) const;
-    [[nodiscard]] bool isInSight(const Vector& place) const;
+    [[nodiscard]] bool isInSight(const Recipe& recipe) const;
     void take(const Indicated& indicated);
     void otherwise();
     void finish();

@@ -20,7 +20,7 @@ std::optional<Indicated> Creating::typed() const {
     if (words.isEmpty() || words.size() > 3)
         return std::nullopt;
     Indicated found;
-    found.given = true;
+    found.given = found.isTyped = true;
     found.sight = display_.sight().camera.rotation.conjugate() * Vector::UnitZ();
     for (qsizetype i = 0; i < words.size(); ++i) {
         const auto number = script::decimalNumber(words[i].toStdString());

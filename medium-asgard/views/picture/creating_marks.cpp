@@ -8,6 +8,8 @@
 
 #include <QPainter>
 
+#include <algorithm>
+
 namespace views {
 
 // The thing as it would be, and a ring where it was drawn to another one.
@@ -42,7 +44,8 @@ void Creating::paintWords(QPainter& painter, const QPointF& place, const QString
 
 // "0.5 1 0, a corner of b1; 1.12 from the point before"
 QString Creating::wordsOf(const Indicated& next) const {
-    const std::string place = listed(next.point, next.resolution);
+    const double pixel = display_.sight().pixelLength(next.point);
+    const std::string place = listed(next.point, std::max(next.resolution, 0.1 * pixel));
     QString words = QString::fromStdString(place.substr(1, place.size() - 2));
     if (!next.at.empty())
         words += ", " + QString::fromStdString(next.at);
@@ -99,9 +102,9 @@ void Creating::paintSteps(QPainter& painter) const {
         painter.drawEllipse(place, 7, 7);
         painter.drawEllipse(place, 2, 2);
         const auto& bodies = document_.shown().scene->bodies;
-        const QString other =
-            next_->body ? QString::fromStdString(bodies[*next_->body].name) : tr("the ground");
-        paintWords(painter, place, other);
+        paintWords(painter, place,
+                   next_->body ? QString::fromStdString(bodies[*next_->body].name)
+                               : tr("the ground: %1").arg(wordsOf(*next_)));
     }
     if (cross_) {
         painter.drawLine(*cross_ - QPointF(9, 0), *cross_ + QPointF(9, 0));

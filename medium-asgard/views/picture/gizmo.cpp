@@ -26,18 +26,28 @@ unsigned colorOfAxis(int axis) {
     return colors[static_cast<std::size_t>(axis)];
 }
 
-std::optional<std::pair<std::size_t, Vector>> Gizmo::place() const {
-    const auto& selected = document_.selected();
+std::optional<Gizmo::Place> Gizmo::place() const {
     const Shown& shown = document_.shown();
-    if (selected.size() != 1 || selected.front().kind != editing::Kind::body ||
-        selected.front().index >= shown.scene->bodies.size() || display_.creating().active() ||
-        render::isHidden(display_.display(), shown.scene->bodies[selected.front().index]))
-        return std::nullopt;
     const double start = shown.motion ? shown.motion->start() : display_.time();
-    if (display_.time() > start)
-        return std::nullopt; // there it is thrown
-    const std::size_t body = selected.front().index;
-    return std::pair(body, pivotOf(body));
+    if (display_.creating().active() || display_.time() > start) // there it is thrown
+        return std::nullopt;
+    std::vector<std::size_t> bodies;
+    for (const editing::Element& one : document_.selected()) {
+        if (one.kind != editing::Kind::body)
+            continue;
+        if (one.index >= shown.scene->bodies.size() ||
+            render::isHidden(display_.display(), shown.scene->bodies[one.index]))
+            return std::nullopt;
+        bodies.push_back(one.index);
+    }
+    if (bodies.empty())
+        return std::nullopt;
+    if (bodies.size() == 1)
+        return Place{bodies.front(), pivotOf(bodies.front())};
+    Vector sum = Vector::Zero();
+    for (const std::size_t body : bodies)
+        sum += display_.centerOf(body);
+    return Place{bodies.front(), sum / static_cast<double>(bodies.size()), false};
 }
 
 // A drag goes on with what it began with, and so does a scene that is awaited.
@@ -99,18 +109,18 @@ QPolygonF Gizmo::ringOf(const Vector& place, int axis) const {
 std::optional<Gizmo::Part> Gizmo::at(const QPointF& position) const {
     const auto of = place();
     for (int axis = 0; of && axis < 3; ++axis) {
-        const auto ends = arrow(of->second, axis);
+        const auto ends = arrow(of->middle, axis);
         if (!ends)
             continue;
         const QPointF way = ends->second - ends->first, to = position - ends->first;
         const double along =
             std::clamp(QPointF::dotProduct(to, way) / QPointF::dotProduct(way, way), 0.0, 1.1);
         if (QLineF(ends->first + along * way, position).length() < nearArrow)
-            return Part{of->first, axis};
+            return Part{of->body, axis};
     }
-    for (int axis = 0; of && axis < 3; ++axis) {
-        const QPolygonF points = ringOf(of->second, axis);
-        const QPointF middle = display_.fromPixels(display_.sight().pixels(of->second));
+    for (int axis = 0; of && of->isOne && axis < 3; ++axis) {
+        const QPolygonF points = ringOf(of->middle, axis);
+        const QPointF middle = display_.fromPixels(display_.sight().pixels(of->middle));
         if (QLineF(middle, position).length() < atBody)
             break;
         for (qsizetype i = 0; i + 1 < points.size(); ++i) {
@@ -118,7 +128,7 @@ std::optional<Gizmo::Part> Gizmo::at(const QPointF& position) const {
             const double length = std::max(QPointF::dotProduct(way, way), 1e-9);
             const double along = std::clamp(QPointF::dotProduct(to, way) / length, 0.0, 1.0);
             if (QLineF(points[i] + along * way, position).length() < nearRing)
-                return Part{of->first, axis, true};
+                return Part{of->body, axis, true};
         }
     }
     return std::nullopt;
@@ -126,15 +136,15 @@ std::optional<Gizmo::Part> Gizmo::at(const QPointF& position) const {
 
 void Gizmo::paint(QPainter& painter) const {
     const auto of = place();
-    for (int axis = 0; of && axis < 3; ++axis) {
+    for (int axis = 0; of && of->isOne && axis < 3; ++axis) {
         QColor faint = QColor::fromRgb(colorOfAxis(axis));
         faint.setAlphaF(0.75F);
         painter.setBrush(Qt::NoBrush);
         painter.setPen(QPen(faint, 1.6));
-        painter.drawPolyline(ringOf(of->second, axis));
+        painter.drawPolyline(ringOf(of->middle, axis));
     }
     for (int axis = 0; of && axis < 3; ++axis) {
-        const auto ends = arrow(of->second, axis);
+        const auto ends = arrow(of->middle, axis);
         if (!ends)
             continue;
         const QColor color = QColor::fromRgb(colorOfAxis(axis));

@@ -1,5 +1,5 @@
 // The arrows and rings of the body that is selected: a drag of an arrow moves the body along that
-// axis, a drag of a ring turns it about that axis.
+// axis, a drag of a ring turns it about that axis. Several have the arrows alone, in their middle.
 #pragma once
 
 #include "geometry/pose.h"
@@ -39,8 +39,13 @@ public:
 
 private:
     [[nodiscard]] bool isPlacedAlone(std::size_t body) const;
-    // The one body that is selected, while a drag would move its start.
-    [[nodiscard]] std::optional<std::pair<std::size_t, geometry::Vector>> place() const;
+    // Of the bodies that are selected, while a drag would move their start.
+    struct Place {
+        std::size_t body = 0; // the first of them
+        geometry::Vector middle;
+        bool isOne = true;
+    };
+    [[nodiscard]] std::optional<Place> place() const;
     // From its tail to its head on the screen; none: it looks at the viewer.
     [[nodiscard]] std::optional<std::pair<QPointF, QPointF>> arrow(const geometry::Vector& place,
                                                                    int axis) const;

@@ -124,7 +124,13 @@ bool PictureEditing::pressBody(std::size_t body, const QPointF& position,
     if (!handle || !mayChange())
         return false;
     button_ = Qt::LeftButton;
-    take({gestures::Grasp::What::drag, *handle}, display_.inPixels(position));
+    gestures::Grasp grasp{gestures::Grasp::What::drag, *handle};
+    const auto& selected = document_.selected();
+    if (std::ranges::find(selected, editing::Element{editing::Kind::body, body}) != selected.end())
+        for (const editing::Element& one : selected)
+            if (one.kind == editing::Kind::body && one.index != body)
+                grasp.company.push_back(one.index);
+    take(grasp, display_.inPixels(position));
     hand_.setUpright(along);
     return true;
 }

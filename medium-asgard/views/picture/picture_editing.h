@@ -41,7 +41,8 @@ public:
     bool doubleClick(QMouseEvent& event);
     // A drag of a ring of the selected body begins there: it turns about that axis of the world.
     bool turnBody(std::size_t body, const QPointF& position, int axis);
-    // An unshifted drag of a body that is selected begins there. False: it cannot be moved now.
+    // An unshifted drag of a body that is selected begins there, and takes with it all that are
+    // selected. False: it cannot be moved now.
     // `along`: the axis that it keeps to, by its arrow.
     bool pressBody(std::size_t body, const QPointF& position,
                    const std::optional<gestures::HandleDrag::Along>& along = std::nullopt);

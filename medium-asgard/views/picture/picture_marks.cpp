@@ -150,7 +150,7 @@ void PictureEditing::paint(QPainter& painter) const {
         painter.setOpacity(said_.opacity());
         paintWords(painter, said(), !said_.isFault());
         painter.setOpacity(1);
-    } else {
+    } else if (!display_.creating().active()) { // which has words of its own there
         paintWords(painter, display_.pointing().words(), true);
     }
 }

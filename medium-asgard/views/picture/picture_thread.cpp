@@ -55,6 +55,11 @@ private:
         std::unique_ptr<render::Handles> handles;
         std::optional<render::SceneView> view;
         std::string viewName;
+        struct Seen { // by a view, also of the scene before
+            std::string view;
+            render::Extent extent;
+        };
+        std::optional<Seen> seen;
         std::optional<render::Camera> framed;
         unsigned framedWith = 0; // the kinds of handles
         bool keptDirection = false;
@@ -80,8 +85,9 @@ PictureThread::Studio::Kept& PictureThread::Studio::kept(Window window, const Pi
         const auto scales = kept.handles && kept.scaling == wish.scaling
                                 ? std::optional(kept.handles->scales())
                                 : std::nullopt;
+        auto seen = kept.scaling == wish.scaling ? std::move(kept.seen) : std::nullopt;
         kept.handles.reset(); // it reads the scene
-        kept = {wish.shown, wish.size, nullptr, std::nullopt, {}, std::nullopt};
+        kept = {wish.shown, wish.size, nullptr, std::nullopt, {}, std::move(seen), std::nullopt};
         kept.handles = std::make_unique<render::Handles>(*kept.of.scene, kept.of.motion, scales);
         kept.scaling = wish.scaling;
     } else if (kept.scaling != wish.scaling) {
@@ -112,8 +118,11 @@ render::Camera PictureThread::Studio::cameraOf(Kept& kept, const PictureWish& wi
                               wish.camera.rotation, wish.size, wish.camera.orthographic);
     case SeenFrom::view:
         if (!kept.view || kept.viewName != wish.view) {
-            kept.view.emplace(scene, wish.shown.motion, wish.view, wish.size);
+            const bool stays = wish.keepsExtent && kept.seen && kept.seen->view == wish.view;
+            kept.view.emplace(scene, wish.shown.motion, wish.view, wish.size,
+                              stays ? std::optional(std::move(kept.seen->extent)) : std::nullopt);
             kept.viewName = wish.view;
+            kept.seen = {wish.view, kept.view->framed()};
         }
         return kept.view->at(wish.time);
     }

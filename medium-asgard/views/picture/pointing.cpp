@@ -7,6 +7,8 @@
 
 #include <QPainter>
 
+#include <algorithm>
+
 namespace views {
 
 Pointing::Pointing(SceneDocument& document, SceneDisplay& display)
@@ -89,6 +91,10 @@ void Pointing::rest() {
             whyNot_ = display_.throwing().whyNot(*dragged, *position_);
         subject_ =
             QString::fromStdString(drawing.scene->bodies[dragged.value_or(picked->body)].name);
+        const auto together =
+            std::ranges::count(document_.selected(), editing::Kind::body, &editing::Element::kind);
+        if (dragged && !whyNot_ && together > 1)
+            subject_ = tr("%1 and %2 more").arg(subject_).arg(together - 1);
     } else if (drawing.display.trajectories) {
         const auto path =
             gestures::trajectoryAt(*drawing.scene, display_.sight(), pixels,

@@ -99,21 +99,43 @@ TEST_F(PointingTest, OfTheLineWholePartsAreSeenAndTheTipHasAll) {
     HintLine line;
     const QString first = "Drag moves it", second = "right button: menu";
     line.say(first + "  ·  " + second);
-    const auto width = [&](const QString& text) {
-        return line.fontMetrics().horizontalAdvance(text);
+    const auto resize = [&](int width) {
+        line.resize(width, line.heightForWidth(width));
+        QCoreApplication::processEvents();
     };
-    line.resize(width(line.text() + first + second), 20);
+    const QFontMetrics metrics = line.fontMetrics();
+    resize(metrics.horizontalAdvance(line.text()) + 2);
     line.show();
     EXPECT_EQ(line.text(), first + "  ·  " + second);
     EXPECT_EQ(line.toolTip(), "");
-    line.resize(width(first + "  ·  " + second) - 2, 20);
-    QCoreApplication::processEvents();
-    EXPECT_EQ(line.text(), first + "  ·  …");
+    // Three lines have room for the first part, and not for all.
+    const QString longer = "One two three four five six seven eight nine ten";
+    line.say(longer + "  ·  " + second);
+    resize(metrics.horizontalAdvance(longer) / 2 - 2);
+    EXPECT_EQ(line.text(), longer + "  ·  …");
     EXPECT_THAT(line.toolTip().toStdString(), HasSubstr("right button: menu"));
-    line.resize(width(first) - 2, 20);
-    QCoreApplication::processEvents();
+    resize(metrics.horizontalAdvance(longer) / 5);
     EXPECT_THAT(line.text().toStdString(), testing::EndsWith("…"));
-    EXPECT_TRUE(first.startsWith(line.text().chopped(1)));
+    EXPECT_TRUE(longer.startsWith(line.text().chopped(1)));
+}
+
+// A window on a screen of 750 points.
+TEST_F(PointingTest, OfANarrowWindowTheWholeLineIsReadAndThePictureKeepsItsHeight) {
+    viewer->resize(750, 480);
+    viewer->showUsualPanes();
+    display().grab();
+    auto* line = viewer->findChild<HintLine*>();
+    line->say(display().pointing().hint());
+    EXPECT_THAT(hint(), HasSubstr("Drag turns the view"));
+    ASSERT_LT(line->width(), line->fontMetrics().horizontalAdvance(line->text()));
+    EXPECT_THAT(hint(), testing::EndsWith("right button: menu"));
+    const QSize before = display().size();
+    for (const QString words : {"Click selects it", "Click  ·  one  ·  two  ·  three  ·  "})
+        for (const int times : {1, 20}) {
+            line->say(words.repeated(times));
+            QCoreApplication::processEvents();
+            EXPECT_EQ(display().size(), before);
+        }
 }
 
 TEST_F(PointingTest, WhileTheMotionPlaysTheLineSaysWhatADragThrows) {

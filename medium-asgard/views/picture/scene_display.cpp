@@ -117,6 +117,7 @@ void SceneDisplay::ask() {
     wish.view = seen_.followed.toStdString();
     wish.framing = seen_.framing;
     wish.keepsDirection = seen_.keepsDirection;
+    wish.keepsExtent = seen_.isEdited;
     wish.scaling = seen_.scaling;
     wish.from = !seen_.followed.isEmpty()                                ? SeenFrom::view
                 : seen_.framesItself && (seen_.isDue || !seen_.isEdited) ? SeenFrom::framed

@@ -108,6 +108,28 @@ TEST_F(SelectingTest, APlainDragTurnsTheViewAndMovesWhatIsSelected) {
     EXPECT_EQ(editor.document().text(), three);
 }
 
+TEST_F(SelectingTest, AllThatAreSelectedMoveTogetherByABodyOrAnArrow) {
+    editor.document().select({nearOne, leftOne});
+    drag(left, left + QPoint(0, -50));
+    const auto place = [&](std::size_t body) {
+        return editor.document().shown().scene->bodies[body].initialPosition;
+    };
+    const Vector up = place(2) - Vector(-3, 0, 0);
+    EXPECT_GT(up.y(), 0.1);
+    EXPECT_LT((place(0) - Vector(0, 0, 2) - up).norm(), 1e-9) << editor.document().text();
+    EXPECT_EQ(place(1), Vector(0.2, 0, -2));
+    EXPECT_EQ(editor.document().undoLabel(), "Move 2 bodies");
+    EXPECT_THAT(selected(), ElementsAre(nearOne, leftOne));
+    const QPoint between = at((place(0) + place(2)) / 2); // where its arrow along x begins
+    drag(between + QPoint(40, 0), between + QPoint(90, 20));
+    EXPECT_GT(place(2).x(), -2.9);
+    EXPECT_NEAR(place(0).x(), place(2).x() + 3, 1e-9);
+    EXPECT_NEAR(place(2).y(), up.y(), 1e-12);
+    editor.document().undo();
+    editor.document().undo();
+    EXPECT_EQ(editor.document().text(), three);
+}
+
 TEST_F(SelectingTest, WhatWasSelectedBehindIsMovedThroughWhatIsBefore) {
     click(middle);
     click(middle);

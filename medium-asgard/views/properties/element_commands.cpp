@@ -10,22 +10,26 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
+#include <set>
 
 namespace views {
 
 namespace {
 
-// A little more than the widest of the bodies with an extent, along x.
-geometry::Vector besideThem(const scene::Scene& scene) {
-    double width = 0;
+// A little more than the bodies of the scene with those names are wide together, along x.
+geometry::Vector besideThem(const scene::Scene& scene, const std::set<std::string>& names) {
+    double least = std::numeric_limits<double>::infinity(), most = -least;
     for (const scene::Body& body : scene.bodies) {
-        double least = 0, most = 0;
+        if (!names.contains(body.name))
+            continue;
         for (const render::Ball& ball : render::outlineOf(scene, body)) {
-            least = std::min(least, ball.center.x() - ball.radius);
-            most = std::max(most, ball.center.x() + ball.radius);
+            const double x = (body.initialPosition + body.initialAttitude * ball.center).x();
+            least = std::min(least, x - ball.radius);
+            most = std::max(most, x + ball.radius);
         }
-        width = std::max(width, most - least);
     }
+    const double width = std::max(0.0, most - least);
     const double step = editing::decimalStep(width);
     return {width > 0 ? editing::roundedTo(1.1 * width, step / 10) : 1, 0, 0};
 }
@@ -70,8 +74,8 @@ void ElementCommands::put(const std::string& commands, const QString& label) {
     if (!document_.sceneIsCurrent() && !document_.text().empty())
         return Q_EMIT refused(document_.whyNotCurrent());
     const scene::Scene& scene = *document_.shown().scene;
-    const editing::Pasted paste =
-        editing::pasted(document_.text(), scene, commands, besideThem(scene));
+    const editing::Pasted paste = editing::pasted(document_.text(), scene, commands,
+                                                  besideThem(scene, editing::bodiesOf(commands)));
     if (!paste.possible())
         return Q_EMIT refused(QString::fromStdString(paste.reason));
     // Bodies alone, where there are any: one goes on with them.

@@ -94,6 +94,12 @@ PropertiesPane::PropertiesPane(SceneDocument& document, const PropertyActions& a
     refresh();
 }
 
+// A field that loses the keyboard now gives what was typed to nobody.
+PropertiesPane::~PropertiesPane() {
+    for (PropertyRow* row : findChildren<PropertyRow*>())
+        row->disconnect(this);
+}
+
 void PropertiesPane::buildButtons(QVBoxLayout& column, const PropertyActions& actions) {
     buttons_ = new QWidget;
     auto* line = new QHBoxLayout(buttons_);

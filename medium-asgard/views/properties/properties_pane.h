@@ -40,6 +40,7 @@ class PropertiesPane : public QWidget {
 public:
     PropertiesPane(SceneDocument& document, const PropertyActions& actions,
                    QWidget* parent = nullptr);
+    ~PropertiesPane() override;
 
     [[nodiscard]] PropertyRow* row(const std::string& option) const; // null: there is none
     [[nodiscard]] PropertyRow* turn() const { return turn_; }

@@ -357,6 +357,28 @@ TEST_F(PropertiesTest, EachKindOfElementHasRowsThatCanBeRead) {
     }
 }
 
+// A blank adds nothing to a number that was given by Return: it plays.
+TEST_F(PropertiesTest, AfterReturnABlankIsTheWindows) {
+    open(two, {{Kind::body, 0}});
+    QLineEdit& mass = field("-mass");
+    mass.setFocus();
+    const auto keepsBlank = [&] {
+        QKeyEvent asked(QEvent::ShortcutOverride, Qt::Key_Space, Qt::NoModifier, " ");
+        asked.ignore();
+        QCoreApplication::sendEvent(&mass, &asked);
+        return asked.isAccepted();
+    };
+    mass.selectAll();
+    QTest::keyClicks(&mass, "2.5");
+    EXPECT_TRUE(keepsBlank());
+    QTest::keyClick(&mass, Qt::Key_Return);
+    EXPECT_FALSE(keepsBlank());
+    ASSERT_TRUE(settle(document));
+    EXPECT_FALSE(keepsBlank());
+    QTest::keyClicks(&mass, " * 2");
+    EXPECT_TRUE(keepsBlank());
+}
+
 class CopiesTest : public testing::Test {
 protected:
     static void SetUpTestSuite() { theApplication(); }

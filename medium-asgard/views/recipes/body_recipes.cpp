@@ -47,6 +47,30 @@ void addRoomWords(NewElement& body, const scene::Scene& scene, bool isBall, bool
         body.words.insert(body.words.end(), {"-color", rarestColor(scene)});
 }
 
+scene::Part scaled(scene::Part part, double times) {
+    part.position *= times;
+    std::visit(
+        [times](auto& shape) {
+            if constexpr (requires { shape.radius; })
+                shape.radius *= times;
+            if constexpr (requires { shape.height; })
+                shape.height *= times;
+            if constexpr (requires { shape.inner; })
+                shape.inner *= times;
+            if constexpr (requires { shape.outer; })
+                shape.outer *= times;
+            if constexpr (requires { shape.edges; })
+                shape.edges *= times;
+            if constexpr (requires { shape.axes; })
+                shape.axes *= times;
+            if constexpr (requires { shape.points; })
+                for (Vector& point : shape.points)
+                    point *= times;
+        },
+        part.shape);
+    return part;
+}
+
 bool isBallShape(const std::vector<scene::Part>& parts) {
     return std::ranges::all_of(parts, [](const scene::Part& part) {
         return std::holds_alternative<scene::SphereShape>(part.shape);
@@ -112,19 +136,19 @@ Recipe newBody(const std::string& stem, const std::string& description, bool isF
 
 } // namespace
 
-Recipe newBody(BasicShape basic) {
+Recipe newBody(BasicShape basic, double times) {
     const bool isBall = basic == BasicShape::sphere;
-    Recipe recipe = isBall ? newBody("ball", "{-sub {-sphere 0.5}}")
-                           : newBody("block", "{-sub {-box {1 1 1}}}");
-    recipe.ghost.emplace_back();
+    scene::Part part;
     if (isBall)
-        recipe.ghost.front().shape = scene::SphereShape{0.5};
+        part.shape = scene::SphereShape{0.5 * times};
     else
-        recipe.ghost.front().shape = scene::BoxShape{};
+        part.shape = scene::BoxShape{times * Vector::Ones()};
+    Recipe recipe = newBody(isBall ? "ball" : "block", editing::descriptionText({part}));
+    recipe.ghost = {part};
     return recipe;
 }
 
-Recipe newBody(const editing::LibraryShape& shape) {
+Recipe newBody(const editing::LibraryShape& shape, double times) {
     std::string stem; // "thandle" of "T-handle"
     for (const char c : shape.name)
         if (std::isalpha(static_cast<unsigned char>(c)) != 0)
@@ -132,8 +156,11 @@ Recipe newBody(const editing::LibraryShape& shape) {
     const bool isFixed = std::ranges::any_of(shape.parts, [](const scene::Part& part) {
         return std::holds_alternative<scene::PlaneShape>(part.shape);
     });
-    Recipe recipe = newBody(stem, editing::descriptionText(shape.parts), isFixed);
-    recipe.ghost = shape.parts;
+    std::vector<scene::Part> parts;
+    for (const scene::Part& part : shape.parts)
+        parts.push_back(scaled(part, times));
+    Recipe recipe = newBody(stem, editing::descriptionText(parts), isFixed);
+    recipe.ghost = std::move(parts);
     return recipe;
 }
 

@@ -52,6 +52,7 @@ struct Indicated {
     Vector sight = Vector::UnitZ(); // towards the viewer
     bool atCenter = false;          // of mass, as near as the pointer can tell
     std::optional<std::size_t> trajectory;
+    bool isTyped = false;
     double resolution = 0; // what the pointer tells apart there
     std::string at;        // the thing that drew the point to it: "a corner of b1"
 };

@@ -15,8 +15,9 @@ enum class BasicShape { sphere, box };
 
 // Of a shape that is there, or of a new one.
 [[nodiscard]] Recipe newBody(const std::string& shape, std::vector<scene::Part> ghost = {});
-[[nodiscard]] Recipe newBody(BasicShape shape);
-[[nodiscard]] Recipe newBody(const editing::LibraryShape& shape);
+// `times`: as large as usual.
+[[nodiscard]] Recipe newBody(BasicShape shape, double times = 1);
+[[nodiscard]] Recipe newBody(const editing::LibraryShape& shape, double times = 1);
 // `perUnit`: how long the arrow of a force of 1 is drawn.
 [[nodiscard]] Recipe newForce(bool couple, double perUnit);
 // `massOf`: of a body of the scene. `usual`: the acceleration that Return gives.

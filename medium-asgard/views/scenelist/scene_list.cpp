@@ -339,9 +339,12 @@ bool SceneList::eventFilter(QObject* watched, QEvent* event) {
         return QWidget::eventFilter(watched, event);
     const auto* pressed = static_cast<QKeyEvent*>(event);
     const int key = pressed->key();
-    if (isShortcut) { // its letters and arrows are no commands of the window
+    if (isShortcut) { // it has its ways through the rows; letters are the window's, as everywhere
+        constexpr int ways[] = {Qt::Key_Up,     Qt::Key_Down,  Qt::Key_Left,   Qt::Key_Right,
+                                Qt::Key_Home,   Qt::Key_End,   Qt::Key_PageUp, Qt::Key_PageDown,
+                                Qt::Key_Return, Qt::Key_Enter, Qt::Key_Delete};
         const bool isOurs = !(pressed->modifiers() & (Qt::ControlModifier | Qt::AltModifier)) &&
-                            key != Qt::Key_Escape && (key < Qt::Key_F1 || key > Qt::Key_F35);
+                            std::ranges::find(ways, key) != std::end(ways);
         event->setAccepted(isOurs);
         return isOurs;
     }

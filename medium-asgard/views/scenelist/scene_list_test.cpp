@@ -121,6 +121,22 @@ TEST_F(SceneListTest, KeysOpenAndRemove) {
     EXPECT_THAT(removed, ElementsAre(Element{Kind::body, 0}));
 }
 
+// F, N, Shift+F and the blank mean in the list what they mean everywhere.
+TEST_F(SceneListTest, LettersAreTheWindows) {
+    list.tree().setCurrentItem(list.itemOf({Kind::body, 0}));
+    const auto keeps = [&](int key, Qt::KeyboardModifiers with = {}) {
+        QKeyEvent asked(QEvent::ShortcutOverride, key, with);
+        asked.ignore();
+        QCoreApplication::sendEvent(&list.tree(), &asked);
+        return asked.isAccepted();
+    };
+    for (const int key : {Qt::Key_F, Qt::Key_N, Qt::Key_Space, Qt::Key_F4})
+        EXPECT_FALSE(keeps(key)) << key;
+    EXPECT_FALSE(keeps(Qt::Key_F, Qt::ShiftModifier));
+    for (const int key : {Qt::Key_Down, Qt::Key_Return, Qt::Key_Delete, Qt::Key_Home})
+        EXPECT_TRUE(keeps(key)) << key;
+}
+
 // As each move of a drag does.
 TEST_F(SceneListTest, NumbersOfAnotherLengthLeaveTheItems) {
     list.tree().setCurrentItem(list.itemOf({Kind::joint, 0}));

@@ -288,5 +288,27 @@ TEST_F(GraphicalViewerTest, ASceneWithViewsOpensInItsFirst) {
     EXPECT_NEAR(viewer->display().camera().scale, 0.2, 1e-12);
 }
 
+// A view that gives a direction alone frames the scene that opens, and not each step of a drag.
+TEST_F(GraphicalViewerTest, WhatAViewFramesStaysWhileOneEdits) {
+    const std::string view = "view front -rot {0.18 0 0}\n",
+                      far = "body b2 ball -init_pos {0 9 0}\n";
+    const auto open = [&](const std::string& text) {
+        editor.document().setText(text, "Edit");
+        ASSERT_TRUE(settle(editor.document()));
+    };
+    open(ballScene + view);
+    SceneDisplay& display = editor.openGraphicalViewer()->display();
+    display.grab();
+    const render::Camera before = display.camera();
+    open(ballScene + far + view);
+    display.grab();
+    EXPECT_EQ(display.camera(), before);
+    EXPECT_EQ(display.followedView(), "front");
+    editor.document().reset(ballScene + far + view);
+    ASSERT_TRUE(settle(editor.document()));
+    display.grab();
+    EXPECT_NE(display.camera(), before);
+}
+
 } // namespace
 } // namespace views
