@@ -75,6 +75,15 @@ case("rolls_down", slope(0.3, 0.5, 0, 2, radius=0.1), [(t, 6, -5 / 14 * G * math
 free = G * (math.sin(0.6) - 0.1 * math.cos(0.6))
 case("slides_down", slope(0.6, 0.1, 0, 2, radius=0.1), [(t, 10, -free * t * t / 2, along(0.6, 0.1)) for t in (0.5, 1, 2)] +
      [(2, 40, 2.5 * 0.1 * G * math.cos(0.6) * 2 / 0.1, "b.wz")])
+# A box down a slope of 1 : 2, across x, where each sum y + z / 2 of its corners is the same.
+tilt, mu = math.atan(0.5), 0.3
+down = (-math.sin(tilt), math.cos(tilt))
+case("slides_down_across", f"# zero: {math.cos(tilt)!r}*b.y+{math.sin(tilt)!r}*b.z-0.05\nsimulator -finish 0.5\n"
+     "shape_set ramp -desc {-sub {-box {1 1 8}}}\nshape_set box -desc {-sub {-box {0.2 0.1 0.4}}}\n"
+     f"body ramp ramp -init_pos {{0 {-0.5 * down[1]!r} {0.5 * down[0]!r}}} -init_rot {{{tilt!r} 0 0}} -fixed 1 -friction {mu}\n"
+     f"body b box -init_pos {{0 {0.05 * down[1]!r} {-0.05 * down[0]!r}}} -init_rot {{{tilt!r} 0 0}} -restitution 0 -mass 1 -friction {mu}\n" + gravity("b"),
+     [(t, 1, G * (math.sin(tilt) - mu * math.cos(tilt)) * t * t / 2, f"{down[0]!r}*b.y+{down[1]!r}*b.z") for t in (0.2, 0.5)] +
+     [(0.5, 1, 0, "b.wx")])
 # A block on a cart: one speed from t = v / (mu g (1 + m / M)) on.
 mu, v, m, big = 0.3, 4, 1, 3
 together = v / (mu * G * (1 + m / big))

@@ -371,8 +371,31 @@ def check_slides_off():
     return faults
 
 
+def check_round_over_a_corner():
+    """What is round goes over the corner of a table turned by 45 degrees as over the edge of a square one, where its side is over the corner."""
+    faults = 0
+    for body in ("-rot {0 0 1.5707963267948966} -cylinder {0.1 0.4}", "-rot {0 0 1.5707963267948966} -capsule {0.1 0.3}",
+                 "-rot {1.5707963267948966 0 0} -cylinder {0.1 0.4}"):
+        ways = []
+        for table in ("-rot {0 0.7853981633974483 0} -box {0.9899494936611666 0.1 0.9899494936611666}", "-box {1.4 0.1 1.4}"):
+            scene = f"""simulator -finish 0.5 -accuracy 1e-7
+shape_set table -desc {{-sub {{{table}}}}}
+shape_set round -desc {{-sub {{{body}}}}}
+body table table -init_pos {{0 1 0}} -fixed 1 -friction 0.3
+body b round -init_pos {{0.3 1.15 0}} -init_dpos {{1.9 0 0}} -mass 1 -friction 0.3 -restitution 0
+force -body b -gravitational {{0 -{G} 0}}
+"""
+            run = subprocess.run([sys.argv[1], "simulate", "-", "--csv", "-", "--at", "0:0.1:0.4", "--only", "--quantities", "b.x,b.y,b.wz"],
+                                 input=scene, capture_output=True, text=True, check=False)
+            ways.append([float(x) for x in run.stdout.strip().splitlines()[-1].split(",")] if run.returncode == 0 else [])
+        if len(ways[0]) != 4 or max(abs(a - b) for a, b in zip(*ways)) > 1e-6:
+            print(f"FAIL {body} over a corner: {ways}")
+            faults += 1
+    return faults
+
+
 def main():
-    faults = (check_slides_off() + check_tilted_coins() + check_hops() + check_growing_hops() + check_half_space() + check_finish() + check_loose() + check_coin() +
+    faults = (check_round_over_a_corner() + check_slides_off() + check_tilted_coins() + check_hops() + check_growing_hops() + check_half_space() + check_finish() + check_loose() + check_coin() +
               check_flush_ladder() + check_names())
     for name, scene, expected in cases():
         found = events(scene, stops=name == "painleve")

@@ -35,20 +35,22 @@ std::vector<std::size_t> standing(const std::vector<Vector>& points, const Motio
         sums[of] += points[i][plane.axis];
         counts[of] += 1;
     }
-    std::size_t low = points.size(), high = low; // furthest along the face's line in the plane
+    Vector along = Vector::Zero(); // the face's line in the plane
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (first[i] != i)
             continue;
         if (!(std::abs(sums[i] / counts[i] - plane.at) <= near))
             return {};
-        const auto isBefore = [&](std::size_t a, std::size_t b) {
-            Vector way = points[b] - points[a];
-            way[plane.axis] = 0;
-            return way[plane.axis == 0 ? 1 : 0] + 0.5 * way[plane.axis == 2 ? 1 : 2] > 0;
-        };
-        if (low == points.size() || isBefore(i, low))
+        Vector way = points[i] - points[0];
+        way[plane.axis] = 0;
+        if (way.norm() > along.norm())
+            along = way;
+    }
+    std::size_t low = 0, high = 0; // furthest along it
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (first[i] == i && along.dot(points[i] - points[low]) < 0)
             low = i;
-        if (high == points.size() || isBefore(high, i))
+        if (first[i] == i && along.dot(points[i] - points[high]) > 0)
             high = i;
     }
     for (std::size_t i = 0; i < points.size(); ++i)
@@ -70,7 +72,7 @@ public:
         : plane_(plane), body_(body), support_(support), across_(Vector::Unit(plane.axis)) {}
 
     // Nothing for two edges askew to the plane.
-    [[nodiscard]] std::optional<InPlane> of(const SurfaceGap& gap, const Vector& corner) const {
+    [[nodiscard]] std::optional<InPlane> of(const SurfaceGap& gap) const {
         InPlane found{.gap = gap};
         SurfacePiece &first = found.gap.body, &second = found.gap.support;
         const Vector normal = physics::nearest(gap, poseOf(body_), poseOf(support_)).normal;
@@ -83,9 +85,9 @@ public:
         const bool isAnyRim = first.kind == Kind::circle || second.kind == Kind::circle;
         const bool isSharp = isAnyRim || first.radius + second.radius == 0;
         if (isFirst)
-            atPlane(first, body_);
+            atPlane(first, body_, plane_.at);
         if (isSecond)
-            atPlane(second, support_);
+            atPlane(second, support_, plane_.at);
         if (!found.gap.isOnPlane() && isFirst != isSecond) {
             SurfacePiece& other = isFirst ? second : first;
             const Placed& owner = isFirst ? support_ : body_;
@@ -100,7 +102,7 @@ public:
             SurfacePiece &along = isAlong ? first : second, &askew = isAlong ? second : first;
             if ((!isAlong && !isInPlane(second, support_)) || askew.radius > 0)
                 return std::nullopt;
-            askew = {.kind = Kind::point, .place = localOf(isAlong ? support_ : body_, corner)};
+            atPlane(askew, isAlong ? support_ : body_, acrossAt(along, isAlong ? body_ : support_));
             if (isSharp)
                 along = planeAt(along.place, isAlong ? body_ : support_,
                                 isAlong ? Vector(-normal) : normal);
@@ -127,10 +129,13 @@ private:
     [[nodiscard]] bool isInPlane(const SurfacePiece& piece, const Placed& owner) const {
         return acrossOf(piece, owner) <= negligible;
     }
-    void atPlane(SurfacePiece& piece, const Placed& owner) const {
-        const Vector axis = owner.state.attitude * piece.axis;
-        const Vector at = owner.state.position + owner.state.attitude * piece.place;
-        piece.place += piece.axis * ((plane_.at - across_.dot(at)) / across_.dot(axis));
+    [[nodiscard]] double acrossAt(const SurfacePiece& piece, const Placed& owner) const {
+        return across_.dot(owner.state.position + owner.state.attitude * piece.place);
+    }
+    // The point of a line at this place across the plane.
+    void atPlane(SurfacePiece& piece, const Placed& owner, double place) const {
+        const double along = across_.dot(owner.state.attitude * piece.axis);
+        piece.place += piece.axis * ((place - acrossAt(piece, owner)) / along);
         piece.kind = Kind::point;
         piece.axis = Vector::UnitX();
     }
@@ -247,7 +252,7 @@ void putInPlane(physics::ContactPlace& place, const std::vector<Vector>& corners
         if (first[i] == first.size() || first[first[i]] != first[i])
             continue; // between them
         const ContactPoint& point = place.points[i];
-        const auto flat = Flattening(plane, body, support).of(point.gap, corners[i]);
+        const auto flat = Flattening(plane, body, support).of(point.gap);
         if (!flat)
             return;
         const auto sides = SidesInPlane(point, *flat, plane, place.size, body, support).sides();

@@ -231,12 +231,35 @@ private:
                 point.at.normal.dot(found_.normal) > sameWay && point.at.steady > steadyEnough);
     }
 
+    // A vertex of the face that lies under a side, of this length.
+    bool keepUnder(bool isBodys, const Vector& vertex, const SurfacePiece& side, double length) {
+        const Placed &owner = isBodys ? body_ : support_, &other = isBodys ? support_ : body_;
+        if (side.kind != Kind::line || !(side.radius > 0))
+            return false;
+        const Vector apart = owner.state.position - other.state.position;
+        const Vector off =
+            other.state.attitude.conjugate() * Vector(toWorld(owner, vertex) + apart) - side.place;
+        const Vector across = toWorld(other, Vector(off - side.axis * side.axis.dot(off)));
+        if ((across - found_.normal * found_.normal.dot(across)).norm() > tolerance_ ||
+            std::abs(side.axis.dot(off)) > length / 2)
+            return false;
+        const SurfacePiece corner = pointAt(vertex, 0);
+        keep(pointOf(isBodys ? SurfaceGap{corner, side, false} : SurfaceGap{side, corner, false}));
+        return true;
+    }
+
     void acrossOutline(const FlatFace& face, bool isBodys, const SurfacePiece& piece,
                        double pieceLength) {
         const Placed &owner = isBodys ? body_ : support_, &other = isBodys ? support_ : body_;
         const Vector along = owner.state.attitude.conjugate() * toWorld(other, piece.axis);
-        for (std::size_t i = 0; i < face.outline.size(); ++i) {
-            const Vector &from = face.outline[i], &to = face.outline[(i + 1) % face.outline.size()];
+        const std::size_t size = face.outline.size();
+        std::vector<char> isUnder(size, 0); // a side that lies on this vertex
+        for (std::size_t i = 0; i < size; ++i)
+            isUnder[i] = keepUnder(isBodys, face.outline[i], piece, pieceLength);
+        for (std::size_t i = 0; i < size; ++i) {
+            const Vector &from = face.outline[i], &to = face.outline[(i + 1) % size];
+            if (isUnder[i] || isUnder[(i + 1) % size])
+                continue;
             const Vector way = (to - from).normalized();
             const SurfacePiece edge{.kind = Kind::line, .place = (from + to) / 2, .axis = way};
             if (piece.kind == Kind::line && way.cross(along).norm() < parallel) {
