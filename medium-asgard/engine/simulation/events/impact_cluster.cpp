@@ -229,6 +229,7 @@ ImpactCluster gathered(const Instant& instant, const Pair& hit,
                        const std::optional<MotionPlane>& plane) {
     ImpactCluster cluster;
     cluster.bodies = {hit.first, hit.second};
+    cluster.plane = plane;
     std::set<Pair> seen;
     for (std::size_t i = 0; i < cluster.bodies.size(); ++i) {
         const std::size_t body = cluster.bodies[i];

@@ -1,10 +1,12 @@
 // All contacts of one instant that are connected by bodies that can give way: one impact.
 #pragma once
 
+#include "contacts/in_plane.h"
 #include "events/instant.h"
 #include "physics/impact.h"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace simulation {
@@ -20,6 +22,7 @@ struct ImpactCluster {
     std::vector<physics::ImpactContact> corners; // of the patches
     std::vector<std::size_t> contactOf;          // by corner
     std::size_t patches = 0;                     // how many numbers of patches are in use
+    std::optional<MotionPlane> plane;            // in which all points are
     std::vector<physics::ImpactRow> joints;      // between these bodies
 
     // Of a contact: the bodies in the scene, in its own order.

@@ -70,7 +70,8 @@ std::optional<double> pushOfPieces(const Instant& at, const ImpactCluster& clust
     const bool isFirst = body == pair.first;
     const double size = at.world.smallerRadius(pair);
     const Placed of = at.placed(body);
-    for (const PointInTouch& point : pointsInTouch(of, at.placed(support), landing, std::nullopt)) {
+    for (const PointInTouch& point :
+         pointsInTouch(of, at.placed(support), landing, cluster.plane)) {
         const Vector normal = isFirst ? c.normal : Vector(-c.normal);
         if (!point.gap || !((point.point - c.point).norm() <= near * size) ||
             !isOneNormal(point.normal, normal))
@@ -131,7 +132,9 @@ LastHops softenLastHops(const Instant& at, ImpactCluster& cluster,
             isAnyHigh = true; // they hop on (side_by_side.h)
             continue;
         }
-        Hop hop = hopOf(at, cluster, cluster.contacts[c], cluster.radii[c], bodies);
+        Hop hop;
+        if (std::ranges::find(cluster.contactOf, c) == cluster.contactOf.end()) // it is a point
+            hop = hopOf(at, cluster, cluster.contacts[c], cluster.radii[c], bodies);
         for (std::size_t i = 0; i < cluster.corners.size(); ++i) {
             if (cluster.contactOf[i] != c)
                 continue;
