@@ -15,6 +15,9 @@ constexpr std::size_t unlikely = 500;
 constexpr double explicitLimit = 6.1; // of dop853 on the real axis
 constexpr std::size_t spectralInterval = 16;
 
+// An implicit step may be short beside the motion.
+bool isLikely(double h, double crossing) { return implicitStep * h < shortTime * crossing; }
+
 } // namespace
 
 MethodChoice MethodChoice::restarted() const {
@@ -38,6 +41,7 @@ void MethodChoice::change(bool implicit) {
     trial_ = implicit;
     tried_ = true;
     steps_ = 0;
+    bySpectrum_ = 0;
     stability_ = before_ = progress_ = cost_ = 0;
 }
 
@@ -52,10 +56,11 @@ bool MethodChoice::changesAfter(const Method& method, double h, double crossing)
         progress_ = cost_ = 0;
     if (!implicit_) {
         stability_ = memory * stability_ + (1 - memory) * method.stabilityUsed();
-        const bool likely = implicitStep * h < shortTime * crossing;
-        const std::size_t enough = likely || tried_ ? evidence_ : std::max(evidence_, unlikely);
-        const bool stiff = stability_ > bound && steps_ >= enough;
-        const bool perhaps = stability_ > suspicious && steps_ >= 4 * enough;
+        isShort_ = isLikely(h, crossing);
+        const std::size_t enough = isShort_ || tried_ ? evidence_ : std::max(evidence_, unlikely);
+        const double stability = std::max<double>(stability_, bySpectrum_);
+        const bool stiff = stability > bound && steps_ >= enough;
+        const bool perhaps = stability > suspicious && steps_ >= 4 * enough;
         if (!stiff && !perhaps)
             return false;
         explicitRate_ = progress_ / cost_;
@@ -71,13 +76,18 @@ bool MethodChoice::changesAfter(const Method& method, double h, double crossing)
     return true;
 }
 
-bool MethodChoice::wantsSpectralRadius() const {
-    return implicit_ && !trial_ && steps_ % spectralInterval == 0;
+bool MethodChoice::wantsSpectralRadius(bool mayGoBeyond) const {
+    return (implicit_ ? !trial_ : isShort_ && mayGoBeyond) && steps_ > 0 &&
+           steps_ % spectralInterval == 0;
 }
 
 bool MethodChoice::changesFor(double spectralRadius, double h) {
     constexpr double worthwhile = 6;
     const double used = h * spectralRadius / explicitLimit;
+    if (!implicit_) {
+        bySpectrum_ = static_cast<float>(used);
+        return false;
+    }
     stability_ = stability_ == 0 ? used : 0.5 * (stability_ + used);
     if (steps_ < 2 * spectralInterval || stability_ >= worthwhile)
         return false;

@@ -255,12 +255,13 @@ bool ActiveSet::cross(std::span<const std::size_t> watches, double t, std::span<
             beyond[i] += ahead_ * rates[i];
         isDone = settle(candidates, fastest, t + ahead_, beyond);
     }
-    if (!isDone && slow_ > 0 && !stopped.empty()) { // none hold what slipped slowly: it slips on
+    if (!isDone && slow_.part > 0 &&
+        !stopped.empty()) { // none hold what slipped slowly: it slips on
         std::ranges::copy(moving, y.begin());
         mode_.kept = before;
         mode_.slips = slips;
         lastCross_ = t - elapsed;
-        const double slow = std::exchange(slow_, 0);
+        const Slow slow = std::exchange(slow_, {});
         const bool isOn = cross(watches, t, y, rates);
         slow_ = slow;
         return isOn;
@@ -426,16 +427,17 @@ void ActiveSet::give(std::span<const std::size_t> hit, std::span<const std::size
 }
 
 // Its direction has turned by a right angle: it rests, if it is slow beside what its deceleration
-// has taken away since the last event; else it slips on another way.
+// has taken away since the last event, or would take away on a short way; else it slips on another
+// way.
 bool ActiveSet::hasStopped(std::size_t disc, double elapsed, std::span<const double> y) {
     constexpr double ofLost = 1e-6, ofSpeeds = 1e-9;
     const BoundModel::Disc& of = discs()[disc];
     double second = 0;
     for (const std::size_t row : of.rows)
         second = std::max(second, std::abs(multipliers_.secondRate(row)));
-    const double none =
-        std::max({2 * rateOf * law(of.rows[0]).resolution, ofLost * second * elapsed,
-                  std::max(slow_, ofSpeeds) * multipliers_.fastest(y)});
+    const double none = std::max({2 * rateOf * law(of.rows[0]).resolution,
+                                  ofLost * second * elapsed, std::sqrt(slow_.way * second),
+                                  std::max(slow_.part, ofSpeeds) * multipliers_.fastest(y)});
     return multipliers_.friction().slipOf(disc).norm() <= none;
 }
 

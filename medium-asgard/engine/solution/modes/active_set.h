@@ -38,9 +38,12 @@ class ActiveSet {
 public:
     ActiveSet(ModelFunctions& functions, Multipliers& multipliers, Mode& mode);
 
-    // Of the fastest velocity: contacts that slip slower than that rest when their slip turns. The
-    // integration errs by more.
-    void setSlow(double part) { slow_ = part; }
+    // A contact whose slip turns rests if it slips slower than that. The integration errs by more.
+    struct Slow {
+        double part = 0; // of the fastest velocity
+        double way = 0;  // on which friction would stop the slip
+    };
+    void setSlow(const Slow& slow) { slow_ = slow; }
     // There are bounds.
     [[nodiscard]] bool empty() const { return bounded_.empty(); }
     // The set is another.
@@ -68,6 +71,8 @@ public:
     void takeSlips(double t, std::span<const double> y);
     // There are contacts.
     [[nodiscard]] bool hasContacts() const { return hasContacts_; }
+    // One of them slips.
+    [[nodiscard]] bool slips() const;
 
 private:
     static constexpr double atRest = 1e-12;  // of the rates that enter: none
@@ -111,7 +116,6 @@ private:
     void blow(std::span<const std::size_t> hit, double t, std::span<double> y);
     void give(std::span<const std::size_t> hit, std::span<const std::size_t> shut,
               std::span<const double> restitutions, double t, std::span<double> y);
-    [[nodiscard]] bool slips() const; // some contact
     void slip(double fastest, double t, std::span<const double> y);
     void setDisc(std::size_t disc, complementarity::State state);
     void setCentre(std::size_t disc, const DiscFriction::Centre& centre);
@@ -140,9 +144,9 @@ private:
     std::vector<std::size_t> bounded_; // multipliers
     std::vector<Watch> watches_;
     bool hasContacts_ = false;
-    std::vector<double> opened_;       // by multiplier: the gap at which a stop opened, at most 0
-    double largest_ = 0;               // of the multipliers, where watches are asked
-    double slow_ = 0;                  // of the fastest velocity
+    std::vector<double> opened_; // by multiplier: the gap at which a stop opened, at most 0
+    double largest_ = 0;         // of the multipliers, where watches are asked
+    Slow slow_;
     double lastCross_ = 0, ahead_ = 0; // the last event, and how far its laws looked ahead
 };
 

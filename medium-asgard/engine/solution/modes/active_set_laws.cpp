@@ -9,6 +9,9 @@
 
 namespace solution {
 
+using complementarity::Answer;
+using complementarity::Law;
+using complementarity::Laws;
 using complementarity::State;
 
 // It is at its bound without a rate, or holds: the laws on second rates decide.
@@ -104,7 +107,7 @@ void ActiveSet::addLaw(Rows& rows, std::size_t disc, std::span<const std::size_t
                                  slips ? of.sliding : of.sticking,
                                  static_cast<Eigen::Index>(normals.size()));
     rows.rows.insert(rows.rows.end(), of.rows.begin(), of.rows.end());
-    complementarity::Law& law = rows.laws.back();
+    Law& law = rows.laws.back();
     if (of.hasLevers) {
         law.levers.resize(law.rows - 1, law.normals);
         for (Eigen::Index n = 0; n < law.normals; ++n) {
@@ -114,7 +117,7 @@ void ActiveSet::addLaw(Rows& rows, std::size_t disc, std::span<const std::size_t
         }
     }
     if (slips) {
-        law.kind = complementarity::Law::Kind::slip;
+        law.kind = Law::Kind::slip;
         std::tie(law.velocity, law.beside) = friction.velocityOf(disc);
     } else {
         rows.discs.push_back(disc);
@@ -182,27 +185,67 @@ void ActiveSet::openUnpressed() {
             setDisc(disc, State::low);
 }
 
+namespace {
+
+bool isHeldAtEdge(const Law& disc, const Answer& answer, std::size_t k, double none) {
+    return disc.kind == Law::Kind::disc && answer.states[k] == State::edge &&
+           answer.rates.segment(disc.first, disc.rows).norm() <= none;
+}
+
+// Redundant forces may hold a disc in many ways, of which the answer has one at the edge. Forces
+// within it last: those of the same laws with less friction there.
+void holdWithin(const Eigen::MatrixXd& a, const Eigen::VectorXd& b, const Laws& laws,
+                Answer& answer) {
+    constexpr double rounding = 1e-9;
+    const double none = rounding * b.cwiseAbs().maxCoeff();
+    std::vector<std::size_t> held;
+    for (std::size_t k = 0; k < laws.size(); ++k)
+        if (isHeldAtEdge(laws[k], answer, k, none))
+            held.push_back(k);
+    for (const double less : {0.2, 0.02}) {
+        if (held.empty())
+            return;
+        Laws narrow = laws;
+        for (const std::size_t k : held)
+            narrow[k].coefficient *= 1 - less;
+        const auto within = complementarity::solve(a, b, narrow, answer);
+        const bool holds = within && std::ranges::all_of(held, [&](std::size_t k) {
+                               return within->states[k] == State::inside ||
+                                      isHeldAtEdge(narrow[k], *within, k, none);
+                           });
+        if (!holds)
+            continue;
+        answer = *within;
+        break;
+    }
+    for (const std::size_t k : held)
+        answer.states[k] = State::inside;
+}
+
+} // namespace
+
 bool ActiveSet::solveLaws(const Rows& rows) {
     const auto [a, b] = multipliers_.systemOf(rows.rows);
-    complementarity::Answer rest; // the guess: all that may rest does
+    Answer rest; // the guess: all that may rest does
     if (!rows.discs.empty()) {
         rest.forces.setZero(b.size());
         rest.states.assign(rows.laws.size(), State::inside);
     }
-    const auto answer = complementarity::solve(a, b, rows.laws, rest);
+    auto answer = complementarity::solve(a, b, rows.laws, rest);
     if (!answer)
         return false;
+    holdWithin(a, b, rows.laws, *answer);
     const double largest = answer->forces.cwiseAbs().maxCoeff();
     mode_.forces.assign(mode_.kept.size(), 0);
     for (std::size_t i = 0; i < rows.rows.size(); ++i)
         mode_.forces[rows.rows[i]] = answer->forces[static_cast<Eigen::Index>(i)];
     std::size_t disc = 0;
     for (std::size_t k = 0; k < rows.laws.size(); ++k) {
-        const complementarity::Law& of = rows.laws[k];
+        const Law& of = rows.laws[k];
         const std::size_t row = rows.rows[static_cast<std::size_t>(of.first)];
-        if (of.kind == complementarity::Law::Kind::slip)
+        if (of.kind == Law::Kind::slip)
             continue;
-        if (of.kind == complementarity::Law::Kind::disc) {
+        if (of.kind == Law::Kind::disc) {
             const DiscFriction::InDisc force =
                 complementarity::forcesAt(complementarity::centreOf(of, answer->forces),
                                           answer->forces.segment(of.first, of.rows));

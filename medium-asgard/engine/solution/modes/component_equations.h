@@ -132,8 +132,10 @@ public:
     // A contact closes or loses its place on a step's polynomials, and elsewhere on states that the
     // conditions hold.
     [[nodiscard]] bool movesContacts(const Violation& violation, std::span<const double> y);
-    // Contacts that slip by less than that part of the fastest velocity rest (active_set.h).
-    void setSlow(double part) { active_.setSlow(part); }
+    // Contacts that slip slower than that rest (active_set.h).
+    void setSlow(const ActiveSet::Slow& slow) { active_.setSlow(slow); }
+    // A contact slips.
+    [[nodiscard]] bool slips() const { return active_.slips(); }
     // Contacts that slip do so as these states move.
     void takeSlips(double t, std::span<const double> y) { active_.takeSlips(t, y); }
     // Conditions are gone for ever where these values, by place, say so. True: some went now.

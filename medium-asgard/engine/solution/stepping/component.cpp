@@ -178,7 +178,8 @@ void Component::makeControl() {
     }
     memory_.now.control = ErrorControl(std::move(scales), context_.tolerance);
     constexpr double ofTolerance = 0.01; // of what a step may err in velocities
-    equations_->setSlow(ofTolerance * context_.tolerance);
+    equations_->setSlow({.part = ofTolerance * context_.tolerance,
+                         .way = ofTolerance * context_.tolerance * extent});
 }
 
 // Of multipliers the histories keep the mode.

@@ -58,6 +58,7 @@ std::optional<Ending> Integration::beginMethod() {
     ComponentEquations& equations = context_.equations();
     ComponentStatistics& counts = context_.counts;
     method_ = chosenMethod();
+    context_.memory.now.choice.begin();
     const bool quadrature = equations.states().size() == 1 && !equations.readsStates();
     counts.method = method_->name();
     counts.order = method_->order();
@@ -113,7 +114,8 @@ std::optional<Ending> Integration::reconsider() {
     MethodChoice& choice = context_.memory.now.choice;
     const bool wasTrial = choice.isTrial();
     if (choice.changesAfter(*method_, lastLength_, context_.control().crossing()) ||
-        (choice.wantsSpectralRadius() && choice.changesFor(spectralRadius(), lastLength_)))
+        (choice.wantsSpectralRadius(context_.equations().slips()) &&
+         choice.changesFor(spectralRadius(), lastLength_)))
         return changeMethod();
     if (wasTrial && !choice.isTrial()) // it was won
         context_.memory.keep(context_.time());
