@@ -162,4 +162,16 @@ std::vector<Element> elementsOf(const scene::Scene& scene) {
     return elements;
 }
 
+std::vector<Element> elementsAt(const scene::Scene& scene, scene::Range range) {
+    std::vector<Element> elements;
+    if (!range.known())
+        return elements;
+    for (const Element& element : elementsOf(scene)) {
+        const scene::Range command = sourceOf(scene, element)->command;
+        if (command.known() && command.from <= range.from && range.to <= command.to)
+            elements.push_back(element);
+    }
+    return elements;
+}
+
 } // namespace editing

@@ -52,4 +52,7 @@ struct Renamed {
 // All elements of a scene, by kind and in order; the simulator only where the text has one.
 [[nodiscard]] std::vector<Element> elementsOf(const scene::Scene& scene);
 
+// Those whose commands hold that place: an element's own, or all that a loop's command made.
+[[nodiscard]] std::vector<Element> elementsAt(const scene::Scene& scene, scene::Range range);
+
 } // namespace editing

@@ -40,6 +40,7 @@ public:
 
     // Of the pointer; the keys do not follow it. `holdsOff`: things nearby do not draw it to them.
     void move(const Eigen::Vector2d& pixels, bool holdsOff = false);
+    bool goOn() { return drag_ && button_ && drag_->goOn(); } // while the pointer rests
     // `scale`: device pixels for each of the reader's. False: nothing is held by it.
     bool key(Key key, bool pressed, double scale);
 

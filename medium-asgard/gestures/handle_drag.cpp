@@ -387,6 +387,15 @@ void HandleDrag::move(const Eigen::Vector2d& pixels) {
     update();
 }
 
+bool HandleDrag::goOn() {
+    constexpr double still = 0.1; // pixels
+    if (!moved_ || isByKeys_ || turning_ || !swings())
+        return false;
+    const Vector before = place_;
+    update();
+    return (place_ - before).norm() > still * pixelLength_;
+}
+
 void HandleDrag::nudge(const Eigen::Vector2d& byPixels) {
     held_ += byPixels;
     update();

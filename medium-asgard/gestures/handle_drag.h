@@ -35,6 +35,9 @@ public:
     HandleDrag& operator=(const HandleDrag&) = delete;
 
     void move(const Eigen::Vector2d& pixels);
+    // Joined bodies for which a move did not suffice come nearer to the hand, which rests. False:
+    // they have arrived.
+    bool goOn();
     void nudge(const Eigen::Vector2d& byPixels);
     void push(double pixels); // away from the viewer, as far as so many pixels across
     void setFree(bool free);  // does not follow the surface

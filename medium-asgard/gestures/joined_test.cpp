@@ -121,6 +121,39 @@ TEST(Joined, SeveralAreDraggedByOneWayWithWhatHoldsThem) {
     EXPECT_THAT(made.words, HasSubstr("with 3 more"));
 }
 
+// A straight chain, whose end is pulled aside by one move: it comes to the hand while that rests.
+TEST(Joined, ALongChainComesToTheHandThatRests) {
+    constexpr int count = 30;
+    std::string text = "shape_set link -desc {-sub {-box {0.05 0.2 0.05}}}\n";
+    for (int i = 0; i < count; ++i) {
+        const std::string name = "b" + std::to_string(i);
+        text += "body " + name + " link -init_pos {0 " + std::to_string(-0.2 * i) + " 0}\njoint j" +
+                std::to_string(i) + " -type ball -body1 " + name + " -offset1 {0 0.1 0}" +
+                (i == 0 ? "" : " -body2 b" + std::to_string(i - 1) + " -offset2 {0 -0.1 0}") + "\n";
+    }
+    const auto scene = sceneOf(text);
+    render::Camera camera;
+    camera.scale = 0.1;
+    const Sight sight{camera, {800, 800}};
+    const Ground ground{text, scene, nullptr, [](const std::string&) {},
+                        [](const std::string&, const std::string&) {}};
+    render::Handle handle;
+    handle.element = count - 1;
+    handle.base = handle.place = scene->bodies[count - 1].initialPosition;
+    HandleDrag drag(ground, sight, handle, sight.pixels(handle.place));
+    drag.setUpright();
+    const Vector hand = Vector(4, -2, 0);
+    drag.move(sight.pixels(hand));
+    const double after = (drag.place() - hand).norm();
+    EXPECT_GT(after, 0.1); // else the test tests nothing
+    int times = 0;
+    while (drag.goOn() && ++times < 200) {
+    }
+    EXPECT_LT(times, 200);
+    EXPECT_LT((drag.place() - hand).norm(), std::min(0.05, after / 2)) << after << " " << times;
+    EXPECT_FALSE(drag.goOn());
+}
+
 TEST(Joined, ACarMovesAsAWholeAndAWheelOnTheWorldTurnsByItsRim) {
     const std::string car = "shape_set box -desc {-sub {-box {4 1 1}}}\n"
                             "shape_set wheel -desc {-sub {-sphere 0.5}}\n"

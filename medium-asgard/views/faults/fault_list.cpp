@@ -99,21 +99,9 @@ void FaultList::goTo(const QTreeWidgetItem& item) {
         return;
     const scene::Diagnostic fault = faults_[static_cast<std::size_t>(index)];
     if (document_.sceneIsCurrent())
-        document_.select(elementsAt(*document_.shown().scene, fault.range));
+        document_.select(editing::elementsAt(*document_.shown().scene, fault.range));
     if (fault.time)
         actions_.seek(*fault.time);
-}
-
-std::vector<editing::Element> elementsAt(const scene::Scene& scene, scene::Range range) {
-    std::vector<editing::Element> elements;
-    if (!range.known())
-        return elements;
-    for (const editing::Element& element : editing::elementsOf(scene)) {
-        const scene::Range command = editing::sourceOf(scene, element)->command;
-        if (command.known() && command.from <= range.from && range.to <= command.to)
-            elements.push_back(element);
-    }
-    return elements;
 }
 
 } // namespace views

@@ -47,8 +47,4 @@ private:
     QTreeWidget* list_;
 };
 
-// The elements whose commands hold that place: an element's own, or all that a loop's command made.
-[[nodiscard]] std::vector<editing::Element> elementsAt(const scene::Scene& scene,
-                                                       scene::Range range);
-
 } // namespace views

@@ -68,6 +68,7 @@ MotionNotice::MotionNotice(SceneDocument& document, Playback& playback, QWidget&
     connect(&document_, &SceneDocument::textChanged, this, [this] { worksSince_.invalidate(); });
     connect(&document_, &SceneDocument::workChanged, this, &MotionNotice::follow);
     connect(&document_, &SceneDocument::motionChanged, this, &MotionNotice::follow);
+    connect(&document_, &SceneDocument::diagnosticsChanged, this, &MotionNotice::follow);
     connect(&playback_, &Playback::timeChanged, this, &MotionNotice::follow);
     connect(&playback_, &Playback::stateChanged, this, &MotionNotice::follow);
     picture.installEventFilter(this);
@@ -93,9 +94,24 @@ QString MotionNotice::progress() const {
         .arg(seconds);
 }
 
+// The text has errors.
+QString MotionNotice::unread() const {
+    const auto& faults = document_.diagnostics();
+    const auto error =
+        std::ranges::find(faults, scene::Severity::error, &scene::Diagnostic::severity);
+    const QString words = QString::fromStdString(error->message);
+    const QString place =
+        error->line > 0 ? tr("Line %1 of the text: %2").arg(error->line).arg(words) : words;
+    return document_.shown().scene->bodies.empty()
+               ? place
+               : tr("%1\nThe picture shows the last good scene.").arg(place);
+}
+
 MotionNotice::Said MotionNotice::said() const {
     const bool works = document_.work() != Work::none;
     const auto& motion = document_.shown().motion;
+    if (!works && !document_.sceneIsCurrent() && document_.hasErrors())
+        return {unread(), true, false, false};
     if (works && lasts(worksSince_, untilProgress))
         return {progress(), false, true, false};
     if (motion && lasts(staleSince_, untilStale))

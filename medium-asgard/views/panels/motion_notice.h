@@ -35,6 +35,7 @@ private:
     };
     [[nodiscard]] Said said() const;
     [[nodiscard]] QString progress() const;
+    [[nodiscard]] QString unread() const;
     void follow();
     void show(const Said& said);
     void place();

@@ -112,5 +112,28 @@ TEST_F(MotionNoticeTest, PlayComputesWhatWaitsToBeAsked) {
     EXPECT_TRUE(viewer.playback().isPlaying());
 }
 
+// A scene that cannot be read is no empty one.
+TEST_F(MotionNoticeTest, ATextThatCannotBeReadIsSaidInThePicture) {
+    SceneDocument document{Workshop{}};
+    GraphicalViewer viewer(document, pictures, {}, 1);
+    viewer.show();
+    Computed unread;
+    unread.shown.scene = std::make_shared<scene::Scene>();
+    scene::Diagnostic fault;
+    fault.line = 12;
+    fault.message = "body \"b\": no option -foo";
+    unread.diagnostics = {fault};
+    document.setComputed(unread);
+    EXPECT_EQ(wordsOf(viewer), "Line 12 of the text: body \"b\": no option -foo");
+    Computed good = stopping(Work::none);
+    good.shown.motion = nullptr;
+    document.setComputed(good);
+    EXPECT_EQ(wordsOf(viewer), "");
+    good.current = false;
+    good.diagnostics = {fault};
+    document.setComputed(good);
+    EXPECT_THAT(wordsOf(viewer), HasSubstr("shows the last good scene"));
+}
+
 } // namespace
 } // namespace views

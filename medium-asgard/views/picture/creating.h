@@ -88,6 +88,8 @@ private:
     [[nodiscard]] double heightOf(const Vector& up, const geometry::Quaternion& attitude) const;
     [[nodiscard]] Indicated restingOn(const gestures::Picked& body, Indicated found);
     [[nodiscard]] std::optional<Indicated> typed() const;
+    void holdFirst(Indicated& found) const; // the place that was typed
+    [[nodiscard]] bool mayType() const;
     [[nodiscard]] bool types(const QKeyEvent& event) const;
     bool type(const QKeyEvent& event);
     void paintSteps(QPainter& painter) const;

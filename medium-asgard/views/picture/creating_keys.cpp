@@ -28,7 +28,30 @@ std::optional<Indicated> Creating::typed() const {
             return std::nullopt;
         found.point[i] = *number;
     }
+    if (step().wanted == Wanted::hold)
+        holdFirst(found);
     return found;
+}
+
+// By what is seen at that place, as a click there does.
+void Creating::holdFirst(Indicated& found) const {
+    const gestures::Sight sight = display_.sight();
+    const render::Drawing drawing = display_.drawing();
+    const auto poseOf = [&](std::size_t body) {
+        return render::poseOf(*drawing.scene, drawing.motion.get(), body, drawing.time);
+    };
+    const std::size_t first = *shown_.front().body;
+    found.onFirst = poseOf(first).toLocal(found.point);
+    const auto other = gestures::bodyAt(drawing, sight, sight.pixels(found.point), first);
+    if (!other)
+        return;
+    found.body = other->body;
+    found.onBody = poseOf(other->body).toLocal(found.point);
+}
+
+bool Creating::mayType() const {
+    return waiting_ || step().wanted == Wanted::point ||
+           (step().wanted == Wanted::hold && !shown_.empty());
 }
 
 // A sign of a place's numbers. The sign between them is one only after a number.
@@ -42,14 +65,14 @@ bool Creating::types(const QKeyEvent& event) const {
         !typed_.isEmpty() || (waiting_ && std::ranges::any_of(waiting_->keys, [&](const auto& one) {
                                   return isSign(*one);
                               }));
-    return (waiting_ || step().wanted == Wanted::point) && !(event.modifiers() & others) &&
-           isSign(event) && (begun || event.key() != Qt::Key_Space);
+    return mayType() && !(event.modifiers() & others) && isSign(event) &&
+           (begun || event.key() != Qt::Key_Space);
 }
 
 bool Creating::type(const QKeyEvent& event) {
     if (types(event))
         typed_ += event.text();
-    else if (event.key() == Qt::Key_Backspace && step().wanted == Wanted::point)
+    else if (event.key() == Qt::Key_Backspace && mayType())
         typed_.chop(1);
     else
         return false;

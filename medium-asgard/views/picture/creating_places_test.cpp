@@ -44,6 +44,19 @@ TEST_F(CreatingTest, AJointOnTheGroundStandsAtARoundPlace) {
     EXPECT_EQ(make({0.02, 1.137, 0}).x(), 0); // above its middle
 }
 
+TEST_F(CreatingTest, ThePlaceOfAJointIsTyped) {
+    open("shape_set ball -desc {-sub {-sphere 0.5}}\nbody b ball -init_pos {1 0 0}\n");
+    display().creating().start(newJoint(scene::JointType::hinge));
+    click({1, 0, 0});
+    QTest::keyClicks(&display(), "0 2 0");
+    EXPECT_THAT(display().creating().prompt().toStdString(), testing::HasSubstr("x y z = 0 2 0_"));
+    key(Qt::Key_Return);
+    done();
+    ASSERT_EQ(scene().joints.size(), 1U);
+    EXPECT_EQ(scene().joints[0].offset1, Vector(-1, 2, 0)) << text();
+    EXPECT_FALSE(scene().joints[0].body2.has_value());
+}
+
 // As large as one sees well, where the usual size is a dot or does not fit.
 TEST_F(CreatingTest, ANewBodyFitsThePicture) {
     open("shape_set ball -desc {-sub {-sphere 0.5}}\nbody b ball\n");

@@ -53,6 +53,9 @@ PictureEditing::PictureEditing(SceneDocument& document, SceneDisplay& display)
     : document_(document), display_(display) {
     connect(&document_, &SceneDocument::selectionChanged, this, &PictureEditing::followSelection);
     connect(&said_, &Said::changed, this, &PictureEditing::changed);
+    rest_.setSingleShot(true);
+    rest_.setInterval(20);
+    connect(&rest_, &QTimer::timeout, this, &PictureEditing::goOn);
     // It was about the text before.
     connect(&document_, &SceneDocument::textChanged, this, [this] { say({}); });
     connect(&document_, &SceneDocument::opened, this, [this] { say({}); });
@@ -149,12 +152,20 @@ bool PictureEditing::letGo() {
     return true;
 }
 
+void PictureEditing::goOn() {
+    if (letGo() || !hand_.goOn())
+        return;
+    rest_.start();
+    Q_EMIT changed();
+}
+
 bool PictureEditing::move(QMouseEvent& event) {
     if (letGo())
         return true;
     if (!dragging())
         return false;
     hand_.move(display_.inPixels(event.position()), event.modifiers() & Qt::ControlModifier);
+    rest_.start();
     Q_EMIT changed();
     return true;
 }

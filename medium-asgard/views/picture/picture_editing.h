@@ -16,6 +16,7 @@
 
 #include <QObject>
 #include <QPointer>
+#include <QTimer>
 
 #include <functional>
 #include <vector>
@@ -92,6 +93,7 @@ private:
     void ended(const gestures::Hand::LetGo& gone);
     // The text was changed elsewhere, and what is dragged is let go.
     bool letGo();
+    void goOn();
     void take(const gestures::Grasp& grasp, const Eigen::Vector2d& pixels);
     void removePoint(const render::Handle& handle);
     void take(const text::Edits& edits, const QString& label);
@@ -120,6 +122,7 @@ private:
     std::vector<editing::Element> expected_; // of a scene yet to be read
     std::function<bool(const QString&)> confirm_;
     int since_ = 0; // the revision that a drag began at
+    QTimer rest_;   // of the pointer, while what it pulls comes nearer still
     Qt::MouseButton button_ = Qt::NoButton;
     std::optional<Mark> mark_;
     std::vector<editing::Element> before_; // what was selected when the button went down

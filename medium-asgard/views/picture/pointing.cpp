@@ -104,7 +104,7 @@ void Pointing::rest() {
             subject_ = QString::fromStdString(drawing.scene->trajectories[*path].name);
     }
     showCursor();
-    if (body_ || path_ || display_.gizmo().at(*position_))
+    if (body_ || path_ || display_.gizmo().at(*position_) || display_.faultSigns().at(*position_))
         Q_EMIT changed();
 }
 
@@ -149,6 +149,8 @@ QString Pointing::hint() const {
         return (part->isRing ? tr("Drag turns it about %1, to whole degrees")
                              : tr("Drag moves it along %1"))
             .arg(QLatin1Char("xyz"[part->axis]));
+    if (const auto sign = position_ ? display_.faultSigns().at(*position_) : std::nullopt)
+        return tr("%1  ·  Ctrl+F9: all faults").arg(sign->words);
     if (handle_ && handle_->kind == render::HandleKind::trajectoryPoint)
         return tr("Shift-drag moves %1  ·  Shift-middle: a new point  ·  Shift-right removes it  · "
                   " "

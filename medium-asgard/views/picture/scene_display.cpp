@@ -28,7 +28,7 @@ SceneDisplay::SceneDisplay(SceneDocument& document, std::shared_ptr<PictureThrea
     : QWidget(parent), document_(document), pictures_(std::move(pictures)),
       editing_(document, *this), creating_(document, *this), pointing_(document, *this),
       selecting_(document, *this), throwing_(document, *this), gizmo_(document, *this),
-      meters_(document, *this) {
+      faultSigns_(document, *this), meters_(document, *this) {
     pictures_->open(this, [this] {
         QMetaObject::invokeMethod(this, &SceneDisplay::ready, Qt::QueuedConnection);
     });
@@ -506,6 +506,7 @@ void SceneDisplay::paintEvent(QPaintEvent*) {
     meters_.paint(painter);
     gizmo_.paint(painter);
     editing_.paint(painter);
+    faultSigns_.paint(painter);
     throwing_.paint(painter);
     creating_.paint(painter);
     selecting_.paint(painter);

@@ -13,6 +13,7 @@
 #include "picture/centroids.h"
 #include "picture/creating.h"
 #include "picture/element_menu.h"
+#include "picture/fault_signs.h"
 #include "picture/gizmo.h"
 #include "picture/meters.h"
 #include "picture/picture_editing.h"
@@ -86,6 +87,7 @@ public:
     [[nodiscard]] Throwing& throwing() { return throwing_; }
     [[nodiscard]] Meters& meters() { return meters_; }
     [[nodiscard]] const Gizmo& gizmo() const { return gizmo_; }
+    [[nodiscard]] const FaultSigns& faultSigns() const { return faultSigns_; }
     [[nodiscard]] const Selecting& selecting() const { return selecting_; }
     // How long the arrow of a force, or a torque, of 1 is drawn.
     [[nodiscard]] double arrowLength(bool couple);
@@ -210,6 +212,7 @@ private:
     Selecting selecting_;
     Throwing throwing_;
     Gizmo gizmo_;
+    FaultSigns faultSigns_;
     mutable Centroids centroids_;
     Meters meters_;
     Press press_;

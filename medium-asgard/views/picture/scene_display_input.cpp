@@ -1,9 +1,12 @@
 // What pointer and keys do in a scene's picture: the first that has a use for an event takes it.
 #include "picture/scene_display.h"
+#include "plain/plain.h"
 #include "surroundings/triad.h"
 
+#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QToolTip>
 #include <QWheelEvent>
 
 #include <cmath>
@@ -151,6 +154,12 @@ void SceneDisplay::mouseDoubleClickEvent(QMouseEvent* event) {
 bool SceneDisplay::event(QEvent* event) {
     if (event->type() == QEvent::PaletteChange)
         redraw(false);
+    if (event->type() == QEvent::ToolTip) {
+        const auto& help = static_cast<const QHelpEvent&>(*event);
+        const auto sign = faultSigns_.at(help.pos());
+        QToolTip::showText(help.globalPos(), sign ? plain::tip(sign->words) : QString(), this);
+        return true;
+    }
     if (event->type() == QEvent::ShortcutOverride &&
         (editing_.dragging() || selecting_.hasBand() ||
          creating_.uses(static_cast<const QKeyEvent&>(*event)))) {

@@ -42,9 +42,10 @@ std::vector<Step> stepsOf(JointType type) {
     const Step second{Wanted::hold,
                       isDistance
                           ? QObject::tr("Click where its other end is: on another body, or beside "
-                                        "all of them on the ground.")
+                                        "all of them on the ground, or type x y z.")
                           : QObject::tr("Click where the joint is: on another body, as the middle "
-                                        "of a wheel, or where there is none, for the ground."),
+                                        "of a wheel, or where there is none, for the ground; or "
+                                        "type x y z."),
                       ""};
     std::vector<Step> steps{first, second};
     if (type == JointType::slider)

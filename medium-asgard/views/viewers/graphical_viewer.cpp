@@ -5,6 +5,7 @@
 #include "frame/icons.h"
 #include "frame/placing.h"
 #include "frame/typed_field.h"
+#include "framing/framing.h"
 #include "gestures/new_point.h"
 #include "language/language_viewer.h"
 #include "language/notice_bar.h"
@@ -215,9 +216,11 @@ QWidget* GraphicalViewer::makeTour() {
 // The plane in which the pendulum is built, with room for it.
 void GraphicalViewer::showTour() {
     panes_.show("tour");
-    display_->lookAlong(geometry::Vector::UnitZ());
-    render::Camera camera = display_->camera();
-    camera.scale /= 7;
+    render::Camera camera =
+        render::fitted(render::extentOf(scene::Scene(), nullptr),
+                       render::facing(geometry::Vector::UnitZ(), geometry::Vector::UnitY()),
+                       display_->sight().size);
+    camera.scale /= 7; // whatever was seen before
     display_->setCamera(camera);
     display_->setFocus();
 }
@@ -319,6 +322,7 @@ void GraphicalViewer::connectParts() {
     connect(display_, &SceneDisplay::viewFollowed, this, &GraphicalViewer::fillViewsMenu);
     connect(&document_, &SceneDocument::opened, this, [this] { // seen as if for the first time
         playback_.stop();
+        isOpened_ = true;
         display_->frameOpened();
     });
     for (QAbstractButton* button : findChildren<QAbstractButton*>())
@@ -492,6 +496,8 @@ void GraphicalViewer::updateRange() {
                        known ? span.playsTo(*shown.motion, document_.work() != Work::none)
                              : simulator.finish,
                        span.computed);
+    if (document_.sceneIsCurrent() && std::exchange(isOpened_, false))
+        playback_.stop(); // at its own first moment
     std::vector<double> impacts;
     if (known)
         for (const simulation::Impact& impact : shown.motion->impacts())

@@ -103,7 +103,8 @@ private:
     QMenu *viewsMenu_ = nullptr, *textMenu_ = nullptr;
     UndoActions undo_{};
     bool wasPlaying_ = false;
-    bool goesOn_ = false; // it played before a body was taken in the hand
+    bool isOpened_ = false; // another scene, which is not there yet
+    bool goesOn_ = false;   // it played before a body was taken in the hand
 };
 
 } // namespace views

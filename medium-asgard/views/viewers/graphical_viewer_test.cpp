@@ -310,5 +310,25 @@ TEST_F(GraphicalViewerTest, WhatAViewFramesStaysWhileOneEdits) {
     EXPECT_NE(display.camera(), before);
 }
 
+// Whatever was seen before, and whenever it began.
+TEST_F(GraphicalViewerTest, AnotherSceneBeginsAtItsFirstMomentAndTheTourInItsOwnView) {
+    Editor own{engineWorkshop()};
+    SceneDocument& document = own.document();
+    document.reset("simulator -start 1.6 -finish 3\nshape_set s -desc {-sub {-sphere 0.5}}\n"
+                   "body a s\nbody far s -init_pos {900 0 0}\n");
+    ASSERT_TRUE(settle(document));
+    GraphicalViewer* viewer = own.openGraphicalViewer();
+    viewer->display().grab();
+    ASSERT_TRUE(waitFor([&] { return viewer->playback().time() > 1.5; }));
+    document.reset("");
+    viewer->showTour();
+    ASSERT_TRUE(settle(document));
+    viewer->display().grab();
+    EXPECT_EQ(viewer->playback().time(), 0);
+    const gestures::Sight sight = viewer->display().sight();
+    EXPECT_LT(sight.camera.center.norm(), 0.5);
+    EXPECT_LT(sight.pixelLength({0, 0, 0}) * sight.size.height, 40);
+}
+
 } // namespace
 } // namespace views
