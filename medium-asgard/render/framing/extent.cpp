@@ -423,14 +423,16 @@ bool dropsBelow(const Path& path, double height, const Vector& up) {
 // them beside the place where they start. Returns which they are.
 std::vector<bool> cutFalls(Survey& survey, const scene::Scene& scene, const Extent& extent,
                            const std::vector<Vector>& anchors) {
-    constexpr double far = 5; // times the size of the start
+    constexpr double far = 5, seen = 1; // times the size of the start
     std::vector<bool> falls(survey.paths.size());
     const Vector& up = extent.up;
     const Box start = startOf(scene, survey, extent, anchors, far);
     if (start.isEmpty() || !againstGravity(scene) || hasEndlessFloor(scene, up))
         return falls;
-    const double lowest = heightOf(start, up) - far * start.sizes().maxCoeff();
-    const double below = std::min(lowest, lowestOfFixed(scene, survey, extent));
+    const double size = start.sizes().maxCoeff();
+    const double lowest = heightOf(start, up) - seen * size;
+    const double below =
+        std::min(heightOf(start, up) - far * size, lowestOfFixed(scene, survey, extent));
     for (std::size_t i = 0; i < survey.paths.size(); ++i) {
         Path& path = survey.paths[i];
         falls[i] = extent.moves[i] && dropsBelow(path, below, up);
@@ -468,6 +470,8 @@ Extent extentWith(const scene::Scene& scene, const simulation::Motion* motion, F
         falls = cutFalls(survey, scene, extent, anchors);
     for (std::size_t i = 0; i < survey.paths.size(); ++i)
         belongs.push_back(!anyMoves || extent.moves[i] || !scene.bodies[i].fixed);
+    if (std::ranges::find(falls, true) != falls.end())
+        extent.planeNormal.reset(); // straight on, the ground would be seen from below
     const std::optional<Box> room = roomOfTheOthers(survey, belongs, wanders);
     Extent dropping; // below what the ground is for
     for (std::size_t i = 0; i < survey.paths.size(); ++i) {
