@@ -47,6 +47,11 @@ std::optional<gestures::Hand::Key> handKey(int key) {
     }
 }
 
+// Ctrl+Z is the window's, also where there is nothing to undo.
+bool isOfWindow(const QKeyEvent& event) {
+    return event.modifiers().testAnyFlags(Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier);
+}
+
 } // namespace
 
 PictureEditing::PictureEditing(SceneDocument& document, SceneDisplay& display)
@@ -335,6 +340,8 @@ bool PictureEditing::dragKey(QKeyEvent& event) {
 }
 
 bool PictureEditing::keyPress(QKeyEvent& event) {
+    if (isOfWindow(event))
+        return dragging() && !hand_.byKeys();
     if (dragging())
         return dragKey(event) || !hand_.byKeys();
     say({});

@@ -188,6 +188,15 @@ TEST_F(PictureEditingTest, TheTextFollowsWhileTheHandleMovesAndEscapeBringsItBac
     EXPECT_EQ(display().words(), "");
 }
 
+TEST_F(PictureEditingTest, UndoWhereThereIsNothingToUndoMovesNothing) {
+    open(ballScene);
+    mark(0);
+    key(Qt::Key_Z, Qt::ControlModifier);
+    key(Qt::Key_X, Qt::ControlModifier);
+    EXPECT_FALSE(display().editing().dragging());
+    EXPECT_EQ(text(), ballScene);
+}
+
 TEST_F(PictureEditingTest, WhileTheTextHasErrorsNothingIsDraggedAndItIsSaid) {
     open(ball + "body b1 ball -init_pos {-1 0 0}\n");
     const std::string wrong = text() + "body b2 nothing\n";
