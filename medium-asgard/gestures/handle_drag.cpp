@@ -328,7 +328,7 @@ double HandleDrag::joinedDegrees() const {
     return isByKeys_ ? editing::roundedTo(degrees, 0.1) : rounded(degrees);
 }
 
-// Where all go by one way, it leaves this body at a round place.
+// One way for all bodies, rounded so that this body comes to a round place.
 void HandleDrag::roundPlace() {
     for (const editing::Wish& wish : wishes())
         for (std::size_t i = 0; i < 3; ++i)

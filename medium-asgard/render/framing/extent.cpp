@@ -300,8 +300,8 @@ std::optional<Vector> sideOfAll(const scene::Scene& scene, const Vector& middle,
     return Vector(Vector::Unit(thin) * (standOn[0] ? 1.0 : -1.0));
 }
 
-// Where nothing falls, a table tells what things stand on: a wide flat box that is fixed, and on
-// which all stands that is not.
+// A table tells the ground's direction in a scene in which nothing falls: a wide flat box that is
+// fixed, with all free bodies on it.
 std::optional<Vector> tableNormal(const scene::Scene& scene) {
     double largest = 0;
     std::optional<Vector> normal;

@@ -1,4 +1,4 @@
-// What the buttons do, the most important first: parts with "  ·  " between them.
+// The line about what the buttons do: parts with "  ·  " between them, the most important first.
 //
 // A narrow line has room for two or three lines of text, by its width alone: whatever is said, the
 // picture above keeps its height. A text that is too long for it loses whole parts from its end,

@@ -33,7 +33,7 @@ std::optional<Indicated> Creating::typed() const {
     return found;
 }
 
-// By what is seen at that place, as a click there does.
+// The first body is the one that the picture shows at that place, as for a click there.
 void Creating::holdFirst(Indicated& found) const {
     const gestures::Sight sight = display_.sight();
     const render::Drawing drawing = display_.drawing();

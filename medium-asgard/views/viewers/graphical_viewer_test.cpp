@@ -310,7 +310,7 @@ TEST_F(GraphicalViewerTest, WhatAViewFramesStaysWhileOneEdits) {
     EXPECT_NE(display.camera(), before);
 }
 
-// Whatever was seen before, and whenever it began.
+// The scene before had its own view and began at its own time.
 TEST_F(GraphicalViewerTest, AnotherSceneBeginsAtItsFirstMomentAndTheTourInItsOwnView) {
     Editor own{engineWorkshop()};
     SceneDocument& document = own.document();

@@ -1,8 +1,8 @@
 // Explicit or implicit? Decided for each component by cost, from counts alone, while it runs.
 //
 // Every component begins explicit. It tries the implicit method
-//     when h |lambda| has on average used four fifths of the explicit method's stability for
-//     20 steps: the step is bound by stability; or
+//     when h |lambda| (by its stages, or as it was told) has on average used four fifths of the
+//     explicit method's stability for 20 steps: the step is bound by stability; or
 //     after 80 steps in which it used a tenth: stiffness then often costs accuracy (order
 //     reduction), though an oscillation that is merely well resolved looks the same.
 // An implicit step costs as much as some ten explicit ones, and a trial a Jacobian to derive

@@ -255,8 +255,8 @@ bool ActiveSet::cross(std::span<const std::size_t> watches, double t, std::span<
             beyond[i] += ahead_ * rates[i];
         isDone = settle(candidates, fastest, t + ahead_, beyond);
     }
-    if (!isDone && slow_.part > 0 &&
-        !stopped.empty()) { // none hold what slipped slowly: it slips on
+    // No forces hold the slips that were slow: they go on.
+    if (!isDone && slow_.part > 0 && !stopped.empty()) {
         std::ranges::copy(moving, y.begin());
         mode_.kept = before;
         mode_.slips = slips;
