@@ -72,7 +72,7 @@ Creating::Creating(SceneDocument& document, SceneDisplay& display)
         Q_EMIT refused(tr("The text was changed meanwhile."));
     });
     connect(&display_, &SceneDisplay::pictured, this, &Creating::stopWaiting);
-    connect(&display_, &SceneDisplay::pictured, this, &Creating::clickLate);
+    connect(&display_, &SceneDisplay::pictured, this, &Creating::clickSeen);
 }
 
 const Step& Creating::step() const {
@@ -117,11 +117,16 @@ void Creating::stopWaiting() {
             handBack(*typed);
 }
 
-void Creating::clickLate() {
-    if (!click_ || !display_.showsScene())
-        return;
-    const Click late = *std::exchange(click_, std::nullopt);
-    click(late.position, late.holdsOff);
+void Creating::clickSeen() {
+    while (recipe_ && !clicks_.empty() && display_.showsScene()) {
+        const Click first = clicks_.front();
+        clicks_.erase(clicks_.begin());
+        fault_.clear();
+        holdsOff_ = first.holdsOff;
+        if (const auto found = indicated(first.position))
+            take(*found);
+        Q_EMIT changed();
+    }
 }
 
 Creating::Aim Creating::aimAt(const editing::Element& body, const QPointF& position) const {
@@ -191,7 +196,7 @@ void Creating::cancel() {
     next_.reset();
     fault_.clear();
     cross_.reset();
-    click_.reset();
+    clicks_.clear();
     typed_.clear();
     near_.reset();
     Q_EMIT changed();
@@ -469,16 +474,14 @@ Indicated Creating::centerOf(std::size_t body) const {
 }
 
 void Creating::click(const QPointF& position, bool holdsOff) {
-    fault_.clear();
-    holdsOff_ = holdsOff;
     display_.bringUpToDate();
-    if (waiting_) // what will stand there is not seen yet
+    if (waiting_) { // what will stand there is not seen yet
         fault_ = tr("The click came before the scene.");
-    else if (!display_.showsScene())
-        click_ = Click{position, holdsOff};
-    else if (const auto found = indicated(position))
-        take(*found);
-    Q_EMIT changed();
+        Q_EMIT changed();
+        return;
+    }
+    clicks_.push_back({position, holdsOff});
+    clickSeen();
 }
 
 void Creating::take(const Indicated& found) {

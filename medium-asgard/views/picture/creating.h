@@ -74,7 +74,7 @@ private:
     };
 
     void stopWaiting(); // if the scene is there, or will not come
-    void clickLate();   // if the picture is there
+    void clickSeen();   // all clicks whose picture is there
     void handBack(const QKeyEvent& event);
     void begin(Recipe recipe);
     void takeAim(const Aim& aim);
@@ -121,8 +121,8 @@ private:
         QPointF position;
         bool holdsOff;
     };
-    std::optional<Click> click_; // before its scene is seen
-    struct Near {                // what stands in the picture, as long as that stays as it is
+    std::vector<Click> clicks_; // in their order: the picture of their scene is not there yet
+    struct Near {               // what stands in the picture, as long as that stays as it is
         Shown of;
         double time;
         gestures::Sight sight;

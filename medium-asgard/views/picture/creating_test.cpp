@@ -330,6 +330,20 @@ TEST_F(CreatingTest, AClickBeforeItsSceneIsSeenCountsWhenItIs) {
     EXPECT_EQ(scene().bodies[0].initialPosition.y(), 0.5); // on the grid
 }
 
+TEST_F(CreatingTest, ClicksBeforeTheirSceneIsSeenCountInTheirOrder) {
+    open(balls);
+    SceneDisplay::setPatience({});
+    editor.document().setText(balls + "set a 1\n", "Edit");
+    done();
+    display().creating().start(newSpring(Wanted::body));
+    click({-1, 0, 0});
+    click({1, 0, 0});
+    EXPECT_TRUE(waitFor([this] { return !display().creating().active(); }));
+    SceneDisplay::setPatience(std::chrono::seconds(60));
+    done();
+    EXPECT_THAT(text(), HasSubstr("-body1 b1 -body2 b2"));
+}
+
 TEST_F(CreatingTest, ADigitThatTheCommandHadNoUseForTurnsTheView) {
     open(balls);
     made.readsSlowly = true;
