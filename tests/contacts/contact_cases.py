@@ -84,6 +84,19 @@ case("slides_down_across", f"# zero: {math.cos(tilt)!r}*b.y+{math.sin(tilt)!r}*b
      f"body b box -init_pos {{0 {0.05 * down[1]!r} {-0.05 * down[0]!r}}} -init_rot {{{tilt!r} 0 0}} -restitution 0 -mass 1 -friction {mu}\n" + gravity("b"),
      [(t, 1, G * (math.sin(tilt) - mu * math.cos(tilt)) * t * t / 2, f"{down[0]!r}*b.y+{down[1]!r}*b.z") for t in (0.2, 0.5)] +
      [(0.5, 1, 0, "b.wx")])
+# A box on a floor, pushed across the way that planes of motion are looked for first.
+for name, force in (("pushed_rests", 1), ("pushed_slides", 3.5)):
+    case(name, "# zero: b.y-0.05\nsimulator -finish 1\n" + ground(mu) +
+         "shape_set box -desc {-sub {-box {0.2 0.1 0.4}}}\n"
+         f"body b box -init_pos {{0 0.05 0}} -mass 1 -friction {mu} -restitution 0\nforce -body b -z {force}\n" + gravity("b"),
+         [(t, 1, max(0, force - mu * G) * t * t / 2, "b.z") for t in (0.5, 1)] + [(1, 1, 0, "b.wx")])
+# A plank on two blocks, pulled by a force that grows.
+yields = math.sqrt(0.25 * 1) * G
+case("plank_pulled", f"# zero: b.y-0.05\nsimulator -finish {yields + 1!r}\nshape_set post -desc {{-sub {{-box {{0.1 1 0.4}}}}}}\n"
+     "shape_set plank -desc {-sub {-box {1.4 0.1 0.2}}}\n" +
+     "".join(f"body s{i} post -init_pos {{{x} -0.5 0}} -fixed 1 -friction 0.25\n" for i, x in ((1, -0.5), (2, 0.5))) +
+     "body b plank -init_pos {0 0.05 0} -friction 1 -restitution 0 -mass 1\nforce -body b -x t\n" + gravity("b"),
+     [(yields + t, 1, t ** 3 / 6, "b.x") for t in (0, 0.5, 1)])
 # A block on a cart: one speed from t = v / (mu g (1 + m / M)) on.
 mu, v, m, big = 0.3, 4, 1, 3
 together = v / (mu * G * (1 + m / big))

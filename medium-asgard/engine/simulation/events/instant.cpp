@@ -2,6 +2,7 @@
 
 #include "collision/contact.h"
 
+#include <algorithm>
 #include <set>
 
 namespace simulation {
@@ -26,8 +27,10 @@ namespace {
 // It is 0 and stays so (solution/zero_states.h).
 bool sleeps(const solution::Histories& histories, std::size_t unknown, double time) {
     const auto place = histories.place(unknown, time);
+    const auto isZero = [](double coefficient) { return coefficient == 0; };
     return place.history->until() == solution::infinity &&
-           place.history->from() <= histories.start() && histories.value(unknown, time) == 0;
+           place.history->from() <= histories.start() &&
+           std::ranges::all_of(histories.piece(unknown, time).coefficients, isZero);
 }
 
 } // namespace

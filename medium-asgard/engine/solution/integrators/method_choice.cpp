@@ -81,6 +81,14 @@ bool MethodChoice::wantsSpectralRadius(bool mayGoBeyond) const {
            steps_ % spectralInterval == 0;
 }
 
+bool MethodChoice::isStiffAtFirst(double spectralRadius, double h) {
+    if (h * spectralRadius <= bound * explicitLimit)
+        return false;
+    explicitRate_ = 0;
+    change(true);
+    return true;
+}
+
 bool MethodChoice::changesFor(double spectralRadius, double h) {
     constexpr double worthwhile = 6;
     const double used = h * spectralRadius / explicitLimit;

@@ -38,6 +38,8 @@ public:
     // friction turns about there, and is no larger.
     [[nodiscard]] bool wantsSpectralRadius(bool mayGoBeyond) const;
     [[nodiscard]] bool changesFor(double spectralRadius, double h);
+    // Of an explicit method whose first step has the length h: it begins with the other one.
+    [[nodiscard]] bool isStiffAtFirst(double spectralRadius, double h);
 
 private:
     void change(bool implicit);

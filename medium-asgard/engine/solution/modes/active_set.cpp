@@ -28,7 +28,8 @@ ActiveSet::ActiveSet(ModelFunctions& functions, Multipliers& multipliers, Mode& 
             hasContacts_ = hasContacts_ || isContact(row);
         }
     opened_.assign(laws.size(), 0);
-    mode.slips.assign(functions.bound()->discs.size(), {1, 0, 0});
+    for (const BoundModel::Disc& disc : discs())
+        mode.slips.push_back({leastOf(disc), 0, 0});
     mode.centres.assign(functions.bound()->discs.size(), {0, 0});
 }
 
@@ -37,6 +38,16 @@ bool ActiveSet::isStop(std::size_t row) const { return law(row).isStop; }
 bool ActiveSet::slips() const {
     for (std::size_t disc = 0; disc < discs().size(); ++disc)
         if (multipliers_.friction().slips(disc))
+            return true;
+    return false;
+}
+
+bool ActiveSet::slipsSlowly() const {
+    constexpr double more = 1.5;
+    for (std::size_t disc = 0; disc < discs().size(); ++disc)
+        if (multipliers_.friction().slips(disc) &&
+            Eigen::Map<const Eigen::Vector3d>(mode_.slips[disc].data()).norm() >
+                more * leastOf(discs()[disc]))
             return true;
     return false;
 }
@@ -130,12 +141,8 @@ double ActiveSet::valueOf(const Watch& watch) const {
     switch (kind) {
     case Kind::cone:
         return beyondRounding(multipliers_.friction().leewayOf(row, multipliers_.values()));
-    case Kind::turn: { // others may hold it at rest, but for rounding
-        const DiscFriction::InDisc slip = multipliers_.friction().slipOf(row);
-        const double along =
-            slip.dot(Eigen::Map<const Eigen::Vector3d>(mode_.slips[row].data()).head(slip.size()));
-        return along + rateOf * law(discs()[row].rows[0]).resolution;
-    }
+    case Kind::turn: // others may hold it at rest, but for rounding
+        return multipliers_.friction().aheadOf(row);
     case Kind::gap:
         return multipliers_.gap(row) - opened_[row] +
                (isContact(row) ? rateOf * law(row).resolution : 0) +
@@ -169,6 +176,7 @@ void ActiveSet::decide(double t, std::span<double> y) {
     multipliers_.project(t, y);
     lastCross_ = t;
     ahead_ = 0;
+    slowest_ = slowestOf(y);
     f_.fill(t, y);
     multipliers_.evaluateGaps();
     double fastest = 0;
@@ -208,6 +216,7 @@ void ActiveSet::noteOpened(std::span<const State> before, double t, std::span<co
 bool ActiveSet::cross(std::span<const std::size_t> watches, double t, std::span<double> y,
                       std::span<const double> rates) {
     constexpr double part = 1e-6, more = 100; // of the time since the last event
+    slowest_ = slowestOf(y);
     ahead_ = t > lastCross_ ? part * (t - lastCross_) : std::max(more * ahead_, shortest(t));
     f_.fill(t, y);
     (void)multipliers_.solve();
@@ -224,17 +233,18 @@ bool ActiveSet::cross(std::span<const std::size_t> watches, double t, std::span<
                              (kind == Kind::gap && isContact(row) && !hasFallenLow(row));
         if (isEnded)
             mode_.kept[row] = Mode::gone;
-        else if (kind == Kind::turn && hasStopped(row, elapsed, y))
+        else if (kind == Kind::turn && hasStopped(row, elapsed))
             stopped.push_back(row);
         else if (kind == Kind::cone)
             candidates.push_back(discs()[row].rows[0]);
         else if (kind == Kind::turn)
-            setSlip(row, multipliers_.friction().slipOf(row));
+            setSlip(row);
         else
             candidates.push_back(row);
         if (kind == Kind::gap && !isContact(row))
             hit.push_back(row);
     }
+    addSlow(stopped);
     for (const std::size_t disc : stopped)
         candidates.push_back(discs()[disc].rows[0]);
     const std::vector<double> moving(y.begin(), y.end());
@@ -346,13 +356,21 @@ void ActiveSet::setDisc(std::size_t disc, State state) {
             mode_.kept[row] = state;
 }
 
-void ActiveSet::setSlip(std::size_t disc, const DiscFriction::InDisc& direction) {
+void ActiveSet::setSlip(std::size_t disc, const DiscFriction::InDisc& direction, double speed) {
     setDisc(disc, State::low);
-    const double length = direction.norm();
-    if (!(length > 0))
-        return;
-    for (Eigen::Index i = 0; i < direction.size(); ++i)
-        mode_.slips[disc][static_cast<std::size_t>(i)] = direction[i] / length;
+    const double length = direction.norm(), least = leastOf(discs()[disc]);
+    Eigen::Map<Eigen::Vector3d> slip(mode_.slips[disc].data());
+    if (length > 0) {
+        slip.setZero();
+        slip.head(direction.size()) = direction / length;
+    }
+    const bool isSlow = direction.size() > 1 && speed < slowest_;
+    slip *= (isSlow ? std::max(slowest_, least) : least) / slip.norm();
+}
+
+void ActiveSet::setSlip(std::size_t disc) {
+    const DiscFriction::InDisc slip = multipliers_.friction().slipOf(disc);
+    setSlip(disc, slip, slip.norm());
 }
 
 void ActiveSet::setCentre(std::size_t disc, const DiscFriction::Centre& centre) {
@@ -368,7 +386,7 @@ void ActiveSet::takeSlips(double t, std::span<const double> y) {
     for (std::size_t disc = 0; disc < discs().size(); ++disc)
         if (multipliers_.friction().slips(disc)) {
             mode_.centres[disc] = {0, 0};
-            setSlip(disc, multipliers_.friction().slipOf(disc));
+            setSlip(disc);
         }
 }
 
@@ -383,7 +401,7 @@ void ActiveSet::slip(double fastest, double t, std::span<const double> y) {
                               : rate > 0                         ? State::low
                                                                  : State::high;
     for (std::size_t disc = 0; disc < discs().size(); ++disc)
-        setSlip(disc, multipliers_.friction().slipOf(disc));
+        setSlip(disc);
 }
 
 // It fell from a height that is none: it closes without a blow. A blow would drive what slides in
@@ -429,16 +447,30 @@ void ActiveSet::give(std::span<const std::size_t> hit, std::span<const std::size
 // Its direction has turned by a right angle: it rests, if it is slow beside what its deceleration
 // has taken away since the last event, or would take away on a short way; else it slips on another
 // way.
-bool ActiveSet::hasStopped(std::size_t disc, double elapsed, std::span<const double> y) {
-    constexpr double ofLost = 1e-6, ofSpeeds = 1e-9;
+bool ActiveSet::hasStopped(std::size_t disc, double elapsed) {
+    constexpr double ofLost = 1e-6;
     const BoundModel::Disc& of = discs()[disc];
     double second = 0;
     for (const std::size_t row : of.rows)
         second = std::max(second, std::abs(multipliers_.secondRate(row)));
-    const double none = std::max({2 * rateOf * law(of.rows[0]).resolution,
-                                  ofLost * second * elapsed, std::sqrt(slow_.way * second),
-                                  std::max(slow_.part, ofSpeeds) * multipliers_.fastest(y)});
+    const double none =
+        std::max({leastOf(of), ofLost * second * elapsed, std::sqrt(slow_.way * second), slowest_});
     return multipliers_.friction().slipOf(disc).norm() <= none;
+}
+
+double ActiveSet::slowestOf(std::span<const double> y) const {
+    constexpr double ofSpeeds = 1e-9;
+    return std::max(slow_.part, ofSpeeds) * multipliers_.fastest(y);
+}
+
+// Slips that are next to none stop together: one after another, each would turn the others back.
+void ActiveSet::addSlow(std::vector<std::size_t>& stopped) const {
+    if (stopped.empty())
+        return;
+    for (std::size_t disc = 0; disc < discs().size(); ++disc)
+        if (const DiscFriction& friction = multipliers_.friction();
+            friction.slips(disc) && !isIn(stopped, disc) && friction.slipOf(disc).norm() < slowest_)
+            stopped.push_back(disc);
 }
 
 // By the least change of velocities.

@@ -71,8 +71,9 @@ public:
     void takeSlips(double t, std::span<const double> y);
     // There are contacts.
     [[nodiscard]] bool hasContacts() const { return hasContacts_; }
-    // One of them slips.
+    // One of them slips; and does so, or began to, with next to no speed.
     [[nodiscard]] bool slips() const;
+    [[nodiscard]] bool slipsSlowly() const;
 
 private:
     static constexpr double atRest = 1e-12;  // of the rates that enter: none
@@ -119,11 +120,18 @@ private:
     void slip(double fastest, double t, std::span<const double> y);
     void setDisc(std::size_t disc, complementarity::State state);
     void setCentre(std::size_t disc, const DiscFriction::Centre& centre);
-    void setSlip(std::size_t disc, const DiscFriction::InDisc& direction);
+    // With that speed; or as its states move.
+    void setSlip(std::size_t disc, const DiscFriction::InDisc& direction, double speed);
+    void setSlip(std::size_t disc);
+    [[nodiscard]] double leastOf(const BoundModel::Disc& disc) const {
+        return 2 * rateOf * law(disc.rows[0]).resolution;
+    }
+    [[nodiscard]] double slowestOf(std::span<const double> y) const;
+    void addSlow(std::vector<std::size_t>& stopped) const;
     [[nodiscard]] bool isLow(std::size_t row, double rate);
     [[nodiscard]] bool hasFallenLow(std::size_t row) const;
     [[nodiscard]] bool isCandidate(std::size_t row, double fastest) const;
-    [[nodiscard]] bool hasStopped(std::size_t disc, double elapsed, std::span<const double> y);
+    [[nodiscard]] bool hasStopped(std::size_t disc, double elapsed);
     void halt(std::span<const std::size_t> discs, double t, std::span<double> y);
     [[nodiscard]] bool mayHold(std::size_t disc, std::span<const std::size_t> fallen,
                                double fastest) const;
@@ -147,6 +155,7 @@ private:
     std::vector<double> opened_; // by multiplier: the gap at which a stop opened, at most 0
     double largest_ = 0;         // of the multipliers, where watches are asked
     Slow slow_;
+    double slowest_ = 0;               // at the last event
     double lastCross_ = 0, ahead_ = 0; // the last event, and how far its laws looked ahead
 };
 

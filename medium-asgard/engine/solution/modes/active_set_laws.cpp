@@ -88,7 +88,7 @@ ActiveSet::Rows ActiveSet::rowsFor(std::span<const std::size_t> fallen, double f
         }
         const bool holds = !slipping[disc] && mayHold(disc, fallen, fastest);
         if (!holds && !slipping[disc])
-            setSlip(disc, multipliers_.friction().slipOf(disc));
+            setSlip(disc);
         if (holds && !normals.empty())
             setDisc(disc, State::inside);
         if (!normals.empty() && !isGone(of.rows[0]))
@@ -216,10 +216,10 @@ void holdWithin(const Eigen::MatrixXd& a, const Eigen::VectorXd& b, const Laws& 
         if (!holds)
             continue;
         answer = *within;
-        break;
+        for (const std::size_t k : held)
+            answer.states[k] = State::inside;
+        return;
     }
-    for (const std::size_t k : held)
-        answer.states[k] = State::inside;
 }
 
 } // namespace
@@ -252,7 +252,7 @@ bool ActiveSet::solveLaws(const Rows& rows) {
             if (answer->states[k] == State::inside)
                 setDisc(rows.discs[disc], State::inside);
             else
-                setSlip(rows.discs[disc], -force);
+                setSlip(rows.discs[disc], -force, 0);
             ++disc;
         } else if (law(row).isBounded()) {
             const double none = hasContacts_ ? noForce * largest : 0;

@@ -136,6 +136,7 @@ public:
     void setSlow(const ActiveSet::Slow& slow) { active_.setSlow(slow); }
     // A contact slips.
     [[nodiscard]] bool slips() const { return active_.slips(); }
+    [[nodiscard]] bool slipsSlowly() const { return active_.slipsSlowly(); }
     // Contacts that slip do so as these states move.
     void takeSlips(double t, std::span<const double> y) { active_.takeSlips(t, y); }
     // Conditions are gone for ever where these values, by place, say so. True: some went now.

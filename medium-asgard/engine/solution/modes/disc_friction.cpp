@@ -87,16 +87,19 @@ DiscFriction::InDisc DiscFriction::slipOf(std::size_t k) const {
     return at(centreIn(k), ratesAmong(gaps_, k));
 }
 
-double DiscFriction::senseOf(std::size_t k) const { return slipOf(k).dot(beganOf(k)) < 0 ? -1 : 1; }
+double DiscFriction::aheadOf(std::size_t k) const {
+    const InDisc began = beganOf(k);
+    return slipOf(k).dot(began.normalized()) + 0.5 * began.norm();
+}
+
+double DiscFriction::senseOf(std::size_t k) const { return aheadOf(k) < 0 ? -1 : 1; }
 
 std::pair<DiscFriction::InDisc, DiscFriction::InDisc>
 DiscFriction::velocityOf(std::size_t k) const {
-    constexpr double atRest = 1e-3; // of a resolution, in the unit of time
     const InDisc began = beganOf(k);
     if (began.size() == 1)
-        return {InDisc::Zero(1), began};
-    const double least = atRest * bound_.laws[disc(k).rows[0]].resolution;
-    return {senseOf(k) * ratesAmong(gaps_, k), least * began};
+        return {InDisc::Zero(1), began.normalized()};
+    return {senseOf(k) * ratesAmong(gaps_, k), began};
 }
 
 DiscFriction::InDisc DiscFriction::wayOf(std::size_t k, const Centre& centre) const {

@@ -36,6 +36,9 @@ public:
 
     // The velocities of its rows at the centre of the mode.
     [[nodiscard]] InDisc slipOf(std::size_t disc) const;
+    // How far a slip is from the turn that ends it: behind rest by half of the speed under which
+    // the direction counts in which it began.
+    [[nodiscard]] double aheadOf(std::size_t disc) const;
     // By forces, one for each multiplier: how far the force of a disc is from its bound, and the
     // centre of its normal forces.
     [[nodiscard]] double leewayOf(std::size_t disc, std::span<const double> forces) const;
@@ -75,7 +78,7 @@ private:
                                       std::span<const double> forces) const;
     // The force is against it.
     [[nodiscard]] InDisc wayOf(std::size_t disc, const Centre& centre) const;
-    // +1, or -1 where it slips back along the way on which it began.
+    // +1, or -1 where it is behind its turn.
     [[nodiscard]] double senseOf(std::size_t disc) const;
     [[nodiscard]] InDisc beganOf(std::size_t disc) const;
 

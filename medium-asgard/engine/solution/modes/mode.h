@@ -46,8 +46,8 @@ struct Mode {
     std::vector<double> forces;
     // Stops that touch without a force and without a rate: rounding may close them.
     std::vector<char> touches;
-    // Of each disc of friction whose rows are at a bound: the direction in which it began to slip.
-    // Behind a point of rest it slips back along it, as far as this mode reaches.
+    // Of each disc of friction whose rows are at a bound: the direction in which it began to slip,
+    // as long as the speed under which that direction counts.
     std::vector<std::array<double, 3>> slips;
     // Of each disc the centre of its normal forces there (complementarity/laws.h).
     std::vector<std::array<double, 2>> centres;

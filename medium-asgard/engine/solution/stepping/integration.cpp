@@ -80,6 +80,9 @@ std::optional<Ending> Integration::beginMethod() {
             ? *options.firstStep
             : method_->firstStep(std::min(context_.limit() - context_.time(), longestFirst()));
     proposed = proposed > 0 && !options.fixedStep ? std::min(proposed, first) : first;
+    if (mayChange_ && !method_->implicit() && equations.slipsSlowly() &&
+        context_.memory.now.choice.isStiffAtFirst(spectralRadius(), proposed))
+        return changeMethod();
     strides_ = mayStride();
     return std::nullopt;
 }
