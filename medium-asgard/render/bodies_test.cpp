@@ -136,6 +136,37 @@ TEST_F(RendererTest, BodiesStandWhereTheMotionPutsThem) {
     EXPECT_EQ(picture.at(160, 120), 0xFFFFFFU);
 }
 
+// A wheel on an axis along z, seen from the front: only a turn about this axis needs a mark.
+TEST_F(RendererTest, AWheelThatTurnsAboutItsAxisIsSeenToTurn) {
+    scene::Part wheel;
+    wheel.shape = scene::CylinderShape{0.6, 0.2};
+    wheel.rotation = {M_PI / 2, 0, 0};
+    addBody(scene_, wheel, {0, 0, 0}, red);
+    const auto turn = [&](const Vector& velocity) {
+        drawing_.motion =
+            std::make_shared<GivenMotion>(1, std::vector<GivenMotion::Law>{[=](double t) {
+                                              simulation::BodyState state = placed({0, 0, 0});
+                                              state.attitude =
+                                                  geometry::fromRotationVector(t * velocity);
+                                              state.angularVelocity = velocity;
+                                              return state;
+                                          }});
+    };
+    const auto darker = [](const Picture& one, const Picture& other) {
+        return one.count([&](int x, int y) { return one.red(x, y) + 10 < other.red(x, y); });
+    };
+    const double quarters = M_PI * 72 * 72 / 2;
+    const Picture still = draw();
+    turn({0, 0, M_PI / 2});
+    const Picture before = draw();
+    EXPECT_NEAR(darker(before, still), quarters, 0.2 * quarters);
+    drawing_.time = 1;
+    EXPECT_NEAR(darker(draw(), before), quarters, 0.2 * quarters);
+    turn({0, 0.3, 0}); // as a coin that is turned over
+    drawing_.time = 0;
+    EXPECT_LT(darker(draw(), still), 50);
+}
+
 TEST_F(RendererTest, BodiesWithoutAKnownShapeOrPlaceAreLeftOut) {
     addBody(scene_, sphere(0.5), {0, 0, 0}, red).shape = "gone";
     addBody(scene_, sphere(0.5), Vector::Constant(std::nan("")), red);

@@ -106,6 +106,26 @@ TEST_F(RendererTest, AStudioHasASkyAndAHorizonLightOrDark) {
     EXPECT_EQ(draw().bytes, dark.bytes);
 }
 
+TEST_F(RendererTest, AnEndlessFloorReachesTheHorizon) {
+    scene::Part half;
+    half.shape = scene::PlaneShape{};
+    addBody(scene_, sphere(0.2), {0, 0.2, 0}, blue);
+    addBody(scene_, half, {0, 0, 0}, red).fixed = true;
+    drawing_.display.studio = true;
+    for (const double slope : {0.1, 0.18}) {
+        drawing_.camera.rotation = geometry::fromRotationVector(Vector(slope, 0, 0));
+        const Size size{320, 240};
+        const Picture picture = draw(size);
+        const int horizon =
+            static_cast<int>(toPixels(drawing_.camera, size, Vector(0, 0, -1e7)).y());
+        ASSERT_GT(horizon, 0);
+        for (const int x : {3, 100, 316})
+            for (const int below : {5, 20})
+                EXPECT_TRUE(isRed(picture, x, horizon + below)) << slope << " " << x;
+        EXPECT_FALSE(isRed(picture, 3, horizon - 5));
+    }
+}
+
 // A table stands on the ground, or over it; a slab that the ground would cut is a floor.
 TEST_F(RendererTest, AFixedTableTakesTheGridNowhere) {
     drawing_.display.grid = true;

@@ -42,7 +42,7 @@ layout(location = 2) in vec4 row0;      // mesh to view, three rows
 layout(location = 3) in vec4 row1;
 layout(location = 4) in vec4 row2;
 layout(location = 5) in vec4 color;     // linear; alpha 1 is opaque
-layout(location = 6) in vec2 material;  // shininess; depth of the quarters of a spinning ball
+layout(location = 6) in vec2 material;  // shininess; depth of the quarters, negative: about y
 uniform mat4 projection;
 out vec3 place;
 out vec3 facing;
@@ -108,11 +108,11 @@ void main() {
         }
     }
     vec3 albedo = tint.rgb;
-    if (surface.y > 0.0) {
-        // Opposite quarters of a ball that turns are a shade darker, with a soft seam.
-        float seam = local.x * local.y;
-        float width = max(fwidth(seam), 1e-4);
-        albedo *= 1.0 - surface.y * smoothstep(-width, width, seam);
+    if (surface.y != 0.0) {
+        // Opposite quarters of what turns are a shade darker, with a soft seam.
+        float seam = local.x * (surface.y > 0.0 ? local.y : local.z);
+        float width = max(fwidth(seam), 1e-4 * dot(local, local));
+        albedo *= 1.0 - abs(surface.y) * smoothstep(-width, width, seam);
     }
     vec3 c = albedo * diffuse + 0.45 * surface.x * gloss;
     // Too much light keeps its hue instead of turning white.

@@ -68,14 +68,18 @@ Solid solidOf(const scene::Part& part, const scene::Body& body, const scene::Sha
     return solid;
 }
 
-// Of a half space a square about what the picture shows, as wide as it can be seen.
-void showPlane(Solid& solid, const geometry::Pose& pose, const Extent& extent, const Frame& frame) {
-    constexpr double wide = 4; // of the scene's size
+// Of a half space a square about what the picture shows, as wide as it can be seen; in a studio it
+// meets the horizon.
+void showPlane(Solid& solid, const geometry::Pose& pose, const Extent& extent, const Frame& frame,
+               bool inStudio) {
+    constexpr double wide = 4;        // of the scene's size
+    constexpr double toHorizon = 300; // view units: within a pixel or two
     const scene::Part& part = *solid.part;
     const geometry::Quaternion turn = pose.attitude * geometry::fromRotationVector(part.rotation);
     const Vector up = turn * Vector::UnitY(), origin = pose.toWorld(part.position);
     const Vector middle = extent.box.center();
-    const double half = wide * extent.size;
+    const double half =
+        std::max(wide * extent.size, inStudio ? toHorizon / frame.camera().scale : 0);
     solid.linear = frame.linear() * turn.toRotationMatrix() * half;
     solid.place = solid.middle = frame.toView(middle - up * up.dot(middle - origin));
     solid.radius = std::sqrt(2) * half * frame.camera().scale;
@@ -85,6 +89,8 @@ bool isBall(const scene::ShapeSet& shape) {
     return shape.parts.size() == 1 &&
            std::holds_alternative<scene::SphereShape>(shape.parts.front().shape);
 }
+
+bool isTrue(const std::vector<bool>& of, std::size_t body) { return body < of.size() && of[body]; }
 
 } // namespace
 
@@ -109,8 +115,9 @@ std::vector<Solid> solidsOf(const Drawing& drawing, const Extent& extent, const 
             solids.push_back(solidOf(part, body, *shape, pose, frame));
             solids.back().body = i;
             if (std::holds_alternative<scene::PlaneShape>(part.shape))
-                showPlane(solids.back(), pose, extent, frame);
-            solids.back().turns = isBall(*shape) && i < extent.turns.size() && extent.turns[i];
+                showPlane(solids.back(), pose, extent, frame, drawing.display.studio);
+            solids.back().isMarked = (isBall(*shape) && isTrue(extent.turns, i)) ||
+                                     (isRoundAboutY(part) && isTrue(extent.spins, i));
         }
     }
     std::erase_if(solids, [](const Solid& s) { return s.alpha <= 0; });
@@ -300,7 +307,8 @@ Solids::Instance Solids::instanceOf(const Solid& solid) {
     }
     instance.color[3] = solid.alpha;
     instance.material[0] = solid.shininess;
-    instance.material[1] = solid.turns ? 0.16F : 0.0F;
+    if (solid.isMarked)
+        instance.material[1] = isRoundAboutY(*solid.part) ? -0.16F : 0.16F;
     return instance;
 }
 

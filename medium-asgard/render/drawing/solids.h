@@ -26,7 +26,8 @@ struct Solid {
     Eigen::Vector3f color;  // sRGB
     float alpha = 1;
     float shininess = 0;
-    bool turns = false; // a ball that spins: shown by its shading
+    // Two quarters are darker, so that one sees it turn: across z of a ball, about y of the others.
+    bool isMarked = false;
 
     [[nodiscard]] Vector toView(const Vector& inMesh) const { return linear * inMesh + place; }
 };

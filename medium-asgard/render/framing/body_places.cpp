@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <variant>
 
@@ -75,6 +76,36 @@ std::vector<Ball> outlineOf(const scene::Scene& scene, const scene::Body& body) 
         for (const scene::Part& part : shape->parts)
             addPart(outline, part);
     return outline;
+}
+
+bool isRoundAboutY(const scene::Part& part) {
+    return std::holds_alternative<scene::CylinderShape>(part.shape) ||
+           std::holds_alternative<scene::ConeShape>(part.shape) ||
+           std::holds_alternative<scene::CapsuleShape>(part.shape) ||
+           std::holds_alternative<scene::TubeShape>(part.shape) ||
+           std::holds_alternative<scene::BowlShape>(part.shape);
+}
+
+std::optional<Vector> axisOf(const scene::Scene& scene, const scene::Body& body) {
+    const scene::ShapeSet* shape = scene::findShapeSet(scene, body.shape);
+    if (shape == nullptr)
+        return std::nullopt;
+    const auto first = std::ranges::find_if(shape->parts, isRoundAboutY);
+    if (first == shape->parts.end())
+        return std::nullopt;
+    const auto axisOfPart = [](const scene::Part& part) -> Vector {
+        return geometry::fromRotationVector(part.rotation) * Vector::UnitY();
+    };
+    const Vector axis = axisOfPart(*first);
+    constexpr double askew = 1e-6;
+    for (const scene::Part& part : shape->parts) {
+        const bool isAlong = std::holds_alternative<scene::SphereShape>(part.shape) ||
+                             (isRoundAboutY(part) && axisOfPart(part).cross(axis).norm() < askew);
+        const double beside = (part.position - first->position).cross(axis).norm();
+        if (!isAlong || beside > askew * (1 + part.position.norm()))
+            return std::nullopt;
+    }
+    return axis;
 }
 
 Pose poseOf(const scene::Scene& scene, const simulation::Motion* motion, std::size_t body,

@@ -39,6 +39,7 @@ bool finite(const Pose& pose) {
 struct Path {
     Box centers;                  // of the shape's origin
     Vector spin = Vector::Zero(); // the angle turned about each axis, to and fro alike
+    double own = 0;               // the same about the axis that its shape is round about
     std::vector<Pose> poses;
 
     [[nodiscard]] bool travels() const {
@@ -46,18 +47,22 @@ struct Path {
                centers.sizes().maxCoeff() > 1e-9 * (1 + centers.center().norm());
     }
     [[nodiscard]] bool turns() const { return spin.sum() > 1e-6; } // more than rounding does
+    [[nodiscard]] bool spins() const { return own > 1e-6; }
 };
 
-// One place more.
+// One place more. `axis`: that its shape is round about, in its frame, or 0.
 void follow(Path& path, const scene::Scene& scene, const simulation::Motion* motion,
-            std::size_t body, double time, double interval) {
+            std::size_t body, double time, double interval, const Vector& axis) {
     const Pose pose = poseOf(scene, motion, body, time);
     if (!finite(pose))
         return;
     path.centers.extend(pose.position);
     path.poses.push_back(pose);
-    if (motion != nullptr && body < motion->bodies())
-        path.spin += interval * motion->at(body, time).angularVelocity.cwiseAbs();
+    if (motion == nullptr || body >= motion->bodies())
+        return;
+    const Vector velocity = motion->at(body, time).angularVelocity;
+    path.spin += interval * velocity.cwiseAbs();
+    path.own += interval * std::abs(velocity.dot(pose.attitude * axis));
 }
 
 struct Survey {
@@ -68,7 +73,9 @@ struct Survey {
 Survey surveyOf(const scene::Scene& scene, const simulation::Motion* motion) {
     Survey survey;
     std::size_t points = 0;
+    std::vector<Vector> axes;
     for (const scene::Body& body : scene.bodies) {
+        axes.push_back(axisOf(scene, body).value_or(Vector::Zero()));
         survey.outlines.push_back(outlineOf(scene, body));
         points += survey.outlines.back().size();
     }
@@ -77,7 +84,7 @@ Survey surveyOf(const scene::Scene& scene, const simulation::Motion* motion) {
     survey.paths.resize(scene.bodies.size());
     for (const double time : times) // bodies share what a motion works out for a time
         for (std::size_t i = 0; i < scene.bodies.size(); ++i)
-            follow(survey.paths[i], scene, motion, i, time, interval);
+            follow(survey.paths[i], scene, motion, i, time, interval, axes[i]);
     return survey;
 }
 
@@ -458,6 +465,7 @@ Extent extentWith(const scene::Scene& scene, const simulation::Motion* motion, F
         extent.fixed.push_back(body.fixed);
     for (const Path& path : survey.paths) {
         extent.turns.push_back(path.turns());
+        extent.spins.push_back(path.spins());
         extent.moves.push_back(path.travels() || path.turns());
         anyMoves = anyMoves || extent.moves.back();
     }

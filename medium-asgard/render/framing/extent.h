@@ -17,6 +17,7 @@ struct Extent {
     std::vector<Ball> balls; // the same, as spheres and (of radius 0) corners
     std::vector<bool> moves; // of each body: its place or attitude changes
     std::vector<bool> turns; // of each body: its attitude changes
+    std::vector<bool> spins; // of each body: it is round about an axis, and turns about that
     std::vector<bool> fixed; // of each body
     Vector up = Vector::UnitY();
     Vector ground = Vector::UnitY();   // normal of what things stand on: up, or that of a table
