@@ -52,9 +52,11 @@ bool Hand::keepAlong(const HandleDrag::Along& along) {
     return true;
 }
 
-void Hand::takeByKeys(Ground ground, const Sight& sight, const render::Handle& handle) {
+void Hand::takeByKeys(Ground ground, const Sight& sight, const render::Handle& handle,
+                      const std::vector<std::size_t>& company) {
     button_.reset();
     drag_ = std::make_unique<HandleDrag>(std::move(ground), sight, handle, std::nullopt);
+    drag_->setCompany(company);
 }
 
 std::optional<editing::Answer> Hand::answer() const {

@@ -29,7 +29,9 @@ public:
     void setTurns(int axis); // a body's attitude, about an axis of the world
     // Once more for the same: as the hand goes. False: nothing is held that moves so.
     bool keepAlong(const HandleDrag::Along& along);
-    void takeByKeys(Ground ground, const Sight& sight, const render::Handle& handle);
+    // `company`: bodies that go with a body.
+    void takeByKeys(Ground ground, const Sight& sight, const render::Handle& handle,
+                    const std::vector<std::size_t>& company = {});
 
     [[nodiscard]] bool active() const { return drag_ || newPoint_; }
     [[nodiscard]] bool byKeys() const { return drag_ && !button_; }

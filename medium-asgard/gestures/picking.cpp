@@ -1,10 +1,12 @@
 #include "gestures/picking.h"
 
+#include "collision/separation.h"
 #include "framing/extent.h"
 #include "handles/handle_layout.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -133,6 +135,46 @@ std::optional<Picked> bodyAt(const render::Drawing& drawing, const Sight& sight,
         if (picked.body != but)
             return picked;
     return std::nullopt;
+}
+
+bool isEndless(const geometry::Shape& shape) {
+    return std::ranges::any_of(shape.parts, &geometry::Part::isPlane);
+}
+
+bool isIn(const render::Drawing& drawing, std::size_t body, const Vector& place) {
+    const ShapePointer shape = shapeOf(*drawing.scene, drawing.scene->bodies[body].name);
+    if (!shape)
+        return false;
+    const geometry::Pose pose =
+        render::poseOf(*drawing.scene, drawing.motion.get(), body, drawing.time);
+    const double touch = 1e-4 * geometry::radiusAbout(*shape, Vector::Zero());
+    const geometry::Part point = geometry::spherePart(0);
+    return std::ranges::any_of(shape->parts, [&](const geometry::Part& part) {
+        collision::WarmStart cold;
+        return collision::separate({&part, geometry::Matrix::Identity(), Vector::Zero()},
+                                   {&point, geometry::Matrix::Identity(), pose.toLocal(place)},
+                                   cold)
+                   .gap <= touch;
+    });
+}
+
+std::optional<std::size_t> bodyAround(const render::Drawing& drawing, const Vector& place,
+                                      std::optional<std::size_t> but) {
+    const auto& bodies = drawing.scene->bodies;
+    std::optional<std::size_t> smallest;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        if (i == but || render::isHidden(drawing.display, bodies[i]) || !isIn(drawing, i, place))
+            continue;
+        const ShapePointer shape = shapeOf(*drawing.scene, bodies[i].name);
+        const double size = isEndless(*shape) ? std::numeric_limits<double>::max()
+                                              : geometry::bounds(*shape).volume();
+        if (size < least) {
+            least = size;
+            smallest = i;
+        }
+    }
+    return smallest;
 }
 
 std::vector<std::size_t> bodiesWithin(const render::Drawing& drawing, const Sight& sight,

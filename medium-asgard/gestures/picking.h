@@ -64,6 +64,13 @@ struct Picked {
                                            const Eigen::Vector2d& pixels,
                                            std::optional<std::size_t> but = std::nullopt);
 
+// A place of the world, as near as rounded numbers tell, is inside of the body or on its surface.
+[[nodiscard]] bool isIn(const render::Drawing& drawing, std::size_t body, const Vector& place);
+// The body there, of several the smallest, or of all but one.
+[[nodiscard]] std::optional<std::size_t> bodyAround(const render::Drawing& drawing,
+                                                    const Vector& place,
+                                                    std::optional<std::size_t> but = std::nullopt);
+
 // The bodies whose middle is seen in the rectangle between two of its corners; none without extent,
 // as a floor.
 [[nodiscard]] std::vector<std::size_t> bodiesWithin(const render::Drawing& drawing,
@@ -79,6 +86,7 @@ struct Picked {
 // has time. Any thread.
 using ShapePointer = std::shared_ptr<const geometry::Shape>;
 [[nodiscard]] ShapePointer shapeOf(const scene::Scene& scene, const std::string& body);
-void prepareShapes(const scene::Scene& scene); // and forgets those of other scenes
+void prepareShapes(const scene::Scene& scene);              // and forgets those of other scenes
+[[nodiscard]] bool isEndless(const geometry::Shape& shape); // a floor
 
 } // namespace gestures

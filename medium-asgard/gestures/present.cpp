@@ -7,8 +7,10 @@
 #include "geometry/pose.h"
 #include "handles/handles.h"
 #include "reports/instants.h"
+#include "scene/joint_types.h"
 
 #include <algorithm>
+#include <cctype>
 #include <utility>
 
 namespace gestures {
@@ -41,6 +43,10 @@ std::string countsFromStart(const scene::Scene& scene, const scene::Released& re
         if (!released.ropes.contains(i) && !scene.ropes[i].length)
             return says({Kind::rope, i}, "its -length");
     return {};
+}
+
+bool isOfName(char sign) {
+    return std::isalnum(static_cast<unsigned char>(sign)) != 0 || sign == '_';
 }
 
 std::vector<editing::Element> elementsOf(const scene::Released& released) {
@@ -155,6 +161,40 @@ private:
 double roundMoment(const simulation::Motion& motion, double time) {
     const double step = editing::decimalStep((motion.finish() - motion.start()) / 2000);
     return std::clamp(editing::roundedTo(time, step), motion.start(), motion.computed());
+}
+
+std::string countsAnew(const Ground& ground, double time) {
+    std::string names;
+    std::size_t count = 0;
+    const auto isRead = [&](const std::string& name) {
+        const auto reads = [&](const std::string& text) {
+            for (auto at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
+                const bool begins = at == 0 || !isOfName(text[at - 1]);
+                const std::size_t end = at + name.size();
+                if (begins && (end == text.size() || !isOfName(text[end])))
+                    return true;
+            }
+            return false;
+        };
+        return reads(ground.text) || std::ranges::any_of(ground.scene->plots, [&](const auto& one) {
+                   return std::ranges::any_of(one.values, reads);
+               });
+    };
+    for (const scene::Joint& joint : ground.scene->joints) {
+        const scene::JointTraits& traits = scene::traitsOf(joint.type);
+        for (std::size_t i = 0; traits.startsAtZero && i < traits.coordinates.size(); ++i) {
+            const std::string name = joint.name + ".q" + scene::coordinateSuffix(joint.type, i);
+            if (isRead(name)) {
+                names += (count == 0 ? "" : ", ") + name;
+                ++count;
+            }
+        }
+    }
+    if (count == 0)
+        return {};
+    return names + (count == 1 ? " counts" : " count") +
+           " from this moment on: " + (count == 1 ? "it is" : "they are") + " 0 at " +
+           editing::numberText(time, 1e-6) + " s.";
 }
 
 std::string whyNotAt(const scene::Scene& scene, const simulation::MotionPointer& motion,

@@ -8,7 +8,8 @@
 //
 // LIMIT: a value that counts from the start (a joint's coordinate with a limit, a spring's or
 // rope's length that is not written) would mean something else: then there is no answer but a
-// reason. Expressions that read a coordinate (J.q, B.rx) count from the new start.
+// reason. Expressions that read a coordinate (J.q, B.rx) count from the new start, which
+// countsAnew() tells.
 #pragma once
 
 #include "editing/value_edit.h"
@@ -34,6 +35,9 @@ struct Put {
 };
 [[nodiscard]] editing::Answer startingAt(const Ground& ground, double time,
                                          const std::vector<Put>& puts = {});
+// "pin.q counts from this moment on: it is 0 at 1.2 s.": coordinates that the text reads. "": there
+// are none.
+[[nodiscard]] std::string countsAnew(const Ground& ground, double time);
 // Why it cannot begin at that moment; "": it can, as far as the text allows.
 [[nodiscard]] std::string whyNotAt(const scene::Scene& scene,
                                    const simulation::MotionPointer& motion, double time);

@@ -105,6 +105,18 @@ TEST(Present, ABodyThatWasPutElsewhereStartsThereWithItsVelocityOrTheHands) {
     EXPECT_LT((cast.velocity - hand).norm(), 1e-9);
 }
 
+TEST(Present, CoordinatesThatCountFromTheNewStartAreTold) {
+    const std::string swing =
+        "shape_set s -desc {-sub {-sphere 0.5}}\nbody b s\nbody c s -init_pos "
+        "{3 0 0}\njoint pin -type hinge -body1 b -offset1 {0 1 0}\n"
+        "joint pin2 -type hinge -body1 c -offset1 {0 1 0}\n";
+    EXPECT_EQ(countsAnew(groundOf(swing), 0.5), "");
+    EXPECT_EQ(countsAnew(groundOf(swing + "plot p -values {{pin2.q} {pin.dq}}\n"), 0.5),
+              "pin2.q counts from this moment on: it is 0 at 0.5 s.");
+    EXPECT_EQ(countsAnew(groundOf(swing + "foreach j {pin pin2} {plot $j -values $j.q}\n"), 1.25),
+              "pin.q, pin2.q count from this moment on: they are 0 at 1.25 s.");
+}
+
 TEST(Present, AMomentIsRoundToAThousandthAndWithinTheMotion) {
     const Ground two = groundOf(thrown);
     EXPECT_DOUBLE_EQ(roundMoment(*two.motion, 0.5617432), 0.562);

@@ -18,10 +18,6 @@ struct Standing {
     bool isEndless = false;
 };
 
-bool isEndless(const geometry::Shape& shape) {
-    return std::ranges::any_of(shape.parts, &geometry::Part::isPlane);
-}
-
 class Others {
 public:
     Others(const render::Drawing& drawing, const geometry::Shape& shape)

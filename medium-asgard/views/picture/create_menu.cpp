@@ -13,6 +13,8 @@
 #include <QMenu>
 #include <QPushButton>
 
+#include <algorithm>
+
 namespace views {
 
 namespace {
@@ -52,43 +54,56 @@ void askForParameter(SceneDocument& document, SceneDisplay& display) {
             minimum->text().trimmed().toStdString(), maximum->text().trimmed().toStdString()));
 }
 
-// How many times as large as usual a new body is, so that the picture shows it as a body.
-double sizeIn(const SceneDisplay& display) {
+// How many times as large as usual a new body is: about a sixth of what the picture shows in its
+// narrower direction, there where the body that is selected stands, else in its middle. A metre is
+// taken where that is not far from it.
+double sizeIn(const SceneDisplay& display, const SceneDocument& document) {
     const gestures::Sight sight = display.sight();
-    const double height = sight.pixelLength(sight.camera.center) * sight.size.height;
-    constexpr double least = 1.0 / 40, most = 0.95, usual = 1.0 / 8; // of the picture's height
-    return least * height <= 1 && 1 <= most * height ? 1 : gestures::roundStep(usual * height);
+    double pixel = sight.pixelLength(sight.camera.center);
+    for (const editing::Element& one : document.selected())
+        if (one.kind == editing::Kind::body && one.index < document.shown().scene->bodies.size()) {
+            const geometry::Vector place = display.centerOf(one.index);
+            if (sight.depth(place) < render::eyeOf(sight.camera))
+                pixel = std::min(pixel, sight.pixelLength(place));
+        }
+    const double shown = pixel * std::min(sight.size.width, sight.size.height);
+    constexpr double usual = 1.0 / 6, near = 1.7;
+    const double wanted = usual * shown;
+    return wanted / near <= 1 && 1 <= wanted * near ? 1 : gestures::roundStep(wanted / near);
 }
 
-void startBody(SceneDisplay& display, BasicShape shape) {
-    display.creating().start([&display, shape] { return newBody(shape, sizeIn(display)); });
+void startBody(SceneDocument& document, SceneDisplay& display, BasicShape shape) {
+    display.creating().start(
+        [&document, &display, shape] { return newBody(shape, sizeIn(display, document)); });
 }
 
-void startBody(SceneDisplay& display, const editing::LibraryShape& shape) {
-    display.creating().start([&display, &shape] { return newBody(shape, sizeIn(display)); });
+void startBody(SceneDocument& document, SceneDisplay& display, const editing::LibraryShape& shape) {
+    display.creating().start(
+        [&document, &display, &shape] { return newBody(shape, sizeIn(display, document)); });
 }
 
 void fillBodies(QMenu* menu, SceneDocument& document, SceneDisplay& display) {
     menu->clear();
     menu->addAction(QObject::tr("New &Sphere"), &display,
-                    [&display] { startBody(display, BasicShape::sphere); });
+                    [&document, &display] { startBody(document, display, BasicShape::sphere); });
     menu->addAction(QObject::tr("New &Box"), &display,
-                    [&display] { startBody(display, BasicShape::box); });
+                    [&document, &display] { startBody(document, display, BasicShape::box); });
     const std::pair<QString, const char*> round[] = {{QObject::tr("New &Wheel"), "Wheel"},
                                                      {QObject::tr("New &Capsule"), "Capsule"},
-                                                     {QObject::tr("New C&one"), "Cone"},
+                                                     {QObject::tr("New Co&ne"), "Cone"},
                                                      {QObject::tr("New &Tube"), "Tube"},
-                                                     {QObject::tr("New Bo&wl"), "Bowl"}};
+                                                     {QObject::tr("New B&owl"), "Bowl"}};
     for (const auto& [label, name] : round)
-        menu->addAction(
-            plain::ours(label), &display,
-            [&display, &shape = editing::libraryShape(name)] { startBody(display, shape); });
+        menu->addAction(plain::ours(label), &display,
+                        [&document, &display, &shape = editing::libraryShape(name)] {
+                            startBody(document, display, shape);
+                        });
     menu->addAction(plain::ours(QObject::tr("New &Floor Below All")), &display,
                     [&display] { display.creating().start(newFloor()); });
     QMenu* library = menu->addMenu(QObject::tr("New from the &Library"));
     for (const editing::LibraryShape& shape : editing::shapeLibrary())
         library->addAction(plain::caption(QString::fromStdString(shape.name)), &display,
-                           [&display, &shape] { startBody(display, shape); });
+                           [&document, &display, &shape] { startBody(document, display, shape); });
     menu->addSeparator(); // what grows stands below: the rest stays where the hand knows it
     for (const scene::ShapeSet& set : document.shown().scene->shapeSets)
         menu->addAction(plain::caption(QString::fromStdString(set.name)), &display,
@@ -157,6 +172,9 @@ void buildCreateMenu(QMenu* menu, SceneDocument& document, SceneDisplay& display
     joint(QObject::tr("&Fixed"), QObject::tr("Two bodies move as one"), scene::JointType::fixed);
     joint(QObject::tr("&Distance"), QObject::tr("A massless rod between two points"),
           scene::JointType::distance);
+    add(joints, QObject::tr("&Gear"), newGear);
+    joints->actions().back()->setToolTip(
+        plain::tip(QObject::tr("Two wheels, or a wheel and a rack, roll on each other")));
     add(menu, QObject::tr("&Rope"), newRope);
     menu->actions().back()->setObjectName("createRope");
     menu->actions().back()->setToolTip(
@@ -173,7 +191,7 @@ void buildCreateMenu(QMenu* menu, SceneDocument& document, SceneDisplay& display
     add(links, QObject::tr("Body to &Body"), [] { return newLink(Wanted::body); });
     add(links, QObject::tr("Body to &Point"), [] { return newLink(Wanted::point); });
     add(links, QObject::tr("Body to &Trajectory"), [] { return newLink(Wanted::trajectory); });
-    QMenu* lights = menu->addMenu(QObject::tr("L&ight Source"));
+    QMenu* lights = menu->addMenu(QObject::tr("Li&ght Source"));
     add(lights, QObject::tr("&Directional"), [] { return newLight(false); });
     add(lights, QObject::tr("&Point"), [] { return newLight(true); });
     menu->addSeparator();

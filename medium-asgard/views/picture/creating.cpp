@@ -15,8 +15,6 @@ namespace views {
 
 namespace {
 
-constexpr double clickReach = 12; // pixels
-
 // A new body falls as all others do, if they do.
 void addWeightAsOthersHaveIt(std::vector<editing::NewElement>& made, const scene::Scene& scene) {
     const editing::NewElement& body = made.back();
@@ -50,9 +48,9 @@ gestures::ShapePointer restingShape(const std::vector<scene::Part>& ghost) {
 bool isUpright(const Vector& direction) { return direction.cwiseAbs().maxCoeff() > 1 - 1e-9; }
 
 // On a level face: above the middle of the body below where that is near, else at round numbers.
-Vector besideMiddle(Vector place, const Vector& up, const Vector& middle, double resolution,
+Vector besideMiddle(Vector place, const Vector& up, const Vector& middle, double reach,
                     double step) {
-    const double near = std::min(1.5 * clickReach * resolution, step / 2);
+    const double near = std::min(reach, step / 2);
     for (Eigen::Index i = 0; i < 3; ++i)
         if (std::abs(up[i]) < 0.5)
             place[i] = std::abs(place[i] - middle[i]) < near ? middle[i]
@@ -66,6 +64,7 @@ Creating::Creating(SceneDocument& document, SceneDisplay& display)
     : document_(document), display_(display), later_(document) {
     // A thing that was clicked on may be gone, or another one.
     connect(&document_, &SceneDocument::textChanged, this, [this] {
+        forgetMeasured();
         if (!active())
             return;
         cancel();
@@ -85,6 +84,7 @@ void Creating::start(Recipe recipe) {
 
 void Creating::start(std::function<Recipe()> recipe, std::optional<Aim> aim) {
     cancel();
+    forgetMeasured();
     display_.editing().say({}); // it was about what was done before
     waiting_.emplace(Waiting{std::move(recipe), std::move(aim), {}});
     later_.take(this, [this] { stopWaiting(); });
@@ -350,7 +350,8 @@ Indicated Creating::restingOn(const gestures::Picked& picked, Indicated found) {
         place = meant.place;
         found.at = meant.to;
     } else if (isLevel) {
-        place = besideMiddle(place, up, pose.position, found.resolution, snapping().step(place));
+        place = besideMiddle(place, up, pose.position, 1.5 * clickReach * found.resolution,
+                             snapping().step(place));
     }
     found.point = place + heightOf(up, found.attitude) * up;
     found.resolution *= 1e-3; // so that it touches
@@ -365,90 +366,12 @@ Indicated Creating::restingOn(const gestures::Picked& picked, Indicated found) {
     return found;
 }
 
-// A point of the world on a body; one that is meant to be deep lies on the body's axes if near.
-Indicated Creating::onBody(std::size_t body, const Vector& point) const {
-    const render::Drawing drawing = display_.drawing();
-    const geometry::Pose pose =
-        render::poseOf(*drawing.scene, drawing.motion.get(), body, drawing.time);
-    Indicated found = centerOf(body);
-    found.atCenter = false;
-    found.resolution = display_.sight().pixelLength(point);
-    found.onBody = pose.toLocal(point);
-    if (step().deep)
-        found.onBody = onAxes(body, found.onBody, found.resolution);
-    found.point = pose.toWorld(found.onBody);
-    return found;
-}
-
-// A hand's unsteadiness beside an axis of the body through its centre is none.
-Vector Creating::onAxes(std::size_t body, const Vector& onBody, double near) const {
-    const Vector center = display_.centroidOf(body);
-    Vector from = onBody - center;
-    for (Eigen::Index i = 0; i < 3; ++i)
-        if (std::abs(from[i]) < 0.6 * clickReach * display_.devicePixelRatioF() * near)
-            from[i] = 0;
-    return from + center;
-}
-
-// Where something holds the first body: in the plane of the screen through what was shown of it.
-Indicated Creating::held(const Eigen::Vector2d& pixels) {
-    const gestures::Sight sight = display_.sight();
-    const render::Drawing drawing = display_.drawing();
-    const Indicated& first = shown_.front();
-    const geometry::Pose pose =
-        render::poseOf(*drawing.scene, drawing.motion.get(), *first.body, drawing.time);
-    Indicated found;
-    found.given = true;
-    found.point = sight.across(pixels, first.point);
-    found.resolution = sight.pixelLength(found.point);
-    const auto other = gestures::bodyAt(drawing, sight, pixels, first.body);
-    if (other) {
-        const Indicated center = centerOf(other->body);
-        found.body = other->body;
-        found.atCenter = (sight.pixels(center.point) - pixels).norm() <=
-                         0.7 * clickReach * display_.devicePixelRatioF();
-        const geometry::Pose its =
-            render::poseOf(*drawing.scene, drawing.motion.get(), other->body, drawing.time);
-        found.onBody = found.atCenter
-                           ? center.onBody
-                           : onAxes(other->body, its.toLocal(found.point), found.resolution);
-        found.point = its.toWorld(found.onBody);
-    }
-    found.onFirst = onAxes(*first.body, pose.toLocal(found.point), found.resolution);
-    if (!other && first.atCenter)
-        found.point = pose.toWorld(found.onFirst);
-    if (!other && !holdsOff_)
-        drawn(found, pose);
-    return found;
-}
-
-// On the ground it is drawn to things and round numbers, but for what lies on the body's axes.
-void Creating::drawn(Indicated& found, const geometry::Pose& first) {
-    const gestures::Snapped meant = snapping().at(found.point);
-    found.at = meant.to;
-    const Vector center = first.toWorld(display_.centroidOf(*shown_.front().body));
-    Vector place = meant.place;
-    constexpr double finer = 4; // than for bodies: a joint may be anywhere on them
-    const double step = gestures::roundStep(snapping().step(found.point) / finer);
-    if (meant.isExact)
-        found.resolution *= 0.01; // so that it meets the thing
-    for (Eigen::Index i = 0; i < 3 && !meant.isExact; ++i) {
-        const bool isOnAxis =
-            std::abs(found.point[i] - center[i]) < 1e-9 * (1 + std::abs(center[i]));
-        const bool isDepth = i == display_.sight().facing(); // nobody points at it
-        place[i] = isOnAxis  ? center[i]
-                   : isDepth ? found.point[i]
-                             : step * std::round(found.point[i] / step);
-    }
-    found.point = place;
-    found.onFirst = first.toLocal(place);
-}
-
 void Creating::hover(const QPointF& position, bool holdsOff) {
     const QString fault = fault_;
     holdsOff_ = holdsOff;
-    const bool shows = recipe_ && !recipe_->steps.empty() &&
-                       ((step().wanted == Wanted::hold && !shown_.empty()) || step().snaps);
+    const bool shows =
+        recipe_ && !recipe_->steps.empty() &&
+        ((step().wanted == Wanted::hold && !shown_.empty()) || step().snaps || step().judge);
     if (shows)
         display_.bringUpToDate();
     if (typed_.isEmpty())
@@ -456,6 +379,12 @@ void Creating::hover(const QPointF& position, bool holdsOff) {
     fault_ = fault;
     if (active())
         Q_EMIT changed();
+}
+
+std::optional<Judged> Creating::judge(const Indicated& next) const {
+    return step().judge && next.body
+               ? std::optional(step().judge(*document_.shown().scene, shown_, next))
+               : std::nullopt;
 }
 
 Indicated Creating::centerOf(std::size_t body) const {
@@ -485,6 +414,10 @@ void Creating::click(const QPointF& position, bool holdsOff) {
 }
 
 void Creating::take(const Indicated& found) {
+    if (const auto judged = judge(found); judged && !judged->isTaken) {
+        fault_ = judged->words;
+        return;
+    }
     const bool repeats = step().repeats;
     next_.reset();
     typed_.clear();
@@ -519,6 +452,8 @@ void Creating::finish() {
     const scene::Scene& scene = *document_.shown().scene;
     auto made = recipe.make(document_.text(), scene, shown_);
     const QString answer = recipe.tells ? recipe.tells(shown_) : QString();
+    if (!answer.isEmpty())
+        measured_ = {shown_.front().point, shown_.back().point, answer};
     const bool isOutOfSight = !shown_.empty() && !made.empty() &&
                               made.back().kind == editing::Kind::body && !isInSight(recipe);
     cancel();
@@ -541,6 +476,14 @@ void Creating::finish() {
     if (isOutOfSight) // a place that was typed
         connect(&document_, &SceneDocument::sceneChanged, &display_, &SceneDisplay::frameNow,
                 Qt::SingleShotConnection);
+}
+
+bool Creating::forgetMeasured() {
+    const bool was = measured_.has_value();
+    measured_.reset();
+    if (was)
+        Q_EMIT changed();
+    return was;
 }
 
 // A place that was clicked on is what one sees; of one that was typed, all that is made there.

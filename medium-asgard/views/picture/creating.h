@@ -5,12 +5,13 @@
 // meanwhile, so that what is to be clicked on can be brought to the front. With the keys: the
 // arrows move a cross through the picture, Return takes what is under it - or, before it was moved,
 // what the step offers instead. Where a place is asked for, its numbers may be typed. Escape gives
-// up. Until the click the new thing is outlined where it would be, drawn to things and round
+// up. Every other key of a letter, a digit or a blank does nothing: a slip of the hand moves no
+// body. Until the click the new thing is outlined where it would be, drawn to things and round
 // numbers nearby (gestures/snapping.h) unless Ctrl is held.
 //
-// While a text is being read, a command waits for the scene, and the keys that a command has a use
-// for wait with it until the scene is seen; those that it has no use for then are the window's. A
-// click waits for the picture, too. A text with errors ends it, and so does another change.
+// While a text is being read, a command waits for the scene, and its keys wait with it until the
+// scene is seen; a command that needs none of them gives them to the window then. A click waits for
+// the picture, too. A text with errors ends it, and so does another change.
 #pragma once
 
 #include "gestures/snapping.h"
@@ -56,6 +57,9 @@ public:
     // The step that is asked for, and the fault of the last click.
     [[nodiscard]] QString prompt() const;
     void paint(QPainter& painter) const;
+    // What was measured is seen until the next command, a change of the text, or this. False: there
+    // is nothing.
+    bool forgetMeasured();
 
 Q_SIGNALS:
     void changed();
@@ -67,6 +71,8 @@ Q_SIGNALS:
     void told(const QString& answer); // of what makes nothing
 
 private:
+    static constexpr double clickReach = 12; // pixels
+
     struct Waiting { // for the scene of the text
         std::function<Recipe()> recipe;
         std::optional<Aim> aim;
@@ -93,6 +99,7 @@ private:
     [[nodiscard]] bool types(const QKeyEvent& event) const;
     bool type(const QKeyEvent& event);
     void paintSteps(QPainter& painter) const;
+    void paintMeasured(QPainter& painter) const;
     void paintGhost(QPainter& painter, const Indicated& next) const;
     void paintWords(QPainter& painter, const QPointF& place, const QString& words) const;
     [[nodiscard]] QString wordsOf(const Indicated& next) const;
@@ -103,6 +110,7 @@ private:
     [[nodiscard]] Vector onAxes(std::size_t body, const Vector& onBody, double near) const;
     [[nodiscard]] Indicated centerOf(std::size_t body) const;
     [[nodiscard]] bool isInSight(const Recipe& recipe) const;
+    [[nodiscard]] std::optional<Judged> judge(const Indicated& next) const;
     void take(const Indicated& indicated);
     void otherwise();
     void finish();
@@ -131,6 +139,11 @@ private:
     std::optional<Near> near_;
     bool holdsOff_ = false;
     QString typed_; // "1 2.5 0": where the point is to be
+    struct Measured {
+        Vector from, to; // world
+        QString words;
+    };
+    std::optional<Measured> measured_;
 };
 
 } // namespace views

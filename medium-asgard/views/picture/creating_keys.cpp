@@ -13,6 +13,17 @@
 
 namespace views {
 
+namespace {
+
+// A letter, a digit or a blank, shifted or not.
+bool isSign(const QKeyEvent& event) {
+    constexpr auto others = Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier;
+    const QString text = event.text();
+    return !(event.modifiers() & others) && !text.isEmpty() && text.front().isPrint();
+}
+
+} // namespace
+
 // Numbers that are not typed are 0. None: it is no place.
 std::optional<Indicated> Creating::typed() const {
     const QStringList words =
@@ -33,22 +44,6 @@ std::optional<Indicated> Creating::typed() const {
     return found;
 }
 
-// The first body is the one that the picture shows at that place, as for a click there.
-void Creating::holdFirst(Indicated& found) const {
-    const gestures::Sight sight = display_.sight();
-    const render::Drawing drawing = display_.drawing();
-    const auto poseOf = [&](std::size_t body) {
-        return render::poseOf(*drawing.scene, drawing.motion.get(), body, drawing.time);
-    };
-    const std::size_t first = *shown_.front().body;
-    found.onFirst = poseOf(first).toLocal(found.point);
-    const auto other = gestures::bodyAt(drawing, sight, sight.pixels(found.point), first);
-    if (!other)
-        return;
-    found.body = other->body;
-    found.onBody = poseOf(other->body).toLocal(found.point);
-}
-
 bool Creating::mayType() const {
     return waiting_ || step().wanted == Wanted::point ||
            (step().wanted == Wanted::hold && !shown_.empty());
@@ -56,16 +51,15 @@ bool Creating::mayType() const {
 
 // A sign of a place's numbers. The sign between them is one only after a number.
 bool Creating::types(const QKeyEvent& event) const {
-    constexpr auto others = Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier;
     static const QString letters = QStringLiteral("0123456789.-+eE,; ");
-    const auto isSign = [](const QKeyEvent& one) {
+    const auto isOfPlace = [](const QKeyEvent& one) {
         return one.text().size() == 1 && letters.contains(one.text());
     };
     const bool begun =
         !typed_.isEmpty() || (waiting_ && std::ranges::any_of(waiting_->keys, [&](const auto& one) {
-                                  return isSign(*one);
+                                  return isOfPlace(*one);
                               }));
-    return mayType() && !(event.modifiers() & others) && isSign(event) &&
+    return mayType() && isSign(event) && isOfPlace(event) &&
            (begun || event.key() != Qt::Key_Space);
 }
 
@@ -86,6 +80,8 @@ bool Creating::uses(const QKeyEvent& event) const {
     if (!active())
         return false;
     if (types(event))
+        return true;
+    if (isSign(event)) // the picture's commands wait: a slip of the hand moves nothing
         return true;
     constexpr auto others = Qt::AltModifier | Qt::MetaModifier;
     switch (event.key()) {

@@ -32,8 +32,11 @@ void Creating::paintGhost(QPainter& painter, const Indicated& next) const {
 }
 
 void Creating::paintWords(QPainter& painter, const QPointF& place, const QString& words) const {
-    const QRectF box = painter.boundingRect(QRectF(place + QPointF(12, -22), QSizeF(1, 1)),
-                                            Qt::AlignLeft | Qt::TextDontClip, words);
+    QRectF box = painter.boundingRect(QRectF(place + QPointF(12, -22), QSizeF(1, 1)),
+                                      Qt::AlignLeft | Qt::TextDontClip, words);
+    const QRectF room = QRectF(display_.rect()).adjusted(4, 4, -4, -4); // read whole
+    box.moveLeft(std::max(room.left(), std::min(box.left(), room.right() - box.width())));
+    box.moveTop(std::max(room.top(), std::min(box.top(), room.bottom() - box.height())));
     painter.setPen(Qt::NoPen);
     painter.setBrush(QColor(255, 255, 255, 200));
     painter.drawRoundedRect(box.adjusted(-3, -1, 3, 1), 3, 3);
@@ -60,6 +63,8 @@ QString Creating::wordsOf(const Indicated& next) const {
 void Creating::paint(QPainter& painter) const {
     if (recipe_)
         paintSteps(painter);
+    if (measured_)
+        paintMeasured(painter);
     if (!active())
         return;
     const QRect space = display_.rect().adjusted(12, 10, -12, -10);
@@ -70,6 +75,18 @@ void Creating::paint(QPainter& painter) const {
     painter.drawRoundedRect(needed.adjusted(-6, -4, 6, 4), 4, 4);
     painter.setPen(Qt::white);
     painter.drawText(space, Qt::AlignLeft | Qt::TextWordWrap, text);
+}
+
+void Creating::paintMeasured(QPainter& painter) const {
+    const gestures::Sight sight = display_.sight();
+    const QPointF from = display_.fromPixels(sight.pixels(measured_->from));
+    const QPointF to = display_.fromPixels(sight.pixels(measured_->to));
+    painter.setPen(QPen(QColor(20, 90, 200), 2));
+    painter.setBrush(QColor(255, 255, 255, 200));
+    painter.drawLine(from, to);
+    painter.drawEllipse(from, 4, 4);
+    painter.drawEllipse(to, 4, 4);
+    paintWords(painter, (from + to) / 2, measured_->words);
 }
 
 // What was shown, and what the next click would show.
@@ -97,14 +114,17 @@ void Creating::paintSteps(QPainter& painter) const {
     } else if (next_) { // as it would be
         const QPointF place = at(*next_);
         painter.setPen(QPen(QColor(20, 90, 200), 2, Qt::DashLine));
-        painter.drawLine(at(shown_.front()), place);
+        if (!shown_.empty())
+            painter.drawLine(at(shown_.front()), place);
         painter.setPen(QPen(QColor(20, 90, 200), 2));
         painter.drawEllipse(place, 7, 7);
         painter.drawEllipse(place, 2, 2);
         const auto& bodies = document_.shown().scene->bodies;
+        const auto judged = judge(*next_);
         paintWords(painter, place,
-                   next_->body ? QString::fromStdString(bodies[*next_->body].name)
-                               : tr("the ground: %1").arg(wordsOf(*next_)));
+                   judged        ? judged->words
+                   : next_->body ? QString::fromStdString(bodies[*next_->body].name)
+                                 : tr("the ground: %1").arg(wordsOf(*next_)));
     }
     if (cross_) {
         painter.drawLine(*cross_ - QPointF(9, 0), *cross_ + QPointF(9, 0));

@@ -57,6 +57,77 @@ TEST_F(CreatingTest, ThePlaceOfAJointIsTyped) {
     EXPECT_FALSE(scene().joints[0].body2.has_value());
 }
 
+// A slip of the hand moves no body, and the command goes on.
+TEST_F(CreatingTest, LettersAreNoCommandsWhileSomethingIsMade) {
+    const std::string two =
+        "shape_set ball -desc {-sub {-sphere 0.5}}\nbody b ball -init_pos {1 0 0}\n";
+    open(two);
+    editor.document().select({{editing::Kind::body, 0}});
+    const geometry::Quaternion before = display().camera().rotation;
+    const auto keep = [&] {
+        QTest::keyClicks(&display(), "xzfny 2c");
+        QTest::keyClick(&display(), Qt::Key_H, Qt::ShiftModifier);
+        EXPECT_EQ(text(), two);
+        EXPECT_TRUE(display().creating().active());
+        EXPECT_EQ(display().camera().rotation.coeffs(), before.coeffs());
+    };
+    display().creating().start(newJoint(scene::JointType::hinge));
+    keep(); // a body is asked for
+    click({1, 0, 0});
+    QTest::keyClicks(&display(), "x");
+    EXPECT_EQ(text(), two);
+    QTest::keyClicks(&display(), "0 2 0");
+    key(Qt::Key_Return);
+    done();
+    EXPECT_EQ(scene().joints.size(), 1U);
+    made.readsSlowly = true;
+    editor.document().setText(two + "set a 1\n", "Edit");
+    display().creating().start(newSpring(Wanted::body));
+    QTest::keyClicks(&display(), "2 "); // they wait for the scene
+    made.readsSlowly = false;
+    done();
+    EXPECT_TRUE(display().creating().active());
+    EXPECT_EQ(display().camera().rotation.coeffs(), before.coeffs());
+}
+
+// The slab is seen behind the place, and is not there.
+TEST_F(CreatingTest, ATypedPlaceOfAJointIsOnTheBodyThatIsThere) {
+    open("shape_set wheel -desc {-sub {-rot {1.5707963 0 0} -cylinder {0.5 0.2}}}\n"
+         "shape_set slab -desc {-sub {-box {20 20 1}}}\n"
+         "shape_set car -desc {-sub {-box {4 1 1}}}\n"
+         "body w wheel -init_pos {1 0 3}\nbody g slab -fixed 1\n"
+         "body c car -init_pos {5 0 3}\n");
+    const auto make = [&](const QString& place) {
+        display().creating().start(newJoint(scene::JointType::hinge));
+        click({1, 0, 3});
+        QTest::keyClicks(&display(), place);
+        key(Qt::Key_Return);
+        done();
+        display().grab();
+        return scene().joints.back().body2.value_or("the ground");
+    };
+    EXPECT_EQ(make("1 2 3"), "the ground");
+    EXPECT_EQ(make("4 0 3"), "c");
+    EXPECT_EQ(make("3 0.5 3"), "c"); // an edge of it
+    EXPECT_EQ(make("1 2 0.5"), "g"); // its face
+}
+
+// The car's middle is 1 m nearer to the eye than the wheel's.
+TEST_F(CreatingTest, AJointLiesOnTheBodyThatIsClickedFurtherBehind) {
+    open("shape_set wheel -desc {-sub {-rot {1.5707963 0 0} -cylinder {0.5 0.2}}}\n"
+         "shape_set car -desc {-sub {-box {4 1 1}}}\n"
+         "body c car -init_pos {0 1 0}\nbody w wheel -init_pos {1.5 0.3 -1}\n");
+    display().lookAlong(Vector(0.1, -0.1, 1));
+    display().grab();
+    display().creating().start(newJoint(scene::JointType::hinge));
+    click({-1, 1, 0});
+    click({1.55, 0.1, -0.9}); // its face, beside the axis
+    done();
+    ASSERT_EQ(scene().joints.size(), 1U) << text();
+    EXPECT_EQ(scene().joints[0].body2, "w");
+    EXPECT_NEAR(scene().joints[0].offset1.value_or(Vector::Zero()).z(), -1, 0.05) << text();
+}
+
 // As large as one sees well, where the usual size is a dot or does not fit.
 TEST_F(CreatingTest, ANewBodyFitsThePicture) {
     open("shape_set ball -desc {-sub {-sphere 0.5}}\nbody b ball\n");
@@ -77,11 +148,44 @@ TEST_F(CreatingTest, ANewBodyFitsThePicture) {
         done();
         const auto& part = scene().shapeSets.back().parts.front();
         const double edge = std::get<scene::BoxShape>(part.shape).edges.x();
-        const double height =
-            display().sight().pixelLength(camera.center) * display().sight().size.height;
-        EXPECT_EQ(edge == 1, times == 1) << text();
-        EXPECT_GT(edge, height / 40) << times;
-        EXPECT_LT(edge, height) << times;
+        const double narrow = display().sight().pixelLength(camera.center) *
+                              std::min(display().sight().size.width, display().sight().size.height);
+        EXPECT_GE(edge, narrow / 12) << times;
+        EXPECT_LE(edge, narrow / 3) << times;
+    }
+}
+
+TEST_F(CreatingTest, ADistanceIsMeasuredAndNothingIsWritten) {
+    open(balls);
+    display().creating().start(measure());
+    click({-1, 0, 0});
+    click({1, 0, 0});
+    EXPECT_EQ(text(), balls);
+    EXPECT_EQ(display().editing().said(), "The distance is 2 m; along x, y and z 2 0 0 m.");
+    // Seen until Escape.
+    display().editing().say({});
+    const QImage measured = display().grab().toImage();
+    EXPECT_TRUE(display().creating().forgetMeasured());
+    EXPECT_NE(display().grab().toImage(), measured);
+    EXPECT_FALSE(display().creating().forgetMeasured());
+}
+
+// Its letter begins it.
+TEST_F(CreatingTest, NoTwoEntriesOfAMenuHaveTheSameLetter) {
+    open("");
+    QMenu menu;
+    buildCreateMenu(&menu, editor.document(), display());
+    QList<QMenu*> menus = menu.findChildren<QMenu*>();
+    menus.push_back(&menu);
+    for (const QMenu* one : menus) {
+        QString letters;
+        for (const QAction* action : one->actions()) {
+            const auto at = action->text().indexOf('&');
+            const QString letter = at < 0 ? QString() : action->text().mid(at + 1, 1).toLower();
+            EXPECT_FALSE(!letter.isEmpty() && letters.contains(letter))
+                << one->title().toStdString() << ": " << action->text().toStdString();
+            letters += letter;
+        }
     }
 }
 

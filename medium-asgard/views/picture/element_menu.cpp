@@ -113,6 +113,7 @@ void Building::body() {
     create(joint, QObject::tr("&Ball"), [] { return newJoint(scene::JointType::ball); });
     create(joint, QObject::tr("&Fixed"), [] { return newJoint(scene::JointType::fixed); });
     create(joint, QObject::tr("&Distance"), [] { return newJoint(scene::JointType::distance); });
+    create(joint, QObject::tr("&Gear"), newGear);
     QMenu* spring = menu_.addMenu(QObject::tr("New Sp&ring"));
     create(spring, QObject::tr("To Another &Body"), [] { return newSpring(Wanted::body); });
     create(spring, QObject::tr("To a &Point"), [] { return newSpring(Wanted::point); });
@@ -147,6 +148,8 @@ void Building::element() {
                         [&display = display_, element] { display.hide({element}); });
     if (windows_.duplicate)
         menu_.addAction(QObject::tr("Dupl&icate"), &display_, windows_.duplicate);
+    if (windows_.copy)
+        menu_.addAction(QObject::tr("Cop&y"), &display_, windows_.copy);
     menu_.addAction(QObject::tr("Show in the Te&xt"), &display_, [show = windows_.showText] {
         show(); // it is selected, and so is its command
     });
@@ -208,6 +211,10 @@ void Building::background() {
     if (!display_.hidden().empty())
         menu_.addAction(QObject::tr("Sho&w All Bodies"), &display_,
                         [&display = display_] { display.setHidden({}); });
+    if (windows_.paste)
+        menu_.addAction(QObject::tr("P&aste"), &display_, windows_.paste);
+    menu_.addAction(QObject::tr("&Select All"), &display_,
+                    [&display = display_] { display.selecting().selectAll(); });
     menu_.addAction(QObject::tr("Centre of &Rotation Here"), &display_,
                     [&display = display_, at = place_.position] { display.centerAt(at); });
     menu_.addAction(QObject::tr("&Frame All"), &display_,

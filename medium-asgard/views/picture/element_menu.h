@@ -32,7 +32,7 @@ struct MenuPlace {
 
 struct MenuWindows {
     std::function<void()> openTrajectoryEditor, showText, openPlots;
-    std::function<void()> duplicate = {}; // what is selected
+    std::function<void()> duplicate = {}, copy = {}, paste = {}; // what is selected
 };
 [[nodiscard]] std::unique_ptr<QMenu> elementMenu(SceneDocument& document, SceneDisplay& display,
                                                  const MenuPlace& place,

@@ -3,7 +3,6 @@
 #include "gestures/handle_meaning.h"
 #include "picture/scene_display.h"
 
-#include <QLineF>
 #include <QPainter>
 
 #include <algorithm>
@@ -16,8 +15,23 @@ using geometry::Vector;
 
 namespace {
 
-constexpr double tail = 18, length = 74, nearArrow = 7, nearRing = 7, least = 14,
-                 atBody = 34; // pixels
+constexpr double tail = 18, length = 74, nearArrow = 7, nearRing = 7, least = 14, atBody = 34,
+                 ring = 92, beside = 8, aroundBody = 16, margin = 14; // pixels
+
+// The way from the point to the rectangle's edge; 0: it is outside.
+double roomAlong(const QRectF& in, const QPointF& from, const QPointF& way) {
+    if (!in.contains(from))
+        return 0;
+    const auto until = [](double place, double step, double low, double high) {
+        return std::abs(step) < 1e-9 ? 1e9 : ((step > 0 ? high : low) - place) / step;
+    };
+    return std::min(until(from.x(), way.x(), in.left(), in.right()),
+                    until(from.y(), way.y(), in.top(), in.bottom()));
+}
+
+QRectF roomOf(const QWidget& picture) {
+    return QRectF(picture.rect()).adjusted(margin, margin, -margin, -margin);
+}
 
 } // namespace
 
@@ -42,12 +56,35 @@ std::optional<Gizmo::Place> Gizmo::place() const {
     }
     if (bodies.empty())
         return std::nullopt;
-    if (bodies.size() == 1)
-        return Place{bodies.front(), pivotOf(bodies.front())};
+    Place all{bodies.front(), pivotOf(bodies.front()), bodies.size() == 1};
+    if (all.isOne) {
+        addSilhouette(all, all.body);
+        return all;
+    }
     Vector sum = Vector::Zero();
     for (const std::size_t body : bodies)
         sum += display_.centerOf(body);
-    return Place{bodies.front(), sum / static_cast<double>(bodies.size()), false};
+    all.middle = sum / static_cast<double>(bodies.size());
+    const gestures::Sight sight = display_.sight();
+    for (const gestures::Picked& there :
+         gestures::bodiesAt(display_.drawing(), sight, sight.pixels(all.middle)))
+        if (std::ranges::find(bodies, there.body) != bodies.end())
+            addSilhouette(all, there.body);
+    return all;
+}
+
+void Gizmo::addSilhouette(Place& place, std::size_t body) const {
+    const gestures::Sight sight = display_.sight();
+    const scene::Scene& scene = *document_.shown().scene;
+    const geometry::Pose pose =
+        render::poseOf(scene, document_.shown().motion.get(), body, display_.time());
+    const QPointF middle = display_.fromPixels(sight.pixels(place.middle));
+    for (const render::Ball& ball : render::outlineOf(scene, scene.bodies[body])) {
+        const Vector at = pose.toWorld(ball.center);
+        const double pixel = sight.pixelLength(at) * display_.devicePixelRatioF();
+        place.silhouette.emplace_back(display_.fromPixels(sight.pixels(at)) - middle,
+                                      ball.radius / pixel);
+    }
 }
 
 // A drag goes on with what it began with, and so does a scene that is awaited.
@@ -72,21 +109,49 @@ Vector Gizmo::pivotOf(std::size_t body) const {
     return render::poseOf(*shown.scene, shown.motion.get(), body, display_.time()).position;
 }
 
-std::optional<std::pair<QPointF, QPointF>> Gizmo::arrow(const Vector& place, int axis) const {
+std::optional<Gizmo::Arrow> Gizmo::arrowOf(const Place& place, int axis) const {
     const gestures::Sight sight = display_.sight();
-    const double unit = sight.pixelLength(place) * display_.devicePixelRatioF();
-    const QPointF from = display_.fromPixels(sight.pixels(place));
+    const double unit = sight.pixelLength(place.middle) * display_.devicePixelRatioF();
+    const QPointF from = display_.fromPixels(sight.pixels(place.middle));
     const QPointF to =
-        display_.fromPixels(sight.pixels(place + length * unit * Vector::Unit(axis)));
+        display_.fromPixels(sight.pixels(place.middle + length * unit * Vector::Unit(axis)));
     const QLineF whole(from, to);
     if (whole.length() < least + tail)
         return std::nullopt;
-    return std::pair(whole.pointAt(tail / whole.length()), to);
+    const QPointF way = (to - from) / whole.length();
+    double reach = tail;
+    for (const auto& [at, radius] : place.silhouette)
+        reach = std::max(reach, QPointF::dotProduct(at, way) + radius + beside);
+    const double drawn = whole.length() - tail;
+    const double room = std::max(tail, roomAlong(roomOf(display_), from, way) - drawn);
+    const double begins = std::min(reach, room);
+    return Arrow{{from + begins * way, from + (begins + drawn) * way}, reach <= room};
 }
 
-QPolygonF Gizmo::ringOf(const Vector& place, int axis) const {
+std::optional<QLineF> Gizmo::arrow(int axis) const {
+    const auto of = place();
+    const auto found = of ? arrowOf(*of, axis) : std::nullopt;
+    return found ? std::optional(found->line) : std::nullopt;
+}
+
+Gizmo::Radius Gizmo::radiusOf(const Place& place) const {
+    double reach = ring;
+    for (const auto& [at, radius] : place.silhouette)
+        reach = std::max(reach, std::hypot(at.x(), at.y()) + radius + aroundBody);
+    const QSizeF size = roomOf(display_).size();
+    const double room = std::max(ring, std::min(size.width(), size.height()) / 2);
+    return {std::min(reach, room), reach <= room};
+}
+
+double Gizmo::ringRadius(std::size_t body) const {
+    Place place{body, pivotOf(body)};
+    addSilhouette(place, body);
+    return radiusOf(place).pixels;
+}
+
+QPolygonF Gizmo::ringOf(const Vector& place, double pixels, int axis) const {
     const gestures::Sight sight = display_.sight();
-    const double radius = ring * sight.pixelLength(place) * display_.devicePixelRatioF();
+    const double radius = pixels * sight.pixelLength(place) * display_.devicePixelRatioF();
     const Vector toViewer = sight.camera.rotation.conjugate() * Vector::UnitZ();
     const Vector normal = Vector::Unit(axis);
     Vector side = normal.cross(toViewer);
@@ -108,21 +173,25 @@ QPolygonF Gizmo::ringOf(const Vector& place, int axis) const {
 
 std::optional<Gizmo::Part> Gizmo::at(const QPointF& position) const {
     const auto of = place();
-    for (int axis = 0; of && axis < 3; ++axis) {
-        const auto ends = arrow(of->middle, axis);
-        if (!ends)
+    if (!of)
+        return std::nullopt;
+    const bool isOnBody = display_.selecting().selectedBodyAt(position).has_value();
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto one = arrowOf(*of, axis);
+        if (!one || (isOnBody && one->isBeside))
             continue;
-        const QPointF way = ends->second - ends->first, to = position - ends->first;
+        const QPointF way = one->line.p2() - one->line.p1(), to = position - one->line.p1();
         const double along =
             std::clamp(QPointF::dotProduct(to, way) / QPointF::dotProduct(way, way), 0.0, 1.1);
-        if (QLineF(ends->first + along * way, position).length() < nearArrow)
+        if (QLineF(one->line.p1() + along * way, position).length() < nearArrow)
             return Part{of->body, axis};
     }
-    for (int axis = 0; of && of->isOne && axis < 3; ++axis) {
-        const QPolygonF points = ringOf(of->middle, axis);
-        const QPointF middle = display_.fromPixels(display_.sight().pixels(of->middle));
-        if (QLineF(middle, position).length() < atBody)
-            break;
+    const Radius radius = radiusOf(*of);
+    const QPointF middle = display_.fromPixels(display_.sight().pixels(of->middle));
+    if (!of->isOne || (isOnBody && radius.isBeside) || QLineF(middle, position).length() < atBody)
+        return std::nullopt;
+    for (int axis = 0; axis < 3; ++axis) {
+        const QPolygonF points = ringOf(of->middle, radius.pixels, axis);
         for (qsizetype i = 0; i + 1 < points.size(); ++i) {
             const QPointF way = points[i + 1] - points[i], to = position - points[i];
             const double length = std::max(QPointF::dotProduct(way, way), 1e-9);
@@ -141,14 +210,14 @@ void Gizmo::paint(QPainter& painter) const {
         faint.setAlphaF(0.75F);
         painter.setBrush(Qt::NoBrush);
         painter.setPen(QPen(faint, 1.6));
-        painter.drawPolyline(ringOf(of->middle, axis));
+        painter.drawPolyline(ringOf(of->middle, radiusOf(*of).pixels, axis));
     }
     for (int axis = 0; of && axis < 3; ++axis) {
-        const auto ends = arrow(of->middle, axis);
-        if (!ends)
+        const auto one = arrowOf(*of, axis);
+        if (!one)
             continue;
         const QColor color = QColor::fromRgb(colorOfAxis(axis));
-        const QLineF line(ends->first, ends->second);
+        const QLineF line = one->line;
         painter.setPen(QPen(color, 2.5, Qt::SolidLine, Qt::RoundCap));
         painter.drawLine(line);
         const QPointF back = (line.p1() - line.p2()) / line.length();

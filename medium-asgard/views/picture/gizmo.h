@@ -1,16 +1,22 @@
 // The arrows and rings of the body that is selected: a drag of an arrow moves the body along that
 // axis, a drag of a ring turns it about that axis. Several have the arrows alone, in their middle.
+//
+// Arrows begin beside the body and rings go around it, as far as the picture has room for them, so
+// that a drag that begins on the body is the body's. The arrows and rings of a body for which there
+// is no room lie on it.
 #pragma once
 
 #include "geometry/pose.h"
 #include "scene/scene.h"
 
+#include <QLineF>
 #include <QPointF>
 #include <QPolygonF>
 
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 class QPainter;
 
@@ -24,8 +30,6 @@ public:
     Gizmo(SceneDocument& document, SceneDisplay& display)
         : document_(document), display_(display) {}
 
-    static constexpr double ring = 92; // pixels: the rings' radius
-
     struct Part {
         std::size_t body;
         int axis;
@@ -33,25 +37,38 @@ public:
     };
     [[nodiscard]] std::optional<Part> at(const QPointF& position) const;
     void paint(QPainter& painter) const;
+    // Of the bodies that are selected, from its tail to its head; none: it looks at the viewer.
+    [[nodiscard]] std::optional<QLineF> arrow(int axis) const;
+    [[nodiscard]] double ringRadius(std::size_t body) const; // pixels
     // The point about which rings turn the body: the middle of its mass, or the origin of its shape
     // where the text cannot move that alone.
     [[nodiscard]] geometry::Vector pivotOf(std::size_t body) const;
 
 private:
+    using Discs = std::vector<std::pair<QPointF, double>>; // from a place of the screen; radii
+
     [[nodiscard]] bool isPlacedAlone(std::size_t body) const;
     // Of the bodies that are selected, while a drag would move their start.
     struct Place {
         std::size_t body = 0; // the first of them
         geometry::Vector middle;
         bool isOne = true;
+        Discs silhouette = {}; // in their middle
     };
     [[nodiscard]] std::optional<Place> place() const;
-    // From its tail to its head on the screen; none: it looks at the viewer.
-    [[nodiscard]] std::optional<std::pair<QPointF, QPointF>> arrow(const geometry::Vector& place,
-                                                                   int axis) const;
-
+    struct Arrow {
+        QLineF line;
+        bool isBeside = true; // the bodies
+    };
+    [[nodiscard]] std::optional<Arrow> arrowOf(const Place& place, int axis) const;
+    struct Radius {
+        double pixels;
+        bool isBeside = true;
+    };
+    [[nodiscard]] Radius radiusOf(const Place& place) const;
+    void addSilhouette(Place& place, std::size_t body) const;
     // The half of the ring that is in front.
-    [[nodiscard]] QPolygonF ringOf(const geometry::Vector& place, int axis) const;
+    [[nodiscard]] QPolygonF ringOf(const geometry::Vector& place, double pixels, int axis) const;
 
     SceneDocument& document_;
     SceneDisplay& display_;

@@ -16,8 +16,8 @@ bool PictureEditing::turnBody(std::size_t body, const QPointF& position, int axi
     turned.kind = render::HandleKind::orientation;
     turned.base = turned.place = display_.gizmo().pivotOf(body);
     turned.frame = pose;
-    turned.perUnit =
-        Gizmo::ring * display_.devicePixelRatioF() * display_.sight().pixelLength(turned.base);
+    turned.perUnit = display_.gizmo().ringRadius(body) * display_.devicePixelRatioF() *
+                     display_.sight().pixelLength(turned.base);
     button_ = Qt::LeftButton;
     take({gestures::Grasp::What::drag, turned}, display_.inPixels(position));
     hand_.setTurns(axis);

@@ -132,15 +132,19 @@ bool PictureEditing::pressBody(std::size_t body, const QPointF& position,
     if (!handle || !mayChange())
         return false;
     button_ = Qt::LeftButton;
-    gestures::Grasp grasp{gestures::Grasp::What::drag, *handle};
+    take({gestures::Grasp::What::drag, *handle, companyOf(body)}, display_.inPixels(position));
+    hand_.setUpright(along);
+    return true;
+}
+
+std::vector<std::size_t> PictureEditing::companyOf(std::size_t body) const {
     const auto& selected = document_.selected();
+    std::vector<std::size_t> others;
     if (std::ranges::find(selected, editing::Element{editing::Kind::body, body}) != selected.end())
         for (const editing::Element& one : selected)
             if (one.kind == editing::Kind::body && one.index != body)
-                grasp.company.push_back(one.index);
-    take(grasp, display_.inPixels(position));
-    hand_.setUpright(along);
-    return true;
+                others.push_back(one.index);
+    return others;
 }
 
 std::optional<Asked> PictureEditing::asked() const {
@@ -375,7 +379,7 @@ bool PictureEditing::keyPress(QKeyEvent& event) {
     if (!(shifted && arrow) && key != Qt::Key_Z && key != Qt::Key_X)
         return false;
     gestures::Ground ground = beginGesture();
-    hand_.takeByKeys(std::move(ground), display_.sight(), *handle);
+    hand_.takeByKeys(std::move(ground), display_.sight(), *handle, companyOf(handle->element));
     mark(*handle);
     return dragKey(event);
 }

@@ -47,6 +47,8 @@ public:
     // `along`: the axis that it keeps to, by its arrow.
     bool pressBody(std::size_t body, const QPointF& position,
                    const std::optional<gestures::HandleDrag::Along>& along = std::nullopt);
+    // The other bodies that are selected with one that is.
+    [[nodiscard]] std::vector<std::size_t> companyOf(std::size_t body) const;
     bool keyPress(QKeyEvent& event);
     void keyRelease(QKeyEvent& event);
     void finish(); // what is dragged stays where it is

@@ -133,7 +133,9 @@ void PictureEditing::paint(QPainter& painter) const {
     const bool possible = !answer || answer->possible();
     const gestures::HandleDrag* drag = hand_.drag();
     const auto handle = marked();
-    if (drag || (handle && display_.hasFocus())) {
+    const bool isOfMany = handle && handle->kind == render::HandleKind::position &&
+                          !companyOf(handle->element).empty(); // these have their frames
+    if (drag || (handle && display_.hasFocus() && !isOfMany)) {
         const Vector place = drag ? drag->place() : handle->place;
         painter.setPen(QPen(possible ? QColor(20, 90, 200) : QColor(190, 40, 30), 2));
         painter.setBrush(Qt::NoBrush);

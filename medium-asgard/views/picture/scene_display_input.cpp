@@ -180,7 +180,8 @@ void SceneDisplay::keyPressEvent(QKeyEvent* event) {
     bringUpToDate();
     pointing_.setKeys(event->modifiers() |
                       (event->key() == Qt::Key_Shift ? Qt::ShiftModifier : Qt::NoModifier));
-    if (event->key() == Qt::Key_Escape && (throwing_.cancel() || selecting_.cancel()))
+    if (event->key() == Qt::Key_Escape &&
+        (throwing_.cancel() || selecting_.cancel() || creating_.forgetMeasured()))
         return;
     if (creating_.key(*event) || editing_.keyPress(*event))
         return;

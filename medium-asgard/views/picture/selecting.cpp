@@ -109,17 +109,24 @@ bool Selecting::cancel() {
     return true;
 }
 
-std::optional<std::size_t> Selecting::draggedBodyAt(const QPointF& position) const {
+std::optional<std::size_t> Selecting::selectedBodyAt(const QPointF& position) const {
     const auto& selected = document_.selected();
+    if (std::ranges::find(selected, Kind::body, &Element::kind) == selected.end())
+        return std::nullopt;
     const render::Drawing drawing = display_.drawing();
-    const gestures::Sight sight = display_.sight();
-    const Eigen::Vector2d pixels = display_.inPixels(position);
-    if (std::ranges::find(selected, Kind::body, &Element::kind) != selected.end())
-        for (const gestures::Picked& picked : gestures::bodiesAt(drawing, sight, pixels))
-            if (std::ranges::find(selected, Element{Kind::body, picked.body}) != selected.end() &&
-                gestures::isGrasped(*drawing.scene, picked.body))
-                return picked.body;
-    const auto front = gestures::bodyAt(drawing, sight, pixels);
+    for (const gestures::Picked& picked :
+         gestures::bodiesAt(drawing, display_.sight(), display_.inPixels(position)))
+        if (std::ranges::find(selected, Element{Kind::body, picked.body}) != selected.end() &&
+            gestures::isGrasped(*drawing.scene, picked.body))
+            return picked.body;
+    return std::nullopt;
+}
+
+std::optional<std::size_t> Selecting::draggedBodyAt(const QPointF& position) const {
+    if (const auto body = selectedBodyAt(position))
+        return body;
+    const auto front =
+        gestures::bodyAt(display_.drawing(), display_.sight(), display_.inPixels(position));
     return front && display_.throwing().takesAtOnce(front->body, position)
                ? std::optional(front->body)
                : std::nullopt;
@@ -181,6 +188,15 @@ void Selecting::addOrTakeOut(const QPointF& position) {
     document_.select(std::move(selected));
     if (thing.handle)
         display_.editing().mark(*thing.handle);
+}
+
+void Selecting::selectAll() {
+    const render::Drawing drawing = display_.drawing();
+    std::vector<Element> all;
+    for (std::size_t i = 0; i < drawing.scene->bodies.size(); ++i)
+        if (!render::isHidden(drawing.display, drawing.scene->bodies[i]))
+            all.push_back({Kind::body, i});
+    document_.select(std::move(all));
 }
 
 void Selecting::selectBand(bool adds) {

@@ -40,11 +40,14 @@ public:
     [[nodiscard]] bool hasBand() const { return band_.has_value(); }
     [[nodiscard]] bool awaitsClick() const { return pressed_.has_value(); }
     void forgetClick() { pressed_.reset(); }
+    void selectAll(); // bodies that the picture shows
     // A click with Shift or Ctrl. A handle of an element that is selected is only marked.
     void addOrTakeOut(const QPointF& position);
     // The body that an unshifted drag from there takes with it: one that is selected, whatever is
     // before it, or one that can be thrown.
     [[nodiscard]] std::optional<std::size_t> draggedBodyAt(const QPointF& position) const;
+    // One that is selected and that a hand may take, whatever is before it.
+    [[nodiscard]] std::optional<std::size_t> selectedBodyAt(const QPointF& position) const;
     // Where all bodies that are selected are out of the picture now: a tag at its edge, towards the
     // first of them, which a click on it brings into the picture.
     struct Tag {

@@ -219,12 +219,44 @@ TEST_F(SelectingTest, TheHintSaysWhatADragDoes) {
 TEST_F(SelectingTest, ADragAlongAnArrowOfTheGizmoMovesAlongItsAxisOnly) {
     editor.document().select({leftOne});
     display().grab();
-    const QPoint onX = at({-3, 0, 0}) + QPoint(50, 0);
+    const QPoint onX = display().gizmo().arrow(0)->center().toPoint();
     drag(onX, onX + QPoint(40, 30));
     const Vector place = editor.document().shown().scene->bodies[2].initialPosition;
     EXPECT_GT(place.x(), -2.9);
     EXPECT_EQ(place.y(), 0);
     EXPECT_EQ(place.z(), 0);
+}
+
+// Of a rod that lies along x: its end is the rod's, the arrow begins beside it. Of one that fills
+// the picture the arrows lie on it.
+TEST_F(SelectingTest, ADragThatBeginsOnTheBodyIsTheBodys) {
+    editor.document().setText("shape_set rod -desc {-sub {-box {2 0.2 0.2}}}\n"
+                              "shape_set s -desc {-sub {-sphere 0.5}}\nbody r rod\n"
+                              "body far s -init_pos {9 0 0}\nbody wide s -init_pos {-9 0 0}\n",
+                              "Edit");
+    ASSERT_TRUE(settle(editor.document()));
+    display().frameNow();
+    display().grab();
+    editor.document().select({{Kind::body, 0}});
+    const auto arrow = display().gizmo().arrow(0);
+    ASSERT_TRUE(arrow.has_value());
+    EXPECT_GT(arrow->x1(), at({1, 0, 0}).x());
+    EXPECT_TRUE(display().gizmo().at(arrow->center()));
+    for (const double x : {0.3, 0.6, 0.98}) // from all sides
+        for (const Vector& from : {Vector(0, 0, 1), Vector(0.4, 0.5, 1), Vector(1, 2, 1)}) {
+            display().lookAlong(from);
+            display().grab();
+            EXPECT_FALSE(display().gizmo().at(at({x, 0, 0}))) << x << " " << from.transpose();
+        }
+    display().lookAlong(Vector::UnitZ());
+    render::Camera near = display().camera();
+    near.scale *= 40;
+    display().setCamera(near);
+    display().grab();
+    const auto inside = display().gizmo().arrow(0);
+    ASSERT_TRUE(inside.has_value());
+    EXPECT_TRUE(display().rect().contains(inside->p2().toPoint()));
+    EXPECT_TRUE(display().gizmo().at(inside->center()));
 }
 
 TEST_F(SelectingTest, ARingTurnsTheSelectedBodyAboutItsAxis) {
@@ -233,7 +265,8 @@ TEST_F(SelectingTest, ARingTurnsTheSelectedBodyAboutItsAxis) {
     display().grab();
     const gestures::Sight sight = display().sight();
     const Vector center(-3, 0, 0);
-    const double radius = Gizmo::ring * sight.pixelLength(center) * display().devicePixelRatioF();
+    const double radius =
+        display().gizmo().ringRadius(2) * sight.pixelLength(center) * display().devicePixelRatioF();
     const auto onRing = [&](double degrees) { // of z, from x on
         const double angle = degrees * M_PI / 180;
         return display()
@@ -271,7 +304,8 @@ TEST_F(SelectingTest, RingsStandAroundTheCentreOfMassAndTurnTheBodyAboutIt) {
     document.select({{Kind::body, 0}});
     const Vector center(2, 0, 0);
     const gestures::Sight sight = picture.sight();
-    const double radius = Gizmo::ring * sight.pixelLength(center) * picture.devicePixelRatioF();
+    const double radius =
+        picture.gizmo().ringRadius(0) * sight.pixelLength(center) * picture.devicePixelRatioF();
     const auto onRing = [&](double degrees) {
         const double angle = degrees * M_PI / 180;
         return picture
@@ -364,6 +398,33 @@ TEST_F(SelectingTest, ABodyIsThrownWhileTheMotionPlaysAndPutWhileItRests) {
         EXPECT_TRUE(viewer->findChild<QAction*>("undo")->isEnabled());
         viewer->playback().stop();
     }
+}
+
+// As at the start; with the keys, too.
+TEST_F(SelectingTest, AllThatAreSelectedArePutElsewhereTogether) {
+    editor.document().select({nearOne, leftOne});
+    viewer->playback().seek(0.5);
+    display().grab();
+    const QPoint from = at({-3, 0, 0}) + QPoint(5, 5);
+    drag(from, from + QPoint(40, 0));
+    const auto places = [&](std::size_t body) {
+        return editor.document().shown().scene->bodies[body].initialPosition;
+    };
+    EXPECT_EQ(editor.document().shown().scene->simulator.start, 0.5);
+    EXPECT_GT(places(2).x(), -2.9);
+    EXPECT_NEAR(places(0).x(), places(2).x() + 3, 1e-3);
+    EXPECT_EQ(places(1).x(), 0.2);
+    EXPECT_EQ(editor.document().undoLabel(), "Put left and 1 more Elsewhere at 0.5 s");
+    editor.document().setText(three, "Edit");
+    ASSERT_TRUE(settle(editor.document()));
+    viewer->playback().seek(0);
+    editor.document().select({nearOne, leftOne});
+    display().grab();
+    QTest::keyClick(&display(), Qt::Key_Right, Qt::ShiftModifier);
+    QTest::keyRelease(&display(), Qt::Key_Shift);
+    ASSERT_TRUE(settle(editor.document()));
+    EXPECT_GT(places(0).x(), 0);
+    EXPECT_NEAR(places(0).x(), places(2).x() + 3, 1e-6);
 }
 
 TEST_F(SelectingTest, WhatIsSelectedOutOfThePictureIsToldAndAClickShowsIt) {

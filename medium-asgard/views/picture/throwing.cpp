@@ -8,6 +8,7 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <set>
 
 namespace views {
 
@@ -84,6 +85,29 @@ bool Throwing::takesAtOnce(std::size_t body, const QPointF& position) const {
     return plays_ && whyNot(body, position) == QString();
 }
 
+// Empty: it goes alone, or one of them is not free to go.
+std::vector<std::pair<std::size_t, geometry::Pose>>
+Throwing::companyOf(std::size_t body, const QPointF& position) const {
+    std::vector<std::size_t> taken = display_.editing().companyOf(body);
+    if (plays_ || taken.empty())
+        return {};
+    taken.insert(taken.begin(), body);
+    const Shown& shown = document_.shown();
+    std::set<std::size_t> all;
+    for (const std::size_t one : taken) {
+        const auto joined = joinedAt(one, position);
+        if (whyNot(one, position) != QString() || (joined && !joined->isLoose()))
+            return {};
+        all.insert(one);
+        if (joined)
+            all.insert(joined->bodies().begin(), joined->bodies().end());
+    }
+    std::vector<std::pair<std::size_t, geometry::Pose>> company;
+    for (const std::size_t one : all)
+        company.emplace_back(one, render::poseOf(*shown.scene, shown.motion.get(), one, moment()));
+    return company;
+}
+
 bool Throwing::press(std::size_t body, const QPointF& position) {
     const auto fault = whyNot(body, position);
     if (!fault)
@@ -101,7 +125,8 @@ bool Throwing::press(std::size_t body, const QPointF& position) {
                        pose,
                        pose.position - under(position, pose.position),
                        {},
-                       joinedAt(body, position)});
+                       joinedAt(body, position),
+                       companyOf(body, position)});
     rate_.reset();
     Q_EMIT grabbed();
     return true;
@@ -133,9 +158,14 @@ Vector Throwing::velocity(double seconds) const {
 
 std::vector<gestures::Put> Throwing::handPuts(Held& held, double resolution,
                                               const std::optional<Vector>& velocity) {
+    std::vector<gestures::Put> puts;
+    const Vector way = held.way.back().place - held.pose.position;
+    for (const auto& [body, pose] : held.company)
+        puts.push_back({body, pose.position + way, std::nullopt, resolution});
+    if (!puts.empty())
+        return puts;
     if (!held.joined)
         return {{held.body, held.way.back().place, velocity, resolution}};
-    std::vector<gestures::Put> puts;
     for (const editing::NewPlace& one : held.joined->thrown(velocity))
         puts.push_back({one.body, one.pose.position, one.velocity->linear, 0, one.pose.attitude,
                         one.velocity->angular});
@@ -156,14 +186,17 @@ bool Throwing::release(const QMouseEvent& event) {
     Held held = *std::exchange(held_, std::nullopt);
     const editing::Answer answer =
         gestures::startingAt(held.ground, held.time, handPuts(held, resolution, thrown));
-    const QString name = QString::fromStdString(held.ground.scene->bodies[held.body].name);
-    if (answer.possible())
+    const QString name = nameOf(held);
+    if (answer.possible()) {
         document_.setText(text::applied(held.ground.text, answer.edits),
                           (rate_ ? tr("Throw %1 at %2 s") : tr("Put %1 Elsewhere at %2 s"))
                               .arg(name)
                               .arg(held.time));
-    else
+        const std::string anew = gestures::countsAnew(held.ground, held.time);
+        display_.editing().say(QString::fromStdString(anew), false);
+    } else {
         display_.editing().say(QString::fromStdString(answer.reason));
+    }
     Q_EMIT changed();
     Q_EMIT letGo(answer.possible());
     return true;
@@ -178,10 +211,17 @@ bool Throwing::cancel() {
     return true;
 }
 
+// "b1", "b1 and 2 more".
+QString Throwing::nameOf(const Held& held) {
+    const QString name = QString::fromStdString(held.ground.scene->bodies[held.body].name);
+    return held.company.size() > 1 ? tr("%1 and %2 more").arg(name).arg(held.company.size() - 1)
+                                   : name;
+}
+
 QString Throwing::words() const {
     if (!held_)
         return {};
-    const QString name = QString::fromStdString(held_->ground.scene->bodies[held_->body].name);
+    const QString name = nameOf(*held_);
     return rate_ ? tr("Let go to throw %1  ·  Escape: it goes on as it was").arg(name)
                  : tr("Let go to put %1 here, from %2 s on  ·  Escape: it goes on as it was")
                        .arg(name)
@@ -211,7 +251,12 @@ void Throwing::paint(QPainter& painter) const {
     there.position = held_->way.back().place;
     painter.setPen(QPen(QColor(20, 90, 200), 1.5));
     painter.setBrush(Qt::NoBrush);
-    if (!held_->joined) {
+    if (!held_->company.empty()) {
+        for (auto [body, pose] : held_->company) {
+            pose.position += there.position - held_->pose.position;
+            paintBody(painter, body, pose);
+        }
+    } else if (!held_->joined) {
         paintBody(painter, held_->body, there);
     } else {
         there = held_->joined->poseOf(held_->body);

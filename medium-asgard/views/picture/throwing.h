@@ -1,7 +1,8 @@
 // A body in the hand while the motion is past its start: the moment becomes the start, with the
 // body where it is let go. While the motion plays the body is thrown: it has the velocity of the
-// hand. What joints hold goes and moves as they let it, with what is joined to it. One step of undo
-// brings the motion back as it was.
+// hand. What joints hold goes and moves as they let it, with what is joined to it. Where several
+// are selected and none of them is held to what stands, all go by one way; one alone is thrown. One
+// step of undo brings the motion back as it was.
 #pragma once
 
 #include "gestures/joined.h"
@@ -65,7 +66,12 @@ private:
         geometry::Vector off; // from the place under the pointer to the body's
         std::vector<Moment> way;
         std::unique_ptr<gestures::Joined> joined; // null: nothing holds it
+        // Others that are selected, and all that is joined to any of them, when it was taken.
+        std::vector<std::pair<std::size_t, geometry::Pose>> company = {};
     };
+    [[nodiscard]] std::vector<std::pair<std::size_t, geometry::Pose>>
+    companyOf(std::size_t body, const QPointF& position) const;
+    [[nodiscard]] static QString nameOf(const Held& held);
     [[nodiscard]] static std::vector<gestures::Put>
     handPuts(Held& held, double resolution, const std::optional<geometry::Vector>& velocity);
     [[nodiscard]] std::unique_ptr<gestures::Joined> joinedAt(std::size_t body,

@@ -27,19 +27,6 @@ enum class Wanted {
     hold,       // a body, or where no other body is the ground; as deep as the first body's centre
 };
 
-struct Step {
-    Wanted wanted = Wanted::point;
-    QString prompt;       // "Click on the body that it acts on."
-    QString otherwise;    // what Return does instead, "" when there is no such thing
-    bool repeats = false; // again and again, until Return
-    bool whole = false;   // of a body: wherever it is shown, its centre of mass is meant
-    bool deep = false;    // of a body: as deep as its centre, and on its axes where that is near
-    std::optional<std::size_t> offered = {}; // the body that Return takes
-    bool snaps = false;   // of a point: things and round numbers nearby draw it to them
-    bool surface = false; // of a point: on the body that is shown there, if it is one
-    bool rests = false;   // of a point: so that the ghost rests on that body
-};
-
 // The thing that was shown for one step; nothing of it: Return.
 struct Indicated {
     bool given = false;
@@ -55,6 +42,29 @@ struct Indicated {
     bool isTyped = false;
     double resolution = 0; // what the pointer tells apart there
     std::string at;        // the thing that drew the point to it: "a corner of b1"
+};
+
+// The words beside the pointer: what a click there means, or why it is not taken.
+struct Judged {
+    QString words;
+    bool isTaken = true;
+};
+
+struct Step {
+    Wanted wanted = Wanted::point;
+    QString prompt;       // "Click on the body that it acts on."
+    QString otherwise;    // what Return does instead, "" when there is no such thing
+    bool repeats = false; // again and again, until Return
+    bool whole = false;   // of a body: wherever it is shown, its centre of mass is meant
+    bool deep = false;    // of a body: as deep as its centre, and on its axes where that is near
+    std::optional<std::size_t> offered = {}; // the body that Return takes
+    bool snaps = false;   // of a point: things and round numbers nearby draw it to them
+    bool surface = false; // of a point: on the body that is shown there, if it is one
+    bool rests = false;   // of a point: so that the ghost rests on that body
+    // Of a body that is pointed at; null: every body will do.
+    std::function<Judged(const scene::Scene& scene, const std::vector<Indicated>& shown,
+                         const Indicated& next)>
+        judge = {};
 };
 
 struct Recipe {

@@ -33,7 +33,7 @@ Recipe measure() {
         const Vector way = shown[1].point - shown[0].point;
         const double fine = std::max(shown[0].resolution, shown[1].resolution);
         const std::string apart = listed(way, fine);
-        return QObject::tr("The distance is %1; along x, y and z %2.")
+        return QObject::tr("The distance is %1 m; along x, y and z %2 m.")
             .arg(
                 QString::fromStdString(editing::numberText(way.norm(), editing::decimalStep(fine))),
                 QString::fromStdString(apart.substr(1, apart.size() - 2)));

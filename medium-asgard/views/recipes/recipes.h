@@ -37,6 +37,8 @@ enum class BasicShape { sphere, box };
 [[nodiscard]] Recipe attractionOfAll();
 // A hinge, a slider, a ball, a fixed joint or a distance, between a body and another or the ground.
 [[nodiscard]] Recipe newJoint(scene::JointType type);
+// Two bodies on hinges or sliders roll on each other; the ratio follows from their sizes.
+[[nodiscard]] Recipe newGear();
 // From a body through other bodies and points of the ground.
 [[nodiscard]] Recipe newRope();
 [[nodiscard]] Recipe newLight(bool point);

@@ -46,14 +46,59 @@ const std::string stars = "shape_set star -desc {-sub {-sphere 0.5}}\n"
                           "body rock star -init_pos {0 3 0} -fixed 1\n";
 
 TEST_F(RecipesTest, EachStepOfARecipeHasItsPrompt) {
-    for (const Recipe& recipe :
-         {newBody(BasicShape::box), newForce(false, 1), newLink(Wanted::body),
-          newJoint(scene::JointType::hinge), newRope(), newLight(true), newTrajectory()}) {
+    for (const Recipe& recipe : {newBody(BasicShape::box), newForce(false, 1),
+                                 newLink(Wanted::body), newJoint(scene::JointType::hinge),
+                                 newGear(), newRope(), newLight(true), newTrajectory()}) {
         EXPECT_THAT(recipe.steps, Not(IsEmpty())) << recipe.label.toStdString();
         for (const Step& step : recipe.steps)
             EXPECT_FALSE(step.prompt.isEmpty()) << recipe.label.toStdString();
     }
     EXPECT_THAT(weightForAll({0, -9.81, 0}).steps, IsEmpty());
+}
+
+const std::string works =
+    "shape_set rack -desc {-sub {-box {2 0.1 0.1}}}\n"
+    "shape_set large -desc {-sub {-rot {1.5707963 0 0} -cylinder {0.4 0.1}}}\n"
+    "shape_set small -desc {-sub {-rot {1.5707963 0 0} -cylinder {0.2 0.1}}}\n"
+    "shape_set ring -desc {-sub {-rot {1.5707963 0 0} -tube {0.8 0.9 0.1}}}\n"
+    "body frame rack -fixed 1 -init_pos {0 9 0}\n"
+    "body large large\nbody small small -init_pos {0.6 0 0}\nbody rack rack -init_pos {0 -0.45 0}\n"
+    "body ring ring -init_pos {0 0 0}\nbody loose small -init_pos {5 0 0}\n"
+    "joint one -type hinge -body1 large -body2 frame\n"
+    "joint two -type hinge -body1 small -axis {0 0 -1}\n"
+    "joint rail -type slider -body1 rack -axis {1 0 0}\n"
+    "joint rim -type hinge -body1 frame -offset1 {0 -9 0} -body2 ring\n";
+
+// Rims go the same way where they touch: a wheel beside the other turns against it, one inside of
+// the other with it; an axis that points the other way, and a joint that counts the other body's
+// turn, change the sign.
+TEST_F(RecipesTest, AGearHasTheRatioOfItsWheels) {
+    read(works);
+    enum { frame, large, small, rack, ring, loose };
+    const auto gear = [&](std::size_t first, std::size_t second) {
+        const auto all = made(newGear(), {onBody(first), onBody(second)});
+        EXPECT_THAT(all, SizeIs(1));
+        return all.front().words;
+    };
+    EXPECT_THAT(gear(large, small),
+                ElementsAre("-joint1", "one", "-joint2", "two", "-ratio", "0.5"));
+    EXPECT_EQ(gear(small, large).back(), "2");
+    EXPECT_EQ(gear(rack, large).back(), "0.4"); // below the wheel: both to the right
+    EXPECT_EQ(gear(large, rack).back(), "2.5");
+    EXPECT_EQ(gear(large, ring).back(), "-2"); // it rolls inside
+}
+
+TEST_F(RecipesTest, AGearSaysWhichBodiesCannotMesh) {
+    read(works);
+    const Recipe gear = newGear();
+    const auto judged = [&](std::vector<Indicated> shown, std::size_t body) {
+        return gear.steps[shown.size()].judge(scene_, shown, onBody(body));
+    };
+    EXPECT_FALSE(judged({}, 5).isTaken);
+    EXPECT_THAT(judged({}, 5).words.toStdString(), HasSubstr("loose neither turns on a hinge"));
+    EXPECT_TRUE(judged({}, 1).isTaken);
+    EXPECT_FALSE(judged({onBody(1)}, 1).isTaken);
+    EXPECT_EQ(judged({onBody(1)}, 2).words, "small, on two: ratio 0.5");
 }
 
 // Also after one of them is deleted.
