@@ -46,7 +46,8 @@ QSize HintLine::sizeHint() const { return {0, heightForWidth(width())}; }
 void HintLine::fit() {
     const QString between = QStringLiteral("  ·  ");
     const QFontMetrics metrics = shown_->fontMetrics();
-    const QRect room(0, 0, width(), heightForWidth(width()));
+    // On a screen with finer pixels letters are a little wider or narrower than told here.
+    const QRect room(0, 0, width() - width() / 50, std::max(height(), metrics.height()));
     const auto fits = [&](const QString& text) {
         const QRect taken =
             metrics.boundingRect(room, Qt::TextWordWrap | Qt::AlignTop | Qt::AlignLeft, text);
@@ -68,6 +69,8 @@ void HintLine::fit() {
 
 void HintLine::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
+    if (height() != heightForWidth(width()))
+        updateGeometry();        // lines come and go with the width
     shown_->setGeometry(rect()); // a layout's height would follow the text
     fit();
 }

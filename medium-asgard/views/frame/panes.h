@@ -58,6 +58,7 @@ public:
     // places as after add(), and those that open by themselves are shown.
     [[nodiscard]] QByteArray arrangement() const;
     bool restore(const QByteArray& arrangement, const QSize& room);
+    void beginAnew(); // all in their places; those that open by themselves are shown
 
 Q_SIGNALS:
     void contentMade(const QString& name, QWidget* content);
@@ -72,7 +73,6 @@ private:
     [[nodiscard]] const Placed* find(const QString& name) const;
     QWidget* contentOf(const Placed& placed);
     void put(const Placed& placed); // in its place, closed
-    void beginAnew();
 
     QMainWindow& window_;
     QList<Placed> panes_;

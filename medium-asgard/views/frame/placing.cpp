@@ -86,6 +86,10 @@ void placeBeside(QWidget& window, QWidget& asked) {
     right.setLeft(room.right() - least.width());
     if (!coversAnother(right, asked) && makeRoom(asked, room, least.width()))
         return put(window, placeIn(right, window, used));
+    if (asked.isMaximized() || asked.isFullScreen()) { // its picture stays in sight
+        right.setLeft(room.right() + 1 - std::min(window.width(), room.width()));
+        return put(window, placeIn(right, window, used));
+    }
     constexpr int step = 40;
     moveWithinScreen(window, asked.pos() + QPoint(step, step));
 }

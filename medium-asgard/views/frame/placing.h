@@ -14,7 +14,7 @@ void moveWithinScreen(QWidget& window, const QPoint& place);
 
 // Beside the window that asked for it where the screen has room that no other window covers, a
 // little smaller if need be. Where it has none, the one that asked makes room if it can; otherwise
-// a little below and right of it.
+// at the right edge of one that fills the screen, else a little below and right of it.
 void placeBeside(QWidget& window, QWidget& asked);
 
 // The first window of a program: most of the screen, with room beside it on a wide one.

@@ -42,6 +42,17 @@ TEST_F(DraftTest, TakesWhatOthersChangeElsewhereAndStaysADraft) {
     EXPECT_EQ(scene(), mine);
 }
 
+TEST_F(DraftTest, AfterUpdateTheKeyboardIsTheTexts) {
+    open(ballScene);
+    replace("{-1 0 0}", "{-2 0 0}");
+    auto* update = viewer->findChild<QPushButton*>("update");
+    update->setFocus();
+    ASSERT_EQ(viewer->focusWidget(), update);
+    update->click();
+    EXPECT_FALSE(update->isEnabled());
+    EXPECT_EQ(viewer->focusWidget(), &text());
+}
+
 TEST_F(DraftTest, ShowsWhatBothChangedAndSettlesItEitherWay) {
     open(ballScene);
     replace("{-1 0 0}", "{-2 0 0}");

@@ -450,14 +450,20 @@ void LanguageViewer::updateTitle() {
     const bool edited = draft_->edited();
     setWindowModified(edited || (!document_.hasHost() && document_.isModified()));
     const bool disputed = !draft_->conflicts().empty();
-    updateButton_->setEnabled(edited && !disputed);
+    // A button that has done its work gives the keyboard back to the text, and to no other field.
+    const auto enable = [this](QPushButton* button, bool isUseful) {
+        if (!isUseful && window()->focusWidget() == button)
+            editor_->setFocus();
+        button->setEnabled(isUseful);
+    };
+    enable(updateButton_, edited && !disputed);
     updateButton_->setDefault(edited && !disputed);
     updateButton_->setToolTip(
         plain::ours(disputed ? tr("Another view changed the same places. First choose, above the "
                                   "text, which change stays")
                              : tr("Make this the scene's text, in every view (Ctrl+Return)")));
-    saveButton_->setEnabled((edited && !disputed) || (!edited && document_.isModified()));
-    revertButton_->setEnabled(edited || (!document_.hasHost() && document_.isModified()));
+    enable(saveButton_, (edited && !disputed) || (!edited && document_.isModified()));
+    enable(revertButton_, edited || (!document_.hasHost() && document_.isModified()));
     Q_EMIT draftChanged();
 }
 

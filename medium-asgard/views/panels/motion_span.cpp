@@ -9,6 +9,7 @@
 
 #include <QHBoxLayout>
 #include <QLineEdit>
+#include <QTimer>
 #include <QToolTip>
 
 #include <string_view>
@@ -79,9 +80,14 @@ void MotionSpan::take(QLineEdit* field, const char* option) {
     const QString why =
         value ? change(option, *value) : tr("\"%1\" is not a decimal number.").arg(field->text());
     show();
-    if (!why.isEmpty())
-        QToolTip::showText(field->mapToGlobal(field->rect().bottomLeft()), plain::tip(why), field);
     TypedField::setRefusal(*field, why);
+    if (why.isEmpty())
+        return;
+    Q_EMIT refused(why);
+    // The keyboard goes elsewhere first, and a tip goes with it.
+    QTimer::singleShot(0, field, [field, why] {
+        QToolTip::showText(field->mapToGlobal(field->rect().bottomLeft()), plain::tip(why), field);
+    });
 }
 
 QString MotionSpan::change(const char* option, double value) {

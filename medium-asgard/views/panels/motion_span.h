@@ -16,6 +16,7 @@ public:
 
 Q_SIGNALS:
     void left(); // with Return or Escape, or for something else
+    void refused(const QString& why);
 
 private:
     QLineEdit* addField(const QString& label, const QString& name, const QString& tip,

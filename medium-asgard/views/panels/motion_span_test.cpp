@@ -92,9 +92,13 @@ TEST_F(MotionSpanTest, WhatCannotBeSaysWhyAndStays) {
         {finish, "soon", "\"soon\" is not a decimal number."},
         {finish, "8", "2 + 3"},
     };
+    QString told;
+    QObject::connect(&span, &MotionSpan::refused, [&](const QString& why) { told = why; });
     for (const auto& row : rows) {
+        told.clear();
         EXPECT_EQ(after(text, row.name, row.value), text);
         EXPECT_THAT(refusal, HasSubstr(row.why));
+        EXPECT_EQ(told.toStdString(), refusal); // in the picture
         EXPECT_EQ(field(finish)->text(), "5");
         EXPECT_EQ(field(start)->text(), "1");
     }

@@ -70,8 +70,8 @@ StatusPanel::StatusPanel(SceneDocument& document, Playback& playback,
                           "size of the scene"));
     predictable_ =
         addRow(form, tr("Reliable"),
-               tr("From then on the smallest disturbance changes the motion wholly, or a body has "
-                  "stopped"));
+               tr("How far the motion is one that can be foretold: beyond that moment the smallest "
+                  "disturbance changes it wholly, or a body has stopped"));
     impacts_ = addRow(form, tr("Collisions"), tr("How many so far"));
     state_ = plain::label();
     state_->setWordWrap(true);

@@ -81,10 +81,26 @@ QString TimeBar::faultsAt(double position) const {
     return words.join('\n');
 }
 
+QString TimeBar::wordsAt(double position) const {
+    constexpr double near = 3; // pixels
+    QString words = faultsAt(position);
+    double first = 0;
+    qsizetype count = 0;
+    for (const double impact : impacts_)
+        if (std::abs(this->position(impact) - position) <= near && count++ == 0)
+            first = impact;
+    if (count == 0)
+        return words;
+    words += words.isEmpty() ? "" : "\n";
+    return words + (count == 1
+                        ? tr("A collision at %1 s").arg(first, 0, 'g', 4)
+                        : tr("%1 collisions, the first at %2 s").arg(count).arg(first, 0, 'g', 4));
+}
+
 bool TimeBar::event(QEvent* event) {
     if (event->type() == QEvent::ToolTip) {
         const auto* help = static_cast<QHelpEvent*>(event);
-        const QString words = faultsAt(help->pos().x());
+        const QString words = wordsAt(help->pos().x());
         if (words.isEmpty())
             QToolTip::hideText();
         else

@@ -26,8 +26,10 @@ public:
     };
     void setFaults(std::vector<Fault> faults);             // marks with their words as tips
     [[nodiscard]] QString faultsAt(double position) const; // "" where there is no mark
-    void setTime(double time);                             // emits nothing
-    void setStale(bool stale);                             // the motion is an older scene's
+    // The words of all marks there: of faults, and of where bodies hit.
+    [[nodiscard]] QString wordsAt(double position) const;
+    void setTime(double time); // emits nothing
+    void setStale(bool stale); // the motion is an older scene's
 
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }

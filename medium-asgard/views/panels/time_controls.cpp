@@ -44,6 +44,7 @@ TimeControls::TimeControls(SceneDocument& document, Playback& playback, QWidget*
     row->addStretch();
     span_ = new MotionSpan(document);
     connect(span_, &MotionSpan::left, this, &TimeControls::left);
+    connect(span_, &MotionSpan::refused, this, &TimeControls::refused);
     row->addWidget(span_);
     row->addSpacing(12);
     time_ = plain::label();

@@ -37,7 +37,8 @@ public:
     [[nodiscard]] QSize minimumSizeHint() const override; // folded
 
 Q_SIGNALS:
-    void left(); // a field, with Return or Escape, or for something else
+    void left();                      // a field, with Return or Escape, or for something else
+    void refused(const QString& why); // a value that was typed
 
 protected:
     void changeEvent(QEvent* event) override;

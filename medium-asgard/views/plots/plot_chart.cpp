@@ -19,6 +19,9 @@ constexpr double leftSpace = 64, rightSpace = 16, bottomSpace = 24;
 
 // With the digits that a thousandth of the range needs.
 QString number(double value, double range) {
+    constexpr double noise = 1e-9; // of what is worked out
+    if (std::abs(value) <= noise * range)
+        value = 0;
     return QString::number(value, 'g', charts::digitsFor(value, range / 1000));
 }
 
@@ -39,8 +42,9 @@ PlotChart::PlotChart() {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
 }
 
-void PlotChart::setPlot(charts::Plot plot, double start, double finish) {
+void PlotChart::setPlot(charts::Plot plot, double start, double finish, QStringList units) {
     plot_ = std::move(plot);
+    units_ = std::move(units);
     start_ = start;
     finish_ = finish > start ? finish : start + 1;
     range_ = charts::rangeOf(plot_);
@@ -82,12 +86,17 @@ void PlotChart::setNow(double time) {
     update();
 }
 
+QString PlotChart::valueOf(std::size_t curve, double value) const {
+    return number(value, range_.high - range_.low) + QLatin1Char(' ') +
+           units_.value(static_cast<qsizetype>(curve));
+}
+
 QString PlotChart::legendOf(std::size_t curve) const {
     const QString label = QString::fromStdString(plot_.curves[curve].label);
     const auto at = sampleAt(now_);
     const auto& values = plot_.curves[curve].values;
     return at && *at < values.size() && std::isfinite(values[*at])
-               ? tr("%1 = %2").arg(label, number(values[*at], range_.high - range_.low))
+               ? tr("%1 = %2").arg(label, valueOf(curve, values[*at])).trimmed()
                : label;
 }
 
@@ -96,10 +105,10 @@ QString PlotChart::readingAt(const QPointF& position) const {
     if (!at)
         return {};
     QString words = tr("t = %1 s").arg(number(plot_.times[*at], finish_ - start_));
-    for (const charts::Curve& curve : plot_.curves)
+    for (std::size_t i = 0; i < plot_.curves.size(); ++i)
         words += QStringLiteral("   %1 = %2")
-                     .arg(QString::fromStdString(curve.label),
-                          number(curve.values[*at], range_.high - range_.low));
+                     .arg(QString::fromStdString(plot_.curves[i].label),
+                          valueOf(i, plot_.curves[i].values[*at]).trimmed());
     return words;
 }
 

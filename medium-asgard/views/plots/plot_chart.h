@@ -5,6 +5,7 @@
 #include "plots/chart_axes.h"
 
 #include <QString>
+#include <QStringList>
 #include <QWidget>
 
 #include <optional>
@@ -19,10 +20,11 @@ class PlotChart : public QWidget {
 public:
     PlotChart();
 
-    void setPlot(charts::Plot plot, double start, double finish);
+    // `units`: of its curves, as far as they are known.
+    void setPlot(charts::Plot plot, double start, double finish, QStringList units = {});
     [[nodiscard]] const charts::Plot& plot() const { return plot_; }
     void setNow(double time); // a line shows it, and the legend the values then
-    [[nodiscard]] QString legendOf(std::size_t curve) const; // "height = 1.2"
+    [[nodiscard]] QString legendOf(std::size_t curve) const; // "height = 1.2 m"
     // The reading of the pointer at that place: the time and each curve's value.
     [[nodiscard]] QString readingAt(const QPointF& position) const;
     [[nodiscard]] ChartAxes axes() const;
@@ -51,7 +53,10 @@ private:
     void paintCurves(QPainter& painter) const;
     void paintTitle(QPainter& painter) const;
 
+    [[nodiscard]] QString valueOf(std::size_t curve, double value) const; // "1.2 m"
+
     charts::Plot plot_;
+    QStringList units_;
     double start_ = 0, finish_ = 1, now_ = 0;
     charts::Range range_;
     std::optional<QPointF> pointer_;

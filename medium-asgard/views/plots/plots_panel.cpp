@@ -1,6 +1,7 @@
 #include "plots/plots_panel.h"
 
 #include "plain/plain.h"
+#include "plots/quantities.h"
 
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -32,7 +33,8 @@ PlotsPanel::PlotsPanel(SceneDocument& document)
     setFrameShape(QFrame::NoFrame);
     setWidgetResizable(true); // many plots are higher than the screen
     setWidget(whole);
-    setMinimumSize(260, 140);
+    const QMargins around = column_->contentsMargins(); // a chart is seen whole
+    setMinimumSize(260, PlotChart().minimumSizeHint().height() + around.top() + around.bottom());
     connect(&document_, &SceneDocument::sceneChanged, this, &PlotsPanel::ask);
     connect(&document_, &SceneDocument::motionChanged, this, &PlotsPanel::ask);
     makeCharts();
@@ -84,9 +86,13 @@ void PlotsPanel::take(const charts::PlotSampler::Wish& of, std::vector<charts::P
     if (plots.size() != charts_.size())
         return; // of a scene that is no more
     const scene::Simulator& simulator = of.scene->simulator;
-    for (std::size_t i = 0; i < plots.size(); ++i)
+    for (std::size_t i = 0; i < plots.size(); ++i) {
+        QStringList units;
+        for (const std::string& value : of.scene->plots[i].values)
+            units << unitOf(*of.scene, value);
         charts_[i]->setPlot(std::move(plots[i]), of.motion ? of.motion->start() : simulator.start,
-                            of.motion ? of.motion->finish() : simulator.finish);
+                            of.motion ? of.motion->finish() : simulator.finish, std::move(units));
+    }
 }
 
 } // namespace views

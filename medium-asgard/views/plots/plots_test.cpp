@@ -83,10 +83,10 @@ TEST_F(PlotsTest, EachQuantityIsACurveOverTheWholeMotion) {
     EXPECT_NEAR(plot.curves[0].values.back(), 1 + 3 * 2, 1e-12);
     EXPECT_NEAR(plot.curves[1].values.front(), 6, 1e-12);
     PlotChart& chart = *window->charts()[0];
-    EXPECT_EQ(chart.readingAt(chart.placeOf(1, 4)), "t = 1 s   way = 4   height = 6");
+    EXPECT_EQ(chart.readingAt(chart.placeOf(1, 4)), "t = 1 s   way = 4 m   height = 6");
     EXPECT_EQ(chart.readingAt(QPointF(0, 0)), "");
     window->setTime(1);
-    EXPECT_EQ(chart.legendOf(0), "way = 4"); // the values of the moment that is seen
+    EXPECT_EQ(chart.legendOf(0), "way = 4 m"); // the values of the moment that is seen
     double chosen = 0;
     QObject::connect(window, &PlotsPanel::timeChosen, [&](double time) { chosen = time; });
     QTest::mouseClick(&chart, Qt::LeftButton, {}, chart.placeOf(0.5, 4).toPoint());

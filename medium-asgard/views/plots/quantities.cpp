@@ -28,15 +28,19 @@ private:
 };
 
 std::vector<Quantity> ofBody(const Names& names) {
-    return {{QObject::tr("&x"), names.of("x")},
-            {QObject::tr("&y"), names.of("y")},
-            {QObject::tr("&z"), names.of("z")},
-            {QObject::tr("&Speed"), names.length("dx", "dy", "dz")},
-            {QObject::tr("Velocity along x"), names.of("dx")},
-            {QObject::tr("Velocity along y"), names.of("dy")},
-            {QObject::tr("Velocity along z"), names.of("dz")},
-            {QObject::tr("&Angle about z"), names.of("rz"), QStringLiteral("rad"), true},
-            {QObject::tr("Angular velocity about z"), names.of("wz"), QStringLiteral("rad/s")}};
+    const QString way = QStringLiteral("m"), speed = QStringLiteral("m/s");
+    const std::string velocity = names.length("dx", "dy", "dz");
+    return {
+        {QObject::tr("&x"), names.of("x"), way},
+        {QObject::tr("&y"), names.of("y"), way},
+        {QObject::tr("&z"), names.of("z"), way},
+        {QObject::tr("&Speed"), velocity, speed},
+        {QObject::tr("Velocity along x"), names.of("dx"), speed},
+        {QObject::tr("Velocity along y"), names.of("dy"), speed},
+        {QObject::tr("Velocity along z"), names.of("dz"), speed},
+        {QObject::tr("&Momentum"), names.of("mass") + " * " + velocity, QStringLiteral("kg m/s")},
+        {QObject::tr("&Angle about z"), names.of("rz"), QStringLiteral("rad"), true},
+        {QObject::tr("Angular velocity about z"), names.of("wz"), QStringLiteral("rad/s")}};
 }
 
 // Of a pendulum: a rod from a point of the world to a body's centre of mass. "": another joint.
@@ -57,17 +61,19 @@ std::vector<Quantity> ofJoint(const Names& names, const scene::Joint& joint) {
         const QString shown = which.empty() ? QString() : QString::fromStdString(" " + which);
         const bool isAngle = coordinates[i] == scene::CoordinateKind::angle;
         all.push_back({(isAngle ? QObject::tr("&Angle") : QObject::tr("&Distance")) + shown,
-                       names.of("q" + which), isAngle ? QStringLiteral("rad") : QString()});
+                       names.of("q" + which),
+                       isAngle ? QStringLiteral("rad") : QStringLiteral("m")});
         all.push_back({QObject::tr("&Rate") + shown, names.of("dq" + which),
-                       isAngle ? QStringLiteral("rad/s") : QString()});
+                       isAngle ? QStringLiteral("rad/s") : QStringLiteral("m/s")});
         const scene::JointCoordinate& own = joint.coordinates[i];
         if (own.motor || own.speed || own.position)
-            all.push_back({QObject::tr("&Motor") + shown, names.of("motor" + which)});
+            all.push_back({QObject::tr("&Motor") + shown, names.of("motor" + which),
+                           isAngle ? QStringLiteral("N m") : QStringLiteral("N")});
     }
     if (const auto angle = angleOfRod(joint); !angle.empty())
         all.push_back({QObject::tr("&Angle from below, about z"), angle, QStringLiteral("rad")});
-    all.push_back({QObject::tr("&Force"), names.length("fx", "fy", "fz")});
-    all.push_back({QObject::tr("C&ouple"), names.length("tx", "ty", "tz")});
+    all.push_back({QObject::tr("&Force"), names.length("fx", "fy", "fz"), QStringLiteral("N")});
+    all.push_back({QObject::tr("C&ouple"), names.length("tx", "ty", "tz"), QStringLiteral("N m")});
     return all;
 }
 
@@ -86,21 +92,37 @@ std::vector<Quantity> quantitiesOf(const scene::Scene& scene, const Element& ele
     case Kind::link:
         if (!scene.links[element.index].spring)
             return {};
-        return {{QObject::tr("&Length"), names.of("length")},
-                {QObject::tr("&Force"), names.of("force")}};
+        return {{QObject::tr("&Length"), names.of("length"), QStringLiteral("m")},
+                {QObject::tr("&Force"), names.of("force"), QStringLiteral("N")}};
     case Kind::rope:
-        return {{QObject::tr("&Tension"), names.of("tension")}};
+        return {{QObject::tr("&Tension"), names.of("tension"), QStringLiteral("N")}};
     case Kind::contact:
-        return {{QObject::tr("&Normal force"), names.of("n")},
-                {QObject::tr("&Slip"), names.of("slip")}};
+        return {{QObject::tr("&Normal force"), names.of("n"), QStringLiteral("N")},
+                {QObject::tr("&Slip"), names.of("slip"), QStringLiteral("m/s")}};
     default:
         return {};
     }
 }
 
+namespace {
+
+constexpr Kind measured[] = {Kind::body, Kind::joint, Kind::link, Kind::rope, Kind::contact};
+
+} // namespace
+
+QString unitOf(const scene::Scene& scene, const std::string& expression) {
+    for (const Kind kind : measured)
+        for (std::size_t i = 0; editing::sourceOf(scene, {kind, i}); ++i)
+            if (expression.find(editing::nameOf(scene, {kind, i}) + ".") != std::string::npos)
+                for (const Quantity& one : quantitiesOf(scene, Element{kind, i}))
+                    if (one.expression == expression)
+                        return one.unit;
+    return {};
+}
+
 std::vector<Measured> quantitiesOf(const scene::Scene& scene) {
     std::vector<Measured> all;
-    for (const Kind kind : {Kind::body, Kind::joint, Kind::link, Kind::rope, Kind::contact})
+    for (const Kind kind : measured)
         for (std::size_t i = 0; editing::sourceOf(scene, {kind, i}); ++i)
             if (kind != Kind::body || !scene.bodies[i].fixed)
                 if (auto quantities = quantitiesOf(scene, Element{kind, i}); !quantities.empty())

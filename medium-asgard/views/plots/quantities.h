@@ -15,13 +15,16 @@ namespace views {
 struct Quantity {
     QString label; // "&Angle"
     std::string expression;
-    QString unit = {};       // of angles; lengths, masses and forces have the author's own
+    QString unit = {};
     bool isIntegral = false; // over the motion: known only where the scene's text reads it
 };
 
 // None of an element without a name, or of which nothing changes.
 [[nodiscard]] std::vector<Quantity> quantitiesOf(const scene::Scene& scene,
                                                  const editing::Element& element);
+
+// Of the quantity that the expression is; "": it is another one.
+[[nodiscard]] QString unitOf(const scene::Scene& scene, const std::string& expression);
 
 struct Measured {
     editing::Element element;

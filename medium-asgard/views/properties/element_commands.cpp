@@ -56,9 +56,11 @@ std::optional<std::string> ElementCommands::copied(const QString& nothing) {
     return commands;
 }
 
-void ElementCommands::copy() {
-    if (const auto commands = copied(tr("Nothing is selected to be copied.")))
+bool ElementCommands::copy() {
+    const auto commands = copied(tr("Nothing is selected to be copied."));
+    if (commands)
         QGuiApplication::clipboard()->setText(QString::fromStdString(*commands));
+    return commands.has_value();
 }
 
 void ElementCommands::paste() {

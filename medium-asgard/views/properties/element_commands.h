@@ -13,7 +13,7 @@ class ElementCommands : public QObject {
 public:
     explicit ElementCommands(SceneDocument& document, QObject* parent = nullptr);
 
-    void copy();      // their commands as text, to the clipboard
+    bool copy();      // their commands as text, to the clipboard; false: why not was told
     void paste();     // from it; what is new is selected
     void duplicate(); // beside them; the clipboard stays as it is
     // `told` hears why not, or "".

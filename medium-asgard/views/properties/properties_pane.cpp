@@ -341,9 +341,12 @@ void PropertiesPane::setTurn(const Entered& entered) {
 void PropertiesPane::showSize() {
     if (!size_ || !properties_)
         return;
-    const auto asked = elements().size() == 1 && elements().front().kind == Kind::body
-                           ? askedSize(document_, elements().front().index)
-                           : std::nullopt;
+    const auto& bodies = document_.shown().scene->bodies;
+    const bool haveOne = std::ranges::all_of(elements(), [&](const Element& one) { // shape
+        return one.kind == Kind::body && one.index < bodies.size() &&
+               bodies[one.index].shape == bodies[elements().front().index].shape;
+    });
+    const auto asked = haveOne ? askedSize(document_, elements().front().index) : std::nullopt;
     size_->setVisible(asked.has_value());
     size_->setRemark(asked ? asked->note : QString());
     if (!asked)

@@ -156,6 +156,17 @@ TEST_F(PropertiesTest, TheSizeOfItsShapeIsARow) {
     EXPECT_THAT(pane.sizeRow()->fault().toStdString(), HasSubstr("above 0"));
 }
 
+TEST_F(PropertiesTest, SeveralOfOneShapeShareItsSize) {
+    open(two, {{Kind::body, 0}, {Kind::body, 1}});
+    EXPECT_EQ(field("size1").text(), "0.5");
+    type("size1", "0.25");
+    EXPECT_THAT(document.text(), HasSubstr("-sphere 0.25"));
+    open(two + "shape_set other -desc {-sub {-sphere 0.5}}\nbody c other\n",
+         {{Kind::body, 0}, {Kind::body, 2}});
+    settleTimers();
+    EXPECT_TRUE(field("size1").isHidden());
+}
+
 TEST_F(PropertiesTest, AShapeOfTwoPartsHasNoRowForItsSize) {
     open("shape_set s -desc {-sub {-sphere 0.5} -sub {-pos {1 0 0} -sphere 0.5}}\nbody a s\n",
          {{Kind::body, 0}});
@@ -179,6 +190,16 @@ TEST_F(PropertiesTest, AFlagThatIsAbsentSaysWhatItIs) {
     EXPECT_THAT(document.text(), HasSubstr("-mass 2 -fixed 1\n"));
     choose("-fixed", "no");
     EXPECT_EQ(document.text(), two);
+}
+
+TEST_F(PropertiesTest, EscapeTakesTheSentenceAboutANameAway) {
+    open(two, {{Kind::body, 0}});
+    type("elementName", "my wheel");
+    auto* fault = pane.findChild<QLabel*>("propertyFault");
+    EXPECT_NE(fault->text(), "");
+    QTest::keyClick(&field("elementName"), Qt::Key_Escape);
+    EXPECT_TRUE(fault->isHidden());
+    EXPECT_EQ(field("elementName").text(), "a");
 }
 
 TEST_F(PropertiesTest, WhatTheReaderRefusesIsSaidAtTheFieldAndLeavesTheText) {

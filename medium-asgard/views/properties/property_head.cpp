@@ -43,7 +43,7 @@ PropertyHead::PropertyHead(SceneDocument& document, ElementCommands& commands, W
                    {[this](bool) { rename(); },
                     [this] {
                         name_->setModified(false);
-                        showElements(document_.selected());
+                        say({});
                     }});
     line_ = new QPushButton;
     line_->setObjectName(QStringLiteral("elementLine"));

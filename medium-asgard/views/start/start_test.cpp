@@ -226,6 +226,28 @@ TEST_F(StartTest, TheTourSeesEachStepAndItsUndoing) {
     EXPECT_EQ(step(light), 3);
 }
 
+TEST_F(StartTest, TheTourSaysWhatIsWrongInAStep) {
+    TestWorkshop made;
+    SceneDocument document(made.workshop());
+    Tour tour(document);
+    const auto said = [&](const std::string& text) {
+        document.setText(text, "Edit");
+        EXPECT_TRUE(settle(document));
+        return tour.findChild<QLabel*>("tourStep")->text().toStdString();
+    };
+    std::string text = "shape_set Rod -desc {-sub {-box {4 0.3 0.3}}}\nbody r1 Rod\n"
+                       "joint j1 -type hinge -body1 r1 -offset1 {-2 0 0}\n"
+                       "body r2 Rod -init_pos {4 0 0}\n";
+    EXPECT_THAT(said(text), testing::StartsWith("Choose Create"));
+    EXPECT_THAT(said(text + "joint j2 -type hinge -body1 r2 -offset1 {-2 0 0}\n"),
+                testing::StartsWith("j2 holds r2 to the ground. Undo it (Ctrl+Z); its second "
+                                    "click belongs on r1"));
+    EXPECT_THAT(said(text + "joint j2 -type hinge -body1 r1 -offset1 {2 0 0}\n"),
+                testing::StartsWith("j2 holds r1 to the ground, which j1 does already"));
+    EXPECT_THAT(said(text + "joint j2 -type hinge -body1 r2 -offset1 {-2 0 0} -body2 r1\n"),
+                testing::StartsWith("Choose Create"));
+}
+
 TEST_F(StartTest, EachPageOfHelpHasItsChapterInTheManual) {
     for (const char* topic :
          {"The picture", "Body", "Joint", "Force", "Link", "Rope", "Trajectory", "Light", "Time",

@@ -75,6 +75,25 @@ int stepsDone(const scene::Scene& scene) {
     return heavy ? 4 : 3;
 }
 
+QString whyNotDone(const scene::Scene& scene) {
+    const int done = stepsDone(scene);
+    const auto name = [](const std::string& text) { return QString::fromStdString(text); };
+    if (done == 1 && !scene.joints.empty())
+        return Tour::tr("%1 holds two bodies, and nothing holds them to the ground. Undo it "
+                        "(Ctrl+Z), and click the rod twice in the same place.")
+            .arg(name(scene.joints.back().name));
+    if (done != 2 || scene.joints.size() < 2)
+        return {};
+    const scene::Joint &first = scene.joints.front(), &last = scene.joints.back();
+    if (last.body1 == first.body1)
+        return Tour::tr("%1 holds %2 to the ground, which %3 does already. Undo it (Ctrl+Z); its "
+                        "first click belongs on the second rod.")
+            .arg(name(last.name), name(last.body1), name(first.name));
+    return Tour::tr("%1 holds %2 to the ground. Undo it (Ctrl+Z); its second click belongs on %3, "
+                    "not beside it.")
+        .arg(name(last.name), name(last.body1), name(first.body1));
+}
+
 Tour::Tour(SceneDocument& document, QWidget* parent) : QWidget(parent), document_(document) {
     setObjectName("tour");
     auto* column = new QVBoxLayout(this);
@@ -130,8 +149,10 @@ void Tour::show() {
         line->setFont(font);
         line->setForegroundRole(i == done_ ? QPalette::WindowText : QPalette::PlaceholderText);
     }
+    const QString fault = whyNotDone(*document_.shown().scene);
     what_->setText(
-        done_ < steps ? tourSteps()[static_cast<std::size_t>(done_)].what
+        done_ < steps ? fault + (fault.isEmpty() ? "" : "\n\n") +
+                            tourSteps()[static_cast<std::size_t>(done_)].what
                       : tr("It swings: the double pendulum of the dissertation.\n\nGo on: click on "
                            "a rod and drag it, at the start or while it swings, and look at its "
                            "numbers in the text. F1 tells about the thing under the pointer."));

@@ -39,6 +39,8 @@ private:
     int done_ = 0;
 };
 
+// The fault of a step that was done otherwise, and its way out; "": there is none.
+[[nodiscard]] QString whyNotDone(const scene::Scene& scene);
 // The steps that a scene has done, without the one that plays it.
 [[nodiscard]] int stepsDone(const scene::Scene& scene);
 

@@ -299,6 +299,8 @@ void GraphicalViewer::connectParts() {
     connect(&display_->editing(), &PictureEditing::shapeWanted, this,
             [this](const QString& name) { windows_.openShapeEditor(name); });
     connect(controls_, &TimeControls::left, display_, [this] { display_->setFocus(); });
+    connect(controls_, &TimeControls::refused, this,
+            [this](const QString& why) { display_->editing().say(why); });
     connect(&playback_, &Playback::timeChanged, this, [this] {
         display_->setTime(playback_.time(), playback_.isPlaying() || timeBar_->isSliderDown());
         timeBar_->setTime(playback_.time());
@@ -462,11 +464,11 @@ void GraphicalViewer::showMenu(const MenuPlace& place, const QPoint& global) {
              std::ranges::find(document_.selected(), *place.element) == document_.selected().end())
         document_.select({*place.element});
     // It goes when it is closed, or with the window.
-    QMenu* menu =
-        elementMenu(document_, *display_, place,
-                    {windows_.openTrajectoryEditor, windows_.showText,
-                     [this] { panes_.show("plots"); }, [this] { commands_->duplicate(); }})
-            .release();
+    QMenu* menu = elementMenu(document_, *display_, place,
+                              {windows_.openTrajectoryEditor, windows_.showText,
+                               [this] { panes_.show("plots"); }, [this] { commands_->duplicate(); },
+                               [this] { commands_->copy(); }, [this] { commands_->paste(); }})
+                      .release();
     menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->popup(global);
 }

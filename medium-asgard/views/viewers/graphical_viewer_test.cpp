@@ -171,6 +171,9 @@ TEST_F(GraphicalViewerTest, AFaultStandsAtItsTimeOnTheBar) {
     bar.setFaults({{4, true, "It stops."}, {4.01, false, "It slips."}});
     EXPECT_EQ(bar.faultsAt(bar.position(4)), "It stops.\nIt slips.");
     EXPECT_EQ(bar.faultsAt(bar.position(7)), "");
+    bar.setMarks({}, {4, 7, 7.01});
+    EXPECT_EQ(bar.wordsAt(bar.position(4)), "It stops.\nIt slips.\nA collision at 4 s");
+    EXPECT_EQ(bar.wordsAt(bar.position(7)), "2 collisions, the first at 7 s");
     EXPECT_NE(bar.grab().toImage(), before);
 }
 

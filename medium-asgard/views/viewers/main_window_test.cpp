@@ -571,6 +571,11 @@ TEST_F(MainWindowTest, AnotherWindowOpensBesideWhereThereIsRoom) {
     placeBeside(third, large);
     EXPECT_TRUE(screen.contains(third.geometry()));
     EXPECT_GE(third.y(), large.y() + 20);
+    // Of one that fills the screen the picture stays in sight, the panes are covered.
+    large.showMaximized();
+    placeBeside(third, large);
+    EXPECT_TRUE(screen.contains(third.geometry()));
+    EXPECT_GT(third.x(), screen.center().x());
 }
 
 } // namespace

@@ -60,14 +60,12 @@ void addScenePanes(
                },
                {},
                QKeySequence(Qt::SHIFT | Qt::Key_F4)});
-    panes.add({"faults",
-               QObject::tr("Faults"),
-               Qt::BottomDockWidgetArea,
+    panes.add({"faults", QObject::tr("Faults"), Qt::BottomDockWidgetArea,
                [&document, &playback, show = windows.showText] {
                    return new FaultList(document,
                                         {[&playback](double time) { playback.seek(time); }, show});
                },
-               {},
+               "plots", // beside it there would be no room for words
                QKeySequence(Qt::CTRL | Qt::Key_F9)});
 }
 

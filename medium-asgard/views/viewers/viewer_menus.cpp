@@ -35,12 +35,13 @@ void startFromHere(SceneDocument& document, SceneDisplay& display) {
         return display.editing().say(document.whyNotCurrent());
     const auto& motion = document.shown().motion;
     const double time = motion ? gestures::roundMoment(*motion, display.time()) : display.time();
-    const editing::Answer answer = gestures::startingAt(document.ground(), time);
-    if (answer.possible())
-        document.setText(text::applied(document.text(), answer.edits),
-                         QObject::tr("Start From %1 s").arg(time));
-    else
-        display.editing().say(QString::fromStdString(answer.reason));
+    const gestures::Ground ground = document.ground();
+    const editing::Answer answer = gestures::startingAt(ground, time);
+    if (!answer.possible())
+        return display.editing().say(QString::fromStdString(answer.reason));
+    document.setText(text::applied(document.text(), answer.edits),
+                     QObject::tr("Start From %1 s").arg(time));
+    display.editing().say(QString::fromStdString(gestures::countsAnew(ground, time)), false);
 }
 
 } // namespace
@@ -96,10 +97,17 @@ void GraphicalViewer::buildEditMenu() {
     edit->addSeparator();
     // Where the picture or a pane of elements has the keyboard: a text copies words.
     const QList<QAction*> copying{
+        edit->addAction(tr("Cu&t"), QKeySequence::Cut, this,
+                        [this] {
+                            if (commands_->copy())
+                                display_->editing().remove(document_.selected());
+                        }),
         edit->addAction(tr("&Copy"), QKeySequence::Copy, commands_, &ElementCommands::copy),
         edit->addAction(tr("&Paste"), QKeySequence::Paste, commands_, &ElementCommands::paste),
         edit->addAction(tr("Dup&licate"), QKeySequence(Qt::CTRL | Qt::Key_D), commands_,
-                        &ElementCommands::duplicate)};
+                        &ElementCommands::duplicate),
+        edit->addAction(tr("Select &All"), QKeySequence::SelectAll, this,
+                        [this] { display_->selecting().selectAll(); })};
     for (QAction* one : copying)
         one->setShortcutContext(Qt::WidgetWithChildrenShortcut);
     display_->addActions(copying);
@@ -215,6 +223,11 @@ void GraphicalViewer::buildViewMenu() {
     view->addSeparator();
     QMenu* panes = view->addMenu(tr("&Panes"));
     panes_.fillMenu(*panes);
+    panes->addSeparator();
+    panes->addAction(tr("As at First"), this, [this] {
+        panes_.beginAnew();
+        showUsualPanes();
+    });
     view->addAction(tr("Te&xt and Picture"), QKeySequence(Qt::Key_F6), this,
                     &GraphicalViewer::switchPane);
     view->addAction(tr("F&ull Screen"), QKeySequence(Qt::Key_F11), this,

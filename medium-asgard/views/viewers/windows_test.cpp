@@ -12,6 +12,7 @@
 #include "simulation/simulation.h"
 
 #include <QDialogButtonBox>
+#include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QLineEdit>
 #include <QListWidget>
@@ -72,6 +73,58 @@ protected:
     GraphicalViewer* viewer = nullptr;
     std::unique_ptr<QMenu> menu;
 };
+
+TEST_F(WindowsTest, TheSelectedAreCopiedAndCutByMenusAndAllAreSelected) {
+    open(ballScene);
+    menuOf(0);
+    EXPECT_EQ(action(*menu, "Copy"), nullptr); // a menu without a window
+    display().selecting().selectAll();
+    const auto all = editor.document().selected();
+    EXPECT_EQ(all.size(), editor.document().shown().scene->bodies.size());
+    action(*viewer, "Cut")->trigger();
+    ASSERT_TRUE(settle(editor.document()));
+    EXPECT_TRUE(editor.document().shown().scene->bodies.empty()) << text();
+    Q_EMIT display().menuWanted({QPointF(5, 5), {}, {}});
+    QMenu* background = nullptr;
+    EXPECT_TRUE(waitFor([&] {
+        background = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+        return background != nullptr;
+    }));
+    ASSERT_NE(action(*background, "Paste"), nullptr);
+    action(*background, "Paste")->trigger();
+    background->close();
+    ASSERT_TRUE(settle(editor.document()));
+    EXPECT_EQ(editor.document().shown().scene->bodies.size(), all.size());
+    action(*viewer, "Select All")->trigger();
+    EXPECT_EQ(editor.document().selected().size(), all.size());
+}
+
+// A pane of faults has its words beside no other pane.
+TEST_F(WindowsTest, PanesStandAsAtFirstAgain) {
+    open(ballScene);
+    viewer->resize(1200, 760);
+    viewer->showUsualPanes();
+    const auto shown = [this] {
+        QStringList all;
+        for (const char* one : {"text", "status", "plots", "properties", "sceneList", "faults"})
+            if (viewer->panes().isShown(one))
+                all << one;
+        return all;
+    };
+    const QStringList before = shown();
+    viewer->panes().show("plots");
+    viewer->panes().show("faults");
+    auto* plots = viewer->findChild<QDockWidget*>("pane.plots");
+    auto* faults = viewer->findChild<QDockWidget*>("pane.faults");
+    EXPECT_TRUE(viewer->tabifiedDockWidgets(plots).contains(faults));
+    viewer->panes().hide("text");
+    viewer->addDockWidget(Qt::TopDockWidgetArea,
+                          viewer->findChild<QDockWidget*>("pane.properties"));
+    action(*viewer, "As at First")->trigger();
+    EXPECT_EQ(shown(), before);
+    EXPECT_EQ(viewer->dockWidgetArea(viewer->findChild<QDockWidget*>("pane.properties")),
+              Qt::RightDockWidgetArea);
+}
 
 // One of two bodies stops at 1.2 s of 2: nothing says that all is computed, and right throughout.
 TEST_F(WindowsTest, TheStatusOfAStoppedMotionAgreesWithItself) {
