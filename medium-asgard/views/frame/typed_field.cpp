@@ -27,13 +27,19 @@ bool isOthersUndo(const QLineEdit& field, const QEvent& event) {
     return key.matches(QKeySequence::Undo) || key.matches(QKeySequence::Redo);
 }
 
-// A number that nobody changes any more: a blank adds nothing to it, and the key plays.
-bool isOthersBlank(const QLineEdit& field, const QEvent& event, const QString& asked) {
+// A number that nobody changes any more: a blank adds nothing to it, and no letter but "e" can
+// follow it. The key plays, or frames.
+bool isOthersLetter(const QLineEdit& field, const QEvent& event, const QString& asked) {
     if (event.type() != QEvent::ShortcutOverride || (field.isModified() && field.text() != asked))
         return false;
     bool isNumber = false;
     static_cast<void>(field.text().toDouble(&isNumber));
-    return isNumber && static_cast<const QKeyEvent&>(event).key() == Qt::Key_Space;
+    const auto& key = static_cast<const QKeyEvent&>(event);
+    if (!isNumber || key.key() == Qt::Key_Space)
+        return isNumber;
+    return key.key() >= Qt::Key_A && key.key() <= Qt::Key_Z && key.key() != Qt::Key_E &&
+           !(key.modifiers() & ~Qt::ShiftModifier) && !field.hasSelectedText() &&
+           field.cursorPosition() == field.text().size();
 }
 
 // The reader has a limit of its own; this one holds when somebody else reads, and is gone.
@@ -152,7 +158,7 @@ bool TypedField::eventFilter(QObject* watched, QEvent* event) {
         qApp->installEventFilter(this);
     else if (event->type() == QEvent::FocusOut)
         qApp->removeEventFilter(this);
-    if (isOthersUndo(field_, *event) || isOthersBlank(field_, *event, asked_)) {
+    if (isOthersUndo(field_, *event) || isOthersLetter(field_, *event, asked_)) {
         event->ignore();
         return true;
     }

@@ -3,7 +3,7 @@
 // The value is taken with Return, when the keyboard leaves the field, and before the next action in
 // its window: a press elsewhere, a key that is a command. Escape brings back what was there. A
 // field in which nothing was typed has nothing to undo: that key is the window's then, and so is a
-// blank in a number.
+// blank in a number, and a letter behind it.
 #pragma once
 
 #include "workbench/scene_document.h"

@@ -3,6 +3,7 @@
 #include "motion/known_span.h"
 #include "panels/status_panel.h"
 #include "plain/plain.h"
+#include "surroundings/triad.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
@@ -10,6 +11,7 @@
 #include <QToolButton>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace views {
@@ -152,9 +154,16 @@ void MotionNotice::show(const Said& said) {
     if (said.words.isEmpty() ||
         (said.words == words_->text() && said.mayStop == stop_->isVisibleTo(this)))
         return;
+    const bool dark = parentWidget()->palette().color(QPalette::Base).lightness() < 128;
+    QColor paper = said.isFault ? QColor(255, 222, 216) : QColor(255, 236, 190);
+    QColor ink = said.isFault ? QColor(130, 20, 10) : QColor(90, 60, 0);
+    if (dark) {
+        paper = said.isFault ? QColor(92, 34, 28) : QColor(84, 66, 22);
+        ink = said.isFault ? QColor(255, 214, 206) : QColor(255, 236, 190);
+    }
     QPalette colors = palette();
-    colors.setColor(QPalette::Window, said.isFault ? QColor(255, 222, 216) : QColor(255, 236, 190));
-    colors.setColor(QPalette::WindowText, said.isFault ? QColor(130, 20, 10) : QColor(90, 60, 0));
+    colors.setColor(QPalette::Window, paper);
+    colors.setColor(QPalette::WindowText, ink);
     setPalette(colors);
     words_->setText(said.words);
     stop_->setVisible(said.mayStop);
@@ -162,11 +171,18 @@ void MotionNotice::show(const Said& said) {
     place();
 }
 
-// Beside the triad, which has the lower left corner.
+// Beside the triad, which has the lower left corner, or above it in a narrow picture.
 void MotionNotice::place() {
-    constexpr int triad = 110, margin = 12;
+    constexpr int margin = 12;
     const QWidget& picture = *parentWidget();
-    const int left = picture.width() > 4 * triad ? triad : margin;
+    const double scale = picture.devicePixelRatioF();
+    const render::Size size{static_cast<int>(picture.width() * scale),
+                            static_cast<int>(picture.height() * scale)};
+    const int triad = static_cast<int>(
+        std::ceil((render::triadMiddle(size).x() + render::triadReach(size)) / scale));
+    const bool isWide = picture.width() > 4 * triad;
+    const int left = isWide ? triad + margin : margin;
+    const int below = isWide ? margin : triad + margin;
     const int most = std::max(picture.width() - left - margin, 1);
     const QMargins around = layout()->contentsMargins();
     int beside = around.left() + around.right() + 4;
@@ -178,7 +194,7 @@ void MotionNotice::place() {
     const int height =
         std::max(words_->heightForWidth(width - beside) + around.top() + around.bottom(),
                  layout()->minimumSize().height());
-    setGeometry(left, picture.height() - height - margin, width, height);
+    setGeometry(left, std::max(picture.height() - height - below, 0), width, height);
 }
 
 bool MotionNotice::eventFilter(QObject* watched, QEvent* event) {

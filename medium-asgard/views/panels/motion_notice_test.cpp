@@ -1,5 +1,6 @@
 // What a picture says of a motion that stops, that is computed, and that was stopped.
 #include "panels/motion_notice.h"
+#include "surroundings/triad.h"
 #include "viewers/graphical_viewer.h"
 #include "views/test_workshop.h"
 
@@ -55,6 +56,31 @@ TEST_F(MotionNoticeTest, ThePictureEndsWhereTheFirstBodyStopsAndSaysWhy) {
     EXPECT_EQ(viewer.playback().time(), 0.5);
     viewer.playback().seek(0.2);
     EXPECT_EQ(wordsOf(viewer), "");
+}
+
+TEST_F(MotionNoticeTest, WordsLeaveTheTriadInSight) {
+    SceneDocument document{Workshop{}};
+    GraphicalViewer viewer(document, pictures, {}, 1);
+    QWidget picture;
+    const MotionNotice notice(document, viewer.playback(), picture);
+    picture.show();
+    document.setComputed(stopping(Work::none));
+    viewer.playback().seek(0.5);
+    for (const QSize size : {QSize(900, 640), QSize(240, 500), QSize(1500, 1000)}) {
+        picture.resize(size);
+        QCoreApplication::processEvents();
+        ASSERT_FALSE(notice.isHidden());
+        ASSERT_EQ(picture.size(), size);
+        EXPECT_TRUE(picture.rect().contains(notice.geometry())) << size.width();
+        const double scale = picture.devicePixelRatioF();
+        const QSizeF device = QSizeF(size) * scale;
+        for (const render::TriadEnd& end :
+             render::triadOf(viewer.display().camera(),
+                             {static_cast<int>(device.width()), static_cast<int>(device.height())}))
+            EXPECT_FALSE(notice.geometry().contains(
+                QPointF(end.place.x() / scale, end.place.y() / scale).toPoint()))
+                << size.width();
+    }
 }
 
 // Once it is computed the motion may go on beyond that.

@@ -396,8 +396,21 @@ TEST_F(PropertiesTest, AfterReturnABlankIsTheWindows) {
     EXPECT_FALSE(keepsBlank());
     ASSERT_TRUE(settle(document));
     EXPECT_FALSE(keepsBlank());
+    const auto keeps = [&](Qt::Key key, const QString& letter) {
+        QKeyEvent asked(QEvent::ShortcutOverride, key, Qt::NoModifier, letter);
+        asked.ignore();
+        QCoreApplication::sendEvent(&mass, &asked);
+        return asked.isAccepted();
+    };
+    EXPECT_FALSE(keeps(Qt::Key_F, "f"));
+    EXPECT_TRUE(keeps(Qt::Key_E, "e")); // "2.5e3"
+    EXPECT_TRUE(keeps(Qt::Key_3, "3"));
+    mass.selectAll();
+    EXPECT_TRUE(keeps(Qt::Key_A, "a")); // a.mass, in its place
+    mass.end(false);
     QTest::keyClicks(&mass, " * 2");
     EXPECT_TRUE(keepsBlank());
+    EXPECT_TRUE(keeps(Qt::Key_F, "f"));
 }
 
 class CopiesTest : public testing::Test {
