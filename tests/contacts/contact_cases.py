@@ -90,6 +90,12 @@ for name, force in (("pushed_rests", 1), ("pushed_slides", 3.5)):
          "shape_set box -desc {-sub {-box {0.2 0.1 0.4}}}\n"
          f"body b box -init_pos {{0 0.05 0}} -mass 1 -friction {mu} -restitution 0\nforce -body b -z {force}\n" + gravity("b"),
          [(t, 1, max(0, force - mu * G) * t * t / 2, "b.z") for t in (0.5, 1)] + [(1, 1, 0, "b.wx")])
+# A box put down on a belt that runs that way.
+alike = 1 / (mu * G)
+case("belt_across", f"# zero: b.y-0.05\nsimulator -finish 1\n" + ground(mu, "-surface_velocity {0 0 1}") +
+     "shape_set box -desc {-sub {-box {0.2 0.1 0.2}}}\n"
+     f"body b box -init_pos {{0 0.05 -0.5}} -mass 1 -friction {mu} -restitution 0\n" + gravity("b"),
+     [(t, 1, mu * G * min(t, alike) ** 2 / 2 + max(0, t - alike) - 0.5, "b.z") for t in (0.2, alike, 1)] + [(1, 1, 0, "b.wx")])
 # A plank on two blocks, pulled by a force that grows.
 yields = math.sqrt(0.25 * 1) * G
 case("plank_pulled", f"# zero: b.y-0.05\nsimulator -finish {yields + 1!r}\nshape_set post -desc {{-sub {{-box {{0.1 1 0.4}}}}}}\n"

@@ -153,12 +153,14 @@ private:
         add(Kind::onSupportPlane, point, point, point, 0);
         touch.corners.back().gap = touch.gap;
     }
+    // Two faces that are next to parallel, at whose corner two corners touch, are one axis.
     void addOthers() {
+        constexpr double another = 0.995; // cosine
         std::vector<Vector> known{touch.normal};
         for (const collision::Separation& axis : collision::axesOfTouch(first_, second_, beside_)) {
             const Vector& normal = axis.normal;
             const bool isNew = std::ranges::none_of(
-                known, [&](const Vector& k) { return isOneNormal(k, normal); });
+                known, [&](const Vector& k) { return k.dot(normal) > another; });
             if (!isNew)
                 continue;
             known.push_back(normal);

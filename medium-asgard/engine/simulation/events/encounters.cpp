@@ -278,7 +278,7 @@ CollisionSource::contactsBetween(const Instant& at, const Pair& pair,
     const Placed a = at.placed(first, states), b = at.placed(second, states);
     const TouchLimits limits{
         .gap = std::min(world_.resolution[first].gap, world_.resolution[second].gap),
-        .slow = std::max(resolution::atRest * std::max({entering, speedOf(a), speedOf(b)}),
+        .slow = std::max(resolution::rattled * std::max({entering, speedOf(a), speedOf(b)}),
                          resolution::noRate * world_.smallerRadius(pair)),
         .wereInContact = resting_.contacts().areIn(first, second),
         .isStart = at.time == world_.start,

@@ -33,13 +33,22 @@ bool sleeps(const solution::Histories& histories, std::size_t unknown, double ti
            std::ranges::all_of(histories.piece(unknown, time).coefficients, isZero);
 }
 
+// A conveyor of the scene drives what lies on it that way. It does not turn out of a plane.
+bool isDrivenAlong(const Colliders& world, int axis) {
+    for (std::size_t body = 0; body < world.records.size(); ++body)
+        if (const Vector& surface = world.scene.bodies[body].surfaceVelocity;
+            !surface.isZero(0) && (world.records[body].start.attitude * surface)[axis] != 0)
+            return true;
+    return false;
+}
+
 } // namespace
 
 std::optional<MotionPlane> Instant::planeOf(std::span<const std::size_t> bodies) const {
     using namespace physics;
     for (const int axis : {2, 1, 0}) {
         std::optional<double> at;
-        bool isIn = true;
+        bool isIn = !isDrivenAlong(world, axis);
         for (const std::size_t body : bodies) {
             if (world.isFixed(body) || !isIn)
                 continue;

@@ -176,7 +176,7 @@ void ActiveSet::decide(double t, std::span<double> y) {
     multipliers_.project(t, y);
     lastCross_ = t;
     ahead_ = 0;
-    slowest_ = slowestOf(y);
+    slowest_ = slowestOf(y, 0);
     f_.fill(t, y);
     multipliers_.evaluateGaps();
     double fastest = 0;
@@ -216,16 +216,16 @@ void ActiveSet::noteOpened(std::span<const State> before, double t, std::span<co
 bool ActiveSet::cross(std::span<const std::size_t> watches, double t, std::span<double> y,
                       std::span<const double> rates) {
     constexpr double part = 1e-6, more = 100; // of the time since the last event
-    slowest_ = slowestOf(y);
     ahead_ = t > lastCross_ ? part * (t - lastCross_) : std::max(more * ahead_, shortest(t));
     f_.fill(t, y);
     (void)multipliers_.solve();
+    slowest_ = slowestOf(y, multipliers_.weight());
     multipliers_.evaluateGaps();
     for (std::size_t disc = 0; disc < discs().size(); ++disc)
         setCentre(disc, multipliers_.friction().centreOf(disc, multipliers_.values()));
     const double elapsed = t - lastCross_;
     lastCross_ = t;
-    const std::vector<State> before = mode_.kept;
+    const Mode before = mode_;
     std::vector<std::size_t> candidates, hit, stopped;
     for (const std::size_t k : watches) {
         const auto [row, kind] = watches_[k];
@@ -248,7 +248,6 @@ bool ActiveSet::cross(std::span<const std::size_t> watches, double t, std::span<
     for (const std::size_t disc : stopped)
         candidates.push_back(discs()[disc].rows[0]);
     const std::vector<double> moving(y.begin(), y.end());
-    const auto slips = mode_.slips;
     halt(stopped, t, y);
     double fastest = 0;
     bool isDone = false;
@@ -268,8 +267,7 @@ bool ActiveSet::cross(std::span<const std::size_t> watches, double t, std::span<
     // No forces hold the slips that were slow: they go on.
     if (!isDone && slow_.part > 0 && !stopped.empty()) {
         std::ranges::copy(moving, y.begin());
-        mode_.kept = before;
-        mode_.slips = slips;
+        mode_ = before;
         lastCross_ = t - elapsed;
         const Slow slow = std::exchange(slow_, {});
         const bool isOn = cross(watches, t, y, rates);
@@ -277,7 +275,7 @@ bool ActiveSet::cross(std::span<const std::size_t> watches, double t, std::span<
         return isOn;
     }
     multipliers_.project(t, y);
-    noteOpened(before, t, y);
+    noteOpened(before.kept, t, y);
     refresh();
     return isDone;
 }
@@ -458,9 +456,13 @@ bool ActiveSet::hasStopped(std::size_t disc, double elapsed) {
     return multipliers_.friction().slipOf(disc).norm() <= none;
 }
 
-double ActiveSet::slowestOf(std::span<const double> y) const {
+double ActiveSet::slowestOf(std::span<const double> y, double weight) const {
     constexpr double ofSpeeds = 1e-9;
-    return std::max(slow_.part, ofSpeeds) * multipliers_.fastest(y);
+    return std::max(std::max(slow_.part, ofSpeeds) * multipliers_.fastest(y), fallenSlow(weight));
+}
+
+double ActiveSet::fallenSlow(double weight) const {
+    return std::sqrt(slow_.part * slow_.way * weight);
 }
 
 // Slips that are next to none stop together: one after another, each would turn the others back.

@@ -40,8 +40,8 @@ public:
 
     // A contact whose slip turns rests if it slips slower than that. The integration errs by more.
     struct Slow {
-        double part = 0; // of the fastest velocity
-        double way = 0;  // on which friction would stop the slip
+        double part = 0; // of the fastest velocity, or of that after a fall through the extent
+        double way = 0;  // that part of the extent: on it friction would stop the slip
     };
     void setSlow(const Slow& slow) { slow_ = slow; }
     // There are bounds.
@@ -126,7 +126,9 @@ private:
     [[nodiscard]] double leastOf(const BoundModel::Disc& disc) const {
         return 2 * rateOf * law(disc.rows[0]).resolution;
     }
-    [[nodiscard]] double slowestOf(std::span<const double> y) const;
+    // `weight`: the largest of the accelerations that contacts take away.
+    [[nodiscard]] double slowestOf(std::span<const double> y, double weight) const;
+    [[nodiscard]] double fallenSlow(double weight) const;
     void addSlow(std::vector<std::size_t>& stopped) const;
     [[nodiscard]] bool isLow(std::size_t row, double rate);
     [[nodiscard]] bool hasFallenLow(std::size_t row) const;

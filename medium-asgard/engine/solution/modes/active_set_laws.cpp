@@ -236,6 +236,9 @@ bool ActiveSet::solveLaws(const Rows& rows) {
         return false;
     holdWithin(a, b, rows.laws, *answer);
     const double largest = answer->forces.cwiseAbs().maxCoeff();
+    for (Eigen::Index i = 0; i < b.size(); ++i)
+        if (isContact(rows.rows[static_cast<std::size_t>(i)]))
+            slowest_ = std::max(slowest_, fallenSlow(a(i, i) * answer->forces[i]));
     mode_.forces.assign(mode_.kept.size(), 0);
     for (std::size_t i = 0; i < rows.rows.size(); ++i)
         mode_.forces[rows.rows[i]] = answer->forces[static_cast<Eigen::Index>(i)];

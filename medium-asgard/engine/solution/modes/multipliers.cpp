@@ -145,6 +145,16 @@ double Multipliers::secondRate(std::size_t row) const {
     return rate;
 }
 
+double Multipliers::weight() const {
+    const auto& matrix = model_.conditions().matrix;
+    double largest = 0;
+    for (std::size_t k = 0; k < matrix.size(); ++k)
+        if (const auto [row, column] = matrix[k];
+            row == column && holds(row) && f_.bound()->laws[row].leaving)
+            largest = std::max(largest, second_[k] * values()[row]);
+    return largest;
+}
+
 Multipliers::System Multipliers::systemOf(std::span<const std::size_t> rows) {
     evaluate();
     const auto& matrix = model_.conditions().matrix;

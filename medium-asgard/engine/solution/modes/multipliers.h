@@ -89,6 +89,8 @@ public:
     [[nodiscard]] const DiscFriction& friction() const { return friction_; }
     // After solve(): of a condition, whether it holds or not.
     [[nodiscard]] double secondRate(std::size_t row) const;
+    // After solve(): the largest second rate that the force of a contact gives its own gap.
+    [[nodiscard]] double weight() const;
     // Second rates of these conditions as matrix times their multipliers and a rest, in which the
     // others stand at their bounds; those that are not on second rates have their own values.
     struct System {
