@@ -57,8 +57,8 @@ public:
     // The step that is asked for, and the fault of the last click.
     [[nodiscard]] QString prompt() const;
     void paint(QPainter& painter) const;
-    // What was measured is seen until the next command, a change of the text, or this. False: there
-    // is nothing.
+    // The measured distance is seen until the next command, a change of the text, or this. False:
+    // there is none.
     bool forgetMeasured();
 
 Q_SIGNALS:

@@ -3,7 +3,7 @@
 // A wheel of radius r that turns by q about the axis a moves its rim by q r (a x n), where n leads
 // from the axis to the place of contact; a rack that slides by q moves by q a. Both go the same way
 // there: that gives dq1 = R dq2. Wheels touch between their axes, or one is inside of the other.
-// Where a shape has no radius the rest of the distance of the axes counts, or half of it.
+// A shape without a radius has the rest of the distance of the axes, or half of it.
 #include "recipes/recipe_words.h"
 #include "recipes/recipes.h"
 
