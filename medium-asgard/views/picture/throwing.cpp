@@ -103,6 +103,7 @@ Throwing::companyOf(std::size_t body, const QPointF& position) const {
             all.insert(joined->bodies().begin(), joined->bodies().end());
     }
     std::vector<std::pair<std::size_t, geometry::Pose>> company;
+    company.reserve(all.size());
     for (const std::size_t one : all)
         company.emplace_back(one, render::poseOf(*shown.scene, shown.motion.get(), one, moment()));
     return company;
