@@ -1,6 +1,7 @@
 #include "gestures/present.h"
 
 #include "editing/number_text.h"
+#include "editing/variable_uses.h"
 #include "element_edits/creation.h"
 #include "element_edits/options.h"
 #include "element_edits/property_edit.h"
@@ -8,9 +9,9 @@
 #include "handles/handles.h"
 #include "reports/instants.h"
 #include "scene/joint_types.h"
+#include "script/structure.h"
 
 #include <algorithm>
-#include <cctype>
 #include <utility>
 
 namespace gestures {
@@ -43,10 +44,6 @@ std::string countsFromStart(const scene::Scene& scene, const scene::Released& re
         if (!released.ropes.contains(i) && !scene.ropes[i].length)
             return says({Kind::rope, i}, "its -length");
     return {};
-}
-
-bool isOfName(char sign) {
-    return std::isalnum(static_cast<unsigned char>(sign)) != 0 || sign == '_';
 }
 
 std::vector<editing::Element> elementsOf(const scene::Released& released) {
@@ -166,18 +163,17 @@ double roundMoment(const simulation::Motion& motion, double time) {
 std::string countsAnew(const Ground& ground, double time) {
     std::string names;
     std::size_t count = 0;
+    const scene::Scene& scene = *ground.scene;
+    const script::Structure structure = script::structureOf(ground.text);
     const auto isRead = [&](const std::string& name) {
-        const auto reads = [&](const std::string& text) {
-            for (auto at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
-                const bool begins = at == 0 || !isOfName(text[at - 1]);
-                const std::size_t end = at + name.size();
-                if (begins && (end == text.size() || !isOfName(text[end])))
-                    return true;
-            }
-            return false;
+        const auto reads = [&](std::string_view text, const script::Structure& of) {
+            return editing::isUsedIn(name, {0, text.size()}, {}, editing::Origins(text, of, scene));
         };
-        return reads(ground.text) || std::ranges::any_of(ground.scene->plots, [&](const auto& one) {
-                   return std::ranges::any_of(one.values, reads);
+        // A loop puts names of plots together, which its text does not show.
+        return reads(ground.text, structure) ||
+               std::ranges::any_of(scene.plots, [&](const auto& plot) {
+                   return std::ranges::any_of(
+                       plot.values, [&](const std::string& value) { return reads(value, {}); });
                });
     };
     for (const scene::Joint& joint : ground.scene->joints) {

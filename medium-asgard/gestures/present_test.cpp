@@ -111,6 +111,7 @@ TEST(Present, CoordinatesThatCountFromTheNewStartAreTold) {
         "{3 0 0}\njoint pin -type hinge -body1 b -offset1 {0 1 0}\n"
         "joint pin2 -type hinge -body1 c -offset1 {0 1 0}\n";
     EXPECT_EQ(countsAnew(groundOf(swing), 0.5), "");
+    EXPECT_EQ(countsAnew(groundOf(swing + "# pin.q is the angle\n"), 0.5), "");
     EXPECT_EQ(countsAnew(groundOf(swing + "plot p -values {{pin2.q} {pin.dq}}\n"), 0.5),
               "pin2.q counts from this moment on: it is 0 at 0.5 s.");
     EXPECT_EQ(countsAnew(groundOf(swing + "foreach j {pin pin2} {plot $j -values $j.q}\n"), 1.25),

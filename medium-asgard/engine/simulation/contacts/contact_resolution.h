@@ -27,11 +27,11 @@ inline constexpr double ofPlaces = 8 * epsilon; // of coordinates, and of times 
 inline constexpr double deep = 400 * epsilon;   // of the radius: a ball that has just been hit
 inline constexpr double ofMotion = 1e-13;       // of coordinates: what a solved motion has lost
 inline constexpr double leastHop = 2e-9;        // of the smaller radius: lower hops may be missed
-inline constexpr double rattled = 3e-8;         // of the same: so little is left of a blow that ran
-                                                // to and fro until it was next to nothing
 inline constexpr double atRest = 1e-9;          // of the speeds that enter: relative rest
-inline constexpr double noRate = 1e-12;         // of the size, in the unit of time: of gaps, none
-inline constexpr double isNoLoad = 1e-12;       // of the accelerations that enter
+inline constexpr double rattled = 3e-8;   // of the same: what a blow leaves that ran to and fro
+                                          // until it was next to nothing
+inline constexpr double noRate = 1e-12;   // of the size, in the unit of time: of gaps, none
+inline constexpr double isNoLoad = 1e-12; // of the accelerations that enter
 
 // --- directions and places that count as the same ----------------------------------------------
 

@@ -153,7 +153,8 @@ private:
         add(Kind::onSupportPlane, point, point, point, 0);
         touch.corners.back().gap = touch.gap;
     }
-    // Two faces that are next to parallel, at whose corner two corners touch, are one axis.
+    // Two faces that are next to parallel, at whose corner two corners touch, are one axis. LIMIT:
+    // so are the sides of a wedge of less than 6 degrees, at whose edge bodies do not pass then.
     void addOthers() {
         constexpr double another = 0.995; // cosine
         std::vector<Vector> known{touch.normal};

@@ -28,6 +28,7 @@ ActiveSet::ActiveSet(ModelFunctions& functions, Multipliers& multipliers, Mode& 
             hasContacts_ = hasContacts_ || isContact(row);
         }
     opened_.assign(laws.size(), 0);
+    mode.slips.clear();
     for (const BoundModel::Disc& disc : discs())
         mode.slips.push_back({leastOf(disc), 0, 0});
     mode.centres.assign(functions.bound()->discs.size(), {0, 0});
@@ -43,7 +44,7 @@ bool ActiveSet::slips() const {
 }
 
 bool ActiveSet::slipsSlowly() const {
-    constexpr double more = 1.5;
+    constexpr double more = 1.5; // than the least: rounding is no more
     for (std::size_t disc = 0; disc < discs().size(); ++disc)
         if (multipliers_.friction().slips(disc) &&
             Eigen::Map<const Eigen::Vector3d>(mode_.slips[disc].data()).norm() >

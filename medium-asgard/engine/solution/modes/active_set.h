@@ -71,8 +71,9 @@ public:
     void takeSlips(double t, std::span<const double> y);
     // There are contacts.
     [[nodiscard]] bool hasContacts() const { return hasContacts_; }
-    // One of them slips; and does so, or began to, with next to no speed.
+    // One of them slips.
     [[nodiscard]] bool slips() const;
+    // One of them slipped slowly at the last event.
     [[nodiscard]] bool slipsSlowly() const;
 
 private:
