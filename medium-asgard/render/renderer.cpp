@@ -96,10 +96,11 @@ struct Renderer::Implementation {
     [[nodiscard]] std::string build();
     void follow(const Drawing& drawing);
     void clear(const Drawing& drawing, const Frame& frame);
-    [[nodiscard]] std::optional<LightSight> mapShadows(const Drawing& drawing, const Frame& frame,
-                                                       std::span<const Solid> opaque,
-                                                       const Light& light, double nearest,
-                                                       double furthest);
+    // The sights of the maps that are drawn, nearest first; empty: nothing throws a shadow.
+    [[nodiscard]] std::vector<LightSight> mapShadows(const Drawing& drawing, const Frame& frame,
+                                                     std::span<const Solid> opaque,
+                                                     const Light& light, double nearest,
+                                                     double furthest);
     [[nodiscard]] bool paint(const Drawing& drawing, const Frame& frame);
     void paintJoints(const Drawing& drawing, const Frame& frame, const Projection& projection);
     void paintHandles(const Drawing& drawing, const Frame& frame, const Projection& projection,
@@ -173,25 +174,39 @@ void Renderer::Implementation::clear(const Drawing& drawing, const Frame& frame)
 }
 
 // Of a picture that moves, drawn in software, one sample is taken from a small map.
-std::optional<LightSight> Renderer::Implementation::mapShadows(const Drawing& drawing,
-                                                               const Frame& frame,
-                                                               std::span<const Solid> opaque,
-                                                               const Light& light, double nearest,
-                                                               double furthest) {
+std::vector<LightSight> Renderer::Implementation::mapShadows(const Drawing& drawing,
+                                                             const Frame& frame,
+                                                             std::span<const Solid> opaque,
+                                                             const Light& light, double nearest,
+                                                             double furthest) {
+    constexpr double nearRoom = -2, finer = 1.5; // view z; times as fine: worth a map of its own
     const int shorter = std::min(frame.size().width, frame.size().height);
     const bool quick = isSoftware && drawing.display.samples <= 1;
     int texels = 256;
     while (texels < (quick ? shorter / 2 : isSoftware ? shorter : 2 * shorter) && texels < 2048)
         texels *= 2;
     const std::vector<Solid> throwing = throwingShadows(opaque);
-    auto sight = sightOf(light, throwing, visibleRoom(frame, nearest, furthest), texels);
-    if (!sight || !shadows->begin(texels))
-        return std::nullopt;
-    sight->softness = std::max(1.6 / texels, 0.004);
-    sight->samples = quick ? 1 : isSoftware ? 4 : 8;
-    solids->drawDepths(throwing, frame, sight->columns(), 1); // a shadow needs no fine outline
+    std::vector<LightSight> sights;
+    const auto add = [&](double until) {
+        if (const auto sight = sightOf(light, throwing, visibleRoom(frame, nearest, until), texels))
+            sights.push_back(*sight);
+    };
+    add(furthest);
+    if (furthest < nearRoom && !sights.empty())
+        add(nearRoom);
+    if (sights.size() > 1 && sights[1].texel * finer > sights[0].texel)
+        sights.pop_back();
+    std::ranges::reverse(sights);
+    if (sights.empty() || !shadows->begin(texels))
+        return {};
+    for (std::size_t i = 0; i < sights.size(); ++i) {
+        sights[i].softness = std::max(1.6 / texels, 0.004);
+        sights[i].samples = quick ? 1 : isSoftware ? 4 : 8;
+        shadows->bind(i);
+        solids->drawDepths(throwing, frame, sights[i].columns(), 1); // no fine outline
+    }
     shadows->end();
-    return sight;
+    return sights;
 }
 
 // Over the bodies, with a rim of the background's colour, so that they are seen on any body.
@@ -282,22 +297,23 @@ bool Renderer::Implementation::paint(const Drawing& drawing, const Frame& frame)
     const auto [nearest, furthest] = depthRange(all, extent, frame);
     // Grids reach further, and handles may stand before everything.
     const bool isDeep = display.studio || showsHandles(display);
+    const double back = display.studio && !frame.camera().orthographic ? -3000.0 : -40.0;
     const Projection projection =
-        isDeep ? frame.projection(std::max(nearest, eyeDistance - 0.5), std::min(furthest, -40.0))
+        isDeep ? frame.projection(std::max(nearest, eyeDistance - 0.5), std::min(furthest, back))
                : frame.projection(nearest, furthest);
     const std::vector<Light> lights = lightsOf(*drawing.scene, sunOf(extent), frame);
     const Light& shadowing = lights[static_cast<std::size_t>(shadowedOf(lights))];
     const float lift = 2e-5F;
 
-    std::optional<LightSight> sight;
+    std::vector<LightSight> sights;
     if (display.shadows && !display.wireframe)
-        sight = mapShadows(drawing, frame, opaque, shadowing, nearest, furthest);
+        sights = mapShadows(drawing, frame, opaque, shadowing, nearest, furthest);
     if (!target->prepare(frame.size(), display.samples))
         return false;
     gl.Viewport(0, 0, frame.size().width, frame.size().height);
     clear(drawing, frame);
     lines->begin(frame, projection);
-    solids->begin(frame, lights, frame.directionInView(extent.up), projection.data(), sight);
+    solids->begin(frame, lights, frame.directionInView(extent.up), projection.data(), sights);
     if (display.wireframe) {
         for (const Solid& solid : all)
             addWireframe(*lines, solid, solids->meshOf(solid, frame), frame);
@@ -312,8 +328,8 @@ bool Renderer::Implementation::paint(const Drawing& drawing, const Frame& frame)
     if (display.grid) {
         const Ground below = groundOf(all, extent, frame, *solids);
         ground = below.plane;
-        if (sight && !below.isFloor)
-            groundShadow->show(below.plane, shadowing, *sight, frame, projection.data(),
+        if (!sights.empty() && !below.isFloor)
+            groundShadow->show(below.plane, shadowing, sights, frame, projection.data(),
                                isDark(display.background) ? 0.45F : 0.28F);
         addGrid(*lines, below.plane, extent, frame, display, below.isFloor ? 0.7 : 1);
         lines->draw(lift);

@@ -67,6 +67,23 @@ TEST_F(RendererTest, BodiesShadeWhatIsBehindThemFromTheSun) {
     }
 }
 
+// A body far behind makes no shadow in front coarser.
+TEST_F(RendererTest, AShadowCloseUpIsFineWhateverIsBehind) {
+    addBody(scene_, box({3, 0.1, 3}), {0, -0.5, 0}, {0.8, 0.8, 0.8}).fixed = true;
+    addBody(scene_, box({0.3, 0.3, 0.3}), {-0.1, -0.3, 0}, red);
+    drawing_.camera.rotation = geometry::fromRotationVector(Vector(0.6, 0, 0));
+    drawing_.camera.center = Vector(0, -0.4, 0);
+    drawing_.camera.scale = 2;
+    drawing_.display.samples = 4;
+    const Picture alone = draw();
+    addBody(scene_, sphere(20), {150, -40, -300}, red).fixed = true;
+    const Picture together = draw();
+    const int other = together.count([&](int x, int y) {
+        return x < 200 && std::abs(together.green(x, y) - alone.green(x, y)) > 25;
+    });
+    EXPECT_LT(other, 120);
+}
+
 TEST_F(RendererTest, ABallShadesNoDotsOnItself) {
     addBody(scene_, sphere(0.8), {0, 0, 0}, red);
     drawing_.camera.rotation = geometry::fromRotationVector(Vector(0.34, -0.48, 0));
@@ -104,6 +121,42 @@ TEST_F(RendererTest, AStudioHasASkyAndAHorizonLightOrDark) {
     EXPECT_LT(dark.green(20, 20), 90);
     EXPECT_LT(dark.green(20, 235), 60);
     EXPECT_EQ(draw().bytes, dark.bytes);
+}
+
+// What one looks at closely stands high above it.
+TEST_F(RendererTest, TheGroundIsSeenFarBelow) {
+    addBody(scene_, sphere(0.05), {0, 10, 0}, red);
+    addBody(scene_, sphere(0.05), {0, 0.05, 0}, red);
+    drawing_.display.studio = true;
+    drawing_.camera.center = Vector(0, 10, 0);
+    for (const double scale : {0.5, 10.0})
+        for (const double slope : {0.15, 0.35, 1.2}) {
+            drawing_.camera.scale = scale;
+            drawing_.camera.rotation = geometry::fromRotationVector(Vector(slope, 0.2, 0));
+            drawing_.display.grid = false;
+            const Picture bare = draw();
+            drawing_.display.grid = true;
+            const Picture grid = draw();
+            EXPECT_GT(grid.count([&](int x, int y) { return grid.at(x, y) != bare.at(x, y); }), 800)
+                << scale << " " << slope;
+        }
+}
+
+// Its own colour stays.
+TEST_F(RendererTest, AnEndlessFloorIsDarkInADarkPicture) {
+    scene::Part half;
+    half.shape = scene::PlaneShape{};
+    addBody(scene_, half, {0, 0, 0}, red).fixed = true;
+    scene_.bodies.back().appearance.color.reset();
+    addBody(scene_, sphere(0.2), {0, 0.2, 0}, blue);
+    drawing_.display.studio = true;
+    drawing_.camera.rotation = geometry::fromRotationVector(Vector(0.4, 0, 0));
+    EXPECT_GT(draw().green(30, 200), 140);
+    drawing_.display.background = {0.1, 0.1, 0.1};
+    EXPECT_LT(draw().green(30, 200), 90);
+    EXPECT_GT(draw().green(30, 200), 30);
+    scene_.bodies.front().appearance.color = scene::Color{0.8, 0.8, 0.8};
+    EXPECT_GT(draw().green(30, 200), 140);
 }
 
 TEST_F(RendererTest, AnEndlessFloorReachesTheHorizon) {

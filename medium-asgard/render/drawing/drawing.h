@@ -46,6 +46,10 @@ struct Display : ShownHandles {
     int samples = 4; // multisampling; clamped to what there is; 1 while it moves fast
 };
 
+[[nodiscard]] inline bool isDark(const scene::Color& c) {
+    return 0.3 * c.red + 0.6 * c.green + 0.1 * c.blue < 0.45;
+}
+
 [[nodiscard]] inline bool isHidden(const Display& display, const scene::Body& body) {
     return display.hidden && display.hidden->contains(body.name);
 }

@@ -65,12 +65,13 @@ struct LightSight {
     Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity(); // to its clip space
     double texel = 0;    // view length of a texel of its map, where it is largest
     double softness = 0; // of a shadow's rim, as a part of the map's width
-    int samples = 1;     // of the map for each pixel, at most 8
+    int samples = 1;     // of the map for each pixel, at most 8; of all maps the same
     [[nodiscard]] std::array<float, 16> columns() const;
     // Where in the map a point of the view is: x, y and depth from -1 to 1.
     [[nodiscard]] Vector toMap(const Vector& view) const {
         return (matrix * view.homogeneous()).hnormalized();
     }
 };
+inline constexpr std::size_t mostShadowMaps = 2; // of what is near, and of everything
 
 } // namespace render

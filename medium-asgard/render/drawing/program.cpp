@@ -1,5 +1,8 @@
 #include "drawing/program.h"
 
+#include <algorithm>
+#include <array>
+
 namespace render {
 
 namespace {
@@ -22,12 +25,20 @@ std::string compile(const Gl& gl, GLuint shader, const std::vector<const char*>&
 
 Program::~Program() { gl_.DeleteProgram(program_); }
 
-void Program::giveShadow(const LightSight& sight) const {
-    const std::array<float, 16> matrix = sight.columns();
-    gl_.UniformMatrix4fv(place("toMap"), 1, GL_FALSE, matrix.data());
-    gl_.Uniform1f(place("texel"), static_cast<float>(sight.texel));
-    gl_.Uniform1f(place("softness"), static_cast<float>(sight.softness));
-    gl_.Uniform1i(place("samples"), sight.samples);
+void Program::giveShadow(std::span<const LightSight> sights) const {
+    std::array<float, 16 * mostShadowMaps> matrices{};
+    std::array<float, mostShadowMaps> texels{}, softness{};
+    for (std::size_t i = 0; i < sights.size(); ++i) {
+        std::ranges::copy(sights[i].columns(), matrices.begin() + static_cast<long>(16 * i));
+        texels[i] = static_cast<float>(sights[i].texel);
+        softness[i] = static_cast<float>(sights[i].softness);
+    }
+    const auto count = static_cast<GLsizei>(sights.size());
+    gl_.UniformMatrix4fv(place("toMap"), count, GL_FALSE, matrices.data());
+    gl_.Uniform2f(place("texel"), texels[0], texels[1]);
+    gl_.Uniform2f(place("softness"), softness[0], softness[1]);
+    gl_.Uniform1i(place("maps"), count);
+    gl_.Uniform1i(place("samples"), sights.front().samples);
     gl_.Uniform1i(place("shadowMap"), 0);
 }
 

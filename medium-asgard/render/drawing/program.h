@@ -4,6 +4,7 @@
 #include "drawing/frame.h"
 #include "drawing/gl.h"
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,8 +21,8 @@ public:
     [[nodiscard]] std::string build(const char* vertexSource,
                                     const std::vector<const char*>& fragmentSources);
     void use() const { gl_.UseProgram(program_); }
-    // The uniforms of a program with shadowFunctions (shaders.h); the map is texture 0.
-    void giveShadow(const LightSight& sight) const;
+    // The uniforms of a program with shadowFunctions (shaders.h); the maps are texture 0.
+    void giveShadow(std::span<const LightSight> sights) const;
     [[nodiscard]] GLint place(const char* uniform) const {
         return gl_.GetUniformLocation(program_, uniform);
     }

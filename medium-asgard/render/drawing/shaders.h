@@ -11,26 +11,39 @@ namespace render {
 
 inline constexpr int mostLights = 8;
 
-// How much of the shadowed light reaches a point: 0 to 1, the mean over a small disc of the map.
-// Goes before the source of a fragment shader that asks.
+// How much of the shadowed light reaches a point: 0 to 1, the mean over a small disc of a map, the
+// finest that shows the point. Goes before the source of a fragment shader that asks.
 inline constexpr const char* shadowFunctions = R"(#version 330 core
-uniform sampler2DShadow shadowMap;
-uniform mat4 toMap;                     // view to the light's clip space
-uniform float texel;                    // of the map, view length
-uniform float softness;                 // of the map: radius of the disc
+uniform sampler2DShadow shadowMap;     // the maps side by side
+uniform mat4 toMap[2];                  // view to the light's clip space
+uniform vec2 texel;                     // of each map, view length
+uniform vec2 softness;                  // of each map: radius of the disc
+uniform int maps;                       // the first is of what is near, the last of everything
 uniform int samples;                    // in the disc, or one in its middle
 const vec2 disc[8] = vec2[8](vec2(-0.72, 0.42), vec2(0.60, -0.55), vec2(0.45, 0.72),
                              vec2(-0.48, -0.68), vec2(0.10, 0.14), vec2(0.95, 0.15),
                              vec2(-0.98, -0.12), vec2(0.02, -0.98));
-float litAt(vec3 place) {
-    vec4 q = toMap * vec4(place, 1);
+// Software drivers take indices of uniforms badly that are no constants.
+bool isNear(vec3 place) {
+    vec4 q = toMap[0] * vec4(place, 1);
+    return maps == 1 || max(abs(q.x), abs(q.y)) < 0.94 * q.w;
+}
+float of(vec2 maps, bool near) { return near ? maps.x : maps.y; }
+float sampled(vec3 m, bool near) {
+    float edge = 1.0 / float(textureSize(shadowMap, 0).y);
+    vec2 inMap = clamp(m.xy, edge, 1.0 - edge);
+    return texture(shadowMap, vec3(0.5 * inMap.x + (near ? 0.0 : 0.5), inMap.y, m.z));
+}
+float litAt(vec3 place, bool near) {
+    vec4 one = vec4(place, 1);
+    vec4 q = near ? toMap[0] * one : toMap[1] * one;
     vec3 m = 0.5 * q.xyz / q.w + 0.5;
     m.z = min(m.z, 1.0);
     if (samples == 1)
-        return texture(shadowMap, m);
+        return sampled(m, near);
     float sum = 0.0;
     for (int i = 0; i < samples; ++i)
-        sum += texture(shadowMap, vec3(m.xy + softness * disc[i], m.z));
+        sum += sampled(vec3(m.xy + of(softness, near) * disc[i], m.z), near);
     return sum / float(samples);
 }
 )";
@@ -98,10 +111,12 @@ void main() {
             vec3 light = lightColor[i];
             // Off the surface by some texels, more where the light grazes it, so that the whole
             // disc lies outside: nothing shades itself.
-            float reach = samples == 1 ? 0.0 : softness * float(textureSize(shadowMap, 0).x);
+            bool near = isNear(place);
+            float reach =
+                samples == 1 ? 0.0 : of(softness, near) * float(textureSize(shadowMap, 0).y);
             float off = 2.5 - cosine + reach * sqrt(max(1.0 - cosine * cosine, 0.0));
             if (i == shadowed)
-                light *= litAt(place + texel * (off * n + toLight));
+                light *= litAt(place + of(texel, near) * (off * n + toLight), near);
             diffuse += cosine * light;
             float mirrored = max(dot(n, normalize(toLight + toEye)), 0.0);
             gloss += pow(mirrored, power) * min(4.0 * cosine, 1.0) * light;
@@ -143,7 +158,8 @@ uniform vec3 toLight;
 uniform vec4 ink;
 out vec4 pixel;
 void main() {
-    float dark = 1.0 - litAt(place + texel * toLight);
+    bool near = isNear(place);
+    float dark = 1.0 - litAt(place + of(texel, near) * toLight, near);
     if (dark <= 0.0)
         discard;
     pixel = vec4(ink.rgb, dark * ink.a);

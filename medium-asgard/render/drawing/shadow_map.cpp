@@ -132,7 +132,7 @@ bool ShadowMap::begin(int texels) {
     gl_.BindTexture(GL_TEXTURE_2D, texture_);
     if (texels != texels_) {
         const float lit[] = {1, 1, 1, 1};
-        gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, texels, texels, 0,
+        gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, mostShadowMaps * texels, texels, 0,
                        GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, nullptr);
         gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
         gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
@@ -148,7 +148,6 @@ bool ShadowMap::begin(int texels) {
             return false;
         texels_ = texels;
     }
-    gl_.Viewport(0, 0, texels, texels);
     gl_.Enable(GL_DEPTH_TEST);
     gl_.DepthMask(GL_TRUE);
     gl_.Clear(GL_DEPTH_BUFFER_BIT);
@@ -156,6 +155,10 @@ bool ShadowMap::begin(int texels) {
     gl_.Enable(GL_POLYGON_OFFSET_FILL);
     gl_.PolygonOffset(1.5F, 2);
     return true;
+}
+
+void ShadowMap::bind(std::size_t map) {
+    gl_.Viewport(static_cast<GLint>(map) * texels_, 0, texels_, texels_);
 }
 
 void ShadowMap::end() {

@@ -2,7 +2,8 @@
 //
 // Shadow mapping (L. Williams, Casting curved shadows on curved surfaces, SIGGRAPH 1978), filtered
 // by percentage closer filtering (Reeves, Salesin, Cook, SIGGRAPH 1987). The map covers the bodies
-// that can throw a shadow into the picture and no more, so that its texels are small.
+// that can throw a shadow into the picture and no more, so that its texels are small. A picture
+// that reaches far has a second map of what is near.
 #pragma once
 
 #include "drawing/frame.h"
@@ -34,10 +35,10 @@ public:
     ShadowMap(const ShadowMap&) = delete;
     ShadowMap& operator=(const ShadowMap&) = delete;
 
-    // Bound for drawing and cleared, with the state that drawing depths needs. False: the driver
-    // refuses.
+    // Cleared, with the state that drawing depths needs. False: the driver refuses.
     [[nodiscard]] bool begin(int texels);
-    // Undoes begin(); the map is bound as texture 0.
+    void bind(std::size_t map); // for drawing
+    // Undoes begin(); the maps are bound as texture 0.
     void end();
 
 private:

@@ -46,8 +46,15 @@ T inherited(std::optional<T> scene::Appearance::*what, const scene::Part& part,
     return otherwise;
 }
 
+// A floor without an end that nobody has coloured fills the picture: in a dark one it is dark.
+scene::Color plainColor(const scene::Part& part, const Display& display) {
+    const bool isNight = display.studio && isDark(display.background) &&
+                         std::holds_alternative<scene::PlaneShape>(part.shape);
+    return isNight ? scene::Color{0.27, 0.28, 0.30} : scene::Color{};
+}
+
 Solid solidOf(const scene::Part& part, const scene::Body& body, const scene::ShapeSet& shape,
-              const geometry::Pose& pose, const Frame& frame) {
+              const geometry::Pose& pose, const Frame& frame, const Display& display) {
     using scene::Appearance;
     const Fit fit = fitOf(part);
     Solid solid;
@@ -59,7 +66,8 @@ Solid solidOf(const scene::Part& part, const scene::Body& body, const scene::Sha
     solid.place = frame.toView(pose.toWorld(part.position));
     solid.middle = solid.place + turn * fit.middle;
     solid.radius = frame.camera().scale * fit.radius;
-    const scene::Color c = inherited(&Appearance::color, part, body, shape, scene::Color{});
+    const scene::Color c =
+        inherited(&Appearance::color, part, body, shape, plainColor(part, display));
     solid.color = Eigen::Vector3d(c.red, c.green, c.blue).cast<float>();
     solid.alpha =
         static_cast<float>(1 - inherited(&Appearance::transparency, part, body, shape, 0.0));
@@ -112,7 +120,7 @@ std::vector<Solid> solidsOf(const Drawing& drawing, const Extent& extent, const 
             !pose.attitude.coeffs().allFinite())
             continue;
         for (const scene::Part& part : shape->parts) {
-            solids.push_back(solidOf(part, body, *shape, pose, frame));
+            solids.push_back(solidOf(part, body, *shape, pose, frame, drawing.display));
             solids.back().body = i;
             if (std::holds_alternative<scene::PlaneShape>(part.shape))
                 showPlane(solids.back(), pose, extent, frame, drawing.display.studio);
@@ -143,7 +151,7 @@ std::string Solids::build() {
 }
 
 void Solids::begin(const Frame& frame, const std::vector<Light>& lights, const Vector& upInView,
-                   const float* projection, const std::optional<LightSight>& sight) {
+                   const float* projection, std::span<const LightSight> sights) {
     ++picture_;
     forgetUnused();
     program_.use();
@@ -166,9 +174,9 @@ void Solids::begin(const Frame& frame, const std::vector<Light>& lights, const V
     // Faces that the sun does not reach differ in brightness, too.
     const float beside = std::ranges::any_of(lights, &Light::isSun) ? 0.16F : 0.0F;
     gl_.Uniform3f(program_.place("beside"), beside, beside, 1.1F * beside);
-    gl_.Uniform1i(program_.place("shadowed"), sight ? shadowedOf(lights) : -1);
-    if (sight)
-        program_.giveShadow(*sight);
+    gl_.Uniform1i(program_.place("shadowed"), sights.empty() ? -1 : shadowedOf(lights));
+    if (!sights.empty())
+        program_.giveShadow(sights);
 }
 
 const Mesh& Solids::meshOf(const Solid& solid, const Frame& frame) {

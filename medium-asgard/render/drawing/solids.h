@@ -54,7 +54,7 @@ public:
     // Light comes through the shadow map that is bound, as `sight` says; none: there are no
     // shadows.
     void begin(const Frame& frame, const std::vector<Light>& lights, const Vector& upInView,
-               const float* projection, const std::optional<LightSight>& sight);
+               const float* projection, std::span<const LightSight> sights);
     void drawOpaque(std::span<const Solid> solids, const Frame& frame);
     // One solid, its back faces before its front faces.
     void drawTransparent(const Solid& solid, const Frame& frame);

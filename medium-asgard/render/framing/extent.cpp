@@ -370,9 +370,9 @@ double lowestOfFixed(const scene::Scene& scene, const Survey& survey, const Exte
     return lowest;
 }
 
-// The room of what moves where it starts, what holds it, and what is fixed near it.
-Box startOf(const scene::Scene& scene, const Survey& survey, const Extent& extent,
-            const std::vector<Vector>& anchors, double near) {
+// The room of what moves where it starts, what holds it, and what stands near it, fixed or not.
+Box startOf(const Survey& survey, const Extent& extent, const std::vector<Vector>& anchors,
+            double near) {
     Box start;
     const auto outline = [&](std::size_t i) {
         Box box;
@@ -392,7 +392,7 @@ Box startOf(const scene::Scene& scene, const Survey& survey, const Extent& exten
     const double size = start.sizes().maxCoeff();
     const Box beside(start.min().array() - near * size, start.max().array() + near * size);
     for (std::size_t i = 0; i < survey.paths.size(); ++i)
-        if (scene.bodies[i].fixed && !extent.moves[i])
+        if (!extent.moves[i])
             start.extend(beside.intersection(outline(i)));
     return start;
 }
@@ -433,7 +433,7 @@ std::vector<bool> cutFalls(Survey& survey, const scene::Scene& scene, const Exte
     constexpr double far = 5, seen = 1; // times the size of the start
     std::vector<bool> falls(survey.paths.size());
     const Vector& up = extent.up;
-    const Box start = startOf(scene, survey, extent, anchors, far);
+    const Box start = startOf(survey, extent, anchors, far);
     if (start.isEmpty() || !againstGravity(scene) || hasEndlessFloor(scene, up))
         return falls;
     const double size = start.sizes().maxCoeff();

@@ -212,6 +212,24 @@ TEST(Framed, WhatDropsOutOfSightIsSeenBesideItsStart) {
 }
 
 // A table in the plane x y, whose balls stand on it; a wall beside a ball is none.
+// A wide table stands beside the fall, fixed or not: as much of the fall is seen.
+TEST(Framed, AFallIsSeenTheSameBesideWhatStands) {
+    scene::Scene scene;
+    addBody(scene, sphere(0.5), {0, 0.5, 0}, {});
+    addBody(scene, box({4, 1, 2}), {3, 0.4, 0}, {});
+    scene.forces = {fallingAlong(scene.bodies[0].name, {0, -9.8, 0})};
+    const GivenMotion falls(10, {[](double t) {
+                                     return placed({0, 0.5 - 4.9 * t * t, 0});
+                                 },
+                                 [](double) {
+                                     return placed({3, 0.4, 0});
+                                 }});
+    const double free = extentOf(scene, &falls).box.min().y();
+    scene.bodies[1].fixed = true;
+    EXPECT_LT(free, -4);
+    EXPECT_EQ(extentOf(scene, &falls).box.min().y(), free);
+}
+
 TEST(Framed, WhereNothingFallsATableIsTheGround) {
     scene::Scene scene;
     addBody(scene, sphere(0.1), {0, 0, 0.11}, {});

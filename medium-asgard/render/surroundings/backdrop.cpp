@@ -1,6 +1,7 @@
 #include "surroundings/backdrop.h"
 
 #include "drawing/shaders.h"
+#include "framing/studio.h"
 
 #include <algorithm>
 #include <array>
@@ -12,31 +13,13 @@ namespace {
 
 using Shade = Eigen::Vector3f;
 
-struct Shades {
-    Shade near, far, haze, low, high; // ground, horizon, sky
-};
-
-const Shades& shadesOf(bool dark) {
-    static const Shades light{{0.855F, 0.862F, 0.870F},
-                              {0.915F, 0.920F, 0.926F},
-                              {0.958F, 0.963F, 0.970F},
-                              {0.915F, 0.938F, 0.965F},
-                              {0.760F, 0.835F, 0.915F}};
-    static const Shades night{{0.128F, 0.132F, 0.140F},
-                              {0.185F, 0.191F, 0.202F},
-                              {0.262F, 0.278F, 0.305F},
-                              {0.205F, 0.222F, 0.252F},
-                              {0.100F, 0.115F, 0.145F}};
-    return dark ? night : light;
-}
-
 struct Stop {
     double at; // view units above the horizon
     Shade shade;
 };
 
 // The colours straight ahead, from the horizon upwards and downwards.
-std::array<Stop, 7> stopsOf(const Shades& s) {
+std::array<Stop, 7> stopsOf(const StudioColors& s) {
     return {{{-30, s.near},
              {-1.5, s.near},
              {-0.10, s.far},
@@ -55,8 +38,6 @@ std::optional<Horizon> horizonOf(const Frame& frame, const Vector& upInView) {
         return std::nullopt;
     return Horizon{upInView.head<2>() / across, eyeDistance * upInView.z() / across};
 }
-
-bool isDark(const scene::Color& c) { return 0.3 * c.red + 0.6 * c.green + 0.1 * c.blue < 0.45; }
 
 Backdrop::~Backdrop() {
     gl_.DeleteVertexArrays(1, &array_);
@@ -80,7 +61,7 @@ std::string Backdrop::build() {
 }
 
 void Backdrop::show(const Frame& frame, const Vector& upInView, bool dark) const {
-    const Shades& shades = shadesOf(dark);
+    const StudioColors& shades = studioColors(dark);
     std::vector<Stop> stops;
     Horizon horizon;
     if (const auto seen = horizonOf(frame, upInView)) {

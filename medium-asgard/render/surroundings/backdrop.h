@@ -20,8 +20,6 @@ struct Horizon {
 // None: the ground, or the sky alone, fills the picture; or it is orthographic.
 [[nodiscard]] std::optional<Horizon> horizonOf(const Frame& frame, const Vector& upInView);
 
-[[nodiscard]] bool isDark(const scene::Color& background);
-
 class Backdrop {
 public:
     explicit Backdrop(const Gl& gl) : gl_(gl), program_(gl) {}

@@ -2,7 +2,6 @@
 
 #include "drawing/round_numbers.h"
 #include "drawing/stroke_text.h"
-#include "surroundings/backdrop.h"
 #include "surroundings/triad.h"
 
 #include <algorithm>
@@ -17,6 +16,32 @@ constexpr double aimed = 90; // pixels of a step, at least
 double smooth(double from, double to, double x) {
     const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
     return t * t * (3 - 2 * t);
+}
+
+// Where a line of sight through the middle of the picture meets the ground, or one nearer to its
+// edge.
+std::optional<Vector> groundInSight(const GroundPlane& ground, const Frame& frame) {
+    const Camera& camera = frame.camera();
+    const Size size = frame.size();
+    constexpr double level = 0.05; // radians: nearly along the ground
+    const Vector upInView = frame.directionInView(ground.up);
+    const double height =
+        toWorld(camera, size, {0.5 * size.width, 0.5 * size.height}, camera.position.z())
+            .dot(ground.up) -
+        ground.height;
+    Eigen::Vector2d towards(-upInView.x(), upInView.y()); // pixels, origin top left
+    if (towards.norm() > 1e-9)
+        towards *= (height > 0 ? 1.0 : -1.0) / towards.norm();
+    for (const double share : {0.0, 0.45, 0.9}) {
+        const Eigen::Vector2d pixels = Eigen::Vector2d(0.5 * size.width, 0.5 * size.height) +
+                                       share * std::min(size.width, size.height) / 2 * towards;
+        const Vector from = toWorld(camera, size, pixels, camera.position.z());
+        const Vector way = (toWorld(camera, size, pixels, camera.position.z() - 1) - from);
+        const double falls = -way.dot(ground.up) / way.norm();
+        if (falls * (from.dot(ground.up) - ground.height) > 0 && std::abs(falls) > level)
+            return from + way * ((from.dot(ground.up) - ground.height) / -way.dot(ground.up));
+    }
+    return std::nullopt;
 }
 
 // One grid on its way into the picture.
@@ -75,9 +100,16 @@ Sheet::Sheet(Lines& lines, const GroundPlane& ground, const Extent& extent, cons
     ink_ = dark ? Eigen::Vector3f(0.62F, 0.66F, 0.72F) : Eigen::Vector3f(0.46F, 0.50F, 0.56F);
     if (display.studio) {
         const Size size = frame.size();
+        const double diagonal = std::hypot(size.width, size.height) / 2;
+        const auto above = [&] { return std::abs(focus_.dot(ground.up) - ground.height); };
         focus_ = toWorld(camera, size, {0.5 * size.width, 0.5 * size.height}, depth);
-        const double above = std::abs(focus_.dot(ground.up) - ground.height);
-        radius_ = 4.5 * std::hypot(size.width, size.height) / 2 / pixelsPerLength_ + 1.5 * above;
+        // The ground may be far from what one looks at: then it is seen where it is.
+        const double away = smooth(0.5, 1.5, above() * pixelsPerLength_ / diagonal);
+        if (const auto seen = away > 0 ? groundInSight(ground, frame) : std::nullopt) {
+            focus_ += away * (*seen - focus_);
+            pixelsPerLength_ = frame.pixels(camera.scale, frame.toView(focus_).z());
+        }
+        radius_ = 4.5 * diagonal / pixelsPerLength_ + 1.5 * above();
     } else {
         ink_ = dark ? ink_ : Eigen::Vector3f(0.58F, 0.61F, 0.66F);
         focus_ = extent.box.center();

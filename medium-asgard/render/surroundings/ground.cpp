@@ -103,13 +103,14 @@ std::string GroundShadow::build() {
     return program_.build(groundVertexShader, {shadowFunctions, groundFragmentShader});
 }
 
-void GroundShadow::show(const GroundPlane& ground, const Light& light, const LightSight& sight,
-                        const Frame& frame, const float* projection, float strength) const {
+void GroundShadow::show(const GroundPlane& ground, const Light& light,
+                        std::span<const LightSight> sights, const Frame& frame,
+                        const float* projection, float strength) const {
     const Vector up = frame.directionInView(ground.up), foot = frame.toView(ground.place(0, 0));
     if (up.dot(frame.eye() - foot) <= 0)
         return;
     // The map's four corners along their rays to the ground.
-    const Eigen::Matrix4d back = sight.matrix.inverse();
+    const Eigen::Matrix4d back = sights.back().matrix.inverse();
     std::array<float, 12> corners;
     for (std::size_t i = 0; i < 4; ++i) {
         const double x = i % 2 == 0 ? -1 : 1, y = i < 2 ? -1 : 1;
@@ -130,7 +131,7 @@ void GroundShadow::show(const GroundPlane& ground, const Light& light, const Lig
     gl_.Uniform3fv(program_.place("corner"), 4, corners.data());
     gl_.Uniform3fv(program_.place("toLight"), 1, towards.data());
     gl_.Uniform4f(program_.place("ink"), 0.06F, 0.07F, 0.10F, strength);
-    program_.giveShadow(sight);
+    program_.giveShadow(sights);
     gl_.BindVertexArray(array_);
     gl_.Disable(GL_CULL_FACE);
     gl_.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);

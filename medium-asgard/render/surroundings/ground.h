@@ -35,8 +35,8 @@ public:
     GroundShadow& operator=(const GroundShadow&) = delete;
 
     [[nodiscard]] std::string build();
-    // The shadow map is bound; nothing where the ground is seen from below.
-    void show(const GroundPlane& ground, const Light& light, const LightSight& sight,
+    // The shadow maps are bound; nothing where the ground is seen from below.
+    void show(const GroundPlane& ground, const Light& light, std::span<const LightSight> sights,
               const Frame& frame, const float* projection, float strength) const;
 
 private:

@@ -2,7 +2,6 @@
 
 #include "drawing/overlay.h"
 #include "drawing/stroke_text.h"
-#include "surroundings/backdrop.h"
 
 #include <algorithm>
 
