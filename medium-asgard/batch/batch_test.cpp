@@ -1,5 +1,6 @@
 #include "batch/input.h"
 #include "batch/table.h"
+#include "physics/assembly.h"
 
 #include <gmock/gmock.h>
 
@@ -38,6 +39,16 @@ TEST(Times, UsualOnesAreAHundredAndOne) {
     EXPECT_EQ(times.size(), 101u);
     EXPECT_EQ(times.front(), 0.1);
     EXPECT_EQ(times.back(), 0.7);
+}
+
+TEST(Faults, NameTheCommandThatClosesAJoint) {
+    SceneText scene{"swing.al", "", {}};
+    scene::Diagnostic said;
+    said.message = "joint \"pin\": its bodies miss each other by 0.5 at the start; " +
+                   std::string(physics::assembleAdvice);
+    EXPECT_THAT(placed(scene, said), HasSubstr("or let \"asgard assemble SCENE\" place them"));
+    EXPECT_THAT(said.message, HasSubstr("Close It"));
+    EXPECT_THAT(said.message, testing::Not(HasSubstr("asgard"))); // in a window
 }
 
 TEST(Quantities, AreSplitAtCommasOutsideParentheses) {

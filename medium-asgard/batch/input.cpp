@@ -2,6 +2,7 @@
 
 #include "batch/command.h"
 #include "files/read.h"
+#include "physics/assembly.h"
 #include "reports/report.h"
 #include "script/locate.h"
 #include "terminal/terminal.h"
@@ -74,6 +75,11 @@ std::vector<std::string> faultsOf(const SceneText& scene) {
 }
 
 std::string placed(const SceneText& scene, scene::Diagnostic said) {
+    if (physics::asksToAssemble(said.message)) { // there is no window with its button
+        constexpr std::string_view button = "the button Close It";
+        if (const auto at = said.message.rfind(button); at != std::string::npos)
+            said.message.replace(at, button.size(), "\"asgard assemble SCENE\"");
+    }
     script::locate(text::Places(scene.text), said);
     return scene::formatted(said, scene.file, scene.text);
 }

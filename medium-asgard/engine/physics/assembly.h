@@ -46,7 +46,7 @@ struct Assembly {
 
 // A fault's sentence tells of a joint that its bodies miss at the start.
 inline constexpr const char* assembleAdvice =
-    "place them so that the joint closes, or let \"asgard assemble SCENE\" place them";
+    "place them so that the joint closes, or let the button Close It place them";
 [[nodiscard]] inline bool asksToAssemble(std::string_view sentence) {
     return sentence.ends_with(assembleAdvice);
 }
