@@ -234,6 +234,33 @@ TEST_F(DocumentTest, UndoAndRedoWalkThroughTheTexts) {
 
 // --- under a host, and files ------------------------------------------------------------------
 
+// One who duplicates, takes it back and does it again goes on with the same bodies.
+TEST_F(DocumentTest, UndoAndRedoSelectWhatWasSelectedIfNothingElseIs) {
+    using editing::Kind;
+    const std::string three = ballScene + "body b2 ball\nbody b3 ball\n";
+    const auto is = [&](std::vector<editing::Element> elements) {
+        ASSERT_TRUE(settle(document));
+        EXPECT_EQ(document.selected(), elements);
+    };
+    document.setText(ballScene, "Edit");
+    ASSERT_TRUE(settle(document));
+    document.select({{Kind::body, 0}});
+    document.setText(three, "Duplicate");
+    ASSERT_TRUE(settle(document));
+    document.select({{Kind::body, 1}, {Kind::body, 2}});
+    document.undo();
+    is({{Kind::body, 0}});
+    document.select({});
+    document.redo();
+    is({{Kind::body, 1}, {Kind::body, 2}});
+    document.select({{Kind::body, 1}, {Kind::body, 0}}); // what is there still stays selected
+    document.undo();
+    is({{Kind::body, 0}});
+    document.select({});
+    document.setText("# another\n" + ballScene, "Edit");
+    is({});
+}
+
 TEST_F(DocumentTest, UnderAHostChangesGoThereAndUndoIsAskedForThere) {
     text::Edits edits;
     int undos = 0;

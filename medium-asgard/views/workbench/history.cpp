@@ -4,8 +4,9 @@
 
 namespace views {
 
-void History::add(const std::string& before, const text::Edit& edit, const QString& label) {
-    done_.push_back({edit, text::inverse(before, {edit}).front(), label});
+void History::add(const std::string& before, const text::Edit& edit, const QString& label,
+                  const Selected& selected) {
+    done_.push_back({edit, text::inverse(before, {edit}).front(), label, selected, {}});
     undone_.clear();
 }
 
@@ -23,18 +24,21 @@ void History::move(std::vector<Change>& from, std::vector<Change>& to) {
     from.pop_back();
 }
 
-std::string History::undone(const std::string& text) {
+History::Step History::undone(const std::string& text, const Selected& selected) {
     if (done_.empty())
-        return text;
+        return {text, selected};
     move(done_, undone_);
-    return text::applied(text, {undone_.back().backward});
+    Change& change = undone_.back();
+    change.after = selected;
+    return {text::applied(text, {change.backward}), change.before};
 }
 
-std::string History::redone(const std::string& text) {
+History::Step History::redone(const std::string& text, const Selected& selected) {
     if (undone_.empty())
-        return text;
+        return {text, selected};
     move(undone_, done_);
-    return text::applied(text, {done_.back().forward});
+    const Change& change = done_.back();
+    return {text::applied(text, {change.forward}), change.after};
 }
 
 } // namespace views

@@ -123,7 +123,7 @@ void SceneDocument::setText(const std::string& text, const QString& label) {
         return; // the gesture was taken back
     const text::Edit edit = text::difference(text_, text);
     if (!host_.changed) {
-        history_.add(text_, edit, label);
+        history_.add(text_, edit, label, selected_);
     }
     replaceText(text);
     if (host_.changed) // last: who is told looks at the text
@@ -155,7 +155,7 @@ void SceneDocument::finishPreview(const std::string& text, const QString& label,
     const text::Edit edit = text::difference(gesture->before, text);
     const bool changes = gesture->before != text;
     if (changes && !host_.changed) {
-        history_.add(gesture->before, edit, label);
+        history_.add(gesture->before, edit, label, selected_);
     }
     if (text != text_)
         replaceText(text);
@@ -222,6 +222,8 @@ void SceneDocument::setComputed(Computed computed) {
                                  ? std::vector<editing::Renamed>()
                                  : editing::renamedBetween(*before.shown.scene, *shown().scene);
         followSelection(*before.shown.scene, before.text, renamed);
+        if (wanted_.revision == sceneRevision_ && selected_.empty())
+            select(wanted_.selected);
         if (!renamed.empty())
             Q_EMIT elementsRenamed(renamed);
         Q_EMIT sceneChanged();
@@ -247,12 +249,14 @@ QString SceneDocument::undoLabel() const { return host_.undo ? QString() : histo
 
 QString SceneDocument::redoLabel() const { return host_.redo ? QString() : history_.redoLabel(); }
 
+void SceneDocument::take(const History::Step& step) { replaceText(step.text, step.selected); }
+
 void SceneDocument::undo() {
     endGesture();
     if (host_.undo)
         host_.undo();
     else if (history_.canUndo())
-        replaceText(history_.undone(text_));
+        take(history_.undone(text_, selected_));
 }
 
 void SceneDocument::redo() {
@@ -260,12 +264,13 @@ void SceneDocument::redo() {
     if (host_.redo)
         host_.redo();
     else if (history_.canRedo())
-        replaceText(history_.redone(text_));
+        take(history_.redone(text_, selected_));
 }
 
-void SceneDocument::replaceText(const std::string& text) {
+void SceneDocument::replaceText(const std::string& text, History::Selected wanted) {
     text_ = text;
     ++revision_;
+    wanted_ = {revision_, std::move(wanted)};
     Q_EMIT textChanged();
     Q_EMIT nameChanged();
     start(false);

@@ -195,7 +195,9 @@ Q_SIGNALS:
     void changeRefused(const QString& why); // the text is the host's again
 
 private:
-    void replaceText(const std::string& text);
+    // `wanted`: is selected once the text is read, if nothing else is then.
+    void replaceText(const std::string& text, History::Selected wanted = {});
+    void take(const History::Step& step);
     void endGesture();
     void begin(const QString& path, const files::KnownFile& file, const std::string& text);
     void start(bool asked);
@@ -211,6 +213,11 @@ private:
     Computed computed_;      // what is shown
     bool isAnother_ = false; // a scene was opened that is not shown yet
     std::vector<editing::Element> selected_;
+    struct Wanted {
+        int revision = -1; // of the text
+        std::vector<editing::Element> selected;
+    };
+    Wanted wanted_;
     QTimer due_; // the follower has something to do then
     Live live_ = Live::always;
     HostLink host_;
