@@ -1,5 +1,6 @@
 #include "edit_mode.h"
 
+#include "frame/seen_style.h"
 #include "plain/qt_messages.h"
 #include "service/menu.h"
 #include "terminal/terminal.h"
@@ -287,6 +288,7 @@ void serveWithWindows(Connection& connection, Windows*& windows) {
     QApplication::setOrganizationName(QStringLiteral("asgard")); // whose settings have the panes
     QApplication::setApplicationName(QStringLiteral("asgard"));
     QApplication::setApplicationDisplayName(QStringLiteral("Asgard"));
+    QApplication::setStyle(new views::SeenStyle);
     QApplication::setQuitOnLastWindowClosed(false); // the renditions in the document go on
     EditMode mode(connection);
     windows = &mode;

@@ -29,8 +29,9 @@ HintLine::HintLine(QWidget* parent) : QWidget(parent), shown_(plain::label({}, t
 
 QString HintLine::text() const { return shown_->text(); }
 
-void HintLine::say(const QString& parts) {
+void HintLine::say(const QString& parts, bool isFault) {
     all_ = parts;
+    shown_->setForegroundRole(isFault ? QPalette::WindowText : QPalette::PlaceholderText);
     fit();
 }
 

@@ -18,7 +18,9 @@ class HintLine : public QWidget {
 public:
     explicit HintLine(QWidget* parent = nullptr);
 
-    void say(const QString& parts);
+    // A fault stands out.
+    void say(const QString& parts, bool isFault = false);
+    [[nodiscard]] const QString& all() const { return all_; }
     [[nodiscard]] QString text() const; // that is shown
 
     [[nodiscard]] bool hasHeightForWidth() const override { return true; }

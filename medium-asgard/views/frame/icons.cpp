@@ -199,6 +199,41 @@ QPainterPath stroked(Icon which) {
         path.moveTo(4, 10.5);
         path.cubicTo(7, 0, 9, 15, 13.5, 4);
         return path;
+    case Icon::add:
+    case Icon::remove:
+        path.moveTo(3, 8);
+        path.lineTo(13, 8);
+        if (which == Icon::add) {
+            path.moveTo(8, 3);
+            path.lineTo(8, 13);
+        }
+        return path;
+    case Icon::zoomIn:
+    case Icon::zoomOut:
+        path.addEllipse(QPointF(6.8, 6.8), 4.6, 4.6);
+        path.moveTo(10.2, 10.2);
+        path.lineTo(14, 14);
+        path.moveTo(4.6, 6.8);
+        path.lineTo(9, 6.8);
+        if (which == Icon::zoomIn) {
+            path.moveTo(6.8, 4.6);
+            path.lineTo(6.8, 9);
+        }
+        return path;
+    case Icon::close:
+        path.moveTo(3.5, 3.5);
+        path.lineTo(12.5, 12.5);
+        path.moveTo(12.5, 3.5);
+        path.lineTo(3.5, 12.5);
+        return path;
+    case Icon::tearOff: // a window above another
+        path.addRect(2.5, 6.5, 7, 7);
+        path.moveTo(6.5, 3.8);
+        path.lineTo(6.5, 2.5);
+        path.lineTo(13.5, 2.5);
+        path.lineTo(13.5, 9.5);
+        path.lineTo(12.2, 9.5);
+        return path;
     case Icon::help:
         path.moveTo(5, 5.4);
         path.cubicTo(5, 1, 11.4, 1, 11.2, 5.2);
@@ -275,7 +310,7 @@ QIcon applicationIcon() {
         QPainter painter(&pixmap);
         painter.setRenderHint(QPainter::Antialiasing);
         painter.scale(size / 32.0, size / 32.0);
-        painter.setPen(QPen(QColor(0x3C, 0x46, 0x54), 2.6, Qt::SolidLine, Qt::RoundCap));
+        painter.setPen(QPen(QColor(0x74, 0x82, 0x98), 2.6, Qt::SolidLine, Qt::RoundCap));
         painter.drawLine(QPointF(4, 4), QPointF(28, 4));
         painter.drawLine(QPointF(16, 4), QPointF(22, 20));
         QRadialGradient light(QPointF(20.4, 19.2), 11);

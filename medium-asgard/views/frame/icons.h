@@ -29,7 +29,13 @@ enum class Icon {
     rope,
     text,
     plots,
-    help
+    help,
+    add,
+    remove,
+    zoomIn,
+    zoomOut,
+    close,
+    tearOff
 };
 
 [[nodiscard]] QIcon icon(Icon which, const QPalette& palette);

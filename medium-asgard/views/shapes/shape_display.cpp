@@ -1,7 +1,6 @@
 #include "shapes/shape_display.h"
 
-#include "frame/readable.h"
-
+#include "framing/studio.h"
 #include "geometry/hull.h"
 #include "point_edits/shape_points.h"
 
@@ -34,19 +33,19 @@ std::optional<Button> buttonOf(Qt::MouseButton button) {
 
 Eigen::Vector2d vector(const QPointF& p) { return {p.x(), p.y()}; }
 
-// Of x, y and z.
-const QColor axisColours[] = {QColor(0xB8, 0x30, 0x2A, 150), QColor(0x2E, 0x86, 0x3B, 150),
-                              QColor(0x2A, 0x55, 0xB8, 150)};
+// Of x, y and z; seen on light and on dark.
+const QColor axisColours[] = {QColor(0xC0, 0x35, 0x36), QColor(0x3B, 0x7D, 0x22),
+                              QColor(0x34, 0x68, 0xD6)};
 
-// On paper of its own, whatever shape is behind it.
-void paintAxisName(QPainter& painter, int axis, const QPointF& at, const QColor& paper) {
-    const QString name(QChar('x' + axis));
-    const QFontMetricsF metrics(painter.font());
-    painter.fillRect(QRectF(at.x() - 5, at.y() - metrics.ascent(),
-                            metrics.horizontalAdvance(name) + 10, metrics.height()),
-                     paper);
-    painter.setPen(readable(axisColours[axis], paper));
-    painter.drawText(at, name);
+// A disc with its letter, whatever shape is behind it.
+void paintAxisName(QPainter& painter, int axis, const QPointF& at) {
+    constexpr double radius = 9;
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(axisColours[axis]);
+    painter.drawEllipse(at, radius, radius);
+    painter.setPen(Qt::white);
+    painter.drawText(QRectF(at.x() - radius, at.y() - radius, 2 * radius, 2 * radius),
+                     Qt::AlignCenter, QString(QChar('x' + axis)));
 }
 
 } // namespace
@@ -56,8 +55,9 @@ ShapeDisplay::ShapeDisplay(QWidget* parent) : QWidget(parent) {
     setAttribute(Qt::WA_OpaquePaintEvent);
     setAccessibleName(tr("Shape"));
     setAccessibleDescription(
-        tr("The parts of the shape. With Shift the left button drags a point, the middle one adds "
-           "one, the right one deletes one; without, they move the view."));
+        tr("The parts of the shape. The left button drags a point, elsewhere it turns the view; "
+           "with Shift the middle one adds a point, the right one deletes one."));
+    setMouseTracking(true);
     render::Camera camera;
     camera.rotation = render::facing({0.45, 0.35, 1}, Vector::UnitY());
     control_.set(camera);
@@ -227,7 +227,7 @@ QColor ShapeDisplay::colourOf(std::size_t part) const {
 void ShapeDisplay::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.fillRect(rect(), palette().color(QPalette::Base));
+    paintBackdrop(painter);
     paintGrid(painter);
     paintFaces(painter);
     for (std::size_t i = 0; i < drawn_.size(); ++i)
@@ -238,15 +238,24 @@ void ShapeDisplay::paintEvent(QPaintEvent*) {
     if (!forLooking_)
         paintPoints(painter);
     for (int k = 0; k < 3; ++k)
-        paintAxisName(painter, k,
-                      position(1.05 * 0.9 / control_.camera().scale * Vector::Unit(k)) +
-                          QPointF(-3, 4),
-                      palette().color(QPalette::Base));
+        paintAxisName(painter, k, position(1.05 * 0.9 / control_.camera().scale * Vector::Unit(k)));
     QColor frame = palette().color(QPalette::WindowText);
     frame.setAlpha(hasFocus() ? 150 : 60);
     painter.setPen(QPen(frame, 1));
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
+}
+
+// Sky above and ground below, as behind a scene.
+void ShapeDisplay::paintBackdrop(QPainter& painter) const {
+    const bool isNight = palette().color(QPalette::Base).lightness() < 128;
+    const render::StudioColors& colors = render::studioColors(isNight);
+    QLinearGradient shade(0, 0, 0, height());
+    const std::pair<double, const Eigen::Vector3f*> stops[] = {
+        {0, &colors.low}, {0.55, &colors.haze}, {0.75, &colors.far}, {1, &colors.near}};
+    for (const auto& [at, color] : stops)
+        shade.setColorAt(at, QColor::fromRgbF(color->x(), color->y(), color->z()));
+    painter.fillRect(rect(), shade);
 }
 
 // The axes, and with a grid its lines in the plane that is seen best.
@@ -373,12 +382,13 @@ void ShapeDisplay::paintPoints(QPainter& painter) const {
 
 void ShapeDisplay::mousePressEvent(QMouseEvent* event) {
     const QPointF at = event->position();
-    if (forLooking_ || !(event->modifiers() & Qt::ShiftModifier)) {
+    const auto hit = forLooking_ ? std::nullopt : pointAt(at);
+    const bool isShifted = event->modifiers() & Qt::ShiftModifier;
+    if (forLooking_ || (!isShifted && !(hit && event->button() == Qt::LeftButton))) {
         if (const auto button = buttonOf(event->button()); button && !grip_)
             control_.press(*button, vector(at), pixels());
         return;
     }
-    const auto hit = pointAt(at);
     if (event->button() == Qt::LeftButton && hit) {
         grip_ = drawn_[hit->part].points[hit->point];
         offset_ = position(*grip_) - at;
@@ -412,6 +422,8 @@ void ShapeDisplay::mouseMoveEvent(QMouseEvent* event) {
         dragTo(event->position());
     } else if (control_.active() && control_.move(vector(event->position()), pixels())) {
         update();
+    } else if (!forLooking_ && !control_.active()) {
+        setCursor(pointAt(event->position()) ? Qt::SizeAllCursor : Qt::ArrowCursor);
     }
 }
 

@@ -2,9 +2,9 @@
 // edges, the others grey (dissertation 4.1.1). Draws and takes gestures; what they change is the
 // editor's.
 //
-// Unshifted buttons move the view as in the graphical viewer. With Shift: left drags a point,
-// middle adds one to the chosen part, right deletes the one under the pointer; z and x push what is
-// dragged away and towards the viewer.
+// The left button drags the point under it, and where none is moves the view, as the other buttons
+// do. With Shift: middle adds a point to the chosen part, right deletes the one under the pointer;
+// z and x push what is dragged away and towards the viewer.
 #pragma once
 
 #include "framing/camera.h"
@@ -82,6 +82,7 @@ private:
     [[nodiscard]] QColor colourOf(std::size_t part) const;
     [[nodiscard]] bool isColoured(std::size_t part) const { return forLooking_ || part_ == part; }
     void dragTo(const QPointF& position);
+    void paintBackdrop(QPainter& painter) const;
     void paintLines(QPainter& painter) const;
     void paintSphere(QPainter& painter, std::size_t part) const;
     void paintGrid(QPainter& painter) const;

@@ -1,8 +1,10 @@
 #include "shapes/shape_editor.h"
 
 #include "frame/help_menu.h"
+#include "frame/hint_line.h"
 #include "frame/names_box.h"
 #include "frame/panes.h"
+#include "frame/tool_bar.h"
 #include "frame/undo_actions.h"
 #include "plain/plain.h"
 #include "point_edits/shape_library.h"
@@ -15,12 +17,12 @@
 #include <QCloseEvent>
 #include <QColorDialog>
 #include <QComboBox>
+#include <QFrame>
 #include <QHBoxLayout>
 #include <QInputDialog>
 #include <QKeyEvent>
 #include <QMenu>
 #include <QMenuBar>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -32,29 +34,29 @@ using geometry::Vector;
 
 ShapeEditor::ShapeEditor(SceneDocument& document)
     : document_(document), names_(new QComboBox), display_(new ShapeDisplay),
-      panel_(new ShapePanel), fields_(new ShapeFields), words_(plain::label()) {
+      panel_(new ShapePanel), fields_(new ShapeFields), words_(new HintLine) {
     setAttribute(Qt::WA_DeleteOnClose);
     setObjectName("shapeEditor");
     display_->setObjectName("shape");
     auto* whole = new QWidget;
     auto* column = new QVBoxLayout(whole);
-    column->setContentsMargins(12, 10, 12, 10);
-    auto* top = new QHBoxLayout;
-    buildTop(top);
-    column->addLayout(top);
+    column->setContentsMargins(8, 8, 8, 8);
+    column->setSpacing(8);
     auto* middle = new QHBoxLayout;
-    middle->addWidget(display_, 1);
+    auto* frame = new QFrame;
+    frame->setFrameStyle(QFrame::StyledPanel | QFrame::Sunken);
+    auto* inFrame = new QVBoxLayout(frame);
+    inFrame->setContentsMargins(1, 1, 1, 1);
+    inFrame->addWidget(display_);
+    middle->addWidget(frame, 1);
     middle->addWidget(scrolled(panel_));
     column->addLayout(middle, 1);
     column->addWidget(fields_);
-    words_->setWordWrap(true);
-    words_->setMinimumHeight(2 * words_->fontMetrics().height());
-    words_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     words_->setObjectName("hint");
-    words_->setAccessibleName(tr("Hint"));
     column->addWidget(words_);
     setCentralWidget(whole);
     buildMenus();
+    buildTools();
     connectDisplay();
     connectPanel();
     connect(names_, &QComboBox::currentTextChanged, this, &ShapeEditor::followScene);
@@ -75,52 +77,50 @@ ShapeEditor::ShapeEditor(SceneDocument& document)
     resize(860, 680);
 }
 
-void ShapeEditor::buildTop(QHBoxLayout* row) {
+void ShapeEditor::buildTools() {
     names_->setObjectName("shapes");
     names_->setAccessibleName(tr("Shape"));
     names_->setMinimumContentsLength(12);
     names_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    auto* fresh = new QToolButton;
-    fresh->setObjectName("newShape");
-    fresh->setText(tr("New…"));
-    fresh->setToolTip(tr("A new shape (Ctrl+N)"));
-    connect(fresh, &QToolButton::clicked, this, &ShapeEditor::askForNewShape);
-    auto* import = new QToolButton;
-    import->setObjectName("import");
-    import->setText(tr("Import…"));
-    import->setToolTip(tr("A new shape from an STL or OBJ file (Ctrl+I)"));
-    connect(import, &QToolButton::clicked, this, &ShapeEditor::askToImport);
-    rename_ = new QToolButton;
-    rename_->setObjectName("rename");
-    rename_->setText(tr("Rename…"));
-    rename_->setToolTip(tr("Another name, here and where the shape is used (F2)"));
-    connect(rename_, &QToolButton::clicked, this, &ShapeEditor::askForName);
-    row->addWidget(names_);
-    row->addWidget(fresh);
-    row->addWidget(import);
-    row->addWidget(rename_);
-    row->addStretch();
+    auto* bar = new ToolBar(*this);
+    bar->addWidget(names_);
+    for (const auto& group : std::initializer_list<std::vector<std::pair<const char*, Icon>>>{
+             {{"newShape", Icon::newScene}, {"importShape", Icon::open}, {"rename", Icon::text}},
+             {{"undo", Icon::undo}, {"redo", Icon::redo}},
+             {{"addVertex", Icon::add}, {"deleteVertex", Icon::remove}},
+             {{"frameAll", Icon::frameAll}},
+             {{"help", Icon::help}}}) {
+        bar->addSeparator();
+        for (const auto& [name, which] : group)
+            bar->add(name, which);
+    }
 }
 
 void ShapeEditor::buildMenus() {
     QMenu* file = menuBar()->addMenu(tr("&File"));
     file->addAction(tr("&New Shape…"), QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_N), this,
-                    &ShapeEditor::askForNewShape);
+                    &ShapeEditor::askForNewShape)
+        ->setObjectName("newShape");
     file->addAction(tr("&Import…"), QKeySequence(Qt::CTRL | Qt::Key_I), this,
-                    &ShapeEditor::askToImport);
-    file->addAction(tr("&Rename Shape…"), QKeySequence(Qt::Key_F2), this, &ShapeEditor::askForName);
+                    &ShapeEditor::askToImport)
+        ->setObjectName("importShape");
+    rename_ = file->addAction(tr("&Rename Shape…"), QKeySequence(Qt::Key_F2), this,
+                              &ShapeEditor::askForName);
+    rename_->setObjectName("rename");
     file->addSeparator();
     file->addAction(tr("&Close"), QKeySequence(Qt::CTRL | Qt::Key_W), this, &QWidget::close);
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
     addUndoActions(edit, document_);
     edit->addSeparator();
     edit->addAction(tr("&Add Vertex"), QKeySequence(Qt::Key_Insert), this,
-                    &ShapeEditor::addPointByKey);
+                    &ShapeEditor::addPointByKey)
+        ->setObjectName("addVertex");
     removePoint_ =
         edit->addAction(tr("Delete &Vertex"), QKeySequence(Qt::Key_Delete), this, [this] {
             if (display_->chosenPart() && display_->chosenPoint())
                 removePoint(*display_->chosenPart(), *display_->chosenPoint());
         });
+    removePoint_->setObjectName("deleteVertex");
     removePart_ = edit->addAction(tr("Delete &Part"), QKeySequence(Qt::SHIFT | Qt::Key_Delete),
                                   this, &ShapeEditor::removePart);
     edit->addAction(tr("Convex &Hull"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_H), this,
@@ -131,7 +131,8 @@ void ShapeEditor::buildMenus() {
     edit->addAction(tr("P&revious Vertex"), QKeySequence(Qt::Key_PageUp), this,
                     [this] { chooseNext(-1); });
     QMenu* view = menuBar()->addMenu(tr("&View"));
-    view->addAction(tr("&Frame All"), QKeySequence(Qt::Key_F), display_, &ShapeDisplay::frame);
+    view->addAction(tr("&Frame All"), QKeySequence(Qt::Key_F), display_, &ShapeDisplay::frame)
+        ->setObjectName("frameAll");
     view->addSeparator();
     const std::tuple<QString, Vector, int> sides[] = {
         {tr("Along &z: the Plane x y"), Vector::UnitZ(), Qt::Key_3},
@@ -178,7 +179,7 @@ void ShapeEditor::connectPanel() {
 
 QString ShapeEditor::shape() const { return names_->currentText(); }
 
-QString ShapeEditor::words() const { return words_->text(); }
+QString ShapeEditor::words() const { return words_->all(); }
 
 std::optional<std::size_t> ShapeEditor::index() const {
     return indexNamed(document_.shown().scene->shapeSets, names_->currentText());
@@ -215,8 +216,9 @@ void ShapeEditor::followScene() {
     }
     const auto here = index();
     const bool hadNone = !panel_->isEnabled();
-    for (QWidget* one : std::initializer_list<QWidget*>{names_, panel_, fields_, rename_})
+    for (QWidget* one : std::initializer_list<QWidget*>{names_, panel_, fields_})
         one->setEnabled(here.has_value());
+    rename_->setEnabled(here.has_value());
     draft_ = here ? editing::draftOf(document_.shown().scene->shapeSets[*here])
                   : std::vector<DraftPart>();
     showDraft(another);
@@ -226,7 +228,7 @@ void ShapeEditor::followScene() {
         choose(std::exchange(wantedPart_, std::nullopt));
     if (!here)
         tell(tr("This scene has no shapes yet. New makes one."));
-    else if (words_->text().isEmpty() || hadNone)
+    else if (words_->all().isEmpty() || hadNone)
         tell({});
     if (document_.hasErrors())
         nudges_.clear(); // whoever mends them does not expect a vertex to move
@@ -261,14 +263,13 @@ void ShapeEditor::showFields() {
 
 void ShapeEditor::tell(const QString& words, bool isFault) {
     untilCurrent_ = false;
-    words_->setForegroundRole(isFault ? QPalette::WindowText : QPalette::PlaceholderText);
-    words_->setText(
-        words.isEmpty()
-            ? tr("With Shift the left button drags a vertex, the middle one adds one to the chosen "
-                 "part, the right one deletes one. Page Up and Page Down go from vertex to vertex, "
-                 "the arrow keys move it. White vertices lie inside; they go when the shape is "
-                 "left.")
-            : words);
+    words_->say(words.isEmpty()
+                    ? tr("Drag moves a vertex, elsewhere it turns the view  ·  Shift-middle adds "
+                         "a vertex to the chosen part, Shift-right deletes one  ·  Page Up, Page "
+                         "Down: vertex by vertex, the arrow keys move it  ·  white vertices lie "
+                         "inside and go when the shape is left")
+                    : words,
+                isFault);
 }
 
 // --- by keys -----------------------------------------------------------------------------------

@@ -15,12 +15,10 @@
 
 class QAction;
 class QComboBox;
-class QHBoxLayout;
-class QLabel;
-class QToolButton;
 
 namespace views {
 
+class HintLine;
 class ShapeFields;
 class ShapePanel;
 
@@ -52,7 +50,7 @@ protected:
 private:
     using Change = std::function<void()>; // of draft_; shape_changes.cpp has these
 
-    void buildTop(QHBoxLayout* row);
+    void buildTools();
     void buildMenus();
     void connectDisplay();
     void connectPanel();
@@ -91,9 +89,8 @@ private:
     ShapeDisplay* display_;
     ShapePanel* panel_;
     ShapeFields* fields_;
-    QLabel* words_;
-    QToolButton* rename_ = nullptr;
-    QAction *removePart_ = nullptr, *removePoint_ = nullptr;
+    HintLine* words_;
+    QAction *rename_ = nullptr, *removePart_ = nullptr, *removePoint_ = nullptr;
     std::vector<editing::DraftPart> draft_;
     std::unique_ptr<ShapeGesture> gesture_;
     QString shownName_, wantedName_; // wanted: on its way through the text

@@ -40,16 +40,16 @@ protected:
     [[nodiscard]] QPoint at(const Vector& place) const {
         return editor->display().position(place).toPoint();
     }
-    void drag(QPoint from, QPoint by) {
+    void drag(QPoint from, QPoint by, Qt::KeyboardModifiers modifiers = {}) {
         ShapeDisplay& display = editor->display();
-        QTest::mousePress(&display, Qt::LeftButton, Qt::ShiftModifier, from);
+        QTest::mousePress(&display, Qt::LeftButton, modifiers, from);
         for (int k = 1; k <= 4; ++k) {
             const QPoint now = from + by * k / 4;
             QMouseEvent move(QEvent::MouseMove, now, display.mapToGlobal(now), Qt::NoButton,
-                             Qt::LeftButton, Qt::ShiftModifier);
+                             Qt::LeftButton, modifiers);
             QCoreApplication::sendEvent(&display, &move);
         }
-        QTest::mouseRelease(&display, Qt::LeftButton, Qt::ShiftModifier, from + by);
+        QTest::mouseRelease(&display, Qt::LeftButton, modifiers, from + by);
         ASSERT_TRUE(settle(document));
     }
     void type(const QString& name, const QString& value) {
@@ -81,7 +81,7 @@ TEST_F(ShapeEditorTest, WhyNothingCanBeChangedIsSaidUntilItIsNoLongerSo) {
     EXPECT_EQ(document.text(), text + "bdy b2\n");
     document.undo();
     ASSERT_TRUE(settle(document));
-    EXPECT_TRUE(editor->words().startsWith("With Shift"));
+    EXPECT_TRUE(editor->words().startsWith("Drag moves a vertex"));
 }
 
 // Closed while the text was read, which then had errors, and opened again.
@@ -131,6 +131,16 @@ TEST_F(ShapeEditorTest, ADraggedVertexChangesItsNumbersInOneStepOfUndo) {
     EXPECT_EQ(document.undoLabel(), "Move Vertex of corner");
     document.undo();
     EXPECT_EQ(document.text(), text);
+}
+
+// Beside the vertices a drag turns the view, with Shift nothing; there Shift drags, too.
+TEST_F(ShapeEditorTest, ADragBesideTheVerticesIsTheViews) {
+    const QPoint beside = at({0, 1, 0}) + QPoint(0, -30);
+    drag(beside, {30, -10});
+    EXPECT_EQ(document.text(), text);
+    EXPECT_NE(at({0, 1, 0}) + QPoint(0, -30), beside);
+    drag(at({0, 1, 0}), {30, -40}, Qt::ShiftModifier);
+    EXPECT_EQ(document.undoLabel(), "Move Vertex of corner");
 }
 
 TEST_F(ShapeEditorTest, ASphereHasItsCentreAndAPointOfItsSurface) {

@@ -1,10 +1,11 @@
 // What the gestures of a trajectory editor change of its trajectory.
 #include "editing/number_text.h"
 #include "scene/curves.h"
+#include "script/numbers.h"
+#include "trajectories/point_table.h"
 #include "trajectories/trajectory_editor.h"
 
 #include <QComboBox>
-#include <QLineEdit>
 
 #include <cmath>
 
@@ -90,41 +91,40 @@ void TrajectoryEditor::nudge(int component, double times, double values) {
         tell(reason, true);
 }
 
-void TrajectoryEditor::setFromFields() {
-    if (!chosen_ || !begin())
-        return;
-    const editing::ControlPoint point = gesture_->edits().points()[*chosen_];
-    bool valid = true;
-    // What was not typed keeps all its digits.
-    const auto read = [&](QLineEdit* field, double now) {
-        if (field->text() == QString::number(now, 'g', 12)) // as it was shown
-            return now;
-        bool ok = false;
-        const double value = field->text().toDouble(&ok);
-        valid = valid && ok && std::isfinite(value);
-        return value;
-    };
-    const double time = read(time_, point.time);
-    const Place place(read(values_[0], point.place.x()), read(values_[1], point.place.y()),
-                      read(values_[2], point.place.z()));
-    for (QLineEdit* field : {time_, values_[0], values_[1], values_[2]})
-        field->setModified(false);
-    if (!valid) {
-        tell(tr("A point is four numbers: its time and its place."), true);
+void TrajectoryEditor::setFromCell(std::size_t which, int column, const QString& typed) {
+    finishGesture();
+    const auto refuse = [&](const QString& why) {
         gesture_.reset();
-        return showPoint();
+        table_->refuse(which, column, typed, why);
+        tell(why, true);
+    };
+    if (!begin())
+        return refuse(document_.whyNotCurrent());
+    choose(which);
+    const auto value = script::decimalNumber(typed.toStdString());
+    if (!value)
+        return refuse(tr("\"%1\" is no number.").arg(typed));
+    const editing::ControlPoint point = gesture_->edits().points()[which];
+    Place place = point.place;
+    if (column > 0)
+        place[column - 1] = *value;
+    const double time = column == 0 ? *value : point.time;
+    gesture_->move(which, time, place, false);
+    if (const QString why = gesture_->reason(); !why.isEmpty()) {
+        gesture_->cancel();
+        return refuse(why);
     }
-    gesture_->move(*chosen_, time, place, false);
-    QString reason = gesture_->reason();
-    const double is = editing::controlPointsOf(gesture_->curves())[*chosen_].time;
-    if (reason.isEmpty() && std::abs(is - time) > 1e-9 * std::max(1.0, std::abs(time)))
-        reason = tr("A point stays between its neighbours: %1 s is as near as it gets.")
-                     .arg(QString::number(is, 'g', 6));
+    const double is = editing::controlPointsOf(gesture_->curves())[which].time;
+    if (std::abs(is - time) > 1e-9 * std::max(1.0, std::abs(time))) {
+        gesture_->cancel();
+        return refuse(tr("A point stays between its neighbours: %1 s is as near as it gets.")
+                          .arg(QString::number(is, 'g', 6)));
+    }
+    table_->forgive();
     gesture_->finish();
     gesture_.reset();
-    if (!reason.isEmpty())
-        tell(reason, true);
     followScene();
+    tell({});
 }
 
 void TrajectoryEditor::addAt(int component, double time, double value) {

@@ -1,18 +1,22 @@
 #include "trajectories/trajectory_editor.h"
 
 #include "frame/help_menu.h"
+#include "frame/hint_line.h"
 #include "frame/names_box.h"
+#include "frame/tool_bar.h"
 #include "frame/undo_actions.h"
 #include "plain/plain.h"
 #include "scene/curves.h"
+#include "trajectories/point_table.h"
 
 #include <QAction>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QKeyEvent>
-#include <QLineEdit>
+#include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
+#include <QSplitter>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -22,8 +26,6 @@
 namespace views {
 
 namespace {
-
-QString text(double value) { return QString::number(value, 'g', 12); }
 
 QString held(scene::Held what) {
     using scene::Held;
@@ -44,52 +46,38 @@ QString held(scene::Held what) {
 } // namespace
 
 TrajectoryEditor::TrajectoryEditor(SceneDocument& document)
-    : document_(document), names_(new QComboBox), role_(plain::label()), words_(plain::label()) {
+    : document_(document), names_(new QComboBox), role_(plain::label()), words_(new HintLine),
+      table_(new PointTable) {
     setAttribute(Qt::WA_DeleteOnClose);
     setObjectName("trajectoryEditor");
     auto* whole = new QWidget;
     auto* column = new QVBoxLayout(whole);
-    column->setContentsMargins(12, 10, 12, 10);
-    auto* top = new QHBoxLayout;
-    names_->setObjectName("trajectories");
-    names_->setAccessibleName(tr("Trajectory"));
-    names_->setMinimumContentsLength(12);
-    names_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    column->setContentsMargins(8, 8, 8, 8);
+    column->setSpacing(8);
     role_->setForegroundRole(QPalette::PlaceholderText);
-    top->addWidget(names_);
-    top->addWidget(role_, 1);
-    for (const auto& [label, tip, factor] :
-         {std::tuple(QStringLiteral("−"), tr("See more of the time (Ctrl+-)"), 1.5),
-          std::tuple(QStringLiteral("+"), tr("See less of the time, larger (Ctrl++)"), 1 / 1.5)}) {
-        auto* button = new QToolButton;
-        button->setText(plain::ours(label));
-        button->setToolTip(plain::tip(tip));
-        connect(button, &QToolButton::clicked, this, [this, by = factor] { zoomTimes(by); });
-        top->addWidget(button);
-    }
-    auto* fit = new QToolButton;
-    fit->setText(tr("All"));
-    fit->setToolTip(tr("See the whole trajectory (Ctrl+0)"));
-    connect(fit, &QToolButton::clicked, this, &TrajectoryEditor::fitTimes);
-    top->addWidget(fit);
-    column->addLayout(top);
+    column->addWidget(role_);
+    auto* graphs = new QWidget;
+    auto* above = new QVBoxLayout(graphs);
+    above->setContentsMargins(0, 0, 0, 0);
     const QString axes[] = {QStringLiteral("x"), QStringLiteral("y"), QStringLiteral("z")};
     for (int i = 0; i < 3; ++i) {
         auto* graph = new TrajectoryGraph(i, axes[i]);
         graph->setObjectName("graph" + axes[i]);
         graphs_[at(i)] = graph;
-        column->addWidget(graph, 1);
+        above->addWidget(graph, 1);
         connectGraph(graph);
     }
-    column->addWidget(fields_ = buildFields());
-    words_->setWordWrap(true);
-    words_->setMinimumHeight(2 * words_->fontMetrics().height());
-    words_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    auto* middle = new QSplitter;
+    middle->setChildrenCollapsible(false);
+    middle->addWidget(graphs);
+    buildMenus();
+    buildTools();
+    middle->addWidget(buildTable());
+    middle->setStretchFactor(0, 1);
+    column->addWidget(middle, 1);
     words_->setObjectName("hint");
-    words_->setAccessibleName(tr("Hint"));
     column->addWidget(words_);
     setCentralWidget(whole);
-    buildMenus();
     connect(names_, &QComboBox::currentTextChanged, this, [this] { followScene(); });
     connect(&document_, &SceneDocument::sceneChanged, this, &TrajectoryEditor::followScene);
     connect(&document_, &SceneDocument::diagnosticsChanged, this, &TrajectoryEditor::followScene);
@@ -100,7 +88,7 @@ TrajectoryEditor::TrajectoryEditor(SceneDocument& document)
     connect(&document_, &SceneDocument::nameChanged, this, name);
     name();
     followScene();
-    resize(700, 720);
+    resize(960, 720);
 }
 
 void TrajectoryEditor::buildMenus() {
@@ -109,48 +97,67 @@ void TrajectoryEditor::buildMenus() {
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
     addUndoActions(edit, document_);
     edit->addSeparator();
-    edit->addAction(tr("&Add Point"), QKeySequence(Qt::Key_Insert), this,
-                    &TrajectoryEditor::addAfterChosen);
+    add_ = edit->addAction(tr("&Add Point"), QKeySequence(Qt::Key_Insert), this,
+                           &TrajectoryEditor::addAfterChosen);
+    add_->setObjectName("addPoint");
     remove_ = edit->addAction(tr("&Delete Point"), QKeySequence(Qt::Key_Delete), this,
                               &TrajectoryEditor::removeChosen);
+    remove_->setObjectName("deletePoint");
     edit->addSeparator();
     edit->addAction(tr("&Next Point"), QKeySequence(Qt::Key_PageDown), this,
                     [this] { chooseNext(1); });
     edit->addAction(tr("&Previous Point"), QKeySequence(Qt::Key_PageUp), this,
                     [this] { chooseNext(-1); });
     QMenu* view = menuBar()->addMenu(tr("&View"));
-    view->addAction(tr("Zoom &In"), QKeySequence::ZoomIn, this, [this] { zoomTimes(1 / 1.5); });
-    view->addAction(tr("Zoom &Out"), QKeySequence::ZoomOut, this, [this] { zoomTimes(1.5); });
+    view->addAction(tr("Zoom &In"), QKeySequence::ZoomIn, this, [this] { zoomTimes(1 / 1.5); })
+        ->setObjectName("zoomIn");
+    view->addAction(tr("Zoom &Out"), QKeySequence::ZoomOut, this, [this] { zoomTimes(1.5); })
+        ->setObjectName("zoomOut");
     view->addAction(tr("&Whole Trajectory"), QKeySequence(Qt::CTRL | Qt::Key_0), this,
-                    &TrajectoryEditor::fitTimes);
+                    &TrajectoryEditor::fitTimes)
+        ->setObjectName("whole");
     addHelpMenu(this, QStringLiteral("Trajectory editor"));
 }
 
-QWidget* TrajectoryEditor::buildFields() {
-    auto* row = new QWidget;
-    auto* line = new QHBoxLayout(row);
-    line->setContentsMargins(0, 0, 0, 0);
-    const auto field = [&](const QString& name, const QString& accessible) {
-        auto* label = plain::label(name);
-        auto* edit = new QLineEdit;
-        edit->setAccessibleName(accessible);
-        edit->setMaximumWidth(130);
-        label->setBuddy(edit);
-        line->addWidget(label);
-        line->addWidget(edit);
-        // Return or another field: what was typed is the value.
-        connect(edit, &QLineEdit::editingFinished, this, [this, edit] {
-            if (edit->isModified())
-                setFromFields();
-        });
-        return edit;
-    };
-    time_ = field(tr("time"), tr("Time of the point"));
-    const QString axes[] = {tr("x"), tr("y"), tr("z")};
-    for (int i = 0; i < 3; ++i)
-        values_[i] = field(axes[i], tr("%1 of the point").arg(axes[i]));
-    line->addStretch();
-    return row;
+void TrajectoryEditor::buildTools() {
+    names_->setObjectName("trajectories");
+    names_->setAccessibleName(tr("Trajectory"));
+    names_->setMinimumContentsLength(12);
+    names_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    auto* bar = new ToolBar(*this);
+    bar->addWidget(names_);
+    for (const auto& group : std::initializer_list<std::vector<std::pair<const char*, Icon>>>{
+             {{"undo", Icon::undo}, {"redo", Icon::redo}},
+             {{"addPoint", Icon::add}, {"deletePoint", Icon::remove}},
+             {{"zoomIn", Icon::zoomIn}, {"zoomOut", Icon::zoomOut}, {"whole", Icon::frameAll}},
+             {{"help", Icon::help}}}) {
+        bar->addSeparator();
+        for (const auto& [name, which] : group)
+            bar->add(name, which);
+    }
+}
+
+// With the two commands that change its rows.
+QWidget* TrajectoryEditor::buildTable() {
+    auto* whole = new QWidget;
+    auto* column = new QVBoxLayout(whole);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(table_, 1);
+    auto* row = new QHBoxLayout;
+    for (QAction* command : {add_, remove_}) {
+        auto* button = new QToolButton;
+        button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+        button->setDefaultAction(command);
+        row->addWidget(button);
+    }
+    row->addStretch();
+    column->addLayout(row);
+    connect(table_, &PointTable::chosen, this, [this](std::size_t point) {
+        if (!gesture_)
+            choose(point);
+    });
+    connect(table_, &PointTable::typed, this, &TrajectoryEditor::setFromCell);
+    return whole;
 }
 
 void TrajectoryEditor::connectGraph(TrajectoryGraph* graph) {
@@ -183,7 +190,7 @@ void TrajectoryEditor::connectGraph(TrajectoryGraph* graph) {
 
 QString TrajectoryEditor::trajectory() const { return names_->currentText(); }
 
-QString TrajectoryEditor::words() const { return words_->text(); }
+QString TrajectoryEditor::words() const { return words_->all(); }
 
 std::optional<std::size_t> TrajectoryEditor::index() const {
     return indexNamed(document_.shown().scene->trajectories, names_->currentText());
@@ -207,14 +214,35 @@ QString TrajectoryEditor::roleOf(const scene::Trajectory& trajectory) const {
     return tr("leads nothing yet");
 }
 
+// Of the places, by what the trajectory leads; "": nothing, or various things.
+QString TrajectoryEditor::unitOf(const scene::Trajectory& trajectory) const {
+    using scene::Held;
+    QString unit;
+    for (const scene::Constraint& constraint : document_.shown().scene->constraints) {
+        if (constraint.trajectory != trajectory.name)
+            continue;
+        const Held held = constraint.held;
+        const QString one = held == Held::attitude          ? QStringLiteral("rad")
+                            : held == Held::velocity        ? QStringLiteral("m/s")
+                            : held == Held::angularVelocity ? QStringLiteral("rad/s")
+                                                            : QStringLiteral("m");
+        if (!unit.isEmpty() && one != unit)
+            return {};
+        unit = one;
+    }
+    return unit;
+}
+
 void TrajectoryEditor::followScene() {
     const auto& all = document_.shown().scene->trajectories;
     fill(*names_, namesOf(all));
     const auto here = index();
     names_->setEnabled(here.has_value());
-    const bool hadNone = !fields_->isEnabled();
-    fields_->setEnabled(here.has_value());
+    const bool hadNone = !table_->isEnabled();
+    table_->setEnabled(here.has_value());
+    add_->setEnabled(here.has_value());
     role_->setText(here ? roleOf(all[*here]) : QString());
+    table_->setUnit(here ? unitOf(all[*here]) : QString());
     if (here && shownName_ != names_->currentText()) {
         shownName_ = names_->currentText();
         chosen_.reset();
@@ -224,7 +252,7 @@ void TrajectoryEditor::followScene() {
     if (!here)
         tell(tr("This scene has no trajectory. One is written as  "
                 "trajectory path -points {{0 0 0 0} {1 2 0 0}}"));
-    else if (words_->text().isEmpty() || hadNone)
+    else if (words_->all().isEmpty() || hadNone)
         tell({});
 }
 
@@ -253,39 +281,19 @@ void TrajectoryEditor::showCurves() {
         graph->setCurves(curves, points);
         graph->setChosen(chosen_);
     }
-    showPoint();
+    const bool ownTangents = here && document_.shown().scene->trajectories[*here].points.empty();
+    table_->setPoints(points, ownTangents || (gesture_ && gesture_->edits().hasOwnTangents()));
+    table_->setChosen(chosen_);
     remove_->setEnabled(chosen_ && points[*chosen_].onCurve);
 }
 
-void TrajectoryEditor::showPoint() {
-    const auto here = index();
-    const auto points =
-        !here ? std::vector<editing::ControlPoint>()
-              : editing::controlPointsOf(gesture_ && gesture_->moves()
-                                             ? gesture_->curves()
-                                             : document_.shown().scene->trajectories[*here].curves);
-    const bool is = chosen_ && *chosen_ < points.size();
-    for (QLineEdit* field : {time_, values_[0], values_[1], values_[2]})
-        field->setEnabled(is);
-    time_->setReadOnly(is && !points[*chosen_].onCurve);
-    const auto put = [](QLineEdit* field, const QString& value) {
-        if (!field->isModified() || !field->hasFocus())
-            field->setText(value);
-    };
-    put(time_, is ? text(points[*chosen_].time) : QString());
-    for (int i = 0; i < 3; ++i)
-        put(values_[i], is ? text(points[*chosen_].place[i]) : QString());
-}
-
 void TrajectoryEditor::tell(const QString& words, bool isFault) {
-    words_->setForegroundRole(isFault ? QPalette::WindowText : QPalette::PlaceholderText);
-    words_->setText(
-        words.isEmpty()
-            ? tr("Drag points and the tangents beside them. A double click adds a point, Delete "
-                 "removes it; Shift breaks a tangent. Page Up and Page Down go from point to "
-                 "point, "
-                 "the arrow keys move it.")
-            : words);
+    words_->say(words.isEmpty()
+                    ? tr("Drag moves a point or the tangents beside it, Shift breaks a tangent  ·  "
+                         "a double click adds a point, Delete removes it  ·  Page Up, Page Down: "
+                         "point by point, the arrow keys move it")
+                    : words,
+                isFault);
 }
 
 // --- the axis of time --------------------------------------------------------------------------

@@ -1,3 +1,4 @@
+#include "trajectories/point_table.h"
 #include "trajectories/trajectory_editor.h"
 #include "views/test_workshop.h"
 
@@ -44,6 +45,22 @@ protected:
         QTest::mouseRelease(&graph, Qt::LeftButton, modifiers, to);
         ASSERT_TRUE(settle(document));
     }
+    // Into a cell of the table.
+    void type(int row, int column, const QString& text) {
+        PointTable& table = editor->points();
+        table.setCurrentCell(row, column);
+        table.editItem(table.item(row, column));
+        auto* field = table.findChild<QLineEdit*>();
+        ASSERT_TRUE(field);
+        field->selectAll();
+        QTest::keyClicks(field, text);
+        QTest::keyClick(field, Qt::Key_Return);
+        ASSERT_TRUE(waitFor([&] { return table.findChild<QLineEdit*>() == nullptr; }));
+        ASSERT_TRUE(settle(document));
+    }
+    [[nodiscard]] QString cell(int row, int column) const {
+        return editor->points().item(row, column)->text();
+    }
     [[nodiscard]] const scene::Trajectory& shown(std::size_t index) const {
         return document.shown().scene->trajectories.at(index);
     }
@@ -75,14 +92,7 @@ TEST_F(TrajectoryEditorTest, TimesAreDraggedToo) {
 }
 
 TEST_F(TrajectoryEditorTest, ATimeThatCannotBeSaysWhatItIsInstead) {
-    QTest::mouseClick(&editor->graph(0), Qt::LeftButton, {}, at(0, 1, 1));
-    for (QLineEdit* field : editor->findChildren<QLineEdit*>())
-        if (field->accessibleName() == "Time of the point") {
-            field->setFocus();
-            field->selectAll();
-            QTest::keyClicks(field, "7");
-            QTest::keyClick(field, Qt::Key_Return);
-        }
+    type(1, 0, "7");
     EXPECT_TRUE(editor->words().startsWith("A point stays between its neighbours"))
         << qPrintable(editor->words());
     ASSERT_TRUE(settle(document));
@@ -152,14 +162,7 @@ TEST_F(TrajectoryEditorTest, OtherNumbersKeepTheirDigits) {
         QTest::mouseClick(&editor->graph(1), Qt::LeftButton, {}, at(1, 1, 0.123456789));
     };
     again();
-    for (QLineEdit* field : editor->findChildren<QLineEdit*>())
-        if (field->accessibleName() == "z of the point") {
-            field->setFocus();
-            field->selectAll();
-            QTest::keyClicks(field, "4");
-            QTest::keyClick(field, Qt::Key_Return);
-        }
-    ASSERT_TRUE(settle(document));
+    type(1, 3, "4");
     EXPECT_NE(document.text().find("{1.0000000001 0.1234567890123456 0.123456789 4}"),
               std::string::npos)
         << document.text();
@@ -205,16 +208,53 @@ TEST_F(TrajectoryEditorTest, AxesAreDrawnFarFromZero) {
 }
 
 TEST_F(TrajectoryEditorTest, ExactValuesAreTyped) {
-    QTest::mouseClick(&editor->graph(0), Qt::LeftButton, {}, at(0, 2, 3));
-    for (QLineEdit* field : editor->findChildren<QLineEdit*>())
-        if (field->accessibleName() == "y of the point") {
-            field->setFocus();
-            field->selectAll();
-            QTest::keyClicks(field, "0.125");
-            QTest::keyClick(field, Qt::Key_Return);
-        }
-    ASSERT_TRUE(settle(document));
+    type(2, 2, "0.125");
     EXPECT_NE(document.text().find("{2 3 0.125 0}} ;# led"), std::string::npos) << document.text();
+}
+
+TEST_F(TrajectoryEditorTest, TheTableIsInStepWithTheGraphsAndTheText) {
+    PointTable& table = editor->points();
+    ASSERT_EQ(table.rowCount(), 3); // its tangents are nobody's numbers
+    EXPECT_EQ(table.horizontalHeaderItem(0)->text(), "time, s");
+    EXPECT_EQ(table.horizontalHeaderItem(1)->text(), "x, m");
+    EXPECT_EQ(cell(2, 1), "3");
+    QTest::mouseClick(&editor->graph(0), Qt::LeftButton, {}, at(0, 1, 1));
+    EXPECT_EQ(table.currentRow(), 1);
+    table.setCurrentCell(2, 1);
+    ASSERT_TRUE(editor->chosen());
+    EXPECT_EQ(table.rowOf(*editor->chosen()), 2);
+    table.setCurrentCell(0, 1);
+    QTest::keyClick(&table, Qt::Key_Insert);
+    ASSERT_TRUE(settle(document));
+    ASSERT_EQ(table.rowCount(), 4);
+    EXPECT_EQ(cell(1, 0), "0.5");
+    EXPECT_EQ(table.currentRow(), 1); // to go on with
+    QTest::keyClick(&table, Qt::Key_Delete);
+    ASSERT_TRUE(settle(document));
+    EXPECT_EQ(table.rowCount(), 3);
+    EXPECT_EQ(document.text(), scene);
+    document.setText("trajectory path -points {{0 0 0 0} {1 8 0 0}}\n", "Edit");
+    ASSERT_TRUE(settle(document));
+    EXPECT_EQ(table.rowCount(), 2);
+    EXPECT_EQ(cell(1, 1), "8");
+}
+
+// It stays there, and the text as it is, until another value is taken.
+TEST_F(TrajectoryEditorTest, AFaultStandsAtItsCell) {
+    type(1, 1, "much");
+    EXPECT_EQ(document.text(), scene);
+    EXPECT_EQ(cell(1, 1), "much");
+    EXPECT_EQ(editor->points().item(1, 1)->toolTip(), "\"much\" is no number.");
+    EXPECT_EQ(editor->words(), "\"much\" is no number.");
+    QTest::keyClick(&editor->points(), Qt::Key_Escape);
+    EXPECT_EQ(cell(1, 1), "1");
+    EXPECT_EQ(editor->points().item(1, 1)->toolTip(), "");
+    type(1, 0, "7");
+    EXPECT_TRUE(editor->points().item(1, 0)->toolTip().contains("between its neighbours"));
+    type(1, 0, "1.5");
+    EXPECT_EQ(cell(1, 0), "1.5");
+    EXPECT_EQ(editor->points().item(1, 0)->toolTip(), "");
+    EXPECT_EQ(shown(0).points[1].first, 1.5);
 }
 
 TEST_F(TrajectoryEditorTest, WhatIsComputedSaysWhyItStays) {

@@ -2,6 +2,7 @@
 
 #include "frame/help_page.h"
 #include "frame/hint_line.h"
+#include "frame/tool_bar.h"
 #include "frame/icons.h"
 #include "frame/placing.h"
 #include "frame/typed_field.h"
@@ -21,7 +22,6 @@
 #include "properties/element_commands.h"
 #include "start/tour.h"
 #include "viewers/scene_panes.h"
-#include "viewers/tool_bar.h"
 
 #include <QCloseEvent>
 #include <QCursor>

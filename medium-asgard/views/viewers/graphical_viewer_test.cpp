@@ -6,8 +6,10 @@
 #include <gtest/gtest.h>
 
 #include <QCheckBox>
+#include <QHelpEvent>
 #include <QImage>
 #include <QTest>
+#include <QToolTip>
 
 namespace views {
 namespace {
@@ -174,6 +176,11 @@ TEST_F(GraphicalViewerTest, AFaultStandsAtItsTimeOnTheBar) {
     bar.setMarks({}, {4, 7, 7.01});
     EXPECT_EQ(bar.wordsAt(bar.position(4)), "It stops.\nIt slips.\nA collision at 4 s");
     EXPECT_EQ(bar.wordsAt(bar.position(7)), "2 collisions, the first at 7 s");
+    bar.show();
+    const QPoint mark(static_cast<int>(std::lround(bar.position(7))), bar.height() / 2);
+    QHelpEvent asked(QEvent::ToolTip, mark, bar.mapToGlobal(mark));
+    QApplication::sendEvent(&bar, &asked);
+    EXPECT_EQ(QToolTip::text(), "2 collisions, the first at 7 s");
     EXPECT_NE(bar.grab().toImage(), before);
 }
 

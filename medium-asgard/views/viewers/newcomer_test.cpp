@@ -88,6 +88,33 @@ TEST_F(NewcomerTest, ThePictureStaysWhileOneEdits) {
     EXPECT_LT(display.camera().scale, before.scale / 10);
 }
 
+// In a view of the reader's own, too; a body that was out of it stays out.
+TEST_F(NewcomerTest, ThePictureStepsBackFromABodyThatGrows) {
+    const auto scene = [](double radius, double beside) {
+        return "shape_set s -desc {-sub {-sphere " + std::to_string(radius) +
+               "}}\nshape_set t -desc {-sub {-sphere " + std::to_string(beside) +
+               "}}\nbody a s\nbody b t -init_pos {40 0 0}\n";
+    };
+    open(scene(0.5, 0.5));
+    SceneDisplay& display = editor.openGraphicalViewer()->display();
+    display.lookAlong(Vector::UnitZ());
+    editor.document().select({{editing::Kind::body, 0}});
+    display.frameSelected();
+    display.grab();
+    const render::Camera before = display.camera();
+    open(scene(0.3, 1));
+    display.grab();
+    EXPECT_EQ(display.camera(), before);
+    open(scene(4, 1));
+    display.grab();
+    EXPECT_LT(display.camera().scale, before.scale / 4);
+    EXPECT_GT(display.camera().scale, before.scale / 20);
+    EXPECT_TRUE(
+        display.rect().contains(display.fromPixels(display.sight().pixels({0, 4, 0})).toPoint()));
+    EXPECT_FALSE(
+        display.rect().contains(display.fromPixels(display.sight().pixels({40, 0, 0})).toPoint()));
+}
+
 TEST_F(NewcomerTest, PlayingSaysWhyNothingMoves) {
     open("shape_set s -desc {-sub {-sphere 0.5}}\nbody a s -init_pos {0 1 0}\n");
     GraphicalViewer* viewer = editor.openGraphicalViewer();

@@ -1,6 +1,7 @@
 #include "viewers/run_editor.h"
 
 #include "frame/icons.h"
+#include "frame/seen_style.h"
 #include "plain/plain.h"
 #include "plain/qt_messages.h"
 #include "script/reader.h"
@@ -27,6 +28,7 @@ int runEditor(int argc, char** argv, const std::string& file, script::Reader& re
     QApplication::setApplicationDisplayName(QStringLiteral("Asgard"));
     QApplication::setQuitOnLastWindowClosed(true);
     QApplication::setWindowIcon(applicationIcon());
+    QApplication::setStyle(new SeenStyle);
     Editor editor(computing::toolsOf(reader));
     SceneFiles& files = editor.beginSession();
     SceneDocument& document = editor.document();

@@ -1,6 +1,6 @@
 // The tool bar of the main window: what its buttons do, say and look like.
+#include "frame/tool_bar.h"
 #include "viewers/editor.h"
-#include "viewers/tool_bar.h"
 #include "views/test_workshop.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "viewers/tool_bar.h"
+#include "frame/tool_bar.h"
 
 #include "plain/plain.h"
 
