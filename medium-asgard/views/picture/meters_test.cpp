@@ -50,6 +50,47 @@ TEST_F(MetersTest, AnAngleHasItsUnit) {
     EXPECT_EQ(words().toStdString(), "Angular velocity about z 1 rad/s");
 }
 
+// Of the way and of the turning: a ball and a turned rod against the whole scene's energy.
+TEST_F(MetersTest, KineticEnergyCountsTheTurningToo) {
+    const std::string free = "simulator -finish 1\nshape_set s -desc {-sub {-sphere 0.5}}\n"
+                             "shape_set rod -desc {-sub {-box {2 0.2 0.4}}}\n"
+                             "shape_set bent -desc {-sub {-box {2 0.2 0.4}} -sub "
+                             "{-pos {1 1 0.3} -box {0.2 1 0.2}}}\n";
+    for (const std::string one :
+         {"body b s -init_dpos {3 0 1} -init_drot {0 4 1}",
+          "body b rod -mass 2 -init_dpos {1 2 0} -init_rot {0.3 0.4 0.5} -init_drot {1 4 2}",
+          "body b bent -init_rot {0.3 0.4 0.5} -init_drot {1 4 2}"}) {
+        editor.document().setText(free + one + "\n", "Edit");
+        ASSERT_TRUE(settle(editor.document()));
+        const auto all = quantitiesOf(*editor.document().shown().scene, body);
+        const auto energy = std::ranges::find(all, "J", &Quantity::unit);
+        ASSERT_NE(energy, all.end());
+        Meters& meters = editor.openGraphicalViewer()->display().meters();
+        const Quantity whole{"whole", "scene.energy", "J"};
+        meters.toggle(body, *energy);
+        meters.toggle(body, whole);
+        const auto words = [&](std::size_t which) {
+            return meters.words(meters.all()[which], 0.7);
+        };
+        ASSERT_TRUE(waitFor([&] { return !words(0).contains(u'…') && !words(1).contains(u'…'); }));
+        EXPECT_TRUE(words(0).endsWith(" J")) << words(0).toStdString();
+        EXPECT_EQ(words(0).remove("Kinetic energy"), words(1).remove("whole")) << one;
+    }
+}
+
+TEST_F(MetersTest, TheCoordinateUpwardsIsTheHeight) {
+    const auto labels = [&] {
+        QStringList all;
+        for (const Quantity& one : quantitiesOf(*editor.document().shown().scene, body))
+            all << QString(one.label).remove('&');
+        return all.mid(0, 3);
+    };
+    EXPECT_EQ(labels(), QStringList({"x", "Height, y", "z"}));
+    editor.document().setText(flying + "force -body b -gravitational {0 0 -9.81}\n", "Edit");
+    ASSERT_TRUE(settle(editor.document()));
+    EXPECT_EQ(labels(), QStringList({"x", "y", "Height, z"}));
+}
+
 // A rope's and a contact's stand at a body of theirs that moves.
 TEST_F(MetersTest, ValuesOfRopesAndContactsAreSeen) {
     editor.document().setText(flying + "body floor s -fixed 1 -init_pos {9 0 0}\n"

@@ -1,6 +1,7 @@
 #include "plots/quantities.h"
 
 #include "editing/number_text.h"
+#include "framing/extent.h"
 #include "scene/joint_types.h"
 
 #include <QObject>
@@ -27,18 +28,76 @@ private:
     std::string name_;
 };
 
-std::vector<Quantity> ofBody(const Names& names) {
+enum class Inertia { alike, principal, any }; // about all axes; about the body's axes
+
+Inertia inertiaOf(const scene::Scene& scene, const scene::Body& body) {
+    if (const auto& given = body.inertia) {
+        const auto& [xx, yy, zz, xy, xz, yz] = *given;
+        return xy != 0 || xz != 0 || yz != 0 ? Inertia::any
+               : xx == yy && yy == zz        ? Inertia::alike
+                                             : Inertia::principal;
+    }
+    const scene::ShapeSet* set = scene::findShapeSet(scene, body.shape);
+    if (!set || set->parts.size() != 1 || set->parts[0].rotation != geometry::Vector::Zero() ||
+        std::holds_alternative<scene::HullShape>(set->parts[0].shape))
+        return Inertia::any;
+    return std::holds_alternative<scene::SphereShape>(set->parts[0].shape) ? Inertia::alike
+                                                                           : Inertia::principal;
+}
+
+// Of the way of its centre of mass, and of its turning.
+std::string kineticEnergy(const Names& names, Inertia inertia) {
+    const auto square = [](const std::string& one) { return "(" + one + ")^2"; };
+    const std::string way = names.of("mass") + "*" + square(names.length("dx", "dy", "dz"));
+    if (inertia == Inertia::alike)
+        return "0.5*(" + way + " + " + names.of("ixx") + "*" +
+               square(names.length("wx", "wy", "wz")) + ")";
+    // The angular velocity along the body's axes.
+    const auto product = [&](const char* a, const char* b) {
+        return names.of(a) + "*" + names.of(b);
+    };
+    const auto along = [&](const char* x, const char* y, const char* z, const char* u,
+                           const char* v, const char* wx, const char* wy, const char* wz) {
+        return "(1 - 2*(" + product(u, u) + " + " + product(v, v) + "))*" + names.of(wx) +
+               " + 2*(" + product(x, y) + " + " + product("qw", z) + ")*" + names.of(wy) +
+               " + 2*(" + product(x, z) + " - " + product("qw", y) + ")*" + names.of(wz);
+    };
+    const std::string about[] = {along("qx", "qy", "qz", "qy", "qz", "wx", "wy", "wz"),
+                                 along("qy", "qz", "qx", "qz", "qx", "wy", "wz", "wx"),
+                                 along("qz", "qx", "qy", "qx", "qy", "wz", "wx", "wy")};
+    std::string sum = way + " + " + names.of("ixx") + "*" + square(about[0]) + " + " +
+                      names.of("iyy") + "*" + square(about[1]) + " + " + names.of("izz") + "*" +
+                      square(about[2]);
+    const auto mixed = [&](const char* entry, std::size_t a, std::size_t b) {
+        sum += " + 2*" + names.of(entry) + "*(" + about[a] + ")*(" + about[b] + ")";
+    };
+    if (inertia == Inertia::any) {
+        mixed("ixy", 0, 1);
+        mixed("ixz", 0, 2);
+        mixed("iyz", 1, 2);
+    }
+    return "0.5*(" + sum + ")";
+}
+
+std::vector<Quantity> ofBody(const scene::Scene& scene, const scene::Body& body,
+                             const Names& names) {
     const QString way = QStringLiteral("m"), speed = QStringLiteral("m/s");
     const std::string velocity = names.length("dx", "dy", "dz");
+    const geometry::Vector up = render::upOf(scene);
+    const auto place = [&](const QString& label, Eigen::Index axis) {
+        return up[axis] > 0.99 ? QObject::tr("Height, %1").arg(label) : label;
+    };
     return {
-        {QObject::tr("&x"), names.of("x"), way},
-        {QObject::tr("&y"), names.of("y"), way},
-        {QObject::tr("&z"), names.of("z"), way},
+        {place(QObject::tr("&x"), 0), names.of("x"), way},
+        {place(QObject::tr("&y"), 1), names.of("y"), way},
+        {place(QObject::tr("&z"), 2), names.of("z"), way},
         {QObject::tr("&Speed"), velocity, speed},
         {QObject::tr("Velocity along x"), names.of("dx"), speed},
         {QObject::tr("Velocity along y"), names.of("dy"), speed},
         {QObject::tr("Velocity along z"), names.of("dz"), speed},
         {QObject::tr("&Momentum"), names.of("mass") + " * " + velocity, QStringLiteral("kg m/s")},
+        {QObject::tr("&Kinetic energy"), kineticEnergy(names, inertiaOf(scene, body)),
+         QStringLiteral("J")},
         {QObject::tr("&Angle about z"), names.of("rz"), QStringLiteral("rad"), true},
         {QObject::tr("Angular velocity about z"), names.of("wz"), QStringLiteral("rad/s")}};
 }
@@ -86,7 +145,7 @@ std::vector<Quantity> quantitiesOf(const scene::Scene& scene, const Element& ele
     const Names names(name);
     switch (element.kind) {
     case Kind::body:
-        return ofBody(names);
+        return ofBody(scene, scene.bodies[element.index], names);
     case Kind::joint:
         return ofJoint(names, scene.joints[element.index]);
     case Kind::link:
