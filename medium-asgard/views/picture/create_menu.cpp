@@ -54,56 +54,34 @@ void askForParameter(SceneDocument& document, SceneDisplay& display) {
             minimum->text().trimmed().toStdString(), maximum->text().trimmed().toStdString()));
 }
 
-// How many times as large as usual a new body is: about a sixth of what the picture shows in its
-// narrower direction, there where the body that is selected stands, else in its middle. A metre is
-// taken where that is not far from it.
-double sizeIn(const SceneDisplay& display, const SceneDocument& document) {
-    const gestures::Sight sight = display.sight();
-    double pixel = sight.pixelLength(sight.camera.center);
-    for (const editing::Element& one : document.selected())
-        if (one.kind == editing::Kind::body && one.index < document.shown().scene->bodies.size()) {
-            const geometry::Vector place = display.centerOf(one.index);
-            if (sight.depth(place) < render::eyeOf(sight.camera))
-                pixel = std::min(pixel, sight.pixelLength(place));
-        }
-    const double shown = pixel * std::min(sight.size.width, sight.size.height);
-    constexpr double usual = 1.0 / 6, near = 1.7;
-    const double wanted = usual * shown;
-    return wanted / near <= 1 && 1 <= wanted * near ? 1 : gestures::roundStep(wanted / near);
-}
-
-void startBody(SceneDocument& document, SceneDisplay& display, BasicShape shape) {
-    display.creating().start(
-        [&document, &display, shape] { return newBody(shape, sizeIn(display, document)); });
-}
-
-void startBody(SceneDocument& document, SceneDisplay& display, const editing::LibraryShape& shape) {
-    display.creating().start(
-        [&document, &display, &shape] { return newBody(shape, sizeIn(display, document)); });
+// As large as it is seen well where it is put.
+template <class Shape> void startBody(SceneDisplay& display, const Shape& shape) {
+    Recipe recipe = newBody(shape);
+    recipe.sized = [shape](double times) { return newBody(shape, times); };
+    display.creating().start(std::move(recipe));
 }
 
 void fillBodies(QMenu* menu, SceneDocument& document, SceneDisplay& display) {
     menu->clear();
     menu->addAction(QObject::tr("New &Sphere"), &display,
-                    [&document, &display] { startBody(document, display, BasicShape::sphere); });
+                    [&display] { startBody(display, BasicShape::sphere); });
     menu->addAction(QObject::tr("New &Box"), &display,
-                    [&document, &display] { startBody(document, display, BasicShape::box); });
+                    [&display] { startBody(display, BasicShape::box); });
     const std::pair<QString, const char*> round[] = {{QObject::tr("New &Wheel"), "Wheel"},
                                                      {QObject::tr("New &Capsule"), "Capsule"},
                                                      {QObject::tr("New Co&ne"), "Cone"},
                                                      {QObject::tr("New &Tube"), "Tube"},
                                                      {QObject::tr("New B&owl"), "Bowl"}};
     for (const auto& [label, name] : round)
-        menu->addAction(plain::ours(label), &display,
-                        [&document, &display, &shape = editing::libraryShape(name)] {
-                            startBody(document, display, shape);
-                        });
+        menu->addAction(
+            plain::ours(label), &display,
+            [&display, &shape = editing::libraryShape(name)] { startBody(display, shape); });
     menu->addAction(plain::ours(QObject::tr("New &Floor Below All")), &display,
                     [&display] { display.creating().start(newFloor()); });
     QMenu* library = menu->addMenu(QObject::tr("New from the &Library"));
     for (const editing::LibraryShape& shape : editing::shapeLibrary())
         library->addAction(plain::caption(QString::fromStdString(shape.name)), &display,
-                           [&document, &display, &shape] { startBody(document, display, shape); });
+                           [&display, &shape] { startBody(display, shape); });
     menu->addSeparator(); // what grows stands below: the rest stays where the hand knows it
     for (const scene::ShapeSet& set : document.shown().scene->shapeSets)
         menu->addAction(plain::caption(QString::fromStdString(set.name)), &display,

@@ -6,7 +6,6 @@
 #include "gestures/wireframe.h"
 #include "picture/scene_display.h"
 #include "recipes/recipe_words.h"
-#include "scene/shape_of.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,20 +27,6 @@ void addWeightAsOthersHaveIt(std::vector<editing::NewElement>& made, const scene
                     "",
                     {"-body", body.name, "-gravitational", listed(*acceleration, 0)},
                     {}});
-}
-
-// Null: it cannot rest on a body.
-gestures::ShapePointer restingShape(const std::vector<scene::Part>& ghost) {
-    const bool isPlane = std::ranges::any_of(ghost, [](const scene::Part& part) {
-        return std::holds_alternative<scene::PlaneShape>(part.shape);
-    });
-    if (ghost.empty() || isPlane)
-        return nullptr;
-    scene::ShapeSet set;
-    set.parts = ghost;
-    const auto made = scene::shapeOf(set);
-    const auto* shape = std::get_if<geometry::Shape>(&made);
-    return shape ? std::make_shared<const geometry::Shape>(*shape) : nullptr;
 }
 
 // Along an axis.
@@ -158,6 +143,7 @@ void Creating::takeAim(const Aim& aim) {
 void Creating::begin(Recipe recipe) {
     fault_.clear();
     recipe_ = std::move(recipe);
+    times_ = 1;
     ghost_ = restingShape(recipe_->ghost);
     if (recipe_->steps.empty())
         return finish();
@@ -266,6 +252,7 @@ Indicated Creating::pointAt(const Eigen::Vector2d& pixels) {
     if (rests)
         if (const auto on = onGrid(pixels, found))
             return *on;
+    fit(surface ? surface->point : found.point);
     if (surface)
         found.point = surface->point;
     if (!step().snaps || holdsOff_)
@@ -308,6 +295,7 @@ std::optional<Indicated> Creating::onGrid(const Eigen::Vector2d& pixels, Indicat
         ground ? gestures::onGround(sight, pixels, ground->up, ground->height) : std::nullopt;
     if (!place)
         return std::nullopt;
+    fit(*place);
     found.resolution = sight.pixelLength(*place);
     const gestures::Snapped meant = snapping().at(*place);
     found.point = meant.isExact ? meant.place : *place;
@@ -340,6 +328,7 @@ Indicated Creating::restingOn(const gestures::Picked& picked, Indicated found) {
     const render::Drawing drawing = display_.drawing();
     const geometry::Pose pose =
         render::poseOf(*drawing.scene, drawing.motion.get(), picked.body, drawing.time);
+    fit(picked.point);
     const Vector up = picked.normal;
     const bool isLevel = isUpright(up);
     if (!isLevel && isUpright(pose.attitude.conjugate() * up))
@@ -429,21 +418,25 @@ void Creating::take(const Indicated& found) {
 void Creating::otherwise() {
     fault_.clear();
     if (!typed_.isEmpty()) {
-        if (const auto place = typed())
+        if (const auto place = typed()) {
+            fit(place->point);
             take(*place);
-        else
+        } else {
             fault_ = tr("\"%1\" is no place: numbers for x, y and z are.").arg(typed_);
+        }
         Q_EMIT changed();
         return;
     }
     if (step().repeats)
         return finish();
-    if (step().offered)
+    if (step().offered) {
         take(centerOf(*step().offered));
-    else if (!step().otherwise.isEmpty())
+    } else if (!step().otherwise.isEmpty()) {
+        fit(Vector::Zero());
         take({});
-    else
+    } else {
         fault_ = tr("Click, or go there with the arrow keys.");
+    }
     Q_EMIT changed();
 }
 

@@ -90,6 +90,8 @@ private:
     [[nodiscard]] Indicated pointAt(const Eigen::Vector2d& pixels);
     [[nodiscard]] const gestures::Snapping& snapping();
     [[nodiscard]] Vector depth() const; // of a place that is asked for
+    void fit(const Vector& place);      // the size of a new body, to be seen well there
+    static gestures::ShapePointer restingShape(const std::vector<scene::Part>& ghost);
     [[nodiscard]] std::optional<Indicated> onGrid(const Eigen::Vector2d& pixels, Indicated found);
     [[nodiscard]] double heightOf(const Vector& up, const geometry::Quaternion& attitude) const;
     [[nodiscard]] Indicated restingOn(const gestures::Picked& body, Indicated found);
@@ -120,6 +122,7 @@ private:
     WhenRead later_;
     std::optional<Waiting> waiting_;
     std::optional<Recipe> recipe_;
+    double times_ = 1;             // as large as usual, of a new body
     gestures::ShapePointer ghost_; // of the recipe; null: it has none that can rest on a body
     std::vector<Indicated> shown_;
     std::optional<Indicated> next_; // under the pointer

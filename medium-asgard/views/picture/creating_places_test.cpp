@@ -11,6 +11,13 @@
 namespace views {
 namespace {
 
+QAction* bodyNamed(const QMenu& create, const QString& name) {
+    for (QAction* one : create.findChild<QMenu*>("createBody")->actions())
+        if (one->text().remove('&') == name)
+            return one;
+    return nullptr;
+}
+
 bool isRound(double value, double step) { return std::abs(std::remainder(value, step)) < 1e-9; }
 
 TEST_F(CreatingTest, OnAFloorPlacesAreAsRoundAsOnTheGrid) {
@@ -55,6 +62,25 @@ TEST_F(CreatingTest, ThePlaceOfAJointIsTyped) {
     ASSERT_EQ(scene().joints.size(), 1U);
     EXPECT_EQ(scene().joints[0].offset1, Vector(-1, 2, 0)) << text();
     EXPECT_FALSE(scene().joints[0].body2.has_value());
+}
+
+// A body that neither turns nor slides is refused at the pointer, and the command goes on.
+TEST_F(CreatingTest, AGearIsMadeByTwoClicks) {
+    open("shape_set large -desc {-sub {-rot {1.5707963 0 0} -cylinder {0.4 0.1}}}\n"
+         "shape_set small -desc {-sub {-rot {1.5707963 0 0} -cylinder {0.2 0.1}}}\n"
+         "body large large\nbody small small -init_pos {0.6 0 0}\n"
+         "body loose small -init_pos {-0.8 0 0}\n"
+         "joint one -type hinge -body1 large\njoint two -type hinge -body1 small\n");
+    display().creating().start(newGear());
+    click({-0.8, 0, 0});
+    EXPECT_TRUE(display().creating().active());
+    click({0.3, 0, 0.05});
+    EXPECT_TRUE(display().creating().active());
+    click({0.65, 0, 0.05});
+    done();
+    EXPECT_FALSE(display().creating().active());
+    ASSERT_EQ(scene().gears.size(), 1U) << text();
+    EXPECT_THAT(text(), testing::HasSubstr("-joint1 one -joint2 two -ratio -0.5"));
 }
 
 // A slip of the hand moves no body, and the command goes on.
@@ -133,10 +159,7 @@ TEST_F(CreatingTest, ANewBodyFitsThePicture) {
     open("shape_set ball -desc {-sub {-sphere 0.5}}\nbody b ball\n");
     QMenu menu;
     buildCreateMenu(&menu, editor.document(), display());
-    QAction* box = nullptr;
-    for (QAction* one : menu.findChild<QMenu*>("createBody")->actions())
-        if (one->text().remove('&') == "New Box")
-            box = one;
+    QAction* box = bodyNamed(menu, "New Box");
     ASSERT_NE(box, nullptr);
     for (const double times : {1.0, 60.0, 1.0 / 2000}) {
         render::Camera camera = display().camera();
@@ -152,6 +175,34 @@ TEST_F(CreatingTest, ANewBodyFitsThePicture) {
                               std::min(display().sight().size.width, display().sight().size.height);
         EXPECT_GE(edge, narrow / 12) << times;
         EXPECT_LE(edge, narrow / 3) << times;
+    }
+}
+
+// Further behind, or nearer, as large as it is seen well there, whatever is selected.
+TEST_F(CreatingTest, ANewBodyFitsThePlaceThatIsPointedAt) {
+    open("shape_set ball -desc {-sub {-sphere 0.02}}\nbody b ball -init_pos {0 0.02 0}\n"
+         "body far ball -init_pos {0 0.02 -3}\n");
+    editor.document().select({{editing::Kind::body, 0}});
+    QMenu menu;
+    buildCreateMenu(&menu, editor.document(), display());
+    render::Camera camera;
+    camera.rotation = render::facing({0, 0.4, 1}, Vector::UnitY());
+    camera.scale = 5; // the eye is 1 m away
+    for (const double z : {0.3, -2.0}) {
+        const Vector place(0.15, 0, z);
+        display().setCamera(camera);
+        display().grab();
+        bodyNamed(menu, "New Box")->trigger();
+        click(place);
+        done();
+        const gestures::Sight sight = display().sight();
+        const auto& part = scene().shapeSets.back().parts.front();
+        const double edge = std::get<scene::BoxShape>(part.shape).edges.x();
+        const double narrow =
+            sight.pixelLength(place) * std::min(sight.size.width, sight.size.height);
+        EXPECT_NEAR(scene().bodies.back().initialPosition.z(), z, edge) << text();
+        EXPECT_GE(edge, narrow / 12) << z;
+        EXPECT_LE(edge, narrow / 3) << z;
     }
 }
 

@@ -35,6 +35,8 @@ TEST(FaultSigns, StandAtTheElementsThatFaultsAreAbout) {
     // It is said below the picture, too.
     display.pointing().moveTo(signs[0].place, {});
     EXPECT_THAT(display.pointing().hint().toStdString(), HasSubstr("all faults"));
+    // The fault is read whole where the advice finds no room.
+    EXPECT_THAT(display.pointing().hint().toStdString(), HasSubstr("at the start  ·  place them"));
     editor.document().setText(good, "Edit");
     ASSERT_TRUE(settle(editor.document()));
     EXPECT_TRUE(display.faultSigns().signs().empty());

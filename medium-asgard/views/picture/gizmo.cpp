@@ -16,7 +16,7 @@ using geometry::Vector;
 namespace {
 
 constexpr double tail = 18, length = 74, nearArrow = 7, nearRing = 7, least = 14, atBody = 34,
-                 ring = 92, beside = 8, aroundBody = 16, margin = 14; // pixels
+                 ring = 92, beside = 8, aroundBody = 16, margin = 14, halfSquare = 8; // pixels
 
 // The way from the point to the rectangle's edge; 0: it is outside.
 double roomAlong(const QRectF& in, const QPointF& from, const QPointF& way) {
@@ -109,6 +109,14 @@ Vector Gizmo::pivotOf(std::size_t body) const {
     return render::poseOf(*shown.scene, shown.motion.get(), body, display_.time()).position;
 }
 
+// The way from the middle to what is beside the bodies.
+double Gizmo::reachOf(const Place& place, const QPointF& way) {
+    double reach = tail;
+    for (const auto& [at, radius] : place.silhouette)
+        reach = std::max(reach, QPointF::dotProduct(at, way) + radius + beside);
+    return reach;
+}
+
 std::optional<Gizmo::Arrow> Gizmo::arrowOf(const Place& place, int axis) const {
     const gestures::Sight sight = display_.sight();
     const double unit = sight.pixelLength(place.middle) * display_.devicePixelRatioF();
@@ -119,13 +127,42 @@ std::optional<Gizmo::Arrow> Gizmo::arrowOf(const Place& place, int axis) const {
     if (whole.length() < least + tail)
         return std::nullopt;
     const QPointF way = (to - from) / whole.length();
-    double reach = tail;
-    for (const auto& [at, radius] : place.silhouette)
-        reach = std::max(reach, QPointF::dotProduct(at, way) + radius + beside);
+    const double reach = reachOf(place, way);
     const double drawn = whole.length() - tail;
     const double room = std::max(tail, roomAlong(roomOf(display_), from, way) - drawn);
     const double begins = std::min(reach, room);
     return Arrow{{from + begins * way, from + (begins + drawn) * way}, reach <= room};
+}
+
+// Between the tails of the two arrows that lie in its plane.
+std::optional<Gizmo::Square> Gizmo::squareOf(const Place& place, int axis) const {
+    const auto one = arrowOf(place, (axis + 1) % 3), other = arrowOf(place, (axis + 2) % 3);
+    if (!one || !other)
+        return std::nullopt;
+    const QPointF from = display_.fromPixels(display_.sight().pixels(place.middle));
+    const auto side = [](const QLineF& arrow) { // as the axis is shortened
+        return halfSquare / (length - tail) * (arrow.p2() - arrow.p1());
+    };
+    const QPointF a = side(one->line), b = side(other->line);
+    if (4 * std::abs(a.x() * b.y() - a.y() * b.x()) < halfSquare * halfSquare)
+        return std::nullopt;
+    const bool isBeside = one->isBeside && other->isBeside;
+    QPointF way = one->line.p1() + other->line.p1() - 2 * from;
+    const double away = std::hypot(way.x(), way.y());
+    if (away < 1)
+        return std::nullopt;
+    if (isBeside) // arrows that look apart have the body between them
+        way *= std::max(1.0, (reachOf(place, way / away) + halfSquare) / away);
+    const QPointF middle = from + way;
+    if (!roomOf(display_).contains(middle))
+        return std::nullopt;
+    return Square{{{middle - a - b, middle + a - b, middle + a + b, middle - a + b}}, isBeside};
+}
+
+QPolygonF Gizmo::square(int axis) const {
+    const auto of = place();
+    const auto found = of ? squareOf(*of, axis) : std::nullopt;
+    return found ? found->corners : QPolygonF();
 }
 
 std::optional<QLineF> Gizmo::arrow(int axis) const {
@@ -186,6 +223,11 @@ std::optional<Gizmo::Part> Gizmo::at(const QPointF& position) const {
         if (QLineF(one->line.p1() + along * way, position).length() < nearArrow)
             return Part{of->body, axis};
     }
+    for (int axis = 0; axis < 3; ++axis)
+        if (const auto one = squareOf(*of, axis);
+            one && !(isOnBody && one->isBeside) &&
+            one->corners.containsPoint(position, Qt::OddEvenFill))
+            return Part{of->body, axis, false, true};
     const Radius radius = radiusOf(*of);
     const QPointF middle = display_.fromPixels(display_.sight().pixels(of->middle));
     if (!of->isOne || (isOnBody && radius.isBeside) || QLineF(middle, position).length() < atBody)
@@ -212,6 +254,14 @@ void Gizmo::paint(QPainter& painter) const {
         painter.setPen(QPen(faint, 1.6));
         painter.drawPolyline(ringOf(of->middle, radiusOf(*of).pixels, axis));
     }
+    for (int axis = 0; of && axis < 3; ++axis)
+        if (const auto one = squareOf(*of, axis)) {
+            QColor color = QColor::fromRgb(colorOfAxis(axis));
+            painter.setPen(QPen(color, 1.4));
+            color.setAlphaF(0.45F);
+            painter.setBrush(color);
+            painter.drawPolygon(one->corners);
+        }
     for (int axis = 0; of && axis < 3; ++axis) {
         const auto one = arrowOf(*of, axis);
         if (!one)

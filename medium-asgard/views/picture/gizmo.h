@@ -1,5 +1,6 @@
-// The arrows and rings of the body that is selected: a drag of an arrow moves the body along that
-// axis, a drag of a ring turns it about that axis. Several have the arrows alone, in their middle.
+// The arrows, squares and rings of the body that is selected: a drag of an arrow moves the body
+// along that axis, of a square in the plane of the two arrows that it stands between, and of a ring
+// turns it about that axis. Several have arrows and squares alone, in their middle.
 //
 // Arrows begin beside the body and rings go around it, as far as the picture has room for them, so
 // that a drag that begins on the body is the body's. The arrows and rings of a body for which there
@@ -34,11 +35,14 @@ public:
         std::size_t body;
         int axis;
         bool isRing = false;
+        bool isPlane = false; // a square across the axis
     };
     [[nodiscard]] std::optional<Part> at(const QPointF& position) const;
     void paint(QPainter& painter) const;
     // Of the bodies that are selected, from its tail to its head; none: it looks at the viewer.
     [[nodiscard]] std::optional<QLineF> arrow(int axis) const;
+    // The square across an axis; empty: that plane is seen too steeply.
+    [[nodiscard]] QPolygonF square(int axis) const;
     [[nodiscard]] double ringRadius(std::size_t body) const; // pixels
     // The point about which rings turn the body: the middle of its mass, or the origin of its shape
     // where the text cannot move that alone.
@@ -60,7 +64,13 @@ private:
         QLineF line;
         bool isBeside = true; // the bodies
     };
+    [[nodiscard]] static double reachOf(const Place& place, const QPointF& way);
     [[nodiscard]] std::optional<Arrow> arrowOf(const Place& place, int axis) const;
+    struct Square {
+        QPolygonF corners;
+        bool isBeside = true;
+    };
+    [[nodiscard]] std::optional<Square> squareOf(const Place& place, int axis) const;
     struct Radius {
         double pixels;
         bool isBeside = true;

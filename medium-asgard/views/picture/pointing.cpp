@@ -146,11 +146,13 @@ QString Pointing::hint() const {
     if (const QString end = position_ ? display_.triadEndAt(*position_) : QString(); !end.isEmpty())
         return tr("A click looks along %1").arg(end);
     if (const auto part = position_ ? display_.gizmo().at(*position_) : std::nullopt)
-        return (part->isRing ? tr("Drag turns it about %1, to whole degrees")
-                             : tr("Drag moves it along %1"))
+        return (part->isRing    ? tr("Drag turns it about %1, to whole degrees")
+                : part->isPlane ? tr("Drag moves it across %1")
+                                : tr("Drag moves it along %1"))
             .arg(QLatin1Char("xyz"[part->axis]));
     if (const auto sign = position_ ? display_.faultSigns().at(*position_) : std::nullopt)
-        return tr("%1  ·  Ctrl+F9: all faults").arg(sign->words);
+        return tr("%1  ·  Ctrl+F9: all faults")
+            .arg(QString(sign->words).replace("; ", QString::fromUtf8("  ·  ")));
     if (handle_ && handle_->kind == render::HandleKind::trajectoryPoint)
         return tr("Shift-drag moves %1  ·  Shift-middle: a new point  ·  Shift-right removes it  · "
                   " "

@@ -246,7 +246,54 @@ void SceneDisplay::sceneChanged() {
     seen_.isEdited = seen_.isPlaced;
     if (seen_.isEdited && seen_.framesItself)
         keepInSight();
+    else if (seen_.isEdited && seen_.followed.isEmpty() && !editing_.dragging())
+        stepBack();
     motionChanged();
+}
+
+void SceneDisplay::stepBack() {
+    if (!picture_)
+        return;
+    const scene::Scene &before = *picture_->of.shown.scene, &now = *document_.shown().scene;
+    const auto reachOf = [](const scene::Scene& scene, const scene::Body& body) {
+        double reach = 0;
+        for (const render::Ball& ball : render::outlineOf(scene, body))
+            reach = std::max(reach, ball.center.norm() + ball.radius);
+        return reach;
+    };
+    gestures::Sight sight = this->sight();
+    const auto isSeen = [&](const scene::Scene& scene, std::size_t body) {
+        const geometry::Pose pose =
+            render::poseOf(scene, document_.shown().motion.get(), body, time_);
+        const Eigen::AlignedBox2d picture(Eigen::Vector2d(0, 0),
+                                          Eigen::Vector2d(sight.size.width, sight.size.height));
+        return std::ranges::all_of(
+            render::outlineOf(scene, scene.bodies[body]), [&](const render::Ball& ball) {
+                const geometry::Vector at = pose.toWorld(ball.center);
+                const double radius = ball.radius / sight.pixelLength(at);
+                const Eigen::Vector2d middle = sight.pixels(at), edge(radius, radius);
+                return sight.depth(at) + ball.radius * sight.camera.scale <
+                           render::eyeOf(sight.camera) &&
+                       picture.contains(middle - edge) && picture.contains(middle + edge);
+            });
+    };
+    std::vector<std::size_t> grown;
+    for (std::size_t i = 0; i < std::min(before.bodies.size(), now.bodies.size()); ++i)
+        if (before.bodies[i].name == now.bodies[i].name &&
+            reachOf(now, now.bodies[i]) > 1.01 * reachOf(before, before.bodies[i]) &&
+            isSeen(before, i))
+            grown.push_back(i);
+    constexpr double step = 0.9;
+    constexpr int most = 80;
+    const auto areSeen = [&] {
+        return std::ranges::all_of(grown, [&](std::size_t i) { return isSeen(now, i); });
+    };
+    for (int i = 0; i < most && !areSeen(); ++i) { // what is in the middle stays there
+        sight.camera.scale *= step;
+        sight.camera.position *= step;
+    }
+    if (sight.camera != control_.camera())
+        setCamera(sight.camera);
 }
 
 void SceneDisplay::keepInSight() {

@@ -163,6 +163,7 @@ private:
     void redraw(bool moving);
     void frame(const render::Extent& extent);
     void keepInSight(); // bodies, where they start
+    void stepBack();    // as far as bodies need that grew out of the reader's own view
     bool clickTriad(const QMouseEvent& event);
     bool turnKey(const QKeyEvent& event);
     void moveView(QMouseEvent& event);

@@ -92,7 +92,8 @@ bool SceneDisplay::beginDrag(QMouseEvent& event) {
     using Along = gestures::HandleDrag::Along;
     if (!throwing_.press(*body, press_.at) &&
         !editing_.pressBody(*body, press_.at,
-                            arrow ? std::optional(Along{arrow->axis}) : std::nullopt))
+                            arrow ? std::optional(Along{arrow->axis, arrow->isPlane})
+                                  : std::nullopt))
         return false;
     control_.release();
     if (!throwing_.move(event))

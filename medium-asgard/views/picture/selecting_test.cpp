@@ -227,6 +227,29 @@ TEST_F(SelectingTest, ADragAlongAnArrowOfTheGizmoMovesAlongItsAxisOnly) {
     EXPECT_EQ(place.z(), 0);
 }
 
+TEST_F(SelectingTest, ADragOfASquareOfTheGizmoKeepsToItsPlane) {
+    editor.document().select({leftOne});
+    display().lookAlong({0.6, 0.7, 1});
+    display().grab();
+    for (int axis = 0; axis < 3; ++axis) {
+        const QPolygonF square = display().gizmo().square(axis);
+        ASSERT_EQ(square.size(), 4) << axis;
+        const QPoint inside = square.boundingRect().center().toPoint();
+        const auto part = display().gizmo().at(inside);
+        ASSERT_TRUE(part && part->isPlane && part->axis == axis) << axis;
+        const Vector before = editor.document().shown().scene->bodies[2].initialPosition;
+        drag(inside, inside + QPoint(30, -25));
+        const Vector way = editor.document().shown().scene->bodies[2].initialPosition - before;
+        EXPECT_EQ(way[axis], 0) << way.transpose();
+        EXPECT_GT(way.norm(), 0.05);
+        display().grab();
+    }
+    display().lookAlong(Vector::UnitZ()); // the planes of z are lines
+    display().grab();
+    EXPECT_TRUE(display().gizmo().square(0).isEmpty());
+    EXPECT_FALSE(display().gizmo().square(2).isEmpty());
+}
+
 // Of a rod that lies along x: its end is the rod's, the arrow begins beside it. Of one that fills
 // the picture the arrows lie on it.
 TEST_F(SelectingTest, ADragThatBeginsOnTheBodyIsTheBodys) {

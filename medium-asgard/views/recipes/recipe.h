@@ -76,6 +76,8 @@ struct Recipe {
     HandleSwitch handles = nullptr;      // shown afterwards
     QString otherwise = {};              // said when there is nothing to make
     std::vector<scene::Part> ghost = {}; // outlined under the pointer before the click
+    // The same thing, as many times as large as usual; null: it has its size.
+    std::function<Recipe(double times)> sized = {};
     // Of what makes nothing: the answer, said in the end.
     std::function<QString(const std::vector<Indicated>& shown)> tells = {};
 };
