@@ -2,9 +2,9 @@
 
 #include "frame/help_page.h"
 #include "frame/hint_line.h"
-#include "frame/tool_bar.h"
 #include "frame/icons.h"
 #include "frame/placing.h"
+#include "frame/tool_bar.h"
 #include "frame/typed_field.h"
 #include "framing/framing.h"
 #include "gestures/new_point.h"
