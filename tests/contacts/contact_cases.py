@@ -90,6 +90,37 @@ for name, force in (("pushed_rests", 1), ("pushed_slides", 3.5)):
          "shape_set box -desc {-sub {-box {0.2 0.1 0.4}}}\n"
          f"body b box -init_pos {{0 0.05 0}} -mass 1 -friction {mu} -restitution 0\nforce -body b -z {force}\n" + gravity("b"),
          [(t, 1, max(0, force - mu * G) * t * t / 2, "b.z") for t in (0.5, 1)] + [(1, 1, 0, "b.wx")])
+
+def pushed(force, start, t, steps=40000):
+    """Where a point of mass 1 is that begins to slip at `start`: the midpoint rule, in which friction is taken at
+    the mean velocity, and two extrapolations of it."""
+    def ends(count):
+        step = (t - start) / count
+        speed, place = [0.0, 0.0], [0.0, 0.0]
+        for k in range(count):
+            push = force(start + (k + 0.5) * step)
+            ahead = [v + step / 2 * f for v, f in zip(speed, push)]
+            size = math.hypot(*ahead)
+            mean = [a * max(0, 1 - step / 2 * mu * G / size) for a in ahead]
+            place = [x + step * v for x, v in zip(place, mean)]
+            speed = [2 * v - u for v, u in zip(mean, speed)]
+        return place
+    if t <= start:
+        return 0, 0
+    one, two, four = (ends(steps * k) for k in (1, 2, 4))
+    better = [[(4 * q - p) / 3 for p, q in zip(a, b)] for a, b in ((one, two), (two, four))]
+    return [(16 * q - p) / 15 for p, q in zip(*better)]
+
+
+# A force that grows across another one, and one that goes round: the way of the slip turns, from the first instant on.
+for name, x, z, start, finish, force in (
+        ("pushed_across", "2", "t", math.sqrt((mu * G) ** 2 - 4), 3, lambda t: (2, t)),
+        ("pushed_round", "3*cos(t)", "3*sin(t)", 0, 6, lambda t: (3 * math.cos(t), 3 * math.sin(t)))):
+    case(name, f"# zero: b.y-0.05\nsimulator -finish {finish}\n" + ground(mu) +
+         "shape_set box -desc {-sub {-box {0.2 0.1 0.2}}}\n"
+         f"body b box -init_pos {{0 0.05 0}} -mass 1 -friction {mu} -restitution 0\nforce -body b -x {x} -z {z}\n" + gravity("b"),
+         [(t, 1, place, "b." + axis) for t in (finish / 2, finish - 0.5, finish)
+          for axis, place in zip("xz", pushed(force, start, t))])
 # A box put down on a belt that runs that way.
 alike = 1 / (mu * G)
 case("belt_across", f"# zero: b.y-0.05\nsimulator -finish 1\n" + ground(mu, "-surface_velocity {0 0 1}") +

@@ -28,8 +28,8 @@ inline constexpr double deep = 400 * epsilon;   // of the radius: a ball that ha
 inline constexpr double ofMotion = 1e-13;       // of coordinates: what a solved motion has lost
 inline constexpr double leastHop = 2e-9;        // of the smaller radius: lower hops may be missed
 inline constexpr double atRest = 1e-9;          // of the speeds that enter: relative rest
-inline constexpr double rattled = 3e-8;   // of the same: what a blow leaves that ran to and fro
-                                          // until it was next to nothing
+inline constexpr double rattled = 3e-8;   // of the speeds that enter a blow: what it leaves of less
+                                          // is rest
 inline constexpr double noRate = 1e-12;   // of the size, in the unit of time: of gaps, none
 inline constexpr double isNoLoad = 1e-12; // of the accelerations that enter
 

@@ -154,7 +154,7 @@ private:
         touch.corners.back().gap = touch.gap;
     }
     // Two faces that are next to parallel, at whose corner two corners touch, are one axis. LIMIT:
-    // so are the sides of a wedge of less than 6 degrees, at whose edge bodies do not pass then.
+    // so are two faces of one body that an edge bends by less than 5.7 degrees.
     void addOthers() {
         constexpr double another = 0.995; // cosine
         std::vector<Vector> known{touch.normal};

@@ -33,13 +33,12 @@ bool sleeps(const solution::Histories& histories, std::size_t unknown, double ti
            std::ranges::all_of(histories.piece(unknown, time).coefficients, isZero);
 }
 
-// A conveyor of the scene drives what lies on it that way. It does not turn out of a plane.
-bool isDrivenAlong(const Colliders& world, int axis) {
-    for (std::size_t body = 0; body < world.records.size(); ++body)
-        if (const Vector& surface = world.scene.bodies[body].surfaceVelocity;
-            !surface.isZero(0) && (world.records[body].start.attitude * surface)[axis] != 0)
-            return true;
-    return false;
+// Its surface runs along that axis, by more than rounding.
+bool runsAlong(const Colliders& world, std::size_t body, int axis) {
+    constexpr double rounding = 1e-12;
+    const Vector& surface = world.scene.bodies[body].surfaceVelocity;
+    return std::abs((world.records[body].start.attitude * surface)[axis]) >
+           rounding * surface.norm();
 }
 
 } // namespace
@@ -48,10 +47,11 @@ std::optional<MotionPlane> Instant::planeOf(std::span<const std::size_t> bodies)
     using namespace physics;
     for (const int axis : {2, 1, 0}) {
         std::optional<double> at;
-        bool isIn = !isDrivenAlong(world, axis);
+        bool isIn = true;
         for (const std::size_t body : bodies) {
             if (world.isFixed(body) || !isIn)
                 continue;
+            isIn = !isDrivenAlong(body, axis);
             const std::size_t first = world.records[body].firstUnknown;
             isIn = isIn && sleeps(histories, first + dx + static_cast<std::size_t>(axis), time);
             for (std::size_t k = 0; k < 3; ++k)
@@ -66,6 +66,15 @@ std::optional<MotionPlane> Instant::planeOf(std::span<const std::size_t> bodies)
             return MotionPlane{.axis = axis, .at = *at};
     }
     return std::nullopt;
+}
+
+// A belt near by drives what comes to lie on it, or it drives itself so. LIMIT: no belt turns out
+// of a plane.
+bool Instant::isDrivenAlong(std::size_t body, int axis) const {
+    return std::ranges::any_of(search.partners(body), [&](std::size_t other) {
+        return (runsAlong(world, body, axis) || runsAlong(world, other, axis)) &&
+               world.frictionOf(body, other).sticking > 0;
+    });
 }
 
 double Instant::speedOf(const Pair& pair) const {

@@ -56,6 +56,9 @@ struct Instant {
     [[nodiscard]] double contactTolerance(const Pair& pair) const;
     // The unknowns of those of the two that can give way.
     [[nodiscard]] std::vector<std::size_t> unknownsOf(const Pair& pair) const;
+
+private:
+    [[nodiscard]] bool isDrivenAlong(std::size_t body, int axis) const;
 };
 
 } // namespace simulation

@@ -106,7 +106,7 @@ double CoupledStages::correct(Stages& z) {
 }
 
 CoupledStages::Outcome CoupledStages::solve(double t, double h, std::span<const double> y,
-                                            Stages& z, bool isFixed) {
+                                            Stages& z, bool isFixed, std::size_t leastIterations) {
     constexpr std::size_t mostIterations = 12, mayGrow = 5, mostStalls = 2;
     constexpr double mostGrowth = 10, slow = 0.1, far = 0.1;
     step_.t = t;
@@ -139,8 +139,9 @@ CoupledStages::Outcome CoupledStages::solve(double t, double h, std::span<const 
             return Outcome::failed;
         rate = std::max(last > 0 ? size / last : 1, displacedThere);
         last = size;
-        if (displacedThere <= far && (size == 0 || (iteration > 2 && size < noise) ||
-                                      (rate < 1 && rate / (1 - rate) * size < kappa)))
+        const bool isSmall =
+            iteration >= leastIterations && rate < 1 && rate / (1 - rate) * size < kappa;
+        if (displacedThere <= far && (size == 0 || (iteration > 2 && size < noise) || isSmall))
             return Outcome::converged;
     }
     return Outcome::failed;

@@ -35,7 +35,7 @@ public:
     enum class Outcome { converged, failed, notFinite };
     // Improves z, for the step of length h from y at t.
     [[nodiscard]] Outcome solve(double t, double h, std::span<const double> y, Stages& z,
-                                bool isFixed);
+                                bool isFixed, std::size_t leastIterations);
     // Of the last solve().
     [[nodiscard]] const MethodCounts& counts() const { return counts_; }
 

@@ -212,7 +212,8 @@ Radau::Newton Radau::iterate() {
                 return isRounding(last) ? Newton::converged : Newton::failed;
         }
         last = size;
-        if (size == 0 || (rate < 1 && rate / (1 - rate) * size < kappa) ||
+        const bool isSmall = rate < 1 && rate / (1 - rate) * size < kappa;
+        if (size == 0 || (newton_.count >= leastCorrections() && isSmall) ||
             (newton_.count > 1 && rate > slow && size < noise)) {
             newton_.rate = newton_.count > 1 ? rate : newton_.rate;
             return Newton::converged;
@@ -232,7 +233,7 @@ Radau::Newton Radau::solveTogether() {
     predict();
     linear_.isFactored = false;
     newton_.rate = 1; // says nothing of the other iteration
-    const Newton result = together_.stages->solve(t_, h_, start_, z_, fixed_);
+    const Newton result = together_.stages->solve(t_, h_, start_, z_, fixed_, leastCorrections());
     counts_ += together_.stages->counts();
     newton_.count = together_.stages->counts().iterations;
     if (result != Newton::converged)

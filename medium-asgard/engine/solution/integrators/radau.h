@@ -17,6 +17,9 @@
 //         failed
 //     done when  rate/(1 - rate) |dz| < min(0.03, 5 sqrt(tolerance)),  |.| in units of the
 //         tolerance, or when corrections are what rounding of positions does
+//     a first step has the J of its start, which may be far stiffer than its stages are, as where
+//         friction begins to slip: then stiff directions get next to nothing, again and again, and
+//         the rate of the third correction shows it
 //
 // Dense output: slopes k_i at the stages and k_0 at the start (that of the end of the step before)
 // give a polynomial of degree 4; a position with its velocity gets the quintic of both ends'
@@ -54,6 +57,9 @@ private:
     [[nodiscard]] Newton solveStages();
     [[nodiscard]] Newton solveTogether();
     [[nodiscard]] Newton iterate();
+    [[nodiscard]] std::size_t leastCorrections() const {
+        return before_.step > 0 || fixed_ ? 1 : 3;
+    }
     [[nodiscard]] bool stageRates();
     [[nodiscard]] bool correct(double& size);
     void middle(std::vector<double>& y) const;

@@ -47,8 +47,7 @@ bool ActiveSet::slipsSlowly() const {
     constexpr double more = 1.5; // than the least: rounding is no more
     for (std::size_t disc = 0; disc < discs().size(); ++disc)
         if (multipliers_.friction().slips(disc) &&
-            Eigen::Map<const Eigen::Vector3d>(mode_.slips[disc].data()).norm() >
-                more * leastOf(discs()[disc]))
+            multipliers_.friction().beganOf(disc).norm() > more * leastOf(discs()[disc]))
             return true;
     return false;
 }
@@ -452,18 +451,17 @@ bool ActiveSet::hasStopped(std::size_t disc, double elapsed) {
     double second = 0;
     for (const std::size_t row : of.rows)
         second = std::max(second, std::abs(multipliers_.secondRate(row)));
-    const double none =
-        std::max({leastOf(of), ofLost * second * elapsed, std::sqrt(slow_.way * second), slowest_});
+    const double none = std::max({leastOf(of), ofLost * second * elapsed,
+                                  std::sqrt(slow_.part * slow_.extent * second), slowest_});
     return multipliers_.friction().slipOf(disc).norm() <= none;
 }
 
 double ActiveSet::slowestOf(std::span<const double> y, double weight) const {
-    constexpr double ofSpeeds = 1e-9;
-    return std::max(std::max(slow_.part, ofSpeeds) * multipliers_.fastest(y), fallenSlow(weight));
+    return std::max(slow_.part * multipliers_.fastest(y), fallenSlow(weight));
 }
 
 double ActiveSet::fallenSlow(double weight) const {
-    return std::sqrt(slow_.part * slow_.way * weight);
+    return slow_.part * std::sqrt(slow_.extent * weight);
 }
 
 // Slips that are next to none stop together: one after another, each would turn the others back.

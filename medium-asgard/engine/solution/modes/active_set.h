@@ -38,10 +38,11 @@ class ActiveSet {
 public:
     ActiveSet(ModelFunctions& functions, Multipliers& multipliers, Mode& mode);
 
-    // A contact whose slip turns rests if it slips slower than that. The integration errs by more.
+    // A contact whose slip turns rests if it slips slower than that part of the fastest velocity,
+    // or of the velocity after a fall through the extent; or if friction would stop it on that part
+    // of the extent. The integration errs by more.
     struct Slow {
-        double part = 0; // of the fastest velocity, or of that after a fall through the extent
-        double way = 0;  // that part of the extent: on it friction would stop the slip
+        double part = 0, extent = 0;
     };
     void setSlow(const Slow& slow) { slow_ = slow; }
     // There are bounds.

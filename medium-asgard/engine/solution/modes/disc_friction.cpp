@@ -92,14 +92,22 @@ double DiscFriction::aheadOf(std::size_t k) const {
     return slipOf(k).dot(began.normalized()) + 0.5 * began.norm();
 }
 
-double DiscFriction::senseOf(std::size_t k) const { return aheadOf(k) < 0 ? -1 : 1; }
+double DiscFriction::senseOf(std::size_t k) const {
+    const InDisc slip = slipOf(k);
+    const double along = slip.dot(beganOf(k).normalized());
+    const bool hasTurnedBack = aheadOf(k) < 0 && 2 * along * along > slip.squaredNorm();
+    return hasTurnedBack ? -1 : 1;
+}
 
 std::pair<DiscFriction::InDisc, DiscFriction::InDisc>
 DiscFriction::velocityOf(std::size_t k) const {
     const InDisc began = beganOf(k);
     if (began.size() == 1)
         return {InDisc::Zero(1), began.normalized()};
-    return {senseOf(k) * ratesAmong(gaps_, k), began};
+    // What is left of it is next to nothing, whichever way changeOf() takes it.
+    constexpr double fast = 100; // times the speed of a slow slip
+    const double grown = slipOf(k).squaredNorm() / (fast * fast * began.squaredNorm());
+    return {senseOf(k) * ratesAmong(gaps_, k), began / (1 + grown)};
 }
 
 DiscFriction::InDisc DiscFriction::wayOf(std::size_t k, const Centre& centre) const {

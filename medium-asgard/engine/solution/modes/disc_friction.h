@@ -36,6 +36,8 @@ public:
 
     // The velocities of its rows at the centre of the mode.
     [[nodiscard]] InDisc slipOf(std::size_t disc) const;
+    // The direction in which a slip began, as long as the speed below which that direction counts.
+    [[nodiscard]] InDisc beganOf(std::size_t disc) const;
     // How far a slip is from the turn that ends it: behind rest by half of the speed under which
     // the direction counts in which it began.
     [[nodiscard]] double aheadOf(std::size_t disc) const;
@@ -48,7 +50,7 @@ public:
     }
 
     // Of one that slips, the velocity of its rows that gives its direction, and what this has
-    // besides at every centre.
+    // besides at every centre: the direction in which it began, less and less as it grows.
     [[nodiscard]] std::pair<InDisc, InDisc> velocityOf(std::size_t disc) const;
     // Of one that slips, by these normal forces; and how that changes with what it follows from.
     [[nodiscard]] InDisc forceOf(std::size_t disc, std::span<const double> forces) const;
@@ -78,9 +80,9 @@ private:
                                       std::span<const double> forces) const;
     // The force is against it.
     [[nodiscard]] InDisc wayOf(std::size_t disc, const Centre& centre) const;
-    // +1, or -1 where it is behind its turn.
+    // +1; -1 behind the turn of a slip that comes back, so that its friction goes on there. One
+    // that goes round, at any speed, passes its turn with the friction of its own direction.
     [[nodiscard]] double senseOf(std::size_t disc) const;
-    [[nodiscard]] InDisc beganOf(std::size_t disc) const;
 
     const BoundModel& bound_;
     const Mode& mode_;

@@ -178,8 +178,9 @@ void Component::makeControl() {
     }
     memory_.now.control = ErrorControl(std::move(scales), context_.tolerance);
     constexpr double ofTolerance = 0.01; // of what a step may err in velocities
-    equations_->setSlow({.part = ofTolerance * context_.tolerance,
-                         .way = ofTolerance * context_.tolerance * extent});
+    constexpr double least = 1e-9;       // below, a slip would turn as fast as rounding does
+    equations_->setSlow(
+        {.part = std::max(ofTolerance * context_.tolerance, least), .extent = extent});
 }
 
 // Of multipliers the histories keep the mode.
