@@ -195,24 +195,6 @@ std::vector<Separation> axesAt(const PartPair& pair, double t) {
     return axes;
 }
 
-// Of axes along which they touch, all but in a face: the one along which they approach by less than
-// half of what they do along each other one. A little aside they would meet along one of the axes,
-// and along this one by the way of the least depth: a box on a floor slides onto a ramp that begins
-// where the floor ends.
-std::optional<Separation> leastApproach(const PartPair& pair, double t) {
-    constexpr double clearly = 0.5;
-    std::optional<Separation> axis;
-    double least = HUGE_VAL, next = HUGE_VAL;
-    for (const Separation& other : axesAt(pair, t)) {
-        const double speed = contactAlong(pair, t, other.normal, other.gap).closingSpeed;
-        if (speed < least)
-            axis = other;
-        next = std::min(next, std::max(least, speed));
-        least = std::min(least, speed);
-    }
-    return least < clearly * next ? axis : std::nullopt;
-}
-
 Vector velocityOfPoint(const PartMotion& part, double t, const Vector& point) {
     const Velocity v = velocityAt(part.piece, t);
     return v.linear + v.angular.cross(point - positionAt(part.piece, t));
@@ -276,12 +258,7 @@ Contact contactOf(const PartPair& pair, double t, const Separation& separation) 
     if (separation.touch)
         return contactIn(pair, t, separation.normal, separation.gap,
                          {{*separation.touch}, *separation.touch});
-    Contact contact = contactAlong(pair, t, normalOfHit(pair, t, separation), separation.gap);
-    if (!isCurved(pair) && !isRound(pair) && contact.patch.size() <= 2)
-        if (const auto axis = leastApproach(pair, t);
-            axis && (axis->normal - contact.normal).norm() > sameAxis)
-            return contactAlong(pair, t, axis->normal, axis->gap);
-    return contact;
+    return contactAlong(pair, t, normalOfHit(pair, t, separation), separation.gap);
 }
 
 std::optional<Contact> passing(const PartPair& pair, double t) {

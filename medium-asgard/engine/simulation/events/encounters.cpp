@@ -221,9 +221,12 @@ std::optional<Event> CollisionSource::meet(const Instant& at, const Pair& pair) 
         return contact.restitution == 0 && !contact.isPressed;
     });
     std::vector<std::size_t> settling;
-    for (const auto& [body, state] : after)
-        if (at.canGiveWay(body) && (isPlastic || resting_.isResting(body)))
+    for (const auto& [body, state] : after) {
+        const bool mayLeavePlane =
+            !cluster.plane && resting_.contacts().isAnyInPlane(std::array{body});
+        if (at.canGiveWay(body) && (isPlastic || resting_.isResting(body) || mayLeavePlane))
             settling.push_back(body);
+    }
     settle(at, settling, after, event, true);
     return event;
 }
@@ -328,12 +331,12 @@ std::vector<LastingContact> CollisionSource::contactsOf(const Instant& at,
             const Pair pair = std::minmax(body, other);
             if (!seen.insert(pair).second || resting_.hopForEver(body, other, at.time))
                 continue;
-            planes[pair] = at.planeOf(std::array{pair.first, pair.second});
+            planes[pair] = at.planeOf(std::array{pair.first, pair.second}, states);
             add(contactsBetween(at, pair, states, entering, planes[pair]));
         }
     for (const auto& [pair, plane] : planes)
         if (plane)
-            if (const auto ofAll = at.planeOf(together({pair.first, pair.second}, found));
+            if (const auto ofAll = at.planeOf(together({pair.first, pair.second}, found), states);
                 ofAll != plane)
                 ofOthers[pair] = ofAll;
     std::erase_if(found, [&](const LastingContact& contact) {

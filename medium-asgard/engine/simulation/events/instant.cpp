@@ -33,6 +33,11 @@ bool sleeps(const solution::Histories& histories, std::size_t unknown, double ti
            std::ranges::all_of(histories.piece(unknown, time).coefficients, isZero);
 }
 
+bool staysIn(const BodyState& state, int axis) {
+    return state.velocity[axis] == 0 && state.angularVelocity[(axis + 1) % 3] == 0 &&
+           state.angularVelocity[(axis + 2) % 3] == 0;
+}
+
 // Its surface runs along that axis, by more than rounding.
 bool runsAlong(const Colliders& world, std::size_t body, int axis) {
     constexpr double rounding = 1e-12;
@@ -43,7 +48,8 @@ bool runsAlong(const Colliders& world, std::size_t body, int axis) {
 
 } // namespace
 
-std::optional<MotionPlane> Instant::planeOf(std::span<const std::size_t> bodies) const {
+std::optional<MotionPlane> Instant::planeOf(std::span<const std::size_t> bodies,
+                                            const RestingBodies::States& changed) const {
     using namespace physics;
     for (const int axis : {2, 1, 0}) {
         std::optional<double> at;
@@ -58,6 +64,8 @@ std::optional<MotionPlane> Instant::planeOf(std::span<const std::size_t> bodies)
                 if (static_cast<int>(k) != axis)
                     isIn = isIn && sleeps(histories, first + qx + k, time) &&
                            sleeps(histories, first + w1 + k, time);
+            if (const auto after = changed.find(body); after != changed.end())
+                isIn = isIn && staysIn(after->second, axis);
             const double place = stateOf(body).position[axis];
             isIn = isIn && (!at || *at == place);
             at = place;

@@ -47,8 +47,9 @@ struct Instant {
         return std::min(resting.nextPhase(pair.first, time), resting.nextPhase(pair.second, time));
     }
 
-    // In which these move, and nothing drives them out of it.
-    [[nodiscard]] std::optional<MotionPlane> planeOf(std::span<const std::size_t> bodies) const;
+    // In which these move, also as a blow has changed them, and nothing drives them out of it.
+    [[nodiscard]] std::optional<MotionPlane>
+    planeOf(std::span<const std::size_t> bodies, const RestingBodies::States& changed = {}) const;
     // The speeds that enter.
     [[nodiscard]] double speedOf(const Pair& pair) const;
     // Nearer than this they touch at an impact: it is as far off as coordinates and times are

@@ -451,8 +451,8 @@ bool ActiveSet::hasStopped(std::size_t disc, double elapsed) {
     double second = 0;
     for (const std::size_t row : of.rows)
         second = std::max(second, std::abs(multipliers_.secondRate(row)));
-    const double none = std::max({leastOf(of), ofLost * second * elapsed,
-                                  std::sqrt(slow_.part * slow_.extent * second), slowest_});
+    const double none =
+        std::max({leastOf(of), ofLost * second * elapsed, std::sqrt(slow_.way * second), slowest_});
     return multipliers_.friction().slipOf(disc).norm() <= none;
 }
 

@@ -38,11 +38,11 @@ class ActiveSet {
 public:
     ActiveSet(ModelFunctions& functions, Multipliers& multipliers, Mode& mode);
 
-    // A contact whose slip turns rests if it slips slower than that part of the fastest velocity,
-    // or of the velocity after a fall through the extent; or if friction would stop it on that part
-    // of the extent. The integration errs by more.
+    // A contact whose slip turns rests if it slips slower than `part` of the fastest velocity, or
+    // of the velocity after a fall through the extent; or if friction would stop it on that way.
+    // The integration errs by more.
     struct Slow {
-        double part = 0, extent = 0;
+        double part = 0, extent = 0, way = 0;
     };
     void setSlow(const Slow& slow) { slow_ = slow; }
     // There are bounds.

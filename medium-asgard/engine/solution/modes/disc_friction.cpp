@@ -104,7 +104,8 @@ DiscFriction::velocityOf(std::size_t k) const {
     const InDisc began = beganOf(k);
     if (began.size() == 1)
         return {InDisc::Zero(1), began.normalized()};
-    // It fades so slowly that changeOf() may take it as constant.
+    // It is whole below a hundred times the slow speed, and fades beyond: so little of it is left
+    // there that changeOf() may take it as constant.
     constexpr double fast = 100; // times the speed of a slow slip
     const double grown = slipOf(k).squaredNorm() / (fast * fast * began.squaredNorm());
     return {senseOf(k) * ratesAmong(gaps_, k), began / (1 + grown)};

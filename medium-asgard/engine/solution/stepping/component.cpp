@@ -179,8 +179,8 @@ void Component::makeControl() {
     memory_.now.control = ErrorControl(std::move(scales), context_.tolerance);
     constexpr double ofTolerance = 0.01; // of what a step may err in velocities
     constexpr double least = 1e-9;       // below, a slip would turn as fast as rounding does
-    equations_->setSlow(
-        {.part = std::max(ofTolerance * context_.tolerance, least), .extent = extent});
+    const double part = ofTolerance * context_.tolerance;
+    equations_->setSlow({.part = std::max(part, least), .extent = extent, .way = part * extent});
 }
 
 // Of multipliers the histories keep the mode.
