@@ -33,9 +33,13 @@ bool sleeps(const solution::Histories& histories, std::size_t unknown, double ti
            std::ranges::all_of(histories.piece(unknown, time).coefficients, isZero);
 }
 
-bool staysIn(const BodyState& state, int axis) {
-    return state.velocity[axis] == 0 && state.angularVelocity[(axis + 1) % 3] == 0 &&
-           state.angularVelocity[(axis + 2) % 3] == 0;
+// But for the rounding of a blow.
+bool staysIn(const BodyState& state, int axis, double radius) {
+    constexpr double rounding = 1e-9;
+    Vector turn = radius * state.angularVelocity;
+    const double most = rounding * (state.velocity.norm() + turn.norm());
+    turn[axis] = 0;
+    return std::abs(state.velocity[axis]) + turn.norm() <= most;
 }
 
 // Its surface runs along that axis, by more than rounding.
@@ -65,7 +69,7 @@ std::optional<MotionPlane> Instant::planeOf(std::span<const std::size_t> bodies,
                     isIn = isIn && sleeps(histories, first + qx + k, time) &&
                            sleeps(histories, first + w1 + k, time);
             if (const auto after = changed.find(body); after != changed.end())
-                isIn = isIn && staysIn(after->second, axis);
+                isIn = isIn && staysIn(after->second, axis, world.records[body].radius);
             const double place = stateOf(body).position[axis];
             isIn = isIn && (!at || *at == place);
             at = place;
