@@ -33,13 +33,15 @@ bool sleeps(const solution::Histories& histories, std::size_t unknown, double ti
            std::ranges::all_of(histories.piece(unknown, time).coefficients, isZero);
 }
 
-// But for the rounding of a blow.
-bool staysIn(const BodyState& state, int axis, double radius) {
-    constexpr double rounding = 1e-9;
+double speedOf(const BodyState& state, double radius) {
+    return state.velocity.norm() + radius * state.angularVelocity.norm();
+}
+
+// By more than `rounding`.
+bool leaves(const BodyState& state, int axis, double radius, double rounding) {
     Vector turn = radius * state.angularVelocity;
-    const double most = rounding * (state.velocity.norm() + turn.norm());
     turn[axis] = 0;
-    return std::abs(state.velocity[axis]) + turn.norm() <= most;
+    return std::abs(state.velocity[axis]) + turn.norm() > rounding;
 }
 
 // Its surface runs along that axis, by more than rounding.
@@ -55,6 +57,12 @@ bool runsAlong(const Colliders& world, std::size_t body, int axis) {
 std::optional<MotionPlane> Instant::planeOf(std::span<const std::size_t> bodies,
                                             const RestingBodies::States& changed) const {
     using namespace physics;
+    constexpr double ofSpeeds = 1e-9; // that enter a blow
+    double rounding = 0;
+    for (const auto& [body, after] : changed)
+        for (const BodyState& state : {stateOf(body), after})
+            rounding = std::max(rounding,
+                                ofSpeeds * simulation::speedOf(state, world.records[body].radius));
     for (const int axis : {2, 1, 0}) {
         std::optional<double> at;
         bool isIn = true;
@@ -69,7 +77,7 @@ std::optional<MotionPlane> Instant::planeOf(std::span<const std::size_t> bodies,
                     isIn = isIn && sleeps(histories, first + qx + k, time) &&
                            sleeps(histories, first + w1 + k, time);
             if (const auto after = changed.find(body); after != changed.end())
-                isIn = isIn && staysIn(after->second, axis, world.records[body].radius);
+                isIn = isIn && !leaves(after->second, axis, world.records[body].radius, rounding);
             const double place = stateOf(body).position[axis];
             isIn = isIn && (!at || *at == place);
             at = place;
