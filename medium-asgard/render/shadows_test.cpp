@@ -123,7 +123,7 @@ TEST_F(RendererTest, AStudioHasASkyAndAHorizonLightOrDark) {
     EXPECT_EQ(draw().bytes, dark.bytes);
 }
 
-// What one looks at closely stands high above it.
+// The body that one looks at closely stands high above it.
 TEST_F(RendererTest, TheGroundIsSeenFarBelow) {
     addBody(scene_, sphere(0.05), {0, 10, 0}, red);
     addBody(scene_, sphere(0.05), {0, 0.05, 0}, red);

@@ -33,7 +33,7 @@ public:
                   const Weights& weights);
 
     enum class Outcome { converged, failed, notFinite };
-    // Improves z, for the step of length h from y at t.
+    // Improves z, for the step of length h from y at t, by so many corrections at least.
     [[nodiscard]] Outcome solve(double t, double h, std::span<const double> y, Stages& z,
                                 bool isFixed, std::size_t leastIterations);
     // Of the last solve().

@@ -80,8 +80,9 @@ private:
                                       std::span<const double> forces) const;
     // The force is against it.
     [[nodiscard]] InDisc wayOf(std::size_t disc, const Centre& centre) const;
-    // +1; -1 behind the turn of a slip that comes back, so that its friction goes on there. One
-    // that goes round, at any speed, passes its turn with the friction of its own direction.
+    // -1 behind the turn of a slip that comes back, within 45 degrees of its way, so that its
+    // friction goes on there. Else +1: a slip that goes round passes its turn with the friction of
+    // its own direction.
     [[nodiscard]] double senseOf(std::size_t disc) const;
 
     const BoundModel& bound_;
