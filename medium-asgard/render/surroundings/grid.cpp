@@ -18,8 +18,8 @@ double smooth(double from, double to, double x) {
     return t * t * (3 - 2 * t);
 }
 
-// The point of the ground in the line of sight through the middle of the picture, or through a place
-// nearer to its edge.
+// The point of the ground in the line of sight through the middle of the picture, or through a
+// place nearer to its edge.
 std::optional<Vector> groundInSight(const GroundPlane& ground, const Frame& frame) {
     const Camera& camera = frame.camera();
     const Size size = frame.size();
