@@ -9,6 +9,7 @@ namespace views {
 class SeenStyle : public QProxyStyle {
     Q_OBJECT
 public:
+    using QProxyStyle::QProxyStyle;
     void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                        const QWidget* widget) const override;
     [[nodiscard]] QIcon standardIcon(StandardPixmap which, const QStyleOption* option,

@@ -13,6 +13,8 @@
 #include <QMenuBar>
 #include <QTextBlock>
 #include <QTextBrowser>
+#include <QToolTip>
+#include <QVBoxLayout>
 
 #include <gmock/gmock.h>
 
@@ -102,6 +104,27 @@ TEST_F(MotionSpanTest, WhatCannotBeSaysWhyAndStays) {
         EXPECT_EQ(field(finish)->text(), "5");
         EXPECT_EQ(field(start)->text(), "1");
     }
+}
+
+// Return gives the keyboard back to the picture.
+TEST_F(MotionSpanTest, TheReasonStaysAtTheFieldThoughTheKeyboardGoesElsewhere) {
+    document.setText("simulator -finish 3\n", "Edit");
+    EXPECT_TRUE(settle(document));
+    QWidget window;
+    auto* row = new QVBoxLayout(&window);
+    auto* picture = new QLineEdit;
+    row->addWidget(picture);
+    row->addWidget(&span);
+    QObject::connect(&span, &MotionSpan::left, picture, [picture] { picture->setFocus(); });
+    window.show();
+    window.activateWindow();
+    EXPECT_TRUE(QTest::qWaitForWindowActive(&window));
+    field(finish)->setFocus();
+    enter(finish, "-1");
+    EXPECT_TRUE(waitFor([&] { return picture->hasFocus() && QToolTip::isVisible(); }));
+    EXPECT_EQ(QToolTip::text(), field(finish)->property("refusal").toString());
+    QToolTip::hideText();
+    span.setParent(nullptr);
 }
 
 TEST_F(MotionSpanTest, EscapeLeavesItAsItWas) {

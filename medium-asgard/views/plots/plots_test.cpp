@@ -1,6 +1,7 @@
 // What a `plot` says is to be seen, and follows the motion.
 #include "plots/plot_dialog.h"
 #include "plots/plots_panel.h"
+#include "plots/quantities.h"
 #include "viewers/editor.h"
 #include "views/test_workshop.h"
 
@@ -41,6 +42,35 @@ TEST_F(PlotsTest, TheDialogOffersTheQuantitiesOfTheScene) {
     const PlotDialog about(editor.document().shown().scene, nullptr,
                            editing::Element{editing::Kind::joint, 0});
     EXPECT_EQ(about.expression(), "pin.q");
+}
+
+TEST_F(PlotsTest, EachQuantityHasItsUnit) {
+    show("shape_set s -desc {-sub {-sphere 0.5}}\nbody floor s -fixed 1\n"
+         "body b s -init_pos {0 3 0}\nbody c s -init_pos {3 3 0}\nbody d s -init_pos {6 3 0}\n"
+         "joint pin -type hinge -body1 b -offset1 {0 1 0} -motor 1\n"
+         "joint rail -type slider -body1 c -axis {1 0 0} -motor 1\n"
+         "spring coil -body1 b -body2 c -stiffness 5\n"
+         "rope string -points {{d} {6 9 0}} -length 7\n"
+         "contact touch -body1 d -body2 floor -friction 0.1\n");
+    const scene::Scene& scene = *editor.document().shown().scene;
+    const std::pair<const char*, const char*> units[] = {{"b.x", "m"},
+                                                         {"b.dx", "m/s"},
+                                                         {"b.rz", "rad"},
+                                                         {"b.wz", "rad/s"},
+                                                         {"pin.q", "rad"},
+                                                         {"pin.dq", "rad/s"},
+                                                         {"pin.motor", "N m"},
+                                                         {"rail.q", "m"},
+                                                         {"rail.dq", "m/s"},
+                                                         {"rail.motor", "N"},
+                                                         {"coil.length", "m"},
+                                                         {"coil.force", "N"},
+                                                         {"string.tension", "N"},
+                                                         {"touch.n", "N"},
+                                                         {"touch.slip", "m/s"},
+                                                         {"b.x + 1", ""}};
+    for (const auto& [expression, unit] : units)
+        EXPECT_EQ(unitOf(scene, expression), unit) << expression;
 }
 
 // What one asks of a pendulum is an angle, though its rod has none.

@@ -49,9 +49,20 @@ TEST(SeenStyleTest, WhatIsNotTickedIsSeenOnADarkWindow) {
     }
 }
 
+// A desktop's style that knows light windows only.
+class BlackIcons : public QProxyStyle {
+public:
+    [[nodiscard]] QIcon standardIcon(StandardPixmap, const QStyleOption*,
+                                     const QWidget*) const override {
+        QPixmap black(16, 16);
+        black.fill(Qt::black);
+        return QIcon(black);
+    }
+};
+
 TEST(SeenStyleTest, TheButtonsOfPanesAreSeenOnADarkWindow) {
     theApplication();
-    const SeenStyle style;
+    const SeenStyle style(new BlackIcons);
     QWidget dark;
     dark.setPalette(night());
     for (const auto which : {QStyle::SP_TitleBarCloseButton, QStyle::SP_TitleBarNormalButton}) {
