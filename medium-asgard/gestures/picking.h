@@ -86,7 +86,8 @@ struct Picked {
 // has time. Any thread.
 using ShapePointer = std::shared_ptr<const geometry::Shape>;
 [[nodiscard]] ShapePointer shapeOf(const scene::Scene& scene, const std::string& body);
-void prepareShapes(const scene::Scene& scene);              // and forgets those of other scenes
+// And forgets those of other scenes.
+void prepareShapes(const std::vector<std::shared_ptr<const scene::Scene>>& scenes);
 [[nodiscard]] bool isEndless(const geometry::Shape& shape); // a floor
 
 } // namespace gestures

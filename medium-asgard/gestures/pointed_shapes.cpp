@@ -59,13 +59,16 @@ ShapePointer shapeOf(const scene::Scene& scene, const std::string& name) {
     return set ? ofSet(*set) : nullptr;
 }
 
-void prepareShapes(const scene::Scene& scene) {
-    for (const scene::ShapeSet& set : scene.shapeSets)
-        static_cast<void>(ofSet(set));
+void prepareShapes(const std::vector<std::shared_ptr<const scene::Scene>>& scenes) {
+    for (const auto& scene : scenes)
+        for (const scene::ShapeSet& set : scene->shapeSets)
+            static_cast<void>(ofSet(set));
     const std::lock_guard lock(store().mutex);
     std::erase_if(store().made, [&](const Made& made) {
-        return std::ranges::find(scene.shapeSets, made.parts, &scene::ShapeSet::parts) ==
-               scene.shapeSets.end();
+        return std::ranges::none_of(scenes, [&](const auto& scene) {
+            return std::ranges::find(scene->shapeSets, made.parts, &scene::ShapeSet::parts) !=
+                   scene->shapeSets.end();
+        });
     });
 }
 

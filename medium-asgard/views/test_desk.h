@@ -98,7 +98,6 @@ protected:
 
     Desk() {
         model.drafts.resize(texts.size());
-        auto pictures = std::make_shared<PictureThread>(false);
         Windows windows;
         windows.save = [] {};
         for (Text& text : texts) {
@@ -318,12 +317,13 @@ protected:
 
     std::mt19937_64 random{static_cast<std::uint64_t>(setting("ASGARD_SEED", 1))};
     SceneDocument document{Workshop{}};
+    std::shared_ptr<PictureThread> pictures = std::make_shared<PictureThread>(false);
     UndoModel model;
     int firstRevision = 0;
     std::array<Text, 2> texts;
     std::array<Seen, 2> scenes;
     TrajectoryEditor curves{document};
-    ShapeEditor shapes{document};
+    ShapeEditor shapes{document, pictures};
     TrajectoryGraph* graph = nullptr; // that is held
     QPointF graphAt, shapeAt;
     bool shapeHeld = false;

@@ -33,7 +33,7 @@ inline QApplication& theApplication() {
     // Never destroyed: when the process ends, objects that Qt has made since may be gone before it.
     static QApplication& application = *new QApplication(argc, argv);
     // However loaded the machine is, tests look at the picture that was asked for.
-    SceneDisplay::setPatience(std::chrono::seconds(60));
+    WindowPicture::setPatience(std::chrono::seconds(60));
     Said::setPace(1000); // and at what is said, however late
     return application;
 }

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace editing {
 
@@ -132,54 +131,6 @@ Part withSizingPoint(const Part& part, std::size_t point, const Vector& local) {
     return withSizes(part, sizes);
 }
 
-template <typename Shape> Part withShape(Part part, const Shape& shape) {
-    part.shape = shape;
-    return part;
-}
-
-// Points of the surface, for drawing: in rings about y; of what is hollow its hull's.
-std::vector<Vector> surfaceOf(const Part& part) {
-    constexpr int sides = 24, rings = 12;
-    std::vector<std::pair<double, double>> profile; // radius, height
-    const std::vector<double> sizes = sizesOf(part);
-    if (std::holds_alternative<PlaneShape>(part.shape))
-        return {{1, 0, 1}, {1, 0, -1}, {-1, 0, 1}, {-1, 0, -1}, {0, -1e-3, 0}};
-    if (const auto* tube = std::get_if<TubeShape>(&part.shape))
-        return surfaceOf(withShape(part, CylinderShape{tube->outer, tube->height}));
-    if (const auto* bowl = std::get_if<BowlShape>(&part.shape)) {
-        for (int k = 0; k <= rings / 2; ++k) {
-            const double angle = std::numbers::pi * k / rings;
-            profile.emplace_back(bowl->outer * std::cos(angle), -bowl->outer * std::sin(angle));
-        }
-    } else if (std::holds_alternative<CylinderShape>(part.shape)) {
-        const double half = std::max(sizes[1] / 2, 1e-3 * sizes[0]);
-        profile = {{sizes[0], half}, {sizes[0], -half}};
-    } else if (std::holds_alternative<ConeShape>(part.shape)) {
-        profile = {{0, sizes[1] / 2}, {sizes[0], -sizes[1] / 2}};
-    } else {
-        const bool isCapsule = sizes.size() == 2;
-        for (int k = 0; k <= rings; ++k) {
-            const int above = k - rings / 2;
-            const double angle = std::numbers::pi * above / rings;
-            const double lift = isCapsule ? std::copysign(sizes[1] / 2, angle) : 0;
-            const double radius = isCapsule ? sizes[0] : 1;
-            profile.emplace_back(radius * std::cos(angle), radius * std::sin(angle) + lift);
-            if (isCapsule && k == rings / 2)
-                profile.emplace_back(radius, -lift);
-        }
-    }
-    const bool isEllipsoid = std::holds_alternative<EllipsoidShape>(part.shape);
-    const Vector scale = isEllipsoid ? Vector(sizes.data()) : Vector(Vector::Ones());
-    std::vector<Vector> points;
-    for (const auto& [radius, height] : profile)
-        for (int k = 0; k < sides; ++k) {
-            const double angle = 2 * std::numbers::pi * k / sides;
-            points.push_back(scale.cwiseProduct(
-                Vector(radius * std::cos(angle), height, radius * std::sin(angle))));
-        }
-    return distinct(points);
-}
-
 } // namespace
 
 std::vector<double> sizesOf(const Part& part) { return std::visit(Sizes{}, part.shape); }
@@ -274,19 +225,6 @@ Part withoutInnerPoints(const Part& part) {
     for (std::size_t i = 0; i < points.size(); ++i)
         if (inner[i])
             std::erase(hull->points, points[i]);
-    return result;
-}
-
-Part asPolyhedron(const Part& part) {
-    Part result = part;
-    if (const auto* box = std::get_if<BoxShape>(&part.shape)) {
-        HullShape hull;
-        for (std::size_t i = 0; i < 8; ++i)
-            hull.points.push_back(corner(box->edges, i));
-        result.shape = hull;
-    } else if (!std::holds_alternative<HullShape>(part.shape)) {
-        result.shape = HullShape{surfaceOf(part)};
-    }
     return result;
 }
 

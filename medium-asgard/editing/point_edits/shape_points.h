@@ -34,8 +34,4 @@ namespace editing {
 [[nodiscard]] std::vector<bool> innerPoints(const scene::Part& part);
 [[nodiscard]] scene::Part withoutInnerPoints(const scene::Part& part);
 
-// The part as a polyhedron with the same place: a box's corners, points of a round surface, a
-// square in place of a half space; nothing else changes.
-[[nodiscard]] scene::Part asPolyhedron(const scene::Part& part);
-
 } // namespace editing

@@ -319,13 +319,13 @@ TEST_F(CreatingTest, AClickBeforeItsSceneIsSeenCountsWhenItIs) {
     open(balls);
     display().lookAlong(Vector(0.3, 0.5, 1));
     display().grab();
-    SceneDisplay::setPatience({});
+    WindowPicture::setPatience({});
     editor.document().setText("# nothing yet\n", "Edit");
     done();
     display().creating().start(newBody(BasicShape::box));
     click({0.01, 0, 0.02});
     EXPECT_TRUE(waitFor([this] { return !display().creating().active(); }));
-    SceneDisplay::setPatience(std::chrono::seconds(60));
+    WindowPicture::setPatience(std::chrono::seconds(60));
     done();
     ASSERT_EQ(scene().bodies.size(), 1U);
     EXPECT_EQ(scene().bodies[0].initialPosition.y(), 0.5); // on the grid
@@ -333,14 +333,14 @@ TEST_F(CreatingTest, AClickBeforeItsSceneIsSeenCountsWhenItIs) {
 
 TEST_F(CreatingTest, ClicksBeforeTheirSceneIsSeenCountInTheirOrder) {
     open(balls);
-    SceneDisplay::setPatience({});
+    WindowPicture::setPatience({});
     editor.document().setText(balls + "set a 1\n", "Edit");
     done();
     display().creating().start(newSpring(Wanted::body));
     click({-1, 0, 0});
     click({1, 0, 0});
     EXPECT_TRUE(waitFor([this] { return !display().creating().active(); }));
-    SceneDisplay::setPatience(std::chrono::seconds(60));
+    WindowPicture::setPatience(std::chrono::seconds(60));
     done();
     EXPECT_THAT(text(), HasSubstr("-body1 b1 -body2 b2"));
 }

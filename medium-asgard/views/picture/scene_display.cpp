@@ -13,25 +13,15 @@
 
 namespace views {
 
-namespace {
-
-// Long enough for most pictures, and shorter than what one notices.
-std::chrono::milliseconds patience{12};
-
-// While something moves a picture with shadows may take that long: 20 of them a second.
-constexpr std::chrono::milliseconds smooth{50};
-
-} // namespace
-
 SceneDisplay::SceneDisplay(SceneDocument& document, std::shared_ptr<PictureThread> pictures,
                            QWidget* parent)
-    : QWidget(parent), document_(document), pictures_(std::move(pictures)),
+    : QWidget(parent), document_(document),
+      picture_(
+          *this, std::move(pictures), [this] { return wish(); },
+          [this](const Picture& picture) { return isWanted(picture); }),
       editing_(document, *this), creating_(document, *this), pointing_(document, *this),
       selecting_(document, *this), throwing_(document, *this), gizmo_(document, *this),
       faultSigns_(document, *this), meters_(document, *this) {
-    pictures_->open(this, [this] {
-        QMetaObject::invokeMethod(this, &SceneDisplay::ready, Qt::QueuedConnection);
-    });
     display_.studio = display_.triad = true;
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_OpaquePaintEvent);
@@ -40,9 +30,8 @@ SceneDisplay::SceneDisplay(SceneDocument& document, std::shared_ptr<PictureThrea
     setAccessibleDescription(tr("Picture of the scene. Click to select. Drag with the left button "
                                 "to turn it, the middle one to move it, the right one to scale or "
                                 "roll it."));
-    asking_.settle.setSingleShot(true);
-    asking_.settle.setInterval(180);
-    connect(&asking_.settle, &QTimer::timeout, this, [this] { redraw(false); });
+    connect(&picture_, &WindowPicture::taken, this, &SceneDisplay::taken);
+    connect(&picture_, &WindowPicture::came, this, &SceneDisplay::pictured);
     connect(&document_, &SceneDocument::elementsRenamed, this, &SceneDisplay::rename);
     connect(&document_, &SceneDocument::opened, this, [this] { seen_.isAnother = true; });
     connect(&document_, &SceneDocument::sceneChanged, this, &SceneDisplay::sceneChanged);
@@ -67,52 +56,16 @@ SceneDisplay::SceneDisplay(SceneDocument& document, std::shared_ptr<PictureThrea
     sceneChanged();
 }
 
-SceneDisplay::~SceneDisplay() { pictures_->forget(this); }
-
-void SceneDisplay::setPatience(std::chrono::milliseconds most) { patience = most; }
-
-render::Size SceneDisplay::pixelSize() const {
-    const QSizeF size = QSizeF(this->size()) * devicePixelRatioF();
-    return {std::max(1, static_cast<int>(std::lround(size.width()))),
-            std::max(1, static_cast<int>(std::lround(size.height())))};
-}
-
-Eigen::Vector2d SceneDisplay::inPixels(const QPointF& position) const {
-    return Eigen::Vector2d(position.x(), position.y()) * devicePixelRatioF();
-}
-
-QPointF SceneDisplay::fromPixels(const Eigen::Vector2d& pixels) const {
-    return QPointF(pixels.x(), pixels.y()) / devicePixelRatioF();
-}
-
 QPointF SceneDisplay::placeOf(double x, double y, double z) const {
     return fromPixels(sight().pixels({x, y, z}));
 }
 
-void SceneDisplay::redraw(bool moving) {
-    asking_.moving = moving;
-    asking_.isOld = true;
-    if (moving)
-        asking_.settle.start();
-    update();
-}
-
-void SceneDisplay::ask() {
-    if (!asking_.isOld)
-        return;
-    asking_.isOld = false;
+PictureWish SceneDisplay::wish() const {
     PictureWish wish;
-    wish.serial = ++asking_.wished;
     wish.shown = document_.shown();
     wish.time = time_;
     wish.display = display_;
-    wish.display.samples = asking_.moving ? 1 : 4;
-    const QColor paper = palette().color(QPalette::Base);
-    wish.display.background = {paper.redF(), paper.greenF(), paper.blueF()};
     wish.display.rotationCenter = press_.turns;
-    wish.display.shadows = display_.shadows && !(asking_.moving && asking_.isHeavy);
-    wish.size = pixelSize();
-    wish.pixelRatio = devicePixelRatioF();
     wish.camera = control_.camera();
     wish.view = seen_.followed.toStdString();
     wish.framing = seen_.framing;
@@ -123,56 +76,35 @@ void SceneDisplay::ask() {
                 : seen_.framesItself && (seen_.isDue || !seen_.isEdited) ? SeenFrom::framed
                 : seen_.turned                                           ? SeenFrom::turned
                                                                          : SeenFrom::camera;
-    pictures_->draw(this, std::move(wish));
+    return wish;
 }
 
-void SceneDisplay::take() {
-    auto last = pictures_->last(this);
-    if (!last || last == picture_)
-        return;
-    // Where it is seen from, unless that was changed meanwhile: then another one is on its way, and
-    // what is pointed at stays where it is seen.
-    const PictureWish& of = last->of;
-    const bool follows = of.from == SeenFrom::view && of.view == seen_.followed.toStdString();
-    const bool frames =
-        of.from == SeenFrom::framed && seen_.followed.isEmpty() && seen_.framesItself;
-    const bool turns = of.from == SeenFrom::turned && seen_.turned;
-    if (picture_ &&
-        ((of.from == SeenFrom::framed && !frames) || (of.from == SeenFrom::turned && !turns)))
-        return;
-    if (auto old = std::exchange(picture_, std::move(last)))
-        pictures_->drop(std::move(old));
-    // Once it was seen to be slow; a scene with other bodies is tried again.
-    if (of.display.shadows && of.display.samples == 1 && picture_->lasted > smooth)
-        asking_.isHeavy = true;
-    const bool isOfThis = of.shown.scene == document_.shown().scene;
+bool SceneDisplay::isFollowed(const Picture& picture) const {
+    const PictureWish& of = picture.of;
+    return (of.from == SeenFrom::view && of.view == seen_.followed.toStdString()) ||
+           (of.from == SeenFrom::framed && seen_.followed.isEmpty() && seen_.framesItself) ||
+           (of.from == SeenFrom::turned && seen_.turned);
+}
+
+// Another one is on its way instead, and what is pointed at stays where it is seen.
+bool SceneDisplay::isWanted(const Picture& picture) const {
+    const SeenFrom from = picture.of.from;
+    return (from != SeenFrom::framed && from != SeenFrom::turned) || isFollowed(picture);
+}
+
+void SceneDisplay::taken() {
+    const Picture& picture = *picture_.last();
+    const bool isOfThis = showsScene(), follows = isFollowed(picture);
     if (isOfThis)
-        seen_.isPlaced = !of.shown.scene->bodies.empty();
-    if (!follows && !frames && !turns)
+        seen_.isPlaced = !picture.of.shown.scene->bodies.empty();
+    if (!follows)
         return;
-    if (of.serial == asking_.wished)
+    if (picture_.isOfLastWish())
         seen_.turned = seen_.isDue = false;
     if (isOfThis && std::exchange(seen_.isToStay, false))
         seen_.framesItself = seen_.turned = false;
-    control_.set(picture_->camera);
+    control_.set(picture.camera);
     Q_EMIT cameraChanged();
-}
-
-void SceneDisplay::bringUpToDate() {
-    ask();
-    const bool isHeavy = picture_ && picture_->lasted > 2 * patience;
-    if (asking_.waitedFor != asking_.wished &&
-        !isHeavy) { // once for each: many may ask before it comes
-        asking_.waitedFor = asking_.wished;
-        pictures_->wait(this, asking_.wished, patience);
-    }
-    take();
-}
-
-void SceneDisplay::ready() {
-    take();
-    update();
-    Q_EMIT pictured();
 }
 
 void SceneDisplay::setTime(double time, bool moving) {
@@ -227,9 +159,6 @@ void SceneDisplay::rename(const std::vector<editing::Renamed>& renamed) {
 }
 
 void SceneDisplay::sceneChanged() {
-    asking_.isHeavy =
-        asking_.isHeavy && picture_ &&
-        picture_->of.shown.scene->bodies.size() == document_.shown().scene->bodies.size();
     const auto& views = document_.shown().scene->views;
     const bool known = std::any_of(views.begin(), views.end(), [&](const auto& v) {
         return QString::fromStdString(v.name) == seen_.followed;
@@ -252,9 +181,9 @@ void SceneDisplay::sceneChanged() {
 }
 
 void SceneDisplay::stepBack() {
-    if (!picture_)
+    if (!picture_.last())
         return;
-    const scene::Scene &before = *picture_->of.shown.scene, &now = *document_.shown().scene;
+    const scene::Scene &before = *picture_.last()->of.shown.scene, &now = *document_.shown().scene;
     const auto reachOf = [](const scene::Scene& scene, const scene::Body& body) {
         double reach = 0;
         for (const render::Ball& ball : render::outlineOf(scene, body))
@@ -315,7 +244,7 @@ void SceneDisplay::keepInSight() {
 }
 
 // While a handle is dragged pictures are many: each is coarse, and the last one fine.
-void SceneDisplay::motionChanged() { redraw(asking_.moving || editing_.dragging()); }
+void SceneDisplay::motionChanged() { redraw(picture_.isMoving() || editing_.dragging()); }
 
 void SceneDisplay::movedByUser() {
     seen_.framesItself = seen_.turned = seen_.isToStay = false;
@@ -443,7 +372,7 @@ render::Drawing SceneDisplay::drawing() const {
 }
 
 std::optional<render::GroundPlane> SceneDisplay::ground() const {
-    return display_.grid && showsScene() ? picture_->ground : std::nullopt;
+    return display_.grid && showsScene() ? picture_.last()->ground : std::nullopt;
 }
 
 const render::HandleSet& SceneDisplay::handles() {
@@ -454,25 +383,25 @@ const render::HandleSet& SceneDisplay::handles() {
 
 const render::HandleSet& SceneDisplay::knownHandles() const {
     static const render::HandleSet none;
-    return render::showsHandles(display_) && showsScene() ? picture_->handles : none;
+    return render::showsHandles(display_) && showsScene() ? picture_.last()->handles : none;
 }
 
 const render::HandleSet& SceneDisplay::drawnHandles() const {
     static const render::HandleSet none;
-    return picture_ ? picture_->handles : none;
+    return picture_.last() ? picture_.last()->handles : none;
 }
 
 double SceneDisplay::arrowLength(bool couple) {
     bringUpToDate();
-    if (!picture_)
+    if (!picture_.last())
         return 1;
-    return couple ? picture_->torqueArrow : picture_->forceArrow;
+    return couple ? picture_.last()->torqueArrow : picture_.last()->forceArrow;
 }
 
 void SceneDisplay::keepCamera() {
-    if ((!seen_.framesItself && !seen_.turned) || !picture_)
+    if ((!seen_.framesItself && !seen_.turned) || !picture_.last())
         return;
-    seen_.isToStay = !seen_.isEdited && picture_->of.shown.scene != document_.shown().scene;
+    seen_.isToStay = !seen_.isEdited && picture_.last()->of.shown.scene != document_.shown().scene;
     if (seen_.isToStay) // what is seen is of a scene before
         return;
     seen_.framesItself = seen_.turned = false;
@@ -533,22 +462,11 @@ geometry::Vector SceneDisplay::centerOf(std::size_t body) const {
     return render::poseOf(*shown.scene, shown.motion.get(), body, time_).toWorld(centroidOf(body));
 }
 
-void SceneDisplay::resizeEvent(QResizeEvent*) { asking_.isOld = true; }
-
 void SceneDisplay::paintEvent(QPaintEvent*) {
     bringUpToDate();
     QPainter painter(this);
-    if (picture_ && !picture_->fault.isEmpty()) {
-        painter.fillRect(rect(), palette().base());
-        painter.setPen(palette().color(QPalette::Text));
-        painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap,
-                         picture_->fault);
+    if (!picture_.paint(painter))
         return;
-    }
-    const QImage image = picture_ ? picture_->image : QImage();
-    if (image.isNull() || image.deviceIndependentSize().toSize() != size())
-        painter.fillRect(rect(), palette().base());
-    painter.drawImage(QPointF(0, 0), image);
     pointing_.paint(painter);
     meters_.paint(painter);
     gizmo_.paint(painter);

@@ -1,15 +1,15 @@
 // The picture of a scene in a window, and how the pointer and keys move its viewpoint.
 //
 // An ordinary widget that paints the renderer's image: no window system's OpenGL is needed, and
-// tests without a display see the same pixels. Pictures come from a thread (picture_thread.h); a
-// scene that takes long to draw holds nothing up. Unshifted buttons move the view
-// (framing/camera.h), `c` puts the centre of rotation under the pointer (dissertation 4.1.7). Until
-// the user moves it, the view frames the whole motion by itself. While something moves, pictures
-// are drawn quickly; at rest, finely.
+// tests without a display see the same pixels. Pictures come from a thread
+// (painting/window_picture.h); a scene that takes long to draw holds nothing up. Unshifted buttons
+// move the view (framing/camera.h), `c` puts the centre of rotation under the pointer
+// (dissertation 4.1.7). Until the user moves it, the view frames the whole motion by itself.
 #pragma once
 
 #include "framing/extent.h"
 #include "gestures/picking.h"
+#include "painting/window_picture.h"
 #include "picture/centroids.h"
 #include "picture/creating.h"
 #include "picture/element_menu.h"
@@ -17,14 +17,11 @@
 #include "picture/gizmo.h"
 #include "picture/meters.h"
 #include "picture/picture_editing.h"
-#include "picture/picture_thread.h"
 #include "picture/pointing.h"
 #include "picture/selecting.h"
 #include "picture/throwing.h"
 #include "workbench/scene_document.h"
 
-#include <QImage>
-#include <QTimer>
 #include <QWidget>
 
 #include <memory>
@@ -41,10 +38,6 @@ public:
     // Shows the document's scene.
     SceneDisplay(SceneDocument& document, std::shared_ptr<PictureThread> pictures,
                  QWidget* parent = nullptr);
-    ~SceneDisplay() override;
-
-    // How long a window waits for a picture before it goes on without.
-    static void setPatience(std::chrono::milliseconds patience);
 
     void setTime(double time, bool moving);
     [[nodiscard]] double time() const { return time_; }
@@ -100,14 +93,12 @@ public:
     // newer one takes long, and none of another scene.
     [[nodiscard]] const render::HandleSet& handles();
     // The picture is the one that was wished for last.
-    [[nodiscard]] bool showsNewest() const {
-        return !asking_.isOld && picture_ && picture_->of.serial == asking_.wished;
-    }
-    // The newest wish is asked for, and waited for as long as there is patience.
-    void bringUpToDate();
+    [[nodiscard]] bool showsNewest() const { return picture_.isNewest(); }
+    // The newest picture is asked for, and waited for as long as there is patience.
+    void bringUpToDate() { picture_.bringUpToDate(); }
     // The picture is of the scene that the document shows.
     [[nodiscard]] bool showsScene() const {
-        return picture_ && picture_->of.shown.scene == document_.shown().scene;
+        return picture_.last() && picture_.last()->of.shown.scene == document_.shown().scene;
     }
     // The things to see in the picture as it is.
     [[nodiscard]] const render::HandleSet& drawnHandles() const;
@@ -119,8 +110,12 @@ public:
     // The direction of the triad's end there, as words: "x", "against y"; "": none is there.
     [[nodiscard]] QString triadEndAt(const QPointF& position) const;
     [[nodiscard]] gestures::Sight sight() const { return {control_.camera(), pixelSize()}; }
-    [[nodiscard]] Eigen::Vector2d inPixels(const QPointF& position) const;
-    [[nodiscard]] QPointF fromPixels(const Eigen::Vector2d& pixels) const;
+    [[nodiscard]] Eigen::Vector2d inPixels(const QPointF& position) const {
+        return picture_.inPixels(position);
+    }
+    [[nodiscard]] QPointF fromPixels(const Eigen::Vector2d& pixels) const {
+        return picture_.fromPixels(pixels);
+    }
     // The place of a point of the world, in the widget.
     [[nodiscard]] Q_INVOKABLE QPointF placeOf(double x, double y, double z) const;
     void keepCamera(); // it does not frame the scene by itself any more
@@ -138,7 +133,6 @@ Q_SIGNALS:
 
 protected:
     void paintEvent(QPaintEvent* event) override;
-    void resizeEvent(QResizeEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
@@ -152,15 +146,18 @@ protected:
     bool event(QEvent* event) override;
 
 private:
-    [[nodiscard]] render::Size pixelSize() const;
+    [[nodiscard]] render::Size pixelSize() const { return picture_.pixelSize(); }
     void sceneChanged();
     void motionChanged();
     void rename(const std::vector<editing::Renamed>& renamed); // of what is hidden
-    void ask();
-    void take();
-    void ready(); // the thread has drawn a picture
+    [[nodiscard]] PictureWish wish() const;
+    // Where a picture is seen from is where the display is to be, unless that was changed
+    // meanwhile.
+    [[nodiscard]] bool isWanted(const Picture& picture) const;
+    [[nodiscard]] bool isFollowed(const Picture& picture) const;
+    void taken();
     void movedByUser();
-    void redraw(bool moving);
+    void redraw(bool moving) { picture_.redraw(moving); }
     void frame(const render::Extent& extent);
     void keepInSight(); // bodies, where they start
     void stepBack();    // as far as bodies need that grew out of the reader's own view
@@ -186,14 +183,6 @@ private:
         render::Display framing;     // whose handles it frames, too
         QString followed, last;      // views of the scene
     };
-    // The picture that was asked for last, and those that are on their way.
-    struct Asking {
-        unsigned wished = 0, waitedFor = 0;
-        bool isOld = true; // what is shown is not what was wished for last
-        bool moving = false;
-        bool isHeavy = false; // with shadows it would not move smoothly
-        QTimer settle;        // then the fine picture is drawn
-    };
     struct Press {
         QPointF at;          // where the button was
         bool isDrag = false; // the pointer has left that place
@@ -201,8 +190,7 @@ private:
     };
 
     SceneDocument& document_;
-    std::shared_ptr<PictureThread> pictures_;
-    PictureThread::PicturePointer picture_; // the last one, maybe of something older
+    WindowPicture picture_;
     render::CameraControl control_;
     render::Display display_;
     double time_ = 0;
@@ -217,7 +205,6 @@ private:
     mutable Centroids centroids_;
     Meters meters_;
     Press press_;
-    Asking asking_;
 };
 
 } // namespace views

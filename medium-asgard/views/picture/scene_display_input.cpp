@@ -153,8 +153,6 @@ void SceneDisplay::mouseDoubleClickEvent(QMouseEvent* event) {
 
 // While a handle is dragged its keys are no shortcuts.
 bool SceneDisplay::event(QEvent* event) {
-    if (event->type() == QEvent::PaletteChange)
-        redraw(false);
     if (event->type() == QEvent::ToolTip) {
         const auto& help = static_cast<const QHelpEvent&>(*event);
         const auto sign = faultSigns_.at(help.pos());

@@ -195,8 +195,7 @@ void ShapeEditor::makeNudges() {
 void ShapeEditor::addPoint(const Vector& place) {
     const auto part = display_->chosenPart();
     if (!part)
-        return tell(tr("Choose a part first, by Shift and the left button on one of its vertices."),
-                    true);
+        return tell(tr("Choose a part first, with a click."), true);
     const scene::Part& before = draft_[*part].part;
     if (!std::holds_alternative<scene::HullShape>(before.shape))
         return tell(tr("A box has its corners, and what is round the points that set its sizes; "
@@ -213,7 +212,7 @@ void ShapeEditor::addPoint(const Vector& place) {
 void ShapeEditor::addPointByKey() {
     const auto part = display_->chosenPart();
     if (!part)
-        return tell(tr("Choose a part first, with Page Down."), true);
+        return tell(tr("Choose a part first, with a click or Page Down."), true);
     const auto points = editing::pointsOf(draft_[*part].part);
     Vector middle = Vector::Zero(), far = Vector::Zero();
     for (const Vector& p : points)

@@ -1,16 +1,18 @@
 #include "shapes/shape_display.h"
 
-#include "framing/studio.h"
+#include "framing/framing.h"
 #include "geometry/hull.h"
+#include "gestures/wireframe.h"
 #include "point_edits/shape_points.h"
+#include "surroundings/triad.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QPainterPath>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace views {
 
@@ -31,32 +33,39 @@ std::optional<Button> buttonOf(Qt::MouseButton button) {
     return button == Qt::RightButton ? std::optional(Button::right) : std::nullopt;
 }
 
-Eigen::Vector2d vector(const QPointF& p) { return {p.x(), p.y()}; }
+// Of a polyhedron, a box, or the outlines of what is round.
+std::vector<std::vector<Vector>> edgesOf(const scene::Part& part) {
+    const auto* points = std::get_if<scene::HullShape>(&part.shape);
+    if (!points)
+        return gestures::wireframeOf({part});
+    const auto made = geometry::convexHull(points->points);
+    const auto* hull = std::get_if<geometry::Hull>(&made);
+    if (!hull)
+        return {};
+    const geometry::Polyhedron solid = geometry::transformed(
+        hull->polyhedron, {part.position, geometry::fromRotationVector(part.rotation)});
+    std::vector<std::vector<Vector>> edges;
+    for (const geometry::Edge& edge : solid.edges)
+        edges.push_back({solid.vertices[edge.from], solid.vertices[edge.to]});
+    return edges;
+}
 
-// Of x, y and z; seen on light and on dark.
-const QColor axisColours[] = {QColor(0xC0, 0x35, 0x36), QColor(0x3B, 0x7D, 0x22),
-                              QColor(0x34, 0x68, 0xD6)};
-
-// A disc with its letter, whatever shape is behind it.
-void paintAxisName(QPainter& painter, int axis, const QPointF& at) {
-    constexpr double radius = 9;
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(axisColours[axis]);
-    painter.drawEllipse(at, radius, radius);
-    painter.setPen(Qt::white);
-    painter.drawText(QRectF(at.x() - radius, at.y() - radius, 2 * radius, 2 * radius),
-                     Qt::AlignCenter, QString(QChar('x' + axis)));
+bool isNear(const QPointF& one, const QPointF& other) {
+    constexpr double still = 4; // pixels
+    return (one - other).manhattanLength() < still;
 }
 
 } // namespace
 
-ShapeDisplay::ShapeDisplay(QWidget* parent) : QWidget(parent) {
+ShapeDisplay::ShapeDisplay(std::shared_ptr<PictureThread> pictures, QWidget* parent)
+    : QWidget(parent), picture_(*this, std::move(pictures), [this] { return wish(); }) {
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_OpaquePaintEvent);
     setAccessibleName(tr("Shape"));
     setAccessibleDescription(
-        tr("The parts of the shape. The left button drags a point, elsewhere it turns the view; "
-           "with Shift the middle one adds a point, the right one deletes one."));
+        tr("The parts of the shape. A click chooses a part. The left button drags a point, "
+           "elsewhere it turns the view; with Shift the middle one adds a point, the right one "
+           "deletes one."));
     setMouseTracking(true);
     render::Camera camera;
     camera.rotation = render::facing({0.45, 0.35, 1}, Vector::UnitY());
@@ -69,15 +78,9 @@ ShapeDisplay::Drawn ShapeDisplay::drawn(const scene::Part& part) {
     Drawn result;
     result.points = editing::pointsOf(part);
     result.inner = editing::innerPoints(part);
-    if (const auto* sphere = std::get_if<scene::SphereShape>(&part.shape)) {
+    result.edges = edgesOf(part);
+    if (const auto* sphere = std::get_if<scene::SphereShape>(&part.shape))
         result.radius = sphere->radius;
-        return result;
-    }
-    const scene::Part solid = editing::asPolyhedron(part);
-    auto hull = geometry::convexHull(std::get<scene::HullShape>(solid.shape).points);
-    if (auto* made = std::get_if<geometry::Hull>(&hull))
-        result.solid = geometry::transformed(
-            made->polyhedron, {part.position, geometry::fromRotationVector(part.rotation)});
     return result;
 }
 
@@ -97,15 +100,21 @@ void ShapeDisplay::setParts(std::vector<scene::Part> parts, bool another) {
         part_.reset();
     if (!part_ || (point_ && *point_ >= drawn_[*part_].points.size()))
         point_.reset();
+    redraw(true);
     if (another)
         frame();
-    update();
+}
+
+void ShapeDisplay::redraw(bool changed) {
+    if (changed)
+        scene_.reset();
+    picture_.redraw(grip_.has_value() || control_.active());
 }
 
 void ShapeDisplay::setForLooking() {
     forLooking_ = true;
     setAccessibleDescription(tr("The parts, each in a colour of its own."));
-    update();
+    redraw(true);
 }
 
 std::optional<Vector> ShapeDisplay::chosenPlace() const {
@@ -117,7 +126,7 @@ std::optional<Vector> ShapeDisplay::chosenPlace() const {
 void ShapeDisplay::choose(std::optional<std::size_t> part, std::optional<std::size_t> point) {
     part_ = part && *part < parts_.size() ? part : std::nullopt;
     point_ = part_ && point && *point < drawn_[*part_].points.size() ? point : std::nullopt;
-    update();
+    redraw(true);
 }
 
 void ShapeDisplay::setGrid(double step) {
@@ -126,20 +135,11 @@ void ShapeDisplay::setGrid(double step) {
 }
 
 void ShapeDisplay::frame() {
-    Eigen::AlignedBox3d box;
-    for (const Drawn& one : drawn_)
-        for (const Vector& p : one.points) {
-            const double r = one.radius.value_or(0);
-            box.extend(Vector(p.array() - r));
-            box.extend(Vector(p.array() + r));
-        }
-    render::Camera camera = control_.camera();
-    camera.center = box.isEmpty() ? Vector::Zero() : Vector(box.center());
-    const double size = box.isEmpty() ? 1 : box.diagonal().norm() / 2;
-    camera.scale = 0.9 / std::max(size, 1e-9);
-    camera.position = Vector::Zero();
-    control_.set(camera);
-    update();
+    makeScene();
+    const render::Camera& camera = control_.camera();
+    control_.set(render::fitted(render::extentOf(*scene_, nullptr), camera.rotation,
+                                picture_.pixelSize(), camera.orthographic));
+    redraw(false);
 }
 
 Vector ShapeDisplay::screenAxis(int which) const {
@@ -158,30 +158,21 @@ void ShapeDisplay::lookAlong(const Vector& toward) {
     camera.rotation = render::facing(toward, std::abs(toward.y()) > 0.99 ? Vector(0, 0, -toward.y())
                                                                          : Vector(0, 1, 0));
     control_.set(camera);
-    update();
+    redraw(false);
 }
 
 // --- where things are --------------------------------------------------------------------------
 
 QPointF ShapeDisplay::position(const Vector& place) const {
-    const Eigen::Vector2d p = render::toPixels(control_.camera(), pixels(), place);
-    return {p.x(), p.y()};
-}
-
-double ShapeDisplay::depth(const Vector& place) const {
-    const render::Camera& camera = control_.camera();
-    return (camera.rotation * (place - camera.center)).z() * camera.scale + camera.position.z();
+    return picture_.fromPixels(sight().pixels(place));
 }
 
 double ShapeDisplay::pixelLength() const {
-    const Eigen::Vector2d middle(width() / 2.0, height() / 2.0);
-    return (render::toWorld(control_.camera(), pixels(), middle + Eigen::Vector2d(1, 0)) -
-            render::toWorld(control_.camera(), pixels(), middle))
-        .norm();
+    return sight().pixelLength(control_.camera().center) * devicePixelRatioF();
 }
 
 Vector ShapeDisplay::placeAt(const QPointF& at, const Vector& like) const {
-    Vector place = render::toWorld(control_.camera(), pixels(), vector(at), depth(like));
+    Vector place = sight().beside(picture_.inPixels(at), like);
     if (grid_ <= 0)
         return place;
     for (int k = 0; k < 3; ++k) // a coordinate that one looks along stays as it was
@@ -195,12 +186,13 @@ Vector ShapeDisplay::placeAt(const QPointF& at, const Vector& like) const {
 std::optional<ShapeDisplay::Hit> ShapeDisplay::pointAt(const QPointF& at) const {
     std::optional<Hit> nearest;
     double best = reach;
+    const gestures::Sight sight = this->sight();
     for (std::size_t i = 0; i < drawn_.size(); ++i)
         for (std::size_t k = 0; k < drawn_[i].points.size(); ++k) {
             const QPointF d = position(drawn_[i].points[k]) - at;
             // Of two as near the chosen part's, then the one in front.
             const double distance = std::hypot(d.x(), d.y()) - (part_ == i ? 2 : 0) -
-                                    0.5 * std::clamp(depth(drawn_[i].points[k]), -1.0, 1.0);
+                                    0.5 * std::clamp(sight.depth(drawn_[i].points[k]), -1.0, 1.0);
             if (distance < best) {
                 best = distance;
                 nearest = {i, k};
@@ -224,21 +216,56 @@ QColor ShapeDisplay::colourOf(std::size_t part) const {
                             static_cast<float>(color->blue));
 }
 
+void ShapeDisplay::makeScene() {
+    if (scene_)
+        return;
+    auto made = std::make_shared<scene::Scene>();
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+        scene::ShapeSet set;
+        set.name = std::to_string(i);
+        set.parts = {parts_[i]};
+        const QColor colour = colourOf(i);
+        set.parts[0].appearance.color = {colour.redF(), colour.greenF(), colour.blueF()};
+        scene::Body body;
+        body.name = body.shape = set.name;
+        made->shapeSets.push_back(std::move(set));
+        made->bodies.push_back(std::move(body));
+    }
+    scene_ = std::move(made);
+}
+
+render::Drawing ShapeDisplay::drawing() {
+    makeScene();
+    render::Drawing drawing;
+    drawing.scene = scene_.get();
+    drawing.camera = control_.camera();
+    drawing.display.studio = drawing.display.axes = true;
+    drawing.display.triad = !forLooking_;
+    drawing.display.rotationCenter = control_.active() && !press_.isClick;
+    return drawing;
+}
+
+PictureWish ShapeDisplay::wish() {
+    const render::Drawing drawing = this->drawing();
+    PictureWish wish;
+    wish.shown.scene = scene_;
+    wish.display = drawing.display;
+    wish.from = SeenFrom::camera;
+    wish.camera = drawing.camera;
+    return wish;
+}
+
 void ShapeDisplay::paintEvent(QPaintEvent*) {
+    picture_.bringUpToDate();
     QPainter painter(this);
+    if (!picture_.paint(painter))
+        return;
     painter.setRenderHint(QPainter::Antialiasing);
-    paintBackdrop(painter);
-    paintGrid(painter);
-    paintFaces(painter);
-    for (std::size_t i = 0; i < drawn_.size(); ++i)
-        if (part_ != i && !forLooking_) // there faces have their own, and hide those behind
-            paintEdges(painter, i);
-    if (part_)
-        paintEdges(painter, *part_);
-    if (!forLooking_)
+    paintLines(painter);
+    if (!forLooking_) {
+        paintEdges(painter);
         paintPoints(painter);
-    for (int k = 0; k < 3; ++k)
-        paintAxisName(painter, k, position(1.05 * 0.9 / control_.camera().scale * Vector::Unit(k)));
+    }
     QColor frame = palette().color(QPalette::WindowText);
     frame.setAlpha(hasFocus() ? 150 : 60);
     painter.setPen(QPen(frame, 1));
@@ -246,32 +273,9 @@ void ShapeDisplay::paintEvent(QPaintEvent*) {
     painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
 }
 
-// Sky above and ground below, as behind a scene.
-void ShapeDisplay::paintBackdrop(QPainter& painter) const {
-    const bool isNight = palette().color(QPalette::Base).lightness() < 128;
-    const render::StudioColors& colors = render::studioColors(isNight);
-    QLinearGradient shade(0, 0, 0, height());
-    const std::pair<double, const Eigen::Vector3f*> stops[] = {
-        {0, &colors.low}, {0.55, &colors.haze}, {0.75, &colors.far}, {1, &colors.near}};
-    for (const auto& [at, color] : stops)
-        shade.setColorAt(at, QColor::fromRgbF(color->x(), color->y(), color->z()));
-    painter.fillRect(rect(), shade);
-}
-
-// The axes, and with a grid its lines in the plane that is seen best.
-void ShapeDisplay::paintGrid(QPainter& painter) const {
-    if (grid_ > 0)
-        paintLines(painter);
-    const double half = 0.9 / control_.camera().scale;
-    for (int k = 0; k < 3; ++k) {
-        const QPointF end = position(half * Vector::Unit(k));
-        painter.setPen(QPen(axisColours[k], 1.2));
-        painter.drawLine(position(Vector::Zero()), end);
-    }
-}
-
+// Of the grid that places keep to, in the plane that is seen best.
 void ShapeDisplay::paintLines(QPainter& painter) const {
-    const int count = static_cast<int>(0.9 / control_.camera().scale / grid_);
+    const int count = grid_ > 0 ? static_cast<int>(0.9 / control_.camera().scale / grid_) : 0;
     if (count > 60)
         return; // finer than one could see
     const Vector normal = screenAxis(2);
@@ -287,72 +291,23 @@ void ShapeDisplay::paintLines(QPainter& painter) const {
     }
 }
 
-// Faint, from back to front over all parts.
-void ShapeDisplay::paintFaces(QPainter& painter) const {
-    struct Face {
-        QPolygonF outline;
-        double z;
-        QColor colour;
-    };
-    std::vector<Face> faces;
-    const Vector light = Vector(0.3, 0.6, 0.75).normalized();
-    for (std::size_t i = 0; i < drawn_.size(); ++i) {
-        for (const geometry::Face& face : drawn_[i].solid.faces) {
-            const Vector normal = control_.camera().rotation * face.normal;
-            if (normal.z() < 0)
-                continue;
-            Face one{{}, 0, colourOf(i)};
-            for (const std::size_t v : face.vertices) {
-                one.outline << position(drawn_[i].solid.vertices[v]);
-                one.z +=
-                    depth(drawn_[i].solid.vertices[v]) / static_cast<double>(face.vertices.size());
-            }
-            const double shade = 0.55 + 0.45 * std::max(0.0, normal.dot(light));
-            one.colour = QColor::fromRgbF(static_cast<float>(one.colour.redF() * shade),
-                                          static_cast<float>(one.colour.greenF() * shade),
-                                          static_cast<float>(one.colour.blueF() * shade),
-                                          forLooking_  ? 0.9F
-                                          : part_ == i ? 0.45F
-                                                       : 0.25F);
-            faces.push_back(one);
-        }
-    }
-    std::ranges::sort(faces, {}, &Face::z);
-    for (const Face& face : faces) {
-        painter.setPen(forLooking_ ? QPen(face.colour.darker(130), 1) : QPen(Qt::NoPen));
-        painter.setBrush(face.colour);
-        painter.drawPolygon(face.outline);
-    }
-}
-
-void ShapeDisplay::paintEdges(QPainter& painter, std::size_t part) const {
-    const Drawn& one = drawn_[part];
-    const bool isChosen = isColoured(part);
-    const QColor colour = isChosen ? colourOf(part).darker(125) : grey;
-    painter.setPen(QPen(colour, part_ == part ? 1.8 : 1));
-    if (one.radius)
-        return paintSphere(painter, part);
-    for (const geometry::Edge& edge : one.solid.edges)
-        painter.drawLine(position(one.solid.vertices[edge.from]),
-                         position(one.solid.vertices[edge.to]));
-}
-
-void ShapeDisplay::paintSphere(QPainter& painter, std::size_t part) const {
-    const Drawn& one = drawn_[part];
-    const QPointF middle = position(one.points[0]);
-    const Vector across = control_.camera().rotation.conjugate() * Vector(*one.radius, 0, 0);
-    const QPointF edge = position(one.points[0] + across) - middle;
-    const double radius = std::hypot(edge.x(), edge.y());
-    QRadialGradient shade(middle - QPointF(radius, radius) * 0.3, 1.5 * radius);
-    QColor inner = colourOf(part).lighter(150), outer = colourOf(part);
-    for (QColor* colour : {&inner, &outer})
-        colour->setAlphaF(isColoured(part) ? 0.5F : 0.3F);
-    shade.setColorAt(0, inner);
-    shade.setColorAt(1, outer);
-    painter.setBrush(shade);
-    painter.drawEllipse(middle, radius, radius);
+// Of the chosen part, also where others hide it.
+void ShapeDisplay::paintEdges(QPainter& painter) const {
+    if (!part_)
+        return;
+    const Drawn& one = drawn_[*part_];
+    QColor ink = chosenRing;
+    ink.setAlpha(170);
+    painter.setPen(QPen(ink, 1.2));
     painter.setBrush(Qt::NoBrush);
-    painter.drawLine(middle, position(one.points[1]));
+    for (const std::vector<Vector>& edge : one.edges) {
+        QPolygonF line;
+        for (const Vector& place : edge)
+            line << position(place);
+        painter.drawPolyline(line);
+    }
+    if (one.radius)
+        painter.drawLine(position(one.points[0]), position(one.points[1]));
 }
 
 void ShapeDisplay::paintPoints(QPainter& painter) const {
@@ -361,9 +316,10 @@ void ShapeDisplay::paintPoints(QPainter& painter) const {
         double z;
     };
     std::vector<Ball> balls;
+    const gestures::Sight sight = this->sight();
     for (std::size_t i = 0; i < drawn_.size(); ++i)
         for (std::size_t k = 0; k < drawn_[i].points.size(); ++k)
-            balls.push_back({i, k, depth(drawn_[i].points[k]) + (part_ == i ? 100 : 0)});
+            balls.push_back({i, k, sight.depth(drawn_[i].points[k]) + (part_ == i ? 100 : 0)});
     std::ranges::sort(balls, {}, &Ball::z);
     for (const Ball& ball : balls) {
         const Drawn& one = drawn_[ball.part];
@@ -380,21 +336,37 @@ void ShapeDisplay::paintPoints(QPainter& painter) const {
 
 // --- what is done ------------------------------------------------------------------------------
 
+bool ShapeDisplay::clickTriad(const QMouseEvent& event) {
+    if (forLooking_ || event.button() != Qt::LeftButton || event.modifiers() != Qt::NoModifier)
+        return false;
+    const auto end = render::triadDirectionAt(control_.camera(), picture_.pixelSize(),
+                                              picture_.inPixels(event.position()));
+    if (end)
+        lookAlong(*end);
+    return end.has_value();
+}
+
 void ShapeDisplay::mousePressEvent(QMouseEvent* event) {
     const QPointF at = event->position();
+    if (control_.active() || grip_ || clickTriad(*event))
+        return;
+    press_ = {at, event->button() == Qt::LeftButton && !forLooking_};
     const auto hit = forLooking_ ? std::nullopt : pointAt(at);
     const bool isShifted = event->modifiers() & Qt::ShiftModifier;
-    if (forLooking_ || (!isShifted && !(hit && event->button() == Qt::LeftButton))) {
-        if (const auto button = buttonOf(event->button()); button && !grip_)
-            control_.press(*button, vector(at), pixels());
-        return;
-    }
-    if (event->button() == Qt::LeftButton && hit) {
+    if (!forLooking_ && (isShifted || (hit && event->button() == Qt::LeftButton)))
+        return pressPoint(*event, hit);
+    if (const auto button = buttonOf(event->button()))
+        control_.press(*button, picture_.inPixels(at), picture_.pixelSize());
+}
+
+void ShapeDisplay::pressPoint(const QMouseEvent& event, const std::optional<Hit>& hit) {
+    const QPointF at = event.position();
+    if (event.button() == Qt::LeftButton && hit) {
         grip_ = drawn_[hit->part].points[hit->point];
         offset_ = position(*grip_) - at;
         pointer_ = at;
         Q_EMIT chosen(hit->part, hit->point);
-    } else if (event->button() == Qt::MiddleButton && part_) {
+    } else if (event.button() == Qt::MiddleButton && part_) {
         // As deep as the chosen point, else as the middle of the part.
         Vector like = Vector::Zero();
         for (const Vector& p : drawn_[*part_].points)
@@ -402,9 +374,23 @@ void ShapeDisplay::mousePressEvent(QMouseEvent* event) {
         if (point_)
             like = drawn_[*part_].points[*point_];
         Q_EMIT addWanted(placeAt(at, like));
-    } else if (event->button() == Qt::RightButton && hit) {
+    } else if (event.button() == Qt::RightButton && hit) {
         Q_EMIT removeWanted(hit->part, hit->point);
     }
+}
+
+// Of all parts there the front-most, or that behind the chosen one where it was clicked before.
+void ShapeDisplay::click(const QPointF& at) {
+    const bool isAgain = clicked_ && isNear(*clicked_, at);
+    clicked_ = at;
+    const auto there = gestures::bodiesAt(drawing(), sight(), picture_.inPixels(at));
+    if (there.empty())
+        return Q_EMIT clicked(std::nullopt);
+    auto taken =
+        isAgain && part_ ? std::ranges::find(there, *part_, &gestures::Picked::body) : there.end();
+    if (taken == there.end() || ++taken == there.end())
+        taken = there.begin();
+    Q_EMIT clicked(taken->body);
 }
 
 void ShapeDisplay::dragTo(const QPointF& position) {
@@ -418,26 +404,34 @@ void ShapeDisplay::dragTo(const QPointF& position) {
 }
 
 void ShapeDisplay::mouseMoveEvent(QMouseEvent* event) {
+    const QPointF at = event->position();
+    press_.isClick = press_.isClick && isNear(at, press_.at);
     if (grip_) {
-        dragTo(event->position());
-    } else if (control_.active() && control_.move(vector(event->position()), pixels())) {
-        update();
-    } else if (!forLooking_ && !control_.active()) {
-        setCursor(pointAt(event->position()) ? Qt::SizeAllCursor : Qt::ArrowCursor);
+        dragTo(at);
+    } else if (control_.active()) {
+        if (!press_.isClick && control_.move(picture_.inPixels(at), picture_.pixelSize()))
+            redraw(false);
+    } else if (!forLooking_) {
+        setCursor(pointAt(at) ? Qt::SizeAllCursor : Qt::ArrowCursor);
     }
 }
 
 void ShapeDisplay::mouseReleaseEvent(QMouseEvent* event) {
+    const bool wasView = control_.active();
     control_.release();
     if (event->button() == Qt::LeftButton && grip_) {
         grip_.reset();
         Q_EMIT released();
+    } else if (wasView && std::exchange(press_.isClick, false)) {
+        click(event->position());
     }
+    redraw(false);
 }
 
 void ShapeDisplay::wheelEvent(QWheelEvent* event) {
-    control_.wheel(vector(event->position()), event->angleDelta().y() / 120.0, pixels());
-    update();
+    control_.wheel(picture_.inPixels(event->position()), event->angleDelta().y() / 120.0,
+                   picture_.pixelSize());
+    picture_.redraw(true);
     event->accept();
 }
 

@@ -1,15 +1,14 @@
-// The parts of a shape in a shape editor: balls at their points, the chosen part in colour with its
-// edges, the others grey (dissertation 4.1.1). Draws and takes gestures; what they change is the
-// editor's.
+// The parts of a shape in a shape editor: bodies of a picture as any scene's, the chosen part in
+// colour with its edges, the others grey (dissertation 4.1.1), and balls at their points. Draws and
+// takes gestures; what they change is the editor's.
 //
-// The left button drags the point under it, and where none is moves the view, as the other buttons
-// do. With Shift: middle adds a point to the chosen part, right deletes the one under the pointer;
-// z and x push what is dragged away and towards the viewer.
+// The left button drags the point under it; a click chooses the part there, a further one that
+// behind it. Other drags move the view. With Shift: middle adds a point to the chosen part, right
+// deletes the one under the pointer; z and x push what is dragged away and towards the viewer.
 #pragma once
 
-#include "framing/camera.h"
-#include "geometry/polyhedron.h"
-#include "scene/scene.h"
+#include "gestures/picking.h"
+#include "painting/window_picture.h"
 
 #include <QWidget>
 
@@ -21,12 +20,13 @@ namespace views {
 class ShapeDisplay : public QWidget {
     Q_OBJECT
 public:
-    explicit ShapeDisplay(QWidget* parent = nullptr);
+    explicit ShapeDisplay(std::shared_ptr<PictureThread> pictures, QWidget* parent = nullptr);
 
     // `another`: of another shape than before.
     void setParts(std::vector<scene::Part> parts, bool another = false);
     // All parts in colours of their own, balls and gestures left away: to be looked at only.
     void setForLooking();
+    // None: all parts are in colour.
     void choose(std::optional<std::size_t> part, std::optional<std::size_t> point = {});
     [[nodiscard]] std::optional<std::size_t> chosenPart() const { return part_; }
     [[nodiscard]] std::optional<std::size_t> chosenPoint() const { return point_; }
@@ -39,9 +39,10 @@ public:
     // Where the chosen point is: a sphere's surface is taken hold of where it was dragged to.
     [[nodiscard]] std::optional<geometry::Vector> chosenPlace() const;
 
-    // Where a place of the shape is in this widget, and what a pixel is worth there.
+    // Where a place of the shape is in this widget, and what a pixel is worth in its middle.
     [[nodiscard]] QPointF position(const geometry::Vector& place) const;
     [[nodiscard]] double pixelLength() const;
+    [[nodiscard]] const WindowPicture& picture() const { return picture_; }
     // The place under the pointer, as deep in the picture as `like`; on the grid.
     [[nodiscard]] geometry::Vector placeAt(const QPointF& position,
                                            const geometry::Vector& like) const;
@@ -51,7 +52,8 @@ public:
 
 Q_SIGNALS:
     void chosen(std::size_t part, std::size_t point);
-    void dragged(const geometry::Vector& place); // of the chosen point
+    void clicked(std::optional<std::size_t> part); // none: nothing is there
+    void dragged(const geometry::Vector& place);   // of the chosen point
     void released();
     void cancelled();
     void addWanted(const geometry::Vector& place);
@@ -66,28 +68,38 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
-    struct Drawn {                    // a part as it is drawn
-        geometry::Polyhedron solid;   // empty for a sphere, or where the points bound none
-        std::optional<double> radius; // of a sphere
+    struct Drawn { // a part as it is drawn
         std::vector<geometry::Vector> points;
         std::vector<bool> inner;
+        std::vector<std::vector<geometry::Vector>> edges;
+        std::optional<double> radius; // of a sphere
     };
     struct Hit {
         std::size_t part, point;
     };
+    struct Press {
+        QPointF at;
+        bool isClick = false; // unless the pointer leaves that place
+    };
     [[nodiscard]] static Drawn drawn(const scene::Part& part);
-    [[nodiscard]] render::Size pixels() const { return {width(), height()}; }
-    [[nodiscard]] double depth(const geometry::Vector& place) const;
+    [[nodiscard]] gestures::Sight sight() const {
+        return {control_.camera(), picture_.pixelSize()};
+    }
+    [[nodiscard]] PictureWish wish();
+    [[nodiscard]] render::Drawing drawing();
+    void makeScene(); // a body for each part
+    void redraw(bool changed);
     [[nodiscard]] std::optional<Hit> pointAt(const QPointF& position) const;
     [[nodiscard]] QColor colourOf(std::size_t part) const;
-    [[nodiscard]] bool isColoured(std::size_t part) const { return forLooking_ || part_ == part; }
+    [[nodiscard]] bool isColoured(std::size_t part) const {
+        return forLooking_ || !part_ || part_ == part;
+    }
+    bool clickTriad(const QMouseEvent& event);
+    void pressPoint(const QMouseEvent& event, const std::optional<Hit>& hit);
+    void click(const QPointF& position);
     void dragTo(const QPointF& position);
-    void paintBackdrop(QPainter& painter) const;
     void paintLines(QPainter& painter) const;
-    void paintSphere(QPainter& painter, std::size_t part) const;
-    void paintGrid(QPainter& painter) const;
-    void paintFaces(QPainter& painter) const;
-    void paintEdges(QPainter& painter, std::size_t part) const;
+    void paintEdges(QPainter& painter) const;
     void paintPoints(QPainter& painter) const;
 
     std::vector<scene::Part> parts_;
@@ -96,7 +108,11 @@ private:
     std::optional<std::size_t> part_, point_;
     double grid_ = 0;
     bool forLooking_ = false;
+    std::shared_ptr<const scene::Scene> scene_; // null: to be made of the parts
+    WindowPicture picture_;
     render::CameraControl control_;
+    Press press_;
+    std::optional<QPointF> clicked_;       // where the last click was
     std::optional<geometry::Vector> grip_; // the place that is dragged
     QPointF offset_, pointer_;
 };

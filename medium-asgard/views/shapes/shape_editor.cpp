@@ -32,8 +32,8 @@ namespace views {
 using editing::DraftPart;
 using geometry::Vector;
 
-ShapeEditor::ShapeEditor(SceneDocument& document)
-    : document_(document), names_(new QComboBox), display_(new ShapeDisplay),
+ShapeEditor::ShapeEditor(SceneDocument& document, std::shared_ptr<PictureThread> pictures)
+    : document_(document), names_(new QComboBox), display_(new ShapeDisplay(std::move(pictures))),
       panel_(new ShapePanel), fields_(new ShapeFields), words_(new HintLine) {
     setAttribute(Qt::WA_DeleteOnClose);
     setObjectName("shapeEditor");
@@ -150,6 +150,10 @@ void ShapeEditor::connectDisplay() {
         choose(part, point);
         tell({});
     });
+    connect(display_, &ShapeDisplay::clicked, this, [this](std::optional<std::size_t> part) {
+        choose(part);
+        tell({});
+    });
     connect(display_, &ShapeDisplay::dragged, this, &ShapeEditor::drag);
     connect(display_, &ShapeDisplay::released, this, [this] { finish(tr("Move Vertex")); });
     connect(display_, &ShapeDisplay::cancelled, this, &ShapeEditor::cancel);
@@ -263,13 +267,14 @@ void ShapeEditor::showFields() {
 
 void ShapeEditor::tell(const QString& words, bool isFault) {
     untilCurrent_ = false;
-    words_->say(words.isEmpty()
-                    ? tr("Drag moves a vertex, elsewhere it turns the view  ·  Shift-middle adds "
-                         "a vertex to the chosen part, Shift-right deletes one  ·  Page Up, Page "
-                         "Down: vertex by vertex, the arrow keys move it  ·  white vertices lie "
-                         "inside and go when the shape is left")
-                    : words,
-                isFault);
+    words_->say(
+        words.isEmpty()
+            ? tr("Click chooses a part  ·  drag moves a vertex, elsewhere it turns the view  ·  "
+                 "Shift-middle adds a vertex to the chosen part, Shift-right deletes one  "
+                 "·  Page Up, Page Down: vertex by vertex, the arrow keys move it  ·  "
+                 "white vertices lie inside and go when the shape is left")
+            : words,
+        isFault);
 }
 
 // --- by keys -----------------------------------------------------------------------------------
@@ -352,7 +357,7 @@ void ShapeEditor::askForNewShape() {
 }
 
 void ShapeEditor::askToImport() {
-    if (ShapeImport* dialog = importShape(document_, this))
+    if (ShapeImport* dialog = importShape(document_, display_->picture().thread(), this))
         connect(dialog, &ShapeImport::imported, this, &ShapeEditor::showShape);
 }
 

@@ -25,7 +25,7 @@ class ShapePanel;
 class ShapeEditor : public QMainWindow {
     Q_OBJECT
 public:
-    explicit ShapeEditor(SceneDocument& document);
+    ShapeEditor(SceneDocument& document, std::shared_ptr<PictureThread> pictures);
 
     void showShape(const QString& name);
     void askForNewShape();

@@ -1,6 +1,7 @@
 #include "point_edits/shape_library.h"
 #include "point_edits/shape_points.h"
 #include "shapes/shape_editor.h"
+#include "surroundings/triad.h"
 #include "views/test_workshop.h"
 
 #include <gtest/gtest.h>
@@ -9,6 +10,7 @@
 #include "viewers/editor.h"
 
 #include <QLineEdit>
+#include <QListWidget>
 #include <QMessageBox>
 
 #include <random>
@@ -31,7 +33,7 @@ protected:
     void open(const std::string& scene) {
         document.setText(scene, "Edit");
         ASSERT_TRUE(settle(document));
-        editor = std::make_unique<ShapeEditor>(document);
+        editor = std::make_unique<ShapeEditor>(document, pictures);
         editor->setAttribute(Qt::WA_DeleteOnClose, false);
         editor->show();
         ASSERT_TRUE(QTest::qWaitForWindowExposed(editor.get(), longestWait));
@@ -70,6 +72,7 @@ protected:
 
     TestWorkshop made;
     SceneDocument document{made.workshop()};
+    std::shared_ptr<PictureThread> pictures = std::make_shared<PictureThread>();
     std::unique_ptr<ShapeEditor> editor;
 };
 
@@ -81,7 +84,7 @@ TEST_F(ShapeEditorTest, WhyNothingCanBeChangedIsSaidUntilItIsNoLongerSo) {
     EXPECT_EQ(document.text(), text + "bdy b2\n");
     document.undo();
     ASSERT_TRUE(settle(document));
-    EXPECT_TRUE(editor->words().startsWith("Drag moves a vertex"));
+    EXPECT_TRUE(editor->words().startsWith("Click chooses a part"));
 }
 
 // Closed while the text was read, which then had errors, and opened again.
@@ -141,6 +144,42 @@ TEST_F(ShapeEditorTest, ADragBesideTheVerticesIsTheViews) {
     EXPECT_NE(at({0, 1, 0}) + QPoint(0, -30), beside);
     drag(at({0, 1, 0}), {30, -40}, Qt::ShiftModifier);
     EXPECT_EQ(document.undoLabel(), "Move Vertex of corner");
+}
+
+// As in a scene's picture: again in one place chooses what lies behind, and on nothing none is.
+TEST_F(ShapeEditorTest, AClickChoosesThePart) {
+    const auto click = [&](const QPoint& where) {
+        QTest::mouseClick(&editor->display(), Qt::LeftButton, {}, where);
+        return editor->display().chosenPart();
+    };
+    editor->display().lookAlong(Vector::UnitX());
+    const QPoint both = at({2.5, 0.2, 0.15}); // the sphere, before the corner
+    EXPECT_EQ(click(both), 1U);
+    EXPECT_EQ(click(both), 0U);
+    EXPECT_EQ(click(both), 1U);
+    auto* list = editor->findChild<QListWidget*>("parts");
+    EXPECT_EQ(list->currentRow(), 1);
+    EXPECT_EQ(click(QPoint(editor->display().width() - 20, 20)), std::nullopt);
+    EXPECT_EQ(list->currentRow(), -1);
+    EXPECT_EQ(document.text(), text);
+}
+
+// Grid, shadows and axes as in a scene's picture, whose triad turns the view.
+TEST_F(ShapeEditorTest, ThePictureIsThatOfAScene) {
+    ShapeDisplay& display = editor->display();
+    display.grab();
+    ASSERT_NE(display.picture().last(), nullptr);
+    EXPECT_EQ(display.picture().last()->fault, "");
+    EXPECT_TRUE(display.picture().last()->ground);
+    const render::Size size = display.picture().pixelSize();
+    for (const render::TriadEnd& end : render::triadOf(display.picture().last()->camera, size))
+        if (end.axis == 1 && !end.against) {
+            QTest::mouseClick(&display, Qt::LeftButton, {},
+                              display.picture().fromPixels(end.place).toPoint());
+            break;
+        }
+    EXPECT_EQ(display.screenAxis(2), Vector::UnitY());
+    EXPECT_EQ(display.chosenPart(), 0U);
 }
 
 TEST_F(ShapeEditorTest, ASphereHasItsCentreAndAPointOfItsSurface) {

@@ -56,9 +56,11 @@ QSpinBox* countField(int least, int most, int value) {
 
 } // namespace
 
-ShapeImport::ShapeImport(SceneDocument& document, const QString& path, QWidget* parent)
+ShapeImport::ShapeImport(SceneDocument& document, std::shared_ptr<PictureThread> pictures,
+                         const QString& path, QWidget* parent)
     : QDialog(parent), document_(document), file_(QFileInfo(path).fileName()), job_(path),
-      display_(new ShapeDisplay), facts_(wrapped()), size_(wrapped()), words_(wrapped()),
+      display_(new ShapeDisplay(std::move(pictures))), facts_(wrapped()), size_(wrapped()),
+      words_(wrapped()),
       name_(new QLineEdit(unusedShapeName(document, QFileInfo(path).completeBaseName()))),
       scale_(new QLineEdit(QStringLiteral("1"))), centred_(new QCheckBox(tr("&Middle at 0 0 0"))),
       surplus_(new QDoubleSpinBox), parts_(countField(1, 500, 32)),
@@ -314,13 +316,14 @@ void ShapeImport::accept() {
     QDialog::accept();
 }
 
-ShapeImport* importShape(SceneDocument& document, QWidget* parent) {
+ShapeImport* importShape(SceneDocument& document, std::shared_ptr<PictureThread> pictures,
+                         QWidget* parent) {
     const QString path = QFileDialog::getOpenFileName(
         parent, ShapeImport::tr("Import a shape"), QFileInfo(document.path()).absolutePath(),
         ShapeImport::tr("Meshes (*.stl *.STL *.obj *.OBJ);;All files (*)"));
     if (path.isEmpty())
         return nullptr;
-    auto* dialog = new ShapeImport(document, path, parent);
+    auto* dialog = new ShapeImport(document, std::move(pictures), path, parent);
     dialog->open();
     return dialog;
 }

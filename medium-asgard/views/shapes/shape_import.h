@@ -2,7 +2,7 @@
 // they are, before anything of the scene changes.
 #pragma once
 
-#include "scene/scene.h"
+#include "painting/picture_thread.h"
 #include "shapes/mesh_job.h"
 
 #include <QDialog>
@@ -27,7 +27,8 @@ class ShapeDisplay;
 class ShapeImport : public QDialog {
     Q_OBJECT
 public:
-    ShapeImport(SceneDocument& document, const QString& path, QWidget* parent = nullptr);
+    ShapeImport(SceneDocument& document, std::shared_ptr<PictureThread> pictures,
+                const QString& path, QWidget* parent = nullptr);
 
     // The parts as they would be in the text.
     [[nodiscard]] std::vector<scene::Part> parts() const;
@@ -66,6 +67,7 @@ private:
 };
 
 // Asks for a file and opens the dialog for it, beside `parent`.
-ShapeImport* importShape(SceneDocument& document, QWidget* parent);
+ShapeImport* importShape(SceneDocument& document, std::shared_ptr<PictureThread> pictures,
+                         QWidget* parent);
 
 } // namespace views

@@ -40,7 +40,7 @@ protected:
         openPath(path);
     }
     void openPath(const QString& path) {
-        dialog = new ShapeImport(document, path);
+        dialog = new ShapeImport(document, pictures, path);
         dialog->setAttribute(Qt::WA_DeleteOnClose, false);
         owner.reset(dialog);
         dialog->show();
@@ -56,6 +56,7 @@ protected:
     QTemporaryDir folder;
     TestWorkshop made;
     SceneDocument document{made.workshop()};
+    std::shared_ptr<PictureThread> pictures = std::make_shared<PictureThread>(false);
     ShapeImport* dialog = nullptr;
     std::unique_ptr<ShapeImport> owner;
 };
@@ -165,7 +166,7 @@ TEST_F(ShapeImportTest, ClosingEndsTheThreadWhateverItDoes) {
     file.write(bytes.data(), static_cast<qint64>(bytes.size()));
     file.close();
     for (int i = 0; i < 3; ++i) {
-        ShapeImport dropped(document, file.fileName());
+        ShapeImport dropped(document, pictures, file.fileName());
         dropped.setAttribute(Qt::WA_DeleteOnClose, false);
         EXPECT_EQ(dropped.words(), "Looking for convex parts…");
         EXPECT_GE(MeshJob::threads(), 1);

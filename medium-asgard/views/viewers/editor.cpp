@@ -175,10 +175,14 @@ GraphicalViewer* Editor::openMainWindow() {
     return viewer;
 }
 
-GraphicalViewer* Editor::openGraphicalViewer() {
+const std::shared_ptr<PictureThread>& Editor::pictures() {
     if (!pictures_)
         pictures_ = std::make_shared<PictureThread>();
-    auto* viewer = new GraphicalViewer(document_, pictures_, windows(), ++graphicalCount_);
+    return pictures_;
+}
+
+GraphicalViewer* Editor::openGraphicalViewer() {
+    auto* viewer = new GraphicalViewer(document_, pictures(), windows(), ++graphicalCount_);
     // A new viewer begins where the last one is.
     if (const auto open = graphicalViewers(); !open.isEmpty())
         viewer->playback().seek(open.back()->playback().time());
@@ -216,7 +220,7 @@ TrajectoryEditor* Editor::openTrajectoryEditor() {
 
 ShapeEditor* Editor::openShapeEditor(const QString& name) {
     if (!shapeEditor_)
-        shapeEditor_ = new ShapeEditor(document_);
+        shapeEditor_ = new ShapeEditor(document_, pictures());
     if (const QString wanted = name.isEmpty() ? selectedShape(document_) : name; !wanted.isEmpty())
         shapeEditor_->showShape(wanted);
     showBeside(*shapeEditor_);

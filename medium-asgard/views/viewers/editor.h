@@ -73,6 +73,7 @@ Q_SIGNALS:
 private:
     [[nodiscard]] Windows windows();
     [[nodiscard]] Session session();
+    const std::shared_ptr<PictureThread>& pictures();
     LanguageViewer* makeText(LanguageViewer::Place place);
     void showText();
     bool takeDrafts();
@@ -80,7 +81,7 @@ private:
     void showBeside(QMainWindow& window); // with what every window has
 
     SceneDocument document_;
-    std::shared_ptr<PictureThread> pictures_; // of all viewers
+    std::shared_ptr<PictureThread> pictures_; // of all windows
     SceneFiles* files_ = nullptr;             // none: under a host
     FirstPageActions firstPage_;
     QPointer<TrajectoryEditor> trajectoryEditor_;

@@ -26,7 +26,7 @@ class InterfaceTest : public testing::Test {
 protected:
     static void SetUpTestSuite() { theApplication(); }
     void SetUp() override {
-        SceneDisplay::setPatience(std::chrono::milliseconds(12));
+        WindowPicture::setPatience(std::chrono::milliseconds(12));
         for (auto signal : {&SceneDocument::sceneChanged, &SceneDocument::motionChanged,
                             &SceneDocument::diagnosticsChanged})
             QObject::connect(&document(), signal, [this] { ++news_; });
@@ -45,7 +45,7 @@ protected:
         // Nothing is read, simulated or looked for in a picture where windows wait.
         EXPECT_EQ(made_.onTheInterface, 0);
         EXPECT_EQ(render::Handles::setsComputed(), setsBefore_);
-        SceneDisplay::setPatience(std::chrono::seconds(60));
+        WindowPicture::setPatience(std::chrono::seconds(60));
     }
 
     SceneDocument& document() { return editor_.document(); }

@@ -121,7 +121,7 @@ protected:
     static void SetUpTestSuite() {
         theApplication();
         QApplication::setQuitOnLastWindowClosed(false);
-        SceneDisplay::setPatience(std::chrono::milliseconds(12)); // as in the program
+        WindowPicture::setPatience(std::chrono::milliseconds(12)); // as in the program
     }
 
     void SetUp() override {

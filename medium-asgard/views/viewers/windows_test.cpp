@@ -283,14 +283,14 @@ TEST_F(WindowsTest, WhatIsNewHasAnExactValueAsSoonAsItIsSeen) {
     render::Display shown = display().display();
     shown.forceHandles = true;
     display().setDisplay(shown);
-    SceneDisplay::setPatience({}); // its handle is known later than the scene
+    WindowPicture::setPatience({}); // its handle is known later than the scene
     display().editing().expect({{editing::Kind::force, 0}});
     editor.document().setText(text() + "force -body floor -gravitational {0 -1 0}\n", "Edit");
     EXPECT_TRUE(waitFor([&] {
         display().grab();
         return display().editing().marked().has_value();
     }));
-    SceneDisplay::setPatience(std::chrono::seconds(60));
+    WindowPicture::setPatience(std::chrono::seconds(60));
     EXPECT_TRUE(isOffered("Exact Value"));
 }
 

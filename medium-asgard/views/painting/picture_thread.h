@@ -87,11 +87,12 @@ private:
 
     void run();
     [[nodiscard]] Desk* next(Window& window);
+    [[nodiscard]] std::vector<std::shared_ptr<const scene::Scene>> shown() const;
 
     std::mutex mutex_;
     std::condition_variable wished_, drawn_;
-    // Of the scene that was drawn last shapes are made to be pointed at, when there is time.
-    std::shared_ptr<const scene::Scene> toPrepare_;
+    // Shapes of the scenes that are shown are made to be pointed at, when there is time.
+    bool isToPrepare_ = false;
     std::map<Window, Desk> desks_;
     std::vector<Window> gone_;
     std::vector<PicturePointer> dropped_;

@@ -1,4 +1,4 @@
-#include "picture/picture_thread.h"
+#include "painting/picture_thread.h"
 
 #include "framing/framing.h"
 #include "framing/view.h"
@@ -247,13 +247,21 @@ PictureThread::Desk* PictureThread::next(Window& window) {
     return first;
 }
 
+std::vector<std::shared_ptr<const scene::Scene>> PictureThread::shown() const {
+    std::vector<std::shared_ptr<const scene::Scene>> scenes;
+    for (const auto& [window, desk] : desks_)
+        if (desk.last)
+            scenes.push_back(desk.last->of.shown.scene);
+    return scenes;
+}
+
 void PictureThread::run() {
     Studio studio(paints_); // its graphics belong to this thread
     std::unique_lock lock(mutex_);
     Window window = nullptr;
     while (true) {
         wished_.wait(lock, [&] {
-            return stop_ || !gone_.empty() || !dropped_.empty() || toPrepare_ || next(window);
+            return stop_ || !gone_.empty() || !dropped_.empty() || isToPrepare_ || next(window);
         });
         if (stop_)
             return;
@@ -265,9 +273,10 @@ void PictureThread::run() {
         for (const Window gone : std::exchange(gone_, {}))
             studio.forget(gone);
         if (!next(window)) {
-            if (const auto scene = std::exchange(toPrepare_, nullptr)) {
+            if (std::exchange(isToPrepare_, false)) {
+                const auto scenes = shown();
                 lock.unlock();
-                gestures::prepareShapes(*scene);
+                gestures::prepareShapes(scenes);
                 lock.lock();
             }
             continue;
@@ -280,7 +289,7 @@ void PictureThread::run() {
         if (desk == desks_.end())
             continue;
         if (!desk->second.last || desk->second.last->of.shown.scene != picture->of.shown.scene)
-            toPrepare_ = picture->of.shown.scene;
+            isToPrepare_ = true;
         std::swap(desk->second.last, picture);
         drawn_.notify_all();
         if (desk->second.ready)
