@@ -328,10 +328,10 @@ bool Renderer::Implementation::paint(const Drawing& drawing, const Frame& frame)
     if (display.grid) {
         const Ground below = groundOf(all, extent, frame, *solids);
         ground = below.plane;
-        if (!sights.empty() && !below.isFloor)
+        if (!sights.empty() && !below.floor)
             groundShadow->show(below.plane, shadowing, sights, frame, projection.data(),
                                isDark(display.background) ? 0.45F : 0.28F);
-        addGrid(*lines, below.plane, extent, frame, display, below.isFloor ? 0.7 : 1);
+        addGrid(*lines, below.plane, extent, frame, display, below.floor);
         lines->draw(lift);
     }
     if (!display.wireframe)

@@ -159,6 +159,29 @@ TEST_F(RendererTest, AnEndlessFloorIsDarkInADarkPicture) {
     EXPECT_GT(draw().green(30, 200), 140);
 }
 
+TEST_F(RendererTest, TheGridIsSeenOnAFloorOfAnyColour) {
+    scene::Part half;
+    half.shape = scene::PlaneShape{};
+    addBody(scene_, half, {0, 0, 0}, red).fixed = true;
+    addBody(scene_, sphere(0.2), {0, 0.2, 0}, blue);
+    drawing_.display.studio = true;
+    drawing_.camera.rotation = geometry::fromRotationVector(Vector(0.6, 0, 0));
+    for (const double paper : {1.0, 0.1})
+        for (const double shade : {0.1, 0.35, 0.5, 0.65, 0.95}) {
+            drawing_.display.background = {paper, paper, paper};
+            scene_.bodies.front().appearance.color = scene::Color{shade, shade, shade};
+            drawing_.display.grid = false;
+            const Picture bare = draw({640, 480});
+            drawing_.display.grid = true;
+            const Picture grid = draw({640, 480});
+            EXPECT_GT(grid.count([&](int x, int y) {
+                return std::abs(grid.green(x, y) - bare.green(x, y)) > 25;
+            }),
+                      3000)
+                << shade << " on " << paper;
+        }
+}
+
 TEST_F(RendererTest, AnEndlessFloorReachesTheHorizon) {
     scene::Part half;
     half.shape = scene::PlaneShape{};

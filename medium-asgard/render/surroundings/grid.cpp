@@ -44,11 +44,23 @@ std::optional<Vector> groundInSight(const GroundPlane& ground, const Frame& fram
     return std::nullopt;
 }
 
+Eigen::Vector3f inkOn(const Display& display, const std::optional<Eigen::Vector3f>& floor) {
+    if (floor) { // clearly darker than it, or lighter than a dark one
+        const bool isDarkFloor = isDark({floor->x(), floor->y(), floor->z()});
+        return isDarkFloor ? Eigen::Vector3f(0.2F * *floor + Eigen::Vector3f::Constant(0.8F))
+                           : Eigen::Vector3f(0.2F * *floor);
+    }
+    if (isDark(display.background))
+        return {0.62F, 0.66F, 0.72F};
+    return display.studio ? Eigen::Vector3f(0.46F, 0.50F, 0.56F)
+                          : Eigen::Vector3f(0.58F, 0.61F, 0.66F);
+}
+
 // One grid on its way into the picture.
 class Sheet {
 public:
     Sheet(Lines& lines, const GroundPlane& ground, const Extent& extent, const Frame& frame,
-          const Display& display, double strength);
+          const Display& display, double strength, const Eigen::Vector3f& ink);
 
     void draw();
 
@@ -91,13 +103,12 @@ private:
 };
 
 Sheet::Sheet(Lines& lines, const GroundPlane& ground, const Extent& extent, const Frame& frame,
-             const Display& display, double strength)
-    : lines_(lines), ground_(ground), frame_(frame), display_(display), strength_(strength) {
+             const Display& display, double strength, const Eigen::Vector3f& ink)
+    : lines_(lines), ground_(ground), frame_(frame), display_(display), strength_(strength),
+      ink_(ink) {
     const Camera& camera = frame.camera();
     const double depth = camera.position.z();
     pixelsPerLength_ = frame.pixels(camera.scale, depth);
-    const bool dark = isDark(display.background);
-    ink_ = dark ? Eigen::Vector3f(0.62F, 0.66F, 0.72F) : Eigen::Vector3f(0.46F, 0.50F, 0.56F);
     if (display.studio) {
         const Size size = frame.size();
         const double diagonal = std::hypot(size.width, size.height) / 2;
@@ -111,7 +122,6 @@ Sheet::Sheet(Lines& lines, const GroundPlane& ground, const Extent& extent, cons
         }
         radius_ = 4.5 * diagonal / pixelsPerLength_ + 1.5 * above();
     } else {
-        ink_ = dark ? ink_ : Eigen::Vector3f(0.58F, 0.61F, 0.66F);
         focus_ = extent.box.center();
         const double across =
             std::max(extent.box.sizes()[ground.across[0]], extent.box.sizes()[ground.across[1]]);
@@ -191,7 +201,12 @@ void Sheet::row(int direction, double step, double beside) {
                              smooth(0.6 * needed, needed, apart);
         if (alpha < 0.05)
             continue;
-        addText(lines_, frame_, at(direction, value, beside), {-0.4 * height, -1.05 * height}, text,
+        const Eigen::Vector2d aside(-0.4 * height, -1.05 * height);
+        const double bottom = aside.y() - 0.7 * height;
+        const std::array corners{Eigen::Vector2d(aside.x(), bottom),
+                                 Eigen::Vector2d(aside.x() - textWidth(text, height), bottom)};
+        addText(lines_, frame_,
+                beforeGround(ground_, frame_, at(direction, value, beside), corners), aside, text,
                 height, Anchor::right, {ink_, static_cast<float>(alpha), frame_.stroke(1)});
     }
 }
@@ -223,6 +238,27 @@ void Sheet::draw() {
 
 } // namespace
 
+Vector beforeGround(const GroundPlane& ground, const Frame& frame, const Vector& place,
+                    std::span<const Eigen::Vector2d> corners) {
+    const Camera& camera = frame.camera();
+    const Size size = frame.size();
+    const Vector up = frame.directionInView(ground.up), eye = frame.eye();
+    const Vector fromEye = place - eye;
+    const Eigen::Vector2d pixels = toPixels(
+        camera, size, frame.linear().inverse() * (place - camera.position) + camera.center);
+    double share = 1; // of the way from the eye
+    for (const Eigen::Vector2d& corner : corners) {
+        const Eigen::Vector2d there = pixels + Eigen::Vector2d(corner.x(), -corner.y());
+        const Vector way = frame.toView(toWorld(camera, size, there)) - eye;
+        const double along = up.dot(fromEye) / up.dot(way); // to the ground
+        if (along > 0 && std::isfinite(along))
+            share = std::min(share, along * way.z() / fromEye.z());
+    }
+    constexpr double clearly = 1e-3, nearest = 0.1; // view units; of the way
+    return share < 1 ? Vector(eye + std::max(nearest, share - clearly / fromEye.norm()) * fromEye)
+                     : place;
+}
+
 GroundPlane groundPlane(const Vector& up, double height) {
     Eigen::Index axis = 0;
     up.cwiseAbs().maxCoeff(&axis);
@@ -242,16 +278,17 @@ std::vector<GridStep> gridSteps(double pixelsPerLength, double stroke) {
 }
 
 void addGrid(Lines& lines, const GroundPlane& ground, const Extent& extent, const Frame& frame,
-             const Display& display, double strength) {
+             const Display& display, const std::optional<Eigen::Vector3f>& floor) {
     // Seen edge-on it is a line: it fades before that.
     const Vector up = frame.directionInView(ground.up);
     const double offset = frame.toView(ground.place(0, 0)).dot(up);
     const double rise = frame.camera().orthographic
                             ? std::abs(up.z())
                             : std::abs(eyeDistance * up.z() - offset) / eyeDistance;
-    const double slant = smooth(0.01, 0.12, rise);
+    const double slant = smooth(0.01, 0.12, rise), strength = floor ? 0.7 : 1;
     if (slant > 0)
-        Sheet(lines, ground, extent, frame, display, strength * slant).draw();
+        Sheet(lines, ground, extent, frame, display, strength * slant, inkOn(display, floor))
+            .draw();
 }
 
 } // namespace render

@@ -11,6 +11,8 @@
 #include "framing/extent.h"
 
 #include <array>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace render {
@@ -37,8 +39,13 @@ struct GridStep {
 // while one turns into the other. Each is some 90 to 225 pixels of a picture 480 high.
 [[nodiscard]] std::vector<GridStep> gridSteps(double pixelsPerLength, double stroke);
 
-// `strength`: 1, or less on a floor that is seen itself.
+// A place of the view on the ground, moved towards the eye as far as needed for nothing of the
+// ground to hide what stands there upright; `corners`: where that ends, pixels to the right and up.
+[[nodiscard]] Vector beforeGround(const GroundPlane& ground, const Frame& frame,
+                                  const Vector& place, std::span<const Eigen::Vector2d> corners);
+
+// `floor`: the colour of the floor that it lies on; none: that is not seen itself.
 void addGrid(Lines& lines, const GroundPlane& ground, const Extent& extent, const Frame& frame,
-             const Display& display, double strength);
+             const Display& display, const std::optional<Eigen::Vector3f>& floor);
 
 } // namespace render

@@ -42,10 +42,14 @@ Top topOf(const Solid& solid, const Mesh& mesh, const Vector& up) {
 
 constexpr double far = 1.5; // sizes: further away 0 would be out of the picture
 
-// The height in the world of the largest level face of a fixed body, if it is large enough to be a
-// floor and no ceiling. A table that stands above the ground at 0 is none.
-std::optional<double> floorHeight(std::span<const Solid> solids, const Extent& extent,
-                                  const Frame& frame, Solids& meshes) {
+// The largest level face of a fixed body, if it is large enough to be a floor and no ceiling. A
+// table that stands above the ground at 0 is none.
+struct Floor {
+    double height = 0; // world
+    Eigen::Vector3f color;
+};
+std::optional<Floor> floorOf(std::span<const Solid> solids, const Extent& extent,
+                             const Frame& frame, Solids& meshes) {
     const Vector up = frame.directionInView(extent.ground);
     const Vector middle = extent.box.center();
     const double middleHeight = frame.toView(middle).dot(up);
@@ -62,7 +66,7 @@ std::optional<double> floorHeight(std::span<const Solid> solids, const Extent& e
         return !std::holds_alternative<scene::PlaneShape>(solid.part->shape) &&
                bottom >= -1e-6 * extent.size && bottom <= far * extent.size;
     };
-    std::optional<double> height;
+    std::optional<Floor> floor;
     double largest = std::pow(0.3 * extent.size * frame.camera().scale, 2);
     for (const Solid& solid : solids) {
         if (!extent.fixed[solid.body] || extent.moves[solid.body] ||
@@ -71,12 +75,10 @@ std::optional<double> floorHeight(std::span<const Solid> solids, const Extent& e
         const Top top = topOf(solid, meshes.meshOf(solid, frame), up);
         if (top.area > largest && top.height < highest && !isTable(solid, top)) {
             largest = top.area;
-            height = top.height;
+            floor = {inWorld(top.height), solid.color};
         }
     }
-    if (!height)
-        return std::nullopt;
-    return inWorld(*height);
+    return floor;
 }
 
 } // namespace
@@ -92,8 +94,10 @@ double groundHeight(const Extent& extent) {
 
 Ground groundOf(std::span<const Solid> solids, const Extent& extent, const Frame& frame,
                 Solids& meshes) {
-    const auto floor = floorHeight(solids, extent, frame, meshes);
-    return {groundPlane(extent.ground, floor.value_or(groundHeight(extent))), floor.has_value()};
+    const auto floor = floorOf(solids, extent, frame, meshes);
+    if (floor)
+        return {groundPlane(extent.ground, floor->height), floor->color};
+    return {groundPlane(extent.ground, groundHeight(extent)), std::nullopt};
 }
 
 GroundShadow::~GroundShadow() { gl_.DeleteVertexArrays(1, &array_); }

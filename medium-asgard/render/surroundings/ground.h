@@ -18,7 +18,7 @@ namespace render {
 
 struct Ground {
     GroundPlane plane;
-    bool isFloor = false; // of the scene
+    std::optional<Eigen::Vector3f> floor; // the colour of the scene's own; none: it has none
 };
 [[nodiscard]] Ground groundOf(std::span<const Solid> solids, const Extent& extent,
                               const Frame& frame, Solids& meshes);

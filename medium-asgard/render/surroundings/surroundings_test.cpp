@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 namespace render {
@@ -58,6 +59,31 @@ TEST(Ground, IsARoundHeightThatSmallChangesLeaveAlone) {
     EXPECT_EQ(groundHeight(extent), -3.3);
     extent.lowest = 0.45; // a table leaves it behind, too
     EXPECT_EQ(groundHeight(extent), 0);
+}
+
+// A number stands upright below its line, where a floor that is seen from above is nearer.
+TEST(Grid, NoNumberIsBehindTheGround) {
+    const Size size{640, 480};
+    const GroundPlane ground = groundPlane(Vector::UnitY(), -0.2);
+    const std::array corners{Pixels(-3, -14), Pixels(-20, -14)};
+    for (const bool orthographic : {false, true})
+        for (const double slope : {0.15, 0.5, 1.2}) {
+            Drawing drawing;
+            drawing.camera.orthographic = orthographic;
+            drawing.camera.rotation = geometry::fromRotationVector({slope, 0.3, 0});
+            const Frame frame(drawing, size);
+            const Vector onGround = ground.place(0.3, 0.1);
+            const Vector moved = beforeGround(ground, frame, frame.toView(onGround), corners);
+            const Vector world = frame.linear().inverse() * (moved - drawing.camera.position) +
+                                 drawing.camera.center;
+            const Pixels at = toPixels(drawing.camera, size, onGround);
+            EXPECT_LT((toPixels(drawing.camera, size, world) - at).norm(), 1e-4);
+            for (const Pixels& corner : corners) {
+                const Vector foot =
+                    toWorld(drawing.camera, size, at + Pixels(corner.x(), -corner.y()), moved.z());
+                EXPECT_GT(foot.y(), ground.height) << slope;
+            }
+        }
 }
 
 TEST(Horizon, IsWhereLevelLinesOfSightLead) {
