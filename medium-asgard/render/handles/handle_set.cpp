@@ -41,21 +41,12 @@ double reachOf(const scene::Scene& scene, const scene::Body& body) {
     return reach > 0 ? reach : 1;
 }
 
-const std::array<std::string, 3>* componentsOf(const scene::Force& force) {
-    const auto* kind = std::get_if<scene::ComponentForce>(&force.kind);
-    return kind ? &kind->components : nullptr;
-}
-
-std::array<std::string, 3> valuesOf(const std::string& trajectory) {
-    return {trajectory + ".x", trajectory + ".y", trajectory + ".z"};
-}
-
 } // namespace
 
 Handles::Handles(const scene::Scene& scene, simulation::MotionPointer motion,
                  const std::optional<ArrowScales>& before)
     : scene_(scene), motion_(std::move(motion)), extent_(extentOf(scene, motion_.get())),
-      names_(scene) {
+      values_(scene, motion_) {
     for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
         bodies_.emplace(scene_.bodies[i].name, i);
         reaches_.push_back(reachOf(scene_, scene_.bodies[i]));
@@ -81,19 +72,6 @@ Vector Handles::pointOn(std::size_t body, const std::optional<Vector>& offset,
     return pose.toWorld(offset.value_or(known ? motion_->centroid(body) : Vector::Zero()));
 }
 
-std::optional<Vector> Handles::constant(const std::array<std::string, 3>& texts) {
-    Vector value;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const auto [one, isNew] = constants_.try_emplace(texts[i]);
-        if (isNew)
-            one->second = constantValue(names_, scene_, motion_.get(), texts[i]);
-        if (!one->second)
-            return std::nullopt;
-        value[static_cast<Eigen::Index>(i)] = *one->second;
-    }
-    return value;
-}
-
 // Arrows that never change are as long as they are; the others are measured at the start only, so
 // that playing does not change the scale.
 void Handles::setScales(const std::optional<ArrowScales>& before) {
@@ -111,7 +89,7 @@ void Handles::setScales(const std::optional<ArrowScales>& before) {
                         ? std::optional<Vector>(massOf(body) * weight->acceleration)
                         : std::nullopt;
         else if (const auto* components = componentsOf(one))
-            value = constant(*components);
+            value = values_.constant(*components);
         double& longest = one.couple ? torque : force;
         if (value)
             longest = std::max(longest, value->norm());
@@ -128,46 +106,6 @@ void Handles::setScales(const std::optional<ArrowScales>& before) {
     scale(&ArrowScales::spin, spin);
     scale(&ArrowScales::force, force);
     scale(&ArrowScales::torque, torque);
-}
-
-std::optional<Vector> Handles::now(const std::array<std::string, 3>& texts, double time) {
-    if (auto value = constant(texts))
-        return value;
-    if (!motion_)
-        return std::nullopt;
-    if (!prepared_) {
-        prepared_ = true;
-        for (const scene::Force& force : scene_.forces) {
-            if (const auto* components = componentsOf(force))
-                changing_.insert(changing_.end(), components->begin(), components->end());
-            else if (const auto* path = std::get_if<scene::TrajectoryForce>(&force.kind))
-                for (const std::string& one : valuesOf(path->trajectory))
-                    changing_.push_back(one);
-        }
-        for (const scene::Link& link : scene_.links) {
-            if (const auto* point = std::get_if<scene::PointEnd>(&link.second))
-                changing_.insert(changing_.end(), point->coordinates.begin(),
-                                 point->coordinates.end());
-            else if (const auto* path = std::get_if<scene::TrajectoryEnd>(&link.second))
-                for (const std::string& one : valuesOf(path->trajectory))
-                    changing_.push_back(one);
-        }
-        std::ranges::sort(changing_);
-        changing_.erase(std::unique(changing_.begin(), changing_.end()), changing_.end());
-        std::vector<std::string> faults;
-        quantities_.emplace(scene_, simulation::Options{}, motion_, changing_, faults);
-        if (!faults.empty())
-            quantities_.reset();
-    }
-    if (!quantities_)
-        return std::nullopt;
-    if (!std::exchange(known_, true))
-        values_ = quantities_->at(std::clamp(time, motion_->start(), motion_->computed()));
-    Vector value;
-    for (std::size_t i = 0; i < 3; ++i)
-        value[static_cast<Eigen::Index>(i)] = values_[static_cast<std::size_t>(
-            std::ranges::lower_bound(changing_, texts[i]) - changing_.begin())];
-    return value.allFinite() ? std::optional(value) : std::nullopt;
 }
 
 void Handles::addBody(HandleSet& set, std::size_t index, const Display& display) const {
@@ -223,11 +161,11 @@ void Handles::addForces(HandleSet& set, double time, const Display& display) {
         } else if (const auto* components = std::get_if<scene::ComponentForce>(&force.kind)) {
             if (components->frame == scene::Frame::body)
                 head.frame.attitude = pose.attitude;
-            head.movable = constant(components->components).has_value();
-            value = now(components->components, time);
+            head.movable = values_.constant(components->components).has_value();
+            value = values_.at(components->components, time);
         } else if (path) {
             head.movable = false;
-            value = now(valuesOf(path->trajectory), time);
+            value = values_.at(valuesOf(path->trajectory), time);
         }
         if (!value)
             continue;
@@ -260,7 +198,7 @@ void Handles::addLinks(HandleSet& set, double time) {
             if (indexOf(body->body) < scene_.bodies.size())
                 second = onBody(*body, 1);
         } else if (const auto* point = std::get_if<scene::PointEnd>(&link.second)) {
-            second = now(point->coordinates, time);
+            second = values_.at(point->coordinates, time);
             if (second)
                 set.handles.push_back({HandleKind::linkEnd,
                                        i,
@@ -269,9 +207,9 @@ void Handles::addLinks(HandleSet& set, double time) {
                                        *second,
                                        1,
                                        {},
-                                       constant(point->coordinates).has_value()});
+                                       values_.constant(point->coordinates).has_value()});
         } else if (const auto* path = std::get_if<scene::TrajectoryEnd>(&link.second)) {
-            second = now(valuesOf(path->trajectory), time);
+            second = values_.at(valuesOf(path->trajectory), time);
         }
         if (second)
             set.lines.push_back({HandleKind::linkEnd, i, {first, *second}});
@@ -403,7 +341,6 @@ HandleSet Handles::at(double time, const Display& display, const Camera& camera,
     ++computed;
     viewUnit_ = 1 / camera.scale;
     HandleSet set;
-    known_ = false;
     for (std::size_t i = 0; i < scene_.bodies.size(); ++i)
         if (!isHidden(display, scene_.bodies[i]))
             addBody(set, i, display);

@@ -14,10 +14,8 @@
 #include "drawing/drawing.h"
 #include "framing/extent.h"
 #include "framing/standing_points.h"
-#include "scene/names.h"
-#include "simulation/simulation.h"
+#include "handles/vector_values.h"
 
-#include <array>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -81,26 +79,15 @@ private:
     [[nodiscard]] std::size_t indexOf(const std::string& body) const;
     [[nodiscard]] Vector pointOn(std::size_t body, const std::optional<Vector>& offset,
                                  const geometry::Pose& pose) const;
-    // Of three expressions, or of a trajectory: by what they are now.
-    [[nodiscard]] std::optional<Vector> constant(const std::array<std::string, 3>& texts);
-    [[nodiscard]] std::optional<Vector> now(const std::array<std::string, 3>& texts, double time);
 
     const scene::Scene& scene_;
     simulation::MotionPointer motion_;
     Extent extent_;
-    scene::Names names_;
     std::unordered_map<std::string, std::size_t> bodies_;
-    // The values of expressions that do not change; none: they do.
-    std::unordered_map<std::string, std::optional<double>> constants_;
     ArrowScales scales_;
     double viewUnit_ = 1;         // world length of a view unit, of the set that is being made
     std::vector<double> reaches_; // of the bodies
-    // The expressions of forces and links that change, in the order in which they are asked for.
-    std::vector<std::string> changing_;
-    std::optional<simulation::Quantities> quantities_;
-    std::vector<double> values_; // of changing_, at the time of at()
-    bool known_ = false;
-    bool prepared_ = false;
+    VectorValues values_;
 };
 
 } // namespace render
