@@ -1,8 +1,9 @@
 #include "language/language_viewer.h"
 
-#include "editing/changes.h"
 #include "frame/help_menu.h"
 #include "language/completer.h"
+#include "language/draft.h"
+#include "language/draft_row.h"
 #include "language/element_marks.h"
 #include "language/elision.h"
 #include "language/fault_marks.h"
@@ -13,11 +14,9 @@
 #include "plain/plain.h"
 
 #include <QCloseEvent>
-#include <QHBoxLayout>
 #include <QInputDialog>
 #include <QListWidget>
 #include <QMenuBar>
-#include <QPushButton>
 #include <QSplitter>
 #include <QTimer>
 #include <QVBoxLayout>
@@ -74,7 +73,9 @@ LanguageViewer::LanguageViewer(SceneDocument& document, Windows windows, int num
       numbers_(std::make_unique<NumberDrag>(*editor_, document_, *draft_)),
       completer_(std::make_unique<Completer>(*editor_, document_)),
       notice_(new NoticeBar(*editor_, *draft_)), told_(new ToldBar),
-      findBar_(new FindBar(*editor_)) {
+      findBar_(new FindBar(*editor_)),
+      row_(new DraftRow(document_, *draft_, *editor_,
+                        {static_cast<bool>(windows_.save), !isPane()})) {
     setAttribute(Qt::WA_DeleteOnClose, !isPane());
     setObjectName(QStringLiteral("languageViewer%1").arg(number_));
     editor_->setObjectName("text");
@@ -97,7 +98,7 @@ LanguageViewer::LanguageViewer(SceneDocument& document, Windows windows, int num
     column->addWidget(notice_);
     column->addWidget(splitter, 1);
     column->addWidget(findBar_);
-    column->addWidget(buildButtons());
+    column->addWidget(row_);
     setCentralWidget(whole);
     buildMenus();
     connectParts();
@@ -120,6 +121,10 @@ LanguageViewer::~LanguageViewer() {
 }
 
 void LanguageViewer::connectParts() {
+    connect(row_, &DraftRow::updateWanted, this, &LanguageViewer::updateDocument);
+    connect(row_, &DraftRow::saveWanted, this, &LanguageViewer::save);
+    connect(row_, &DraftRow::revertWanted, this, &LanguageViewer::askToRevert);
+    connect(row_, &DraftRow::dismissWanted, this, &QWidget::close);
     const auto show = [this](scene::Range range) { select(range.from, range.to); };
     connect(faults_.get(), &FaultMarks::wanted, this, show);
     connect(faults_.get(), &FaultMarks::appeared, this, &LanguageViewer::showFault);
@@ -137,58 +142,16 @@ void LanguageViewer::connectParts() {
             faults_->expect(false);
         }
         updateTitle();
-        showState();
     });
     connect(draft_.get(), &Draft::followed, this, &LanguageViewer::followed);
     connect(&document_, &SceneDocument::diagnosticsChanged, this, &LanguageViewer::showDiagnostics);
-    connect(&document_, &SceneDocument::sceneChanged, this, &LanguageViewer::tellChanges);
     connect(&document_, &SceneDocument::sceneChanged, this, &LanguageViewer::showDiagnostics);
     connect(&document_, &SceneDocument::workChanged, this, [this] {
         if (document_.work() == Work::none)
             faults_->expect(false);
-        showState();
     });
     connect(&document_, &SceneDocument::opened, this, [this] { faults_->expect(true); });
     connect(&document_, &SceneDocument::nameChanged, this, &LanguageViewer::updateTitle);
-}
-
-QWidget* LanguageViewer::buildButtons() {
-    auto* buttons = new QWidget;
-    auto* row = new QHBoxLayout(buttons);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(8);
-    updateButton_ = new QPushButton(tr("&Update"));
-    updateButton_->setObjectName("update");
-    saveButton_ = new QPushButton(tr("&Save"));
-    saveButton_->setObjectName("save");
-    saveButton_->setToolTip(tr("Update, and write the file (Ctrl+S)"));
-    saveButton_->setVisible(static_cast<bool>(windows_.save));
-    revertButton_ = new QPushButton(tr("&Revert"));
-    revertButton_->setObjectName("revert");
-    revertButton_->setToolTip(document_.hasHost()
-                                  ? tr("Drop the draft: back to the document's text (Ctrl+Shift+R)")
-                                  : tr("Back to the text that was saved last, in every view "
-                                       "(Ctrl+Shift+R)"));
-    auto* dismiss = new QPushButton(tr("&Dismiss"));
-    dismiss->setObjectName("dismiss");
-    dismiss->setToolTip(tr("Close this viewer (Ctrl+W)"));
-    state_ = plain::label();
-    state_->setObjectName("state");
-    state_->setAccessibleName(tr("State of the text"));
-    state_->setForegroundRole(QPalette::PlaceholderText);
-    for (QPushButton* button : {updateButton_, saveButton_, revertButton_})
-        row->addWidget(button);
-    row->addSpacing(8);
-    row->addWidget(state_, 1);
-    row->addWidget(dismiss);
-    dismiss->setVisible(!isPane());
-    if (isPane()) // which may be narrow
-        state_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    connect(updateButton_, &QPushButton::clicked, this, &LanguageViewer::updateDocument);
-    connect(saveButton_, &QPushButton::clicked, this, &LanguageViewer::save);
-    connect(revertButton_, &QPushButton::clicked, this, &LanguageViewer::askToRevert);
-    connect(dismiss, &QPushButton::clicked, this, &QWidget::close);
-    return buttons;
 }
 
 void LanguageViewer::buildMenus() {
@@ -312,7 +275,7 @@ bool LanguageViewer::updateDocument() {
         return false;
     }
     if (draft_->edited())
-        updating_.emplace(document_.shownText(), document_.shown().scene);
+        row_->expectChanges();
     draft_->submit();
     showDiagnostics();
     faults_->expect(true);
@@ -388,7 +351,7 @@ bool LanguageViewer::find(const QString& what, bool forward) {
 
 void LanguageViewer::showDiagnostics() {
     faults_->show(document_.diagnostics(), !draft_->edited());
-    showState();
+    row_->refresh();
 }
 
 // The caret stays where one writes. Its place is known when all marks and the window's parts are.
@@ -399,71 +362,12 @@ void LanguageViewer::showFault(scene::Range range) {
     });
 }
 
-void LanguageViewer::showState() {
-    const auto errors = std::ranges::count_if(document_.diagnostics(), [](const auto& fault) {
-        return fault.severity == scene::Severity::error;
-    });
-    const QString text =
-        draft_->edited()                    ? tr("Draft: the scene has it after Update")
-        : document_.work() == Work::reading ? tr("Reading…")
-        : errors > 0 && !document_.sceneIsCurrent()
-            ? (errors == 1 ? tr("1 error: the last good scene is shown")
-                           : tr("%1 errors: the last good scene is shown").arg(errors))
-        : errors > 0         ? tr("The motion has faults")
-        : updated_.isEmpty() ? tr("The scene's text")
-                             : updated_;
-    state_->setText(text);
-}
-
-// Elements that an Update added, modified and removed (dissertation 4.2.2).
-void LanguageViewer::tellChanges() {
-    updated_.clear();
-    const auto before = std::exchange(updating_, std::nullopt);
-    if (!before || !document_.sceneIsCurrent())
-        return;
-    // LIMIT: of long texts, where it would hold up the window, it is not counted.
-    constexpr std::size_t quick = 500'000; // bytes
-    if (document_.text().size() > quick) {
-        updated_ = tr("Updated");
-        return;
-    }
-    const editing::Changes changes = editing::changesBetween(
-        {before->first, *before->second}, {document_.text(), *document_.shown().scene});
-    QStringList parts;
-    const auto add = [&](std::size_t count, const QString& what) {
-        if (count > 0)
-            parts += tr("%1 %2").arg(count).arg(what);
-    };
-    add(changes.added.size(), tr("added"));
-    add(static_cast<std::size_t>(std::ranges::count_if(
-            changes.kept, [](const editing::Kept& one) { return one.modified; })),
-        tr("modified"));
-    add(changes.removed.size(), tr("removed"));
-    updated_ = parts.isEmpty() ? tr("Updated: no element changed")
-                               : tr("Updated: %1").arg(parts.join(QStringLiteral(", ")));
-}
-
 void LanguageViewer::updateTitle() {
     const QString viewer =
         number_ == 1 ? tr("Language Viewer") : tr("Language Viewer %1").arg(number_);
     setWindowTitle(tr("%1[*] – %2").arg(plain::title(document_.name()), viewer));
-    const bool edited = draft_->edited();
-    setWindowModified(edited || (!document_.hasHost() && document_.isModified()));
-    const bool disputed = !draft_->conflicts().empty();
-    // A button that has done its work gives the keyboard back to the text, and to no other field.
-    const auto enable = [this](QPushButton* button, bool isUseful) {
-        if (!isUseful && window()->focusWidget() == button)
-            editor_->setFocus();
-        button->setEnabled(isUseful);
-    };
-    enable(updateButton_, edited && !disputed);
-    updateButton_->setDefault(edited && !disputed);
-    updateButton_->setToolTip(
-        plain::ours(disputed ? tr("Another view changed the same places. First choose, above the "
-                                  "text, which change stays")
-                             : tr("Make this the scene's text, in every view (Ctrl+Return)")));
-    enable(saveButton_, (edited && !disputed) || (!edited && document_.isModified()));
-    enable(revertButton_, edited || (!document_.hasHost() && document_.isModified()));
+    setWindowModified(draft_->edited() || (!document_.hasHost() && document_.isModified()));
+    row_->refresh();
     Q_EMIT draftChanged();
 }
 

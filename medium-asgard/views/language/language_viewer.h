@@ -11,14 +11,13 @@
 
 #include <QMainWindow>
 
-class QLabel;
 class QListWidget;
-class QPushButton;
 
 namespace views {
 
 class Completer;
 class Draft;
+class DraftRow;
 class ElementMarks;
 class Elision;
 class FaultMarks;
@@ -77,11 +76,8 @@ private:
     void buildMenus();
     void buildEditMenu();
     void buildViewMenu();
-    QWidget* buildButtons();
     void showDiagnostics();
     void showFault(scene::Range range);
-    void showState();
-    void tellChanges();
     void updateTitle();
     void save();
     void askToRevert();
@@ -107,11 +103,7 @@ private:
     NoticeBar* notice_;
     ToldBar* told_;
     FindBar* findBar_;
-    QLabel* state_;
-    // The scene before an Update whose scene is yet to be read, and what that Update did.
-    std::optional<std::pair<std::string, std::shared_ptr<const scene::Scene>>> updating_;
-    QString updated_;
-    QPushButton *updateButton_, *saveButton_, *revertButton_;
+    DraftRow* row_;
 };
 
 } // namespace views
