@@ -250,7 +250,8 @@ void TrajectoryEditor::followScene() {
     }
     showCurves();
     if (!here)
-        tell(tr("This scene has no trajectory. One is written as  "
+        tell(tr("This scene has no trajectory. Create > Trajectory in the viewer makes one, or in "
+                "the text  "
                 "trajectory path -points {{0 0 0 0} {1 2 0 0}}"));
     else if (words_->all().isEmpty() || hadNone)
         tell({});

@@ -233,17 +233,12 @@ void TrajectoryGraph::mousePressEvent(QMouseEvent* event) {
     }
     if (event->button() != Qt::LeftButton)
         return;
-    pressed_ = at;
     if (const auto point = pointAt(at)) {
-        grip_ = Grip::point;
-        offset_ = place(points_[*point].time, points_[*point].place[component_]) - at;
-        pressedTime_ = points_[*point].time;
-        keepsTime_ = true;
+        const editing::ControlPoint& taken = points_[*point];
+        drag_ = PointDrag{at, place(taken.time, taken.place[component_]) - at, taken.time};
         Q_EMIT chosen(*point);
     } else {
-        grip_ = Grip::plane;
-        pressedFrom_ = from_;
-        pressedTo_ = to_;
+        drag_ = PlaneDrag{at, from_, to_};
         setCursor(Qt::ClosedHandCursor);
     }
 }
@@ -251,36 +246,37 @@ void TrajectoryGraph::mousePressEvent(QMouseEvent* event) {
 void TrajectoryGraph::mouseDoubleClickEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton || pointAt(event->position()))
         return;
-    grip_ = Grip::none;
+    drag_ = {};
     Q_EMIT addWanted(timeAt(event->position().x()), valueAt(event->position().y()));
 }
 
 void TrajectoryGraph::mouseMoveEvent(QMouseEvent* event) {
     const QPointF at = event->position();
-    if (grip_ == Grip::none)
-        return setCursor(pointAt(at) ? Qt::PointingHandCursor : Qt::ArrowCursor);
-    if (grip_ == Grip::plane) {
-        const double shift = (pressed_.x() - at.x()) / area().width() * (pressedTo_ - pressedFrom_);
-        Q_EMIT timesWanted(pressedFrom_ + shift, pressedTo_ + shift);
-        return;
+    if (auto* drag = std::get_if<PointDrag>(&drag_)) {
+        drag->keepsTime = drag->keepsTime && std::abs(at.x() - drag->from.x()) < timeDragFrom;
+        const QPointF there = at + drag->offset;
+        Q_EMIT dragged(drag->keepsTime ? drag->time : timeAt(there.x()), valueAt(there.y()),
+                       event->modifiers());
+    } else if (const auto* plane = std::get_if<PlaneDrag>(&drag_)) {
+        const double shift =
+            (plane->from.x() - at.x()) / area().width() * (plane->last - plane->first);
+        Q_EMIT timesWanted(plane->first + shift, plane->last + shift);
+    } else {
+        setCursor(pointAt(at) ? Qt::PointingHandCursor : Qt::ArrowCursor);
     }
-    keepsTime_ = keepsTime_ && std::abs(at.x() - pressed_.x()) < timeDragFrom;
-    const QPointF there = at + offset_;
-    Q_EMIT dragged(keepsTime_ ? pressedTime_ : timeAt(there.x()), valueAt(there.y()),
-                   event->modifiers());
 }
 
 void TrajectoryGraph::mouseReleaseEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton)
         return;
-    const Grip before = std::exchange(grip_, Grip::none);
+    const auto before = std::exchange(drag_, {});
     setCursor(Qt::ArrowCursor);
-    if (before == Grip::point)
+    if (std::holds_alternative<PointDrag>(before))
         Q_EMIT released();
 }
 
 void TrajectoryGraph::letGo() {
-    grip_ = Grip::none;
+    drag_ = {};
     holdsValues_ = false;
     setCursor(Qt::ArrowCursor);
 }

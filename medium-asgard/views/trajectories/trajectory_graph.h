@@ -8,6 +8,7 @@
 #include <QWidget>
 
 #include <optional>
+#include <variant>
 #include <vector>
 
 namespace views {
@@ -72,11 +73,17 @@ private:
     double from_ = 0, to_ = 1, low_ = 0, high_ = 1;
     bool holdsValues_ = false;
     std::optional<double> now_;
-    // While a button is down: on a point, or on the plane, which is then shifted.
-    enum class Grip { none, point, plane } grip_ = Grip::none;
-    QPointF pressed_, offset_;
-    double pressedFrom_ = 0, pressedTo_ = 1, pressedTime_ = 0;
-    bool keepsTime_ = true; // until the pointer has left that time clearly
+    // While a button is down. A point keeps its time until the pointer has left that clearly.
+    struct PointDrag {
+        QPointF from, offset;
+        double time = 0;
+        bool keepsTime = true;
+    };
+    struct PlaneDrag { // the plane is shifted
+        QPointF from;
+        double first = 0, last = 1; // times
+    };
+    std::variant<std::monostate, PointDrag, PlaneDrag> drag_;
 };
 
 } // namespace views
