@@ -33,8 +33,10 @@ std::optional<Button> buttonOf(Qt::MouseButton button) {
     return button == Qt::RightButton ? std::optional(Button::right) : std::nullopt;
 }
 
-// Of a polyhedron, a box, or the outlines of what is round.
+// Of a polyhedron, a box, or the outlines of what is round; a floor has none.
 std::vector<std::vector<Vector>> edgesOf(const scene::Part& part) {
+    if (std::holds_alternative<scene::PlaneShape>(part.shape))
+        return {};
     const auto* points = std::get_if<scene::HullShape>(&part.shape);
     if (!points)
         return gestures::wireframeOf({part});
