@@ -18,7 +18,7 @@ double Frame::pixels(double viewLength, double viewZ) const {
 
 float Frame::stroke(double width) const {
     const double scale = std::min(size_.width, size_.height) / 480.0;
-    return static_cast<float>(width * std::clamp(scale, 0.8, 8.0));
+    return static_cast<float>(width * std::clamp(scale, 0.8 * size_.ratio, 8 * size_.ratio));
 }
 
 std::array<float, 16> Frame::projection(double nearestZ, double furthestZ) const {

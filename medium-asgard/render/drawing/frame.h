@@ -23,7 +23,8 @@ public:
 
     // How long a length at that view depth is on screen.
     [[nodiscard]] double pixels(double viewLength, double viewZ) const;
-    // Line widths are meant for a picture 480 pixels high and grow with it.
+    // Line widths are meant for a picture 480 pixels high and grow with it; on a finer screen they
+    // are as wide in a small picture as on any.
     [[nodiscard]] float stroke(double width) const;
 
     // To clip space, column by column, upside down: rows are read back bottom first, and shall be

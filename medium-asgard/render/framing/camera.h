@@ -30,6 +30,7 @@ struct Camera {
 
 struct Size {
     int width = 640, height = 480; // device pixels
+    double ratio = 1;              // device pixels for one of the reader's
     bool operator==(const Size&) const = default;
 };
 

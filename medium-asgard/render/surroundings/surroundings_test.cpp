@@ -106,6 +106,12 @@ TEST(Horizon, IsWhereLevelLinesOfSightLead) {
     EXPECT_FALSE(horizonOf(Frame(drawing, size), Vector::UnitZ()));
 }
 
+TEST(Triad, IsAsLargeInASmallPictureOnAFineScreen) {
+    const auto reach = [](Size size) { return triadReach(size) / size.ratio; }; // reader's pixels
+    EXPECT_NEAR(reach({600, 400, 2}), reach({300, 200, 1}), 1e-5);
+    EXPECT_NEAR(reach({1280, 960, 2}), reach({640, 480, 1}), 1e-5);
+}
+
 TEST(Triad, AClickOnAnEndMeansItsDirection) {
     const Size size{640, 480};
     Camera camera;

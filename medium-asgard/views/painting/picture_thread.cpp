@@ -151,7 +151,7 @@ void PictureThread::Studio::paint(Picture& picture) {
         static_cast<std::size_t>(image.bytesPerLine()),
         wish.size};
     if (renderer_->draw(drawing, into)) {
-        image.setDevicePixelRatio(wish.pixelRatio);
+        image.setDevicePixelRatio(wish.size.ratio);
         picture.image = std::move(image);
         picture.ground = renderer_->ground();
     } else {

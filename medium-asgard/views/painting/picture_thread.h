@@ -33,7 +33,6 @@ struct PictureWish {
     double time = 0;
     render::Display display;
     render::Size size;
-    double pixelRatio = 1; // pixels of the picture for one of the window's
     SeenFrom from = SeenFrom::framed;
     render::Camera camera;
     std::string view;

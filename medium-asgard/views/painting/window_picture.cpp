@@ -40,7 +40,7 @@ void WindowPicture::setPatience(std::chrono::milliseconds most) { patience = mos
 render::Size WindowPicture::pixelSize() const {
     const QSizeF size = QSizeF(window_.size()) * window_.devicePixelRatioF();
     return {std::max(1, static_cast<int>(std::lround(size.width()))),
-            std::max(1, static_cast<int>(std::lround(size.height())))};
+            std::max(1, static_cast<int>(std::lround(size.height()))), window_.devicePixelRatioF()};
 }
 
 Eigen::Vector2d WindowPicture::inPixels(const QPointF& position) const {
@@ -80,7 +80,6 @@ void WindowPicture::ask() {
     const QColor paper = window_.palette().color(QPalette::Base);
     wish.display.background = {paper.redF(), paper.greenF(), paper.blueF()};
     wish.size = pixelSize();
-    wish.pixelRatio = window_.devicePixelRatioF();
     thread_->draw(this, std::move(wish));
 }
 

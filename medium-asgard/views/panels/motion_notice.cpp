@@ -177,7 +177,7 @@ void MotionNotice::place() {
     const QWidget& picture = *parentWidget();
     const double scale = picture.devicePixelRatioF();
     const render::Size size{static_cast<int>(picture.width() * scale),
-                            static_cast<int>(picture.height() * scale)};
+                            static_cast<int>(picture.height() * scale), scale};
     const int triad = static_cast<int>(
         std::ceil((render::triadMiddle(size).x() + render::triadReach(size)) / scale));
     const bool isWide = picture.width() > 4 * triad;
