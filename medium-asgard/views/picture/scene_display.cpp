@@ -399,10 +399,10 @@ double SceneDisplay::arrowLength(bool couple) {
 }
 
 void SceneDisplay::keepCamera() {
-    if ((!seen_.framesItself && !seen_.turned) || !picture_.last())
+    if (!seen_.framesItself && !seen_.turned)
         return;
-    seen_.isToStay = !seen_.isEdited && picture_.last()->of.shown.scene != document_.shown().scene;
-    if (seen_.isToStay) // what is seen is of a scene before
+    seen_.isToStay = !picture_.last() || (!seen_.isEdited && !showsScene());
+    if (seen_.isToStay) // nothing is seen yet, or what is seen is of a scene before
         return;
     seen_.framesItself = seen_.turned = false;
     if (!showsNewest()) // what is on its way may be seen from elsewhere

@@ -307,6 +307,22 @@ TEST_F(WindowsTest, TheFirstBodyStandsWhereOneClickedAndThePictureStays) {
               12); // or at round numbers
 }
 
+// A quick hand chooses from Create before the window has a picture.
+TEST_F(WindowsTest, TheFirstBodyLeavesThePictureThatItWasPutIn) {
+    open("# nothing yet\n");
+    GraphicalViewer* quick = editor.openGraphicalViewer();
+    ASSERT_EQ(quick->display().showsScene(), false);
+    quick->display().creating().start(newBody(BasicShape::sphere));
+    quick->display().grab();
+    const render::Camera before = quick->display().camera();
+    QTest::mouseClick(&quick->display(), Qt::LeftButton, {},
+                      quick->display().rect().center() + QPoint(60, -40));
+    ASSERT_TRUE(settle(editor.document()));
+    quick->display().grab();
+    EXPECT_EQ(editor.document().shown().scene->bodies.size(), 1U);
+    EXPECT_TRUE(quick->display().camera() == before);
+}
+
 TEST_F(WindowsTest, ThePanelStaysAsItIsWhileASliderIsDragged) {
     open("parameter rhythm -value 3 -min 0 -max 6 -unit rad/s -label {Rhythm of the push}\n" +
          flooring);
