@@ -1,4 +1,5 @@
 // What pointer and keys do in a scene's picture: the first that has a use for an event takes it.
+#include "painting/pointer.h"
 #include "picture/scene_display.h"
 #include "plain/plain.h"
 #include "surroundings/triad.h"
@@ -14,24 +15,7 @@
 
 namespace views {
 
-namespace {
-
 using Button = render::CameraControl::Button;
-
-std::optional<Button> buttonOf(Qt::MouseButton button) {
-    switch (button) {
-    case Qt::LeftButton:
-        return Button::left;
-    case Qt::MiddleButton:
-        return Button::middle;
-    case Qt::RightButton:
-        return Button::right;
-    default:
-        return std::nullopt;
-    }
-}
-
-} // namespace
 
 bool SceneDisplay::clickTriad(const QMouseEvent& event) {
     if (!display_.triad || event.button() != Qt::LeftButton ||
@@ -49,7 +33,7 @@ void SceneDisplay::mousePressEvent(QMouseEvent* event) {
         press_.at = event->position();
         press_.isDrag = false;
     }
-    const auto button = buttonOf(event->button());
+    const auto button = viewButton(event->button());
     bringUpToDate();
     if (!button)
         event->ignore();
@@ -103,8 +87,7 @@ bool SceneDisplay::beginDrag(QMouseEvent& event) {
 
 // A drag begins when the pointer has left its place; then a body that is selected goes with it.
 void SceneDisplay::moveView(QMouseEvent& event) {
-    constexpr double still = 4; // pixels
-    const bool isFar = (event.position() - press_.at).manhattanLength() >= still;
+    const bool isFar = !isNear(event.position(), press_.at);
     if (isFar && !std::exchange(press_.isDrag, true)) {
         if (beginDrag(event))
             return;
@@ -120,17 +103,15 @@ void SceneDisplay::moveView(QMouseEvent& event) {
 }
 
 void SceneDisplay::mouseReleaseEvent(QMouseEvent* event) {
-    constexpr double still = 4;
     if (throwing_.release(*event)) {
         // The body is let go.
     } else if (creating_.active() && event->button() == Qt::LeftButton) {
-        if ((event->position() - press_.at).manhattanLength() < still)
+        if (isNear(event->position(), press_.at))
             creating_.click(event->position(), event->modifiers() & Qt::ControlModifier);
     } else if (!editing_.dragging() && selecting_.release(*event)) {
         // It is selected.
     } else if (!editing_.release(*event) && control_.active() &&
-               event->button() == Qt::RightButton &&
-               (event->position() - press_.at).manhattanLength() < still) {
+               event->button() == Qt::RightButton && isNear(event->position(), press_.at)) {
         control_.release();
         Q_EMIT menuWanted(menuPlaceAt(document_, *this, event->position()));
         return;

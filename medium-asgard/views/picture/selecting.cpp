@@ -2,6 +2,7 @@
 
 #include "gestures/grasp.h"
 #include "gestures/handle_meaning.h"
+#include "painting/pointer.h"
 #include "picture/scene_display.h"
 
 #include <QMouseEvent>
@@ -17,12 +18,6 @@ using editing::Element;
 using editing::Kind;
 
 namespace {
-
-constexpr double still = 4; // pixels: not yet a drag
-
-bool isNear(const QPointF& one, const QPointF& other) {
-    return (one - other).manhattanLength() < still;
-}
 
 // The picture may show some of it at this time. A half space is everywhere.
 bool isSeen(const render::Drawing& drawing, const gestures::Sight& sight, std::size_t index) {

@@ -3,6 +3,7 @@
 #include "framing/framing.h"
 #include "geometry/hull.h"
 #include "gestures/wireframe.h"
+#include "painting/pointer.h"
 #include "point_edits/shape_points.h"
 #include "surroundings/triad.h"
 
@@ -19,19 +20,10 @@ namespace views {
 namespace {
 
 using geometry::Vector;
-using Button = render::CameraControl::Button;
 
 constexpr double reach = 10; // pixels within which a point is taken
 constexpr double ballRadius = 5;
 const QColor grey(0xA8, 0xAC, 0xB2), chosenRing(0xF0, 0x96, 0x14);
-
-std::optional<Button> buttonOf(Qt::MouseButton button) {
-    if (button == Qt::LeftButton)
-        return Button::left;
-    if (button == Qt::MiddleButton)
-        return Button::middle;
-    return button == Qt::RightButton ? std::optional(Button::right) : std::nullopt;
-}
 
 // Of a polyhedron, a box, or the outlines of what is round; a floor has none.
 std::vector<std::vector<Vector>> edgesOf(const scene::Part& part) {
@@ -50,11 +42,6 @@ std::vector<std::vector<Vector>> edgesOf(const scene::Part& part) {
     for (const geometry::Edge& edge : solid.edges)
         edges.push_back({solid.vertices[edge.from], solid.vertices[edge.to]});
     return edges;
-}
-
-bool isNear(const QPointF& one, const QPointF& other) {
-    constexpr double still = 4; // pixels
-    return (one - other).manhattanLength() < still;
 }
 
 } // namespace
@@ -357,7 +344,7 @@ void ShapeDisplay::mousePressEvent(QMouseEvent* event) {
     const bool isShifted = event->modifiers() & Qt::ShiftModifier;
     if (!forLooking_ && (isShifted || (hit && event->button() == Qt::LeftButton)))
         return pressPoint(*event, hit);
-    if (const auto button = buttonOf(event->button()))
+    if (const auto button = viewButton(event->button()))
         control_.press(*button, picture_.inPixels(at), picture_.pixelSize());
 }
 
