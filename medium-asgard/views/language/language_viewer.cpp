@@ -17,6 +17,7 @@
 #include <QInputDialog>
 #include <QListWidget>
 #include <QMenuBar>
+#include <QPushButton>
 #include <QSplitter>
 #include <QTimer>
 #include <QVBoxLayout>
