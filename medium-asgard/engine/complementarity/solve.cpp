@@ -4,6 +4,7 @@
 #include "complementarity/fixed_point.h"
 #include "complementarity/interior.h"
 #include "complementarity/newton.h"
+#include "complementarity/pivots.h"
 #include "complementarity/sweeps.h"
 
 #include <Eigen/Cholesky>
@@ -14,7 +15,8 @@ namespace complementarity {
 
 namespace {
 
-constexpr double kept = 1e-11; // a violation under this is rounding
+constexpr double kept = 1e-11;  // a violation under this is rounding
+constexpr double nearly = 1e-8; // under this it may be, where no answer keeps the laws better
 constexpr std::size_t fewLaws = 6;
 
 std::vector<State> possibleStates(const Law& law) {
@@ -55,11 +57,20 @@ public:
         work_.steps = inside.steps;
         if (auto answer = near(inside.states, inside.forces))
             return answer;
+        if (const auto corner = byPivots(a_, b_, laws_)) {
+            if (auto answer = near(corner->states, corner->forces))
+                return answer;
+            keep(*corner, violation(a_, b_, laws_, *corner));
+            if (nearest_) // the laws themselves err by as much: no other way finds a better one
+                return nearest_;
+        }
         if (auto answer = alongSlips(inside.forces))
             return answer;
         if (auto answer = bySmallerSteps(inside))
             return answer;
-        return bySweeps();
+        if (auto answer = bySweeps())
+            return answer;
+        return nearest_;
     }
 
 private:
@@ -73,7 +84,9 @@ private:
             const std::optional<Answer> answer = solveStates(a_, b_, laws_, states, forces, aim);
             if (!answer)
                 break;
-            if (const double faulty = violation(a_, b_, laws_, *answer); faulty <= least) {
+            const double faulty = violation(a_, b_, laws_, *answer);
+            keep(*answer, faulty);
+            if (faulty <= least) {
                 best = answer;
                 least = faulty;
             } else if (best) {
@@ -87,6 +100,13 @@ private:
                 break;
         }
         return best;
+    }
+
+    void keep(const Answer& answer, double faulty) {
+        if (faulty > nearestFault_)
+            return;
+        nearest_ = answer;
+        nearestFault_ = faulty;
     }
 
     // Bodies that jam, as dominoes that lean on each other, have many answers that are all but
@@ -192,6 +212,9 @@ private:
     const Vector& b_;
     const Laws& laws_;
     Work& work_;
+    // Of those that keep the laws but for what faces that are all but parallel leave of them.
+    std::optional<Answer> nearest_;
+    double nearestFault_ = nearly;
 };
 
 bool areFew(const Laws& laws) {

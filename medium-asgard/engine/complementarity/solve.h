@@ -3,10 +3,14 @@
 // Intervals on a symmetric A are a convex problem, which convex.h solves. Discs whose radius
 // follows a normal force, and an A that is not symmetric (contacts that slide, held switches), need
 // not have a solution, and may have several. Here the states of a guess are tried first, so that
-// what held goes on holding where it can; then those to which an interior point method leads, with
-// fast slips put into the columns of their normal forces, with a pull to the last answer that
-// fades, and by sweeps; of few laws at last all states. Discs and slips with levers are solved at
-// the centres of the last answer, until it keeps the laws at its own.
+// what held goes on holding where it can; then those to which an interior point method leads, those
+// of pivots where each disc has one row that moves, fast slips put into the columns of their normal
+// forces, a pull to the last answer that fades, and sweeps; of few laws at last all states. Discs
+// and slips with levers are solved at the centres of the last answer, until it keeps the laws at
+// its own.
+//
+// Of answers that all but keep the laws (1e-8) the nearest counts where there is no better one:
+// faces that lie on each other with a tilt leave as much.
 //
 // LIMIT: of more laws than those tried one by one, a problem whose sweeps do not converge counts as
 // one without solution.
