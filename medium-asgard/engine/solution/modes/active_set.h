@@ -144,6 +144,8 @@ private:
                                const std::vector<char>& slipping);
     void openUnpressed();
     void takeForces();
+    // What each of these forces may grow to, or where nothing bounds it the largest.
+    [[nodiscard]] std::vector<double> roomsOf(std::span<const double> forces) const;
     [[nodiscard]] bool areWithinBounds() const;
     [[nodiscard]] bool settle(std::span<const std::size_t> fallen, double fastest, double t,
                               std::span<const double> y);

@@ -129,6 +129,7 @@ bool ActiveSet::settle(std::span<const std::size_t> fallen, double fastest, doub
     f_.fill(t, y);
     multipliers_.evaluateGaps();
     mode_.forces.clear();
+    mode_.rooms.clear();
     std::vector<char> slipping(discs().size(), 0);
     for (bool isOther = true; isOther;) {
         const Rows rows = rowsFor(fallen, fastest, slipping);
@@ -153,9 +154,31 @@ void ActiveSet::takeForces() {
     if (!multipliers_.solve() || !multipliers_.isRedundant() || areWithinBounds())
         return;
     mode_.forces = std::move(ofLaws);
+    mode_.rooms = roomsOf(mode_.forces);
     (void)multipliers_.solve();
-    if (!areWithinBounds()) // nor are they, so that they tell no more than the shortest
-        mode_.forces.clear();
+    if (areWithinBounds())
+        return;
+    mode_.forces.clear(); // these tell no more than the shortest
+    mode_.rooms.clear();
+}
+
+std::vector<double> ActiveSet::roomsOf(std::span<const double> forces) const {
+    constexpr double least = 1e-4; // of the largest
+    double largest = 0;
+    for (const double m : forces)
+        largest = std::max(largest, std::abs(m));
+    std::vector<double> rooms(forces.size(), largest);
+    for (std::size_t row = 0; row < forces.size(); ++row)
+        if (isContact(row))
+            rooms[row] = std::max(least * largest, forces[row]);
+    for (const BoundModel::Disc& disc : discs()) {
+        double pressed = 0;
+        for (const std::size_t row : disc.normals)
+            pressed += forces[row];
+        for (const std::size_t row : disc.rows)
+            rooms[row] = std::max(least * largest, pressed);
+    }
+    return rooms;
 }
 
 bool ActiveSet::areWithinBounds() const {
@@ -239,6 +262,10 @@ bool ActiveSet::solveLaws(const Rows& rows) {
     for (Eigen::Index i = 0; i < b.size(); ++i)
         if (isContact(rows.rows[static_cast<std::size_t>(i)]))
             slowest_ = std::max(slowest_, fallenSlow(a(i, i) * answer->forces[i]));
+    // A force that is smaller than what the answer errs by is none.
+    constexpr double more = 10;
+    const double faulty = more * complementarity::violation(a, b, rows.laws, *answer);
+    const double none = hasContacts_ ? std::max(noForce, faulty) * largest : 0;
     mode_.forces.assign(mode_.kept.size(), 0);
     for (std::size_t i = 0; i < rows.rows.size(); ++i)
         mode_.forces[rows.rows[i]] = answer->forces[static_cast<Eigen::Index>(i)];
@@ -258,7 +285,6 @@ bool ActiveSet::solveLaws(const Rows& rows) {
                 setSlip(rows.discs[disc], -force, 0);
             ++disc;
         } else if (law(row).isBounded()) {
-            const double none = hasContacts_ ? noForce * largest : 0;
             const bool isNothing = isStop(row) && answer->forces[of.first] <= law(row).low + none;
             mode_.kept[row] = isNothing ? State::low : answer->states[k];
             mode_.touches[row] = isNothing ? 1 : 0;

@@ -95,7 +95,8 @@ void HeldConditions::findKernel(std::span<const double> values) {
         return;
     for (std::size_t k = 0; k < idle; ++k)
         elimination_.kernel(k, {kernel_.col(count(k)).data(), n});
-    ofKernel_.compute(kernel_.transpose() * kernel_);
+    inRooms_ = rooms_.cwiseInverse().asDiagonal() * kernel_;
+    ofKernel_.compute(inRooms_.transpose() * inRooms_);
     redundant_.clear();
     scale_.setOnes(count(n));
     for (const Term& term : plan_.terms) {
@@ -130,8 +131,16 @@ void HeldConditions::putMatrix(std::span<const double> values) {
     matrix_ = scale_.asDiagonal() * matrix_ * scale_.asDiagonal();
 }
 
+void HeldConditions::takeRooms() {
+    rooms_.setOnes(count(plan_.rows.size()));
+    if (!mode_.rooms.empty())
+        for (std::size_t i = 0; i < plan_.rows.size(); ++i)
+            rooms_[count(i)] = mode_.rooms[plan_.rows[i]];
+}
+
 bool HeldConditions::factorise(std::span<const double> values) {
     followMode();
+    takeRooms();
     way_ = Way::sparse;
     if (plan_.isSparse && eliminate(values))
         return true;
@@ -176,8 +185,10 @@ Eigen::VectorXd HeldConditions::leastSolution(const Eigen::VectorXd& wanted) con
         return y;
     const Eigen::MatrixXd idle =
         least_.colsPermutation() * Eigen::MatrixXd(least_.matrixZ().transpose().rightCols(free));
-    const Eigen::MatrixXd forces = scale_.asDiagonal() * idle;
-    y -= idle * forces.colPivHouseholderQr().solve(scale_.cwiseProduct(y) - wanted);
+    const Eigen::VectorXd unit = scale_.cwiseQuotient(rooms_);
+    const Eigen::MatrixXd forces = unit.asDiagonal() * idle;
+    y -= idle *
+         forces.colPivHouseholderQr().solve(unit.cwiseProduct(y) - wanted.cwiseQuotient(rooms_));
     return y;
 }
 
@@ -195,7 +206,8 @@ void HeldConditions::solve(Eigen::Ref<Eigen::VectorXd> rates, std::span<const do
         answer_ = right_;
         elimination_.solve({answer_.data(), n});
         if (kernel_.cols() > 0) {
-            answer_ -= kernel_ * ofKernel_.solve(kernel_.transpose() * (answer_ - wanted_));
+            answer_ -= kernel_ * ofKernel_.solve(inRooms_.transpose() *
+                                                 (answer_ - wanted_).cwiseQuotient(rooms_));
             right_ = scale_.cwiseProduct(right_);
         }
         for (std::size_t i = 0; i < n; ++i)

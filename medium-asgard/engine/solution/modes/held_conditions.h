@@ -39,7 +39,8 @@ public:
     [[nodiscard]] bool factorise(std::span<const double> values);
     [[nodiscard]] const std::vector<std::size_t>& rows() const { return plan_.rows; }
     // Of conditions with these rates the m that keep them; 0 of others than those that hold. Of
-    // several the one next to `wanted`, one for each condition; empty: the shortest.
+    // several the one next to `wanted`, one for each condition; empty: the shortest. Distance and
+    // length are in units of Mode::rooms.
     void solve(Eigen::Ref<Eigen::VectorXd> rates, std::span<const double> wanted = {});
     // Conditions are not redundant.
     [[nodiscard]] bool isRegular() const {
@@ -72,6 +73,7 @@ private:
         return conditions_.isTie[row] == 0 && mode_.kept[row] == complementarity::State::inside;
     }
     void followMode();
+    void takeRooms();
     void makePlan();
     [[nodiscard]] bool eliminate(std::span<const double> values);
     void findKernel(std::span<const double> values);
@@ -84,11 +86,12 @@ private:
     Plan plan_;
     Way way_ = Way::dense;
     Elimination elimination_;
-    Eigen::MatrixXd kernel_; // of the sparse matrix: what redundant conditions may have
+    Eigen::MatrixXd kernel_;  // of the sparse matrix: what redundant conditions may have
+    Eigen::MatrixXd inRooms_; // in units of Mode::rooms
     Eigen::LDLT<Eigen::MatrixXd> ofKernel_;
     std::vector<double> redundant_; // the terms' values, then
     Eigen::MatrixXd matrix_;        // scaled, where it is not eliminated as a sparse one
-    Eigen::VectorXd scale_, right_, answer_, wanted_;
+    Eigen::VectorXd scale_, right_, answer_, wanted_, rooms_;
     Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> least_;
 };

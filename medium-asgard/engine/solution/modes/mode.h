@@ -42,8 +42,10 @@ struct Mode {
     static constexpr complementarity::State gone = complementarity::State::edge;
     std::vector<complementarity::State> kept;
     // Of redundant conditions the shortest forces are taken. Where these break bounds, those next
-    // to these, by which the laws gave the set: one of each multiplier; empty: the shortest do.
-    std::vector<double> forces;
+    // to these, by which the laws gave the set: one of each multiplier; empty: the shortest do. A
+    // distance counts in units of what its contact can bear, `rooms`: a contact that is hardly
+    // pressed takes hardly a part of what changes.
+    std::vector<double> forces, rooms;
     // Stops that touch without a force and without a rate: rounding may close them.
     std::vector<char> touches;
     // Of each disc of friction whose rows are at a bound: the direction in which it began to slip,
