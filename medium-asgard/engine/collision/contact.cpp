@@ -195,6 +195,29 @@ std::vector<Separation> axesAt(const PartPair& pair, double t) {
     return axes;
 }
 
+// Of axes along which edges or vertices touch, the one along which they approach clearly less than
+// along each other one. A little aside they would meet along one of the axes, and overlap along
+// this one least. Where both have faces across it, one would slide past the other: there is none.
+std::optional<Separation> leastApproach(const PartPair& pair, double t) {
+    constexpr double clearly = 0.98;
+    std::optional<Separation> axis;
+    double least = HUGE_VAL, next = HUGE_VAL;
+    for (const Separation& other : axesAt(pair, t)) {
+        const double speed = contactAlong(pair, t, other.normal, other.gap).closingSpeed;
+        if (speed < least)
+            axis = other;
+        next = std::min(next, std::max(least, speed));
+        least = std::min(least, speed);
+    }
+    if (!axis || !(least < clearly * next))
+        return std::nullopt;
+    const Vector origin = pair.originAt(t);
+    const auto [ofFirst, ofSecond] =
+        facingFeatures(pair.first.posedAt(t, origin), pair.second.posedAt(t, origin), axis->normal,
+                       flatLanding * pair.smallerSize());
+    return ofFirst.size() > 2 && ofSecond.size() > 2 ? std::nullopt : axis;
+}
+
 Vector velocityOfPoint(const PartMotion& part, double t, const Vector& point) {
     const Velocity v = velocityAt(part.piece, t);
     return v.linear + v.angular.cross(point - positionAt(part.piece, t));
@@ -258,7 +281,12 @@ Contact contactOf(const PartPair& pair, double t, const Separation& separation) 
     if (separation.touch)
         return contactIn(pair, t, separation.normal, separation.gap,
                          {{*separation.touch}, *separation.touch});
-    return contactAlong(pair, t, normalOfHit(pair, t, separation), separation.gap);
+    Contact contact = contactAlong(pair, t, normalOfHit(pair, t, separation), separation.gap);
+    if (!isCurved(pair) && !isRound(pair) && contact.patch.size() <= 2)
+        if (const auto axis = leastApproach(pair, t);
+            axis && (axis->normal - contact.normal).norm() > sameAxis)
+            return contactAlong(pair, t, axis->normal, axis->gap);
+    return contact;
 }
 
 std::optional<Contact> passing(const PartPair& pair, double t) {

@@ -7,7 +7,9 @@
 // slides over the seam of two boxes in one plane touches the second one's edge and does not hit it:
 // along the side's normal they approach, along the upper face's they do not. That is also what a
 // gap of any size at the seam, however small, tends to. Hence
-//     the normal is that axis along which they approach least, if they do not approach there;
+//     the normal is that axis along which they approach least, if they do not approach there, or if
+//         at most one of them has a face there: a box slides onto a ramp that begins where the
+//         floor ends as onto one that begins in the floor;
 //     else that of the face when one touches, the common perpendicular of two edges that cross,
 //     and else (vertex on vertex or edge, parallel edges) the line between the closest points just
 //     before; of a sphere, that from the feature to its centre (nearest_feature.h).

@@ -29,12 +29,11 @@ constexpr double nextToParallel = 1e-3;
 
 // ---------------------------------------------------------------------------------- polyhedra
 
-// The edge of an outline (or the outline, if it is one) on which a point lies.
-std::optional<std::pair<Vector, Vector>> edgeThrough(const std::vector<Vector>& outline,
-                                                     const Vector& point, const Vector& normal,
-                                                     double tolerance) {
-    std::optional<std::pair<Vector, Vector>> best;
-    double least = tolerance;
+// The edges of an outline (or the outline, if it is one) on which a point lies: two at a vertex.
+std::vector<std::pair<Vector, Vector>> edgesThrough(const std::vector<Vector>& outline,
+                                                    const Vector& point, const Vector& normal,
+                                                    double tolerance) {
+    std::vector<std::pair<Vector, Vector>> found;
     const std::size_t edges = outline.size() == 2 ? 1 : outline.size();
     for (std::size_t i = 0; i < edges && outline.size() > 1; ++i) {
         const Vector &a = outline[i], &b = outline[(i + 1) % outline.size()];
@@ -42,12 +41,10 @@ std::optional<std::pair<Vector, Vector>> edgeThrough(const std::vector<Vector>& 
         const Vector way = (b - a).normalized();
         off -= way * way.dot(off);
         off -= normal * normal.dot(off);
-        if (off.norm() <= least) {
-            least = off.norm();
-            best = {a, b};
-        }
+        if (off.norm() <= tolerance)
+            found.emplace_back(a, b);
     }
-    return best;
+    return found;
 }
 
 physics::NearestSurfaces nearestOf(const SurfaceGap& gap, const Placed& body,
@@ -109,29 +106,37 @@ private:
     [[nodiscard]] std::optional<ContactPoint> crossingAt(const Corner& corner) const {
         constexpr double near = 1e-5;
         const double parallel = touch_.isFlat ? nextToParallel : 1e-6; // sine of the angle
-        const auto a = edgeThrough(bodyFace_, corner.point, touch_.normal, near * touch_.size);
-        const auto b = edgeThrough(supportFace_, corner.point, touch_.normal, near * touch_.size);
-        if (!a || !b)
-            return std::nullopt;
-        const Vector ofBody = (a->second - a->first).normalized(),
-                     ofSupport = (b->second - b->first).normalized();
-        const double across = ofBody.cross(ofSupport).dot(touch_.normal);
+        std::pair<Vector, Vector> a, b;                                // those that cross most
+        Vector ofBody, ofSupport;
+        double across = 0;
+        for (const auto& of :
+             edgesThrough(bodyFace_, corner.point, touch_.normal, near * touch_.size))
+            for (const auto& other :
+                 edgesThrough(supportFace_, corner.point, touch_.normal, near * touch_.size)) {
+                const Vector first = (of.second - of.first).normalized(),
+                             second = (other.second - other.first).normalized();
+                const double crossing = first.cross(second).dot(touch_.normal);
+                if (std::abs(crossing) <= std::abs(across))
+                    continue;
+                a = of, b = other, across = crossing;
+                ofBody = first, ofSupport = second;
+            }
         if (std::abs(across) < parallel)
             return std::nullopt;
         ContactPoint point;
         point.gap = {.body = {.kind = Kind::line,
-                              .place = localOf(body_, a->first),
+                              .place = localOf(body_, a.first),
                               .axis = body_.state.attitude.conjugate() * ofBody},
                      .support = {.kind = Kind::line,
-                                 .place = localOf(support_, b->first),
+                                 .place = localOf(support_, b.first),
                                  .axis = support_.state.attitude.conjugate() * ofSupport},
                      .isFlipped = across < 0};
         // The lines cross elsewhere than the outlines of faces that lie on each other with a tilt.
         const Vector place = nearestOf(point.gap, body_, support_).contact;
         Sides first(body_.index, localOf(body_, place), touch_.size, beside_);
-        first.addEnds(localOf(body_, a->first), localOf(body_, a->second));
+        first.addEnds(localOf(body_, a.first), localOf(body_, a.second));
         Sides second(support_.index, localOf(support_, place), touch_.size, beside_);
-        second.addEnds(localOf(support_, b->first), localOf(support_, b->second));
+        second.addEnds(localOf(support_, b.first), localOf(support_, b.second));
         point.sides = std::move(first.sides);
         point.sides.insert(point.sides.end(), second.sides.begin(), second.sides.end());
         return point;
@@ -398,10 +403,11 @@ std::vector<LastingContact> lastingContacts(const Placed& body, const Placed& su
                                             const TouchLimits& limits) {
     std::vector<LastingContact> found;
     for (const Touch& touch : touchesOf(body, support, limits.gap)) {
-        if (touch.passes(limits.slow))
+        const Touch* lasting = touch.lasting(limits.slow);
+        if (lasting == nullptr)
             continue;
-        LastingContact contact = contactOf(touch, body, support, limits);
-        if (!contact.isModelled && touch.rate() > limits.slow)
+        LastingContact contact = contactOf(*lasting, body, support, limits);
+        if (!contact.isModelled && lasting->rate() > limits.slow)
             continue; // it parts
         if (!contact.place.points.empty() || !contact.isModelled)
             found.push_back(std::move(contact));

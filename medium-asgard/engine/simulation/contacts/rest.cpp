@@ -64,9 +64,13 @@ public:
 
     Rest find() {
         for (std::size_t s = 0; s < q_.supports.size(); ++s)
-            for (Touch& touch : touchesOf(q_.body, q_.supports[s], resolution_.gap, q_.footings))
-                (touch.passes(slowest()) ? passing_ : touches_)
-                    .push_back({std::move(touch), s, {}});
+            for (Touch& touch : touchesOf(q_.body, q_.supports[s], resolution_.gap, q_.footings)) {
+                const Touch* lasting = touch.lasting(slowest());
+                if (lasting == nullptr || !lasting->isModelled)
+                    passing_.push_back({std::move(touch), s, {}});
+                else
+                    touches_.push_back({*lasting, s, {}});
+            }
         do
             bearWhatPresses();
         while (rest_.state != Rest::State::approaching && isPassingPressed());

@@ -209,6 +209,67 @@ TEST(FarAway, ABoxAndABallMeetAsTheyDoNearTheOrigin) {
     EXPECT_LT(distance(velocities[0], velocities[1]), 1e-2);
 }
 
+// A box slides onto a ramp that begins exactly where the floor ends as onto one that begins within
+// the floor, `within` before that.
+Vector endOnRamp(double angle, double friction, double within, double width = 1) {
+    SceneBuilder b(1.2);
+    const double s = std::sin(angle), c = std::cos(angle), along = 3 - within;
+    b.box("floor", {-2, -0.1, 0}, {4, 0.2, 1});
+    b.box("ramp", {along * c + 0.1 * s, along * s - 0.1 * c, 0}, {6, 0.2, width}).initialAttitude =
+        geometry::fromRotationVector({0, 0, angle});
+    b.box("box", {-1, 0.05, 0}, {0.2, 0.1, 0.2}).initialVelocity = {3, 0, 0};
+    for (scene::Body& body : b.scene.bodies) {
+        body.fixed = body.name != "box";
+        body.friction = friction;
+        body.restitution = 0;
+    }
+    b.weight("box");
+    const Result result = simulate(b.scene);
+    EXPECT_FALSE(result.motion->stop(2)) << angle << " " << friction << " " << within;
+    return result.motion->at(2, 1.2).position;
+}
+
+TEST(Ramps, MayBeginWhereTheFloorEnds) {
+    for (const double degrees : {10, 20, 35, 45})
+        for (const double friction : {0.0, 0.05, 0.3}) {
+            const double angle = degrees * std::numbers::pi / 180;
+            EXPECT_LT(distance(endOnRamp(angle, friction, 0), endOnRamp(angle, friction, 1e-3)),
+                      1e-5)
+                << degrees << " " << friction;
+        }
+}
+
+TEST(Ramps, MayBeNarrowerThanTheBox) {
+    const double angle = 0.2;
+    EXPECT_LT(distance(endOnRamp(angle, 0, 0, 0.1), endOnRamp(angle, 0, 1e-3, 0.1)), 1e-5);
+}
+
+// A box slides down to a floor that begins at the foot of the slope, or `within` before it.
+Vector endBelowSlope(double angle, double within) {
+    SceneBuilder b(0.7);
+    const double s = std::sin(angle), c = std::cos(angle), along = 1.5 - within;
+    b.box("floor", {-1.5, -0.1, 0}, {3, 0.2, 2});
+    b.box("slope", {along * c + 0.1 * s, along * s - 0.1 * c, 0}, {3, 0.2, 2}).initialAttitude =
+        geometry::fromRotationVector({0, 0, angle});
+    b.box("box", {0.5 * c - 0.05 * s, 0.5 * s + 0.05 * c, 0}, {0.2, 0.1, 0.2}).initialAttitude =
+        geometry::fromRotationVector({0, 0, angle});
+    for (scene::Body& body : b.scene.bodies) {
+        body.fixed = body.name != "box";
+        body.restitution = 0;
+    }
+    b.weight("box");
+    const Result result = simulate(b.scene);
+    EXPECT_FALSE(result.motion->stop(2)) << angle << " " << within;
+    return result.motion->at(2, 0.7).position;
+}
+
+TEST(Ramps, MayEndWhereTheFloorBegins) {
+    for (const double degrees : {30.0, 53.13, 60.0}) {
+        const double angle = degrees * std::numbers::pi / 180;
+        EXPECT_LT(distance(endBelowSlope(angle, 0), endBelowSlope(angle, 1e-5)), 1e-4) << degrees;
+    }
+}
+
 TEST(NoRoom, ABallThatFitsBetweenElasticWallsIsSaidToLoseItsSpeed) {
     SceneBuilder b(1);
     b.box("left", {-1, 0, 0}, {1, 10, 10}).fixed = true;

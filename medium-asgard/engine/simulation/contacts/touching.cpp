@@ -168,6 +168,8 @@ private:
             Pairing other = *this;
             other.touch.others.clear();
             other.touch.corners.clear();
+            other.touch.bodyFace.clear();
+            other.touch.supportFace.clear();
             other.touch.normal = normal;
             other.touch.gap = axis.gap;
             other.addCorners();
@@ -567,10 +569,20 @@ double Touch::rate() const {
     return least;
 }
 
-bool Touch::passes(double speed) const {
-    return !others.empty() && (rate() >= -speed || std::ranges::any_of(others, [&](const Touch& t) {
-                                   return t.rate() >= -speed;
-                               }));
+const Touch* Touch::lasting(double speed) const {
+    const Touch* found = nullptr; // the one along which they do not approach
+    const auto look = [&](const Touch& touch) {
+        if (touch.rate() < -speed)
+            return true;
+        const bool isOnly = found == nullptr && touch.rate() <= speed;
+        found = &touch;
+        return isOnly;
+    };
+    if (others.empty())
+        return this;
+    if (!look(*this) || !std::ranges::all_of(others, look))
+        return nullptr;
+    return found == nullptr ? this : found;
 }
 
 std::vector<Touch> touchesOf(const Placed& body, const Placed& support, double tolerance,

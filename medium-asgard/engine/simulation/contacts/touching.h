@@ -63,8 +63,10 @@ struct Touch { // of one pair of parts
 
     // The least rate of its corners; negative: they approach.
     [[nodiscard]] double rate() const;
-    // Along this axis or another nothing approaches faster than `speed`.
-    [[nodiscard]] bool passes(double speed) const;
+    // The touch along the one axis along which they stay together while they approach along each
+    // other one: this or one of `others`; this where they approach along all. None: they part along
+    // one, or go by each other. Of rates, `speed` counts as none.
+    [[nodiscard]] const Touch* lasting(double speed) const;
 };
 
 struct PartsInTouch {

@@ -263,11 +263,14 @@ bool CollisionSource::needsRows(const Instant& at, std::size_t body,
         for (const Touch& touch : touches) {
             if (isAsked || touch.isCurved)
                 return true;
-            if (!touch.others.empty()) // a seam
+            const Touch* lasting = touch.lasting(
+                std::max(resolution::rattled * speedOf(placed),
+                         resolution::noRate * world_.smallerRadius(std::minmax(body, other))));
+            if (lasting == nullptr)
                 continue;
-            if (normal && !isOneNormal(*normal, touch.normal))
+            if (!lasting->isModelled || (normal && !isOneNormal(*normal, lasting->normal)))
                 return true;
-            normal = touch.normal;
+            normal = lasting->normal;
         }
     }
     return false;

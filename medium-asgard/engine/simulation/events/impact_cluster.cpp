@@ -30,11 +30,15 @@ std::vector<NearCorner> cornersNear(const Instant& at, const Pair& pair, bool is
     const BodyState solved = at.stateOf(body), bearing = at.bearingState(body);
     const double speed = at.speedOf(pair), tolerance = at.contactTolerance(pair);
     std::vector<NearCorner> corners;
-    for (const Touch& touch :
-         touchesOf(at.placed(body, {{body, bearing}}), at.placed(support), 2 * gap))
+    for (const Touch& whole :
+         touchesOf(at.placed(body, {{body, bearing}}), at.placed(support), 2 * gap)) {
+        const Touch* lasting =
+            whole.lasting(std::max(collision::approachThreshold * speed,
+                                   resolution::noRate * at.world.smallerRadius(pair)));
+        if (!isHit && lasting == nullptr)
+            continue;
+        const Touch& touch = isHit ? whole : *lasting;
         for (const Corner& corner : touch.corners) {
-            if (!isHit && touch.passes(collision::approachThreshold * speed))
-                continue;
             const Vector arm =
                 bearing.attitude.conjugate() * Vector(corner.point - bearing.position);
             const Vector there = solved.position + solved.attitude * arm;
@@ -45,6 +49,7 @@ std::vector<NearCorner> cornersNear(const Instant& at, const Pair& pair, bool is
                                .bears = std::abs(corner.gap) <= tolerance &&
                                         std::abs(corner.rate) <= gap * speed});
         }
+    }
     return corners;
 }
 
