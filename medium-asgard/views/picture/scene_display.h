@@ -151,7 +151,7 @@ private:
     void motionChanged();
     void rename(const std::vector<editing::Renamed>& renamed); // of what is hidden
     [[nodiscard]] PictureWish wish() const;
-    // Where a picture is seen from is where the display is to be, unless that was changed
+    // The picture is seen from the place where the display is to be: nobody has moved that
     // meanwhile.
     [[nodiscard]] bool isWanted(const Picture& picture) const;
     [[nodiscard]] bool isFollowed(const Picture& picture) const;

@@ -39,7 +39,7 @@ public:
     // Where the chosen point is: a sphere's surface is taken hold of where it was dragged to.
     [[nodiscard]] std::optional<geometry::Vector> chosenPlace() const;
 
-    // Where a place of the shape is in this widget, and what a pixel is worth in its middle.
+    // The position in this widget of a place of the shape, and the length of a pixel in its middle.
     [[nodiscard]] QPointF position(const geometry::Vector& place) const;
     [[nodiscard]] double pixelLength() const;
     [[nodiscard]] const WindowPicture& picture() const { return picture_; }

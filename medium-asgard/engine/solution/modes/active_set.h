@@ -144,7 +144,8 @@ private:
                                const std::vector<char>& slipping);
     void openUnpressed();
     void takeForces();
-    // What each of these forces may grow to, or where nothing bounds it the largest.
+    // The bound up to which each of these forces may grow; of one without a bound the largest
+    // force.
     [[nodiscard]] std::vector<double> roomsOf(std::span<const double> forces) const;
     [[nodiscard]] bool areWithinBounds() const;
     [[nodiscard]] bool settle(std::span<const std::size_t> fallen, double fastest, double t,

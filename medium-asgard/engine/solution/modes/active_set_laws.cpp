@@ -167,7 +167,9 @@ std::vector<double> ActiveSet::roomsOf(std::span<const double> forces) const {
     double largest = 0;
     for (const double m : forces)
         largest = std::max(largest, std::abs(m));
-    std::vector<double> rooms(forces.size(), largest);
+    std::vector<double> rooms(forces.size(), largest > 0 ? largest : 1);
+    if (!(largest > 0))
+        return rooms;
     for (std::size_t row = 0; row < forces.size(); ++row)
         if (isContact(row))
             rooms[row] = std::max(least * largest, forces[row]);
