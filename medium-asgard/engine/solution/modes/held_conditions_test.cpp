@@ -11,25 +11,12 @@ using namespace solution::testing;
 namespace {
 
 PreparedEquations massOnThreePoints() {
-    auto set = std::make_shared<expression::EquationSet>();
-    set->time = set->graph.symbol("t");
-    const auto add = [&](const std::string& name, const std::string& rate) {
-        expression::Unknown unknown;
-        unknown.name = name;
-        unknown.symbol = set->graph.symbol(name);
-        unknown.phases.emplace_back();
-        unknown.phases[0].derivative = expression::testing::parsed(set->graph, rate);
-        set->unknowns.push_back(unknown);
-    };
-    add("dy", "a+b+c-9.81");
-    for (const char* name : {"a", "b", "c"}) {
-        add(name, "a+b+c-9.81");
-        set->unknowns.back().phases[0].condition =
+    const std::string rate = "a+b+c-9.81";
+    const auto set = setOf({{"dy", rate}, {"a", rate}, {"b", rate}, {"c", rate}});
+    for (std::size_t i = 1; i < set->unknowns.size(); ++i)
+        set->unknowns[i].phases[0].condition =
             expression::Condition{std::nullopt, expression::testing::parsed(set->graph, "dy")};
-    }
-    Preparation how;
-    how.whole = how.everyState = true;
-    return {set, how};
+    return prepared(set);
 }
 
 } // namespace

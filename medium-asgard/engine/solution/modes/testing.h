@@ -15,7 +15,7 @@ namespace solution::testing {
 
 using Rates = std::vector<std::pair<std::string, std::string>>; // names and rates
 
-inline PreparedEquations prepared(const Rates& rates) {
+inline std::shared_ptr<expression::EquationSet> setOf(const Rates& rates) {
     auto set = std::make_shared<expression::EquationSet>();
     set->time = set->graph.symbol("t");
     for (const auto& [name, rate] : rates) {
@@ -26,16 +26,21 @@ inline PreparedEquations prepared(const Rates& rates) {
         unknown.phases[0].derivative = expression::testing::parsed(set->graph, rate);
         set->unknowns.push_back(unknown);
     }
+    return set;
+}
+
+inline PreparedEquations prepared(std::shared_ptr<expression::EquationSet> set) {
     Preparation how;
     how.whole = how.everyState = true;
-    return PreparedEquations(set, how);
+    return PreparedEquations(std::move(set), how);
 }
 
 // One component, without inputs.
 class Equations {
 public:
     explicit Equations(Rates rates)
-        : prepared_(prepared(rates)), equations_(prepared_.components.at(0).bound, histories_) {}
+        : prepared_(prepared(setOf(rates))),
+          equations_(prepared_.components.at(0).bound, histories_) {}
 
     ComponentEquations* operator->() { return &equations_; }
     ComponentEquations& operator*() { return equations_; }
