@@ -14,7 +14,7 @@
 namespace complementarity {
 namespace {
 
-constexpr double g = 9.81;
+constexpr double gravity = 9.81;
 
 // Boxes of mass 1 and side 1 in a plane, each with x, y and a turn: contacts at points, with
 // friction for each two points of one pair.
@@ -115,7 +115,7 @@ TEST(Pivots, FindTheForcesInAPyramidThatIsPushed) {
             const Boxes boxes = pyramid(friction, random);
             Vector accelerations(30);
             for (Index i = 0; i < 10; ++i)
-                accelerations.segment(3 * i, 3) << 0, -g, 0;
+                accelerations.segment(3 * i, 3) << 0, -gravity, 0;
             accelerations[0] += pushed; // the first box of the lowest row
             Matrix a;
             Vector b;
@@ -138,7 +138,7 @@ TEST(Pivots, FindTheForcesInAPyramidThatFalls) {
         const Boxes boxes = pyramid(0.5, random);
         Vector accelerations(30);
         for (Index i = 0; i < 10; ++i)
-            accelerations.segment(3 * i, 3) << 2 * one(random), -g + 2 * one(random), one(random);
+            accelerations.segment(3 * i, 3) << 2 * one(random), -gravity + 2 * one(random), one(random);
         Matrix a;
         Vector b;
         boxes.fill(accelerations, a, b);
@@ -185,10 +185,10 @@ TEST(Pivots, LeaveFrictionInSpaceToOthers) {
     addUnilateral(laws);
     addFriction(laws, 2, 0, 0.5);
     const Matrix a = Matrix::Identity(3, 3);
-    EXPECT_FALSE(byPivots(a, (Vector(3) << -g, 1, 2).finished(), laws));
-    const auto answer = byPivots(a, (Vector(3) << -g, 6, 0).finished(), laws);
+    EXPECT_FALSE(byPivots(a, (Vector(3) << -gravity, 1, 2).finished(), laws));
+    const auto answer = byPivots(a, (Vector(3) << -gravity, 6, 0).finished(), laws);
     ASSERT_TRUE(answer);
-    EXPECT_NEAR(answer->forces[1], -0.5 * g, 1e-13);
+    EXPECT_NEAR(answer->forces[1], -0.5 * gravity, 1e-13);
     EXPECT_EQ(answer->states[1], State::edge);
 }
 
