@@ -20,11 +20,14 @@ struct Standing {
 
 class Others {
 public:
-    Others(const render::Drawing& drawing, const geometry::Shape& shape)
+    Others(const render::Drawing& drawing, const geometry::Shape& shape,
+           std::optional<std::size_t> but = std::nullopt)
         : shape_(shape), touch_(1e-6 * geometry::radiusAbout(shape, Vector::Zero())) {
         const scene::Scene& scene = *drawing.scene;
         std::map<std::string, ShapePointer> known;
         for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+            if (i == but)
+                continue;
             const scene::Body& body = scene.bodies[i];
             const auto [one, isNew] = known.try_emplace(body.shape);
             if (isNew)
@@ -100,6 +103,13 @@ std::optional<Vector> standingFree(const render::Drawing& drawing, const geometr
             return pose.position;
     }
     return std::nullopt;
+}
+
+bool isInsideOfOthers(const scene::Scene& scene, const geometry::Shape& shape,
+                      const geometry::Pose& pose, std::size_t but) {
+    render::Drawing start;
+    start.scene = &scene;
+    return !Others(start, shape, but).isFree(pose);
 }
 
 } // namespace gestures

@@ -1,4 +1,5 @@
-// The place on level ground where a new body stands beside the others, inside of none.
+// Whether a new body is inside of others, and the place on level ground where it stands beside
+// them.
 //
 // LIMIT: to cylinders, cones and ellipsoids a tube or a bowl counts as if it were full
 // (collision/hollow_separation.h): in a large one there is no room, and they stand where they are
@@ -19,5 +20,9 @@ namespace gestures {
                                                  const geometry::Shape& shape,
                                                  const geometry::Pose& wanted,
                                                  const render::GroundPlane& ground, double step);
+
+// A shape there is inside of a body, where these begin, but for that one.
+[[nodiscard]] bool isInsideOfOthers(const scene::Scene& scene, const geometry::Shape& shape,
+                                    const geometry::Pose& pose, std::size_t but);
 
 } // namespace gestures

@@ -12,8 +12,11 @@ Turn turnOf(const Vector& rotationVector, const Vector& like) {
         geometry::toRotationVector(geometry::fromRotationVector(rotationVector));
     const double angle = shortest.norm();
     if (angle == 0)
-        return {};
-    const double sense = shortest.dot(like) < 0 ? -1 : 1;
+        return {0, like.normalized()};
+    Eigen::Index largest = 0;
+    shortest.cwiseAbs().maxCoeff(&largest);
+    const double along = shortest.dot(like);
+    const double sense = (along == 0 ? shortest[largest] : along) < 0 ? -1 : 1;
     return {sense * angle * 180 / M_PI, sense * shortest / angle};
 }
 

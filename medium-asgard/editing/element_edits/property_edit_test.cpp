@@ -147,7 +147,9 @@ TEST(Properties, AnAttitudeIsSoManyDegreesAboutAnAxis) {
     const Turn turn = turnOf(Vector(0, M_PI / 2, 0));
     EXPECT_NEAR(turn.degrees, 90, 1e-12);
     EXPECT_TRUE(turn.axis.isApprox(Vector::UnitY()));
-    EXPECT_NEAR(turnOf(Vector(0, 0, 1.5 * M_PI)).degrees, 90, 1e-9);
+    EXPECT_NEAR(turnOf(Vector(0, 0, 1.5 * M_PI)).degrees, -90, 1e-9);
+    EXPECT_NEAR(turnOf(Vector(-M_PI / 2, 0, 0)).degrees, -90, 1e-9); // about x
+    EXPECT_TRUE(turnOf(Vector::Zero(), Vector(0, 2, 0)).axis.isApprox(Vector::UnitY()));
     const Turn back = turnOf(Vector(0, 0, -M_PI / 12), Vector(0, 0, 2)); // "-15 about z"
     EXPECT_NEAR(back.degrees, -15, 1e-9);
     EXPECT_TRUE(back.axis.isApprox(Vector::UnitZ()));

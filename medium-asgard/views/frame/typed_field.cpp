@@ -19,6 +19,12 @@ namespace {
 
 constexpr const char* refusal = "refusal";
 
+bool hasNumber(const QLineEdit& field) {
+    bool isNumber = false;
+    static_cast<void>(field.text().toDouble(&isNumber));
+    return isNumber;
+}
+
 // A field without changes: the key is the window's.
 bool isOthersUndo(const QLineEdit& field, const QEvent& event) {
     if (event.type() != QEvent::ShortcutOverride || field.isModified())
@@ -32,11 +38,9 @@ bool isOthersUndo(const QLineEdit& field, const QEvent& event) {
 bool isOthersLetter(const QLineEdit& field, const QEvent& event, const QString& asked) {
     if (event.type() != QEvent::ShortcutOverride || (field.isModified() && field.text() != asked))
         return false;
-    bool isNumber = false;
-    static_cast<void>(field.text().toDouble(&isNumber));
     const auto& key = static_cast<const QKeyEvent&>(event);
-    if (!isNumber || key.key() == Qt::Key_Space)
-        return isNumber;
+    if (!hasNumber(field) || key.key() == Qt::Key_Space)
+        return hasNumber(field);
     return key.key() >= Qt::Key_A && key.key() <= Qt::Key_Z && key.key() != Qt::Key_E &&
            !(key.modifiers() & ~Qt::ShiftModifier) && !field.hasSelectedText() &&
            field.cursorPosition() == field.text().size();
@@ -124,6 +128,19 @@ bool TypedField::isLeft(QObject* watched, const QEvent& event) const {
                                                 widget && widget->window() == field_.window());
 }
 
+// A number, all of it: a press puts the caret into it, so that its button is waited for. Where a
+// drag has selected a part, that is meant.
+bool TypedField::selects(const QEvent& event) {
+    if (event.type() == QEvent::FocusIn)
+        isClicked_ = static_cast<const QFocusEvent&>(event).reason() == Qt::MouseFocusReason;
+    const bool isReleased = event.type() == QEvent::MouseButtonRelease &&
+                            std::exchange(isClicked_, false) && !field_.hasSelectedText();
+    const bool isDouble = event.type() == QEvent::MouseButtonDblClick;
+    if ((isReleased || isDouble) && hasNumber(field_))
+        field_.selectAll();
+    return isDouble && hasNumber(field_);
+}
+
 // Return and Escape are the field's.
 bool TypedField::takesKey(QEvent& event) {
     const bool asks = event.type() == QEvent::ShortcutOverride;
@@ -162,7 +179,7 @@ bool TypedField::eventFilter(QObject* watched, QEvent* event) {
         event->ignore();
         return true;
     }
-    return takesKey(*event);
+    return selects(*event) || takesKey(*event);
 }
 
 } // namespace views

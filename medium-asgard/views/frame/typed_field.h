@@ -3,7 +3,8 @@
 // The value is taken with Return, when the keyboard leaves the field, and before the next action in
 // its window: a press elsewhere, a key that is a command. Escape brings back what was there. A
 // field in which nothing was typed has nothing to undo: that key is the window's then, and so is a
-// blank in a number, and a letter behind it.
+// blank in a number, and a letter behind it. The click that brings the keyboard to a number selects
+// it, and so does a double click: what is typed takes its place.
 #pragma once
 
 #include "workbench/scene_document.h"
@@ -45,12 +46,14 @@ private:
     void take(bool asked);
     void leave();
     [[nodiscard]] bool isLeft(QObject* watched, const QEvent& event) const;
+    bool selects(const QEvent& event);
     bool takesKey(QEvent& event);
 
     QLineEdit& field_;
     const SceneDocument& document_;
     Uses uses_;
-    QString asked_; // to be taken, by Return
+    QString asked_;          // to be taken, by Return
+    bool isClicked_ = false; // the button is still down that brought the keyboard
 };
 
 } // namespace views

@@ -76,6 +76,10 @@ void fillBodies(QMenu* menu, SceneDocument& document, SceneDisplay& display) {
         menu->addAction(
             plain::ours(label), &display,
             [&display, &shape = editing::libraryShape(name)] { startBody(display, shape); });
+    menu->addAction(plain::ours(QObject::tr("Two Wheels on an A&xle")), &display,
+                    [&display] { display.creating().start(newWheels()); });
+    menu->actions().back()->setToolTip(plain::tip(
+        QObject::tr("At the sides of a body, on hinges: two such pairs make a car of a box")));
     menu->addAction(plain::ours(QObject::tr("New &Floor Below All")), &display,
                     [&display] { display.creating().start(newFloor()); });
     QMenu* library = menu->addMenu(QObject::tr("New from the &Library"));
@@ -113,6 +117,7 @@ Recipe newWeight(SceneDisplay& display) {
 void buildCreateMenu(QMenu* menu, SceneDocument& document, SceneDisplay& display) {
     QMenu* bodies = menu->addMenu(QObject::tr("&Body"));
     bodies->setObjectName("createBody");
+    bodies->setToolTipsVisible(true);
     QObject::connect(bodies, &QMenu::aboutToShow, bodies,
                      [bodies, &document, &display] { fillBodies(bodies, document, display); });
     fillBodies(bodies, document, display);
@@ -122,6 +127,7 @@ void buildCreateMenu(QMenu* menu, SceneDocument& document, SceneDisplay& display
     };
     QMenu* forces = menu->addMenu(QObject::tr("&Force"));
     forces->setObjectName("createForce");
+    forces->setToolTipsVisible(true);
     add(forces, QObject::tr("&Constant"),
         [&display] { return newForce(false, display.arrowLength(false)); });
     add(forces, QObject::tr("&Gravity for One Body"), [&display] { return newWeight(display); });
@@ -129,6 +135,10 @@ void buildCreateMenu(QMenu* menu, SceneDocument& document, SceneDisplay& display
         [&display] { return weightForAll(usualGravity(*display.drawing().scene)); });
     add(forces, QObject::tr("Attraction of T&wo Bodies"), newAttraction);
     add(forces, QObject::tr("Attraction of All &Bodies"), attractionOfAll);
+    add(forces, QObject::tr("&Orbit Round a Body"), newOrbit);
+    forces->actions().back()->setToolTip(
+        plain::tip(QObject::tr("Both attract each other, and one goes round the other in a circle, "
+                               "as a planet round its sun")));
     add(forces, QObject::tr("By a &Trajectory"), [] { return newTrajectoryForce(false); });
     QMenu* torques = menu->addMenu(QObject::tr("&Torque"));
     add(torques, QObject::tr("&Constant"),

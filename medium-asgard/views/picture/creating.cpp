@@ -14,30 +14,46 @@ namespace views {
 
 namespace {
 
-// A new body falls as all others do, if they do.
+bool isBody(const editing::NewElement& one) { return one.kind == editing::Kind::body; }
+
+// New bodies fall as all others do, if they do.
 void addWeightAsOthersHaveIt(std::vector<editing::NewElement>& made, const scene::Scene& scene) {
-    const editing::NewElement& body = made.back();
-    const auto& words = body.words;
-    if (body.kind != editing::Kind::body || std::ranges::find(words, "-fixed") != words.end())
-        return;
     const auto acceleration = commonGravity(scene);
     if (!acceleration)
         return;
-    made.push_back({editing::Kind::force,
-                    "",
-                    {"-body", body.name, "-gravitational", listed(*acceleration, 0)},
-                    {}});
+    std::vector<editing::NewElement> weights;
+    for (const editing::NewElement& one : made)
+        if (isBody(one) && std::ranges::find(one.words, "-fixed") == one.words.end())
+            weights.push_back({editing::Kind::force,
+                               "",
+                               {"-body", one.name, "-gravitational", listed(*acceleration, 0)},
+                               {}});
+    made.insert(made.end(), weights.begin(), weights.end());
+}
+
+// The element that is marked then: of several new ones the first body, and a body that the recipe
+// changes before forces on it.
+editing::Element markedOf(const scene::Scene& scene, const std::vector<editing::NewElement>& made,
+                          const std::vector<editing::Wish>& changed) {
+    const bool isBodyMade = std::ranges::any_of(made, isBody);
+    if (!isBodyMade && !changed.empty())
+        return changed.front().element;
+    editing::Element element{isBodyMade ? editing::Kind::body : made.back().kind, 0};
+    while (editing::sourceOf(scene, element))
+        ++element.index;
+    return element;
 }
 
 // Along an axis.
 bool isUpright(const Vector& direction) { return direction.cwiseAbs().maxCoeff() > 1 - 1e-9; }
 
-// On a level face: above the middle of the body below where that is near, else at round numbers.
+// Along the axes of the world that lie in a face, all of a level one: above the middle of the body
+// below where that is near, else at round numbers.
 Vector besideMiddle(Vector place, const Vector& up, const Vector& middle, double reach,
                     double step) {
     const double near = std::min(reach, step / 2);
     for (Eigen::Index i = 0; i < 3; ++i)
-        if (std::abs(up[i]) < 0.5)
+        if (std::abs(up[i]) < 1e-9)
             place[i] = std::abs(place[i] - middle[i]) < near ? middle[i]
                                                              : step * std::round(place[i] / step);
     return place;
@@ -338,7 +354,7 @@ Indicated Creating::restingOn(const gestures::Picked& picked, Indicated found) {
     if (meant.isExact && meant.to.starts_with("the middle of a face")) {
         place = meant.place;
         found.at = meant.to;
-    } else if (isLevel) {
+    } else {
         place = besideMiddle(place, up, pose.position, 1.5 * clickReach * found.resolution,
                              snapping().step(place));
     }
@@ -444,31 +460,43 @@ void Creating::finish() {
     const Recipe recipe = *recipe_;
     const scene::Scene& scene = *document_.shown().scene;
     auto made = recipe.make(document_.text(), scene, shown_);
+    const auto moved = recipe.moves ? recipe.moves(scene, shown_) : std::vector<editing::Wish>();
     const QString answer = recipe.tells ? recipe.tells(shown_) : QString();
     if (!answer.isEmpty())
         measured_ = {shown_.front().point, shown_.back().point, answer};
-    const bool isOutOfSight = !shown_.empty() && !made.empty() &&
-                              made.back().kind == editing::Kind::body && !isInSight(recipe);
+    const bool isOutOfSight =
+        !shown_.empty() && std::ranges::any_of(made, isBody) && !isInSight(recipe);
     cancel();
     if (!answer.isEmpty())
         Q_EMIT told(answer);
-    if (made.empty()) {
+    const editing::Answer changes = answerTo(moved);
+    if (!changes.possible()) {
+        Q_EMIT refused(QString::fromStdString(changes.reason));
+        return;
+    }
+    if (made.empty() && changes.edits.empty()) {
         if (!recipe.otherwise.isEmpty())
             Q_EMIT refused(recipe.otherwise);
         return;
     }
-    const editing::Kind kind = made.back().kind;
-    std::size_t count = 0;
-    while (editing::sourceOf(scene, {kind, count}))
-        ++count;
+    const editing::Element marked = markedOf(scene, made, moved);
     addWeightAsOthersHaveIt(made, scene);
-    const auto edits = editing::created(document_.text(), scene, made);
+    text::Edits edits = editing::created(document_.text(), scene, made);
+    edits.insert(edits.end(), changes.edits.begin(), changes.edits.end());
+    text::putInOrder(edits);
     // LIMIT: a new element that is not the last of its kind is not the one that is marked.
-    Q_EMIT created({kind, count}, recipe.handles);
+    Q_EMIT created(marked, recipe.handles);
     document_.setText(text::applied(document_.text(), edits), recipe.label);
     if (isOutOfSight) // a place that was typed
         connect(&document_, &SceneDocument::sceneChanged, &display_, &SceneDisplay::frameNow,
                 Qt::SingleShotConnection);
+}
+
+// What changes of bodies that are there, in the text.
+editing::Answer Creating::answerTo(const std::vector<editing::Wish>& wishes) const {
+    return wishes.empty()
+               ? editing::Answer()
+               : editing::Mapper(document_.text(), document_.shown().scene).answer(wishes);
 }
 
 bool Creating::forgetMeasured() {

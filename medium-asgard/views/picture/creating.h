@@ -102,6 +102,7 @@ private:
     bool type(const QKeyEvent& event);
     void paintSteps(QPainter& painter) const;
     void paintMeasured(QPainter& painter) const;
+    void paintOutline(QPainter& painter, const Outline& outline) const;
     void paintGhost(QPainter& painter, const Indicated& next) const;
     void paintWords(QPainter& painter, const QPointF& place, const QString& words) const;
     [[nodiscard]] QString wordsOf(const Indicated& next) const;
@@ -115,6 +116,7 @@ private:
     [[nodiscard]] std::optional<Judged> judge(const Indicated& next) const;
     void take(const Indicated& indicated);
     void otherwise();
+    [[nodiscard]] editing::Answer answerTo(const std::vector<editing::Wish>& wishes) const;
     void finish();
 
     SceneDocument& document_;

@@ -12,17 +12,22 @@
 
 namespace views {
 
-// The thing as it would be, and a ring where it was drawn to another one.
-void Creating::paintGhost(QPainter& painter, const Indicated& next) const {
+void Creating::paintOutline(QPainter& painter, const Outline& outline) const {
     const gestures::Sight sight = display_.sight();
     painter.setPen(QPen(QColor(20, 90, 200, 170), 1.5));
     painter.setBrush(Qt::NoBrush);
-    for (const auto& line : gestures::wireframeOf(recipe_->ghost)) {
+    for (const auto& line : gestures::wireframeOf(outline.parts)) {
         QPolygonF drawn;
         for (const Vector& point : line)
-            drawn.append(display_.fromPixels(sight.pixels(next.point + next.attitude * point)));
+            drawn.append(display_.fromPixels(sight.pixels(outline.pose.toWorld(point))));
         painter.drawPolyline(drawn);
     }
+}
+
+// The thing as it would be, and a ring where it was drawn to another one.
+void Creating::paintGhost(QPainter& painter, const Indicated& next) const {
+    const gestures::Sight sight = display_.sight();
+    paintOutline(painter, {recipe_->ghost, {next.point, next.attitude}});
     painter.setPen(QPen(QColor(20, 90, 200), 2));
     const QPointF place = display_.fromPixels(sight.pixels(next.point));
     painter.drawEllipse(place, 2, 2);
@@ -119,6 +124,11 @@ void Creating::paintSteps(QPainter& painter) const {
         painter.setPen(QPen(QColor(20, 90, 200), 2));
         painter.drawEllipse(place, 7, 7);
         painter.drawEllipse(place, 2, 2);
+        if (step().outlines)
+            for (const Outline& one : step().outlines(*document_.shown().scene, *next_))
+                paintOutline(painter, one);
+        painter.setPen(QPen(QColor(20, 90, 200), 2));
+        painter.setBrush(QColor(255, 255, 255, 200));
         const auto& bodies = document_.shown().scene->bodies;
         const auto judged = judge(*next_);
         paintWords(painter, place,

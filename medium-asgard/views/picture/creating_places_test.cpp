@@ -1,5 +1,6 @@
 // Round places and fitting sizes of what is made by clicks.
 #include "picture/creating_testing.h"
+#include "simulation/simulation.h"
 
 #include <gmock/gmock.h>
 
@@ -7,6 +8,7 @@
 #include <QMenu>
 
 #include <cmath>
+#include <numbers>
 
 namespace views {
 namespace {
@@ -251,6 +253,87 @@ TEST_F(CreatingTest, ABodyThatIsTypedPartlyOutOfSightComesIntoThePicture) {
     display().grab();
     EXPECT_TRUE(display().rect().contains(
         display().fromPixels(display().sight().pixels({0.5, 1, 0})).toPoint()));
+}
+
+const std::string car =
+    "simulator -finish 1\nshape_set slab -desc {-sub {-box {10 0.5 3}}}\n"
+    "shape_set hull -desc {-sub {-box {2 0.5 1.2}}}\n"
+    "body ramp slab -init_rot {0 0 -0.2} -fixed 1 -friction 0.5 -restitution 0\n"
+    "body car hull -init_pos {-2.840865068 1.086041281 0} -init_rot {0 0 -0.2} -restitution 0\n"
+    "force -body car -gravitational {0 -9.81 0}\n"; // it lies on the ramp
+
+TEST_F(CreatingTest, OnASlopeAPlaceIsRoundAcrossIt) {
+    open(car);
+    display().lookAlong(Vector(0, 0.8, 1));
+    display().grab();
+    display().creating().start(newBody(BasicShape::box));
+    click(scene().bodies[0].initialAttitude * Vector(2.137, 0.25, 0.831));
+    done();
+    const scene::Body& box = scene().bodies.back();
+    EXPECT_TRUE(isRound(box.initialPosition.z(), 0.05)) << box.initialPosition.transpose();
+    EXPECT_FALSE(isRound(box.initialPosition.x(), 0.05)); // along it a round place is none of it
+    EXPECT_TRUE(box.initialAttitude.isApprox(scene().bodies[0].initialAttitude));
+}
+
+// Two clicks. It stands on its wheels, falls as the box does, and rolls: no wheel slips.
+TEST_F(CreatingTest, TwoAxlesMakeACarOfABox) {
+    open(car);
+    display().lookAlong(Vector(0.3, 0.4, 1));
+    display().grab();
+    for (const double along : {-0.7, 0.7}) {
+        display().creating().start(newWheels());
+        const scene::Body& box = scene().bodies[1];
+        click(box.initialPosition + box.initialAttitude * Vector(along, -0.12, 0.6));
+        done();
+        display().grab();
+    }
+    ASSERT_EQ(scene().bodies.size(), 6U) << text();
+    ASSERT_EQ(scene().joints.size(), 4U);
+    EXPECT_EQ(scene().forces.size(), 5U);
+    EXPECT_EQ(editor.document().selected().front(), (editing::Element{editing::Kind::body, 4}));
+    EXPECT_EQ(editor.document().undoLabel(), "New Wheels");
+    const Vector down = scene().bodies[0].initialAttitude * Vector::UnitX();
+    const auto result = simulation::simulate(scene(), {});
+    const simulation::Motion& motion = *result.motion;
+    ASSERT_EQ(motion.computed(), 1) << text();
+
+    const Vector way = motion.at(1, 1).position - motion.at(1, 0).position;
+    EXPECT_GT(way.dot(down), 0.6); // 0.97 without wheels to be turned
+    EXPECT_NEAR(way.dot(down), way.norm(), 1e-3);
+    for (std::size_t wheel = 2; wheel < 6; ++wheel)
+        EXPECT_NEAR(-motion.at(wheel, 1).angularVelocity.z() * 0.3,
+                    motion.at(wheel, 1).velocity.dot(down), 1e-3);
+}
+
+// Velocities of both, so that the middle of their mass rests, and the missing forces alone.
+TEST_F(CreatingTest, AnOrbitIsMadeByTwoClicks) {
+    open("simulator -finish 8\nshape_set s -desc {-sub {-sphere 0.3}}\n"
+         "body sun s -mass 4\nbody earth s -init_pos {2 0 0} -mass 1\n");
+    const auto make = [&] {
+        display().creating().start(newOrbit());
+        click({0, 0, 0});
+        click({0, 0, 0}); // refused, and the command goes on
+        EXPECT_TRUE(display().creating().active());
+        click({2, 0, 0});
+        done();
+        display().grab();
+    };
+    make();
+    ASSERT_EQ(scene().forces.size(), 2U) << text();
+    const auto result = simulation::simulate(scene(), {});
+    const simulation::Motion& motion = *result.motion;
+    const double speed = std::sqrt(5 / 2.0);                               // G (M + m) / d
+    EXPECT_NEAR(scene().bodies[1].initialVelocity.y(), 0.8 * speed, 1e-5); // in the picture
+    EXPECT_NEAR(scene().bodies[0].initialVelocity.y(), -0.2 * speed, 1e-5);
+    for (const double time : {1.0, 3.0, 6.0})
+        EXPECT_NEAR((motion.at(1, time).position - motion.at(0, time).position).norm(), 2, 1e-3);
+    const double period = 2 * std::numbers::pi * 2 / speed;
+    EXPECT_LT((motion.at(1, period).position - Vector(2, 0, 0)).norm(), 1e-2);
+    EXPECT_EQ(editor.document().selected().front(), (editing::Element{editing::Kind::body, 1}));
+    const std::string before = text();
+    make();
+    EXPECT_EQ(text(), before);
+    EXPECT_THAT(display().editing().said().toStdString(), testing::HasSubstr("already"));
 }
 
 } // namespace

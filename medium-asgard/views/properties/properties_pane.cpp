@@ -155,6 +155,7 @@ void PropertiesPane::refresh() {
     }
     if (shown_ != elements()) { // what was typed was meant for others
         shown_ = elements();
+        axis_.typed.reset();
         head_->forget();
         for (PropertyRow* row : form_->findChildren<PropertyRow*>())
             row->forget();
@@ -287,6 +288,16 @@ QStringList PropertiesPane::namesFor(Wants wants) const {
 
 // --- the attitude in degrees --------------------------------------------------------------------
 
+void PropertiesPane::setUsualAxis(const geometry::Vector& axis) {
+    if (axis == axis_.usual)
+        return;
+    axis_.usual = axis;
+    if (isVisible())
+        showTurn();
+}
+
+geometry::Vector PropertiesPane::axisNow() const { return axis_.typed.value_or(axis_.usual); }
+
 PropertyParts PropertiesPane::turnParts(const std::vector<Element>& elements,
                                         const OptionHint& option) const {
     PropertyParts parts(4);
@@ -297,10 +308,10 @@ PropertyParts PropertiesPane::turnParts(const std::vector<Element>& elements,
             vector = geometry::Vector((*values)[0], (*values)[1], (*values)[2]);
     if (vector) {
         const PropertyParts& shown = turn_->shown();
-        const auto like = shown.size() == 4 ? vectorOf({shown[1], shown[2], shown[3]})
-                                            : std::optional<geometry::Vector>();
-        const editing::Turn turn =
-            editing::turnOf(*vector, like.value_or(geometry::Vector::Zero()));
+        const auto before = shown.size() == 4 && !vector->isZero()
+                                ? vectorOf({shown[1], shown[2], shown[3]})
+                                : std::nullopt;
+        const editing::Turn turn = editing::turnOf(*vector, before.value_or(axisNow()));
         constexpr double written = 1e-7; // degrees: of a vector with nine decimals
         parts[0] = shownNumber(turn.degrees, written);
         for (int i = 0; i < 3; ++i)
@@ -318,7 +329,8 @@ void PropertiesPane::showTurn() {
 
 void PropertiesPane::setTurn(const Entered& entered) {
     const PropertyParts now = turnParts(entered.elements, *entered.option);
-    double numbers[4] = {0, 0, 1, 0};
+    const geometry::Vector usual = axisNow();
+    double numbers[4] = {0, usual.x(), usual.y(), usual.z()};
     for (std::size_t i = 0; i < 4; ++i) {
         const std::string text = entered.parts[i].value_or(now[i].value_or(""));
         const auto number = text.empty() ? std::optional(numbers[i]) : script::decimalNumber(text);
@@ -329,6 +341,9 @@ void PropertiesPane::setTurn(const Entered& entered) {
     const geometry::Vector axis(numbers[1], numbers[2], numbers[3]);
     if (axis.isZero())
         return answer(entered, tr("An axis has a direction: not 0 0 0."));
+    axis_.typed = axis;
+    if (numbers[0] == 0 && now[0] == "0") // the axis comes first
+        return answer(entered, {});
     const geometry::Vector vector = editing::rotationVectorOf({numbers[0], axis});
     PropertyParts parts;
     for (int i = 0; i < 3; ++i)

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "element_edits/property_edit.h"
+#include "geometry/pose.h"
 #include "properties/element_commands.h"
 #include "properties/property_head.h"
 #include "properties/property_row.h"
@@ -21,6 +22,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 class QGridLayout;
@@ -52,6 +54,9 @@ public:
     void begin(); // the keyboard goes to the first value
     // Of the name, or why nothing can be changed.
     [[nodiscard]] QString fault() const { return head_->fault(); }
+    // What is not turned yet is turned about this axis, unless another one is typed: the one that
+    // points at the viewer most, so that it turns in the picture.
+    void setUsualAxis(const geometry::Vector& axis);
 
     [[nodiscard]] QSize sizeHint() const override { return {300, 480}; }
 
@@ -75,6 +80,7 @@ private:
     [[nodiscard]] QString faultsAt(const PropertyRow& row) const;
     [[nodiscard]] QString absentOf(const editing::OptionHint& option) const;
     [[nodiscard]] QStringList namesFor(editing::Wants wants) const;
+    [[nodiscard]] geometry::Vector axisNow() const; // of a turn that is not there yet
     [[nodiscard]] PropertyParts turnParts(const std::vector<editing::Element>& elements,
                                           const editing::OptionHint& option) const;
 
@@ -104,6 +110,11 @@ private:
     std::vector<const editing::OptionHint*> options_;
     std::vector<PropertyRow*> rows_;
     PropertyRow* turn_ = nullptr; // the attitude in degrees
+    struct Axis {
+        geometry::Vector usual = geometry::Vector::UnitZ();
+        std::optional<geometry::Vector> typed; // before its degrees
+    };
+    Axis axis_;
     PropertyRow* size_ = nullptr; // of the shape
     QWidget* form_ = nullptr;
     std::vector<editing::Element> shown_;

@@ -299,9 +299,29 @@ TEST_F(PropertiesTest, AnotherSelectionForgetsWhatWasRefused) {
 TEST_F(PropertiesTest, AnAttitudeIsTypedInDegrees) {
     open(two, {{Kind::body, 0}});
     type("-init_rotturn1", "90");
-    EXPECT_THAT(document.text(), HasSubstr("-init_rot {0 1.570796327 0}\n"));
+    EXPECT_THAT(document.text(), HasSubstr("-init_rot {0 0 1.570796327}\n"));
     EXPECT_EQ(field("-init_rotturn1").text(), "90");
+    EXPECT_EQ(field("-init_rotturn4").text(), "1");
+}
+
+// It turns in the picture, or about the axis that was typed before.
+TEST_F(PropertiesTest, ATurnIsAboutTheAxisThatPointsAtTheViewerUnlessAnotherIsTyped) {
+    open(two, {{Kind::body, 0}});
+    pane.setUsualAxis({1, 0, 0});
+    EXPECT_EQ(field("-init_rotturn2").text(), "1");
+    EXPECT_EQ(field("-init_rotturn4").text(), "0");
+    type("-init_rotturn2", "0");
+    EXPECT_THAT(pane.turn()->fault().toStdString(), HasSubstr("not 0 0 0"));
+    type("-init_rotturn3", "2");
+    EXPECT_EQ(document.text(), two); // nothing is turned yet
     EXPECT_EQ(field("-init_rotturn3").text(), "1");
+    pane.setUsualAxis({0, 0, 1}); // the view turns: what was typed stays
+    EXPECT_EQ(field("-init_rotturn3").text(), "1");
+    type("-init_rotturn1", "90");
+    EXPECT_THAT(document.text(), HasSubstr("-init_rot {0 1.570796327 0}\n"));
+    document.select({{Kind::body, 1}});
+    settleTimers();
+    EXPECT_EQ(field("-init_rotturn4").text(), "1"); // another body, the usual axis
 }
 
 TEST_F(PropertiesTest, ANameIsChangedEverywhere) {
@@ -376,6 +396,28 @@ TEST_F(PropertiesTest, EachKindOfElementHasRowsThatCanBeRead) {
         for (const QLineEdit* one : pane.findChildren<QLineEdit*>())
             EXPECT_NE(one->accessibleName(), "") << one->objectName().toStdString();
     }
+}
+
+// What is typed takes the number's place, also where it has a point. A drag selects a part of it.
+TEST_F(PropertiesTest, AClickOnANumberSelectsItAndTheNextOnePutsTheCaretInIt) {
+    open(two, {{Kind::body, 0}});
+    pane.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&pane, longestWait));
+    type("-init_pos1", "1.25");
+    QLineEdit& place = field("-init_pos1");
+    const auto click = [&] { QTest::mouseClick(&place, Qt::LeftButton, {}, QPoint(8, 8)); };
+    field("-init_pos2").setFocus();
+    click();
+    EXPECT_EQ(place.selectedText(), "1.25");
+    click();
+    EXPECT_EQ(place.selectedText(), "");
+    QTest::mouseDClick(&place, Qt::LeftButton, {}, QPoint(8, 8));
+    EXPECT_EQ(place.selectedText(), "1.25");
+    document.select({{Kind::force, 0}});
+    settleTimers();
+    QLineEdit& along = field("-y");
+    QTest::mouseClick(&along, Qt::LeftButton, {}, QPoint(8, 8));
+    EXPECT_EQ(along.selectedText(), ""); // an expression is typed into
 }
 
 // A blank adds nothing to a number that was given by Return: it plays.

@@ -4,12 +4,10 @@
 #include "point_edits/shape_edit.h"
 #include "recipes/recipe_words.h"
 #include "recipes/recipes.h"
-#include "script/svg_colors.h"
 
 #include <QObject>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
 #include <limits>
@@ -20,32 +18,6 @@ using editing::Kind;
 using editing::NewElement;
 
 namespace {
-
-std::vector<std::string> placeWords(const Indicated& shown) {
-    std::vector<std::string> words{"-init_pos", listed(shown.point, shown.resolution)};
-    constexpr double least = 1e-9;
-    if (const Vector turn = geometry::toRotationVector(shown.attitude); turn.norm() > least)
-        words.insert(words.end(), {"-init_rot", listed(turn, least)});
-    return words;
-}
-
-// The one of these that the fewest bodies have, the first of several.
-const char* rarestColor(const scene::Scene& scene) {
-    static constexpr std::array<const char*, 6> colors{"steelblue", "indianred",    "goldenrod",
-                                                       "seagreen",  "mediumpurple", "peru"};
-    return *std::ranges::min_element(colors, {}, [&](const char* name) {
-        return std::ranges::count(scene.bodies, script::namedColor(name),
-                                  [](const scene::Body& body) { return body.appearance.color; });
-    });
-}
-
-// Things of a room, not the language's ideal ones: balls bounce, all else comes to rest where it
-// falls, and wheels roll. Bodies that one makes one after another differ in colour.
-void addRoomWords(NewElement& body, const scene::Scene& scene, bool isBall, bool isColored) {
-    body.words.insert(body.words.end(), {"-restitution", isBall ? "0.7" : "0", "-friction", "0.3"});
-    if (!isColored)
-        body.words.insert(body.words.end(), {"-color", rarestColor(scene)});
-}
 
 scene::Part scaled(scene::Part part, double times) {
     part.position *= times;
@@ -91,7 +63,7 @@ Recipe newBody(const std::string& shape, std::vector<scene::Part> ghost) {
                     const std::vector<Indicated>& shown) {
                 NewElement body{Kind::body,
                                 editing::unusedName(text, scene, Kind::body, shape),
-                                placeWords(shown[0]),
+                                placeWords(shown[0].point, shown[0].attitude, shown[0].resolution),
                                 {},
                                 shape};
                 for (std::size_t i = 0; i < scene.shapeSets.size(); ++i)
@@ -122,7 +94,7 @@ Recipe newBody(const std::string& stem, const std::string& description, bool isF
         const NewElement set{Kind::shapeSet, shape, {"-desc", description}, {}};
         NewElement body{Kind::body,
                         editing::unusedName(text, scene, Kind::body, "body", {shape}),
-                        placeWords(shown[0]),
+                        placeWords(shown[0].point, shown[0].attitude, shown[0].resolution),
                         {},
                         shape};
         if (isFixed)

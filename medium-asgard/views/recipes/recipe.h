@@ -2,6 +2,7 @@
 #pragma once
 
 #include "drawing/drawing.h"
+#include "editing/value_edit.h"
 #include "element_edits/creation.h"
 #include "geometry/pose.h"
 
@@ -50,6 +51,12 @@ struct Judged {
     bool isTaken = true;
 };
 
+// A thing as it would be, outlined.
+struct Outline {
+    std::vector<scene::Part> parts;
+    geometry::Pose pose;
+};
+
 struct Step {
     Wanted wanted = Wanted::point;
     QString prompt;       // "Click on the body that it acts on."
@@ -65,6 +72,9 @@ struct Step {
     std::function<Judged(const scene::Scene& scene, const std::vector<Indicated>& shown,
                          const Indicated& next)>
         judge = {};
+    // The things that a click on that body would make; null: nothing is outlined.
+    std::function<std::vector<Outline>(const scene::Scene& scene, const Indicated& next)> outlines =
+        {};
 };
 
 struct Recipe {
@@ -76,6 +86,10 @@ struct Recipe {
     HandleSwitch handles = nullptr;      // shown afterwards
     QString otherwise = {};              // said when there is nothing to make
     std::vector<scene::Part> ghost = {}; // outlined under the pointer before the click
+    // What changes of bodies that are there (their places make room for it); null: nothing.
+    std::function<std::vector<editing::Wish>(const scene::Scene& scene,
+                                             const std::vector<Indicated>& shown)>
+        moves = {};
     // The same thing, as many times as large as usual; null: it has its size.
     std::function<Recipe(double times)> sized = {};
     // Of what makes nothing: the answer, said in the end.

@@ -1,6 +1,10 @@
 #include "recipes/recipe_words.h"
 
 #include "editing/number_text.h"
+#include "script/svg_colors.h"
+
+#include <algorithm>
+#include <array>
 
 namespace views {
 
@@ -34,6 +38,35 @@ Step showWholeBody(const QString& prompt) {
     Step step = showBody(prompt);
     step.whole = true;
     return step;
+}
+
+std::vector<std::string> placeWords(const Vector& place, const geometry::Quaternion& attitude,
+                                    double resolution) {
+    std::vector<std::string> words{"-init_pos", listed(place, resolution)};
+    constexpr double least = 1e-9;
+    if (const Vector turn = geometry::toRotationVector(attitude); turn.norm() > least)
+        words.insert(words.end(), {"-init_rot", listed(turn, least)});
+    return words;
+}
+
+namespace {
+
+// The one of these that the fewest bodies have, the first of several.
+const char* rarestColor(const scene::Scene& scene) {
+    static constexpr std::array<const char*, 6> colors{"steelblue", "indianred",    "goldenrod",
+                                                       "seagreen",  "mediumpurple", "peru"};
+    return *std::ranges::min_element(colors, {}, [&](const char* name) {
+        return std::ranges::count(scene.bodies, script::namedColor(name),
+                                  [](const scene::Body& body) { return body.appearance.color; });
+    });
+}
+
+} // namespace
+
+void addRoomWords(NewElement& body, const scene::Scene& scene, bool isBall, bool isColored) {
+    body.words.insert(body.words.end(), {"-restitution", isBall ? "0.7" : "0", "-friction", "0.3"});
+    if (!isColored)
+        body.words.insert(body.words.end(), {"-color", rarestColor(scene)});
 }
 
 void addOffset(NewElement& element, const char* option, const Indicated& shown) {

@@ -18,6 +18,14 @@ namespace views {
 [[nodiscard]] Step showPlace(const QString& prompt, const QString& otherwise);
 [[nodiscard]] Step showWholeBody(const QString& prompt);
 
+// Where a new body begins, and how it is turned.
+[[nodiscard]] std::vector<std::string>
+placeWords(const Vector& place, const geometry::Quaternion& attitude, double resolution);
+// Things of a room, not the language's ideal ones: balls bounce, all else comes to rest where it
+// falls, and wheels roll. Bodies that one makes one after another differ in colour.
+void addRoomWords(editing::NewElement& body, const scene::Scene& scene, bool isBall,
+                  bool isColored);
+
 // Where on its body something acts; nothing at its centre of mass, which is what is meant then.
 void addOffset(editing::NewElement& element, const char* option, const Indicated& shown);
 [[nodiscard]] std::string bodyName(const scene::Scene& scene, const Indicated& shown);

@@ -18,6 +18,8 @@ enum class BasicShape { sphere, box };
 // `times`: as large as usual.
 [[nodiscard]] Recipe newBody(BasicShape shape, double times = 1);
 [[nodiscard]] Recipe newBody(const editing::LibraryShape& shape, double times = 1);
+// A pair at the sides of a body that is shown, on hinges.
+[[nodiscard]] Recipe newWheels();
 // `perUnit`: how long the arrow of a force of 1 is drawn.
 [[nodiscard]] Recipe newForce(bool couple, double perUnit);
 // `massOf`: of a body of the scene. `usual`: the acceleration that Return gives.
@@ -35,6 +37,8 @@ enum class BasicShape { sphere, box };
 // Two bodies, or each two, attract each other as stars do, by a parameter G.
 [[nodiscard]] Recipe newAttraction();
 [[nodiscard]] Recipe attractionOfAll();
+// A body goes round another in a circle, and both attract each other.
+[[nodiscard]] Recipe newOrbit();
 // A hinge, a slider, a ball, a fixed joint or a distance, between a body and another or the ground.
 [[nodiscard]] Recipe newJoint(scene::JointType type);
 // Two bodies on hinges or sliders roll on each other; the ratio follows from their sizes.

@@ -5,6 +5,8 @@
 
 #include <gmock/gmock.h>
 
+#include <sstream>
+
 namespace views {
 namespace {
 
@@ -46,9 +48,10 @@ const std::string stars = "shape_set star -desc {-sub {-sphere 0.5}}\n"
                           "body rock star -init_pos {0 3 0} -fixed 1\n";
 
 TEST_F(RecipesTest, EachStepOfARecipeHasItsPrompt) {
-    for (const Recipe& recipe : {newBody(BasicShape::box), newForce(false, 1),
-                                 newLink(Wanted::body), newJoint(scene::JointType::hinge),
-                                 newGear(), newRope(), newLight(true), newTrajectory()}) {
+    for (const Recipe& recipe :
+         {newBody(BasicShape::box), newForce(false, 1), newLink(Wanted::body),
+          newJoint(scene::JointType::hinge), newGear(), newRope(), newWheels(), newLight(true),
+          newTrajectory()}) {
         EXPECT_THAT(recipe.steps, Not(IsEmpty())) << recipe.label.toStdString();
         for (const Step& step : recipe.steps)
             EXPECT_FALSE(step.prompt.isEmpty()) << recipe.label.toStdString();
@@ -149,6 +152,87 @@ TEST_F(RecipesTest, AttractionIsOfEachPairThatCanMoveByOneConstant) {
     EXPECT_EQ(all[0].kind, editing::Kind::parameter);
     for (std::size_t i = 1; i < all.size(); ++i)
         EXPECT_EQ(all[i].kind, editing::Kind::force);
+}
+
+const std::string slope = "shape_set slab -desc {-sub {-box {10 0.5 3}}}\n"
+                          "shape_set hull -desc {-sub {-box {2 0.5 1.2}}}\n"
+                          "body ramp slab -init_rot {0 0 -0.2} -fixed 1\n";
+
+Vector onRamp(double along, double above) {
+    return geometry::fromRotationVector({0, 0, -0.2}) * Vector(along, 0.25 + above, 0);
+}
+
+std::string carAt(const Vector& place, const std::string& more = "") {
+    return "body car hull -init_pos {" + std::to_string(place.x()) + " " +
+           std::to_string(place.y()) + " 0} -init_rot {0 0 -0.2}" + more + "\n";
+}
+
+std::string wordOf(const NewElement& element, const std::string& option) {
+    const auto found = std::ranges::find(element.words, option);
+    return found == element.words.end() ? "" : *(found + 1);
+}
+
+// At both sides, turned as the body is, and by round numbers of it.
+TEST_F(RecipesTest, TwoWheelsStandAtTheSidesOfABodyOnHinges) {
+    read(slope + carAt(onRamp(-3, 2), " -init_dpos {1 0 0}"));
+    Indicated side = onBody(1);
+    side.onBody = {0.703, -0.158, 0.6};
+    side.attitude = scene_.bodies[1].initialAttitude;
+    const auto all = made(newWheels(), {side});
+    ASSERT_THAT(all, SizeIs(5));
+    EXPECT_EQ(wordOf(all[0], "-desc"),
+              "{-sub {-rot {1.5707963267948966 0 0} -cylinder {0.3 0.15}}}");
+    EXPECT_EQ(wordOf(all[1], "-init_rot"), "{0 0 -0.2}");
+    EXPECT_EQ(wordOf(all[1], "-init_dpos"), "{1 0 0}");
+    EXPECT_THAT(wordOf(all[1], "-init_pos"), testing::EndsWith(" 0.675}"));
+    EXPECT_THAT(wordOf(all[2], "-init_pos"), testing::EndsWith(" -0.675}"));
+    EXPECT_THAT(all[3].words,
+                ElementsAre("-type", "hinge", "-body1", all[1].name, "-body2", "car"));
+    EXPECT_THAT(newWheels().moves(scene_, {side}), IsEmpty()); // they reach nothing
+    EXPECT_EQ(newWheels().steps[0].judge(scene_, {}, side).words,
+              "car: an axle at 0.7 -0.15 0, wheels of radius 0.3");
+    side.sight = {1, 0.1, 0}; // from the front
+    EXPECT_EQ(wordOf(made(newWheels(), {side})[4], "-axis"), "{1 0 0}");
+}
+
+// The second pair has the shape, the height and the colour of the first.
+TEST_F(RecipesTest, TheSecondAxleIsLikeTheFirst) {
+    read(slope + "shape_set tyre -desc {-sub {-rot {1.5707963267948966 0 0} -cylinder {0.4 0.1}}}\n"
+                 "body car hull\nbody w tyre -init_pos {-0.7 -0.2 0.65} -color {1 0 0}\n"
+                 "joint pin -type hinge -body1 w -body2 car\n");
+    Indicated side = onBody(1);
+    side.onBody = {0.7, -0.13, 0.6};
+    const auto all = made(newWheels(), {side});
+    ASSERT_THAT(all, SizeIs(4));
+    EXPECT_EQ(all[0].shape, "tyre");
+    EXPECT_EQ(wordOf(all[0], "-init_pos"), "{0.7 -0.2 0.65}");
+    EXPECT_EQ(wordOf(all[0], "-color"), "{1 0 0}");
+}
+
+// A body that lies on a slope stands on its wheels then, across the slope.
+TEST_F(RecipesTest, WheelsThatWouldBeInTheGroundRaiseTheirBody) {
+    const Vector lies = onRamp(-3, 0.25);
+    read(slope + carAt(lies));
+    Indicated side = onBody(1);
+    side.onBody = {0.7, -0.15, 0.6};
+    side.attitude = scene_.bodies[1].initialAttitude;
+    const auto wishes = newWheels().moves(scene_, {side});
+    ASSERT_THAT(wishes, SizeIs(1));
+    EXPECT_EQ(wishes[0].option, "-init_pos");
+    const Vector raised(wishes[0].values[0], wishes[0].values[1], wishes[0].values[2]);
+    EXPECT_LT((raised - onRamp(-3, 0.45)).norm(), 1e-5); // 0.3 below the axle
+    const auto all = made(newWheels(), {side});
+    std::istringstream place(wordOf(all[1], "-init_pos").substr(1));
+    Vector wheel;
+    place >> wheel.x() >> wheel.y();
+    wheel.z() = 0;
+    EXPECT_LT((wheel - onRamp(-2.3, 0.3)).norm(), 1e-5);
+    EXPECT_THAT(newWheels().steps[0].judge(scene_, {}, side).words.toStdString(),
+                HasSubstr("it stands on them"));
+    read(slope + carAt(lies) + "joint hook -type ball -body1 car\n"); // it would not hang there
+    EXPECT_THAT(newWheels().moves(scene_, {side}), IsEmpty());
+    read("shape_set ground -desc {-sub {-plane}}\nbody floor ground -fixed 1\n");
+    EXPECT_FALSE(newWheels().steps[0].judge(scene_, {}, onBody(0)).isTaken);
 }
 
 } // namespace

@@ -30,9 +30,15 @@ void addScenePanes(
         openValues(panes, document, element);
     };
     panes.add({"properties", QObject::tr("Properties"), Qt::RightDockWidgetArea,
-               [&document, windows, remove] {
-                   return new PropertiesPane(document,
-                                             {windows.showText, windows.openShapeEditor, remove});
+               [&document, &display, windows, remove] {
+                   auto* pane = new PropertiesPane(
+                       document, {windows.showText, windows.openShapeEditor, remove});
+                   const auto look = [&display, pane] {
+                       pane->setUsualAxis(geometry::Vector::Unit(display.sight().facing()));
+                   };
+                   QObject::connect(&display, &SceneDisplay::cameraChanged, pane, look);
+                   look();
+                   return pane;
                },
                "status", QKeySequence(Qt::Key_F4)});
     panes.add({"sceneList",
