@@ -49,7 +49,7 @@ private:
     void put(const scene::SpringLaw& law) { add(law.rest, law.isPullOnly); }
     void put(const scene::JointCoordinate& c) {
         add(c.lower, c.upper, c.limitRestitution, c.motor, c.speed, c.position, c.maxMotor,
-            c.stiffness, c.rest, c.damping, c.friction, c.isGiven);
+            c.stiffness, c.rest, c.damping, c.friction, c.from, c.isGiven);
     }
     void put(const scene::Gear::Term& t) { add(t.joint, static_cast<int>(t.coordinate), t.ratio); }
     void put(const scene::Rope::Point& p) { add(p.body, p.place, p.radius, p.axis); }

@@ -7,11 +7,14 @@
 #include "element_edits/property_edit.h"
 #include "geometry/pose.h"
 #include "handles/handles.h"
+#include "physics/joint_frames.h"
 #include "reports/instants.h"
+#include "run/quantities.h"
 #include "scene/joint_types.h"
 #include "script/structure.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace gestures {
@@ -30,13 +33,6 @@ std::string countsFromStart(const scene::Scene& scene, const scene::Released& re
         return editing::describe(scene, element) + " takes " + what +
                " from the start of the motion: write it first.";
     };
-    for (std::size_t i = 0; i < scene.joints.size(); ++i)
-        for (const scene::JointCoordinate& q : scene.joints[i].coordinates)
-            if (!released.joints.contains(i) &&
-                (q.lower || q.upper || q.position || q.stiffness != 0))
-                return editing::describe(scene, {Kind::joint, i}) +
-                       " has limits, a position or a spring that count from the start of the "
-                       "motion: it cannot begin elsewhere.";
     for (std::size_t i = 0; i < scene.links.size(); ++i)
         if (!released.links.contains(i) && scene.links[i].spring && !scene.links[i].spring->rest)
             return says({Kind::link, i}, "its length -rest");
@@ -55,6 +51,86 @@ std::vector<editing::Element> elementsOf(const scene::Released& released) {
         for (const std::size_t index : *indices)
             elements.push_back({kind, index});
     return elements;
+}
+
+// The names that expressions of the text read.
+class Reads {
+public:
+    explicit Reads(const Ground& ground)
+        : text_(ground.text), scene_(*ground.scene), structure_(script::structureOf(ground.text)) {}
+
+    [[nodiscard]] bool name(const std::string& name) const {
+        // A loop puts names of plots together, which its text does not show.
+        return has(name, text_, structure_) ||
+               std::ranges::any_of(scene_.plots, [&](const scene::Plot& plot) {
+                   return std::ranges::any_of(
+                       plot.values, [&](const std::string& value) { return has(name, value, {}); });
+               });
+    }
+
+private:
+    [[nodiscard]] bool has(const std::string& name, std::string_view text,
+                           const script::Structure& structure) const {
+        return editing::isUsedIn(name, {0, text.size()}, {},
+                                 editing::Origins(text, structure, scene_));
+    }
+
+    const std::string& text_;
+    const scene::Scene& scene_;
+    script::Structure structure_;
+};
+
+std::string nameOf(const scene::Joint& joint, std::size_t k) {
+    return joint.name + ".q" + scene::coordinateSuffix(joint.type, k);
+}
+
+// From one direction to another about an axis, -pi to pi.
+double angleAbout(const Vector& axis, const Vector& from, const Vector& to) {
+    return std::atan2(axis.dot(from.cross(to)), from.dot(to) - axis.dot(from) * axis.dot(to));
+}
+
+// The bodies of a joint, at one time.
+struct Ends {
+    geometry::Pose first, second;
+    [[nodiscard]] Vector inSecond(const Vector& inFirst) const {
+        return second.attitude.conjugate() * (first.attitude * inFirst);
+    }
+};
+
+// How far its coordinate is from one placement of its bodies to another, by less than half a turn.
+// `offset`: of its point, in the frame of the first body.
+double goneBetween(const scene::Joint& joint, std::size_t k, const Vector& offset,
+                   const Ends& atStart, const Ends& before, const Ends& after) {
+    const Vector own = joint.axis.normalized(), axis = before.inSecond(own);
+    const bool isAngle = scene::traitsOf(joint.type).coordinates[k] == scene::CoordinateKind::angle;
+    if (joint.type == scene::JointType::universal) {
+        const Vector other = joint.axis2 ? Vector(joint.axis2->normalized())
+                                         : atStart.second.attitude.conjugate() *
+                                               physics::acrossOf(atStart.first.attitude * own);
+        if (k == 1)
+            return angleAbout(other, axis, after.inSecond(own));
+        const auto inFirst = [&](const Ends& ends) {
+            return Vector(ends.first.attitude.conjugate() * (ends.second.attitude * other));
+        };
+        return -angleAbout(own, inFirst(before), inFirst(after));
+    }
+    if (isAngle) {
+        const Vector across = own.unitOrthogonal();
+        return angleAbout(axis, before.inSecond(across), after.inSecond(across));
+    }
+    const auto place = [&](const Ends& ends) {
+        return ends.second.toLocal(ends.first.toWorld(offset));
+    };
+    Vector along = axis;
+    if (joint.type == scene::JointType::planar) {
+        along = joint.axis2.value_or(Vector::UnitX());
+        if (!joint.axis2 && along.cross(axis).norm() < 1e-9)
+            along = Vector::UnitY();
+        along = (along - axis * axis.dot(along)).normalized();
+        if (k == 1)
+            along = axis.cross(along);
+    }
+    return along.dot(place(after) - place(before));
 }
 
 class Moment {
@@ -84,6 +160,8 @@ public:
                               1e-6,
                               {0},
                               {ground_.scene->simulator.start}});
+        if (std::string why = addCoordinates(wishes); !why.empty())
+            return {{}, std::move(why), {}, {}, {}};
         editing::Answer all = mapper_.answer(wishes);
         if (all.possible() && !ground_.scene->simulator.source)
             addSimulator(all.edits);
@@ -119,8 +197,7 @@ private:
                               numbersOf(Vector::Zero()),
                               numbersOf(now)});
         };
-        const auto put = std::ranges::find(puts_, index, &Put::body);
-        const Put* const hand = put == puts_.end() ? nullptr : &*put;
+        const Put* const hand = putOf(index);
         const double fine = 1e-9 * size_;
         wish("-init_pos", hand ? hand->place : ground_.motion->shapePose(index, time_).position,
              body.initialPosition, hand ? hand->resolution : fine);
@@ -136,6 +213,98 @@ private:
         wishes.back().now.clear(); // one attitude has many rotation vectors
         if (mapper_.count(wishes.back()) == 4)
             wishes.back().values = {q.w(), q.x(), q.y(), q.z()};
+    }
+
+    [[nodiscard]] const Put* putOf(std::size_t body) const {
+        const auto put = std::ranges::find(puts_, body, &Put::body);
+        return put == puts_.end() ? nullptr : &*put;
+    }
+
+    // Where the hand has put it, or as the motion has it.
+    [[nodiscard]] geometry::Pose poseOf(const std::optional<std::string>& name, double time,
+                                        bool byHand) const {
+        const auto& bodies = ground_.scene->bodies;
+        const auto found =
+            name ? std::ranges::find(bodies, *name, &scene::Body::name) : bodies.end();
+        if (found == bodies.end())
+            return {Vector::Zero(), geometry::Quaternion::Identity()};
+        const auto index = static_cast<std::size_t>(found - bodies.begin());
+        geometry::Pose pose = ground_.motion->shapePose(index, time);
+        if (const Put* const hand = byHand ? putOf(index) : nullptr) {
+            pose.position = hand->place;
+            pose.attitude = hand->attitude.value_or(pose.attitude);
+        }
+        return pose;
+    }
+
+    // Of a joint, by the hand.
+    [[nodiscard]] double goneByHand(const scene::Joint& joint, std::size_t k) const {
+        if (puts_.empty())
+            return 0;
+        const auto endsAt = [&](double time, bool byHand) {
+            return Ends{poseOf(joint.body1, time, byHand), poseOf(joint.body2, time, byHand)};
+        };
+        const auto& bodies = ground_.scene->bodies;
+        const auto first = static_cast<std::size_t>(
+            std::ranges::find(bodies, joint.body1, &scene::Body::name) - bodies.begin());
+        return goneBetween(joint, k, joint.offset1.value_or(ground_.motion->centroid(first)),
+                           endsAt(ground_.motion->start(), false), endsAt(time_, false),
+                           endsAt(time_, true));
+    }
+
+    // The coordinates of joints that something asks for. A sentence: why they cannot be so.
+    [[nodiscard]] std::string addCoordinates(std::vector<Wish>& wishes) const {
+        const scene::Scene& scene = *ground_.scene;
+        const auto released = simulation::releasedBy(scene, *ground_.motion, time_).joints;
+        const Reads reads(ground_);
+        std::vector<std::pair<std::size_t, std::size_t>> asked; // joint, coordinate
+        std::vector<std::string> names;
+        for (std::size_t i = 0; i < scene.joints.size(); ++i)
+            for (std::size_t k = 0; k < scene.joints[i].coordinates.size(); ++k) {
+                const scene::Joint& joint = scene.joints[i];
+                const scene::JointCoordinate& q = joint.coordinates[k];
+                if (!scene::traitsOf(joint.type).hasFrom || released.contains(i))
+                    continue;
+                if (q.from != 0 || q.lower || q.upper || q.position || q.stiffness != 0 ||
+                    reads.name(nameOf(joint, k))) {
+                    asked.emplace_back(i, k);
+                    names.push_back(nameOf(joint, k));
+                }
+            }
+        if (names.empty())
+            return {};
+        std::vector<std::string> faults;
+        const auto values =
+            simulation::Quantities(scene, {}, ground_.motion, names, faults).at(time_);
+        for (std::size_t n = 0; n < asked.size(); ++n)
+            if (std::string why = addCoordinate(wishes, asked[n], values[n]); !why.empty())
+                return why;
+        return {};
+    }
+
+    [[nodiscard]] std::string addCoordinate(std::vector<Wish>& wishes,
+                                            const std::pair<std::size_t, std::size_t>& which,
+                                            double value) const {
+        const editing::Element element{Kind::joint, which.first};
+        const scene::Joint& joint = ground_.scene->joints[which.first];
+        const scene::JointCoordinate& q = joint.coordinates[which.second];
+        constexpr double least = 1e-6;
+        const double byHand = goneByHand(joint, which.second);
+        const std::string name = editing::describe(*ground_.scene, element);
+        if (q.position && std::abs(byHand) > least)
+            return name + " follows its -position, and this would take it elsewhere.";
+        const double wanted = value + byHand;
+        const double kept = std::clamp(wanted, q.lower.value_or(wanted), q.upper.value_or(wanted));
+        if (std::abs(kept - wanted) > least * std::max(1.0, std::abs(wanted)))
+            return name + " would be beyond its -limits.";
+        wishes.push_back({element,
+                          "-from" + scene::coordinateSuffix(joint.type, which.second),
+                          {},
+                          {kept},
+                          1e-9,
+                          {0},
+                          {q.from}});
+        return {};
     }
 
     void addSimulator(text::Edits& edits) const {
@@ -163,29 +332,22 @@ double roundMoment(const simulation::Motion& motion, double time) {
 std::string countsAnew(const Ground& ground, double time) {
     std::string names;
     std::size_t count = 0;
-    const scene::Scene& scene = *ground.scene;
-    const script::Structure structure = script::structureOf(ground.text);
-    const auto isRead = [&](const std::string& name) {
-        const auto reads = [&](std::string_view text, const script::Structure& of) {
-            return editing::isUsedIn(name, {0, text.size()}, {}, editing::Origins(text, of, scene));
-        };
-        // A loop puts names of plots together, which its text does not show.
-        return reads(ground.text, structure) ||
-               std::ranges::any_of(scene.plots, [&](const auto& plot) {
-                   return std::ranges::any_of(
-                       plot.values, [&](const std::string& value) { return reads(value, {}); });
-               });
+    const Reads reads(ground);
+    const auto add = [&](const std::string& name) {
+        if (!reads.name(name))
+            return;
+        names += (count == 0 ? "" : ", ") + name;
+        ++count;
     };
     for (const scene::Joint& joint : ground.scene->joints) {
         const scene::JointTraits& traits = scene::traitsOf(joint.type);
-        for (std::size_t i = 0; traits.startsAtZero && i < traits.coordinates.size(); ++i) {
-            const std::string name = joint.name + ".q" + scene::coordinateSuffix(joint.type, i);
-            if (isRead(name)) {
-                names += (count == 0 ? "" : ", ") + name;
-                ++count;
-            }
-        }
+        for (std::size_t k = 0; traits.startsAtZero && k < traits.coordinates.size(); ++k)
+            if (!traits.hasFrom)
+                add(nameOf(joint, k));
     }
+    for (const scene::Body& body : ground.scene->bodies)
+        for (const char* turn : {".rx", ".ry", ".rz"})
+            add(body.name + turn);
     if (count == 0)
         return {};
     return names + (count == 1 ? " counts" : " count") +

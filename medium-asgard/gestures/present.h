@@ -6,9 +6,11 @@
 // a path leads in part, or for a while, begins with all of these values, too. An element that a
 // -release has ended by then gets -release 1: it is gone from the start on.
 //
-// LIMIT: a value that counts from the start (a joint's coordinate with a limit, a spring's or
-// rope's length that is not written) would mean something else: then there is no answer but a
-// reason. Expressions that read a coordinate (J.q, B.rx) count from the new start, which
+// A joint's coordinate that something asks for (a limit, a drive, a spring, an expression) goes on
+// counting: its value of the moment is written as -from.
+//
+// LIMIT: the length of a spring or a rope that is not written counts from the start: then there is
+// no answer but a reason. The angle of a ball joint and B.rx are 0 at the new start, which
 // countsAnew() tells.
 #pragma once
 
@@ -35,13 +37,13 @@ struct Put {
 };
 [[nodiscard]] editing::Answer startingAt(const Ground& ground, double time,
                                          const std::vector<Put>& puts = {});
-// "pin.q counts from this moment on: it is 0 at 1.2 s.": coordinates that the text reads. "": there
-// are none.
+// "b.rz counts from this moment on: it is 0 at 1.2 s.": of what the text reads. "": there is
+// nothing.
 [[nodiscard]] std::string countsAnew(const Ground& ground, double time);
 // Why it cannot begin at that moment; "": it can, as far as the text allows.
 [[nodiscard]] std::string whyNotAt(const scene::Scene& scene,
                                    const simulation::MotionPointer& motion, double time);
-// The scene as it would begin there.
+// The scene as it would begin there, but for -from.
 [[nodiscard]] scene::Scene sceneAt(const Ground& ground, double time);
 
 } // namespace gestures

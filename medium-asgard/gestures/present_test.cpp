@@ -1,5 +1,7 @@
 #include "gestures/present.h"
 
+#include "run/quantities.h"
+#include "scene/joint_types.h"
 #include "script/reader.h"
 
 #include <gmock/gmock.h>
@@ -8,6 +10,7 @@ namespace gestures {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 script::Reader& theReader() {
     static script::Reader shared;
@@ -105,17 +108,104 @@ TEST(Present, ABodyThatWasPutElsewhereStartsThereWithItsVelocityOrTheHands) {
     EXPECT_LT((cast.velocity - hand).norm(), 1e-9);
 }
 
-TEST(Present, CoordinatesThatCountFromTheNewStartAreTold) {
+double quantityAt(const Ground& ground, const std::string& name, double time) {
+    std::vector<std::string> faults;
+    return simulation::Quantities(*ground.scene, {}, ground.motion, {name}, faults).at(time)[0];
+}
+
+const std::string arm =
+    "simulator -finish 3 -accuracy 1e-8\n"
+    "shape_set s -desc {-sub {-box {1 0.2 0.2}}}\nbody b s -init_pos {0.5 0 0}\n"
+    "force -body b -gravitational {0 -10 0}\n"
+    "joint pin -type hinge -body1 b -offset1 {-0.5 0 0}";
+
+// Limits, springs, drives and expressions find the joint where it was, also in a branch of a
+// branch.
+TEST(Present, TheAngleOfAJointGoesOn) {
+    for (const char* counted : {" -limits {-1 0.1}\n", " -limits {-1 0.1} -limit_restitution 0.8\n",
+                                " -stiffness 3 -rest -0.4 -damping 0.1\n",
+                                " -position {-0.2 * t}\n", "\nforce -body b -y {-4 * pin.q}\n"}) {
+        const Ground before = groundOf(arm + counted);
+        const editing::Answer first = startingAt(before, 0.8);
+        ASSERT_TRUE(first.possible()) << first.reason;
+        const Ground branch = groundOf(text::applied(before.text, first.edits));
+        EXPECT_THAT(branch.text, HasSubstr(" -from -"));
+        const editing::Answer second = startingAt(branch, 1.5);
+        ASSERT_TRUE(second.possible()) << second.reason;
+        const Ground twig = groundOf(text::applied(branch.text, second.edits));
+        for (const double time : {1.5, 2.2, 3.0}) {
+            expectSame(before, branch, time);
+            expectSame(before, twig, time);
+            EXPECT_NEAR(quantityAt(before, "pin.q", time), quantityAt(twig, "pin.q", time), 1e-5);
+        }
+    }
+    const Ground bare = groundOf(arm + "\n"); // nothing asks for it
+    EXPECT_THAT(text::applied(bare.text, startingAt(bare, 0.8).edits), Not(HasSubstr("-from")));
+    EXPECT_EQ(countsAnew(groundOf(arm + "\nplot p -values {pin.q}\n"), 0.8), "");
+}
+
+// A hand puts the bodies where the motion has them later: so far goes each coordinate.
+TEST(Present, TheCoordinatesOfAJointGoWithTheHand) {
+    for (const char* joint : {"hinge -axis {1 1 0} -from 5", "slider -axis {1 1 0}",
+                              "screw -axis {1 0 0} -pitch 0.3", "cylindrical -axis {1 0 0}",
+                              "universal -axis {1 0 0}", "universal -axis {1 0 0} -axis2 {0 1 0}",
+                              "planar -axis {1 0 0}", "planar -axis {0 0 1} -axis2 {1 2 0}"}) {
+        const std::string type = joint;
+        const Ground before = groundOf(
+            "simulator -finish 2 -accuracy 1e-8 -collisions 0\n"
+            "shape_set s -desc {-sub {-box {1 0.3 0.2}}}\n"
+            "body a s -init_dpos {0.2 0.4 0} -init_drot {0.3 1 -0.5} -init_rot {0.3 0.2 0}\n"
+            "body b s -init_pos {0.6 0.5 0.2} -init_rot {0.3 0.2 0} -init_drot {1.5 0.2 0.4}\n"
+            "joint j -body1 b -body2 a -type " +
+            type + "\nplot p -values {j.q" +
+            (type.starts_with("c") || type.starts_with("u") ? "1 j.q2"
+             : type.starts_with("p")                        ? "1 j.q2 j.q3"
+                                                            : "") +
+            "}\n");
+        constexpr double moment = 0.3, later = 0.9;
+        std::vector<Put> puts;
+        for (const std::size_t body : {0U, 1U})
+            puts.push_back({body, before.motion->shapePose(body, later).position, std::nullopt,
+                            1e-9, before.motion->shapePose(body, later).attitude});
+        const editing::Answer answer = startingAt(before, moment, puts);
+        ASSERT_TRUE(answer.possible()) << type << ": " << answer.reason;
+        const Ground after = groundOf(text::applied(before.text, answer.edits));
+        const auto& coordinates = after.scene->joints[0].coordinates;
+        for (std::size_t k = 0; k < coordinates.size(); ++k) {
+            const std::string name =
+                "j.q" + scene::coordinateSuffix(after.scene->joints[0].type, k);
+            const double value = quantityAt(before, name, later);
+            EXPECT_GT(std::abs(value - quantityAt(before, name, moment)), 1e-3) << type << name;
+            EXPECT_NEAR(coordinates[k].from, value, 1e-6) << type << " " << name;
+        }
+    }
+}
+
+TEST(Present, AHandCannotTakeAJointBeyondItsLimitsNorADrivenOneElsewhere) {
+    Put put{0, {0.5, 0, 0}, std::nullopt, 1e-9, geometry::Quaternion::Identity()};
+    EXPECT_THAT(
+        startingAt(groundOf(arm + " -limits {-2 -0.05} -from -0.1\n"), 0.3, {put}).possible(),
+        testing::IsTrue());
+    put.attitude = geometry::fromRotationVector({0, 0, 0.4});
+    EXPECT_THAT(startingAt(groundOf(arm + " -limits {-2 0.3}\n"), 0.3, {put}).reason,
+                HasSubstr("beyond its -limits"));
+    EXPECT_THAT(startingAt(groundOf(arm + " -position {-0.2 * t}\n"), 0.3, {put}).reason,
+                HasSubstr("follows its -position"));
+}
+
+TEST(Present, WhatCountsFromTheNewStartIsTold) {
     const std::string swing =
         "shape_set s -desc {-sub {-sphere 0.5}}\nbody b s\nbody c s -init_pos "
-        "{3 0 0}\njoint pin -type hinge -body1 b -offset1 {0 1 0}\n"
-        "joint pin2 -type hinge -body1 c -offset1 {0 1 0}\n";
+        "{3 0 0}\njoint pin -type ball -body1 b -offset1 {0 1 0}\n"
+        "joint pin2 -type ball -body1 c -offset1 {0 1 0}\n";
     EXPECT_EQ(countsAnew(groundOf(swing), 0.5), "");
     EXPECT_EQ(countsAnew(groundOf(swing + "# pin.q is the angle\n"), 0.5), "");
     EXPECT_EQ(countsAnew(groundOf(swing + "plot p -values {{pin2.q} {pin.dq}}\n"), 0.5),
               "pin2.q counts from this moment on: it is 0 at 0.5 s.");
     EXPECT_EQ(countsAnew(groundOf(swing + "foreach j {pin pin2} {plot $j -values $j.q}\n"), 1.25),
               "pin.q, pin2.q count from this moment on: they are 0 at 1.25 s.");
+    EXPECT_EQ(countsAnew(groundOf(swing + "plot p -values {b.rz}\n"), 0.5),
+              "b.rz counts from this moment on: it is 0 at 0.5 s.");
 }
 
 TEST(Present, AMomentIsRoundToAThousandthAndWithinTheMotion) {

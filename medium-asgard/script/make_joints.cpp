@@ -24,8 +24,8 @@ namespace {
 constexpr std::string_view ofJoint[] = {"-type", "-body1", "-offset1", "-body2",  "-offset2",
                                         "-axis", "-axis2", "-pitch",   "-release"};
 constexpr std::string_view ofCoordinate[] = {
-    "-limits",    "-limit_restitution", "-motor", "-speed",   "-position",
-    "-max_motor", "-stiffness",         "-rest",  "-damping", "-friction"};
+    "-limits", "-limit_restitution", "-motor",    "-speed", "-position", "-max_motor", "-stiffness",
+    "-rest",   "-damping",           "-friction", "-from"};
 constexpr std::size_t mostCoordinates = 3;
 
 // Every option that some joint has.
@@ -184,8 +184,9 @@ void SceneMaker::jointAxes(Arguments& arguments, Joint& joint) {
 // Options of coordinates that this type does not have.
 void SceneMaker::refuseOptions(Arguments& arguments, const Joint& joint) {
     const JointTraits& traits = scene::traitsOf(joint.type);
-    const std::size_t count = traits.hasDrives ? traits.coordinates.size() : 0;
-    for (const std::string_view base : ofCoordinate)
+    for (const std::string_view base : ofCoordinate) {
+        const bool has = base == "-from" ? traits.hasFrom : traits.hasDrives;
+        const std::size_t count = has ? traits.coordinates.size() : 0;
         for (std::size_t digit = 0; digit <= mostCoordinates; ++digit) {
             const std::string option =
                 std::string(base) + (digit == 0 ? "" : std::to_string(digit));
@@ -202,17 +203,20 @@ void SceneMaker::refuseOptions(Arguments& arguments, const Joint& joint) {
                               arguments.subject() + " is one",
                           suggestion);
         }
+    }
 }
 
 JointCoordinate SceneMaker::jointCoordinate(Arguments& arguments, const Joint& joint,
                                             std::size_t index) {
     JointCoordinate made;
     const JointTraits& traits = scene::traitsOf(joint.type);
+    const std::string suffix = scene::coordinateSuffix(joint.type, index);
+    if (traits.hasFrom)
+        made.from = arguments.number("-from" + suffix).value_or(0);
     if (!traits.hasDrives)
         return made;
-    const std::string suffix = scene::coordinateSuffix(joint.type, index);
     made.isGiven = std::ranges::any_of(ofCoordinate, [&](std::string_view option) {
-        return arguments.attempted(std::string(option) + suffix);
+        return option != "-from" && arguments.attempted(std::string(option) + suffix);
     });
     jointLimits(arguments, suffix, traits.startsAtZero, made);
     jointDrive(arguments, suffix, made);
@@ -255,9 +259,11 @@ void SceneMaker::jointLimits(Arguments& arguments, const std::string& suffix, bo
         arguments.wrong(option, value->range, "a lower limit under the upper one",
                         "and " + numberText(*coordinate.lower, true) + " is not under " +
                             numberText(*coordinate.upper, true));
-    else if (startsAtZero && (coordinate.lower.value_or(0) > 0 || coordinate.upper.value_or(0) < 0))
-        arguments.wrong(option, value->range, "a range with 0 in it",
-                        "and the joint's coordinate is 0 at the start");
+    else if (startsAtZero && (coordinate.lower.value_or(coordinate.from) > coordinate.from ||
+                              coordinate.upper.value_or(coordinate.from) < coordinate.from))
+        arguments.wrong(
+            option, value->range, "a range with " + numberText(coordinate.from, true) + " in it",
+            "and the joint's coordinate is " + numberText(coordinate.from, true) + " at the start");
 }
 
 // At most one of -motor, -speed and -position.

@@ -190,7 +190,8 @@ TEST(Joint, ReadsTheOptionsOfEachCoordinate) {
     const Scene scene =
         read("body a s\nbody b s\ntrajectory T -points {{0 0 0 0} {1 1 0 0}}\n"
              "joint c -type cylindrical -body1 a -body2 b -axis {1 0 0} -limits1 {-1 {}} "
-             "-limit_restitution1 0.5 -motor1 {-2*c.dq1 + b.x} -position2 T -max_motor2 9\n"
+             "-limit_restitution1 0.5 -motor1 {-2*c.dq1 + b.x} -position2 T -max_motor2 9 "
+             "-from1 -0.5 -from2 3\n"
              "joint d -type distance -body1 a -offset2 {0 3 0} -stiffness 4 -rest 2 -damping 1\n"
              "joint h -type hinge -body1 b -speed {c.q2 + sin(t)} -friction 0.5 "
              "-release {hypot(h.fx, h.fy) > 3}\n"
@@ -204,6 +205,8 @@ TEST(Joint, ReadsTheOptionsOfEachCoordinate) {
     EXPECT_EQ(c[0].motor, "-2*c.dq1 + b.x");
     EXPECT_EQ(c[1].position, "T.x");
     EXPECT_EQ(c[1].maxMotor, 9);
+    EXPECT_EQ(c[0].from, -0.5);
+    EXPECT_EQ(c[1].from, 3);
     const scene::JointCoordinate& spring = scene.joints[1].coordinates.at(0);
     EXPECT_EQ(spring.stiffness, 4);
     EXPECT_EQ(spring.rest, 2);

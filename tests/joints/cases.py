@@ -263,6 +263,21 @@ def drives():
     return rows
 
 
+def begun():
+    """Each value is -from and how far the joint has gone; a spring of both swings by cos 2t."""
+    rows = Rows()
+    for t in steps(3, 12):
+        rows.put(t, 3, {"pin.q": 0.2 + 0.3 * math.cos(2 * t), "rail.q": -0.1 + 0.4 * math.cos(2 * t),
+                        "block.x": 2.6 + 0.4 * math.cos(2 * t)})
+        rows.put(t, 3, {"first.q": 7 + t, "second.q": -1 - t / 2})
+        rows.put(t, 3, {"thread.q": 1 + 2 * t, "nut.x": t / 2 / math.pi})
+        rows.put(t, 3, {"sleeve.q1": 0.4 + 3 * t, "sleeve.q2": min(0.7 * t - 0.2, 1.2)})
+        rows.put(t, 3, {"table.q1": 1 + 0.3 * t, "table.q2": 2 - 0.2 * t, "table.q3": 3 + t})
+        rows.put(t, 3, {"hooke.q1": 0.1 + 2 * t, "hooke.q2": 0.2})
+        rows.put(t, 3, {"lift.q": 0.5 + math.sin(2 * t), "lift.dq": 2 * math.cos(2 * t)})
+    return rows
+
+
 # --- steady or straight motion ------------------------------------------------------------------
 
 def conical_pendulum():
@@ -588,4 +603,4 @@ def governor():
 
 BY_NAME = {case.__name__: case for case in (
     rod_on_hinge, slider_crank, bricard, torsion_dry, torsion_damped, rod_stop, clutch, rail, released, released_meet, cut, drives, conical_pendulum, hooke, screw, cylindrical,
-    planar, dumbbell, gears, meshing, turns, gyroscope, spherical_pendulum, double_pendulum, four_bar, four_bar_tilted, welded, top, governor)}
+    planar, begun, dumbbell, gears, meshing, turns, gyroscope, spherical_pendulum, double_pendulum, four_bar, four_bar_tilted, welded, top, governor)}

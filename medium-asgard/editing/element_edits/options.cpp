@@ -134,6 +134,7 @@ constexpr OptionHint jointOptions[] = {
     {"-rest", number, "where the spring of -stiffness does not pull (0)", "", "Rests at"},
     {"-damping", number, "the force or couple for each unit of its rate", ""},
     {"-friction", number, "the most that its dry friction can be", ""},
+    {"-from", number, "the value of q where the bodies start (0)", "", "Begins at"},
     {"-limits1", list, "{lo hi}: how far q1 goes; {} in place of a number: as far as it likes", ""},
     {"-limit_restitution1", number, "0: it stops at its limits, 1: it loses nothing there (0)", ""},
     {"-motor1", expression, "an expression: a force or couple along q1", ""},
@@ -145,6 +146,7 @@ constexpr OptionHint jointOptions[] = {
     {"-rest1", number, "where the spring of -stiffness1 does not pull (0)", ""},
     {"-damping1", number, "the force or couple for each unit of its rate", ""},
     {"-friction1", number, "the most that its dry friction can be", ""},
+    {"-from1", number, "the value of q1 where the bodies start (0)", ""},
     {"-limits2", list, "{lo hi}: how far q2 goes; {} in place of a number: as far as it likes", ""},
     {"-limit_restitution2", number, "0: it stops at its limits, 1: it loses nothing there (0)", ""},
     {"-motor2", expression, "an expression: a force or couple along q2", ""},
@@ -156,6 +158,8 @@ constexpr OptionHint jointOptions[] = {
     {"-rest2", number, "where the spring of -stiffness2 does not pull (0)", ""},
     {"-damping2", number, "the force or couple for each unit of its rate", ""},
     {"-friction2", number, "the most that its dry friction can be", ""},
+    {"-from2", number, "the value of q2 where the bodies start (0)", ""},
+    {"-from3", number, "the value of q3 where the bodies start (0)", ""},
 };
 constexpr OptionHint gearOptions[] = {
     {"-joint1", joint, "the joint that turns by -ratio times the other", "", "First joint"},

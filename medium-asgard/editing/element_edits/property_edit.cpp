@@ -20,12 +20,15 @@ namespace {
 // A coordinate's option has its number behind it where the type has several: -limits2. The list of
 // options has it without a number, with 1 and with 2.
 bool hasCoordinate(const scene::Joint& joint, const CommandHint& command, std::string_view option) {
-    const bool isNumbered = option.ends_with('1') || option.ends_with('2');
+    const bool isNumbered = option.ends_with('1') || option.ends_with('2') || option.ends_with('3');
     const std::string_view stem = isNumbered ? option.substr(0, option.size() - 1) : option;
     for (const char* number : {"", "1", "2"})
         if (!hintOf(command, std::string(stem) + number))
             return true;
-    for (std::size_t i = 0; i < scene::traitsOf(joint.type).coordinates.size(); ++i)
+    const scene::JointTraits& traits = scene::traitsOf(joint.type);
+    if (!(stem == "-from" ? traits.hasFrom : traits.hasDrives))
+        return false;
+    for (std::size_t i = 0; i < traits.coordinates.size(); ++i)
         if (std::string(stem) + scene::coordinateSuffix(joint.type, i) == option)
             return true;
     return false;

@@ -130,7 +130,8 @@ TEST(Properties, SeveralShareWhatIsTheSame) {
 TEST(Properties, AJointHasTheOptionsOfItsCoordinates) {
     const std::string text = shape + "body b s\njoint j -type hinge -body1 b -axis {0 0 1}\n"
                                      "joint k -type cylindrical -body1 b -axis {0 0 1}\n"
-                                     "joint l -type fixed -body1 b\n";
+                                     "joint l -type fixed -body1 b\n"
+                                     "joint m -type planar -body1 b\n";
     const auto scene = readScene(text);
     const auto names = [&](std::size_t joint) {
         std::set<std::string_view> all;
@@ -141,6 +142,9 @@ TEST(Properties, AJointHasTheOptionsOfItsCoordinates) {
     EXPECT_TRUE(names(0).contains("-limits") && !names(0).contains("-limits2"));
     EXPECT_TRUE(names(1).contains("-limits2") && !names(1).contains("-limits"));
     EXPECT_TRUE(!names(2).contains("-motor") && names(2).contains("-offset1"));
+    EXPECT_TRUE(names(0).contains("-from") && !names(0).contains("-from1"));
+    EXPECT_FALSE(names(2).contains("-from"));
+    EXPECT_TRUE(names(3).contains("-from3") && !names(3).contains("-limits1"));
 }
 
 TEST(Properties, AnAttitudeIsSoManyDegreesAboutAnAxis) {

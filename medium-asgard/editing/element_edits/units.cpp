@@ -48,7 +48,7 @@ constexpr std::array coordinateUnits{
     CoordinateUnit{"-speed", "m/s", "rad/s"}, CoordinateUnit{"-position", "m", "rad"},
     CoordinateUnit{"-max_motor", "N", "N m"}, CoordinateUnit{"-stiffness", "N/m", "N m/rad"},
     CoordinateUnit{"-rest", "m", "rad"},      CoordinateUnit{"-damping", "N s/m", "N m s/rad"},
-    CoordinateUnit{"-friction", "N", "N m"}};
+    CoordinateUnit{"-friction", "N", "N m"},  CoordinateUnit{"-from", "m", "rad"}};
 
 std::string_view ofCoordinate(scene::JointType type, std::string_view option) {
     const auto kinds = scene::traitsOf(type).coordinates;

@@ -20,15 +20,14 @@ Vector cleaned(Vector v) {
     return v;
 }
 
-// Of length 1: the world's axis that is the farthest from n, without its part along n.
+} // namespace
+
 Vector acrossOf(const Vector& n) {
     Eigen::Index least = 0;
     n.cwiseAbs().minCoeff(&least);
     const Vector axis = Vector::Unit(least);
     return cleaned((axis - n * n.dot(axis)).normalized());
 }
-
-} // namespace
 
 JointFrames::JointFrames(Graph& g, const scene::Scene& scene, const Scope& scope,
                          std::span<const BodyMotion> bodies, std::vector<std::string>& faults)

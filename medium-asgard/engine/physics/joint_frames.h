@@ -6,6 +6,10 @@
 
 namespace physics {
 
+// Of length 1: the world's axis that is the farthest from n, without its part along n. It is the
+// -axis2 of a universal joint that has none.
+[[nodiscard]] Vector acrossOf(const Vector& n);
+
 struct JointEnd : CarriedPoint {
     // Along the body's axes; across and third are perpendicular to the joint's axis.
     Vector axis = Vector::UnitZ(), across = Vector::UnitX(), third = Vector::UnitY();

@@ -73,7 +73,7 @@ std::vector<Jet> JointKinematics::conditions(std::size_t joint, const Along& alo
     if (said.type == JointType::screw) {
         const double perAngle = said.pitch / (2 * std::numbers::pi);
         const Jet slid = difference(g_, product(g_, n2, d), constantJet(g_, frame.start[0]));
-        made.push_back(difference(g_, slid, scaled(g_, perAngle, coordinate(joint, 0, along))));
+        made.push_back(difference(g_, slid, scaled(g_, perAngle, gone(joint, 0, along))));
     }
     return made;
 }
@@ -90,6 +90,12 @@ Jet JointKinematics::angleOf(const JointFrame& frame, std::size_t k, const JetVe
 }
 
 Jet JointKinematics::coordinate(std::size_t joint, std::size_t k, const Along& along) {
+    const auto& said = scene_.joints[joint].coordinates;
+    const double from = k < said.size() ? said[k].from : 0;
+    return sum(g_, gone(joint, k, along), constantJet(g_, from));
+}
+
+Jet JointKinematics::gone(std::size_t joint, std::size_t k, const Along& along) {
     const JointFrame& frame = frames_[joint];
     const JointEnd &first = frame.ends[0], &second = frame.ends[1];
     const auto carriedBySecond = [&](const Vector& v) { return carried(second, v, along); };

@@ -19,7 +19,10 @@ public:
     // All that are 0, as lengths.
     [[nodiscard]] std::vector<Jet> conditions(std::size_t joint, const Along& along);
     [[nodiscard]] NodeVector pointOf(std::size_t joint); // of its first end, in the world
+    // As expressions read it: with -from.
     [[nodiscard]] Jet coordinate(std::size_t joint, std::size_t k, const Along& along);
+    // How far it has gone since the start; of a distance and a ball, which have no -from, the same.
+    [[nodiscard]] Jet gone(std::size_t joint, std::size_t k, const Along& along);
     // 0 where the unknown of an angle agrees with the attitudes: of first order, with the
     // multiplier that is added to the angle's rate.
     [[nodiscard]] Jet tie(std::size_t joint, std::size_t k, const Along& along);

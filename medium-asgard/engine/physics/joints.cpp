@@ -234,8 +234,8 @@ void JointReader::keepGear(std::size_t gear) {
     const auto jetOf = [this, terms](const Along& along) {
         Jet all = constantJet(g_, 0);
         for (const auto& [c, ratio] : terms)
-            all = sum(g_, all,
-                      physics::scaled(g_, ratio, kinematics_.coordinate(c.joint, c.place, along)));
+            all =
+                sum(g_, all, physics::scaled(g_, ratio, kinematics_.gone(c.joint, c.place, along)));
         return all;
     };
     const Node multiplier = multipliers_.add(

@@ -12,6 +12,9 @@
 //     cylindrical   e2.d,  f2.d,  n1.e2,  n1.f2        distance   |d| - its value at the start
 //     screw         as cylindrical, and  n2.d - P q / 2 pi
 //
+// A coordinate is its -from and how far the joint has gone since the start; screws and gears keep
+// the latter.
+//
 // Angles that are not wrapped are unknowns of their own, q' = n2.(w1 - w2), kept with the attitudes
 // between steps by a tie (expression/equations.h): c sin q - s cos q = 0, with c = e1.e2 and
 // s = e1.f2.

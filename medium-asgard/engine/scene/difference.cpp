@@ -85,7 +85,7 @@ bool same(const JointCoordinate& a, const JointCoordinate& b) {
            same(a.limitRestitution, b.limitRestitution) && same(a.motor, b.motor) &&
            same(a.speed, b.speed) && same(a.position, b.position) && same(a.maxMotor, b.maxMotor) &&
            same(a.stiffness, b.stiffness) && same(a.rest, b.rest) && same(a.damping, b.damping) &&
-           same(a.friction, b.friction) && a.isGiven == b.isGiven;
+           same(a.friction, b.friction) && same(a.from, b.from) && a.isGiven == b.isGiven;
 }
 bool same(const Joint& a, const Joint& b) {
     return a.type == b.type && a.body1 == b.body1 && same(a.offset1, b.offset1) &&

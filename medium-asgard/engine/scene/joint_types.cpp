@@ -13,17 +13,17 @@ constexpr CoordinateKind twoAngles[] = {CoordinateKind::angle, CoordinateKind::a
 constexpr CoordinateKind inPlane[] = {CoordinateKind::length, CoordinateKind::length,
                                       CoordinateKind::angle};
 
-// name, coordinates, axis, default axis, drives, 0 at the start
+// name, coordinates, axis, default axis, drives, 0 at the start, -from
 constexpr std::array<JointTraits, 9> traits = {{
-    {"fixed", {}, false, false, false, true},
-    {"hinge", angle, true, true, true, true},
-    {"slider", length, true, false, true, true},
-    {"cylindrical", angleLength, true, false, true, true},
-    {"universal", twoAngles, true, false, true, true},
-    {"ball", angle, false, false, false, true},
-    {"planar", inPlane, true, true, false, true},
-    {"distance", length, false, false, true, false},
-    {"screw", angle, true, false, true, true},
+    {"fixed", {}, false, false, false, true, false},
+    {"hinge", angle, true, true, true, true, true},
+    {"slider", length, true, false, true, true, true},
+    {"cylindrical", angleLength, true, false, true, true, true},
+    {"universal", twoAngles, true, false, true, true, true},
+    {"ball", angle, false, false, false, true, false},
+    {"planar", inPlane, true, true, false, true, true},
+    {"distance", length, false, false, true, false, false},
+    {"screw", angle, true, false, true, true, true},
 }};
 
 } // namespace

@@ -20,7 +20,8 @@ struct JointTraits {
     bool hasAxis = false;                        // -axis and -axis2
     bool isDefaultAxis = false;                  // -axis may be left out: {0 0 1}
     bool hasDrives = false;    // -limits, -motor, -stiffness and the like, for each coordinate
-    bool startsAtZero = false; // its coordinates are 0 at the start
+    bool startsAtZero = false; // its coordinates are 0 at the start, unless -from says otherwise
+    bool hasFrom = false;      // -from, for each coordinate
 };
 
 [[nodiscard]] const JointTraits& traitsOf(JointType type);

@@ -232,7 +232,8 @@ struct JointCoordinate {
     std::optional<double> maxMotor;              // none: no bound on the force of speed or position
     double stiffness = 0, rest = 0, damping = 0; // force -stiffness (q - rest) - damping dq
     double friction = 0;                         // the most that the dry force or couple can be
-    // Some option of it was written.
+    double from = 0;                             // its value where the bodies start
+    // Some option of it was written, but -from.
     bool isGiven = false;
 };
 

@@ -125,8 +125,8 @@ void Sign::hinge() {
     range(middle);
 }
 
-// The angles that -limits allows, from where body 1's centre is at the start, and a hand that
-// points there now. A side without a limit fades out.
+// The angles that -limits allows, from where body 1's centre is when q is 0, and a hand that points
+// there now. A side without a limit fades out.
 void Sign::range(const Vector& middle) {
     const scene::JointCoordinate& q = joint_.coordinates.at(0);
     if (!q.lower && !q.upper)
@@ -142,13 +142,13 @@ void Sign::range(const Vector& middle) {
         stroke(middle + 0.7 * reach * out, middle + 1.3 * reach * out);
     };
     const double open = 2 * M_PI / 3, turn = 2 * M_PI;
-    const double lower = q.lower.value_or(*q.upper - open);
-    const double upper = std::min(q.upper.value_or(lower + open), lower + turn);
+    const double lower = q.lower.value_or(*q.upper - open) - q.from;
+    const double upper = std::min(q.upper.value_or(lower + q.from + open) - q.from, lower + turn);
     arc(middle, reach * u, reach * v, lower, upper, q.lower ? 1 : 0, q.upper ? 1 : 0);
     if (q.lower)
-        stop(*q.lower);
+        stop(*q.lower - q.from);
     if (q.upper)
-        stop(*q.upper);
+        stop(*q.upper - q.from);
     const Vector hand = first().carried(zero);
     stroke(middle + px(7.5) * hand, middle + 1.15 * reach * hand, 1.2);
 }
@@ -163,10 +163,11 @@ void Sign::slider() {
     const scene::JointCoordinate& q = joint_.coordinates.at(0);
     // Its block is in between the stops also where it touches one.
     const double half = px(4);
+    const double lowest = q.lower.value_or(q.from) - q.from;
+    const double highest = q.upper.value_or(q.from) - q.from;
     const double lower =
-        q.lower ? *q.lower - half : std::min({0.0, now, q.upper.value_or(0)}) - px(16);
-    const double upper =
-        q.upper ? *q.upper + half : std::max({0.0, now, q.lower.value_or(0)}) + px(16);
+        q.lower ? *q.lower - q.from - half : std::min({0.0, now, highest}) - px(16);
+    const double upper = q.upper ? *q.upper - q.from + half : std::max({0.0, now, lowest}) + px(16);
     for (const double side : {-1.0, 1.0}) {
         const Vector beside = zero + side * px(3.4) * across;
         const double middle = 0.5 * (lower + upper);

@@ -1,7 +1,9 @@
 // Coils, trails, and forces of contacts as they are read.
+#include "framing/framing.h"
 #include "framing/test_scenes.h"
 #include "signs/coils.h"
 #include "signs/contact_forces.h"
+#include "signs/joint_signs.h"
 #include "signs/trails.h"
 
 #include <gtest/gtest.h>
@@ -88,6 +90,40 @@ TEST(Trails, ReadAMotionPieceAfterPiece) {
 TEST(ContactForces, AreReadOfContactsThatTheSceneDoesNotName) {
     expectWeightOnFloor(false);
     expectWeightOnFloor(true);
+}
+
+// Stops and the hand of a joint that begins at -from stand as those of one that begins at 0 and has
+// its limits shifted.
+TEST(JointSigns, LimitsCountFromTheFirstValue) {
+    const auto strokes = [](scene::JointType type, double lower, double upper, double from) {
+        scene::Scene scene;
+        addBody(scene, box({1, 0.2, 0.2}), {0.5, 0, 0}, red);
+        scene::Joint& joint = scene.joints.emplace_back();
+        joint.name = "j";
+        joint.type = type;
+        joint.body1 = scene.bodies[0].name;
+        joint.offset1 = Vector(-0.5, 0, 0);
+        joint.axis = type == scene::JointType::hinge ? Vector::UnitZ() : Vector::UnitX();
+        joint.coordinates.resize(1);
+        joint.coordinates[0].lower = lower;
+        joint.coordinates[0].upper = upper;
+        joint.coordinates[0].from = from;
+        Drawing drawing;
+        drawing.scene = &scene;
+        const Extent extent = extentOf(scene, nullptr);
+        constexpr Size size{640, 480};
+        drawing.camera = fitted(extent, geometry::Quaternion::Identity(), size, false);
+        return jointSignsOf(drawing, extent, Frame(drawing, size)).strokes;
+    };
+    for (const auto type : {scene::JointType::hinge, scene::JointType::slider}) {
+        const auto begun = strokes(type, -0.2, 0.9, 0.5), same = strokes(type, -0.7, 0.4, 0);
+        ASSERT_EQ(begun.size(), same.size());
+        EXPECT_GT(begun.size(), 3U);
+        for (std::size_t i = 0; i < same.size(); ++i) {
+            EXPECT_LT((begun[i].from - same[i].from).norm(), 1e-9);
+            EXPECT_LT((begun[i].to - same[i].to).norm(), 1e-9);
+        }
+    }
 }
 
 } // namespace

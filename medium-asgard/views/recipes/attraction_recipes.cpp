@@ -114,11 +114,11 @@ Vector axisOf(const scene::Scene& scene, const Vector& sight, const Vector& way)
     Eigen::Index facing = 0;
     sight.cwiseAbs().maxCoeff(&facing);
     const Vector inPicture = Vector::Unit(facing), up = render::upOf(scene);
-    const Vector first = std::abs(sight[facing]) > along ? inPicture : up;
-    if (std::abs(first.dot(way)) < nearly)
-        return first;
-    const Vector other = first == up ? inPicture : up;
-    return std::abs(other.dot(way)) < nearly ? other : Vector(Vector::UnitX());
+    const bool isInPicture = std::abs(sight[facing]) > along;
+    for (const Vector& axis : {isInPicture ? inPicture : up, isInPicture ? up : inPicture})
+        if (std::abs(axis.dot(way)) < nearly)
+            return axis;
+    return Vector::UnitX();
 }
 
 // The sentence says why there is none.
