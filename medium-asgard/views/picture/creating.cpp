@@ -387,7 +387,7 @@ void Creating::hover(const QPointF& position, bool holdsOff) {
 }
 
 std::optional<Judged> Creating::judge(const Indicated& next) const {
-    return step().judge && next.body
+    return step().judge && (next.body || step().wanted == Wanted::point)
                ? std::optional(step().judge(*document_.shown().scene, shown_, next))
                : std::nullopt;
 }

@@ -285,5 +285,25 @@ TEST_F(CreatingTest, TheKeysAloneMakeALink) {
     ASSERT_EQ(scene().links.size(), 1U) << text();
 }
 
+// Numbers that are typed for an arrow are its value, however long it is drawn.
+TEST_F(CreatingTest, TheValueOfAForceIsTyped) {
+    open("shape_set ball -desc {-sub {-sphere 0.5}}\nbody b ball -init_pos {1 2 0} -mass 3\n");
+    const auto typed = [&](const Recipe& recipe, const QString& value) {
+        display().creating().start(recipe);
+        click({1, 2, 0});
+        QTest::keyClicks(&display(), value);
+        key(Qt::Key_Return);
+        done();
+        display().grab();
+        return text().substr(text().rfind("force"));
+    };
+    EXPECT_EQ(typed(newWeight(display()), "0 -1.62 0"),
+              "force -body b -gravitational {0 -1.62 0}\n");
+    EXPECT_EQ(typed(newForce(false, display().arrowLength(false)), "0.1 0 -250"),
+              "force -body b -x 0.1 -y 0 -z -250\n");
+    EXPECT_EQ(typed(newForce(true, display().arrowLength(true)), "0 0 7"),
+              "force -torque 1 -body b -x 0 -y 0 -z 7\n");
+}
+
 } // namespace
 } // namespace views

@@ -39,6 +39,14 @@ std::optional<Indicated> Creating::typed() const {
             return std::nullopt;
         found.point[i] = *number;
     }
+    if (step().headOf) {
+        const Vector value = found.point;
+        constexpr double exact = 1e-9; // of a value of 1
+        found.point = step().headOf(shown_, value);
+        found.resolution =
+            exact *
+            (step().headOf(shown_, Vector::UnitX()) - step().headOf(shown_, Vector::Zero())).norm();
+    }
     if (step().wanted == Wanted::hold)
         holdFirst(found);
     return found;

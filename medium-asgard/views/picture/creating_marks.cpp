@@ -115,7 +115,8 @@ void Creating::paintSteps(QPainter& painter) const {
             painter.drawLine(at(shown_.back()), at(*next_));
         }
         paintGhost(painter, *next_);
-        paintWords(painter, at(*next_), wordsOf(*next_));
+        const auto judged = judge(*next_);
+        paintWords(painter, at(*next_), judged ? judged->words : wordsOf(*next_));
     } else if (next_) { // as it would be
         const QPointF place = at(*next_);
         painter.setPen(QPen(QColor(20, 90, 200), 2, Qt::DashLine));

@@ -26,6 +26,23 @@ void addComponents(NewElement& element, const Vector& v, double resolution) {
             {options[i], editing::numberText(v[i], editing::decimalStep(resolution))});
 }
 
+// The head of an arrow is clicked, or its value is typed.
+Step arrowHead(const QString& prompt, const QString& otherwise, const QString& unit,
+               std::function<double(const Indicated& tail)> perUnit) {
+    Step head{Wanted::point, prompt, otherwise};
+    head.headOf = [perUnit](const std::vector<Indicated>& shown, const Vector& value) {
+        return Vector(shown[0].point + perUnit(shown[0]) * value);
+    };
+    head.judge = [perUnit, unit](const scene::Scene&, const std::vector<Indicated>& shown,
+                                 const Indicated& next) {
+        const double length = perUnit(shown[0]);
+        const std::string value =
+            listed((next.point - shown[0].point) / length, next.resolution / length);
+        return Judged{QString::fromStdString(value.substr(1, value.size() - 2)) + unit, true};
+    };
+    return head;
+}
+
 double tightnessOf(const scene::Scene& scene) {
     const auto last = std::find_if(scene.links.rbegin(), scene.links.rend(),
                                    [](const scene::Link& link) { return !link.spring; });
@@ -37,13 +54,17 @@ double tightnessOf(const scene::Scene& scene) {
 Recipe newForce(bool couple, double perUnit) {
     Recipe recipe;
     recipe.label = couple ? QObject::tr("New Torque") : QObject::tr("New Force");
-    recipe.steps = {couple ? showWholeBody(QObject::tr("Click on the body that it turns."))
-                           : showBody(QObject::tr("Click where it acts on a body.")),
-                    {Wanted::point,
-                     couple ? QObject::tr("Click where the head of its axis shall be.")
-                            : QObject::tr("Click where the head of its arrow shall be."),
-                     couple ? QObject::tr("Return: 1 about z.")
-                            : QObject::tr("Return: 1 downwards, along -y.")}};
+    recipe.steps = {
+        couple ? showWholeBody(QObject::tr("Click on the body that it turns."))
+               : showBody(QObject::tr("Click where it acts on a body.")),
+        arrowHead(couple ? QObject::tr("Click where the head of its axis shall be, or type its "
+                                       "x y z.")
+                         : QObject::tr("Click where the head of its arrow shall be, or type its "
+                                       "x y z."),
+                  couple ? QObject::tr("Return: 1 about z.")
+                         : QObject::tr("Return: 1 downwards, along -y."),
+                  couple ? QStringLiteral(" N m") : QStringLiteral(" N"),
+                  [perUnit](const Indicated&) { return perUnit; })};
     recipe.make = [couple, perUnit](const std::string&, const scene::Scene& scene,
                                     const std::vector<Indicated>& shown) {
         NewElement force{Kind::force, "", {}, {{Kind::body, *shown[0].body}}};
@@ -68,10 +89,14 @@ Recipe newWeight(double perUnit, std::function<double(std::size_t)> massOf, cons
         QString::fromStdString(down ? editing::numberText(-usual.y(), 0) : listed(usual, 0));
     Recipe recipe;
     recipe.label = QObject::tr("New Gravitational Force");
-    recipe.steps = {showWholeBody(QObject::tr("Click on the body that has weight.")),
-                    {Wanted::point, QObject::tr("Click where the head of its arrow shall be."),
-                     down ? QObject::tr("Return: %1 downwards, along -y.").arg(value)
-                          : QObject::tr("Return: %1, as others have it.").arg(value)}};
+    recipe.steps = {
+        showWholeBody(QObject::tr("Click on the body that has weight.")),
+        arrowHead(QObject::tr("Click where the head of its arrow shall be, or type its x y z."),
+                  down ? QObject::tr("Return: %1 downwards, along -y.").arg(value)
+                       : QObject::tr("Return: %1, as others have it.").arg(value),
+                  QStringLiteral(" m/s²"), [perUnit, massOf](const Indicated& tail) {
+                      return perUnit * massOf(*tail.body);
+                  })};
     recipe.make = [perUnit, massOf = std::move(massOf),
                    usual](const std::string&, const scene::Scene& scene,
                           const std::vector<Indicated>& shown) {

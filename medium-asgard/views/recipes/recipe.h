@@ -68,10 +68,13 @@ struct Step {
     bool snaps = false;   // of a point: things and round numbers nearby draw it to them
     bool surface = false; // of a point: on the body that is shown there, if it is one
     bool rests = false;   // of a point: so that the ghost rests on that body
-    // Of a body that is pointed at; null: every body will do.
+    // Of a body that is pointed at, or a point; null: every one will do.
     std::function<Judged(const scene::Scene& scene, const std::vector<Indicated>& shown,
                          const Indicated& next)>
         judge = {};
+    // Of a point that is the head of an arrow: where it is for the value that is typed; null: the
+    // numbers are its place.
+    std::function<Vector(const std::vector<Indicated>& shown, const Vector& value)> headOf = {};
     // The things that a click on that body would make; null: nothing is outlined.
     std::function<std::vector<Outline>(const scene::Scene& scene, const Indicated& next)> outlines =
         {};

@@ -64,7 +64,7 @@ void ShapeEditor::finish(const QString& label) {
     const auto gesture = std::exchange(gesture_, nullptr);
     const editing::Answer& answer = gesture->answer();
     if (answer.possible() && !answer.edits.empty())
-        edited_.insert(shape());
+        shapes_.edited.insert(shape());
     gesture->finish(tr("%1 of %2").arg(label, shape()));
     if (!answer.possible() && document_.text() != gesture->text())
         tell(SceneDocument::overtaken(), true); // what it offers is of an older text
@@ -224,8 +224,11 @@ void ShapeEditor::addPointByKey() {
 }
 
 void ShapeEditor::addParts(const std::vector<scene::Part>& parts, const QString& label) {
-    const std::size_t first = draft_.size();
+    const bool replaces = isBegun() && parts.front() != draft_.front().part;
+    const std::size_t first = replaces ? 0 : draft_.size();
     if (!change(label, [&] {
+            if (replaces)
+                draft_.clear();
             for (const scene::Part& part : parts)
                 draft_.push_back({part, std::nullopt});
         }))
@@ -274,9 +277,9 @@ void ShapeEditor::dropInnerPoints(bool ofAll) {
 
 // The vertices inside its parts go, when it was edited here.
 void ShapeEditor::leaveShape(const QString& name) {
-    if (!edited_.contains(name) || !document_.sceneIsCurrent())
+    if (!shapes_.edited.contains(name) || !document_.sceneIsCurrent())
         return;
-    edited_.erase(name);
+    shapes_.edited.erase(name);
     const auto& all = document_.shown().scene->shapeSets;
     const auto left = std::ranges::find(all, name.toStdString(), &scene::ShapeSet::name);
     if (left == all.end())

@@ -104,9 +104,9 @@ void ShapeEditor::buildMenus() {
     file->addAction(tr("&Import…"), QKeySequence(Qt::CTRL | Qt::Key_I), this,
                     &ShapeEditor::askToImport)
         ->setObjectName("importShape");
-    rename_ = file->addAction(tr("&Rename Shape…"), QKeySequence(Qt::Key_F2), this,
-                              &ShapeEditor::askForName);
-    rename_->setObjectName("rename");
+    actions_.rename = file->addAction(tr("&Rename Shape…"), QKeySequence(Qt::Key_F2), this,
+                                      &ShapeEditor::askForName);
+    actions_.rename->setObjectName("rename");
     file->addSeparator();
     file->addAction(tr("&Close"), QKeySequence(Qt::CTRL | Qt::Key_W), this, &QWidget::close);
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
@@ -115,14 +115,15 @@ void ShapeEditor::buildMenus() {
     edit->addAction(tr("&Add Vertex"), QKeySequence(Qt::Key_Insert), this,
                     &ShapeEditor::addPointByKey)
         ->setObjectName("addVertex");
-    removePoint_ =
+    actions_.removePoint =
         edit->addAction(tr("Delete &Vertex"), QKeySequence(Qt::Key_Delete), this, [this] {
             if (display_->chosenPart() && display_->chosenPoint())
                 removePoint(*display_->chosenPart(), *display_->chosenPoint());
         });
-    removePoint_->setObjectName("deleteVertex");
-    removePart_ = edit->addAction(tr("Delete &Part"), QKeySequence(Qt::SHIFT | Qt::Key_Delete),
-                                  this, &ShapeEditor::removePart);
+    actions_.removePoint->setObjectName("deleteVertex");
+    actions_.removePart =
+        edit->addAction(tr("Delete &Part"), QKeySequence(Qt::SHIFT | Qt::Key_Delete), this,
+                        &ShapeEditor::removePart);
     edit->addAction(tr("Convex &Hull"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_H), this,
                     [this] { dropInnerPoints(false); });
     edit->addSeparator();
@@ -200,29 +201,29 @@ void ShapeEditor::showShape(const QString& name) {
     if (const int row = names_->findText(name); row >= 0)
         names_->setCurrentIndex(row);
     else
-        wantedName_ = name;
+        shapes_.wanted = name;
 }
 
 void ShapeEditor::fillNames() {
-    fill(*names_, namesOf(document_.shown().scene->shapeSets), wantedName_);
-    if (names_->currentText() == wantedName_)
-        wantedName_.clear();
+    fill(*names_, namesOf(document_.shown().scene->shapeSets), shapes_.wanted);
+    if (names_->currentText() == shapes_.wanted)
+        shapes_.wanted.clear();
 }
 
 void ShapeEditor::followScene() {
     if (gesture_)
         return; // its own steps; what it ends with is followed
     fillNames();
-    const bool another = shownName_ != names_->currentText();
+    const bool another = shapes_.shown != names_->currentText();
     if (another) {
         nudges_.clear();
-        leaveShape(std::exchange(shownName_, names_->currentText()));
+        leaveShape(std::exchange(shapes_.shown, names_->currentText()));
     }
     const auto here = index();
     const bool hadNone = !panel_->isEnabled();
     for (QWidget* one : std::initializer_list<QWidget*>{names_, panel_, fields_})
         one->setEnabled(here.has_value());
-    rename_->setEnabled(here.has_value());
+    actions_.rename->setEnabled(here.has_value());
     draft_ = here ? editing::draftOf(document_.shown().scene->shapeSets[*here])
                   : std::vector<DraftPart>();
     showDraft(another);
@@ -260,8 +261,8 @@ void ShapeEditor::choose(std::optional<std::size_t> part, std::optional<std::siz
 
 void ShapeEditor::showFields() {
     const auto part = display_->chosenPart();
-    removePart_->setEnabled(part.has_value());
-    removePoint_->setEnabled(display_->chosenPoint().has_value());
+    actions_.removePart->setEnabled(part.has_value());
+    actions_.removePoint->setEnabled(display_->chosenPoint().has_value());
     fields_->showNumbers(part ? &draft_[*part].part : nullptr, display_->chosenPlace());
 }
 
@@ -324,11 +325,21 @@ bool ShapeEditor::eventFilter(QObject* watched, QEvent* event) {
 
 // --- shapes ------------------------------------------------------------------------------------
 
+namespace {
+
+scene::Part firstPart() { return editing::tetrahedron(1); }
+
+} // namespace
+
+bool ShapeEditor::isBegun() const {
+    return shapes_.shown == shapes_.begun && draft_.size() == 1 &&
+           draft_.front().part == firstPart();
+}
+
 QString ShapeEditor::newShape(const QString& name) {
-    QString fault =
-        makeShape(document_, name, {editing::tetrahedron(1)}, tr("New Shape %1").arg(name));
+    QString fault = makeShape(document_, name, {firstPart()}, tr("New Shape %1").arg(name));
     if (fault.isEmpty())
-        wantedName_ = name;
+        shapes_.wanted = shapes_.begun = name;
     return fault;
 }
 
@@ -340,9 +351,9 @@ QString ShapeEditor::renameShape(const QString& name) {
     QString fault = views::renameShape(document_, *here, name);
     if (!fault.isEmpty())
         return fault;
-    if (edited_.erase(before) > 0)
-        edited_.insert(name);
-    shownName_ = wantedName_ = name;
+    if (shapes_.edited.erase(before) > 0)
+        shapes_.edited.insert(name);
+    shapes_.shown = shapes_.wanted = name;
     return {};
 }
 
@@ -395,19 +406,19 @@ void ShapeEditor::showEvent(QShowEvent* event) {
 
 void ShapeEditor::settle() {
     if (isVisible())
-        leaveShape(shownName_);
+        leaveShape(shapes_.shown);
 }
 
 void ShapeEditor::closeEvent(QCloseEvent* event) {
     cancel();
-    const bool waits = edited_.contains(shownName_) && !document_.sceneIsCurrent() &&
+    const bool waits = shapes_.edited.contains(shapes_.shown) && !document_.sceneIsCurrent() &&
                        !document_.hasErrors() && !closing_;
     closing_ = true;
     if (waits) { // for what was just done to be read
         hide();
         return event->ignore();
     }
-    leaveShape(shownName_);
+    leaveShape(shapes_.shown);
     event->accept();
 }
 

@@ -61,6 +61,7 @@ private:
     void choose(std::optional<std::size_t> part, std::optional<std::size_t> point = {});
     [[nodiscard]] std::optional<std::size_t> index() const;
     [[nodiscard]] std::vector<scene::Part> parts() const;
+    [[nodiscard]] bool isBegun() const; // with nothing but the part that a new shape begins with
     [[nodiscard]] bool begin();
     void preview();
     void finish(const QString& label);
@@ -90,13 +91,20 @@ private:
     ShapePanel* panel_;
     ShapeFields* fields_;
     HintLine* words_;
-    QAction *rename_ = nullptr, *removePart_ = nullptr, *removePoint_ = nullptr;
+    struct Actions { // of what is chosen
+        QAction *rename = nullptr, *removePart = nullptr, *removePoint = nullptr;
+    };
+    Actions actions_;
     std::vector<editing::DraftPart> draft_;
     std::unique_ptr<ShapeGesture> gesture_;
-    QString shownName_, wantedName_; // wanted: on its way through the text
+    struct Names {                // of shapes
+        QString shown, wanted;    // wanted: on its way through the text
+        QString begun;            // made here last: the part that it begins with gives way
+        std::set<QString> edited; // here, and not left since
+    };
+    Names shapes_;
     std::optional<std::size_t> wantedPart_;
-    std::set<QString> edited_; // shapes that were changed here and not left since
-    struct Nudge {             // by keys, while the text is read
+    struct Nudge { // by keys, while the text is read
         std::size_t part, point;
         geometry::Vector direction;
     };

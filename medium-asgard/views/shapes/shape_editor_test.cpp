@@ -382,6 +382,32 @@ TEST_F(ShapeEditorTest, ANewShapeIsShownToBeEdited) {
     EXPECT_EQ(document.text(), text);
 }
 
+// What a new shape begins with is a place for the first part, unless somebody has touched it.
+TEST_F(ShapeEditorTest, TheFirstPartOfANewShapeIsTheOneThatIsAdded) {
+    ASSERT_EQ(editor->newShape("rod"), "");
+    ASSERT_TRUE(settle(document));
+    editor->addParts({editing::box({10, 1, 1})}, "Add Box");
+    ASSERT_TRUE(settle(document));
+    EXPECT_NE(document.text().find("shape_set rod -desc {-sub {-box {10 1 1}}}"), std::string::npos)
+        << document.text();
+    EXPECT_EQ(editor->display().chosenPart(), 0U);
+    editor->addParts({editing::sphere(1)}, "Add Sphere");
+    ASSERT_TRUE(settle(document));
+    EXPECT_EQ(editor->draft().size(), 2U);
+    ASSERT_EQ(editor->newShape("two"), "");
+    ASSERT_TRUE(settle(document));
+    editor->addParts({editing::tetrahedron(1)}, "Add Polyhedron"); // one more is meant
+    ASSERT_TRUE(settle(document));
+    EXPECT_EQ(editor->draft().size(), 2U);
+    ASSERT_EQ(editor->newShape("moved"), "");
+    ASSERT_TRUE(settle(document));
+    Q_EMIT editor->display().chosen(0, 1);
+    type("z of the vertex", "0.125");
+    editor->addParts({editing::sphere(1)}, "Add Sphere");
+    ASSERT_TRUE(settle(document));
+    EXPECT_EQ(editor->draft().size(), 2U);
+}
+
 TEST_F(ShapeEditorTest, WhatIsComputedSaysSoAndOffersToBeWrittenOut) {
     const std::string computed =
         "set r 1\nshape_set s -desc \"-sub {-sphere [expr {2 * $r}]}\"\nbody b s\n";
