@@ -229,21 +229,26 @@ private:
         return depthIn(*face, localOf(other, nearestOf(gap, body_, support_).contact)) >= 0;
     }
     void addVertex(const Placed& owner, const Vector& vertex, bool above) {
-        const Vector& normal = touch_.normal;
         const Vector at = owner.state.position + owner.state.attitude * vertex;
         for (const ContactPoint& point : place_.points) {
             Vector off = nearestOf(point.gap, body_, support_).contact - at;
             if (plane_)
                 off[plane_->axis] = 0;
-            if ((off - normal * normal.dot(off)).norm() <= same * touch_.size)
+            if (isThere(off))
                 return; // it is that point
         }
-        const bool isCorner = std::ranges::any_of(touch_.corners, [&](const Corner& corner) {
-            const Vector off = corner.point - at;
-            return (off - normal * normal.dot(off)).norm() <= same * touch_.size;
-        });
+        const bool isCorner = std::ranges::any_of(
+            touch_.corners, [&](const Corner& corner) { return isThere(corner.point - at); });
         if (isCorner || !isOnEdge(at))
             addPiece(owner, {.kind = Kind::point, .place = vertex}, above, !isCorner);
+    }
+    // But for what a touch is off along its normal. Above a corner of a box that stands upright is
+    // another.
+    [[nodiscard]] bool isThere(const Vector& off) const {
+        constexpr double touching = 1e-4;
+        const double along = touch_.normal.dot(off);
+        return (off - touch_.normal * along).norm() <= same * touch_.size &&
+               std::abs(along) <= touching * touch_.size;
     }
     // Two points of the contact carry the edge at whose end, beside the other's face, it is: it
     // goes up and down with them. (On a step's polynomials it seems to land again and again.)
