@@ -244,25 +244,13 @@ bool ActiveSet::cross(std::span<const std::size_t> watches, double t, std::span<
         if (kind == Kind::gap && !isContact(row))
             hit.push_back(row);
     }
-    addSlow(stopped);
-    for (const std::size_t disc : stopped)
-        candidates.push_back(discs()[disc].rows[0]);
     const std::vector<double> moving(y.begin(), y.end());
-    halt(stopped, t, y);
-    double fastest = 0;
-    bool isDone = false;
-    if (!hit.empty()) {
-        addTouching(hit);
-        for (const std::size_t row : hit)
-            fastest = std::max(fastest, std::abs(multipliers_.rate(row)));
-        blow(hit, t, y);
-        slip(fastest, t, y);
-        isDone = settle(candidates, fastest, t, y);
-    } else {
-        std::vector<double> beyond(y.begin(), y.end());
-        for (std::size_t i = 0; i < beyond.size(); ++i)
-            beyond[i] += ahead_ * rates[i];
-        isDone = settle(candidates, fastest, t + ahead_, beyond);
+    const Mode ended = mode_;
+    bool isDone = goOn(hit, candidates, stopped, t, y, rates);
+    while (addSlow(stopped, isDone, t, y)) {
+        std::ranges::copy(moving, y.begin());
+        mode_ = ended;
+        isDone = goOn(hit, candidates, stopped, t, y, rates);
     }
     // No forces hold the slips that were slow: they go on.
     if (!isDone && slow_.part > 0 && !stopped.empty()) {
@@ -278,6 +266,28 @@ bool ActiveSet::cross(std::span<const std::size_t> watches, double t, std::span<
     noteOpened(before.kept, t, y);
     refresh();
     return isDone;
+}
+
+// From here on, with these that were hit, may be held, and have stopped.
+bool ActiveSet::goOn(std::vector<std::size_t> hit, std::vector<std::size_t> candidates,
+                     std::span<const std::size_t> stopped, double t, std::span<double> y,
+                     std::span<const double> rates) {
+    for (const std::size_t disc : stopped)
+        candidates.push_back(discs()[disc].rows[0]);
+    halt(stopped, t, y);
+    if (hit.empty()) {
+        std::vector<double> beyond(y.begin(), y.end());
+        for (std::size_t i = 0; i < beyond.size(); ++i)
+            beyond[i] += ahead_ * rates[i];
+        return settle(candidates, 0, t + ahead_, beyond);
+    }
+    addTouching(hit);
+    double fastest = 0;
+    for (const std::size_t row : hit)
+        fastest = std::max(fastest, std::abs(multipliers_.rate(row)));
+    blow(hit, t, y);
+    slip(fastest, t, y);
+    return settle(candidates, fastest, t, y);
 }
 
 complementarity::Laws ActiveSet::lawsOf(std::span<const std::size_t> rows,
@@ -447,13 +457,17 @@ void ActiveSet::give(std::span<const std::size_t> hit, std::span<const std::size
 // way.
 bool ActiveSet::hasStopped(std::size_t disc, double elapsed) {
     constexpr double ofLost = 1e-6;
-    const BoundModel::Disc& of = discs()[disc];
-    double second = 0;
-    for (const std::size_t row : of.rows)
-        second = std::max(second, std::abs(multipliers_.secondRate(row)));
-    const double none =
-        std::max({leastOf(of), ofLost * second * elapsed, std::sqrt(slow_.way * second), slowest_});
+    const double second = secondOf(disc);
+    const double none = std::max({leastOf(discs()[disc]), ofLost * second * elapsed,
+                                  std::sqrt(slow_.way * second), slowest_});
     return multipliers_.friction().slipOf(disc).norm() <= none;
+}
+
+double ActiveSet::secondOf(std::size_t disc) const {
+    double second = 0;
+    for (const std::size_t row : discs()[disc].rows)
+        second = std::max(second, std::abs(multipliers_.secondRate(row)));
+    return second;
 }
 
 double ActiveSet::slowestOf(std::span<const double> y, double weight) const {
@@ -464,14 +478,29 @@ double ActiveSet::fallenSlow(double weight) const {
     return slow_.part * std::sqrt(slow_.extent * weight);
 }
 
-// Slips that are next to none stop together: one after another, each would turn the others back.
-void ActiveSet::addSlow(std::vector<std::size_t>& stopped) const {
+// Slips that are next to none, and that what has stopped brakes to nothing next to now, stop with
+// it: one after another, each would turn the others back. A slow slip that what moves fast drags
+// along goes on: of dominoes that lean on each other, each slides a hundredth as fast as the next.
+// Where no forces hold what has stopped all slow slips stop with it.
+bool ActiveSet::addSlow(std::vector<std::size_t>& stopped, bool isDone, double t,
+                        std::span<const double> y) {
+    constexpr double soon = 1e3; // times as late as what its load alone brakes
+    const DiscFriction& friction = multipliers_.friction();
+    const std::size_t before = stopped.size();
     if (stopped.empty())
-        return;
-    for (std::size_t disc = 0; disc < discs().size(); ++disc)
-        if (const DiscFriction& friction = multipliers_.friction();
-            friction.slips(disc) && !isIn(stopped, disc) && friction.slipOf(disc).norm() < slowest_)
+        return false;
+    f_.fill(t, y);
+    (void)multipliers_.solve();
+    multipliers_.evaluateGaps();
+    const double weight = multipliers_.weight();
+    for (std::size_t disc = 0; disc < discs().size(); ++disc) {
+        if (!friction.slips(disc) || isIn(std::span(stopped).first(before), disc))
+            continue;
+        const double speed = friction.slipOf(disc).norm();
+        if (speed < slowest_ && (!isDone || speed * weight <= soon * slowest_ * secondOf(disc)))
             stopped.push_back(disc);
+    }
+    return stopped.size() > before;
 }
 
 // By the least change of velocities.

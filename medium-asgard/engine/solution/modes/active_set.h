@@ -131,11 +131,16 @@ private:
     // `weight`: the largest of the accelerations that contacts take away.
     [[nodiscard]] double slowestOf(std::span<const double> y, double weight) const;
     [[nodiscard]] double fallenSlow(double weight) const;
-    void addSlow(std::vector<std::size_t>& stopped) const;
+    [[nodiscard]] bool addSlow(std::vector<std::size_t>& stopped, bool isDone, double t,
+                               std::span<const double> y);
+    [[nodiscard]] bool goOn(std::vector<std::size_t> hit, std::vector<std::size_t> candidates,
+                            std::span<const std::size_t> stopped, double t, std::span<double> y,
+                            std::span<const double> rates);
     [[nodiscard]] bool isLow(std::size_t row, double rate);
     [[nodiscard]] bool hasFallenLow(std::size_t row) const;
     [[nodiscard]] bool isCandidate(std::size_t row, double fastest) const;
     [[nodiscard]] bool hasStopped(std::size_t disc, double elapsed);
+    [[nodiscard]] double secondOf(std::size_t disc) const; // the largest of its rows
     void halt(std::span<const std::size_t> discs, double t, std::span<double> y);
     [[nodiscard]] bool mayHold(std::size_t disc, std::span<const std::size_t> fallen,
                                double fastest) const;
