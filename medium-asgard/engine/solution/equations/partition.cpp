@@ -5,6 +5,7 @@
 #include "expression/operation.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -71,11 +72,29 @@ Compared comparedBy(const expression::Graph& graph, Node switching) {
     return pair;
 }
 
+bool comparesNothing(const expression::Graph& graph, std::span<const Node> nodes) {
+    return std::ranges::none_of(nodes,
+                                [&](Node n) {
+                                    const expression::Op op = graph.op(n);
+                                    return expression::isSwitch(op) &&
+                                           op != expression::Op::floor &&
+                                           op != expression::Op::ceil;
+                                }) &&
+           lengthsInQuotients(graph, nodes).empty();
+}
+
 // Places of those whose rates have a switch, by what it compares.
 std::map<Compared, std::vector<std::size_t>> sharersOf(const expression::EquationSet& equations,
                                                        std::span<const std::size_t> unknowns,
                                                        double from, const ZeroStates& zero) {
     std::map<Compared, std::vector<std::size_t>> sharers;
+    std::vector<Node> all; // as a rule none of boxes in contact compares anything
+    for (const std::size_t unknown : unknowns)
+        if (!zero.contains(unknown))
+            std::ranges::copy(nodesAfter(equations.unknowns[unknown], from),
+                              std::back_inserter(all));
+    if (comparesNothing(equations.graph, expression::reachable(equations.graph, all)))
+        return sharers;
     for (std::size_t place = 0; place < unknowns.size(); ++place) {
         if (zero.contains(unknowns[place]))
             continue;
