@@ -13,7 +13,7 @@ import sys
 import tempfile
 import unittest
 
-from person import Author
+from person import Author, isInside
 from screen import until
 
 ASGARD = os.path.abspath(sys.argv[1])
@@ -54,10 +54,17 @@ class FirstTasks(unittest.TestCase):
         self.author.screen.do("key", letter, "Return")
         self.actions += 2
 
-    def frame(self):
+    def frame(self, *ends):
+        """The picture comes when it is drawn: these points are in it then."""
         self.author.giveKeysTo("scene")
         self.author.press(VIEWER, "f")
         self.actions += 1
+
+        def framed():
+            scene, places = self.author.scene(VIEWER, *ends)
+            return all(isInside(scene.rect, place) for place in places)
+
+        until("all is in sight", framed)
 
     def play(self):
         before = self.author.colorBox()
@@ -87,14 +94,14 @@ class FirstTasks(unittest.TestCase):
         self.author.says(r"^body body1 .*-init_rot \{0 0 -0.2617")
         self.choose("-fixed", "y")
         self.author.says(r"^body body1 .*-fixed 1")
-        self.frame()
-        self.author.look("slope")
         slope = math.radians(-15)
 
         def above(along, height):
             return (along * math.cos(slope) - height * math.sin(slope),
                     0.25 + along * math.sin(slope) + height * math.cos(slope))
 
+        self.frame((*above(-5, 0), 0), (*above(5, 0), 0))
+        self.author.look("slope")
         self.create("Body", "New Box")
         self.click(*above(-3, 0.25), 0)
         self.author.says(r"^body body2 block2 .*-init_rot \{0 0 -0.2617")
