@@ -138,7 +138,8 @@ TEST(Pivots, FindTheForcesInAPyramidThatFalls) {
         const Boxes boxes = pyramid(0.5, random);
         Vector accelerations(30);
         for (Index i = 0; i < 10; ++i)
-            accelerations.segment(3 * i, 3) << 2 * one(random), -gravity + 2 * one(random), one(random);
+            accelerations.segment(3 * i, 3) << 2 * one(random), -gravity + 2 * one(random),
+                one(random);
         Matrix a;
         Vector b;
         boxes.fill(accelerations, a, b);

@@ -195,9 +195,12 @@ private:
         const geometry::Part& of = owner.shape->parts[part];
         if (of.isCapsule() || (of.curved && touch_.hasPieces))
             return addExtremes(owner, part, above);
-        if (of.curved) { // a round end that lies flat
+        if (of.curved) { // a round end that lies flat, and what is at the other end
             for (const Corner& corner : touch_.corners)
                 addVertex(owner, localOf(owner, corner.point), above);
+            for (const SurfacePiece& piece : extremesOf(owner, part))
+                if (std::abs(heightOf(owner, piece, above)) > touching * touch_.size)
+                    addPiece(owner, piece, above);
             return;
         }
         std::set<std::size_t> vertices;
@@ -242,10 +245,9 @@ private:
         if (isCorner || !isOnEdge(at))
             addPiece(owner, {.kind = Kind::point, .place = vertex}, above, !isCorner);
     }
-    // But for what a touch is off along its normal. Above a corner of a box that stands upright is
-    // another.
+    // A touch may be off by this along its normal; a corner above another is not that one.
+    static constexpr double touching = 1e-4; // of the parts' size
     [[nodiscard]] bool isThere(const Vector& off) const {
-        constexpr double touching = 1e-4;
         const double along = touch_.normal.dot(off);
         return (off - touch_.normal * along).norm() <= same * touch_.size &&
                std::abs(along) <= touching * touch_.size;
@@ -260,10 +262,9 @@ private:
         const Vector way = second - first;
         return way.cross(at - first).norm() <= same * touch_.size * way.norm();
     }
-    // mayBeBeneath: it is beside the other's face. What has crossed the border of the face there
-    // goes on beneath its plane.
-    void addPiece(const Placed& owner, const SurfacePiece& piece, bool above,
-                  bool mayBeBeneath = false) {
+    // Of its lowest point above the plane of the first point.
+    [[nodiscard]] double heightOf(const Placed& owner, const SurfacePiece& piece,
+                                  bool above) const {
         const Vector at = owner.state.position + owner.state.attitude * piece.place;
         const SurfaceGap& gap = place_.points[0].gap;
         const physics::NearestSurfaces nearest = nearestOf(gap, body_, support_);
@@ -275,8 +276,13 @@ private:
                 : nearest.contact;
         // As the row has it: of two edges the gap's normal is not quite that of the touch.
         const Vector up = above ? nearest.normal : Vector(-nearest.normal);
-        const double height =
-            up.dot(at - on) - physics::reachBelow(piece, owner.state.attitude.conjugate() * up);
+        return up.dot(at - on) - physics::reachBelow(piece, owner.state.attitude.conjugate() * up);
+    }
+    // mayBeBeneath: it is beside the other's face. What has crossed the border of the face there
+    // goes on beneath its plane.
+    void addPiece(const Placed& owner, const SurfacePiece& piece, bool above,
+                  bool mayBeBeneath = false) {
+        const double height = heightOf(owner, piece, above);
         const double slack = sideSlack * touch_.size;
         const bool isBeneath = mayBeBeneath && height < 0;
         const double room = isBeneath ? slack : height < slack ? slack - height : 0;

@@ -72,14 +72,13 @@ Compared comparedBy(const expression::Graph& graph, Node switching) {
     return pair;
 }
 
+// Floors and ceilings have a surface each of their own.
+bool compares(expression::Op op) {
+    return expression::isSwitch(op) && op != expression::Op::floor && op != expression::Op::ceil;
+}
+
 bool comparesNothing(const expression::Graph& graph, std::span<const Node> nodes) {
-    return std::ranges::none_of(nodes,
-                                [&](Node n) {
-                                    const expression::Op op = graph.op(n);
-                                    return expression::isSwitch(op) &&
-                                           op != expression::Op::floor &&
-                                           op != expression::Op::ceil;
-                                }) &&
+    return std::ranges::none_of(nodes, [&](Node n) { return compares(graph.op(n)); }) &&
            lengthsInQuotients(graph, nodes).empty();
 }
 
@@ -88,7 +87,7 @@ std::map<Compared, std::vector<std::size_t>> sharersOf(const expression::Equatio
                                                        std::span<const std::size_t> unknowns,
                                                        double from, const ZeroStates& zero) {
     std::map<Compared, std::vector<std::size_t>> sharers;
-    std::vector<Node> all; // as a rule none of boxes in contact compares anything
+    std::vector<Node> all; // flat faces in contact, as a rule, have no switch
     for (const std::size_t unknown : unknowns)
         if (!zero.contains(unknown))
             std::ranges::copy(nodesAfter(equations.unknowns[unknown], from),
@@ -101,9 +100,7 @@ std::map<Compared, std::vector<std::size_t>> sharersOf(const expression::Equatio
         const std::vector<Node> nodes = expression::reachable(
             equations.graph, nodesAfter(equations.unknowns[unknowns[place]], from));
         for (const Node n : nodes) {
-            const expression::Op op = equations.graph.op(n);
-            if (!expression::isSwitch(op) || op == expression::Op::floor ||
-                op == expression::Op::ceil)
+            if (!compares(equations.graph.op(n)))
                 continue;
             std::vector<std::size_t>& places = sharers[comparedBy(equations.graph, n)];
             if (places.empty() || places.back() != place)

@@ -246,20 +246,23 @@ bool ActiveSet::cross(std::span<const std::size_t> watches, double t, std::span<
     }
     const std::vector<double> moving(y.begin(), y.end());
     const Mode ended = mode_;
-    bool isDone = goOn(hit, candidates, stopped, t, y, rates);
-    while (addSlow(stopped, isDone, t, y)) {
+    const double slowest = slowest_;
+    std::vector<SlowSlip> slow = slowSlips(stopped);
+    bool isDone = settleWith(hit, candidates, stopped, t, y, rates);
+    while (stopNext(slow, stopped, slowest, isDone, t, y)) {
         std::ranges::copy(moving, y.begin());
         mode_ = ended;
-        isDone = goOn(hit, candidates, stopped, t, y, rates);
+        slowest_ = slowest;
+        isDone = settleWith(hit, candidates, stopped, t, y, rates);
     }
     // No forces hold the slips that were slow: they go on.
     if (!isDone && slow_.part > 0 && !stopped.empty()) {
         std::ranges::copy(moving, y.begin());
         mode_ = before;
         lastCross_ = t - elapsed;
-        const Slow slow = std::exchange(slow_, {});
+        const Slow limits = std::exchange(slow_, {});
         const bool isOn = cross(watches, t, y, rates);
-        slow_ = slow;
+        slow_ = limits;
         return isOn;
     }
     multipliers_.project(t, y);
@@ -268,10 +271,10 @@ bool ActiveSet::cross(std::span<const std::size_t> watches, double t, std::span<
     return isDone;
 }
 
-// From here on, with these that were hit, may be held, and have stopped.
-bool ActiveSet::goOn(std::vector<std::size_t> hit, std::vector<std::size_t> candidates,
-                     std::span<const std::size_t> stopped, double t, std::span<double> y,
-                     std::span<const double> rates) {
+// The next set, where `hit` takes a blow, `stopped` has come to rest, and `candidates` may hold.
+bool ActiveSet::settleWith(std::vector<std::size_t> hit, std::vector<std::size_t> candidates,
+                           std::span<const std::size_t> stopped, double t, std::span<double> y,
+                           std::span<const double> rates) {
     for (const std::size_t disc : stopped)
         candidates.push_back(discs()[disc].rows[0]);
     halt(stopped, t, y);
@@ -478,28 +481,39 @@ double ActiveSet::fallenSlow(double weight) const {
     return slow_.part * std::sqrt(slow_.extent * weight);
 }
 
-// Slips that are next to none, and that what has stopped brakes to nothing next to now, stop with
-// it: one after another, each would turn the others back. A slow slip that what moves fast drags
-// along goes on: of dominoes that lean on each other, each slides a hundredth as fast as the next.
-// Where no forces hold what has stopped all slow slips stop with it.
-bool ActiveSet::addSlow(std::vector<std::size_t>& stopped, bool isDone, double t,
-                        std::span<const double> y) {
-    constexpr double soon = 1e3; // times as late as what its load alone brakes
-    const DiscFriction& friction = multipliers_.friction();
-    const std::size_t before = stopped.size();
+// Of those that have not stopped.
+std::vector<ActiveSet::SlowSlip> ActiveSet::slowSlips(std::span<const std::size_t> stopped) const {
+    std::vector<SlowSlip> slow;
     if (stopped.empty())
+        return slow;
+    for (std::size_t disc = 0; disc < discs().size(); ++disc)
+        if (multipliers_.friction().slips(disc) && !isIn(stopped, disc))
+            if (const double speed = multipliers_.friction().slipOf(disc).norm(); speed < slowest_)
+                slow.push_back({disc, speed});
+    return slow;
+}
+
+// Slow slips whose speed changes by as much as they have almost at once, now that these have
+// stopped, stop with them: one after another, each would turn the others back. A slow slip that
+// something fast drags along goes on: of dominoes that lean on each other, each slides a hundredth
+// as fast as the next. Where no forces hold what has stopped, all slow slips stop with it.
+bool ActiveSet::stopNext(std::vector<SlowSlip>& slow, std::vector<std::size_t>& stopped,
+                         double slowest, bool isDone, double t, std::span<const double> y) {
+    constexpr double soon = 1e3; // times as late as what the largest load brakes
+    if (slow.empty())
         return false;
     f_.fill(t, y);
-    (void)multipliers_.solve();
+    const bool isKnown = multipliers_.solve() && isDone;
     multipliers_.evaluateGaps();
     const double weight = multipliers_.weight();
-    for (std::size_t disc = 0; disc < discs().size(); ++disc) {
-        if (!friction.slips(disc) || isIn(std::span(stopped).first(before), disc))
-            continue;
-        const double speed = friction.slipOf(disc).norm();
-        if (speed < slowest_ && (!isDone || speed * weight <= soon * slowest_ * secondOf(disc)))
-            stopped.push_back(disc);
-    }
+    const auto stops = [&](const SlowSlip& slip) {
+        return !isKnown || slip.speed * weight <= soon * slowest * secondOf(slip.disc);
+    };
+    const std::size_t before = stopped.size();
+    for (const SlowSlip& slip : slow)
+        if (stops(slip))
+            stopped.push_back(slip.disc);
+    std::erase_if(slow, [&](const SlowSlip& slip) { return isIn(stopped, slip.disc); });
     return stopped.size() > before;
 }
 

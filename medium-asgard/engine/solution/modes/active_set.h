@@ -131,11 +131,16 @@ private:
     // `weight`: the largest of the accelerations that contacts take away.
     [[nodiscard]] double slowestOf(std::span<const double> y, double weight) const;
     [[nodiscard]] double fallenSlow(double weight) const;
-    [[nodiscard]] bool addSlow(std::vector<std::size_t>& stopped, bool isDone, double t,
-                               std::span<const double> y);
-    [[nodiscard]] bool goOn(std::vector<std::size_t> hit, std::vector<std::size_t> candidates,
-                            std::span<const std::size_t> stopped, double t, std::span<double> y,
-                            std::span<const double> rates);
+    struct SlowSlip {
+        std::size_t disc = 0;
+        double speed = 0;
+    };
+    [[nodiscard]] std::vector<SlowSlip> slowSlips(std::span<const std::size_t> stopped) const;
+    [[nodiscard]] bool stopNext(std::vector<SlowSlip>& slow, std::vector<std::size_t>& stopped,
+                                double slowest, bool isDone, double t, std::span<const double> y);
+    [[nodiscard]] bool settleWith(std::vector<std::size_t> hit, std::vector<std::size_t> candidates,
+                                  std::span<const std::size_t> stopped, double t,
+                                  std::span<double> y, std::span<const double> rates);
     [[nodiscard]] bool isLow(std::size_t row, double rate);
     [[nodiscard]] bool hasFallenLow(std::size_t row) const;
     [[nodiscard]] bool isCandidate(std::size_t row, double fastest) const;
