@@ -127,7 +127,7 @@ TEST(Rest, ABoxDroppedFlatWithoutBounceSlidesOnAndTurnsOn) {
     EXPECT_EQ(result.motion->impacts().size(), 1u);
 }
 
-// What stands above the corners that bear lands, too.
+// Corners above those that bear land, too.
 TEST(Rest, ABoxThatFallsFlatAndIsBrakedTipsOnToItsSide) {
     for (const double height : {1e-7, 1e-4, 0.05})
         for (const double turned : {0.0, 0.2})
