@@ -33,6 +33,7 @@ const JointTraits& traitsOf(JointType type) { return traits[static_cast<std::siz
 std::span<const std::string> jointTypeNames() {
     static const std::vector<std::string> names = [] {
         std::vector<std::string> made;
+        made.reserve(traits.size());
         for (const JointTraits& type : traits)
             made.emplace_back(type.name);
         return made;
