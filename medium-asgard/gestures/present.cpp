@@ -220,7 +220,7 @@ private:
         return put == puts_.end() ? nullptr : &*put;
     }
 
-    // Where the hand has put it, or as the motion has it.
+    // The body stands as the hand has put it, or as the motion has it.
     [[nodiscard]] geometry::Pose poseOf(const std::optional<std::string>& name, double time,
                                         bool byHand) const {
         const auto& bodies = ground_.scene->bodies;

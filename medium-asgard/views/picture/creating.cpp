@@ -492,7 +492,7 @@ void Creating::finish() {
                 Qt::SingleShotConnection);
 }
 
-// What changes of bodies that are there, in the text.
+// The edit of the text that changes bodies which are there already.
 editing::Answer Creating::answerTo(const std::vector<editing::Wish>& wishes) const {
     return wishes.empty()
                ? editing::Answer()

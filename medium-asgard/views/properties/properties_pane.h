@@ -54,8 +54,8 @@ public:
     void begin(); // the keyboard goes to the first value
     // Of the name, or why nothing can be changed.
     [[nodiscard]] QString fault() const { return head_->fault(); }
-    // What is not turned yet is turned about this axis, unless another one is typed: the one that
-    // points at the viewer most, so that it turns in the picture.
+    // A body without a turn turns about this axis, unless another one is typed: the axis that
+    // points at the viewer most, so that the turn is seen in the picture.
     void setUsualAxis(const geometry::Vector& axis);
 
     [[nodiscard]] QSize sizeHint() const override { return {300, 480}; }

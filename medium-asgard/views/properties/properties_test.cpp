@@ -398,7 +398,8 @@ TEST_F(PropertiesTest, EachKindOfElementHasRowsThatCanBeRead) {
     }
 }
 
-// What is typed takes the number's place, also where it has a point. A drag selects a part of it.
+// The typed number takes the place of all of the old one, also behind its decimal point. A drag
+// selects a part of it.
 TEST_F(PropertiesTest, AClickOnANumberSelectsItAndTheNextOnePutsTheCaretInIt) {
     open(two, {{Kind::body, 0}});
     pane.activateWindow();

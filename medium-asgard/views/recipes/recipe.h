@@ -89,7 +89,7 @@ struct Recipe {
     HandleSwitch handles = nullptr;      // shown afterwards
     QString otherwise = {};              // said when there is nothing to make
     std::vector<scene::Part> ghost = {}; // outlined under the pointer before the click
-    // What changes of bodies that are there (their places make room for it); null: nothing.
+    // Changes of bodies that are there, which make room for it; null: none.
     std::function<std::vector<editing::Wish>(const scene::Scene& scene,
                                              const std::vector<Indicated>& shown)>
         moves = {};

@@ -18,7 +18,7 @@ namespace views {
 [[nodiscard]] Step showPlace(const QString& prompt, const QString& otherwise);
 [[nodiscard]] Step showWholeBody(const QString& prompt);
 
-// Where a new body begins, and how it is turned.
+// Options for the place and the attitude with which a new body begins.
 [[nodiscard]] std::vector<std::string>
 placeWords(const Vector& place, const geometry::Quaternion& attitude, double resolution);
 // Things of a room, not the language's ideal ones: balls bounce, all else comes to rest where it

@@ -91,7 +91,7 @@ Wheel usualWheel(const Vector& sizes, Index along) {
     return wheel;
 }
 
-// Where the pointer is on the body, by round numbers.
+// The pointer's place on the body, by round numbers.
 Vector placeOn(const Indicated& shown, const geometry::Box& box, const Axle& axle,
                const std::vector<Wheel>& others) {
     constexpr double apart = 5, reach = 12; // pixels

@@ -382,7 +382,7 @@ TEST_F(ShapeEditorTest, ANewShapeIsShownToBeEdited) {
     EXPECT_EQ(document.text(), text);
 }
 
-// What a new shape begins with is a place for the first part, unless somebody has touched it.
+// The polyhedron of a new shape gives way to the first part, unless somebody has changed it.
 TEST_F(ShapeEditorTest, TheFirstPartOfANewShapeIsTheOneThatIsAdded) {
     ASSERT_EQ(editor->newShape("rod"), "");
     ASSERT_TRUE(settle(document));
