@@ -165,17 +165,22 @@ std::vector<Ends> jointEnds(const Scene& scene, Collector& collect) {
     return ends;
 }
 
-Owned gearOwners(const Scene& scene, Collector& collect, std::span<const Ends> joints) {
+// A gear's bodies read all its joints, also one whose own bodies are fixed.
+Owned gearOwners(const Scene& scene, Collector& collect, std::span<const Ends> ends) {
     Owned owners;
     for (std::size_t g = 0; g < scene.gears.size(); ++g) {
-        std::vector<std::size_t> bodies;
+        std::vector<std::size_t> joints, bodies;
         for (const Gear::Term& term : scene.gears[g].terms)
-            if (const std::size_t joint = collect.joint(term.joint); joint != noElement)
-                for (const std::size_t body : {joints[joint].first, joints[joint].second})
+            if (const std::size_t joint = collect.joint(term.joint); joint != noElement) {
+                joints.push_back(joint);
+                for (const std::size_t body : {ends[joint].first, ends[joint].second})
                     if (body != noElement && std::ranges::find(bodies, body) == bodies.end())
                         bodies.push_back(body);
+            }
         mentionEachOther(collect, bodies);
         for (const std::size_t body : bodies) {
+            for (const std::size_t joint : joints)
+                collect.mention(body, Mention::Kind::joint, joint);
             collect.expression(body, scene.gears[g].release);
             owners.emplace_back(body, g);
         }

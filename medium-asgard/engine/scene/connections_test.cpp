@@ -131,6 +131,18 @@ TEST(PartOf, HasTheJointsAndGearsOfItsBodies) {
     EXPECT_TRUE(partOf(version, {3}).joints.empty());
 }
 
+TEST(PartOf, HasTheJointOfAFixedWheelOfAGear) {
+    Scene scene = hingedScene();
+    gearBetween(scene, "c", "f"); // the last body is fixed
+    const Version version(std::make_shared<Scene>(scene));
+    const Scene part = partOf(version, {2, 5});
+    ASSERT_EQ(part.joints.size(), 2u);
+    EXPECT_EQ(part.joints[1].name, "f");
+    Scene other = scene;
+    other.joints[2].axis = Vector(1, 0, 0);
+    EXPECT_TRUE(changedBy(scene, other)[2]);
+}
+
 TEST(JoinedBodies, AreTheEndsOfLinksAndJointsAndWhatFixedJointsHold) {
     Scene scene = hingedScene();
     scene.joints = {jointOf("1", JointType::fixed, "a", "b"),
