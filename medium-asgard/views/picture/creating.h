@@ -14,7 +14,7 @@
 // the picture, too. A text with errors ends it, and so does another change.
 #pragma once
 
-#include "gestures/snapping.h"
+#include "picture/indicating.h"
 #include "recipes/recipes.h"
 #include "workbench/when_read.h"
 
@@ -47,7 +47,7 @@ public:
     // The recipe is made of the scene that it is for.
     void start(std::function<Recipe()> recipe, std::optional<Aim> aim = std::nullopt);
     [[nodiscard]] Aim aimAt(const editing::Element& body, const QPointF& position) const;
-    [[nodiscard]] bool active() const { return recipe_ || waiting_; }
+    [[nodiscard]] bool active() const { return begun_ || waiting_; }
     void cancel();
     void click(const QPointF& position, bool holdsOff = false);
     // Shows what a click there would make. `holdsOff`: things nearby do not draw it to them.
@@ -71,8 +71,6 @@ Q_SIGNALS:
     void told(const QString& answer); // of what makes nothing
 
 private:
-    static constexpr double clickReach = 12; // pixels
-
     struct Waiting { // for the scene of the text
         std::function<Recipe()> recipe;
         std::optional<Aim> aim;
@@ -84,19 +82,6 @@ private:
     void handBack(const QKeyEvent& event);
     void begin(Recipe recipe);
     void takeAim(const Aim& aim);
-    [[nodiscard]] const Step& step() const;
-    void offerBody();
-    [[nodiscard]] std::optional<Indicated> indicated(const QPointF& position);
-    [[nodiscard]] Indicated pointAt(const Eigen::Vector2d& pixels);
-    [[nodiscard]] const gestures::Snapping& snapping();
-    [[nodiscard]] Vector depth() const; // of a place that is asked for
-    void fit(const Vector& place);      // the size of a new body, to be seen well there
-    static gestures::ShapePointer restingShape(const std::vector<scene::Part>& ghost);
-    [[nodiscard]] std::optional<Indicated> onGrid(const Eigen::Vector2d& pixels, Indicated found);
-    [[nodiscard]] double heightOf(const Vector& up, const geometry::Quaternion& attitude) const;
-    [[nodiscard]] Indicated restingOn(const gestures::Picked& body, Indicated found);
-    [[nodiscard]] std::optional<Indicated> typed() const;
-    void holdFirst(Indicated& found) const; // the place that was typed
     [[nodiscard]] bool mayType() const;
     [[nodiscard]] bool types(const QKeyEvent& event) const;
     bool type(const QKeyEvent& event);
@@ -106,14 +91,10 @@ private:
     void paintGhost(QPainter& painter, const Indicated& next) const;
     void paintWords(QPainter& painter, const QPointF& place, const QString& words) const;
     [[nodiscard]] QString wordsOf(const Indicated& next) const;
-    [[nodiscard]] Indicated held(const Eigen::Vector2d& pixels);
-    void drawn(Indicated& found, const geometry::Pose& first);
-    [[nodiscard]] Indicated indicatedOn(std::size_t body, const Vector& surface) const;
-    [[nodiscard]] Indicated onBody(std::size_t body, const Vector& point) const;
-    [[nodiscard]] Vector onAxes(std::size_t body, const Vector& onBody, double near) const;
-    [[nodiscard]] Indicated centerOf(std::size_t body) const;
-    [[nodiscard]] bool isInSight(const Recipe& recipe) const;
+    [[nodiscard]] bool isInSight() const;
     [[nodiscard]] std::optional<Judged> judge(const Indicated& next) const;
+    // None: nothing of what the step asks for is there, and that is the fault now.
+    [[nodiscard]] std::optional<Indicated> indicated(const QPointF& position, bool holdsOff);
     void take(const Indicated& indicated);
     void otherwise();
     [[nodiscard]] editing::Answer answerTo(const std::vector<editing::Wish>& wishes) const;
@@ -123,10 +104,8 @@ private:
     SceneDisplay& display_;
     WhenRead later_;
     std::optional<Waiting> waiting_;
-    std::optional<Recipe> recipe_;
-    double times_ = 1;             // as large as usual, of a new body
-    gestures::ShapePointer ghost_; // of the recipe; null: it has none that can rest on a body
-    std::vector<Indicated> shown_;
+    std::optional<BegunRecipe> begun_;
+    Indicating indicating_;
     std::optional<Indicated> next_; // under the pointer
     QString fault_;
     std::optional<QPointF> cross_; // moved by the keys
@@ -135,15 +114,7 @@ private:
         bool holdsOff;
     };
     std::vector<Click> clicks_; // in their order: the picture of their scene is not there yet
-    struct Near {               // what stands in the picture, as long as that stays as it is
-        Shown of;
-        double time;
-        gestures::Sight sight;
-        gestures::Snapping snapping;
-    };
-    std::optional<Near> near_;
-    bool holdsOff_ = false;
-    QString typed_; // "1 2.5 0": where the point is to be
+    QString typed_;             // "1 2.5 0": where the point is to be
     struct Measured {
         Vector from, to; // world
         QString words;

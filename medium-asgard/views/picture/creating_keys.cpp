@@ -2,12 +2,10 @@
 #include "picture/creating.h"
 
 #include "picture/scene_display.h"
-#include "script/numbers.h"
 
 #include <QAction>
 #include <QCoreApplication>
 #include <QKeyEvent>
-#include <QRegularExpression>
 
 #include <algorithm>
 
@@ -24,37 +22,11 @@ bool isSign(const QKeyEvent& event) {
 
 } // namespace
 
-// Numbers that are not typed are 0. None: it is no place.
-std::optional<Indicated> Creating::typed() const {
-    const QStringList words =
-        typed_.split(QRegularExpression(QStringLiteral("[\\s,;]+")), Qt::SkipEmptyParts);
-    if (words.isEmpty() || words.size() > 3)
-        return std::nullopt;
-    Indicated found;
-    found.given = found.isTyped = true;
-    found.sight = display_.sight().camera.rotation.conjugate() * Vector::UnitZ();
-    for (qsizetype i = 0; i < words.size(); ++i) {
-        const auto number = script::decimalNumber(words[i].toStdString());
-        if (!number)
-            return std::nullopt;
-        found.point[i] = *number;
-    }
-    if (step().headOf) {
-        const Vector value = found.point;
-        constexpr double exact = 1e-9; // of a value of 1
-        found.point = step().headOf(shown_, value);
-        found.resolution =
-            exact *
-            (step().headOf(shown_, Vector::UnitX()) - step().headOf(shown_, Vector::Zero())).norm();
-    }
-    if (step().wanted == Wanted::hold)
-        holdFirst(found);
-    return found;
-}
-
 bool Creating::mayType() const {
-    return waiting_ || step().wanted == Wanted::point ||
-           (step().wanted == Wanted::hold && !shown_.empty());
+    if (waiting_)
+        return true;
+    const Wanted wanted = begun_->step().wanted;
+    return wanted == Wanted::point || (wanted == Wanted::hold && !begun_->shown().empty());
 }
 
 // A sign of a place's numbers. The sign between them is one only after a number.
@@ -79,7 +51,7 @@ bool Creating::type(const QKeyEvent& event) {
     else
         return false;
     fault_.clear();
-    next_ = typed();
+    next_ = indicating_.typed(*begun_, typed_);
     Q_EMIT changed();
     return true;
 }
@@ -124,7 +96,7 @@ bool Creating::key(const QKeyEvent& event) {
                          std::clamp(now.y() + y, 0.0, display_.height() - 1.0));
         Q_EMIT changed();
     };
-    if (recipe_ && type(event))
+    if (begun_ && type(event))
         return true;
     switch (event.key()) {
     case Qt::Key_Escape:

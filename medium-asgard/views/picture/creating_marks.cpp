@@ -27,7 +27,7 @@ void Creating::paintOutline(QPainter& painter, const Outline& outline) const {
 // The thing as it would be, and a ring where it was drawn to another one.
 void Creating::paintGhost(QPainter& painter, const Indicated& next) const {
     const gestures::Sight sight = display_.sight();
-    paintOutline(painter, {recipe_->ghost, {next.point, next.attitude}});
+    paintOutline(painter, {begun_->recipe().ghost, {next.point, next.attitude}});
     painter.setPen(QPen(QColor(20, 90, 200), 2));
     const QPointF place = display_.fromPixels(sight.pixels(next.point));
     painter.drawEllipse(place, 2, 2);
@@ -57,16 +57,17 @@ QString Creating::wordsOf(const Indicated& next) const {
     QString words = QString::fromStdString(place.substr(1, place.size() - 2));
     if (!next.at.empty())
         words += ", " + QString::fromStdString(next.at);
-    if (!shown_.empty() && shown_.back().given)
+    const std::vector<Indicated>& shown = begun_->shown();
+    if (!shown.empty() && shown.back().given)
         words += tr("; %1 from the point before")
                      .arg(QString::fromStdString(
-                         editing::numberText((next.point - shown_.back().point).norm(),
+                         editing::numberText((next.point - shown.back().point).norm(),
                                              editing::decimalStep(next.resolution))));
     return words;
 }
 
 void Creating::paint(QPainter& painter) const {
-    if (recipe_)
+    if (begun_)
         paintSteps(painter);
     if (measured_)
         paintMeasured(painter);
@@ -97,22 +98,23 @@ void Creating::paintMeasured(QPainter& painter) const {
 // What was shown, and what the next click would show.
 void Creating::paintSteps(QPainter& painter) const {
     const gestures::Sight sight = display_.sight();
+    const std::vector<Indicated>& shown = begun_->shown();
     const auto at = [&](const Indicated& one) {
         return display_.fromPixels(sight.pixels(one.point));
     };
     painter.setPen(QPen(QColor(20, 90, 200), 2));
     painter.setBrush(QColor(255, 255, 255, 200));
-    for (std::size_t i = 0; i < shown_.size(); ++i) {
-        if (!shown_[i].given || shown_[i].trajectory)
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        if (!shown[i].given || shown[i].trajectory)
             continue;
-        if (i > 0 && shown_[i - 1].given)
-            painter.drawLine(at(shown_[i - 1]), at(shown_[i]));
-        painter.drawEllipse(at(shown_[i]), 4, 4);
+        if (i > 0 && shown[i - 1].given)
+            painter.drawLine(at(shown[i - 1]), at(shown[i]));
+        painter.drawEllipse(at(shown[i]), 4, 4);
     }
-    if (next_ && step().wanted == Wanted::point) {
-        if (!shown_.empty() && shown_.back().given) {
+    if (next_ && begun_->step().wanted == Wanted::point) {
+        if (!shown.empty() && shown.back().given) {
             painter.setPen(QPen(QColor(20, 90, 200), 2, Qt::DashLine));
-            painter.drawLine(at(shown_.back()), at(*next_));
+            painter.drawLine(at(shown.back()), at(*next_));
         }
         paintGhost(painter, *next_);
         const auto judged = judge(*next_);
@@ -120,13 +122,13 @@ void Creating::paintSteps(QPainter& painter) const {
     } else if (next_) { // as it would be
         const QPointF place = at(*next_);
         painter.setPen(QPen(QColor(20, 90, 200), 2, Qt::DashLine));
-        if (!shown_.empty())
-            painter.drawLine(at(shown_.front()), place);
+        if (!shown.empty())
+            painter.drawLine(at(shown.front()), place);
         painter.setPen(QPen(QColor(20, 90, 200), 2));
         painter.drawEllipse(place, 7, 7);
         painter.drawEllipse(place, 2, 2);
-        if (step().outlines)
-            for (const Outline& one : step().outlines(*document_.shown().scene, *next_))
+        if (begun_->step().outlines)
+            for (const Outline& one : begun_->step().outlines(*document_.shown().scene, *next_))
                 paintOutline(painter, one);
         painter.setPen(QPen(QColor(20, 90, 200), 2));
         painter.setBrush(QColor(255, 255, 255, 200));

@@ -1,4 +1,5 @@
 // What entries of Create write of what was shown to them.
+#include "recipes/begun_recipe.h"
 #include "recipes/recipes.h"
 
 #include "script/reader.h"
@@ -57,6 +58,37 @@ TEST_F(RecipesTest, EachStepOfARecipeHasItsPrompt) {
             EXPECT_FALSE(step.prompt.isEmpty()) << recipe.label.toStdString();
     }
     EXPECT_THAT(weightForAll({0, -9.81, 0}).steps, IsEmpty());
+}
+
+TEST_F(RecipesTest, ANewBodyFitsTheViewUntilItsPlaceIsShown) {
+    Recipe box = newBody(BasicShape::box);
+    box.sized = [](double times) { return newBody(BasicShape::box, times); };
+    BegunRecipe begun(box);
+    ASSERT_TRUE(begun.ghost());
+    gestures::Sight sight{{}, {600, 600}};
+    const auto width = [&] { return geometry::bounds(*begun.ghost(), {}).sizes().x(); };
+    sight.camera.scale = 1e-2; // far away
+    begun.fit(sight, Vector::Zero());
+    const double large = width();
+    EXPECT_GT(large, 10);
+    sight.camera.scale = 1e2;
+    begun.fit(sight, Vector::Zero());
+    EXPECT_LT(width(), 0.1);
+    EXPECT_TRUE(begun.take(onBody(0)));
+    begun.fit({{}, {600, 600}}, Vector::Zero());
+    EXPECT_LT(width(), 0.1);
+}
+
+TEST_F(RecipesTest, ABegunRecipeAsksForItsStepsAndOffersTheOnlyBody) {
+    read("shape_set s -desc {-sub {-sphere 0.5}}\nbody only s\n");
+    BegunRecipe begun(newLink(Wanted::hold));
+    begun.offerBody(scene_, {});
+    EXPECT_EQ(begun.step().offered, std::optional<std::size_t>(0));
+    EXPECT_THAT(begun.step().otherwise.toStdString(), HasSubstr("only"));
+    EXPECT_FALSE(begun.take(onBody(0)));
+    EXPECT_THAT(begun.shown(), SizeIs(1));
+    EXPECT_FALSE(begun.step().offered);
+    EXPECT_TRUE(begun.take(onBody(0)));
 }
 
 const std::string works =

@@ -11,11 +11,9 @@
 #include "language/language_viewer.h"
 #include "language/notice_bar.h"
 #include "language/scene_editor.h"
-#include "motion/known_span.h"
 #include "offers/keep_view.h"
 #include "panels/motion_notice.h"
 #include "panels/parameters_panel.h"
-#include "panels/time_controls.h"
 #include "picture/create_menu.h"
 #include "plain/plain.h"
 #include "plots/plots_panel.h"
@@ -26,7 +24,6 @@
 #include <QCloseEvent>
 #include <QCursor>
 #include <QDockWidget>
-#include <QGridLayout>
 #include <QKeyEvent>
 #include <QMenu>
 #include <QMenuBar>
@@ -94,11 +91,7 @@ GraphicalViewer::GraphicalViewer(SceneDocument& document, std::shared_ptr<Pictur
             [this](const QString& why) { display_->editing().say(why); });
     buildMenus();
     connectParts();
-    updateRange();
-    showFaults();
-    updateState();
     updateTitle();
-    fillViewsMenu();
     display_->setFocus();
     resize(900, 640);
 }
@@ -122,22 +115,8 @@ void GraphicalViewer::buildPicture(std::shared_ptr<PictureThread> pictures) {
     column->addWidget(frame, 1);
     auto* notice = new MotionNotice(document_, playback_, *display_);
     connect(notice, &MotionNotice::stopWanted, &document_, &SceneDocument::stopComputing);
-    controls_ = new TimeControls(document_, playback_);
-    column->addWidget(controls_);
-    timeBar_ = new TimeBar;
-    timeBar_->setObjectName("timeBar");
-    timeStrip_ = new TimeStrip(document_);
-    timeStrip_->setObjectName("timeStrip");
-    auto* times = new QGridLayout; // the same times above each other
-    times->setSpacing(2);
-    times->addWidget(timeStrip_->controls(), 0, 0);
-    times->addWidget(timeStrip_, 0, 1);
-    times->addWidget(timeBar_, 1, 1);
-    column->addLayout(times);
-    for (QWidget* one : std::initializer_list<QWidget*>{controls_, timeBar_})
-        setHelp(*one, QStringLiteral("Time"));
-    for (QWidget* one : std::initializer_list<QWidget*>{timeStrip_, timeStrip_->controls()})
-        setHelp(*one, QStringLiteral("Strip of times"));
+    times_ = new TimeRows(document_, playback_);
+    column->addWidget(times_);
     hint_ = new HintLine;
     hint_->setObjectName("hint");
     column->addWidget(hint_);
@@ -175,8 +154,6 @@ void GraphicalViewer::buildPanes() {
         for (const auto& [pane, topic] : topics)
             if (name == QLatin1String(pane))
                 setHelp(*content, QLatin1String(topic));
-        if (auto* text = qobject_cast<LanguageViewer*>(content))
-            fillTextMenu(*text);
     });
     const auto showSliders = [this] {
         panes_.setTitle("parameters", sliders_->title());
@@ -298,35 +275,22 @@ void GraphicalViewer::connectParts() {
     connect(panel_, &StatusPanel::displayChanged, display_, &SceneDisplay::setDisplay);
     connect(&display_->editing(), &PictureEditing::shapeWanted, this,
             [this](const QString& name) { windows_.openShapeEditor(name); });
-    connect(controls_, &TimeControls::left, display_, [this] { display_->setFocus(); });
-    connect(controls_, &TimeControls::refused, this,
+    connect(&times_->controls(), &TimeControls::left, display_, [this] { display_->setFocus(); });
+    connect(&times_->controls(), &TimeControls::refused, this,
             [this](const QString& why) { display_->editing().say(why); });
     connect(&playback_, &Playback::timeChanged, this, [this] {
-        display_->setTime(playback_.time(), playback_.isPlaying() || timeBar_->isSliderDown());
-        timeBar_->setTime(playback_.time());
-        timeStrip_->setTime(playback_.time());
+        display_->setTime(playback_.time(), playback_.isPlaying() || times_->bar().isSliderDown());
     });
-    connect(&playback_, &Playback::stateChanged, this, [this] {
-        updateState();
+    const auto showState = [this] {
+        if (!playback_.isPlaying())
+            display_->setTime(playback_.time(), false);
         display_->throwing().setPlays(playback_.isPlaying());
-        if (!std::exchange(wasPlaying_, playback_.isPlaying()) && wasPlaying_)
-            beginPlaying();
-    });
-    connect(timeBar_, &TimeBar::timeChosen, &playback_, &Playback::seek);
-    connect(&document_, &SceneDocument::motionChanged, this, &GraphicalViewer::updateRange);
-    connect(&document_, &SceneDocument::workChanged, this, [this] {
-        timeBar_->setStale(document_.motionIsStale());
-        updateRange(); // a motion that is all there ends where it stops
-    });
-    connect(&document_, &SceneDocument::diagnosticsChanged, this, &GraphicalViewer::showFaults);
-    connect(&document_, &SceneDocument::sceneChanged, this, &GraphicalViewer::fillViewsMenu);
+    };
+    connect(&playback_, &Playback::stateChanged, this, showState);
+    showState();
+    connect(&playback_, &Playback::started, this, &GraphicalViewer::beginPlaying);
     connect(&document_, &SceneDocument::nameChanged, this, &GraphicalViewer::updateTitle);
-    connect(display_, &SceneDisplay::viewFollowed, this, &GraphicalViewer::fillViewsMenu);
-    connect(&document_, &SceneDocument::opened, this, [this] { // seen as if for the first time
-        playback_.stop();
-        isOpened_ = true;
-        display_->frameOpened();
-    });
+    connect(&document_, &SceneDocument::opened, display_, &SceneDisplay::frameOpened);
     for (QAbstractButton* button : findChildren<QAbstractButton*>())
         button->installEventFilter(this);
     connectTimeStrip();
@@ -374,7 +338,7 @@ void GraphicalViewer::stop() {
     else if (!playback_.isPlaying() && isFullScreen())
         toggleFullScreen();
     else
-        controls_->stop();
+        times_->controls().stop();
 }
 
 // What another part of the window has no use for belongs to what is being created.
@@ -416,44 +380,42 @@ void GraphicalViewer::showCreated(editing::Element element, HandleSwitch handles
 void GraphicalViewer::connectThrowing() {
     Throwing& throwing = display_->throwing();
     connect(&throwing, &Throwing::grabbed, this, [this, &throwing] {
-        goesOn_ = playback_.isPlaying();
-        if (goesOn_)
+        if (playback_.isPlaying())
             throwing.setRate(playback_.rate());
-        playback_.pause();
+        playback_.hold();
     });
     connect(&throwing, &Throwing::letGo, this, [this](bool isChanged) {
-        if (goesOn_ && !isChanged)
-            playback_.play();
-        goesOn_ = goesOn_ && isChanged;
+        if (!isChanged)
+            playback_.goOn();
     });
-    connect(&document_, &SceneDocument::motionChanged, this, [this] {
-        if (!document_.motionIsStale() && std::exchange(goesOn_, false))
-            playback_.play();
+    connect(&document_, &SceneDocument::motionChanged, this, [this, &throwing] {
+        if (!document_.motionIsStale() && !throwing.active())
+            playback_.goOn();
     });
 }
 
 // A point that is chosen in the strip is chosen in the picture, and the other way about.
 void GraphicalViewer::connectTimeStrip() {
     PictureEditing& editing = display_->editing();
-    timeStrip_->setHeld([&editing] { return editing.dragging(); });
-    timeStrip_->setTrajectoriesShown(display_->display().trajectories);
-    connect(panel_, &StatusPanel::displayChanged, timeStrip_, [this](const auto& display) {
-        timeStrip_->setTrajectoriesShown(display.trajectories);
-    });
-    connect(timeStrip_, &TimeStrip::says, &editing, &PictureEditing::say);
-    connect(timeStrip_, &TimeStrip::markChosen, this,
+    TimeStrip& strip = times_->strip();
+    strip.setHeld([&editing] { return editing.dragging(); });
+    strip.setTrajectoriesShown(display_->display().trajectories);
+    connect(panel_, &StatusPanel::displayChanged, &strip,
+            [&strip](const auto& display) { strip.setTrajectoriesShown(display.trajectories); });
+    connect(&strip, &TimeStrip::says, &editing, &PictureEditing::say);
+    connect(&strip, &TimeStrip::markChosen, this,
             [this, &editing](std::size_t trajectory, std::size_t point) {
                 const auto& all = document_.shown().scene->trajectories;
                 editing.choose(render::HandleKind::trajectoryPoint, trajectory,
                                gestures::partOf(all[trajectory], point));
             });
-    connect(&editing, &PictureEditing::changed, timeStrip_, [this, &editing] {
-        const auto trajectory = timeStrip_->trajectory();
+    connect(&editing, &PictureEditing::changed, &strip, [this, &editing, &strip] {
+        const auto trajectory = strip.trajectory();
         const auto marked = trajectory ? editing.marked() : std::nullopt;
         if (marked && marked->kind == render::HandleKind::trajectoryPoint &&
             marked->element == *trajectory)
-            timeStrip_->setChosen(gestures::pointOf(
-                document_.shown().scene->trajectories[*trajectory], marked->part));
+            strip.setChosen(gestures::pointOf(document_.shown().scene->trajectories[*trajectory],
+                                              marked->part));
     });
 }
 
@@ -480,50 +442,6 @@ void GraphicalViewer::beginPlaying() {
         display_->editing().say(tr("Nothing moves: no force acts. Create > Force > Gravity for All "
                                    "Bodies lets the bodies fall."),
                                 false);
-}
-
-// Of the scene's motion, even where it stops before that.
-double GraphicalViewer::finish() const {
-    const Shown& shown = document_.shown();
-    return shown.motion ? shown.motion->finish() : shown.scene->simulator.finish;
-}
-
-void GraphicalViewer::updateRange() {
-    const Shown& shown = document_.shown();
-    const scene::Simulator& simulator = shown.scene->simulator;
-    const bool known = shown.motion != nullptr;
-    const simulation::KnownSpan span = known ? simulation::knownSpan(*shown.motion)
-                                             : simulation::KnownSpan{simulator.start, {}, 0};
-    playback_.setRange(known ? shown.motion->start() : simulator.start,
-                       known ? span.playsTo(*shown.motion, document_.work() != Work::none)
-                             : simulator.finish,
-                       span.computed);
-    if (document_.sceneIsCurrent() && std::exchange(isOpened_, false))
-        playback_.stop(); // at its own first moment
-    std::vector<double> impacts;
-    if (known)
-        for (const simulation::Impact& impact : shown.motion->impacts())
-            impacts.push_back(impact.time);
-    timeBar_->setRange(playback_.start(), finish(), span.computed);
-    timeBar_->setMarks(span.reliableUntil, impacts);
-    timeBar_->setEnabled(known);
-}
-
-void GraphicalViewer::showFaults() {
-    std::vector<TimeBar::Fault> faults;
-    for (const scene::Diagnostic& one : document_.diagnostics())
-        if (one.time)
-            faults.push_back({*one.time, one.severity == scene::Severity::error,
-                              QString::fromStdString(one.message)});
-    timeBar_->setFaults(std::move(faults));
-}
-
-void GraphicalViewer::updateState() {
-    timeBar_->setTime(playback_.time());
-    timeStrip_->setRange(playback_.start(), finish());
-    timeStrip_->setTime(playback_.time());
-    if (!playback_.isPlaying())
-        display_->setTime(playback_.time(), false);
 }
 
 void GraphicalViewer::updateTitle() {

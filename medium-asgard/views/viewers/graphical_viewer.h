@@ -4,12 +4,10 @@
 #pragma once
 
 #include "frame/panes.h"
-#include "frame/undo_actions.h"
 #include "frame/windows.h"
 #include "panels/status_panel.h"
-#include "panels/time_bar.h"
 #include "picture/scene_display.h"
-#include "trajectories/time_strip.h"
+#include "viewers/time_rows.h"
 #include "workbench/playback.h"
 
 #include <QMainWindow>
@@ -22,7 +20,6 @@ class ElementCommands;
 class HintLine;
 class LanguageViewer;
 class ParametersPanel;
-class TimeControls;
 class ToldBar;
 
 class GraphicalViewer : public QMainWindow {
@@ -34,8 +31,7 @@ public:
 
     [[nodiscard]] Playback& playback() { return playback_; }
     [[nodiscard]] SceneDisplay& display() { return *display_; }
-    [[nodiscard]] TimeBar& timeBar() { return *timeBar_; }
-    [[nodiscard]] TimeStrip& timeStrip() { return *timeStrip_; }
+    [[nodiscard]] TimeRows& times() { return *times_; }
     [[nodiscard]] Panes& panes() { return panes_; }
     [[nodiscard]] StatusPanel& switches() { return *panel_; }
     // The panes that one begins with, in their usual places.
@@ -62,7 +58,7 @@ private:
     void buildViewMenu();
     void buildHandlesMenu();
     void buildMotionMenu();
-    void fillTextMenu(LanguageViewer& text);
+    void buildTextMenu();
     QWidget* makeTour();
     QWidget* makePlots();
     [[nodiscard]] QString helpAt(const QWidget& under) const;
@@ -71,12 +67,7 @@ private:
     void connectTimeStrip();
     void connectThrowing();
     void showMenu(const MenuPlace& place, const QPoint& global);
-    void fillViewsMenu();
     void beginPlaying(); // computes what is not computed, and says why nothing moves
-    void updateRange();
-    [[nodiscard]] double finish() const;
-    void showFaults();
-    void updateState();
     void updateTitle();
     void showHint();
     bool typing(bool redo); // takes back what was typed in the text, where the keyboard is
@@ -95,16 +86,9 @@ private:
     ToldBar* told_;
     StatusPanel* panel_;
     ParametersPanel* sliders_;
-    TimeBar* timeBar_;
-    TimeStrip* timeStrip_;
-    TimeControls* controls_;
-    HintLine* hint_ = nullptr;
+    TimeRows* times_;
+    HintLine* hint_;
     Panes panes_;
-    QMenu *viewsMenu_ = nullptr, *textMenu_ = nullptr;
-    UndoActions undo_{};
-    bool wasPlaying_ = false;
-    bool isOpened_ = false; // another scene, which is not there yet
-    bool goesOn_ = false;   // it played before a body was taken in the hand
 };
 
 } // namespace views

@@ -95,7 +95,7 @@ TEST_F(GraphicalViewerTest, PlayingAdvancesTimeAndMovesThePicture) {
 
 TEST_F(GraphicalViewerTest, TheTimeBarsLeftEdgeIsNow) {
     GraphicalViewer* viewer = editor.openGraphicalViewer();
-    TimeBar& bar = viewer->timeBar();
+    TimeBar& bar = viewer->times().bar();
     const double begin = bar.position(0), end = bar.position(2);
     EXPECT_GT(end - begin, 200);
     viewer->playback().seek(0.5);

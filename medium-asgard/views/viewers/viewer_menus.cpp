@@ -1,9 +1,9 @@
 // A graphical viewer's menus.
 #include "frame/help_menu.h"
+#include "frame/undo_actions.h"
 #include "framing/framing.h"
 #include "gestures/present.h"
 #include "language/language_viewer.h"
-#include "panels/time_controls.h"
 #include "picture/create_menu.h"
 #include "plain/plain.h"
 #include "properties/element_commands.h"
@@ -44,6 +44,26 @@ void startFromHere(SceneDocument& document, SceneDisplay& display) {
     display.editing().say(QString::fromStdString(gestures::countsAnew(ground, time)), false);
 }
 
+// The views of the scene, checked while the picture follows one.
+void buildViewsMenu(QMenu* menu, SceneDocument& document, SceneDisplay& display) {
+    const auto fill = [menu, &document, &display] {
+        menu->clear();
+        const auto& views = document.shown().scene->views;
+        menu->setEnabled(!views.empty());
+        for (const scene::View& view : views) {
+            const QString name = QString::fromStdString(view.name);
+            QAction* action =
+                menu->addAction(name.isEmpty() ? QObject::tr("(unnamed)") : plain::caption(name),
+                                &display, [&display, name] { display.followView(name); });
+            action->setCheckable(true);
+            action->setChecked(name == display.followedView());
+        }
+    };
+    QObject::connect(&document, &SceneDocument::sceneChanged, menu, fill);
+    QObject::connect(&display, &SceneDisplay::viewFollowed, menu, fill);
+    fill();
+}
+
 } // namespace
 
 void GraphicalViewer::buildMenus() {
@@ -54,25 +74,24 @@ void GraphicalViewer::buildMenus() {
     buildViewMenu();
     buildHandlesMenu();
     buildMotionMenu();
-    textMenu_ = menuBar()->addMenu(tr("&Text"));
-    textMenu_->menuAction()->setVisible(false);
+    buildTextMenu();
     addHelpMenu(this, QStringLiteral("The picture"),
                 [this](const QWidget& under) { return helpAt(under); });
 }
 
 // The text's own menus, once it is in a pane of this window.
-void GraphicalViewer::fillTextMenu(LanguageViewer& text) {
-    for (QAction* menu : text.menuBar()->actions())
-        textMenu_->addAction(menu);
-    textMenu_->menuAction()->setVisible(true);
-    // While there is a draft, Undo has something to do.
-    connect(&text, &LanguageViewer::draftChanged, this, [this, &text] {
-        undo_.undo->setEnabled(text.hasDraft() || document_.canUndo());
-        undo_.redo->setEnabled(text.hasDraft() || document_.canRedo());
-        updateTitle();
+void GraphicalViewer::buildTextMenu() {
+    QMenu* menu = menuBar()->addMenu(tr("&Text"));
+    menu->menuAction()->setVisible(false);
+    connect(&panes_, &Panes::contentMade, menu, [menu](const QString&, QWidget* content) {
+        const auto* text = qobject_cast<LanguageViewer*>(content);
+        if (!text)
+            return;
+        for (QAction* one : text->menuBar()->actions())
+            menu->addAction(one);
+        menu->menuAction()->setVisible(true);
+        connect(text, &QObject::destroyed, menu, [menu] { menu->menuAction()->setVisible(false); });
     });
-    connect(&text, &QObject::destroyed, textMenu_,
-            [menu = textMenu_] { menu->menuAction()->setVisible(false); });
 }
 
 void GraphicalViewer::buildFileMenu() {
@@ -93,8 +112,18 @@ void GraphicalViewer::buildFileMenu() {
 
 void GraphicalViewer::buildEditMenu() {
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
-    undo_ = addUndoActions(edit, document_, [this](bool redo) { return typing(redo); });
+    const UndoActions undo =
+        addUndoActions(edit, document_, [this](bool redo) { return typing(redo); });
     edit->addSeparator();
+    // While there is a draft, Undo has something to do.
+    connect(&panes_, &Panes::contentMade, this, [this, undo](const QString&, QWidget* content) {
+        if (const auto* text = qobject_cast<LanguageViewer*>(content))
+            connect(text, &LanguageViewer::draftChanged, this, [this, text, undo] {
+                undo.undo->setEnabled(text->hasDraft() || document_.canUndo());
+                undo.redo->setEnabled(text->hasDraft() || document_.canRedo());
+                updateTitle();
+            });
+    });
     // Where the picture or a pane of elements has the keyboard: a text copies words.
     const QList<QAction*> copying{
         edit->addAction(tr("Cu&t"), QKeySequence::Cut, this,
@@ -145,7 +174,7 @@ bool GraphicalViewer::typing(bool redo) {
 
 void GraphicalViewer::buildMotionMenu() {
     QMenu* motion = menuBar()->addMenu(tr("A&nimation"));
-    controls_->fillMenu(*motion, [this] { stop(); });
+    times_->controls().fillMenu(*motion, [this] { stop(); });
     motion->addSeparator();
     motion->addAction(tr("Start From &Here"), this,
                       [this] { startFromHere(document_, *display_); });
@@ -193,7 +222,7 @@ void GraphicalViewer::buildViewMenu() {
     parallel->setCheckable(true);
     connect(display_, &SceneDisplay::cameraChanged, parallel,
             [this, parallel] { parallel->setChecked(display_->camera().orthographic); });
-    viewsMenu_ = view->addMenu(tr("&Views of the Scene"));
+    buildViewsMenu(view->addMenu(tr("&Views of the Scene")), document_, *display_);
     view->addSeparator();
     const struct {
         QString label;
@@ -251,20 +280,6 @@ void GraphicalViewer::buildHandlesMenu() {
     for (const StatusPanel::Switch& one : panel_->switches())
         if (one.isHandle)
             addSwitch(*handles, one);
-}
-
-void GraphicalViewer::fillViewsMenu() {
-    viewsMenu_->clear();
-    const auto& views = document_.shown().scene->views;
-    viewsMenu_->setEnabled(!views.empty());
-    for (const scene::View& view : views) {
-        const QString name = QString::fromStdString(view.name);
-        QAction* action =
-            viewsMenu_->addAction(name.isEmpty() ? tr("(unnamed)") : plain::caption(name), this,
-                                  [this, name] { display_->followView(name); });
-        action->setCheckable(true);
-        action->setChecked(name == display_->followedView());
-    }
 }
 
 } // namespace views

@@ -151,7 +151,7 @@ TEST_F(WindowsTest, TheStatusOfAStoppedMotionAgreesWithItself) {
     };
     EXPECT_EQ(said("Computed"), "to 1.200 s");
     EXPECT_EQ(said("Reliable"), "to 1.200 s");
-    EXPECT_NEAR(shown->timeBar().computed(), 1.2, 1e-3); // not to the end, as if all were known
+    EXPECT_NEAR(shown->times().bar().computed(), 1.2, 1e-3); // not to the end, as if all were known
 }
 
 TEST_F(WindowsTest, AFloorIsFixedAndFreedByAClick) {

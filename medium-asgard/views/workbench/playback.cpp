@@ -29,8 +29,11 @@ void Playback::follow(bool other) {
         timer_.stop();
     if (std::exchange(time_, core_.sought(moment)) != time_)
         Q_EMIT timeChanged();
-    if (std::exchange(wasPlaying_, isPlaying()) != isPlaying() || other)
+    const bool isAnother = std::exchange(wasPlaying_, isPlaying()) != isPlaying();
+    if (isAnother || other)
         Q_EMIT stateChanged();
+    if (isAnother && isPlaying())
+        Q_EMIT started();
 }
 
 void Playback::setRange(double start, double finish, double computed) {
@@ -47,18 +50,32 @@ void Playback::seek(double time) {
 }
 
 void Playback::play() {
+    isHeld_ = false;
     core_.play(now());
     follow();
 }
 
 void Playback::pause() {
+    isHeld_ = false;
     core_.pause(now());
     follow();
 }
 
 void Playback::stop() {
+    isHeld_ = false;
     core_.stop(now());
     follow();
+}
+
+void Playback::hold() {
+    const bool played = isPlaying();
+    pause();
+    isHeld_ = played;
+}
+
+void Playback::goOn() {
+    if (isHeld_)
+        play();
 }
 
 void Playback::step(int steps) {

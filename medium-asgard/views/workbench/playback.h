@@ -37,6 +37,10 @@ public:
     void play(); // from the start when at the end
     void pause();
     void stop(); // and back to the start
+    // While a body is in the hand the time stands still; a motion that played goes on then, unless
+    // it was played, paused or stopped meanwhile.
+    void hold();
+    void goOn();
     void step(int steps);
     void setRate(double rate);
     void setLoops(bool loops);
@@ -45,6 +49,7 @@ public:
 Q_SIGNALS:
     void timeChanged();
     void stateChanged(); // playing, rate, loops or range
+    void started();      // to play
 
 private:
     [[nodiscard]] playing::Instant now() const;
@@ -53,6 +58,7 @@ private:
     playing::Playback core_;
     double time_ = 0;
     bool wasPlaying_ = false;
+    bool isHeld_ = false; // it played
     Clock clock_;
     QTimer timer_;
 };

@@ -65,6 +65,27 @@ TEST_F(PlaybackTest, WaitsForMotionThatIsNotComputedYet) {
     EXPECT_NEAR(playback.time(), 2.5, 1e-12);
 }
 
+TEST_F(PlaybackTest, WhatIsHeldGoesOnUnlessItWasStoppedMeanwhile) {
+    int starts = 0;
+    QObject::connect(&playback, &Playback::started, [&] { ++starts; });
+    playback.play();
+    playback.hold();
+    pass(1);
+    EXPECT_EQ(playback.time(), 0);
+    playback.goOn();
+    pass(1);
+    EXPECT_NEAR(playback.time(), 1, 1e-12);
+    EXPECT_EQ(starts, 2);
+    playback.hold();
+    playback.stop();
+    playback.goOn();
+    EXPECT_FALSE(playback.isPlaying());
+    playback.hold(); // it did not play
+    playback.goOn();
+    EXPECT_FALSE(playback.isPlaying());
+    EXPECT_EQ(starts, 2);
+}
+
 TEST_F(PlaybackTest, AnEditKeepsTheMomentThatIsShown) {
     playback.seek(4);
     playback.setRange(0, 10, 0.1); // computed anew

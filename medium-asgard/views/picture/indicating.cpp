@@ -1,0 +1,344 @@
+#include "picture/indicating.h"
+
+#include "gestures/standing.h"
+#include "picture/scene_display.h"
+#include "script/numbers.h"
+
+#include <QRegularExpression>
+
+#include <algorithm>
+#include <cmath>
+
+namespace views {
+
+namespace {
+
+// Along an axis.
+bool isUpright(const Vector& direction) { return direction.cwiseAbs().maxCoeff() > 1 - 1e-9; }
+
+// Along the axes of the world that lie in a face, all of a level one: above the middle of the body
+// below where that is near, else at round numbers.
+Vector besideMiddle(Vector place, const Vector& up, const Vector& middle, double reach,
+                    double step) {
+    const double near = std::min(reach, step / 2);
+    for (Eigen::Index i = 0; i < 3; ++i)
+        if (std::abs(up[i]) < 1e-9)
+            place[i] = std::abs(place[i] - middle[i]) < near ? middle[i]
+                                                             : step * std::round(place[i] / step);
+    return place;
+}
+
+// The way from its lowest point to its origin, upwards, where it is turned so.
+double heightOf(const geometry::Shape& shape, const Vector& up,
+                const geometry::Quaternion& attitude) {
+    const geometry::Quaternion level = geometry::Quaternion::FromTwoVectors(up, Vector::UnitY());
+    return -geometry::bounds(shape, {Vector::Zero(), level * attitude}).min().y();
+}
+
+} // namespace
+
+std::variant<Indicated, QString> Indicating::at(BegunRecipe& begun, const QPointF& position,
+                                                bool holdsOff) {
+    const gestures::Sight sight = display_.sight();
+    const Eigen::Vector2d pixels = display_.inPixels(position);
+    const render::Drawing drawing = display_.drawing();
+    switch (begun.step().wanted) {
+    case Wanted::trajectory: {
+        Indicated found;
+        found.given = true;
+        found.trajectory = gestures::trajectoryAt(*drawing.scene, sight, pixels,
+                                                  clickReach * display_.devicePixelRatioF());
+        if (!found.trajectory)
+            return QObject::tr("There is no trajectory.");
+        return found;
+    }
+    case Wanted::hold:
+        return held(begun, pixels, holdsOff);
+    case Wanted::point:
+        return pointAt(begun, pixels, holdsOff);
+    case Wanted::body:
+        break;
+    }
+    const auto picked = gestures::bodyAt(drawing, sight, pixels);
+    if (!picked)
+        return QObject::tr("There is no body.");
+    return onSurface(begun.step(), picked->body, picked->point);
+}
+
+Indicated Indicating::onSurface(const Step& step, std::size_t body, const Vector& surface) const {
+    const gestures::Sight sight = display_.sight();
+    const Eigen::Vector2d pixels = sight.pixels(surface);
+    Indicated center = centerOf(body);
+    if (step.whole || isNear(center.point, pixels))
+        return center;
+    return onBody(step, body, step.deep ? sight.beside(pixels, center.point) : surface);
+}
+
+Indicated Indicating::centerOf(std::size_t body) const {
+    const geometry::Pose pose = poseOf(body);
+    Indicated center;
+    center.given = center.atCenter = true;
+    center.body = body;
+    center.attitude = pose.attitude;
+    center.sight = towardsViewer();
+    center.onBody = display_.centroidOf(body);
+    center.point = pose.toWorld(center.onBody);
+    center.resolution = display_.sight().pixelLength(center.point);
+    return center;
+}
+
+std::optional<Indicated> Indicating::typed(const BegunRecipe& begun, const QString& numbers) const {
+    const QStringList words =
+        numbers.split(QRegularExpression(QStringLiteral("[\\s,;]+")), Qt::SkipEmptyParts);
+    if (words.isEmpty() || words.size() > 3)
+        return std::nullopt;
+    Indicated found;
+    found.given = found.isTyped = true;
+    found.sight = towardsViewer();
+    for (qsizetype i = 0; i < words.size(); ++i) {
+        const auto number = script::decimalNumber(words[i].toStdString());
+        if (!number)
+            return std::nullopt;
+        found.point[i] = *number;
+    }
+    if (const auto& headOf = begun.step().headOf) {
+        const Vector value = found.point;
+        constexpr double exact = 1e-9; // of a value of 1
+        const auto head = [&](const Vector& one) { return headOf(begun.shown(), one); };
+        found.point = head(value);
+        found.resolution = exact * (head(Vector::UnitX()) - head(Vector::Zero())).norm();
+    }
+    if (begun.step().wanted == Wanted::hold)
+        holdFirst(found, begun.shown().front());
+    return found;
+}
+
+Indicated Indicating::pointAt(BegunRecipe& begun, const Eigen::Vector2d& pixels, bool holdsOff) {
+    const gestures::Sight sight = display_.sight();
+    const render::Drawing drawing = display_.drawing();
+    const Step& step = begun.step();
+    const Vector deep = depth(begun.shown());
+    Indicated found;
+    found.given = true;
+    found.point = step.snaps ? sight.across(pixels, deep) : sight.beside(pixels, deep);
+    found.resolution = sight.pixelLength(found.point);
+    found.sight = towardsViewer();
+    const bool rests = step.rests && begun.ghost() && !holdsOff;
+    const auto surface =
+        step.surface || rests ? gestures::bodyAt(drawing, sight, pixels) : std::nullopt;
+    if (surface && rests)
+        return restingOn(begun, *surface, std::move(found));
+    if (rests)
+        if (const auto on = onGrid(begun, pixels, found))
+            return *on;
+    const bool snaps = step.snaps && !holdsOff; // fit() may make other steps
+    begun.fit(sight, surface ? surface->point : found.point);
+    if (surface)
+        found.point = surface->point;
+    if (!snaps)
+        return found;
+    const gestures::Snapped meant = snapping().at(found.point);
+    if (surface && !meant.isExact)
+        return found;
+    found.point = meant.place;
+    found.at = meant.to;
+    if (meant.isExact)
+        found.resolution *= 0.01; // so that it meets the thing
+    return found;
+}
+
+// As deep as the place before, or as all bodies are that stand in one plane, or in the middle of
+// the picture.
+Vector Indicating::depth(const std::vector<Indicated>& shown) const {
+    if (!shown.empty() && shown.back().given)
+        return shown.back().point;
+    const gestures::Sight sight = display_.sight();
+    const Eigen::Index axis = sight.facing();
+    const std::size_t bodies = display_.drawing().scene->bodies.size();
+    Vector depth = sight.camera.center;
+    std::optional<double> common;
+    for (std::size_t i = 0; i < bodies; ++i) {
+        const double one = centerOf(i).point[axis];
+        if (common && std::abs(*common - one) > 1e-6 * (1 + std::abs(one)))
+            return depth;
+        common = one;
+    }
+    depth[axis] = common.value_or(0);
+    return depth;
+}
+
+// It stands on the grid that is seen there, at round numbers, or where a thing on it draws it.
+std::optional<Indicated> Indicating::onGrid(BegunRecipe& begun, const Eigen::Vector2d& pixels,
+                                            Indicated found) {
+    const auto ground = display_.ground();
+    const gestures::Sight sight = display_.sight();
+    const auto place =
+        ground ? gestures::onGround(sight, pixels, ground->up, ground->height) : std::nullopt;
+    if (!place)
+        return std::nullopt;
+    begun.fit(sight, *place);
+    found.resolution = sight.pixelLength(*place);
+    const gestures::Snapped meant = snapping().at(*place);
+    found.point = meant.isExact ? meant.place : *place;
+    if (!meant.isExact) {
+        const double step = snapping().step(*place);
+        for (const int axis : ground->across)
+            found.point[axis] = step * std::round(found.point[axis] / step);
+    }
+    found.point += (ground->height - found.point.dot(ground->up)) * ground->up;
+    found.at = meant.isExact ? meant.to : QObject::tr("on the grid").toStdString();
+    found.point += heightOf(*begun.ghost(), ground->up, found.attitude) * ground->up;
+    const auto free =
+        gestures::standingFree(display_.drawing(), *begun.ghost(), {found.point, found.attitude},
+                               *ground, snapping().step(*place));
+    if (free && *free != found.point)
+        found.at = QObject::tr("on the grid, where there is room").toStdString();
+    found.point = free.value_or(found.point);
+    found.resolution *= 1e-3; // so that it touches
+    return found;
+}
+
+// It touches the surface there, and is turned as the body below it where that is a slope.
+Indicated Indicating::restingOn(BegunRecipe& begun, const gestures::Picked& picked,
+                                Indicated found) {
+    const geometry::Pose pose = poseOf(picked.body);
+    begun.fit(display_.sight(), picked.point);
+    const Vector up = picked.normal;
+    const bool isLevel = isUpright(up);
+    if (!isLevel && isUpright(pose.attitude.conjugate() * up))
+        found.attitude = pose.attitude;
+    Vector place = picked.point;
+    const gestures::Snapped meant = snapping().at(place);
+    if (meant.isExact && meant.to.starts_with("the middle of a face")) {
+        place = meant.place;
+        found.at = meant.to;
+    } else {
+        place = besideMiddle(place, up, pose.position, 1.5 * clickReach * found.resolution,
+                             snapping().step(place));
+    }
+    found.point = place + heightOf(*begun.ghost(), up, found.attitude) * up;
+    found.resolution *= 1e-3; // so that it touches
+    if (!isLevel) {           // and a little more: a gap of rounding would be a fall
+        found.resolution = 1e-9;
+        found.point -= found.resolution * up;
+    }
+    if (found.at.empty())
+        found.at =
+            QObject::tr("on %1")
+                .arg(QString::fromStdString(display_.drawing().scene->bodies[picked.body].name))
+                .toStdString();
+    return found;
+}
+
+// A point of the world on a body; one that is meant to be deep lies on the body's axes if near.
+Indicated Indicating::onBody(const Step& step, std::size_t body, const Vector& point) const {
+    const geometry::Pose pose = poseOf(body);
+    Indicated found = centerOf(body);
+    found.atCenter = false;
+    found.resolution = display_.sight().pixelLength(point);
+    found.onBody = pose.toLocal(point);
+    if (step.deep)
+        found.onBody = onAxes(body, found.onBody, found.resolution);
+    found.point = pose.toWorld(found.onBody);
+    return found;
+}
+
+// A hand's unsteadiness beside an axis of the body through its centre is none.
+Vector Indicating::onAxes(std::size_t body, const Vector& onBody, double near) const {
+    const Vector center = display_.centroidOf(body);
+    Vector from = onBody - center;
+    for (Eigen::Index i = 0; i < 3; ++i)
+        if (std::abs(from[i]) < 0.6 * clickReach * display_.devicePixelRatioF() * near)
+            from[i] = 0;
+    return from + center;
+}
+
+// Where another body is shown that is further behind or before, as deep as that body's centre.
+Indicated Indicating::held(const BegunRecipe& begun, const Eigen::Vector2d& pixels, bool holdsOff) {
+    const gestures::Sight sight = display_.sight();
+    const render::Drawing drawing = display_.drawing();
+    const Indicated& first = begun.shown().front();
+    const geometry::Pose pose = poseOf(*first.body);
+    Indicated found;
+    found.given = true;
+    found.point = sight.across(pixels, first.point);
+    found.resolution = sight.pixelLength(found.point);
+    const auto other = gestures::bodyAt(drawing, sight, pixels, first.body);
+    if (other) {
+        const Indicated center = centerOf(other->body);
+        found.body = other->body;
+        found.atCenter = isNear(center.point, pixels);
+        if (gestures::isGrasped(*drawing.scene, other->body) &&
+            !gestures::isIn(drawing, other->body, found.point))
+            found.point = sight.beside(pixels, center.point);
+        const geometry::Pose its = poseOf(other->body);
+        found.onBody = found.atCenter
+                           ? center.onBody
+                           : onAxes(other->body, its.toLocal(found.point), found.resolution);
+        found.point = its.toWorld(found.onBody);
+    }
+    found.onFirst = onAxes(*first.body, pose.toLocal(found.point), found.resolution);
+    if (!other && first.atCenter)
+        found.point = pose.toWorld(found.onFirst);
+    if (!other && !holdsOff)
+        drawn(found, *first.body, pose);
+    return found;
+}
+
+// On the ground it is drawn to things and round numbers, but for what lies on the body's axes.
+void Indicating::drawn(Indicated& found, std::size_t firstBody, const geometry::Pose& first) {
+    const gestures::Snapped meant = snapping().at(found.point);
+    found.at = meant.to;
+    const Vector center = first.toWorld(display_.centroidOf(firstBody));
+    Vector place = meant.place;
+    constexpr double finer = 4; // than for bodies: a joint may be anywhere on them
+    const double step = gestures::roundStep(snapping().step(found.point) / finer);
+    if (meant.isExact)
+        found.resolution *= 0.01; // so that it meets the thing
+    for (Eigen::Index i = 0; i < 3 && !meant.isExact; ++i) {
+        const bool isOnAxis =
+            std::abs(found.point[i] - center[i]) < 1e-9 * (1 + std::abs(center[i]));
+        const bool isDepth = i == display_.sight().facing(); // nobody points at it
+        place[i] = isOnAxis  ? center[i]
+                   : isDepth ? found.point[i]
+                             : step * std::round(found.point[i] / step);
+    }
+    found.point = place;
+    found.onFirst = first.toLocal(place);
+}
+
+// A typed place holds the first body to the body that is there.
+void Indicating::holdFirst(Indicated& found, const Indicated& first) const {
+    found.onFirst = poseOf(*first.body).toLocal(found.point);
+    found.body = gestures::bodyAround(display_.drawing(), found.point, *first.body);
+    if (found.body)
+        found.onBody = poseOf(*found.body).toLocal(found.point);
+}
+
+bool Indicating::isNear(const Vector& point, const Eigen::Vector2d& pixels) const {
+    return (display_.sight().pixels(point) - pixels).norm() <=
+           0.7 * clickReach * display_.devicePixelRatioF();
+}
+
+geometry::Pose Indicating::poseOf(std::size_t body) const {
+    const render::Drawing drawing = display_.drawing();
+    return render::poseOf(*drawing.scene, drawing.motion.get(), body, drawing.time);
+}
+
+Vector Indicating::towardsViewer() const {
+    return display_.sight().camera.rotation.conjugate() * Vector::UnitZ();
+}
+
+const gestures::Snapping& Indicating::snapping() {
+    const Shown& shown = document_.shown();
+    const gestures::Sight sight = display_.sight();
+    if (!near_ || near_->of.scene != shown.scene || near_->of.motion != shown.motion ||
+        near_->time != display_.time() || near_->sight.size != sight.size ||
+        near_->sight.camera != sight.camera)
+        near_.emplace(
+            Near{shown, display_.time(), sight,
+                 gestures::Snapping(display_.drawing(), sight, display_.devicePixelRatioF())});
+    return near_->snapping;
+}
+
+} // namespace views
