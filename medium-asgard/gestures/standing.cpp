@@ -2,9 +2,11 @@
 
 #include "collision/separation.h"
 #include "framing/extent.h"
+#include "surroundings/ground.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace gestures {
@@ -17,6 +19,25 @@ struct Standing {
     geometry::Box box;
     bool isEndless = false;
 };
+
+// Of the surfaces, from the second towards the first.
+collision::Separation apart(const geometry::Shape& shape, const geometry::Pose& pose,
+                            const Standing& other) {
+    const auto rotation = pose.attitude.toRotationMatrix();
+    const auto its = other.pose.attitude.toRotationMatrix();
+    const Vector between = other.pose.position - pose.position;
+    collision::Separation least;
+    least.gap = std::numeric_limits<double>::infinity();
+    for (const geometry::Part& part : shape.parts)
+        for (const geometry::Part& one : other.shape->parts) {
+            collision::WarmStart cold;
+            const auto found =
+                collision::separate({&part, rotation, Vector::Zero()}, {&one, its, between}, cold);
+            if (found.gap < least.gap)
+                least = found;
+        }
+    return least;
+}
 
 class Others {
 public:
@@ -44,26 +65,12 @@ public:
     [[nodiscard]] bool isFree(const geometry::Pose& pose) const {
         const geometry::Box box = geometry::bounds(shape_, pose);
         return std::ranges::none_of(all_, [&](const Standing& other) {
-            return (other.isEndless || other.box.intersects(box)) && overlaps(pose, other);
+            return (other.isEndless || other.box.intersects(box)) &&
+                   apart(shape_, pose, other).gap < -touch_;
         });
     }
 
 private:
-    [[nodiscard]] bool overlaps(const geometry::Pose& pose, const Standing& other) const {
-        const auto rotation = pose.attitude.toRotationMatrix();
-        const auto its = other.pose.attitude.toRotationMatrix();
-        const Vector between = other.pose.position - pose.position;
-        for (const geometry::Part& part : shape_.parts)
-            for (const geometry::Part& one : other.shape->parts) {
-                collision::WarmStart cold;
-                const auto apart = collision::separate({&part, rotation, Vector::Zero()},
-                                                       {&one, its, between}, cold);
-                if (apart.gap < -touch_)
-                    return true;
-            }
-        return false;
-    }
-
     const geometry::Shape& shape_;
     double touch_; // less than that is none
     std::vector<Standing> all_;
@@ -82,6 +89,112 @@ const std::vector<Eigen::Vector2i>& around() {
     }();
     return all;
 }
+
+// How far a shape that is turned so reaches along a direction, from its origin.
+double reachOf(const geometry::Shape& shape, const Vector& along,
+               const geometry::Quaternion& attitude) {
+    const geometry::Quaternion level = geometry::Quaternion::FromTwoVectors(along, Vector::UnitY());
+    return geometry::bounds(shape, {Vector::Zero(), level * attitude}).max().y();
+}
+
+// Bodies at the start, of which some get another shape.
+class Resized {
+public:
+    Resized(const scene::Scene& scene, std::size_t shapeSet, const std::vector<scene::Part>& parts)
+        : scene_(scene), extent_(render::extentOf(scene, nullptr)),
+          ground_(render::groundHeight(extent_)), ways_(scene.bodies.size()) {
+        scene::Scene after;
+        after.shapeSets = {scene.shapeSets[shapeSet]};
+        after.shapeSets.front().parts = parts;
+        after.bodies.resize(1);
+        for (const scene::Body& body : scene.bodies) {
+            const bool isOfIt = body.shape == scene.shapeSets[shapeSet].name;
+            after.bodies.front() = body;
+            const geometry::Pose pose{body.initialPosition, body.initialAttitude};
+            const ShapePointer shape = shapeOf(scene, body.name);
+            before_.push_back({shape, pose,
+                               shape ? geometry::bounds(*shape, pose) : geometry::Box(),
+                               shape && isEndless(*shape)});
+            after_.push_back(isOfIt ? shapeOf(after, body.name) : shape);
+        }
+    }
+
+    [[nodiscard]] Vector wayOf(std::size_t body) {
+        std::optional<Vector>& way = ways_[body];
+        if (!way) {
+            way = Vector::Zero(); // of what stands on itself, through others
+            if (!isHeld(scene_.bodies[body].name) && canStand(body))
+                if (const auto support = supportOf(body))
+                    way = standingOn(*support, body);
+        }
+        return *way;
+    }
+
+private:
+    struct Support {
+        std::optional<std::size_t> body; // none: the grid
+        Vector up;                       // out of its surface
+    };
+
+    [[nodiscard]] bool canStand(std::size_t body) const {
+        return before_[body].shape && after_[body] && !before_[body].isEndless;
+    }
+    [[nodiscard]] bool isHeld(const std::string& name) const {
+        const auto joins = [&](const scene::Joint& joint) {
+            return joint.body1 == name || joint.body2 == name;
+        };
+        const auto ties = [&](const scene::Rope& rope) {
+            return std::ranges::find(rope.points, name, &scene::Rope::Point::body) !=
+                   rope.points.end();
+        };
+        return std::ranges::any_of(scene_.joints, joins) ||
+               std::ranges::any_of(scene_.ropes, ties) ||
+               std::ranges::find(scene_.constraints, name, &scene::Constraint::body) !=
+                   scene_.constraints.end();
+    }
+    // Of several the one that looks up most.
+    [[nodiscard]] std::optional<Support> supportOf(std::size_t body) const {
+        constexpr double steepest = 0.5, touch = 1e-3; // of its size
+        const Standing& own = before_[body];
+        const double least = touch * geometry::radiusAbout(*own.shape, Vector::Zero());
+        const geometry::Box near(own.box.min().array() - least, own.box.max().array() + least);
+        std::optional<Support> found;
+        if (std::abs(own.pose.position.dot(extent_.ground) - ground_ -
+                     reachOf(*own.shape, -extent_.ground, own.pose.attitude)) <= least)
+            found = {std::nullopt, extent_.ground};
+        for (std::size_t i = 0; i < before_.size(); ++i) {
+            const Standing& other = before_[i];
+            if (i == body || !other.shape || !(other.isEndless || other.box.intersects(near)))
+                continue;
+            const auto between = apart(*own.shape, own.pose, other);
+            const double up = between.normal.dot(extent_.ground);
+            if (std::abs(between.gap) <= least && up > steepest &&
+                (!found || up > found->up.dot(extent_.ground)))
+                found = {i, between.normal};
+        }
+        return found;
+    }
+    [[nodiscard]] Vector standingOn(const Support& support, std::size_t body) {
+        const auto grown = [this](std::size_t which, const Vector& along) {
+            const geometry::Quaternion& attitude = before_[which].pose.attitude;
+            return before_[which].shape == after_[which] || !after_[which]
+                       ? 0.0
+                       : reachOf(*after_[which], along, attitude) -
+                             reachOf(*before_[which].shape, along, attitude);
+        };
+        Vector way = grown(body, -support.up) * support.up;
+        if (support.body)
+            way += wayOf(*support.body) + grown(*support.body, support.up) * support.up;
+        return way;
+    }
+
+    const scene::Scene& scene_;
+    render::Extent extent_;
+    double ground_;
+    std::vector<Standing> before_;
+    std::vector<ShapePointer> after_;
+    std::vector<std::optional<Vector>> ways_;
+};
 
 } // namespace
 
@@ -110,6 +223,27 @@ bool isInsideOfOthers(const scene::Scene& scene, const geometry::Shape& shape,
     render::Drawing start;
     start.scene = &scene;
     return !Others(start, shape, but).isFree(pose);
+}
+
+std::vector<editing::Wish> standingStill(const scene::Scene& scene, std::size_t shapeSet,
+                                         const std::vector<scene::Part>& parts) {
+    Resized resized(scene, shapeSet, parts);
+    std::vector<editing::Wish> wishes;
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        const Vector way = resized.wayOf(i), from = scene.bodies[i].initialPosition;
+        if (way.isZero(1e-12))
+            continue;
+        const Vector to = from + way;
+        wishes.push_back({.element = {editing::Kind::body, i},
+                          .option = "-init_pos",
+                          .path = {},
+                          .values = {to.x(), to.y(), to.z()},
+                          .resolution = 1e-9,
+                          .absent = {0, 0, 0},
+                          .now = {from.x(), from.y(), from.z()},
+                          .offers = false});
+    }
+    return wishes;
 }
 
 } // namespace gestures

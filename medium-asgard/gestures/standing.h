@@ -1,11 +1,12 @@
-// Whether a new body is inside of others, and the place on level ground where it stands beside
-// them.
+// Whether a new body is inside of others, the place on level ground where it stands beside them,
+// and where bodies stand whose shape gets another size.
 //
 // LIMIT: to cylinders, cones and ellipsoids a tube or a bowl counts as if it were full
 // (collision/hollow_separation.h): in a large one there is no room, and they stand where they are
 // wanted.
 #pragma once
 
+#include "editing/value_edit.h"
 #include "gestures/picking.h"
 #include "surroundings/grid.h"
 
@@ -24,5 +25,12 @@ namespace gestures {
 // A shape there is inside of a body, where these begin, but for that one.
 [[nodiscard]] bool isInsideOfOthers(const scene::Scene& scene, const geometry::Shape& shape,
                                     const geometry::Pose& pose, std::size_t but);
+
+// Once a shape set has these parts, a body of that shape stands as it did at the start: on the
+// grid, or on a side of another body that looks up, however oblique; and so does what stands on it.
+// The places that this takes; none: all may stay. What joints, ropes or paths hold stays.
+[[nodiscard]] std::vector<editing::Wish> standingStill(const scene::Scene& scene,
+                                                       std::size_t shapeSet,
+                                                       const std::vector<scene::Part>& parts);
 
 } // namespace gestures

@@ -2,6 +2,7 @@
 
 #include "gestures/handle_meaning.h"
 #include "gestures/new_point.h"
+#include "gestures/standing.h"
 #include "point_edits/shape_edit.h"
 #include "point_edits/shape_points.h"
 #include "point_edits/trajectory_edit.h"
@@ -57,6 +58,22 @@ std::optional<SizedShape> sizedShapeOf(const scene::Scene& scene, const std::str
     return SizedShape{
         static_cast<std::size_t>(set - scene.shapeSets.begin()),
         static_cast<std::size_t>(std::ranges::count(scene.bodies, name, &scene::Body::shape))};
+}
+
+// LIMIT: where the text computes a place, the size alone changes.
+void addPlaces(editing::Answer& sized, const std::string& text,
+               const std::shared_ptr<const scene::Scene>& scene,
+               const std::vector<editing::Wish>& places) {
+    if (!sized.possible() || places.empty())
+        return;
+    const editing::Answer moved = editing::Mapper(text, scene).answer(places);
+    text::Edits all = sized.edits;
+    for (const text::Edit& edit : moved.edits)
+        if (!text::join(all, edit))
+            return;
+    text::putInOrder(all);
+    if (moved.possible())
+        sized.edits = std::move(all);
 }
 
 // "": a surface can have these, in the order of surfaceWishes().
@@ -148,7 +165,10 @@ std::optional<AskedValue> askedSize(SceneDocument& document, std::size_t body) {
         }
         auto draft = editing::draftOf(scene->shapeSets[which]);
         draft.front().part = editing::withSizes(draft.front().part, values);
-        return editing::become(text, scene, which, draft);
+        editing::Answer answer = editing::become(text, scene, which, draft);
+        addPlaces(answer, text, scene,
+                  gestures::standingStill(*scene, which, {draft.front().part}));
+        return answer;
     };
     return asked;
 }

@@ -236,9 +236,9 @@ std::optional<Selecting::Tag> Selecting::tag() const {
                                        "or Shift+F, shows them.")
                           .arg(count);
     constexpr double margin = 10;
+    const int narrow = std::max(120, display_.width() / 3); // the middle is for the bodies
     tag.box = display_.fontMetrics()
-                  .boundingRect(QRect(0, 0, std::max(80, display_.width() - 60), 1000),
-                                Qt::TextWordWrap, tag.words)
+                  .boundingRect(QRect(0, 0, narrow, 1000), Qt::TextWordWrap, tag.words)
                   .toRectF()
                   .marginsAdded({6, 3, 6, 3});
     const double across = picture.width() / 2 - tag.box.width() / 2 - 2 * margin;

@@ -463,7 +463,8 @@ TEST_F(SelectingTest, WhatIsSelectedOutOfThePictureIsToldAndAClickShowsIt) {
     ASSERT_TRUE(tag.has_value());
     EXPECT_THAT(tag->words.toStdString(), HasSubstr("left is out of the picture"));
     EXPECT_TRUE(QRectF(display().rect()).contains(tag->box));
-    EXPECT_LT(tag->box.center().x(), display().width() / 2.0); // where it is
+    EXPECT_LT(tag->box.center().x(), display().width() / 2.0);          // where it is
+    EXPECT_FALSE(tag->box.contains(QRectF(display().rect()).center())); // over no other body
     EXPECT_LT(tag->end.x(), -0.9);
     click(tag->box.center().toPoint());
     EXPECT_TRUE(display().rect().contains(at({-60, 0, 0})));

@@ -156,6 +156,24 @@ TEST_F(PropertiesTest, TheSizeOfItsShapeIsARow) {
     EXPECT_THAT(pane.sizeRow()->fault().toStdString(), HasSubstr("above 0"));
 }
 
+TEST_F(PropertiesTest, ABoxOnTheGridStandsThereWithAnotherSize) {
+    const std::string box = "shape_set s -desc {-sub {-box {1 1 1}}}\n";
+    open(box + "body a s -init_pos {0 0.5 0}\n", {{Kind::body, 0}});
+    type("size2", "0.4");
+    EXPECT_EQ(document.text(),
+              "shape_set s -desc {-sub {-box {1 0.4 1}}}\nbody a s -init_pos {0 0.2 0}\n");
+    document.undo(); // one step
+    EXPECT_EQ(document.undoLabel(), "Edit");
+}
+
+TEST_F(PropertiesTest, AComputedPlaceStaysAndTheSizeIsTaken) {
+    const std::string box = "shape_set s -desc {-sub {-box {1 1 1}}}\n";
+    open(box + "set h [expr {0.25 * 2}]\nbody a s -init_pos \"0 $h 0\"\n", {{Kind::body, 0}});
+    type("size2", "0.4");
+    EXPECT_THAT(document.text(), HasSubstr("-box {1 0.4 1}"));
+    EXPECT_THAT(document.text(), HasSubstr("set h [expr {0.25 * 2}]"));
+}
+
 TEST_F(PropertiesTest, SeveralOfOneShapeShareItsSize) {
     open(two, {{Kind::body, 0}, {Kind::body, 1}});
     EXPECT_EQ(field("size1").text(), "0.5");
