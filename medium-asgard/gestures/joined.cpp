@@ -70,6 +70,19 @@ std::string Joined::whyNotThrown() const {
 void Joined::pull(const Vector& way) {
     way_.reset();
     pulling_.pullTo(grabbed_ + way);
+    if (!isRight_)
+        return;
+    if (isRight_(*this)) {
+        rightWay_ = way;
+        return;
+    }
+    Vector wrong = way;
+    for (int halvings = 24; halvings > 0; --halvings) {
+        const Vector middle = (rightWay_ + wrong) / 2;
+        pulling_.pullTo(grabbed_ + middle);
+        (isRight_(*this) ? rightWay_ : wrong) = middle;
+    }
+    pulling_.pullTo(grabbed_ + rightWay_);
 }
 
 void Joined::moveAll(const Vector& way) { way_ = way; }

@@ -6,6 +6,7 @@
 #include "element_edits/closing.h"
 #include "physics/pulling.h"
 
+#include <functional>
 #include <memory>
 
 namespace gestures {
@@ -32,6 +33,9 @@ public:
     [[nodiscard]] const geometry::Vector& grabbed() const { return grabbed_; }
     // The point so far from where it was grabbed, as near as joints let it.
     void pull(const geometry::Vector& way);
+    // A pull goes only as far as this is so.
+    // LIMIT: where one joint is at its limit, others that could go on stay, too.
+    void keep(std::function<bool(const Joined&)> isRight) { isRight_ = std::move(isRight); }
     // All by the same way, with what holds them to the world.
     void moveAll(const geometry::Vector& way);
     // Other bodies go the same way: what holds them to these stays as it is.
@@ -71,8 +75,10 @@ private:
     std::size_t body_;
     geometry::Vector grabbed_;
     physics::Pulling pulling_;
-    std::optional<geometry::Vector> way_; // of all of them
-    std::vector<std::size_t> others_;     // that go the same way
+    std::optional<geometry::Vector> way_;        // of all of them
+    std::vector<std::size_t> others_;            // that go the same way
+    std::function<bool(const Joined&)> isRight_; // null: always
+    geometry::Vector rightWay_ = geometry::Vector::Zero();
 };
 
 } // namespace gestures

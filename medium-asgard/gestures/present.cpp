@@ -133,10 +133,66 @@ double goneBetween(const scene::Joint& joint, std::size_t k, const Vector& offse
     return along.dot(place(after) - place(before));
 }
 
+// Where bodies stand at a moment: as a hand has put them, or as the motion has them.
+class Placement {
+public:
+    Placement(const Ground& ground, double time, const std::vector<Put>& puts)
+        : ground_(ground), puts_(puts), time_(time) {}
+
+    [[nodiscard]] const Put* putOf(std::size_t body) const {
+        const auto put = std::ranges::find(puts_, body, &Put::body);
+        return put == puts_.end() ? nullptr : &*put;
+    }
+
+    // How far the coordinate of a joint has gone by the hand.
+    [[nodiscard]] double goneByHand(const scene::Joint& joint, std::size_t k) const {
+        if (puts_.empty())
+            return 0;
+        const auto endsAt = [&](double time, bool byHand) {
+            return Ends{poseOf(joint.body1, time, byHand), poseOf(joint.body2, time, byHand)};
+        };
+        const auto& bodies = ground_.scene->bodies;
+        const auto first = static_cast<std::size_t>(
+            std::ranges::find(bodies, joint.body1, &scene::Body::name) - bodies.begin());
+        return goneBetween(joint, k, joint.offset1.value_or(ground_.motion->centroid(first)),
+                           endsAt(ground_.motion->start(), false), endsAt(time_, false),
+                           endsAt(time_, true));
+    }
+
+private:
+    // The body stands as the hand has put it, or as the motion has it.
+    [[nodiscard]] geometry::Pose poseOf(const std::optional<std::string>& name, double time,
+                                        bool byHand) const {
+        const auto& bodies = ground_.scene->bodies;
+        const auto found =
+            name ? std::ranges::find(bodies, *name, &scene::Body::name) : bodies.end();
+        if (found == bodies.end())
+            return {Vector::Zero(), geometry::Quaternion::Identity()};
+        const auto index = static_cast<std::size_t>(found - bodies.begin());
+        geometry::Pose pose = ground_.motion->shapePose(index, time);
+        if (const Put* const hand = byHand ? putOf(index) : nullptr) {
+            pose.position = hand->place;
+            pose.attitude = hand->attitude.value_or(pose.attitude);
+        }
+        return pose;
+    }
+
+    const Ground& ground_;
+    const std::vector<Put>& puts_;
+    double time_;
+};
+
+// A coordinate that is so far beyond a limit is there: rounding is none.
+constexpr double roundingOf(double value) { return 1e-6 * std::max(1.0, std::abs(value)); }
+
+double withinLimits(const scene::JointCoordinate& q, double value) {
+    return std::clamp(value, q.lower.value_or(value), q.upper.value_or(value));
+}
+
 class Moment {
 public:
     Moment(const Ground& ground, double time, const std::vector<Put>& puts)
-        : ground_(ground), puts_(puts),
+        : ground_(ground), placement_(ground, time, puts),
           mapper_(ground.text, ground.scene,
                   [&ground](const std::string& name) {
                       return render::constantValue(*ground.scene, ground.motion.get(), name);
@@ -197,7 +253,7 @@ private:
                               numbersOf(Vector::Zero()),
                               numbersOf(now)});
         };
-        const Put* const hand = putOf(index);
+        const Put* const hand = placement_.putOf(index);
         const double fine = 1e-9 * size_;
         wish("-init_pos", hand ? hand->place : ground_.motion->shapePose(index, time_).position,
              body.initialPosition, hand ? hand->resolution : fine);
@@ -213,43 +269,6 @@ private:
         wishes.back().now.clear(); // one attitude has many rotation vectors
         if (mapper_.count(wishes.back()) == 4)
             wishes.back().values = {q.w(), q.x(), q.y(), q.z()};
-    }
-
-    [[nodiscard]] const Put* putOf(std::size_t body) const {
-        const auto put = std::ranges::find(puts_, body, &Put::body);
-        return put == puts_.end() ? nullptr : &*put;
-    }
-
-    // The body stands as the hand has put it, or as the motion has it.
-    [[nodiscard]] geometry::Pose poseOf(const std::optional<std::string>& name, double time,
-                                        bool byHand) const {
-        const auto& bodies = ground_.scene->bodies;
-        const auto found =
-            name ? std::ranges::find(bodies, *name, &scene::Body::name) : bodies.end();
-        if (found == bodies.end())
-            return {Vector::Zero(), geometry::Quaternion::Identity()};
-        const auto index = static_cast<std::size_t>(found - bodies.begin());
-        geometry::Pose pose = ground_.motion->shapePose(index, time);
-        if (const Put* const hand = byHand ? putOf(index) : nullptr) {
-            pose.position = hand->place;
-            pose.attitude = hand->attitude.value_or(pose.attitude);
-        }
-        return pose;
-    }
-
-    // Of a joint, by the hand.
-    [[nodiscard]] double goneByHand(const scene::Joint& joint, std::size_t k) const {
-        if (puts_.empty())
-            return 0;
-        const auto endsAt = [&](double time, bool byHand) {
-            return Ends{poseOf(joint.body1, time, byHand), poseOf(joint.body2, time, byHand)};
-        };
-        const auto& bodies = ground_.scene->bodies;
-        const auto first = static_cast<std::size_t>(
-            std::ranges::find(bodies, joint.body1, &scene::Body::name) - bodies.begin());
-        return goneBetween(joint, k, joint.offset1.value_or(ground_.motion->centroid(first)),
-                           endsAt(ground_.motion->start(), false), endsAt(time_, false),
-                           endsAt(time_, true));
     }
 
     // The coordinates of joints that something asks for. A sentence: why they cannot be so.
@@ -288,14 +307,13 @@ private:
         const editing::Element element{Kind::joint, which.first};
         const scene::Joint& joint = ground_.scene->joints[which.first];
         const scene::JointCoordinate& q = joint.coordinates[which.second];
-        constexpr double least = 1e-6;
-        const double byHand = goneByHand(joint, which.second);
+        const double byHand = placement_.goneByHand(joint, which.second);
         const std::string name = editing::describe(*ground_.scene, element);
-        if (q.position && std::abs(byHand) > least)
+        if (q.position && std::abs(byHand) > roundingOf(0))
             return name + " follows its -position, and this would take it elsewhere.";
         const double wanted = value + byHand;
-        const double kept = std::clamp(wanted, q.lower.value_or(wanted), q.upper.value_or(wanted));
-        if (std::abs(kept - wanted) > least * std::max(1.0, std::abs(wanted)))
+        const double kept = withinLimits(q, wanted);
+        if (std::abs(kept - wanted) > roundingOf(wanted))
             return name + " would be beyond its -limits.";
         wishes.push_back({element,
                           "-from" + scene::coordinateSuffix(joint.type, which.second),
@@ -316,13 +334,42 @@ private:
     }
 
     const Ground& ground_;
-    const std::vector<Put>& puts_;
+    Placement placement_;
     editing::Mapper mapper_;
     double time_;
     double size_ = 1e-3;
 };
 
 } // namespace
+
+JointLimits::JointLimits(const Ground& ground, double time) : ground_(ground), time_(time) {
+    const scene::Scene& scene = *ground.scene;
+    const auto released = simulation::releasedBy(scene, *ground.motion, time).joints;
+    std::vector<std::string> names, faults;
+    for (std::size_t i = 0; i < scene.joints.size(); ++i)
+        for (std::size_t k = 0; k < scene.joints[i].coordinates.size(); ++k) {
+            const scene::JointCoordinate& q = scene.joints[i].coordinates[k];
+            if (!scene::traitsOf(scene.joints[i].type).hasFrom || released.contains(i) ||
+                !(q.lower || q.upper))
+                continue;
+            limited_.push_back({i, k, 0});
+            names.push_back(nameOf(scene.joints[i], k));
+        }
+    if (names.empty())
+        return;
+    const auto values = simulation::Quantities(scene, {}, ground.motion, names, faults).at(time);
+    for (std::size_t n = 0; n < limited_.size(); ++n)
+        limited_[n].value = values[n];
+}
+
+bool JointLimits::areKept(const std::vector<Put>& puts) const {
+    const Placement placement(ground_, time_, puts);
+    return std::ranges::all_of(limited_, [&](const Coordinate& one) {
+        const scene::Joint& joint = ground_.scene->joints[one.joint];
+        const double now = one.value + placement.goneByHand(joint, one.index);
+        return std::abs(withinLimits(joint.coordinates[one.index], now) - now) <= roundingOf(now);
+    });
+}
 
 double roundMoment(const simulation::Motion& motion, double time) {
     const double step = editing::decimalStep((motion.finish() - motion.start()) / 2000);

@@ -40,6 +40,22 @@ struct Put {
 // "b.rz counts from this moment on: it is 0 at 1.2 s.": of what the text reads. "": there is
 // nothing.
 [[nodiscard]] std::string countsAnew(const Ground& ground, double time);
+// The limits of joints, for a hand that moves bodies from where they are at that moment.
+class JointLimits {
+public:
+    JointLimits(const Ground& ground, double time);
+    // All joints are within them with these bodies put elsewhere.
+    [[nodiscard]] bool areKept(const std::vector<Put>& puts) const;
+
+private:
+    struct Coordinate {
+        std::size_t joint, index;
+        double value; // at the moment
+    };
+    Ground ground_;
+    double time_;
+    std::vector<Coordinate> limited_;
+};
 // Why it cannot begin at that moment; "": it can, as far as the text allows.
 [[nodiscard]] std::string whyNotAt(const scene::Scene& scene,
                                    const simulation::MotionPointer& motion, double time);

@@ -1,3 +1,4 @@
+#include "gestures/joined.h"
 #include "gestures/present.h"
 
 #include "run/quantities.h"
@@ -191,6 +192,39 @@ TEST(Present, AHandCannotTakeAJointBeyondItsLimitsNorADrivenOneElsewhere) {
                 HasSubstr("beyond its -limits"));
     EXPECT_THAT(startingAt(groundOf(arm + " -position {-0.2 * t}\n"), 0.3, {put}).reason,
                 HasSubstr("follows its -position"));
+}
+
+// The arm, in the hand at 0.3 s, is pulled round to the other side and back.
+TEST(Present, APulledJointStopsAtItsLimitAndComesBack) {
+    const Ground ground = groundOf(arm + " -limits {-2 0.3}\n");
+    constexpr double moment = 0.3;
+    const scene::Scene then = sceneAt(ground, moment);
+    const Vector end =
+        then.bodies[0].initialPosition + then.bodies[0].initialAttitude * Vector(0.5, 0, 0);
+    const auto joined = Joined::of(then, 0, end);
+    ASSERT_TRUE(joined);
+    const JointLimits limits(ground, moment);
+    const auto put = [](const Joined& one) {
+        return Put{0, one.poseOf(0).position, std::nullopt, 0, one.poseOf(0).attitude};
+    };
+    joined->keep([&](const Joined& now) { return limits.areKept({put(now)}); });
+    const auto angle = [&] { return geometry::toRotationVector(joined->poseOf(0).attitude).z(); };
+    const auto pullTo = [&](double wanted) {
+        joined->pull(Vector(std::cos(wanted), std::sin(wanted), 0) - end);
+    };
+    pullTo(0.2);
+    EXPECT_NEAR(angle(), 0.2, 1e-6);
+    for (const double beyond : {0.6, 1.5, 1.2}) {
+        pullTo(beyond);
+        EXPECT_NEAR(angle(), 0.3, 1e-5) << beyond;
+        EXPECT_TRUE(startingAt(ground, moment, {put(*joined)}).possible());
+    }
+    pullTo(-0.7);
+    EXPECT_NEAR(angle(), -0.7, 1e-6);
+    joined->keep(nullptr); // a hand that asks for no limits
+    pullTo(1.2);
+    EXPECT_NEAR(angle(), 1.2, 1e-6);
+    EXPECT_FALSE(startingAt(ground, moment, {put(*joined)}).possible());
 }
 
 TEST(Present, WhatCountsFromTheNewStartIsTold) {

@@ -128,6 +128,16 @@ bool Throwing::press(std::size_t body, const QPointF& position) {
                        {},
                        joinedAt(body, position),
                        companyOf(body, position)});
+    if (held_->joined)
+        held_->joined->keep([limits = gestures::JointLimits(held_->ground, held_->time)](
+                                const gestures::Joined& joined) {
+            std::vector<gestures::Put> puts;
+            for (const std::size_t one : joined.bodies()) {
+                const geometry::Pose there = joined.poseOf(one);
+                puts.push_back({one, there.position, std::nullopt, 0, there.attitude});
+            }
+            return limits.areKept(puts);
+        });
     rate_.reset();
     Q_EMIT grabbed();
     return true;
