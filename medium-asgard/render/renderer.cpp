@@ -79,7 +79,8 @@ struct Renderer::Implementation {
     Coils coils;
     ContactForces contactForces;
     KeptExtent kept;
-    std::optional<GroundPlane> ground; // of the last picture
+    std::optional<GroundPlane> ground;     // of the last picture
+    std::optional<GroundPlane> keptGround; // of pictures before
 
     ~Implementation() {
         if (context && context->makeCurrent()) {
@@ -326,7 +327,9 @@ bool Renderer::Implementation::paint(const Drawing& drawing, const Frame& frame)
     gl.DepthMask(GL_FALSE);
     ground.reset();
     if (display.grid) {
-        const Ground below = groundOf(all, extent, frame, *solids);
+        Ground below = groundOf(all, extent, frame, *solids);
+        if (keptGround && !below.floor && keptGround->up == below.plane.up)
+            below.plane = *keptGround;
         ground = below.plane;
         if (!sights.empty() && !below.floor)
             groundShadow->show(below.plane, shadowing, sights, frame, projection.data(),
@@ -405,6 +408,10 @@ bool Renderer::draw(const Drawing& drawing, const Image& into) {
 }
 
 const std::optional<GroundPlane>& Renderer::ground() const { return implementation_->ground; }
+
+void Renderer::keepGround(const std::optional<GroundPlane>& ground) {
+    implementation_->keptGround = ground;
+}
 
 int Renderer::maximumSamples() const {
     GLint most = 1;

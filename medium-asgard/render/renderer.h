@@ -21,6 +21,9 @@ public:
     [[nodiscard]] static std::variant<std::unique_ptr<Renderer>, std::string> create();
     ~Renderer();
 
+    // The next pictures have the ground there, unless bodies are its floor; none: where their
+    // scene's motion has it.
+    void keepGround(const std::optional<GroundPlane>& ground);
     // Draws and reads back. False when the context was lost; then make a new renderer.
     [[nodiscard]] bool draw(const Drawing& drawing, const Image& into);
     // The plane of the last picture's grid; none: it has no grid.

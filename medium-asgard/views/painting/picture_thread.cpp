@@ -64,10 +64,11 @@ private:
         unsigned framedWith = 0; // the kinds of handles
         bool keptDirection = false;
         unsigned scaling = 0; // of the handles
+        std::optional<render::GroundPlane> ground = {};
     };
     [[nodiscard]] Kept& kept(Window window, const PictureWish& wish);
     [[nodiscard]] static render::Camera cameraOf(Kept& kept, const PictureWish& wish);
-    void paint(Picture& picture);
+    void paint(Picture& picture, Kept& kept);
 
     bool paints_;
     std::map<Window, Kept> kept_;
@@ -87,7 +88,9 @@ PictureThread::Studio::Kept& PictureThread::Studio::kept(Window window, const Pi
                                 : std::nullopt;
         auto seen = kept.scaling == wish.scaling ? std::move(kept.seen) : std::nullopt;
         kept.handles.reset(); // it reads the scene
+        const auto ground = kept.ground;
         kept = {wish.shown, wish.size, nullptr, std::nullopt, {}, std::move(seen), std::nullopt};
+        kept.ground = ground;
         kept.handles = std::make_unique<render::Handles>(*kept.of.scene, kept.of.motion, scales);
         kept.scaling = wish.scaling;
     } else if (kept.scaling != wish.scaling) {
@@ -129,7 +132,7 @@ render::Camera PictureThread::Studio::cameraOf(Kept& kept, const PictureWish& wi
     return wish.camera;
 }
 
-void PictureThread::Studio::paint(Picture& picture) {
+void PictureThread::Studio::paint(Picture& picture, Kept& kept) {
     if (!renderer_ && noRenderer_.isEmpty()) {
         auto made = render::Renderer::create();
         if (auto* renderer = std::get_if<std::unique_ptr<render::Renderer>>(&made))
@@ -150,10 +153,11 @@ void PictureThread::Studio::paint(Picture& picture) {
         {reinterpret_cast<std::byte*>(image.bits()), static_cast<std::size_t>(image.sizeInBytes())},
         static_cast<std::size_t>(image.bytesPerLine()),
         wish.size};
+    renderer_->keepGround(wish.keepsGround ? kept.ground : std::nullopt);
     if (renderer_->draw(drawing, into)) {
         image.setDevicePixelRatio(wish.size.ratio);
         picture.image = std::move(image);
-        picture.ground = renderer_->ground();
+        picture.ground = kept.ground = renderer_->ground();
     } else {
         renderer_.reset();
         noRenderer_ = picture.fault =
@@ -173,7 +177,7 @@ Picture PictureThread::Studio::draw(Window window, const PictureWish& wish) {
     picture.forceArrow = all.handles->arrowLength(render::HandleKind::forceHead, picture.camera);
     picture.torqueArrow = all.handles->arrowLength(render::HandleKind::torqueHead, picture.camera);
     if (paints_)
-        paint(picture);
+        paint(picture, all);
     picture.lasted = std::chrono::steady_clock::now() - began;
     return picture;
 }

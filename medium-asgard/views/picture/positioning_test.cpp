@@ -47,6 +47,32 @@ TEST_F(PositioningTest, TheKeysTurnMoveRollAndScaleTheView) {
     EXPECT_EQ(editor.document().text(), ballScene);
 }
 
+// While nobody knows what the new motion needs the grid stays.
+TEST_F(PositioningTest, TheGroundWaitsForTheNewMotion) {
+    const auto sinking = [](const std::string& speed) {
+        return "simulator -finish 2\nshape_set s -desc {-sub {-sphere 0.3}}\n"
+               "body b s -init_dpos {0 -" +
+               speed + " 0}\n";
+    };
+    SceneDocument& document = editor.document();
+    document.setText(sinking("1"), "Edit");
+    ASSERT_TRUE(settle(document));
+    SceneDisplay& display = editor.openGraphicalViewer()->display();
+    display.grab();
+    ASSERT_TRUE(display.ground().has_value());
+    const double before = display.ground()->height;
+    EXPECT_LT(before, -2.3);
+    made.blocked = true;
+    document.setText(sinking("4") + "body beside s -init_pos {1 0 0} -init_dpos {0 -4 0}\n",
+                     "Edit");
+    ASSERT_TRUE(waitFor([&] { return document.sceneIsCurrent(); }));
+    display.grab();
+    ASSERT_TRUE(display.ground().has_value());
+    EXPECT_EQ(display.ground()->height, before);
+    made.blocked = false;
+    EXPECT_TRUE(waitFor([&] { return display.ground() && display.ground()->height < -8; }));
+}
+
 TEST_F(PositioningTest, TheHorizonIsLevelledAndTheDirectionStays) {
     GraphicalViewer* viewer = editor.openGraphicalViewer();
     SceneDisplay& display = viewer->display();

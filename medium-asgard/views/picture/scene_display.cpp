@@ -36,7 +36,11 @@ SceneDisplay::SceneDisplay(SceneDocument& document, std::shared_ptr<PictureThrea
     connect(&document_, &SceneDocument::opened, this, [this] { seen_.isAnother = true; });
     connect(&document_, &SceneDocument::sceneChanged, this, &SceneDisplay::sceneChanged);
     connect(&document_, &SceneDocument::motionChanged, this, &SceneDisplay::motionChanged);
-    connect(&document_, &SceneDocument::workChanged, this, [this] { update(); });
+    connect(&document_, &SceneDocument::workChanged, this, [this] {
+        if (seen_.isEdited && !keepsGround()) // which has waited
+            redraw(picture_.isMoving());
+        update();
+    });
     connect(&creating_, &Creating::changed, this, [this] { update(); });
     connect(&creating_, &Creating::refused, &editing_,
             [this](const QString& why) { editing_.say(why); });
@@ -71,12 +75,17 @@ PictureWish SceneDisplay::wish() const {
     wish.framing = seen_.framing;
     wish.keepsDirection = seen_.keepsDirection;
     wish.keepsExtent = seen_.isEdited;
+    wish.keepsGround = keepsGround();
     wish.scaling = seen_.scaling;
     wish.from = !seen_.followed.isEmpty()                                ? SeenFrom::view
                 : seen_.framesItself && (seen_.isDue || !seen_.isEdited) ? SeenFrom::framed
                 : seen_.turned                                           ? SeenFrom::turned
                                                                          : SeenFrom::camera;
     return wish;
+}
+
+bool SceneDisplay::keepsGround() const {
+    return seen_.isEdited && (document_.work() != Work::none || document_.motionIsStale());
 }
 
 bool SceneDisplay::isFollowed(const Picture& picture) const {

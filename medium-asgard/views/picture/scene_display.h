@@ -151,6 +151,7 @@ private:
     void motionChanged();
     void rename(const std::vector<editing::Renamed>& renamed); // of what is hidden
     [[nodiscard]] PictureWish wish() const;
+    [[nodiscard]] bool keepsGround() const; // nobody knows yet what the motion needs
     // The picture is seen from the place where the display is to be: nobody has moved that
     // meanwhile.
     [[nodiscard]] bool isWanted(const Picture& picture) const;
