@@ -1,23 +1,18 @@
 #!/usr/bin/env python3
 """First tasks of a newcomer, from an empty scene, with no more than 40 actions each: a car rolls down a slope; planets
-go round a sun. An action is a click, or a value that is typed.
+go round a sun. What an action is: person.py.
 
 usage: first_tasks_test.py PATH-TO-ASGARD [unittest arguments]       ASGARD_SCREENSHOTS=FOLDER keeps what was seen
 """
-import csv
-import io
 import math
 import os
-import subprocess
 import sys
 import tempfile
 import unittest
 
-from person import Author, isInside
-from screen import until
+from person import Author, Newcomer
 
 ASGARD = os.path.abspath(sys.argv[1])
-VIEWER = "graphicalViewer1"
 MOST = 40  # actions
 
 
@@ -26,73 +21,18 @@ class FirstTasks(unittest.TestCase):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
         self.author = Author(self, ASGARD, self.folder.name)
-        self.actions = 0
-
-    # --- what a newcomer does
-    def create(self, *path):
-        self.author.menu(VIEWER, "Create", *path)
-        self.actions += 1 + len(path)
-
-    def click(self, *place):
-        self.author.click(VIEWER, self.author.point(VIEWER, *place))
-        self.actions += 1
-
-    def enter(self, field, *values):
-        """A click selects what a field has; Tab leads to the next one."""
-        self.author.clickOn(VIEWER, field)
-        until(f"{field} has the keyboard", lambda: self.author.widget(VIEWER, field).focus)
-        self.actions += 1
-        for value in values[:-1]:
-            self.author.type(value)
-            self.author.screen.do("key", "Tab")
-        self.author.type(values[-1])
-        self.author.screen.do("key", "Return")
-        self.actions += len(values)
-
-    def choose(self, box, letter):
-        self.author.clickOn(VIEWER, box)
-        self.author.screen.do("key", letter, "Return")
-        self.actions += 2
-
-    def frame(self, *ends):
-        """The picture comes when it is drawn: these points are in it then."""
-        self.author.giveKeysTo("scene")
-        self.author.press(VIEWER, "f")
-        self.actions += 1
-
-        def framed():
-            scene, places = self.author.scene(VIEWER, *ends)
-            return all(isInside(scene.rect, place) for place in places)
-
-        until("all is in sight", framed)
-
-    def play(self):
-        before = self.author.colorBox()
-        self.author.giveKeysTo("scene")
-        self.author.press(VIEWER, "space")
-        self.actions += 1
-        until("it moves", lambda: self.author.colorBox() != before)
-        self.author.look("played")
-        self.assertLessEqual(self.actions, MOST)
-        print(f"{self.id().split('.')[-1]}: {self.actions} actions")
-
-    def motion(self, until_time, *quantities):
-        """The saved scene's, every tenth of a second."""
-        self.author.saved()
-        table = subprocess.run([ASGARD, "simulate", self.author.file, "--at", f"0:0.1:{until_time}", "--only",
-                                "--quantities", ",".join(quantities)], check=True, capture_output=True, text=True).stdout
-        return [[float(cell) for cell in row] for row in list(csv.reader(io.StringIO(table)))[1:]]
+        self.newcomer = Newcomer(self.author)
 
     # --- the tasks
     def test_a_car_rolls_down_a_slope(self):
-        self.create("Body", "New Box")
-        self.click(0, 0, 0)
+        self.newcomer.create("Body", "New Box")
+        self.newcomer.click(0, 0, 0)
         self.author.says(r"^body body1 block1")
-        self.enter("size1", "10", "0.5", "3")
+        self.newcomer.enter("size1", "10", "0.5", "3")
         self.author.says(r"-box \{10 0.5 3\}")
-        self.enter("-init_rotturn1", "-15")  # about the axis that looks at the viewer
+        self.newcomer.enter("-init_rotturn1", "-15")  # about the axis that looks at the viewer
         self.author.says(r"^body body1 .*-init_rot \{0 0 -0.2617")
-        self.choose("-fixed", "y")
+        self.newcomer.choose("-fixed", "y")
         self.author.says(r"^body body1 .*-fixed 1")
         slope = math.radians(-15)
 
@@ -100,27 +40,27 @@ class FirstTasks(unittest.TestCase):
             return (along * math.cos(slope) - height * math.sin(slope),
                     0.25 + along * math.sin(slope) + height * math.cos(slope))
 
-        self.frame((*above(-5, 0), 0), (*above(5, 0), 0))
+        self.newcomer.frame((*above(-5, 0), 0), (*above(5, 0), 0))
         self.author.look("slope")
-        self.create("Body", "New Box")
-        self.click(*above(-3, 0.25), 0)
+        self.newcomer.create("Body", "New Box")
+        self.newcomer.click(*above(-3, 0.25), 0)
         self.author.says(r"^body body2 block2 .*-init_rot \{0 0 -0.2617")
-        self.enter("size1", "2", "0.5", "1.2")
+        self.newcomer.enter("size1", "2", "0.5", "1.2")
         self.author.says(r"shape_set block2 .*-box \{2 0.5 1.2\}")
         for along, wheels in ((-3.6, 2), (-2.4, 4)):
-            self.create("Body", "Two Wheels on an Axle")
+            self.newcomer.create("Body", "Two Wheels on an Axle")
             place = self.author.says(r"^body body2 .*-init_pos \{(\S+) (\S+) (\S+)\}")
             x, y, z = (float(place.group(i)) for i in (1, 2, 3))
             turn = along + 3  # along the car
-            self.click(x + turn * math.cos(slope) - 0.15 * math.sin(slope),
+            self.newcomer.click(x + turn * math.cos(slope) - 0.15 * math.sin(slope),
                        y + turn * math.sin(slope) - 0.15 * math.cos(slope), z + 0.6)
             self.author.says(rf"^joint hinge{wheels} .*-body2 body2")
         self.author.look("car")
-        self.create("Force", "Gravity for All Bodies")
+        self.newcomer.create("Force", "Gravity for All Bodies")
         self.author.says(r"^force -body body6 -gravitational \{0 -9.81 0\}")
-        self.play()
+        self.newcomer.play(MOST)
 
-        rows = self.motion(1.5, "body2.x", "body2.y", "body2.z", "hinge3.q")
+        rows = self.author.motion(1.5, "body2.x", "body2.y", "body2.z", "hinge3.q")
         landed, last = rows[5], rows[-1]
         rolled = math.dist(landed[1:3], last[1:3])
         self.assertGreater(rolled, 1.5)
@@ -130,31 +70,31 @@ class FirstTasks(unittest.TestCase):
         self.assertLess(abs(0.3 * (landed[4] - last[4]) - rolled), 1e-3)  # without slipping
 
     def test_planets_go_round_a_sun(self):
-        self.create("Body", "New Sphere")
-        self.click(0, 0, 0)
+        self.newcomer.create("Body", "New Sphere")
+        self.newcomer.click(0, 0, 0)
         self.author.says(r"^body body1 ball1")
-        self.enter("-mass", "10")
+        self.newcomer.enter("-mass", "10")
         self.author.says(r"^body body1 .*-mass 10")
         for name, place, radius in (("body2", (0.8, 0, 0.3), "0.08"), ("body3", (-1.2, 0, 0.4), "0.1")):
-            self.create("Body", "New Sphere")
-            self.click(*place)
+            self.newcomer.create("Body", "New Sphere")
+            self.newcomer.click(*place)
             self.author.says(rf"^body {name} ball")
-            self.enter("size1", radius)
+            self.newcomer.enter("size1", radius)
             self.author.says(rf"-sphere {radius}")
         self.author.look("bodies")
         for planet in ("body2", "body3"):
-            self.create("Force", "Orbit Round a Body")
+            self.newcomer.create("Force", "Orbit Round a Body")
             for body in ("body1", planet):
                 place = self.author.says(rf"^body {body} .*-init_pos \{{(\S+) (\S+) (\S+)\}}")
-                self.click(*(float(place.group(i)) for i in (1, 2, 3)))
+                self.newcomer.click(*(float(place.group(i)) for i in (1, 2, 3)))
             self.author.says(rf"^body {planet} .*-init_dpos")
-        self.create("Force", "Attraction of All Bodies")
+        self.newcomer.create("Force", "Attraction of All Bodies")
         self.author.says(r"^force -body body3 .*body2\.mass")
         self.author.look("orbits")
-        self.play()
+        self.newcomer.play(MOST)
 
         bodies = (1, 2, 3)
-        rows = self.motion(10, *(f"body{i}.{what}" for i in bodies for what in ("x", "y", "z", "dx", "dy", "dz", "mass")))
+        rows = self.author.motion(10, *(f"body{i}.{what}" for i in bodies for what in ("x", "y", "z", "dx", "dy", "dz", "mass")))
         states = [[row[1 + 7 * i:8 + 7 * i] for i in range(3)] for row in rows]
 
         def energy(state):

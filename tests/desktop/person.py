@@ -2,6 +2,8 @@
 
 The programs say themselves what their windows show and where (README.md), so nothing here knows a pixel, and nothing
 sleeps: whoever asks the programs gets an answer once they have handled all keys and moves before it."""
+import csv
+import io
 import json
 import os
 import re
@@ -238,6 +240,7 @@ class Author(Person):
     """Makes a scene with asgard alone. What the file says is what the windows show, once it is written."""
 
     def __init__(self, test, asgard, folder, text=b""):
+        self.asgard = asgard
         self.file = os.path.join(folder, "scene.al")
         with open(self.file, "wb") as file:
             file.write(text)
@@ -299,6 +302,13 @@ class Author(Person):
             self.screen.do("key", "Tab" if i + 1 < len(values) else "Return")
         until("the values are taken", lambda: not self.isAsked())
 
+    def motion(self, until_time, *quantities):
+        """The saved scene's, every tenth of a second."""
+        self.saved()
+        table = subprocess.run([self.asgard, "simulate", self.file, "--at", f"0:0.1:{until_time}", "--only",
+                                "--quantities", ",".join(quantities)], check=True, capture_output=True, text=True).stdout
+        return [[float(cell) for cell in row] for row in list(csv.reader(io.StringIO(table)))[1:]]
+
     def isAsked(self):
         return any(one.name == "valueEntry" for one in self.window("graphicalViewer1").widgets)
 
@@ -314,3 +324,75 @@ class Author(Person):
             return min(xs), min(ys), max(xs) + 4, max(ys) + 4
 
         return until("something with a colour is seen", found)
+
+
+class Newcomer:
+    """An author who counts: an action is a click, a drag, a command's key, or a text that is typed."""
+
+    def __init__(self, author, viewer="graphicalViewer1"):
+        self.author = author
+        self.viewer = viewer
+        self.actions = 0
+
+    def create(self, *path):
+        self.author.menu(self.viewer, "Create", *path)
+        self.actions += 1 + len(path)
+
+    def createByTool(self, tool, entry):
+        """From the tool bar's menu."""
+        self.author.clickOn(self.viewer, "tool." + tool)
+        self.author.choose(entry)
+        self.actions += 2
+
+    def click(self, *place, key=None):
+        if key:
+            self.author.screen.do("keydown", key)
+        self.author.click(self.viewer, self.author.point(self.viewer, *place))
+        if key:
+            self.author.screen.do("keyup", key)
+        self.actions += 1
+
+    def type(self, text):
+        self.author.type(text)
+        self.author.screen.do("key", "Return")
+        self.actions += 1
+
+    def enter(self, field, *values):
+        """A click selects what a field has; Tab leads to the next one."""
+        self.author.clickOn(self.viewer, field)
+        until(f"{field} has the keyboard", lambda: self.author.widget(self.viewer, field).focus)
+        self.actions += 1
+        for value in values[:-1]:
+            self.author.type(value)
+            self.author.screen.do("key", "Tab")
+            self.actions += 1
+        self.type(values[-1])
+
+    def choose(self, box, letter):
+        self.author.clickOn(self.viewer, box)
+        self.author.screen.do("key", letter, "Return")
+        self.actions += 2
+
+    def frame(self, *ends):
+        """The picture comes when it is drawn: these points are in it then."""
+        self.author.giveKeysTo("scene")
+        self.author.press(self.viewer, "f")
+        self.actions += 1
+
+        def framed():
+            scene, places = self.author.scene(self.viewer, *ends)
+            return all(isInside(scene.rect, place) for place in places)
+
+        until("all is in sight", framed)
+
+    def play(self, most):
+        """With no more actions than these up to here."""
+        before = self.author.colorBox()
+        self.author.giveKeysTo("scene")
+        self.author.press(self.viewer, "space")
+        self.actions += 1
+        until("it moves", lambda: self.author.colorBox() != before)
+        self.author.look("played")
+        test = self.author.test
+        test.assertLessEqual(self.actions, most)
+        print(f"{test.id().split('.')[-1]}: {self.actions} actions")

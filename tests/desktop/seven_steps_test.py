@@ -4,20 +4,18 @@ scene to the played motion of two rods and a ball (Figure 4.6); then one body is
 
 usage: seven_steps_test.py PATH-TO-ASGARD [unittest arguments]       ASGARD_SCREENSHOTS=FOLDER keeps what was seen
 """
-import csv
-import io
 import os
-import subprocess
 import sys
 import tempfile
 import unittest
 
-from person import Author, isInside
+from person import Author, Newcomer, isInside
 from screen import until
 
 ASGARD = os.path.abspath(sys.argv[1])
 VIEWER = "graphicalViewer1"
 BALL = (10.1, -17)  # where it is made: within reach of the rods
+MOST = 40  # actions of a newcomer
 PATH = [(-20, -8), (-24, -14), (-21, -20)]  # where the rods do not reach
 
 
@@ -25,14 +23,6 @@ class SevenSteps(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
-
-    def motion(self, author, *quantities):
-        """The saved scene's, every tenth of a second."""
-        author.saved()
-        table = subprocess.run([ASGARD, "simulate", author.file, "--at", "0:0.1:5", "--only", "--quantities",
-                                ",".join(quantities)], check=True, capture_output=True, text=True).stdout
-        rows = list(csv.reader(io.StringIO(table)))[1:]
-        return [[float(cell) for cell in row] for row in rows]
 
     def click(self, author, x, y):
         author.click(VIEWER, author.point(VIEWER, x, y, 0))
@@ -179,7 +169,7 @@ class SevenSteps(unittest.TestCase):
         self.throwBall(author)
         self.giveTime(author)
         self.play(author)
-        rows = self.motion(author, "rod2.y", "rod1.x", f"{self.ball}.x", f"{self.ball}.y", "rod1.mass")
+        rows = author.motion(5, "rod2.y", "rod1.x", f"{self.ball}.x", f"{self.ball}.y", "rod1.mass")
         self.assertLess(min(row[1] for row in rows), -10)  # it swings down
         for row in rows[:5]:  # and hangs on the origin
             self.assertLess(abs(row[2]), 5.2)
@@ -187,12 +177,57 @@ class SevenSteps(unittest.TestCase):
         self.assertGreater(max(abs(a - b) for a, b in zip(speeds, speeds[1:])), 0.5)  # and strikes the ball
 
         self.leadBall(author)
-        rows = self.motion(author, f"{self.ball}.x", f"{self.ball}.y")
+        rows = author.motion(5, f"{self.ball}.x", f"{self.ball}.y")
         self.assertLess(abs(rows[0][1] - PATH[0][0]) + abs(rows[0][2] - PATH[0][1]), 0.5)
         bends = [max(abs(a[i] - 2 * b[i] + c[i]) for i in (1, 2)) for a, b, c in zip(rows, rows[1:], rows[2:])]
         self.assertGreater(max(bends[:18]), 1e-3)  # led along a curve
         self.assertLess(max(bends[21:]), 1e-6)  # free: straight on
         self.assertGreater(abs(rows[-1][1] - rows[21][1]) + abs(rows[-1][2] - rows[21][2]), 1)
+
+    def test_a_newcomer_needs_few_actions(self):
+        """The same, without a word of the language: bodies, their values in Properties, weights, hinges, the time."""
+        author = Author(self, ASGARD, self.folder.name)
+        newcomer = Newcomer(author)
+        author.press(VIEWER, "3")  # along z
+        newcomer.actions += 1
+        newcomer.createByTool("createBody", "New Box")
+        newcomer.type("-5 0 0")
+        author.says(r"^body body1 block1 .*-init_pos \{-5 0 0\}")
+        newcomer.enter("size1", "10", "1", "1")
+        author.says(r"-box \{10 1 1\}")
+        newcomer.createByTool("createBody", "block1")
+        newcomer.type("-15 0 0")
+        author.says(r"^body body2 block1 .*-init_pos \{-15 0 0\}")
+        newcomer.createByTool("createBody", "New Sphere")
+        newcomer.type("{} {} 0".format(*BALL))
+        author.says(r"^body body3 ball1")
+        newcomer.enter("size1", "0.5")
+        author.says(r"-sphere 0.5")
+        newcomer.enter("-init_dpos1", "-3")
+        author.says(r"^body body3 .*-init_dpos \{-3 0 0\}")
+        newcomer.frame((-20, 0, 0), (*BALL, 0))
+        author.look("bodies")
+        newcomer.click(-5, 0, 0)
+        newcomer.click(-15, 0, 0, key="shift")
+        newcomer.enter("-mass", "10")
+        author.says(r"^body body2 .*-mass 10")
+        newcomer.createByTool("createForce", "Gravity for the Selected Bodies")
+        author.says(r"^force -body body2 -gravitational \{0 -9.81 0\}")
+        for rod, at in (("body1", "0 0 0"), ("body2", "-10 0 0")):
+            newcomer.createByTool("createJoint", "Hinge")
+            newcomer.click(-5 if rod == "body1" else -15, 0, 0)
+            newcomer.type(at)
+            author.says(rf"^joint hinge\d -type hinge -body1 {rod} ")
+        author.look("hinges")
+        newcomer.enter("finish", "5")
+        author.says(r"^simulator .*-finish 5")
+        newcomer.play(MOST)
+
+        rows = author.motion(5, "body2.y", "body1.x", "body3.x", "body3.y", "body1.mass")
+        self.assertLess(min(row[1] for row in rows), -10)  # it swings down
+        speeds = [(b[3] - a[3]) / 0.1 for a, b in zip(rows, rows[1:])]
+        self.assertGreater(max(abs(a - b) for a, b in zip(speeds, speeds[1:])), 0.5)  # and strikes the ball
+        self.assertEqual(rows[0][5], 10)
 
 
 if __name__ == "__main__":

@@ -131,6 +131,13 @@ void buildCreateMenu(QMenu* menu, SceneDocument& document, SceneDisplay& display
     add(forces, QObject::tr("&Constant"),
         [&display] { return newForce(false, display.arrowLength(false)); });
     add(forces, QObject::tr("&Gravity for One Body"), [&display] { return newWeight(display); });
+    add(forces, QObject::tr("Gravity for the &Selected Bodies"), [&document, &display] {
+        std::vector<std::size_t> selected;
+        for (const editing::Element& element : document.selected())
+            if (element.kind == editing::Kind::body)
+                selected.push_back(element.index);
+        return weightFor(selected, usualGravity(*display.drawing().scene));
+    });
     add(forces, QObject::tr("Gravity for &All Bodies"),
         [&display] { return weightForAll(usualGravity(*display.drawing().scene)); });
     add(forces, QObject::tr("Attraction of T&wo Bodies"), newAttraction);

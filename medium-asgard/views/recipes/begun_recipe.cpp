@@ -3,6 +3,8 @@
 #include "gestures/snapping.h"
 #include "scene/shape_of.h"
 
+#include <QObject>
+
 #include <algorithm>
 
 namespace views {

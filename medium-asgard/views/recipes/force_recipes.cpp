@@ -117,11 +117,14 @@ Recipe newWeight(double perUnit, std::function<double(std::size_t)> massOf, cons
     return recipe;
 }
 
-Recipe weightForAll(const Vector& acceleration) {
+namespace {
+
+// `isMeant`: of a body of the scene.
+Recipe weights(const Vector& acceleration, std::function<bool(std::size_t)> isMeant) {
     Recipe recipe;
-    recipe.label = QObject::tr("Gravity for All Bodies");
-    recipe.make = [acceleration](const std::string&, const scene::Scene& scene,
-                                 const std::vector<Indicated>&) {
+    recipe.make = [acceleration, isMeant = std::move(isMeant)](const std::string&,
+                                                               const scene::Scene& scene,
+                                                               const std::vector<Indicated>&) {
         std::set<std::string> heavy;
         for (const scene::Force& force : scene.forces)
             if (!force.couple && std::holds_alternative<scene::GravitationalForce>(force.kind))
@@ -129,7 +132,7 @@ Recipe weightForAll(const Vector& acceleration) {
         std::vector<NewElement> made;
         for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
             const scene::Body& body = scene.bodies[i];
-            if (!body.fixed && !heavy.contains(body.name))
+            if (isMeant(i) && !body.fixed && !heavy.contains(body.name))
                 made.push_back({Kind::force,
                                 "",
                                 {"-body", body.name, "-gravitational", listed(acceleration, 0)},
@@ -137,8 +140,27 @@ Recipe weightForAll(const Vector& acceleration) {
         }
         return made;
     };
-    recipe.otherwise = QObject::tr("Every body that is not fixed has a weight already.");
     recipe.handles = &render::Display::forceHandles;
+    return recipe;
+}
+
+} // namespace
+
+Recipe weightForAll(const Vector& acceleration) {
+    Recipe recipe = weights(acceleration, [](std::size_t) { return true; });
+    recipe.label = QObject::tr("Gravity for All Bodies");
+    recipe.otherwise = QObject::tr("Every body that is not fixed has a weight already.");
+    return recipe;
+}
+
+Recipe weightFor(const std::vector<std::size_t>& bodies, const Vector& acceleration) {
+    Recipe recipe = weights(acceleration, [bodies](std::size_t body) {
+        return std::ranges::find(bodies, body) != bodies.end();
+    });
+    recipe.label = QObject::tr("Gravity for the Selected Bodies");
+    recipe.otherwise =
+        bodies.empty() ? QObject::tr("No body is selected: click on one, and with Shift on others.")
+                       : QObject::tr("Each selected body is fixed or has a weight already.");
     return recipe;
 }
 

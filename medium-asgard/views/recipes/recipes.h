@@ -25,8 +25,9 @@ enum class BasicShape { sphere, box };
 // `massOf`: of a body of the scene. `usual`: the acceleration that Return gives.
 [[nodiscard]] Recipe newWeight(double perUnit, std::function<double(std::size_t)> massOf,
                                const Vector& usual);
-// For each body that can fall and has no weight yet; without steps.
+// For each body that can fall and has no weight yet, of all or of these; without steps.
 [[nodiscard]] Recipe weightForAll(const Vector& acceleration);
+[[nodiscard]] Recipe weightFor(const std::vector<std::size_t>& bodies, const Vector& acceleration);
 // The one that all bodies have that can fall, if there are such; none: they differ.
 [[nodiscard]] std::optional<Vector> commonGravity(const scene::Scene& scene);
 // The one that others have, else the earth's.

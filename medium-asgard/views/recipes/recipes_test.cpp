@@ -60,6 +60,18 @@ TEST_F(RecipesTest, EachStepOfARecipeHasItsPrompt) {
     EXPECT_THAT(weightForAll({0, -9.81, 0}).steps, IsEmpty());
 }
 
+TEST_F(RecipesTest, SelectedBodiesAloneGetAWeightOnce) {
+    read(stars + "force -body a -gravitational {0 -9.81 0}\n");
+    const auto made = [&](const std::vector<std::size_t>& bodies) {
+        return this->made(weightFor(bodies, {0, -10, 0}));
+    };
+    ASSERT_THAT(made({0, 1, 2}), SizeIs(1)); // one has it, one is fixed
+    EXPECT_THAT(made({0, 1, 2}).front().words,
+                ElementsAre("-body", "b", "-gravitational", "{0 -10 0}"));
+    EXPECT_THAT(made({}), IsEmpty());
+    EXPECT_THAT(weightFor({}, {0, -10, 0}).otherwise.toStdString(), HasSubstr("is selected"));
+}
+
 TEST_F(RecipesTest, ANewBodyFitsTheViewUntilItsPlaceIsShown) {
     Recipe box = newBody(BasicShape::box);
     box.sized = [](double times) { return newBody(BasicShape::box, times); };
