@@ -186,6 +186,8 @@ void LanguageViewer::buildMenus() {
 
 void LanguageViewer::buildEditMenu() {
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
+    connect(editor_, &SceneEditor::menuWanted, edit,
+            [edit](const QPoint& global) { edit->popup(global); });
     QAction* undo = edit->addAction(tr("&Undo"), QKeySequence::Undo, this, &LanguageViewer::undo);
     QAction* redo = edit->addAction(tr("&Redo"), QKeySequence::Redo, this, &LanguageViewer::redo);
     connect(edit, &QMenu::aboutToShow, this, [this, undo, redo] {

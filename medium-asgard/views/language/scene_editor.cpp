@@ -286,10 +286,9 @@ void SceneEditor::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 void SceneEditor::contextMenuEvent(QContextMenuEvent* event) {
-    if (taken_)
-        event->accept();
-    else
-        QsciScintilla::contextMenuEvent(event);
+    event->accept();
+    if (!taken_)
+        Q_EMIT menuWanted(event->globalPos());
 }
 
 void SceneEditor::keyPressEvent(QKeyEvent* event) {

@@ -84,6 +84,9 @@ public:
     void adaptToPalette();
     [[nodiscard]] bool isDark() const;
 
+Q_SIGNALS:
+    void menuWanted(const QPoint& global); // by the right button or its key
+
 protected:
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;

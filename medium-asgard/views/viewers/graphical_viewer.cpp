@@ -291,6 +291,15 @@ void GraphicalViewer::connectParts() {
     connect(&playback_, &Playback::started, this, &GraphicalViewer::beginPlaying);
     connect(&document_, &SceneDocument::nameChanged, this, &GraphicalViewer::updateTitle);
     connect(&document_, &SceneDocument::opened, display_, &SceneDisplay::frameOpened);
+    connect(&document_, &SceneDocument::opened, this, [this] { // no empty pane of another scene
+        connect(
+            &document_, &SceneDocument::sceneChanged, this,
+            [this] {
+                if (document_.shown().scene->plots.empty())
+                    panes_.hide("plots");
+            },
+            Qt::SingleShotConnection);
+    });
     for (QAbstractButton* button : findChildren<QAbstractButton*>())
         button->installEventFilter(this);
     connectTimeStrip();

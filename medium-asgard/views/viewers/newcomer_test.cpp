@@ -8,12 +8,15 @@
 #include "views/test_workshop.h"
 
 #include <QAction>
+#include <QContextMenuEvent>
 #include <QMenu>
 #include <QMenuBar>
 #include <QSlider>
 #include <QTemporaryDir>
 
 #include <gmock/gmock.h>
+
+#include <algorithm>
 
 namespace views {
 namespace {
@@ -169,6 +172,22 @@ TEST_F(NewcomerTest, ANewSceneIsSeenFromItsStart) {
     EXPECT_LT(viewer->display().camera().center.norm(), 10);
 }
 
+TEST_F(NewcomerTest, ANewSceneHasNoPaneOfPlotsThatItDoesNotHave) {
+    const std::string plotted = ballScene + "plot p -values {b1.x}\n";
+    open(plotted);
+    GraphicalViewer* viewer = editor.openGraphicalViewer();
+    const auto isShownAfter = [&](const std::string& text) {
+        viewer->panes().show("plots");
+        editor.document().reset(text);
+        EXPECT_TRUE(settle(editor.document()));
+        return viewer->panes().isShown("plots");
+    };
+    EXPECT_FALSE(isShownAfter(ballScene));
+    EXPECT_TRUE(isShownAfter(plotted));
+    open(ballScene); // an edit closes nothing
+    EXPECT_TRUE(viewer->panes().isShown("plots"));
+}
+
 TEST_F(NewcomerTest, UndoIsNamedInEveryWindow) {
     open(ballScene);
     GraphicalViewer* viewer = editor.openGraphicalViewer();
@@ -200,6 +219,21 @@ TEST_F(NewcomerTest, ADoubleClickOnANumberTakesAllOfIt) {
         const scene::Range taken = text.selection();
         EXPECT_EQ(text.bytes().substr(taken.from, taken.to - taken.from), number);
     }
+}
+
+// With its keys and what they undo.
+TEST_F(NewcomerTest, TheMenuOfTheTextIsItsEditMenu) {
+    open(ballScene);
+    QWidget* text = editor.openLanguageViewer()->editor().viewport();
+    const QPoint place = text->rect().center();
+    QContextMenuEvent event(QContextMenuEvent::Mouse, place, text->mapToGlobal(place));
+    QApplication::sendEvent(text, &event);
+    auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+    ASSERT_TRUE(menu);
+    EXPECT_TRUE(std::ranges::any_of(menu->actions(), [](const QAction* one) {
+        return one->text().remove('&').startsWith("Find Next");
+    }));
+    menu->close();
 }
 
 TEST_F(NewcomerTest, WhatIsSelectedElsewhereIsShownFromTheBeginningOfItsLine) {
