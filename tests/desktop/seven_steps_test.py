@@ -213,11 +213,13 @@ class SevenSteps(unittest.TestCase):
         author.says(r"^body body2 .*-mass 10")
         newcomer.createByTool("createForce", "Gravity for the Selected Bodies")
         author.says(r"^force -body body2 -gravitational \{0 -9.81 0\}")
-        for rod, at in (("body1", "0 0 0"), ("body2", "-10 0 0")):
+        author.row(VIEWER, "elements", "Forces (2)")
+        for count, rod, x, at in ((1, "body1", -5, "0 0 0"), (2, "body2", -15, "-10 0 0")):
             newcomer.createByTool("createJoint", "Hinge")
-            newcomer.click(-5 if rod == "body1" else -15, 0, 0)
+            newcomer.click(x, 0, 0)
             newcomer.type(at)
-            author.says(rf"^joint hinge\d -type hinge -body1 {rod} ")
+            author.says(rf"^joint hinge{count} -type hinge -body1 {rod} ")
+            author.row(VIEWER, "elements", f"Joints ({count})")  # the scene that is clicked on next
         author.look("hinges")
         newcomer.enter("finish", "5")
         author.says(r"^simulator .*-finish 5")

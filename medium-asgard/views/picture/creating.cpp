@@ -5,6 +5,7 @@
 #include "recipes/recipe_words.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace views {
 
@@ -53,7 +54,7 @@ Creating::Creating(SceneDocument& document, SceneDisplay& display)
         Q_EMIT refused(tr("The text was changed meanwhile."));
     });
     connect(&display_, &SceneDisplay::pictured, this, &Creating::stopWaiting);
-    connect(&display_, &SceneDisplay::pictured, this, &Creating::clickSeen);
+    connect(&display_, &SceneDisplay::pictured, this, &Creating::takeInputs);
 }
 
 void Creating::start(Recipe recipe) {
@@ -95,14 +96,23 @@ void Creating::stopWaiting() {
             handBack(*typed);
 }
 
-void Creating::clickSeen() {
-    while (begun_ && !clicks_.empty() && display_.showsScene()) {
-        const Click first = clicks_.front();
-        clicks_.erase(clicks_.begin());
-        fault_.clear();
-        if (const auto found = indicated(first.position, first.holdsOff))
-            take(*found);
-        Q_EMIT changed();
+void Creating::takeInputs() {
+    std::vector<Input> all = std::exchange(inputs_, {});
+    for (auto one = all.begin(); one != all.end(); ++one) {
+        if (begun_ && !display_.showsScene()) {
+            inputs_.assign(std::move_iterator(one), std::move_iterator(all.end()));
+            return;
+        }
+        if (const auto* typed = std::get_if<std::unique_ptr<QKeyEvent>>(&*one)) {
+            if (!key(**typed))
+                handBack(**typed);
+        } else if (begun_) {
+            const Click& click = std::get<Click>(*one);
+            fault_.clear();
+            if (const auto found = indicated(click.position, click.holdsOff))
+                take(*found);
+            Q_EMIT changed();
+        }
     }
 }
 
@@ -162,7 +172,7 @@ void Creating::cancel() {
     next_.reset();
     fault_.clear();
     cross_.reset();
-    clicks_.clear();
+    inputs_.clear();
     typed_.clear();
     indicating_.forget();
     Q_EMIT changed();
@@ -195,8 +205,8 @@ void Creating::click(const QPointF& position, bool holdsOff) {
         Q_EMIT changed();
         return;
     }
-    clicks_.push_back({position, holdsOff});
-    clickSeen();
+    inputs_.emplace_back(Click{position, holdsOff});
+    takeInputs();
 }
 
 void Creating::take(const Indicated& found) {

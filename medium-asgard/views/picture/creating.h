@@ -11,7 +11,8 @@
 //
 // While a text is being read, a command waits for the scene, and its keys wait with it until the
 // scene is seen; a command that needs none of them gives them to the window then. A click waits for
-// the picture, too. A text with errors ends it, and so does another change.
+// the picture, too, with the keys behind it. A text with errors ends it, and so does another
+// change.
 #pragma once
 
 #include "picture/indicating.h"
@@ -25,6 +26,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <variant>
 #include <vector>
 
 class QPainter;
@@ -78,7 +80,7 @@ private:
     };
 
     void stopWaiting(); // if the scene is there, or will not come
-    void clickSeen();   // all clicks whose picture is there
+    void takeInputs();  // all clicks whose picture is there, and the keys behind them
     void handBack(const QKeyEvent& event);
     void begin(Recipe recipe);
     void takeAim(const Aim& aim);
@@ -113,7 +115,8 @@ private:
         QPointF position;
         bool holdsOff;
     };
-    std::vector<Click> clicks_; // in their order: the picture of their scene is not there yet
+    using Input = std::variant<Click, std::unique_ptr<QKeyEvent>>;
+    std::vector<Input> inputs_; // in their order: the picture of their scene is not there yet
     QString typed_;             // "1 2.5 0": where the point is to be
     struct Measured {
         Vector from, to; // world

@@ -89,6 +89,10 @@ bool Creating::key(const QKeyEvent& event) {
         waiting_->keys.emplace_back(event.clone());
         return true;
     }
+    if (!inputs_.empty() && event.key() != Qt::Key_Escape) {
+        inputs_.emplace_back(std::unique_ptr<QKeyEvent>(event.clone()));
+        return true;
+    }
     const double stride = event.modifiers() & Qt::ControlModifier ? 2 : 12;
     const auto cross = [&](double x, double y) {
         const QPointF now = cross_.value_or(QRectF(display_.rect()).center());

@@ -237,6 +237,22 @@ TEST_F(CreatingTest, ACommandAndItsKeysWaitForAScene) {
     EXPECT_EQ(text(), "");
 }
 
+// A hand that clicks and types at once is not too quick for a picture that takes long.
+TEST_F(CreatingTest, KeysWaitBehindAClickWhosePictureIsNotThere) {
+    open(balls);
+    WindowPicture::setPatience(std::chrono::milliseconds(0));
+    editor.document().setText(balls + "body b3 ball -init_pos {0 2 0}\n", "Edit");
+    ASSERT_TRUE(waitFor([&] { return editor.document().sceneIsCurrent(); }));
+    display().creating().start(newJoint(scene::JointType::hinge));
+    click({-1, 0, 0});
+    QTest::keyClicks(&display(), "-1 2 0");
+    key(Qt::Key_Return);
+    EXPECT_TRUE(waitFor([&] { return text().find("joint hinge1") != std::string::npos; }));
+    WindowPicture::setPatience(std::chrono::seconds(60));
+    done();
+    EXPECT_THAT(text(), HasSubstr("-body1 b1 -offset1 {0 2 0}"));
+}
+
 TEST_F(CreatingTest, ACommandWaitsForTheSceneAndForNoMotion) {
     open(balls);
     made.blocked = true; // no motion ends
