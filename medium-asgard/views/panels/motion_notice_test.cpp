@@ -51,7 +51,8 @@ TEST_F(MotionNoticeTest, ThePictureEndsWhereTheFirstBodyStopsAndSaysWhy) {
     EXPECT_EQ(viewer.playback().time(), 0.5);
     EXPECT_FALSE(viewer.playback().isPlaying());
     EXPECT_EQ(wordsOf(viewer), "Stopped at t = 0.5: body \"b1\" is stuck.");
-    EXPECT_GT(viewer.timeBar().width() / 2, viewer.timeBar().position(0.5)); // its scale is whole
+    EXPECT_GT(viewer.times().bar().width() / 2,
+              viewer.times().bar().position(0.5)); // its scale is whole
     viewer.playback().seek(2);
     EXPECT_EQ(viewer.playback().time(), 0.5);
     viewer.playback().seek(0.2);

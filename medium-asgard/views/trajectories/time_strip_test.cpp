@@ -31,7 +31,7 @@ protected:
             if (box->text().remove('&') == "Trajectories")
                 box->setChecked(shown);
     }
-    TimeStrip& strip() { return viewer->timeStrip(); }
+    TimeStrip& strip() { return viewer->times().strip(); }
     const std::string& text() { return editor.document().text(); }
     std::vector<double> times() {
         std::vector<double> all;
@@ -71,7 +71,7 @@ const std::string line = "trajectory T -points {{0 -1 0 0}  {1.0 0 2 0} {4 1 0 0
 TEST_F(TimeStripTest, IsThereForTheSelectedTrajectoryAndAboveTheScrollbarsTimes) {
     open(line);
     EXPECT_TRUE(strip().isVisibleTo(viewer));
-    const TimeBar& bar = viewer->timeBar();
+    const TimeBar& bar = viewer->times().bar();
     for (const double time : {0.0, 1.0, 4.0})
         EXPECT_NEAR(strip().mapTo(viewer, QPointF(strip().position(time), 0)).x(),
                     bar.mapTo(viewer, QPointF(bar.position(time), 0)).x(), 0.6);
