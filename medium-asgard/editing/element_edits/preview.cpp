@@ -1,5 +1,7 @@
 #include "element_edits/preview.h"
 
+#include "element_edits/words.h"
+
 #include "text/characters.h"
 #include "text/difference.h"
 
@@ -35,11 +37,6 @@ LineChange compared(int line, std::string before, std::string after) {
     shorten(a, change.from, change.beforeTo);
     shorten(b, fromOfB, change.afterTo);
     return change;
-}
-
-std::string trimmed(const std::string& s) {
-    const std::size_t from = s.find_first_not_of(" \t\r");
-    return from == std::string::npos ? "" : s.substr(from, s.find_last_not_of(" \t\r") + 1 - from);
 }
 
 std::vector<std::string> linesOf(const std::string& text) {

@@ -57,13 +57,6 @@ std::optional<std::vector<double>> numbersOf(const std::vector<std::string>& par
     return numbers;
 }
 
-std::string trimmed(const std::string& text) {
-    const std::size_t from = text.find_first_not_of(" \t\r\n");
-    return from == std::string::npos
-               ? ""
-               : text.substr(from, text.find_last_not_of(" \t\r\n") + 1 - from);
-}
-
 } // namespace
 
 std::vector<const OptionHint*> optionsOf(const scene::Scene& scene, const Element& element) {

@@ -18,4 +18,12 @@ namespace editing {
     return text.substr(range.from, range.to - range.from);
 }
 
+// Without the blanks around it.
+[[nodiscard]] inline std::string trimmed(const std::string& text) {
+    const std::size_t from = text.find_first_not_of(" \t\r\n");
+    return from == std::string::npos
+               ? ""
+               : text.substr(from, text.find_last_not_of(" \t\r\n") + 1 - from);
+}
+
 } // namespace editing

@@ -140,7 +140,7 @@ const std::vector<LibraryShape>& shapeLibrary() {
         {"Tube", {tube(0.45, 0.5, 1)}},
         {"Hoop", {turned(tube(0.9, 1, 0.3), {std::numbers::pi / 2, 0, 0})}}, // about z
         {"Bowl", {bowl(0.9, 1)}},
-        {"Floor", {plane()}},
+        {"Floor", {plane()}, true},
         {"Tetrahedron", {tetrahedron(1)}},
         {"Octahedron",
          {hull({{0.7, 0, 0}, {-0.7, 0, 0}, {0, 0.7, 0}, {0, -0.7, 0}, {0, 0, 0.7}, {0, 0, -0.7}})}},
@@ -162,7 +162,8 @@ const std::vector<LibraryShape>& shapeLibrary() {
         {"Table",
          {at(box({2, 0.1, 1.2}), {0, 1, 0}), at(box({0.1, 1, 0.1}), {-0.9, 0.45, -0.5}),
           at(box({0.1, 1, 0.1}), {0.9, 0.45, -0.5}), at(box({0.1, 1, 0.1}), {-0.9, 0.45, 0.5}),
-          at(box({0.1, 1, 0.1}), {0.9, 0.45, 0.5})}},
+          at(box({0.1, 1, 0.1}), {0.9, 0.45, 0.5})},
+         true},
     };
     return library;
 }

@@ -11,6 +11,7 @@ namespace editing {
 struct LibraryShape {
     std::string name;
     std::vector<scene::Part> parts;
+    bool stands = false; // other things stand on it: its bodies are fixed
 };
 
 [[nodiscard]] scene::Part sphere(double radius);

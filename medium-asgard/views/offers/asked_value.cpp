@@ -1,5 +1,6 @@
 #include "offers/asked_value.h"
 
+#include "element_edits/fixing.h"
 #include "gestures/handle_meaning.h"
 #include "gestures/new_point.h"
 #include "gestures/standing.h"
@@ -224,15 +225,17 @@ AskedValue askedFixed(SceneDocument& document, std::size_t body) {
     wish.absent = {0};
     const auto mapper = mapperOf(asked.text, of);
     asked.written = mapper->written(wish);
-    asked.answer = [mapper, wish, now = asked.now](const Values& values) {
+    const auto properties = std::make_shared<editing::Properties>(asked.text, of.scene);
+    asked.answer = [mapper, properties, wish, now = asked.now](const Values& values) {
         editing::Wish meant = wish;
         meant.values = values;
         if (values == now)
             meant.now.clear();
-        editing::Answer answer = mapper->answer(meant);
         if (values.front() != 0 && values.front() != 1)
-            answer = {{}, SceneDocument::tr("1 or 0, please.").toStdString(), {}, {}, {}};
-        return answer;
+            return editing::Answer{
+                {}, SceneDocument::tr("1 or 0, please.").toStdString(), {}, {}, {}};
+        return editing::withBounce(*properties, mapper->scene(), {wish.element},
+                                   values.front() == 1, mapper->answer(meant));
     };
     return asked;
 }

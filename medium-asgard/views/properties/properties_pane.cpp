@@ -3,6 +3,7 @@
 #include "editing/element_values.h"
 #include "editing/number_text.h"
 #include "element_edits/attitude.h"
+#include "element_edits/fixing.h"
 #include "element_edits/units.h"
 #include "frame/names_box.h"
 #include "offers/asked_value.h"
@@ -416,8 +417,11 @@ void PropertiesPane::set(const Entered& entered) { write(entered, entered.parts)
 
 void PropertiesPane::write(const Entered& entered, const PropertyParts& parts) {
     const QString caption = QString::fromStdString(editing::captionOf(*entered.option));
-    tryEdits(entered, properties_->set(entered.elements, *entered.option, parts),
-             tr("Change %1").arg(caption.toLower()));
+    editing::Answer found = properties_->set(entered.elements, *entered.option, parts);
+    if (entered.option->name == "-fixed" && parts.size() == 1 && parts.front())
+        found = editing::withBounce(*properties_, *document_.shown().scene, entered.elements,
+                                    parts.front() == "1", std::move(found));
+    tryEdits(entered, found, tr("Change %1").arg(caption.toLower()));
 }
 
 void PropertiesPane::tryEdits(const Entered& entered, const editing::Answer& found,

@@ -125,13 +125,10 @@ Recipe newBody(const editing::LibraryShape& shape, double times) {
     for (const char c : shape.name)
         if (std::isalpha(static_cast<unsigned char>(c)) != 0)
             stem += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    const bool isFixed = std::ranges::any_of(shape.parts, [](const scene::Part& part) {
-        return std::holds_alternative<scene::PlaneShape>(part.shape);
-    });
     std::vector<scene::Part> parts;
     for (const scene::Part& part : shape.parts)
         parts.push_back(scaled(part, times));
-    Recipe recipe = newBody(stem, editing::descriptionText(parts), isFixed);
+    Recipe recipe = newBody(stem, editing::descriptionText(parts), shape.stands);
     recipe.ghost = std::move(parts);
     return recipe;
 }

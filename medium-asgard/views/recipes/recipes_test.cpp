@@ -72,6 +72,21 @@ TEST_F(RecipesTest, SelectedBodiesAloneGetAWeightOnce) {
     EXPECT_THAT(weightFor({}, {0, -10, 0}).otherwise.toStdString(), HasSubstr("is selected"));
 }
 
+// A ball bounces on it, and it does not fall when gravity comes.
+TEST_F(RecipesTest, ATableStandsAndDeadensNothing) {
+    read("shape_set s -desc {-sub {-sphere 0.5}}\n");
+    Indicated origin;
+    origin.given = true;
+    Recipe recipe = newBody(editing::libraryShape("Table"));
+    const auto made = recipe.make(text_, scene_, {origin});
+    ASSERT_THAT(made, SizeIs(2));
+    EXPECT_THAT(made[1].words,
+                ElementsAre("-init_pos", "{0 0 0}", "-fixed", "1", "-friction", "0.3"));
+    recipe = newBody(editing::libraryShape("Cube"));
+    EXPECT_THAT(recipe.make(text_, scene_, {origin})[1].words,
+                testing::IsSupersetOf({"-restitution", "0"}));
+}
+
 TEST_F(RecipesTest, ANewBodyFitsTheViewUntilItsPlaceIsShown) {
     Recipe box = newBody(BasicShape::box);
     box.sized = [](double times) { return newBody(BasicShape::box, times); };
