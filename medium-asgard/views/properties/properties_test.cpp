@@ -143,6 +143,32 @@ TEST_F(PropertiesTest, AFieldWritesOneStepOfUndo) {
     EXPECT_EQ(document.text(), two);
 }
 
+TEST_F(PropertiesTest, ANumberOfSevenDigitsIsSeenWhole) {
+    open(shape + "body a s -init_pos {-1.162857 1.316727 0.4}\n", {{Kind::body, 0}});
+    pane.resize(pane.minimumSizeHint().width(), 800);
+    pane.show();
+    settleTimers();
+    const QLineEdit& x = field("-init_pos1");
+    EXPECT_EQ(x.text(), "-1.162857");
+    const int words = x.fontMetrics().horizontalAdvance(x.text());
+    QStyleOptionFrame option;
+    option.initFrom(&x);
+    const QRect inside = x.style()->subElementRect(QStyle::SE_LineEditContents, &option, &x);
+    EXPECT_GE(inside.width(), words + 4);
+}
+
+TEST_F(PropertiesTest, ABoxThatIsFixedDeadensNoBounce) {
+    const std::string box = shape + "body a s -restitution 0 -friction 0.3\n";
+    open(box, {{Kind::body, 0}});
+    choose("-fixed", "yes");
+    EXPECT_EQ(document.text(), shape + "body a s -friction 0.3 -fixed 1\n");
+    choose("-fixed", "no");
+    EXPECT_EQ(document.text(), shape + "body a s -friction 0.3 -restitution 0\n");
+    document.undo();
+    document.undo(); // one step each
+    EXPECT_EQ(document.text(), box);
+}
+
 TEST_F(PropertiesTest, TheSizeOfItsShapeIsARow) {
     open(shape + "body a s\n", {{Kind::body, 0}});
     EXPECT_EQ(field("size1").text(), "0.5");

@@ -14,6 +14,7 @@
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QPainter>
+#include <QStyleOptionFrame>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -88,6 +89,22 @@ PropertyRow::PropertyRow(const SceneDocument& document, const editing::OptionHin
     grid.addLayout(below, row + 1, 0, 1, 2);
 }
 
+namespace {
+
+// In which these words are seen whole.
+int widthOf(const QLineEdit& field, const char* words) {
+    QStyleOptionFrame option;
+    option.initFrom(&field);
+    option.lineWidth = field.style()->pixelMetric(QStyle::PM_DefaultFrameWidth, &option, &field);
+    constexpr int beside = 2; // between the frame and the words, as QLineEdit has it
+    const QSize whole(field.fontMetrics().horizontalAdvance(QLatin1String(words)) + 2 * beside +
+                          field.fontMetrics().averageCharWidth() / 2,
+                      field.fontMetrics().height());
+    return field.style()->sizeFromContents(QStyle::CT_LineEdit, &option, whole, &field).width();
+}
+
+} // namespace
+
 void PropertyRow::addFields(const SceneDocument& document, QHBoxLayout& line,
                             const QString& caption, std::size_t most) {
     static const char* const axes[] = {"x", "y", "z"};
@@ -101,7 +118,7 @@ void PropertyRow::addFields(const SceneDocument& document, QHBoxLayout& line,
                              (most == 4 ? QStringLiteral("turn") : QString()) +
                              (most == 1 ? QString() : QString::number(i + 1)));
         field->setAccessibleName(caption + part);
-        field->setMinimumWidth(most == 1 ? 80 : 36);
+        field->setMinimumWidth(most == 1 ? 80 : most == 3 ? widthOf(*field, "-1.234567") : 36);
         new TypedField(
             *field, document,
             {[this](bool asked) { finish(asked); }, [this, field] { bringBack(*field); }});
