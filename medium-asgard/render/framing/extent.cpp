@@ -144,11 +144,14 @@ std::optional<Box> roomOfTheOthers(const Survey& survey, const std::vector<bool>
     return std::nullopt;
 }
 
-// A fixed body near the motion belongs to the picture. Of one that is much larger, as a wide floor,
-// what lies near the motion does.
+// Times the size of the motion: of what is fixed and larger, as a wide floor, not all is shown.
+constexpr double much = 4;
+
+// A fixed body near the motion belongs to the picture, a table with the ball that falls on it. Of
+// one that is much larger, what lies near the motion does.
 void keepNear(Extent& extent, const Box& moving, const Pose& pose,
               const std::vector<Ball>& outline) {
-    constexpr double much = 2, beside = 0.35; // times the motion's size
+    constexpr double beside = 0.35; // times the motion's size
     std::vector<Ball> balls;
     Box whole;
     for (const Ball& ball : outline) {
@@ -536,7 +539,6 @@ Extent extentAt(const scene::Scene& scene, const simulation::Motion* motion, dou
 }
 
 Extent extentOfAll(const scene::Scene& scene, const simulation::Motion* motion) {
-    constexpr double much = 4;
     Extent extent = extentWith(scene, motion, Falls::whole);
     const double size = extent.size;
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {

@@ -114,6 +114,22 @@ TEST(Framed, AWideFloorIsShownOnlyNearTheMotion) {
     EXPECT_NEAR(extent.lowest, -1, 0.41);
 }
 
+// The ball is half a metre wide and falls as far.
+TEST(Framed, ATableOfTwoMetresIsShownWholeUnderASmallBall) {
+    scene::Scene scene;
+    addBody(scene, sphere(0.25), {-0.4, 0.86, 0.2}, {});
+    addBody(scene, box({2, 0.1, 1}), {0, 0.25, 0.1}, {}).fixed = true;
+    const auto motion = std::make_shared<GivenMotion>(
+        1, std::vector<GivenMotion::Law>{[](double t) {
+                                             return placed({-0.4, 0.86 - 0.31 * t, 0.2});
+                                         },
+                                         [](double) {
+                                             return placed({0, 0.25, 0.1});
+                                         }});
+    for (const Size size : {Size{640, 480}, Size{480, 640}})
+        expectAllShown(scene, motion, framed(scene, motion, size), size);
+}
+
 // A stand that is not much larger than what moves on it is no floor.
 TEST(Framed, ABodyThatStandsBelowTheMotionIsShownWhole) {
     scene::Scene scene;
