@@ -244,10 +244,10 @@ MenuPlace menuPlaceAt(SceneDocument& document, SceneDisplay& display, const QPoi
     if (const auto handle = gestures::handleAt(set, sight, pixels, near)) {
         place.handle = set.handles[*handle];
         place.element = gestures::elementOf(*place.handle);
-    } else if (const auto joint = gestures::jointAt(display.drawing(), sight, pixels, near)) {
+    } else if (const auto joint = gestures::jointAt(display.drawn(), sight, pixels, near)) {
         place.handle = joint;
         place.element = gestures::elementOf(*joint);
-    } else if (const auto body = gestures::bodyAt(display.drawing(), sight, pixels)) {
+    } else if (const auto body = gestures::bodyAt(display.drawn(), sight, pixels)) {
         place.element = Element{Kind::body, body->body};
         const auto& start = document.shown().scene->bodies[body->body].initialPosition;
         place.handle = render::Handle{HandleKind::position, body->body, 0, start, start};

@@ -59,8 +59,9 @@ std::optional<geometry::Vector> FaultSigns::placeOf(const editing::Element& elem
                    : std::nullopt;
     if (element.index >= scene.joints.size())
         return std::nullopt;
-    const auto place = render::JointPlaces(scene, shown.motion.get())
-                           .at(scene.joints[element.index], display_.time());
+    const render::Drawing drawn = display_.drawn();
+    const auto place =
+        render::JointPlaces(scene, drawn.motion.get()).at(scene.joints[element.index], drawn.time);
     return place ? std::optional(place->ends[0].point) : std::nullopt;
 }
 

@@ -67,7 +67,7 @@ std::optional<Gizmo::Place> Gizmo::place() const {
     all.middle = sum / static_cast<double>(bodies.size());
     const gestures::Sight sight = display_.sight();
     for (const gestures::Picked& there :
-         gestures::bodiesAt(display_.drawing(), sight, sight.pixels(all.middle)))
+         gestures::bodiesAt(display_.drawn(), sight, sight.pixels(all.middle)))
         if (std::ranges::find(bodies, there.body) != bodies.end())
             addSilhouette(all, there.body);
     return all;
@@ -75,9 +75,9 @@ std::optional<Gizmo::Place> Gizmo::place() const {
 
 void Gizmo::addSilhouette(Place& place, std::size_t body) const {
     const gestures::Sight sight = display_.sight();
-    const scene::Scene& scene = *document_.shown().scene;
-    const geometry::Pose pose =
-        render::poseOf(scene, document_.shown().motion.get(), body, display_.time());
+    const render::Drawing drawn = display_.drawn();
+    const scene::Scene& scene = *drawn.scene;
+    const geometry::Pose pose = render::poseOf(scene, drawn.motion.get(), body, drawn.time);
     const QPointF middle = display_.fromPixels(sight.pixels(place.middle));
     for (const render::Ball& ball : render::outlineOf(scene, scene.bodies[body])) {
         const Vector at = pose.toWorld(ball.center);
@@ -106,7 +106,8 @@ Vector Gizmo::pivotOf(std::size_t body) const {
     });
     if (isHeld || isPlacedAlone(body))
         return display_.centerOf(body);
-    return render::poseOf(*shown.scene, shown.motion.get(), body, display_.time()).position;
+    const render::Drawing drawn = display_.drawn();
+    return render::poseOf(*drawn.scene, drawn.motion.get(), body, drawn.time).position;
 }
 
 // The way from the middle to what is beside the bodies.

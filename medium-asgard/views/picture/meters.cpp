@@ -119,7 +119,7 @@ QString Meters::words(const Meter& meter, double time) const {
 }
 
 std::optional<QPointF> Meters::placeOf(const Meter& meter) const {
-    const render::Drawing drawing = display_.drawing();
+    const render::Drawing drawing = display_.drawn();
     const scene::Scene& scene = *drawing.scene;
     const gestures::Sight sight = display_.sight();
     const auto named = [&](const auto& all) {
@@ -167,7 +167,7 @@ void Meters::paint(QPainter& painter) const {
         const auto place = placeOf(meter);
         if (!place)
             continue;
-        const QString words = this->words(meter, display_.time());
+        const QString words = this->words(meter, display_.drawn().time);
         const double height = painter.fontMetrics().height() + 2;
         const QPointF corner = *place + QPointF(16, -height / 2 + height * lines[meter.element]++);
         const QRectF box(corner,

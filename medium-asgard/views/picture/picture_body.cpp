@@ -26,7 +26,7 @@ bool PictureEditing::turnBody(std::size_t body, const QPointF& position, int axi
 
 bool PictureEditing::openBodyAt(const QPointF& position) {
     const auto body =
-        gestures::bodyAt(display_.drawing(), display_.sight(), display_.inPixels(position));
+        gestures::bodyAt(display_.drawn(), display_.sight(), display_.inPixels(position));
     if (!body)
         return false;
     say({});

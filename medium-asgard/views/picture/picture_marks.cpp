@@ -22,7 +22,7 @@ void PictureEditing::paintSelection(QPainter& painter) const {
     painter.setPen(
         QPen(dark ? QColor(110, 170, 255, 230) : QColor(20, 90, 200, 200), 1.3, Qt::DashLine));
     painter.setBrush(Qt::NoBrush);
-    const render::Drawing drawing = display_.drawing();
+    const render::Drawing drawing = display_.drawn();
     const gestures::Sight sight = display_.sight();
     // LIMIT: of a crowd not all are framed: it would take longer than one wants to wait, and more
     // frames than one can tell apart.

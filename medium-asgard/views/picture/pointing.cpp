@@ -78,7 +78,7 @@ void Pointing::rest() {
     look();
     // LIMIT: in a crowd bodies are not named by pointing: finding one takes longer than a movement.
     constexpr std::size_t crowd = 2000;
-    const render::Drawing drawing = display_.drawing();
+    const render::Drawing drawing = display_.drawn();
     if (!position_ || handle_ || drawing.scene->bodies.size() > crowd)
         return;
     const Eigen::Vector2d pixels = display_.inPixels(*position_);

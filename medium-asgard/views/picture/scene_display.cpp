@@ -380,6 +380,15 @@ render::Drawing SceneDisplay::drawing() const {
             display_};
 }
 
+render::Drawing SceneDisplay::drawn() const {
+    render::Drawing drawn = drawing();
+    if (showsScene()) {
+        drawn.time = picture_.last()->of.time;
+        drawn.motion = picture_.last()->of.shown.motion;
+    }
+    return drawn;
+}
+
 std::optional<render::GroundPlane> SceneDisplay::ground() const {
     return display_.grid && showsScene() ? picture_.last()->ground : std::nullopt;
 }
@@ -467,8 +476,9 @@ geometry::Vector SceneDisplay::centroidOf(std::size_t body) const {
 }
 
 geometry::Vector SceneDisplay::centerOf(std::size_t body) const {
-    const Shown& shown = document_.shown();
-    return render::poseOf(*shown.scene, shown.motion.get(), body, time_).toWorld(centroidOf(body));
+    const render::Drawing drawn = this->drawn();
+    return render::poseOf(*drawn.scene, drawn.motion.get(), body, drawn.time)
+        .toWorld(centroidOf(body));
 }
 
 void SceneDisplay::paintEvent(QPaintEvent*) {

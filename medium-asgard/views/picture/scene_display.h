@@ -105,6 +105,9 @@ public:
     // The same, as far as it is of the scene that is shown.
     [[nodiscard]] const render::HandleSet& knownHandles() const;
     [[nodiscard]] render::Drawing drawing() const;
+    // The same as the picture shows it, whose time and motion may be older ones where a picture
+    // takes long: what is painted over it, and what one clicks in it.
+    [[nodiscard]] render::Drawing drawn() const;
     // Where the grid of the scene that is shown lies; none: none is seen.
     [[nodiscard]] std::optional<render::GroundPlane> ground() const;
     // The direction of the triad's end there, as words: "x", "against y"; "": none is there.

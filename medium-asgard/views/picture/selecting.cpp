@@ -108,7 +108,7 @@ std::optional<std::size_t> Selecting::selectedBodyAt(const QPointF& position) co
     const auto& selected = document_.selected();
     if (std::ranges::find(selected, Kind::body, &Element::kind) == selected.end())
         return std::nullopt;
-    const render::Drawing drawing = display_.drawing();
+    const render::Drawing drawing = display_.drawn();
     for (const gestures::Picked& picked :
          gestures::bodiesAt(drawing, display_.sight(), display_.inPixels(position)))
         if (std::ranges::find(selected, Element{Kind::body, picked.body}) != selected.end() &&
@@ -121,7 +121,7 @@ std::optional<std::size_t> Selecting::draggedBodyAt(const QPointF& position) con
     if (const auto body = selectedBodyAt(position))
         return body;
     const auto front =
-        gestures::bodyAt(display_.drawing(), display_.sight(), display_.inPixels(position));
+        gestures::bodyAt(display_.drawn(), display_.sight(), display_.inPixels(position));
     return front && display_.throwing().takesAtOnce(front->body, position)
                ? std::optional(front->body)
                : std::nullopt;
@@ -136,7 +136,7 @@ std::vector<Selecting::Thing> Selecting::thingsAt(const QPointF& position) const
     const Eigen::Vector2d pixels = display_.inPixels(position);
     const double reach = gestures::handleReach * display_.devicePixelRatioF();
     const gestures::Sight sight = display_.sight();
-    const render::Drawing drawing = display_.drawing();
+    const render::Drawing drawing = display_.drawn();
     const render::HandleSet& set = display_.handles();
     if (const auto index = gestures::handleAt(set, sight, pixels, reach))
         add(gestures::elementOf(set.handles[*index]), set.handles[*index]);
@@ -186,7 +186,7 @@ void Selecting::addOrTakeOut(const QPointF& position) {
 }
 
 void Selecting::selectAll() {
-    const render::Drawing drawing = display_.drawing();
+    const render::Drawing drawing = display_.drawn();
     std::vector<Element> all;
     for (std::size_t i = 0; i < drawing.scene->bodies.size(); ++i)
         if (!render::isHidden(drawing.display, drawing.scene->bodies[i]))
@@ -197,15 +197,15 @@ void Selecting::selectAll() {
 void Selecting::selectBand(bool adds) {
     std::vector<Element> selected = adds ? document_.selected() : std::vector<Element>();
     for (const std::size_t body :
-         gestures::bodiesWithin(display_.drawing(), display_.sight(),
-                                display_.inPixels(band_->first), display_.inPixels(band_->second)))
+         gestures::bodiesWithin(display_.drawn(), display_.sight(), display_.inPixels(band_->first),
+                                display_.inPixels(band_->second)))
         selected.push_back({Kind::body, body});
     document_.select(std::move(selected));
 }
 
 std::optional<Selecting::Tag> Selecting::tag() const {
     const gestures::Sight sight = display_.sight();
-    const render::Drawing drawing = display_.drawing();
+    const render::Drawing drawing = display_.drawn();
     const QRectF picture = display_.rect();
     std::optional<geometry::Vector> first;
     std::size_t count = 0;

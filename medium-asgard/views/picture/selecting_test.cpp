@@ -484,6 +484,26 @@ TEST_F(SelectingTest, WhatIsSelectedOutOfThePictureIsToldAndAClickShowsIt) {
     EXPECT_TRUE(display().selecting().tag().has_value());
 }
 
+// A picture that takes long is of an earlier moment, and so is what is painted over it.
+TEST_F(SelectingTest, WhatIsPaintedOverAPictureIsOfItsMoment) {
+    std::string text = three;
+    text.replace(text.find("-init_pos {-3 0 0}"), 18, "-init_pos {-3 0 0} -init_dpos {-50 0 0}");
+    editor.document().setText(text, "Leave");
+    ASSERT_TRUE(settle(editor.document()));
+    editor.document().select({leftOne});
+    display().grab();
+    const Vector start = display().centerOf(2);
+    viewer->playback().seek(1.5); // not drawn yet
+    EXPECT_EQ(display().time(), 1.5);
+    EXPECT_EQ(display().drawn().time, 0);
+    EXPECT_EQ(display().centerOf(2), start);
+    EXPECT_FALSE(display().selecting().tag().has_value());
+    display().grab();
+    EXPECT_EQ(display().drawn().time, 1.5);
+    EXPECT_NEAR(display().centerOf(2).x(), -78, 1e-6);
+    EXPECT_TRUE(display().selecting().tag().has_value());
+}
+
 TEST_F(SelectingTest, AHiddenBodyIsNeitherSeenNorClicked) {
     const QImage before = display().grab().toImage();
     display().hide({nearOne});
