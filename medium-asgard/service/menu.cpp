@@ -95,8 +95,8 @@ std::vector<ipc::MenuEntry> menuOf(const MenuState& state) {
     menu.push_back(entry("reset-view", "Reset View"));
     menu.back().scope = ipc::Scope::rendition;
     menu.push_back(entry("recompute", "Recompute Motion", "view-refresh"));
-    menu.push_back(window("open-graphical-viewer", "Open Graphical Viewer", "Ctrl+Shift+G"));
-    menu.push_back(window("open-language-viewer", "Open Language Viewer", "Ctrl+L"));
+    menu.push_back(window("open-graphical-viewer", "New Graphical Viewer", "Ctrl+Shift+G"));
+    menu.push_back(window("open-language-viewer", "New Language Viewer", "Ctrl+L"));
     menu.push_back(window(updateDrafts, "Update from the Language Viewers", ""));
     menu.back().enabled = state.drafts;
     return menu;

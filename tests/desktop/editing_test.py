@@ -52,8 +52,8 @@ class Editing(unittest.TestCase):
 
     def openViewer(self):
         """By the host's command, as soon as there is such a command."""
-        self.person.offered(HOST, "Asgard", "Open Language Viewer")
-        self.person.menu(HOST, "Asgard", "Open Language Viewer")
+        self.person.offered(HOST, "Asgard", "New Language Viewer")
+        self.person.menu(HOST, "Asgard", "New Language Viewer")
         self.person.window(VIEWER)
 
     def isModified(self):

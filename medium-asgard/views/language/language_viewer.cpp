@@ -158,7 +158,7 @@ void LanguageViewer::connectParts() {
 void LanguageViewer::buildMenus() {
     QMenu* file = menuBar()->addMenu(isPane() ? tr("&Draft") : tr("&File"));
     if (!isPane()) {
-        file->addAction(tr("New &Graphical Viewer"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N),
+        file->addAction(tr("New &Graphical Viewer"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_G),
                         this, [this] { windows_.openGraphicalViewer(); });
         file->addAction(tr("New &Language Viewer"), QKeySequence(Qt::CTRL | Qt::Key_L), this,
                         [this] { windows_.openLanguageViewer(); });

@@ -132,9 +132,9 @@ void StatusPanel::addSwitches(const render::Display& display) {
         &Display::shadows);
     add("axes", tr("&Axes"), tr("The world's axes: x red, y green, z blue"), &Display::axes);
     add("wireframe", tr("&Wireframe"), tr("Edges only"), &Display::wireframe);
-    add("contactForces", tr("Contacts"), tr("The forces with which bodies press on each other"),
-        &Display::contactForces);
-    add("frictionCones", tr("Cones"),
+    add("contactForces", tr("Contact Forces"),
+        tr("The forces with which bodies press on each other"), &Display::contactForces);
+    add("frictionCones", tr("Friction Cones"),
         tr("Friction cones: while the force is inside, the contact sticks"),
         &Display::frictionCones);
     layout()->addWidget(group);

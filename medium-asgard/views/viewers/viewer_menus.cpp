@@ -96,7 +96,7 @@ void GraphicalViewer::buildTextMenu() {
 
 void GraphicalViewer::buildFileMenu() {
     QMenu* file = menuBar()->addMenu(tr("&File"));
-    file->addAction(tr("New &Graphical Viewer"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N),
+    file->addAction(tr("New &Graphical Viewer"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_G),
                     this, [this] { windows_.openGraphicalViewer(); });
     file->addAction(tr("New &Language Viewer"), QKeySequence(Qt::CTRL | Qt::Key_L), this,
                     [this] { windows_.openLanguageViewer(); });
