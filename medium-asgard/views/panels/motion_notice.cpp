@@ -1,5 +1,6 @@
 #include "panels/motion_notice.h"
 
+#include "gestures/unsupported.h"
 #include "motion/known_span.h"
 #include "panels/status_panel.h"
 #include "plain/plain.h"
@@ -45,7 +46,7 @@ bool lasts(const QElapsedTimer& since, int milliseconds) {
 
 MotionNotice::MotionNotice(SceneDocument& document, Playback& playback, QWidget& picture)
     : QFrame(&picture), document_(document), playback_(playback), words_(plain::label()),
-      stop_(new QToolButton), compute_(new QToolButton) {
+      stop_(new QToolButton), compute_(new QToolButton), floor_(new QToolButton) {
     setObjectName("motionNotice");
     setAutoFillBackground(true);
     words_->setWordWrap(true);
@@ -56,25 +57,32 @@ MotionNotice::MotionNotice(SceneDocument& document, Playback& playback, QWidget&
     compute_->setObjectName("compute");
     compute_->setText(tr("Compute"));
     compute_->setToolTip(tr("Computes the motion of the scene as it is (F5)"));
+    floor_->setObjectName("addFloor");
+    floor_->setText(tr("Add a Floor"));
+    floor_->setToolTip(
+        tr("A fixed plane below all bodies, as Create > Body > New Floor Below All"));
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(8, 4, 8, 4);
     row->addWidget(words_, 1);
-    for (QToolButton* button : {stop_, compute_}) {
+    for (QToolButton* button : {stop_, compute_, floor_}) {
         button->setFocusPolicy(Qt::NoFocus); // the keys stay with the picture
         row->addWidget(button);
     }
     connect(stop_, &QToolButton::clicked, this, &MotionNotice::stopWanted);
+    connect(floor_, &QToolButton::clicked, this, &MotionNotice::floorWanted);
     connect(compute_, &QToolButton::clicked, &document_, &SceneDocument::recompute);
     tick_.setInterval(250);
     connect(&tick_, &QTimer::timeout, this, &MotionNotice::follow);
     connect(&document_, &SceneDocument::textChanged, this, [this] { worksSince_.invalidate(); });
     connect(&document_, &SceneDocument::workChanged, this, &MotionNotice::follow);
+    connect(&document_, &SceneDocument::sceneChanged, this, &MotionNotice::follow);
     connect(&document_, &SceneDocument::motionChanged, this, &MotionNotice::follow);
     connect(&document_, &SceneDocument::diagnosticsChanged, this, &MotionNotice::follow);
     connect(&playback_, &Playback::timeChanged, this, &MotionNotice::follow);
     connect(&playback_, &Playback::stateChanged, this, &MotionNotice::follow);
     picture.installEventFilter(this);
     hide();
+    follow();
 }
 
 QString MotionNotice::words() const { return isHidden() ? QString() : words_->text(); }
@@ -109,7 +117,29 @@ QString MotionNotice::unread() const {
                : tr("%1\nThe picture shows the last good scene.").arg(place);
 }
 
-MotionNotice::Said MotionNotice::said() const {
+MotionNotice::Said MotionNotice::said() {
+    Said said = saidOfMotion();
+    return said.words.isEmpty() ? saidOfFalls() : said;
+}
+
+// The grid holds nothing.
+MotionNotice::Said MotionNotice::saidOfFalls() {
+    if (!document_.sceneIsCurrent())
+        return {};
+    const auto& scene = document_.shown().scene;
+    if (falls_.first != scene)
+        falls_ = {scene, gestures::unsupported(*scene)};
+    const auto& bodies = falls_.second;
+    if (bodies.empty())
+        return {};
+    const QString first = QString::fromStdString(scene->bodies[bodies.front()].name);
+    const QString who = bodies.size() == 1
+                            ? tr("%1 falls").arg(first)
+                            : tr("%1 and %2 more fall").arg(first).arg(bodies.size() - 1);
+    return {tr("The grid holds nothing: %1 through it.").arg(who), false, false, false, true};
+}
+
+MotionNotice::Said MotionNotice::saidOfMotion() const {
     const bool works = document_.work() != Work::none;
     const auto& motion = document_.shown().motion;
     if (!works && !document_.sceneIsCurrent() && document_.hasErrors())
@@ -152,7 +182,8 @@ void MotionNotice::follow() {
 void MotionNotice::show(const Said& said) {
     setVisible(!said.words.isEmpty());
     if (said.words.isEmpty() ||
-        (said.words == words_->text() && said.mayStop == stop_->isVisibleTo(this)))
+        (said.words == words_->text() && said.mayStop == stop_->isVisibleTo(this) &&
+         said.mayFloor == floor_->isVisibleTo(this)))
         return;
     const bool dark = parentWidget()->palette().color(QPalette::Base).lightness() < 128;
     QColor paper = said.isFault ? QColor(255, 222, 216) : QColor(255, 236, 190);
@@ -168,6 +199,7 @@ void MotionNotice::show(const Said& said) {
     words_->setText(said.words);
     stop_->setVisible(said.mayStop);
     compute_->setVisible(said.mayCompute);
+    floor_->setVisible(said.mayFloor);
     place();
 }
 
@@ -186,7 +218,7 @@ void MotionNotice::place() {
     const int most = std::max(picture.width() - left - margin, 1);
     const QMargins around = layout()->contentsMargins();
     int beside = around.left() + around.right() + 4;
-    for (const QToolButton* button : {stop_, compute_})
+    for (const QToolButton* button : {stop_, compute_, floor_})
         if (button->isVisibleTo(this))
             beside += button->sizeHint().width() + layout()->spacing();
     const int line = words_->fontMetrics().horizontalAdvance(words_->text()) + beside;

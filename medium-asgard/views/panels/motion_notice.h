@@ -1,5 +1,6 @@
 // What the picture says of its motion, at its lower edge: that it is computed, how far and for how
-// long, that it is an older scene's, that computing was stopped, and why it ends before its time.
+// long, that it is an older scene's, that computing was stopped, why it ends before its time, and
+// that bodies fall through the grid, which a click gives a floor.
 #pragma once
 
 #include "workbench/playback.h"
@@ -8,6 +9,10 @@
 #include <QElapsedTimer>
 #include <QFrame>
 #include <QTimer>
+
+#include <memory>
+#include <utility>
+#include <vector>
 
 class QLabel;
 class QToolButton;
@@ -24,6 +29,7 @@ public:
 
 Q_SIGNALS:
     void stopWanted();
+    void floorWanted();
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -31,9 +37,11 @@ protected:
 private:
     struct Said {
         QString words;
-        bool isFault = false, mayStop = false, mayCompute = false;
+        bool isFault = false, mayStop = false, mayCompute = false, mayFloor = false;
     };
-    [[nodiscard]] Said said() const;
+    [[nodiscard]] Said said();
+    [[nodiscard]] Said saidOfMotion() const;
+    [[nodiscard]] Said saidOfFalls();
     [[nodiscard]] QString progress() const;
     [[nodiscard]] QString unread() const;
     void follow();
@@ -43,9 +51,11 @@ private:
     SceneDocument& document_;
     Playback& playback_;
     QLabel* words_;
-    QToolButton *stop_, *compute_;
+    QToolButton *stop_, *compute_, *floor_;
     QTimer tick_;
     QElapsedTimer worksSince_, staleSince_; // invalid: it does not, it is not
+    // Of that scene, the bodies that fall through the grid.
+    std::pair<std::shared_ptr<const scene::Scene>, std::vector<std::size_t>> falls_;
 };
 
 } // namespace views

@@ -59,6 +59,28 @@ TEST_F(MotionNoticeTest, ThePictureEndsWhereTheFirstBodyStopsAndSaysWhy) {
     EXPECT_EQ(wordsOf(viewer), "");
 }
 
+TEST_F(MotionNoticeTest, WhatFallsThroughTheGridIsToldAndAClickAddsAFloor) {
+    TestWorkshop made;
+    SceneDocument document{made.workshop()};
+    GraphicalViewer viewer(document, pictures, {}, 1);
+    viewer.show();
+    const std::string standing = "shape_set s -desc {-sub {-sphere 0.5}}\n"
+                                 "body a s -init_pos {0 0.5 0}\nbody b s -init_pos {2 0.5 0}\n"
+                                 "force -body a -gravitational {0 -9.81 0}\n";
+    document.setText(standing, "Edit");
+    ASSERT_TRUE(settle(document));
+    EXPECT_EQ(wordsOf(viewer), "The grid holds nothing: a falls through it.");
+    document.setText(standing + "force -body b -gravitational {0 -9.81 0}\n", "Edit");
+    ASSERT_TRUE(settle(document));
+    EXPECT_EQ(wordsOf(viewer), "The grid holds nothing: a and 1 more fall through it.");
+    auto* add = viewer.findChild<QToolButton*>("addFloor");
+    ASSERT_TRUE(add && add->isVisible());
+    add->click();
+    ASSERT_TRUE(settle(document));
+    EXPECT_THAT(document.text(), HasSubstr("-plane"));
+    EXPECT_EQ(wordsOf(viewer), "");
+}
+
 TEST_F(MotionNoticeTest, WordsLeaveTheTriadInSight) {
     SceneDocument document{Workshop{}};
     GraphicalViewer viewer(document, pictures, {}, 1);

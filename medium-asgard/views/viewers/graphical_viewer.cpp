@@ -18,6 +18,7 @@
 #include "plain/plain.h"
 #include "plots/plots_panel.h"
 #include "properties/element_commands.h"
+#include "recipes/recipes.h"
 #include "start/tour.h"
 #include "viewers/scene_panes.h"
 
@@ -115,6 +116,8 @@ void GraphicalViewer::buildPicture(std::shared_ptr<PictureThread> pictures) {
     column->addWidget(frame, 1);
     auto* notice = new MotionNotice(document_, playback_, *display_);
     connect(notice, &MotionNotice::stopWanted, &document_, &SceneDocument::stopComputing);
+    connect(notice, &MotionNotice::floorWanted, display_,
+            [this] { display_->creating().start(newFloor()); });
     times_ = new TimeRows(document_, playback_);
     column->addWidget(times_);
     hint_ = new HintLine;

@@ -1,0 +1,102 @@
+#include "gestures/unsupported.h"
+
+#include "framing/body_places.h"
+#include "framing/extent.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gestures {
+
+namespace {
+
+using geometry::Vector;
+using Box = Eigen::AlignedBox3d;
+
+bool hasWeight(const scene::Scene& scene, const std::string& body) {
+    return std::ranges::any_of(scene.forces, [&](const scene::Force& force) {
+        const auto* weight = std::get_if<scene::GravitationalForce>(&force.kind);
+        return force.body == body && weight && !weight->acceleration.isZero();
+    });
+}
+
+bool isLed(const scene::Scene& scene, const std::string& body) {
+    return std::ranges::find(scene.constraints, body, &scene::Constraint::body) !=
+           scene.constraints.end();
+}
+
+// By a joint, a rope, a link or a spring.
+bool isHeld(const scene::Scene& scene, const std::string& body) {
+    const auto joins = [&](const scene::Joint& joint) {
+        return joint.body1 == body || joint.body2 == body;
+    };
+    const auto ties = [&](const scene::Rope& rope) {
+        return std::ranges::find(rope.points, body, &scene::Rope::Point::body) != rope.points.end();
+    };
+    const auto pulls = [&](const scene::Link& link) {
+        const auto* second = std::get_if<scene::BodyEnd>(&link.second);
+        return link.first.body == body || (second && second->body == body);
+    };
+    return std::ranges::any_of(scene.joints, joins) || std::ranges::any_of(scene.ropes, ties) ||
+           std::ranges::any_of(scene.links, pulls);
+}
+
+// Where it starts; empty: it has no end, or no shape.
+Box boxOf(const scene::Scene& scene, const scene::Body& body) {
+    Box box;
+    const geometry::Pose pose{body.initialPosition, body.initialAttitude};
+    for (const render::Ball& ball : render::outlineOf(scene, body)) {
+        const Vector at = pose.toWorld(ball.center);
+        box.extend(Box(at.array() - ball.radius, at.array() + ball.radius));
+    }
+    return box;
+}
+
+bool isEndless(const scene::Scene& scene, const scene::Body& body) {
+    const scene::ShapeSet* set = scene::findShapeSet(scene, body.shape);
+    return set && std::ranges::any_of(set->parts, [](const scene::Part& part) {
+               return std::holds_alternative<scene::PlaneShape>(part.shape);
+           });
+}
+
+} // namespace
+
+std::vector<std::size_t> unsupported(const scene::Scene& scene) {
+    const auto up = render::againstGravity(scene); // along an axis
+    if (!up)
+        return {};
+    const auto lowest = [&](const Box& box) {
+        return box.center().dot(*up) - box.sizes().dot(up->cwiseAbs()) / 2;
+    };
+    std::vector<Box> holders;
+    for (const scene::Body& body : scene.bodies) {
+        if (!body.fixed && !isLed(scene, body.name))
+            continue;
+        if (isEndless(scene, body))
+            return {};
+        holders.push_back(boxOf(scene, body));
+    }
+    const auto isBelow = [&](const Box& holder, const Box& box) {
+        Box column = box; // down without end
+        column.extend(box.center() - 1e9 * *up);
+        return column.intersects(holder);
+    };
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        const scene::Body& body = scene.bodies[i];
+        if (body.fixed || isLed(scene, body.name) || !hasWeight(scene, body.name) ||
+            isHeld(scene, body.name))
+            continue;
+        const Box box = boxOf(scene, body);
+        constexpr double touch = 1e-3; // of its size
+        if (box.isEmpty() || std::abs(lowest(box)) > touch * box.sizes().maxCoeff() ||
+            std::ranges::any_of(holders, [&](const Box& one) { return isBelow(one, box); }))
+            continue;
+        found.push_back(i);
+    }
+    return found;
+}
+
+} // namespace gestures
