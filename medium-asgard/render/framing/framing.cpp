@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace render {
@@ -99,6 +100,37 @@ Camera fitted(const Extent& extent, const Quaternion& attitude, Size size, bool 
         center = recentred(seen, center, fittingScale(seen, center, size, eye), eye);
     return {attitude.conjugate() * center, attitude, fittingScale(seen, center, size, eye),
             Vector::Zero(), orthographic};
+}
+
+bool isWithin(const Camera& camera, Size size, const Ball& ball) {
+    const double depth =
+        camera.scale * (camera.rotation * (ball.center - camera.center)).z() + camera.position.z();
+    if (depth + ball.radius * camera.scale >= eyeOf(camera))
+        return false;
+    const double radius =
+        ball.radius * camera.scale * pixelsPerUnit(size) * enlargement(camera, depth);
+    const Eigen::Vector2d middle = toPixels(camera, size, ball.center);
+    const Eigen::AlignedBox2d picture(Eigen::Vector2d(0, 0),
+                                      Eigen::Vector2d(size.width, size.height));
+    return picture.contains(Eigen::Vector2d(middle.array() - radius)) &&
+           picture.contains(Eigen::Vector2d(middle.array() + radius));
+}
+
+Camera keeping(const Camera& camera, Size before, Size now, const std::vector<Ball>& balls) {
+    std::vector<Ball> seen;
+    std::ranges::copy_if(balls, std::back_inserter(seen),
+                         [&](const Ball& ball) { return isWithin(camera, before, ball); });
+    Camera kept = camera;
+    constexpr double step = 0.96;
+    constexpr int most = 100;
+    for (int i = 0;
+         i < most &&
+         !std::ranges::all_of(seen, [&](const Ball& ball) { return isWithin(kept, now, ball); });
+         ++i) { // what is in the middle stays there
+        kept.scale *= step;
+        kept.position *= step;
+    }
+    return kept;
 }
 
 Camera framed(const scene::Scene& scene, const simulation::MotionPointer& motion, Size size) {

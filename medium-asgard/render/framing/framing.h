@@ -21,6 +21,13 @@ namespace render {
 [[nodiscard]] Camera fittedAbout(const Extent& extent, const Quaternion& attitude,
                                  const Vector& center, Size size, bool orthographic = false);
 
+// The camera for a picture of another size that still shows what of these balls the picture of the
+// first size shows whole: the same one, or from further away.
+[[nodiscard]] Camera keeping(const Camera& camera, Size before, Size now,
+                             const std::vector<Ball>& balls);
+// The picture shows all of the ball, but for what stands before it.
+[[nodiscard]] bool isWithin(const Camera& camera, Size size, const Ball& ball);
+
 // The world's direction towards the sun: over the left shoulder of whoever looks from there.
 [[nodiscard]] Vector sunOf(const Extent& extent);
 

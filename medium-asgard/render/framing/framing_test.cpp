@@ -114,6 +114,20 @@ TEST(Framed, AWideFloorIsShownOnlyNearTheMotion) {
     EXPECT_NEAR(extent.lowest, -1, 0.41);
 }
 
+TEST(Framed, AFlatterPictureShowsWhatATallOneShowed) {
+    const std::vector<Ball> balls{{{0, 1.2, 0}, 0.1}, {{0, -0.5, 0}, 0.2}, {{9, 0, 0}, 0.1}};
+    const Camera camera;
+    const Size tall{600, 640}, flat{600, 300};
+    ASSERT_TRUE(isWithin(camera, tall, balls[0]));
+    ASSERT_FALSE(isWithin(camera, flat, balls[0]));
+    const Camera kept = keeping(camera, tall, flat, balls);
+    EXPECT_TRUE(isWithin(kept, flat, balls[0]));
+    EXPECT_TRUE(isWithin(kept, flat, balls[1]));
+    EXPECT_GT(kept.scale, 0.6);                            // not further away than that needs
+    EXPECT_EQ(keeping(camera, tall, tall, balls), camera); // nor for what was not seen
+    EXPECT_EQ(keeping(camera, flat, tall, balls), camera);
+}
+
 // The ball is half a metre wide and falls as far.
 TEST(Framed, ATableOfTwoMetresIsShownWholeUnderASmallBall) {
     scene::Scene scene;

@@ -113,6 +113,7 @@ void SceneDisplay::taken() {
     if (isOfThis && std::exchange(seen_.isToStay, false))
         seen_.framesItself = seen_.turned = false;
     control_.set(picture.camera);
+    seen_.framed = {picture.camera, picture.of.size};
     Q_EMIT cameraChanged();
 }
 
@@ -182,6 +183,8 @@ void SceneDisplay::sceneChanged() {
         ++seen_.scaling;
     }
     seen_.isEdited = seen_.isPlaced;
+    if (seen_.framed) // it is edited as it is seen now
+        keepFrame();
     if (seen_.isEdited && seen_.framesItself)
         keepInSight();
     else if (seen_.isEdited && seen_.followed.isEmpty() && !editing_.dragging())
@@ -203,16 +206,10 @@ void SceneDisplay::stepBack() {
     const auto isSeen = [&](const scene::Scene& scene, std::size_t body) {
         const geometry::Pose pose =
             render::poseOf(scene, document_.shown().motion.get(), body, time_);
-        const Eigen::AlignedBox2d picture(Eigen::Vector2d(0, 0),
-                                          Eigen::Vector2d(sight.size.width, sight.size.height));
         return std::ranges::all_of(
             render::outlineOf(scene, scene.bodies[body]), [&](const render::Ball& ball) {
-                const geometry::Vector at = pose.toWorld(ball.center);
-                const double radius = ball.radius / sight.pixelLength(at);
-                const Eigen::Vector2d middle = sight.pixels(at), edge(radius, radius);
-                return sight.depth(at) + ball.radius * sight.camera.scale <
-                           render::eyeOf(sight.camera) &&
-                       picture.contains(middle - edge) && picture.contains(middle + edge);
+                return render::isWithin(sight.camera, sight.size,
+                                        {pose.toWorld(ball.center), ball.radius});
             });
     };
     std::vector<std::size_t> grown;
@@ -230,25 +227,24 @@ void SceneDisplay::stepBack() {
         sight.camera.scale *= step;
         sight.camera.position *= step;
     }
-    if (sight.camera != control_.camera())
-        setCamera(sight.camera);
+    if (sight.camera == control_.camera())
+        return;
+    const bool isFramed = seen_.framed.has_value();
+    setCamera(sight.camera);
+    if (isFramed)
+        keepFrame();
 }
 
 void SceneDisplay::keepInSight() {
     const render::Extent extent = render::extentOf(*document_.shown().scene, nullptr);
     const gestures::Sight now = sight();
-    const Eigen::AlignedBox2d picture(Eigen::Vector2d(0, 0),
-                                      Eigen::Vector2d(now.size.width, now.size.height));
-    const bool isSeen = std::ranges::all_of(extent.balls, [&](const render::Ball& ball) {
-        const Eigen::Vector2d middle = now.pixels(ball.center);
-        const double radius = ball.radius / now.pixelLength(ball.center);
-        return picture.contains(middle - Eigen::Vector2d(radius, radius)) &&
-               picture.contains(middle + Eigen::Vector2d(radius, radius));
-    });
-    if (isSeen)
+    if (std::ranges::all_of(extent.balls, [&](const render::Ball& ball) {
+            return render::isWithin(now.camera, now.size, ball);
+        }))
         return;
     const render::Camera& camera = control_.camera();
     control_.set(render::fitted(extent, camera.rotation, now.size, camera.orthographic));
+    keepFrame();
     Q_EMIT cameraChanged();
 }
 
@@ -257,10 +253,33 @@ void SceneDisplay::motionChanged() { redraw(picture_.isMoving() || editing_.drag
 
 void SceneDisplay::movedByUser() {
     seen_.framesItself = seen_.turned = seen_.isToStay = false;
+    seen_.framed.reset();
     if (!seen_.followed.isEmpty())
         followView({});
     Q_EMIT cameraChanged();
     redraw(true);
+}
+
+void SceneDisplay::keepFrame() { seen_.framed = {control_.camera(), pixelSize()}; }
+
+// A pane that opens beside the picture hides nothing that was framed.
+void SceneDisplay::resizeEvent(QResizeEvent*) {
+    const bool isFramedAnew = seen_.framesItself && (seen_.isDue || !seen_.isEdited);
+    if (!seen_.framed || isFramedAnew || seen_.turned || !seen_.followed.isEmpty())
+        return;
+    const auto& [camera, size] = *seen_.framed;
+    // OPTIMIZATION: a crowd counts where it starts: its motion takes longer than one wants to wait.
+    constexpr std::size_t crowd = 100;
+    const Shown& shown = document_.shown();
+    const bool isCrowd = shown.scene->bodies.size() > crowd;
+    const render::Extent extent =
+        render::extentOf(*shown.scene, isCrowd ? nullptr : shown.motion.get());
+    const render::Camera kept = render::keeping(camera, size, pixelSize(), extent.balls);
+    if (kept == control_.camera())
+        return;
+    control_.set(kept);
+    Q_EMIT cameraChanged();
+    redraw(false);
 }
 
 void SceneDisplay::setCamera(const render::Camera& camera) {
@@ -288,6 +307,8 @@ void SceneDisplay::setOrthographic(bool orthographic) {
     render::Camera camera = control_.camera();
     camera.orthographic = orthographic;
     control_.set(camera); // what it frames by itself it frames anew
+    if (seen_.framed)
+        keepFrame();
     Q_EMIT cameraChanged();
     redraw(false);
 }
@@ -296,6 +317,7 @@ void SceneDisplay::frame(const render::Extent& extent) {
     ++seen_.scaling;
     const render::Camera& camera = control_.camera();
     setCamera(render::fitted(extent, camera.rotation, pixelSize(), camera.orthographic));
+    keepFrame();
     redraw(false);
 }
 

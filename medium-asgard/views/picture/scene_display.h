@@ -146,6 +146,7 @@ protected:
     void focusOutEvent(QFocusEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
     void leaveEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     bool event(QEvent* event) override;
 
 private:
@@ -163,6 +164,7 @@ private:
     void movedByUser();
     void redraw(bool moving) { picture_.redraw(moving); }
     void frame(const render::Extent& extent);
+    void keepFrame();   // the view is as something framed it
     void keepInSight(); // bodies, where they start
     void stepBack();    // as far as bodies need that grew out of the reader's own view
     bool clickTriad(const QMouseEvent& event);
@@ -186,6 +188,9 @@ private:
         unsigned scaling = 0;        // how often the reader has framed anew
         render::Display framing;     // whose handles it frames, too
         QString followed, last;      // views of the scene
+        // The view as something framed it, and the picture's size then; none: the reader has moved
+        // it since.
+        std::optional<std::pair<render::Camera, render::Size>> framed = {};
     };
     struct Press {
         QPointF at;          // where the button was

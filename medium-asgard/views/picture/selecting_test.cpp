@@ -504,6 +504,37 @@ TEST_F(SelectingTest, WhatIsPaintedOverAPictureIsOfItsMoment) {
     EXPECT_TRUE(display().selecting().tag().has_value());
 }
 
+// A pane that opens below the picture makes it flat.
+TEST_F(SelectingTest, WhatWasFramedStaysInAFlatterPictureUnlessSomebodyMovesTheView) {
+    editor.document().setText(three + "body high s -init_pos {0 4 0}\n"
+                                      "body low s -init_pos {0 -4 0}\n",
+                              "Edit");
+    ASSERT_TRUE(settle(editor.document()));
+    viewer->resize(viewer->size() + QSize(0, 400));
+    display().grab();
+    display().frameNow();
+    const render::Camera framed = display().camera();
+    display().grab();
+    const auto areSeen = [&] {
+        display().grab();
+        return display().rect().contains(at({0, 4.4, 0})) &&
+               display().rect().contains(at({0, -4.4, 0})) &&
+               display().rect().contains(at({-3.4, 0, 0}));
+    };
+    EXPECT_TRUE(areSeen());
+    viewer->resize(viewer->size() - QSize(0, 500));
+    EXPECT_TRUE(areSeen());
+    viewer->resize(viewer->size() + QSize(0, 500));
+    display().grab();
+    EXPECT_EQ(display().camera(), framed); // as it was
+    render::Camera near = framed;
+    near.scale *= 2;
+    display().setCamera(near);
+    viewer->resize(viewer->size() - QSize(0, 300));
+    display().grab();
+    EXPECT_EQ(display().camera(), near);
+}
+
 TEST_F(SelectingTest, AHiddenBodyIsNeitherSeenNorClicked) {
     const QImage before = display().grab().toImage();
     display().hide({nearOne});
