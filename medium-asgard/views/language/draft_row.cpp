@@ -7,6 +7,7 @@
 
 #include <QHBoxLayout>
 #include <QPushButton>
+#include <QVBoxLayout>
 
 #include <algorithm>
 #include <utility>
@@ -15,9 +16,17 @@ namespace views {
 
 DraftRow::DraftRow(SceneDocument& document, Draft& draft, SceneEditor& editor, Offers offers)
     : document_(document), draft_(draft), editor_(editor), state_(plain::label()) {
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(4);
+    auto* row = new QHBoxLayout;
     row->setSpacing(8);
+    column->addLayout(row);
+    const auto add = [this, row](const char* name, const QString& label, const QString& tip) {
+        QPushButton* button = made(name, label, tip);
+        row->addWidget(button);
+        return button;
+    };
     update_ = add("update", tr("&Update"), {}); // its tip changes
     save_ = add("save", tr("&Save"), tr("Update, and write the file (Ctrl+S)"));
     save_->setVisible(offers.save);
@@ -28,12 +37,16 @@ DraftRow::DraftRow(SceneDocument& document, Draft& draft, SceneEditor& editor, O
     state_->setObjectName("state");
     state_->setAccessibleName(tr("State of the text"));
     state_->setForegroundRole(QPalette::PlaceholderText);
-    row->addSpacing(8);
-    row->addWidget(state_, 1);
+    if (offers.dismiss) {
+        row->addSpacing(8);
+        row->addWidget(state_, 1);
+    } else { // in a pane, which may be narrow
+        row->addStretch();
+        state_->setWordWrap(true);
+        column->addWidget(state_);
+    }
     auto* dismiss = add("dismiss", tr("&Dismiss"), tr("Close this viewer (Ctrl+W)"));
     dismiss->setVisible(offers.dismiss);
-    if (!offers.dismiss) // in a pane, which may be narrow
-        state_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     connect(update_, &QPushButton::clicked, this, &DraftRow::updateWanted);
     connect(save_, &QPushButton::clicked, this, &DraftRow::saveWanted);
     connect(revert_, &QPushButton::clicked, this, &DraftRow::revertWanted);
@@ -43,11 +56,10 @@ DraftRow::DraftRow(SceneDocument& document, Draft& draft, SceneEditor& editor, O
     connect(&document_, &SceneDocument::workChanged, this, &DraftRow::showState);
 }
 
-QPushButton* DraftRow::add(const char* name, const QString& label, const QString& tip) {
+QPushButton* DraftRow::made(const char* name, const QString& label, const QString& tip) {
     auto* button = new QPushButton(plain::ours(label));
     button->setObjectName(name);
     button->setToolTip(plain::ours(tip));
-    layout()->addWidget(button);
     return button;
 }
 

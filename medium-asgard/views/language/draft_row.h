@@ -32,7 +32,8 @@ Q_SIGNALS:
     void dismissWanted();
 
 private:
-    QPushButton* add(const char* name, const QString& label, const QString& tip);
+    [[nodiscard]] static QPushButton* made(const char* name, const QString& label,
+                                           const QString& tip);
     void showState();
     void tellChanges();
 
