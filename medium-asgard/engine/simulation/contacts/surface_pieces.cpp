@@ -349,6 +349,12 @@ private:
         if (areLines &&
             toWorld(body_, body->axis).cross(toWorld(support_, support->axis)).norm() < parallel)
             return sideBySide(*body, first, *support, second);
+        if (areLines) {
+            const Vector at = crossingOf(*body, *support).at.contact;
+            const SurfacePiece own = upToEnd(body_, bodyPart_, *body, first, at);
+            *support = upToEnd(support_, supportPart_, *support, second, at);
+            *body = own;
+        }
         if (!physics::haveGap(body->kind, support->kind)) {
             found_.isModelled = false;
             return;
@@ -364,6 +370,24 @@ private:
         }
         found_.normal = point.at.normal;
         keep(point);
+    }
+
+    // The line, or what it has at the end beyond which it would touch: a rim, a round end, a
+    // vertex. (Of axes that are next to parallel a crossing beyond an end overlaps by nothing.)
+    [[nodiscard]] SurfacePiece upToEnd(const Placed& owner, std::size_t part,
+                                       const SurfacePiece& line, double length,
+                                       const Vector& contact) const {
+        const physics::SurfacePose& pose = &owner == &body_ ? ofBody_ : ofSupport_;
+        const Vector off = pose.rotation.transpose() * Vector(contact - pose.centre) - line.place;
+        const double along = line.axis.dot(off);
+        if (std::abs(along) <= length / 2)
+            return line;
+        const Part& of = partOf(owner, part);
+        const double end = along > 0 ? 1 : -1;
+        if (!of.curved)
+            return pointAt(line.place + end * length / 2 * line.axis, line.radius);
+        const double sign = of.curved->axis().dot(line.axis) > 0 ? end : -end;
+        return rimOf(*of.curved, owner.record->centroid, sign);
     }
 
     // Of both ends of the common stretch, whosever they are.

@@ -6,8 +6,8 @@
 //                      of it (geometry/hollow.h); a sphere outside, too
 //     a flat round end an edge or a side up to where it crosses the rim, each vertex within
 //     else             the pieces that bear along the normal: sphere on a side, a rim or a cone,
-//                      side, rim or edge across each other; side by side, both ends of the common
-//                      stretch
+//                      side, rim or edge across each other, and the rim of a side that would
+//                      cross beyond its end; side by side, both ends of the common stretch
 //
 // A piece of a polyhedron is touched as long as the other's place is in its cell, so is one of a
 // curved part. What lies on a face has none: there other pieces land.

@@ -212,5 +212,38 @@ TEST_F(Touching, AVertexBesideAFaceTouchesItNot) {
     }
 }
 
+// Axes that are next to parallel cross beyond the end of the shorter cylinder: its rim touches.
+TEST_F(Touching, ARimCarriesWhereSidesWouldCrossBeyondTheirEnds) {
+    SceneBuilder b(1);
+    const auto cylinder = [&](const char* name, const Vector& place, double radius, double height) {
+        scene::ShapeSet& set = b.scene.shapeSets.emplace_back();
+        set.name = name;
+        set.parts.emplace_back().shape = scene::CylinderShape{radius, height};
+        scene::Body& body = b.scene.bodies.emplace_back();
+        body.name = body.shape = name;
+        body.initialPosition = place;
+        return &body;
+    };
+    cylinder("below", {0, 0, 0}, 0.5, 1.2)->fixed = true;
+    cylinder("wheel", {0, 3, 0}, 0.15, 0.1);
+    build(b);
+    constexpr double yaw = 1e-5, radii = 0.65;
+    for (const double along : {-0.06, 0.03, 0.06}) { // where the sides cross, down
+        const double tilt = along * yaw * yaw / radii;
+        Placed wheel = placed(1, {radii, 0, 0});
+        wheel.state.attitude = geometry::Quaternion(Eigen::AngleAxisd(-tilt, Vector::UnitZ())) *
+                               geometry::Quaternion(Eigen::AngleAxisd(yaw, Vector::UnitX()));
+        const auto found = touches(wheel);
+        ASSERT_EQ(found.size(), 1u);
+        ASSERT_EQ(found[0].corners.size(), 1u);
+        ASSERT_TRUE(found[0].corners[0].pieces);
+        using Kind = physics::SurfacePiece::Kind;
+        const bool isWithin = std::abs(along) < 0.05;
+        EXPECT_EQ(found[0].corners[0].pieces->body.kind, isWithin ? Kind::line : Kind::circle);
+        EXPECT_NEAR(std::abs(found[0].corners[0].point.y()), isWithin ? 0.03 : 0.05, 1e-3);
+        EXPECT_LT(found[0].corners[0].point.y() * along, 0);
+    }
+}
+
 } // namespace
 } // namespace simulation::testing
