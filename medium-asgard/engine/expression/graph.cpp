@@ -48,7 +48,7 @@ std::uint32_t Graph::hashOf(const Entry& entry) {
     hash = mixed(hash, a + (b << 32));
     if (entry.count == 3)
         hash = mixed(hash, entry.arguments[2].index);
-    if (entry.op == Op::constant)
+    if (entry.op == Op::constant || entry.op == Op::parameter)
         hash = mixed(hash, std::bit_cast<std::uint64_t>(entry.value));
     return static_cast<std::uint32_t>(hash ^ (hash >> 29));
 }
@@ -99,6 +99,14 @@ Node Graph::constant(double value) {
     }
     Entry entry;
     entry.op = Op::constant;
+    entry.value = value;
+    return intern(entry);
+}
+
+Node Graph::parameter(double value, Node owner, std::uint32_t place) {
+    Entry entry;
+    entry.op = Op::parameter;
+    entry.arguments = {owner, Node{place}, {}};
     entry.value = value;
     return intern(entry);
 }

@@ -3,6 +3,8 @@
 // Every node is made by Graph, which folds constants and applies local algebra as it builds
 // (x*0 -> 0, x+0 -> x, x^1 -> x, --x -> x, ...; simplify.h), so that equations print as an author
 // would write them. Nodes are indices into their graph; a node's arguments always come before it.
+// A parameter is a number that takes no part in this: equations that differ in parameters alone
+// have the same form.
 // Constants are finite; what is not (1/0) stays the quotient that it is.
 //
 // A graph belongs to one thread while it is built; afterwards it may be read by any.
@@ -24,6 +26,7 @@ namespace expression {
 enum class Op : std::uint8_t {
     constant,
     symbol,
+    parameter,
     // one argument
     negate,
     sin,
@@ -76,6 +79,8 @@ public:
 
     [[nodiscard]] Node constant(double value);
     [[nodiscard]] Node symbol(std::string_view name); // the same name is the same node
+    // The same value, owner and place are the same node.
+    [[nodiscard]] Node parameter(double value, Node owner, std::uint32_t place = 0);
     [[nodiscard]] Node apply(Op op, Node a);
     [[nodiscard]] Node apply(Op op, Node a, Node b);
     [[nodiscard]] Node apply(Op op, Node a, Node b, Node c);
@@ -91,7 +96,8 @@ public:
         const Entry& entry = entries_[n.index];
         return {entry.arguments.data(), entry.count};
     }
-    [[nodiscard]] double value(Node constant) const { return entries_[constant.index].value; }
+    // Of a constant or a parameter.
+    [[nodiscard]] double value(Node number) const { return entries_[number.index].value; }
     [[nodiscard]] const std::string& name(Node symbol) const;
     [[nodiscard]] bool isConstant(Node n, double value) const {
         const Entry& entry = entries_[n.index];
@@ -103,8 +109,9 @@ private:
     struct Entry {
         Op op = Op::constant;
         std::uint8_t count = 0;
-        std::array<Node, 3> arguments{}; // of a symbol, the index of its name
-        double value = 0;                // of a constant
+        // Of a symbol, the index of its name; of a parameter its owner and place.
+        std::array<Node, 3> arguments{};
+        double value = 0; // of a constant or a parameter
     };
     // Entries by index, in blocks that stay where they are while more are added.
     class Entries {

@@ -1,6 +1,7 @@
 #include "expression/graph.h"
 
 #include "expression/rate_along.h"
+#include "expression/tape.h"
 #include "expression/testing.h"
 
 #include <gtest/gtest.h>
@@ -139,6 +140,25 @@ TEST(Graph, EqualExpressionsAreOneNode) {
     const std::size_t before = graph.size();
     (void)parsed(graph, "sin(c) + a*b");
     EXPECT_EQ(graph.size(), before);
+}
+
+TEST(Graph, ParametersAreNumbersThatShapeNothing) {
+    Graph graph;
+    const Node x = graph.symbol("x"), owner = graph.symbol("owner");
+    const Node none = graph.parameter(0, owner), half = graph.parameter(0.5, owner);
+    EXPECT_NE(graph.add(x, none), x);
+    EXPECT_NE(half, graph.constant(0.5));
+    EXPECT_EQ(half, graph.parameter(0.5, owner));
+    EXPECT_NE(half, graph.parameter(0.5, owner, 1));
+    EXPECT_NE(half, graph.parameter(0.5, x));
+    EXPECT_EQ(print(graph, graph.multiply(half, x)), "0.5*x");
+    EXPECT_EQ(differentiate(graph, graph.multiply(half, x), x), half);
+    EXPECT_TRUE(symbolsOf(graph, std::span(&half, 1)).empty());
+    const Node sum = graph.add(graph.multiply(half, x), none);
+    Tape::Scratch scratch;
+    double three = 3, value = 0;
+    Tape(graph, std::span(&x, 1), std::span(&sum, 1)).evaluate({&three, 1}, {&value, 1}, scratch);
+    EXPECT_EQ(value, 1.5);
 }
 
 TEST(Graph, ConstantsThatAreNotFiniteStayQuotients) {

@@ -12,16 +12,16 @@ struct Description {
 };
 
 // In the order of Op.
-constexpr std::array<Description, 37> descriptions{{
-    {"constant", 0}, {"symbol", 0}, {"-", 1},     {"sin", 1},   {"cos", 1},  {"tan", 1},
-    {"asin", 1},     {"acos", 1},   {"atan", 1},  {"sinh", 1},  {"cosh", 1}, {"tanh", 1},
-    {"exp", 1},      {"log", 1},    {"log10", 1}, {"sqrt", 1},  {"abs", 1},  {"sign", 1},
-    {"floor", 1},    {"ceil", 1},   {"!", 1},     {"+", 2},     {"-", 2},    {"*", 2},
-    {"/", 2},        {"^", 2},      {"atan2", 2}, {"hypot", 2}, {"min", 2},  {"max", 2},
-    {"<", 2},        {"<=", 2},     {"==", 2},    {"!=", 2},    {"&&", 2},   {"||", 2},
-    {"?:", 3},
+constexpr std::array<Description, 38> descriptions{{
+    {"constant", 0}, {"symbol", 0}, {"parameter", 0}, {"-", 1},     {"sin", 1},   {"cos", 1},
+    {"tan", 1},      {"asin", 1},   {"acos", 1},      {"atan", 1},  {"sinh", 1},  {"cosh", 1},
+    {"tanh", 1},     {"exp", 1},    {"log", 1},       {"log10", 1}, {"sqrt", 1},  {"abs", 1},
+    {"sign", 1},     {"floor", 1},  {"ceil", 1},      {"!", 1},     {"+", 2},     {"-", 2},
+    {"*", 2},        {"/", 2},      {"^", 2},         {"atan2", 2}, {"hypot", 2}, {"min", 2},
+    {"max", 2},      {"<", 2},      {"<=", 2},        {"==", 2},    {"!=", 2},    {"&&", 2},
+    {"||", 2},       {"?:", 3},
 }};
-static_assert(static_cast<std::size_t>(Op::select) == 36);
+static_assert(static_cast<std::size_t>(Op::select) == 37);
 
 const Description& describe(Op op) { return descriptions[static_cast<std::size_t>(op)]; }
 
@@ -104,6 +104,7 @@ double compute(Op op, double a, double b, double c) {
     switch (op) {
     case Op::constant:
     case Op::symbol:
+    case Op::parameter:
         return a;
     case Op::negate:
         return -a;

@@ -27,6 +27,7 @@ enum Binding {
 Binding bindingOf(const Graph& graph, Node n) {
     switch (graph.op(n)) {
     case Op::constant:
+    case Op::parameter:
         return graph.value(n) < 0 || std::signbit(graph.value(n)) ? sign : atom;
     case Op::negate:
     case Op::logicalNot:
@@ -104,7 +105,7 @@ private:
             return;
         }
         const Op op = graph_.op(operand.node);
-        if (op == Op::constant)
+        if (op == Op::constant || op == Op::parameter)
             text_ += numberText(graph_.value(operand.node));
         else if (op == Op::symbol)
             text_ += graph_.name(operand.node);
@@ -170,7 +171,8 @@ private:
             return false;
         while (graph_.op(n) == Op::multiply)
             n = graph_.arguments(n)[0];
-        return graph_.op(n) != Op::divide && graph_.op(n) != Op::constant;
+        return graph_.op(n) != Op::divide && graph_.op(n) != Op::constant &&
+               graph_.op(n) != Op::parameter;
     }
 
     // -x*y reads back as -(x*y) if -x is a plain negation.
@@ -205,7 +207,7 @@ std::string printNodes(const Graph& graph, std::span<const Node> roots) {
     };
     std::string text;
     for (const Node n : nodes) {
-        if (graph.op(n) == Op::constant || graph.op(n) == Op::symbol)
+        if (graph.arguments(n).empty())
             continue;
         const std::size_t place = number.size();
         text += "n" + std::to_string(place) + " = " + std::string(nameOf(graph.op(n)));

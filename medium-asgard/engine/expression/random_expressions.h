@@ -37,6 +37,7 @@ inline double explained(const Graph& g, Node n, std::span<const Node> symbols,
     };
     switch (g.op(n)) {
     case Op::constant:
+    case Op::parameter:
         return g.value(n);
     case Op::symbol:
         for (std::size_t i = 0; i < symbols.size(); ++i)
@@ -133,7 +134,7 @@ public:
     Node make(Graph& graph, int depth) {
         if (depth == 0 || pick(6) == 0)
             return leaf(graph);
-        const auto op = static_cast<Op>(2 + pick(35));
+        const auto op = static_cast<Op>(3 + pick(35));
         const Node a = make(graph, depth - 1);
         if (op < Op::add)
             return graph.apply(op, a);

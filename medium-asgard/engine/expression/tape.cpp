@@ -97,7 +97,7 @@ Tape::Tape(const Graph& graph, std::span<const Node> inputs, std::span<const Nod
     const std::vector<Node> nodes = reachable(graph, outputs);
     constants_.push_back(1); // of short powers
     for (const Node n : nodes)
-        if (graph.op(n) == Op::constant) {
+        if (graph.op(n) == Op::constant || graph.op(n) == Op::parameter) {
             slotOf.insert(n, static_cast<std::uint32_t>(sequence_.inputs + constants_.size()));
             constants_.push_back(graph.value(n));
         }

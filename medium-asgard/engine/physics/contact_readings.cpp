@@ -81,6 +81,7 @@ std::size_t firstReadingOf(const expression::EquationSet& set, const ContactNode
 // The rates of conditions say how they push: by their derivatives by velocities.
 ContactForces ContactRows::forcesOf(const ContactPlace& place, std::span<const Node> multipliers,
                                     std::size_t on) {
+    owner_ = multipliers[0];
     const NodeVector none = constant(g_, Vector::Zero());
     ContactForces forces{g_.constant(0), none, none, none, none};
     const BodySymbols& s = symbols(on);

@@ -41,8 +41,6 @@ Vector acrossAxis(const Vector& normal) {
     return Vector::Unit(best);
 }
 
-Triple<Term> terms(Graph& g, const NodeVector& v) { return {{&g, v[0]}, {&g, v[1]}, {&g, v[2]}}; }
-
 NodeVector nodes(const Triple<Term>& v) { return {v.x.node, v.y.node, v.z.node}; }
 
 } // namespace
@@ -89,10 +87,20 @@ ContactRows::Twist ContactRows::byVelocityOf(Node value, const BodySymbols& body
 
 // ----------------------------------------------------------------------------------- geometry
 
+Triple<Term> ContactRows::terms(const NodeVector& v) {
+    return {{&g_, v[0], owner_}, {&g_, v[1], owner_}, {&g_, v[2], owner_}};
+}
+
+Node ContactRows::numberOf(double value) { return physics::numberOf(g_, value, owner_); }
+
+NodeVector ContactRows::numbersOf(const Vector& v) { return physics::numbersOf(g_, v, owner_); }
+
+Node ContactRows::amountOf(double value) { return g_.parameter(value, owner_, ++amounts_); }
+
 surfaces::Place<Term> ContactRows::poseOf(std::size_t body) {
     const BodySymbols& of = symbols(body);
-    return {terms(g_, of.position),
-            {terms(g_, of.rotation[0]), terms(g_, of.rotation[1]), terms(g_, of.rotation[2])}};
+    return {terms(of.position),
+            {terms(of.rotation[0]), terms(of.rotation[1]), terms(of.rotation[2])}};
 }
 
 ContactRows::Meeting ContactRows::meetingOf(const ContactPlace& place, const SurfaceGap& gap) {
@@ -111,7 +119,7 @@ ContactRows::Frame ContactRows::frameOf(const ContactPlace& place) {
     frame.point = meeting.contact;
     const BodySymbols& body = symbols(place.body);
     if (place.centre) {
-        frame.point = add(g_, body.position, body.toWorld(g_, constant(g_, *place.centre)));
+        frame.point = add(g_, body.position, body.toWorld(g_, numbersOf(*place.centre)));
     } else if (place.points.size() > 1) {
         for (std::size_t k = 1; k < place.points.size(); ++k)
             frame.point = add(g_, frame.point, meetingOf(place, place.points[k].gap).contact);
@@ -123,15 +131,15 @@ ContactRows::Frame ContactRows::frameOf(const ContactPlace& place) {
         const Vector n = isBodys ? gap.body.axis : gap.support.axis;
         const Vector second = (acrossAxis(n) - n * n.dot(acrossAxis(n))).normalized();
         const BodySymbols& owner = isBodys ? body : symbols(place.support);
-        frame.along = {owner.toWorld(g_, constant(g_, n.cross(second))),
-                       owner.toWorld(g_, constant(g_, second))};
+        frame.along = {owner.toWorld(g_, numbersOf(n.cross(second))),
+                       owner.toWorld(g_, numbersOf(second))};
         return frame;
     }
     NodeVector fixed = constant(g_, acrossAxis(place.normal));
     for (const auto& [piece, owner] :
          {std::pair(&gap.body, place.body), std::pair(&gap.support, place.support)})
         if (piece->kind == Kind::line && piece->radius < 0) // round a tube there is no other
-            fixed = symbols(owner).toWorld(g_, constant(g_, piece->axis));
+            fixed = symbols(owner).toWorld(g_, numbersOf(piece->axis));
     const NodeVector second =
         unit(g_, subtract(g_, fixed, scaled(g_, dot(g_, fixed, frame.normal), frame.normal)));
     frame.along = {cross(g_, frame.normal, second), second};
@@ -143,7 +151,7 @@ NodeVector ContactRows::velocityAt(std::size_t body, const NodeVector& point,
     const BodySymbols& s = symbols(body);
     const NodeVector arm = subtract(g_, point, s.position);
     return add(g_, add(g_, s.velocity, cross(g_, s.worldSpin(g_), arm)),
-               s.toWorld(g_, constant(g_, surface)));
+               s.toWorld(g_, numbersOf(surface)));
 }
 
 // --------------------------------------------------------------------------------------- rows
@@ -177,23 +185,22 @@ std::vector<Node> ContactRows::landingsOf(const ContactPlace& place) {
     const Meeting meeting = meetingOf(place, gap);
     const auto at = [&](std::size_t body, const Vector& point) {
         const BodySymbols& owner = symbols(body);
-        return add(g_, owner.position, owner.toWorld(g_, constant(g_, point)));
+        return add(g_, owner.position, owner.toWorld(g_, numbersOf(point)));
     };
     const NodeVector on = gap.support.kind == Kind::plane ? at(place.support, gap.support.place)
                           : gap.body.kind == Kind::plane  ? at(place.body, gap.body.place)
                                                           : meeting.contact;
     for (const ContactPlace::Landing& landing : place.landings) {
         if (landing.gap) {
-            heights.push_back(
-                g_.add(meetingOf(place, *landing.gap).gap, g_.constant(landing.room)));
+            heights.push_back(g_.add(meetingOf(place, *landing.gap).gap, amountOf(landing.room)));
             continue;
         }
         const NodeVector up =
             landing.isAbove ? meeting.normal : scaled(g_, g_.constant(-1), meeting.normal);
         const Node reach =
-            surfaces::lowest(landing.piece, poseOf(landing.body), terms(g_, up)).reach.node;
+            surfaces::lowest(landing.piece, poseOf(landing.body), terms(up)).reach.node;
         const Node height = dot(g_, up, subtract(g_, at(landing.body, landing.piece.place), on));
-        const Node lowest = g_.subtract(height, reach), room = g_.constant(landing.room);
+        const Node lowest = g_.subtract(height, reach), room = amountOf(landing.room);
         heights.push_back(landing.isBeneath ? g_.subtract(room, lowest) : g_.add(lowest, room));
     }
     return heights;
@@ -201,14 +208,13 @@ std::vector<Node> ContactRows::landingsOf(const ContactPlace& place) {
 
 Node ContactRows::sideOf(const ContactPoint::Side& side, const Meeting& meeting) {
     const BodySymbols& owner = symbols(side.body);
-    const NodeVector at =
-        add(g_, meeting.place, scaled(g_, g_.constant(side.shift), meeting.normal));
+    const NodeVector at = add(g_, meeting.place, scaled(g_, numberOf(side.shift), meeting.normal));
     const NodeVector local = owner.toBody(g_, subtract(g_, at, owner.position));
-    Node value = g_.add(dot(g_, constant(g_, side.inward), local), g_.constant(side.offset));
+    Node value = g_.add(dot(g_, numbersOf(side.inward), local), amountOf(side.offset));
     if (side.radial != 0) {
-        const NodeVector from = subtract(g_, local, constant(g_, side.on));
-        const Node far = lengthOf(g_, cross(g_, constant(g_, side.axis), from));
-        value = g_.add(value, g_.multiply(g_.constant(side.radial), far));
+        const NodeVector from = subtract(g_, local, numbersOf(side.on));
+        const Node far = lengthOf(g_, cross(g_, numbersOf(side.axis), from));
+        value = g_.add(value, g_.multiply(numberOf(side.radial), far));
     }
     return value;
 }
@@ -223,10 +229,10 @@ std::optional<Node> ContactRows::tiltOf(const ContactPlace& place, const Surface
     const SurfacePiece& piece = isBodys ? gap.body : gap.support;
     if (piece.kind != Kind::circle)
         return std::nullopt;
-    const Node reach = surfaces::lowest(piece, poseOf(isBodys ? place.body : place.support),
-                                        terms(g_, meeting.normal))
-                           .reach.node;
-    return g_.subtract(g_.multiply(g_.constant(2), reach), g_.constant(lying * place.size));
+    const Node reach =
+        surfaces::lowest(piece, poseOf(isBodys ? place.body : place.support), terms(meeting.normal))
+            .reach.node;
+    return g_.subtract(g_.multiply(g_.constant(2), reach), numberOf(lying * place.size));
 }
 
 // Nearest points are at their nearest: a gap changes as the bodies move there, whatever the way of
@@ -253,8 +259,8 @@ void ContactRows::addNormals(const ContactPlace& place, std::span<const Node> mu
         if (const auto tilt = tiltOf(place, point.gap, meeting))
             condition.valid.push_back(*tilt);
         if (point.gap.hasFeet())
-            condition.valid.push_back(g_.subtract(meeting.steady, g_.constant(leastSteady)));
-        const Node gap = g_.subtract(meeting.gap, g_.constant(point.start));
+            condition.valid.push_back(g_.subtract(meeting.steady, numberOf(leastSteady)));
+        const Node gap = g_.subtract(meeting.gap, amountOf(point.start));
         const Node rate =
             point.gap.hasFeet() ? openingOf(place, meeting) : along(std::span(&gap, 1))[0];
         addRow(place, multipliers[k], gap, rate, std::move(condition));
@@ -284,7 +290,7 @@ void ContactRows::addFriction(const ContactPlace& place, const Frame& frame,
     const NodeVector turning =
         subtract(g_, symbols(place.body).worldSpin(g_), symbols(place.support).worldSpin(g_));
     addRow(place, multipliers[first + 2], std::nullopt,
-           g_.multiply(g_.constant(of.reach), dot(g_, frame.normal, turning)), condition);
+           g_.multiply(numberOf(of.reach), dot(g_, frame.normal, turning)), condition);
     addLevers(place, frame, multipliers);
 }
 
@@ -303,7 +309,7 @@ void ContactRows::addLevers(const ContactPlace& place, const Frame& frame,
         const NodeVector arm =
             subtract(g_, meetingOf(place, place.points[k].gap).contact, frame.point);
         const NodeVector moves =
-            scaled(g_, g_.constant(1 / place.friction.reach), cross(g_, frame.normal, arm));
+            scaled(g_, numberOf(1 / place.friction.reach), cross(g_, frame.normal, arm));
         levers.push_back({dot(g_, frame.along[0], moves), dot(g_, frame.along[1], moves)});
         for (std::size_t i = 0; i < 2; ++i) {
             bring(i, levers[k][i], k, rows[2].rate);
@@ -331,10 +337,12 @@ void ContactRows::addRolling(const ContactPlace& place, const Frame& frame,
         subtract(g_, symbols(place.body).worldSpin(g_), symbols(place.support).worldSpin(g_));
     for (std::size_t i = 0; i < 2; ++i)
         addRow(place, multipliers[first + i], std::nullopt,
-               g_.multiply(g_.constant(place.size), dot(g_, frame.along[i], turning)), condition);
+               g_.multiply(numberOf(place.size), dot(g_, frame.along[i], turning)), condition);
 }
 
 void ContactRows::addContact(const ContactPlace& place, std::span<const Node> multipliers) {
+    owner_ = multipliers[0];
+    amounts_ = 0;
     addNormals(place, multipliers);
     if (!place.hasFriction() && !place.rolls())
         return;

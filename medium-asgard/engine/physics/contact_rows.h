@@ -135,6 +135,12 @@ private:
         NodeVector normal, contact, place;
         Node steady;
     };
+    [[nodiscard]] surfaces::Triple<surfaces::Term> terms(const NodeVector& v);
+    // Numbers of the contact that is written (node_vector.h).
+    [[nodiscard]] Node numberOf(double value);
+    [[nodiscard]] NodeVector numbersOf(const Vector& v);
+    // One that shapes nothing even where it is 0.
+    [[nodiscard]] Node amountOf(double value);
     [[nodiscard]] surfaces::Place<surfaces::Term> poseOf(std::size_t body);
     [[nodiscard]] Meeting meetingOf(const ContactPlace& place, const SurfaceGap& gap);
     [[nodiscard]] Frame frameOf(const ContactPlace& place);
@@ -171,6 +177,8 @@ private:
     std::map<std::size_t, Node> rates_;                        // by unknown: others than in force
     std::vector<Push> pushes_;
     std::vector<Row> rows_;
+    Node owner_; // of the numbers of the contact that is written
+    std::uint32_t amounts_ = 0;
 };
 
 } // namespace physics

@@ -1,5 +1,7 @@
 #include "physics/node_vector.h"
 
+#include <cmath>
+#include <functional>
 #include <span>
 
 namespace physics {
@@ -31,6 +33,19 @@ Node nearZeroOr(Graph& g, Node square, std::span<const double> series, Node clos
 }
 
 } // namespace
+
+Node numberOf(Graph& g, double value, Node owner, std::uint32_t place) {
+    return value == 0 || std::abs(value) == 1 ? g.constant(value)
+                                              : g.parameter(value, owner, place);
+}
+
+NodeVector numbersOf(Graph& g, const Vector& v, Node owner) {
+    const std::hash<double> hash;
+    const std::size_t all = hash(v[0]) + 31 * (hash(v[1]) + 31 * hash(v[2]));
+    const auto place = static_cast<std::uint32_t>(all ^ (all >> 32));
+    return {numberOf(g, v[0], owner, place), numberOf(g, v[1], owner, place + 1),
+            numberOf(g, v[2], owner, place + 2)};
+}
 
 NodeVector constant(Graph& g, const Vector& v) {
     return {g.constant(v[0]), g.constant(v[1]), g.constant(v[2])};

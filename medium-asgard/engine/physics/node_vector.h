@@ -21,6 +21,12 @@ using NodeQuaternion = std::array<Node, 4>;   // w x y z
 using NodeMatrix = std::array<NodeVector, 3>; // rows
 
 [[nodiscard]] NodeVector constant(Graph& g, const Vector& v);
+// A number that differs from one owner to the next, as sizes and places of contacts do: 0 and 1
+// shape expressions, all else is a parameter (expression/graph.h), so that contacts of the same
+// kind have equations of the same form. Vectors share their numbers where they are equal as a
+// whole: two corners of a box have other coordinates in common than two others.
+[[nodiscard]] Node numberOf(Graph& g, double value, Node owner, std::uint32_t place = 0);
+[[nodiscard]] NodeVector numbersOf(Graph& g, const Vector& v, Node owner);
 [[nodiscard]] NodeVector add(Graph& g, const NodeVector& a, const NodeVector& b);
 [[nodiscard]] NodeVector subtract(Graph& g, const NodeVector& a, const NodeVector& b);
 [[nodiscard]] NodeVector scaled(Graph& g, Node factor, const NodeVector& v);

@@ -10,20 +10,28 @@
 
 namespace physics::surfaces {
 
-// An expression that is written as a number is.
+// An expression that is written as a number is; `owner` has its numbers (numberOf()).
 struct Term {
     Graph* graph = nullptr;
-    Node node;
+    Node node, owner;
 };
-inline Term operator+(Term a, Term b) { return {a.graph, a.graph->add(a.node, b.node)}; }
-inline Term operator-(Term a, Term b) { return {a.graph, a.graph->subtract(a.node, b.node)}; }
-inline Term operator*(Term a, Term b) { return {a.graph, a.graph->multiply(a.node, b.node)}; }
-inline Term operator/(Term a, Term b) { return {a.graph, a.graph->divide(a.node, b.node)}; }
-inline Term sqrt(Term a) { return {a.graph, a.graph->apply(Op::sqrt, a.node)}; }
-inline Term like(Term a, double value) { return {a.graph, a.graph->constant(value)}; }
+inline Term like(Term a, Node node) { return {a.graph, node, a.owner}; }
+inline Term operator+(Term a, Term b) { return like(a, a.graph->add(a.node, b.node)); }
+inline Term operator-(Term a, Term b) { return like(a, a.graph->subtract(a.node, b.node)); }
+inline Term operator*(Term a, Term b) { return like(a, a.graph->multiply(a.node, b.node)); }
+inline Term operator/(Term a, Term b) { return like(a, a.graph->divide(a.node, b.node)); }
+inline Term sqrt(Term a) { return like(a, a.graph->apply(Op::sqrt, a.node)); }
+inline Term like(Term a, double value) { return like(a, numberOf(*a.graph, value, a.owner)); }
 inline double like(double, double value) { return value; }
 
 template <class S> struct Triple { S x, y, z; };
+inline Triple<Term> like(Term a, const Vector& v) {
+    const NodeVector of = numbersOf(*a.graph, v, a.owner);
+    return {like(a, of[0]), like(a, of[1]), like(a, of[2])};
+}
+template <class S> Triple<S> like(const S& a, const Vector& v) {
+    return {like(a, v.x()), like(a, v.y()), like(a, v.z())};
+}
 template <class S> Triple<S> operator+(const Triple<S>& a, const Triple<S>& b) {
     return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
@@ -53,7 +61,7 @@ template <class S> struct Place { // of a body
 
     [[nodiscard]] S number(double value) const { return like(centre.x, value); }
     [[nodiscard]] Triple<S> toWorld(const Vector& v) const {
-        const Triple<S> local{number(v.x()), number(v.y()), number(v.z())};
+        const Triple<S> local = like(centre.x, v);
         return {dot(rotation[0], local), dot(rotation[1], local), dot(rotation[2], local)};
     }
 };

@@ -18,9 +18,10 @@ using physics::SurfaceGap;
 using physics::SurfacePiece;
 using Kind = SurfacePiece::Kind;
 
-constexpr double same = 1e-9;  // of the parts' size: a corner at a vertex, or on an edge
-constexpr double kept = 2e-9;  // of the same: a gap that stays what it is
-constexpr double sunk = 5e-10; // an overlap that does
+constexpr double same = 1e-9;      // of the parts' size: a corner at a vertex, or on an edge
+constexpr double kept = 2e-9;      // of the same: a gap that stays what it is
+constexpr double sunk = 5e-10;     // an overlap that does
+constexpr double rounding = 1e-13; // of the same, of what stands in a body's frame
 // The sine of an angle: where edges of two faces on each other cross at a smaller one, the crossing
 // runs along them far faster than the bodies move, and it lies all but on the line between the
 // points on both sides, which carry. LIMIT: it would carry up to half of that part of an edge
@@ -86,20 +87,23 @@ private:
                                         const std::vector<Vector>& face) const {
         const bool isBodys = &other == &body_; // the face
         const Vector out = isBodys ? Vector(-touch_.normal) : touch_.normal;
-        const SurfacePiece plane{.kind = Kind::plane,
-                                 .place = localOf(other, face[0]),
-                                 .axis = other.state.attitude.conjugate() * out};
-        const SurfacePiece at{.kind = Kind::point, .place = localOf(owner, vertex)};
+        const SurfacePiece plane{
+            .kind = Kind::plane, .place = own(other, face[0]), .axis = ownNormal(other, out)};
+        const SurfacePiece at{.kind = Kind::point, .place = own(owner, vertex)};
         ContactPoint point;
         point.gap = isBodys ? SurfaceGap{plane, at, false} : SurfaceGap{at, plane, false};
         const geometry::Part& part =
             other.shape->parts[isBodys ? touch_.bodyPart : touch_.supportPart];
         Sides sides(other.index, localOf(other, vertex), touch_.size, beside_);
-        if (!part.curved)
-            sides.addOutline(localOf(other, face), plane.axis);
-        else if (!part.isPlane())
+        if (!part.curved) {
+            std::vector<Vector> outline;
+            for (const Vector& corner : face)
+                outline.push_back(own(other, corner));
+            sides.addOutline(outline, plane.axis);
+        } else if (!part.isPlane()) {
             sides.addRound(Vector::Zero(), -1, part.curved->radius(), plane.axis,
                            part.curved->center - other.record->centroid);
+        }
         point.sides = std::move(sides.sides);
         return point;
     }
@@ -123,23 +127,43 @@ private:
             }
         if (std::abs(across) < parallel)
             return std::nullopt;
+        const std::pair first{own(body_, a.first), own(body_, a.second)};
+        const std::pair second{own(support_, b.first), own(support_, b.second)};
+        const auto line = [](const auto& ends) {
+            return SurfacePiece{.kind = Kind::line,
+                                .place = ends.first,
+                                .axis = (ends.second - ends.first).normalized()};
+        };
         ContactPoint point;
-        point.gap = {.body = {.kind = Kind::line,
-                              .place = localOf(body_, a.first),
-                              .axis = body_.state.attitude.conjugate() * ofBody},
-                     .support = {.kind = Kind::line,
-                                 .place = localOf(support_, b.first),
-                                 .axis = support_.state.attitude.conjugate() * ofSupport},
-                     .isFlipped = across < 0};
+        point.gap = {.body = line(first), .support = line(second), .isFlipped = across < 0};
         // The lines cross elsewhere than the outlines of faces that lie on each other with a tilt.
         const Vector place = nearestOf(point.gap, body_, support_).contact;
-        Sides first(body_.index, localOf(body_, place), touch_.size, beside_);
-        first.addEnds(localOf(body_, a.first), localOf(body_, a.second));
-        Sides second(support_.index, localOf(support_, place), touch_.size, beside_);
-        second.addEnds(localOf(support_, b.first), localOf(support_, b.second));
-        point.sides = std::move(first.sides);
-        point.sides.insert(point.sides.end(), second.sides.begin(), second.sides.end());
+        Sides ofFirst(body_.index, localOf(body_, place), touch_.size, beside_);
+        ofFirst.addEnds(first.first, first.second);
+        Sides ofSecond(support_.index, localOf(support_, place), touch_.size, beside_);
+        ofSecond.addEnds(second.first, second.second);
+        point.sides = std::move(ofFirst.sides);
+        point.sides.insert(point.sides.end(), ofSecond.sides.begin(), ofSecond.sides.end());
         return point;
+    }
+    // In the owner's frame a vertex and a normal are those of its part, without the rounding of its
+    // attitude: contacts of the same vertices have the same numbers.
+    [[nodiscard]] const geometry::Part& partOf(const Placed& owner) const {
+        return owner.shape->parts[&owner == &body_ ? touch_.bodyPart : touch_.supportPart];
+    }
+    [[nodiscard]] Vector own(const Placed& owner, const Vector& point) const {
+        const Vector local = localOf(owner, point), &centroid = owner.record->centroid;
+        const geometry::Part& part = partOf(owner);
+        if (part.core.vertices.empty())
+            return local;
+        const Vector vertex = part.core.vertices[vertexAt(part, local + centroid)] - centroid;
+        return (vertex - local).norm() <= rounding * touch_.size ? vertex : local;
+    }
+    [[nodiscard]] Vector ownNormal(const Placed& owner, const Vector& normal) const {
+        const Vector local = owner.state.attitude.conjugate() * normal;
+        const auto face =
+            faceTowards(owner, &owner == &body_ ? touch_.bodyPart : touch_.supportPart, normal);
+        return face && (face->plane.axis - local).norm() <= rounding ? face->plane.axis : local;
     }
 
     const Touch& touch_;
@@ -327,6 +351,13 @@ void addLandingsInHollow(const Touch& touch, const Placed& body, const Placed& s
     }
 }
 
+// What is 0 but for rounding is 0: equations have the same form each time.
+Vector withoutRounding(Vector v, double size) {
+    for (double& x : v)
+        x = std::abs(x) <= rounding * size ? 0 : x;
+    return v;
+}
+
 // The surfaces roll there: no point of either stays where they touch.
 bool rolls(const ContactPoint& point) {
     const auto isRound = [](const SurfacePiece& piece) {
@@ -390,7 +421,7 @@ LastingContact contactOf(const Touch& touch, const Placed& body, const Placed& s
     const bool isWhole = corners.size() == touch.corners.size() && corners.size() > 2;
     const geometry::PatchMiddle middle = geometry::middleOf(corners, touch.normal);
     if (!found.rolls && corners.size() > 1)
-        place.centre = localOf(body, middle.centre);
+        place.centre = withoutRounding(localOf(body, middle.centre), touch.size);
     place.friction.reach = middle.reach;
     if (limits.plane)
         putInPlane(place, corners, *limits.plane, body, support);

@@ -257,6 +257,10 @@ private:
             return number(set_.graph.value(n));
         if (op == Op::symbol)
             return symbol(n);
+        if (op == Op::parameter) {
+            bound_.constants.push_back(set_.graph.value(n));
+            return leaf(key::constant);
+        }
         std::array<Operand, 3> a;
         const auto arguments = set_.graph.arguments(n);
         bool allNumbers = true;

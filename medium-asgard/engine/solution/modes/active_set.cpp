@@ -227,7 +227,9 @@ bool ActiveSet::cross(std::span<const std::size_t> watches, double t, std::span<
     lastCross_ = t;
     const Mode before = mode_;
     std::vector<std::size_t> candidates, hit, stopped;
-    for (const std::size_t k : watches) {
+    std::vector<std::size_t> fallen(watches.begin(), watches.end());
+    addClosing(fallen, t);
+    for (const std::size_t k : fallen) {
         const auto [row, kind] = watches_[k];
         const bool isEnded = kind == Kind::parted || kind == Kind::invalid ||
                              (kind == Kind::gap && isContact(row) && !hasFallenLow(row));
@@ -315,6 +317,20 @@ void ActiveSet::addTouching(std::vector<std::size_t>& hit) const {
     for (const std::size_t row : bounded_)
         if (touches(row) && multipliers_.rate(row) < 0 && !isIn(hit, row))
             hit.push_back(row);
+}
+
+// Contacts that close at one instant, but for rounding, close together, too: the wheels of a car on
+// both sides of it.
+void ActiveSet::addClosing(std::vector<std::size_t>& fallen, double t) const {
+    const auto closes = [&](std::size_t watch) {
+        return watches_[watch].kind == Kind::gap && isContact(watches_[watch].row);
+    };
+    if (std::ranges::none_of(fallen, closes))
+        return;
+    for (std::size_t k = 0; k < watches_.size(); ++k)
+        if (closes(k) && !isIn(fallen, k) &&
+            valueOf(watches_[k]) <= -multipliers_.rate(watches_[k].row) * shortest(t))
+            fallen.push_back(k);
 }
 
 // A stop whose rebound would be lower than its resolution takes the blow without one, and a stop

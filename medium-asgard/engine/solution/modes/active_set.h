@@ -114,6 +114,7 @@ private:
                                                std::span<const std::size_t> shut) const;
     [[nodiscard]] bool touches(std::size_t row) const;
     void addTouching(std::vector<std::size_t>& hit) const;
+    void addClosing(std::vector<std::size_t>& fallen, double t) const;
     [[nodiscard]] std::vector<std::size_t> drivenLow(std::span<const std::size_t> hit,
                                                      std::span<const double> restitutions);
     void blow(std::span<const std::size_t> hit, double t, std::span<double> y);
