@@ -64,6 +64,14 @@ private:
         return std::clamp(0.5 * (2 * unnoticed_ - depth), 1e-3 * unnoticed_, unnoticed_);
     }
 
+    // What closes less than rounding in all of the interval does not approach in it: of a piece
+    // that is next to nothing long the speeds are rounding.
+    [[nodiscard]] double leastApproach() const {
+        const double length = during_.to - during_.from;
+        const double least = pair_.leastApproach(t_);
+        return length > 0 ? std::max(least, pair_.roundOff(t_) / length) : least;
+    }
+
     [[nodiscard]] double left() const { return during_.to - t_; }
 
     void moveBy(double s) {
@@ -86,7 +94,7 @@ private:
     void touch(const Separation& now) {
         stalled_ = false;
         Contact contact = contactOf(pair_, t_, now);
-        const double least = pair_.leastApproach(t_);
+        const double least = leastApproach();
         Vector axis = now.normal;
         bool isRoundPassing = false; // what it comes upon next is met there, and presses not here
         if (contact.closingSpeed > least)

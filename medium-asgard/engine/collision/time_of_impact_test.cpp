@@ -182,6 +182,16 @@ TEST(TimeOfImpact, TouchingAndPartingIsNoHitAndTouchingAndApproachingIsOneAtOnce
     }
 }
 
+// The speeds of a piece that lasts for a few doubles are rounding.
+TEST(TimeOfImpact, AnApproachOfLessThanRoundingIsNone) {
+    const auto standing = flyingBox({1, 1, 1}, {0, 0, 0});
+    const auto other = flyingBox({1, 1, 1}, {1, 0, 0}, {-0.003, 0, 0});
+    EXPECT_FALSE(timeOfImpact(other, standing, {0, 4e-15}).hit);
+    const Encounter e = timeOfImpact(other, standing, {0, 1e-9});
+    ASSERT_TRUE(e.hit);
+    EXPECT_EQ(e.hit->time, 0);
+}
+
 TEST(TimeOfImpact, PressingIsToldFromHitting) {
     const auto floor = flyingBox({100, 1, 100}, {0, -0.5, 0});
     for (const FlyingBody& body : {falling(flyingBox({1, 1, 1}, {0, 0.5, 0}, {1, 0, 0})),

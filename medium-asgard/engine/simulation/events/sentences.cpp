@@ -108,8 +108,8 @@ std::string noRoom(const Colliders& world, std::size_t body, const std::set<std:
 }
 
 std::string unsolved(const Colliders& world, const Pair& pair) {
-    return "The impulses of the blow between " + quoted(world, pair.first) + " and " +
-           quoted(world, pair.second) + " were not found: their motion ends here.";
+    return "the impulses of the blow between " + quoted(world, pair.first) + " and " +
+           quoted(world, pair.second) + " were not found";
 }
 
 std::string noHinge(const Colliders& world, std::size_t body) {
