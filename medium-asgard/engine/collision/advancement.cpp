@@ -64,8 +64,8 @@ private:
         return std::clamp(0.5 * (2 * unnoticed_ - depth), 1e-3 * unnoticed_, unnoticed_);
     }
 
-    // What closes less than rounding in all of the interval does not approach in it: of a piece
-    // that is next to nothing long the speeds are rounding.
+    // An approach that closes less than rounding in all of the interval is none: the speeds of a
+    // piece that is next to nothing long are rounding.
     [[nodiscard]] double leastApproach() const {
         const double length = during_.to - during_.from;
         const double least = pair_.leastApproach(t_);

@@ -351,7 +351,7 @@ void addLandingsInHollow(const Touch& touch, const Placed& body, const Placed& s
     }
 }
 
-// What is 0 but for rounding is 0: equations have the same form each time.
+// A coordinate that is 0 but for rounding is 0: equations have the same form each time.
 Vector withoutRounding(Vector v, double size) {
     for (double& x : v)
         x = std::abs(x) <= rounding * size ? 0 : x;
