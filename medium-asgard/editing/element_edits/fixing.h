@@ -1,4 +1,4 @@
-// What goes along when a body is fixed or let loose.
+// The restitution that goes along when a body is fixed or let loose.
 //
 // `body box block -restitution 0 -friction 0.3` stays where it falls. Fixed, it is a table: it
 // never falls, and its 0 would only deaden what falls on it, as of two bodies the smaller counts.

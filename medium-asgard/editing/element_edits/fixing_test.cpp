@@ -21,7 +21,7 @@ std::string whenFixed(const std::string& text, bool fixed) {
 TEST(Fixing, AFixedBodyDeadensNothing) {
     EXPECT_EQ(whenFixed(block + "body b block -restitution 0 -friction 0.3\n", true),
               block + "body b block -friction 0.3 -fixed 1\n");
-    // What somebody has chosen stays.
+    // A value that somebody has chosen stays.
     EXPECT_EQ(whenFixed(block + "body b block -restitution 0.2\n", true),
               block + "body b block -restitution 0.2 -fixed 1\n");
     EXPECT_EQ(whenFixed("set e 0\n" + block + "body b block -restitution $e -fixed 0\n", true),

@@ -1,5 +1,5 @@
-// What a place means to the step of a recipe: a place in the picture that is pointed at, one of a
-// body, or one whose numbers are typed.
+// The meaning of a place to the step of a recipe: of one in the picture that is pointed at, of one
+// of a body, or of one whose numbers are typed.
 //
 // A point lies where the step before left off, or as deep as all bodies that stand in one plane. It
 // is drawn to things and round numbers nearby (gestures/snapping.h); a new body rests on what is

@@ -27,7 +27,7 @@ public:
     void offerBody(const scene::Scene& scene, const std::vector<editing::Element>& selected);
     // A new body that is to stand there is as large as one sees well there.
     void fit(const gestures::Sight& sight, const Vector& place);
-    // What is said beside the pointer; none: nothing in particular.
+    // The words beside the pointer; none: nothing in particular.
     [[nodiscard]] std::optional<Judged> judge(const scene::Scene& scene,
                                               const Indicated& next) const;
     // True: that was the last step.
