@@ -97,6 +97,7 @@ private:
         Sides sides(other.index, localOf(other, vertex), touch_.size, beside_);
         if (!part.curved) {
             std::vector<Vector> outline;
+            outline.reserve(face.size());
             for (const Vector& corner : face)
                 outline.push_back(own(other, corner));
             sides.addOutline(outline, plane.axis);
@@ -152,7 +153,8 @@ private:
         return owner.shape->parts[&owner == &body_ ? touch_.bodyPart : touch_.supportPart];
     }
     [[nodiscard]] Vector own(const Placed& owner, const Vector& point) const {
-        const Vector local = localOf(owner, point), &centroid = owner.record->centroid;
+        const Vector& centroid = owner.record->centroid;
+        Vector local = localOf(owner, point);
         const geometry::Part& part = partOf(owner);
         if (part.core.vertices.empty())
             return local;
