@@ -133,7 +133,7 @@ double goneBetween(const scene::Joint& joint, std::size_t k, const Vector& offse
     return along.dot(place(after) - place(before));
 }
 
-// Where bodies stand at a moment: as a hand has put them, or as the motion has them.
+// The places of bodies at a moment: as a hand has put them, or as the motion has them.
 class Placement {
 public:
     Placement(const Ground& ground, double time, const std::vector<Put>& puts)

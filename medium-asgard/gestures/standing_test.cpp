@@ -1,4 +1,4 @@
-// Where bodies stand whose shape gets another size.
+// Bodies go on standing when their shape gets another size.
 #include "gestures/standing.h"
 
 #include "script/reader.h"

@@ -43,7 +43,7 @@ bool isHeld(const scene::Scene& scene, const std::string& body) {
            std::ranges::any_of(scene.links, pulls);
 }
 
-// Where it starts; empty: it has no end, or no shape.
+// Its box at the start; empty: it has no end, or no shape.
 Box boxOf(const scene::Scene& scene, const scene::Body& body) {
     Box box;
     const geometry::Pose pose{body.initialPosition, body.initialAttitude};

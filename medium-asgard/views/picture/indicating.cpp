@@ -253,7 +253,7 @@ Vector Indicating::onAxes(std::size_t body, const Vector& onBody, double near) c
     return from + center;
 }
 
-// Where another body is shown that is further behind or before, as deep as that body's centre.
+// The place under a body that is shown there, further behind or before: as deep as its centre.
 Indicated Indicating::held(const BegunRecipe& begun, const Eigen::Vector2d& pixels, bool holdsOff) {
     const gestures::Sight sight = display_.sight();
     const render::Drawing drawing = display_.drawing();
