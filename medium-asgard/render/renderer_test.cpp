@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 
 namespace render {
@@ -43,6 +44,25 @@ TEST_F(RendererTest, TheSameDrawingHasTheSamePixels) {
     const Picture first = draw();
     draw({100, 77}); // another size in between leaves nothing behind
     EXPECT_EQ(first.bytes, draw().bytes);
+}
+
+// However near one looks at what stands above the ground, and from whatever side.
+TEST_F(RendererTest, TheGridIsDrawnInNoTimeAtAnyScale) {
+    addBody(scene_, sphere(0.5), {0, 10, 0}, red);
+    drawing_.display.grid = true;
+    drawing_.camera.center = {0, 10, 0};
+    const auto began = std::chrono::steady_clock::now();
+    for (const bool studio : {true, false})
+        for (const bool orthographic : {true, false})
+            for (const double angle : {0.02, 0.15, 1.5})
+                for (const double scale : {1e3, 1e6, 1e9, 1e14, 1e30}) {
+                    drawing_.display.studio = studio;
+                    drawing_.camera.orthographic = orthographic;
+                    drawing_.camera.rotation = geometry::fromRotationVector(Vector(angle, 0.3, 0));
+                    drawing_.camera.scale = scale;
+                    draw();
+                }
+    EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::minutes(2)); // 1 s, alone
 }
 
 // A point far from the origin is as steady as one at it.

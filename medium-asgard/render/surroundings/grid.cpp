@@ -71,7 +71,7 @@ private:
         double width = 0.9;
     };
 
-    void lineUp(int direction, double step, int index, const Look& look);
+    void lineUp(int direction, double step, std::int64_t index, const Look& look);
     void ruled(double step, double radius, int skipped, const Look& look);
     void axes();
     void numbers(double step);
@@ -96,6 +96,7 @@ private:
     const Frame& frame_;
     const Display& display_;
     Vector focus_;  // world: what lies in the middle of the grid
+    Vector middle_; // world: what lies in the middle of the picture
     double radius_; // world: where it has faded
     double pixelsPerLength_;
     double strength_;
@@ -121,7 +122,12 @@ Sheet::Sheet(Lines& lines, const GroundPlane& ground, const Extent& extent, cons
             pixelsPerLength_ = frame.pixels(camera.scale, frame.toView(focus_).z());
         }
         radius_ = 4.5 * diagonal / pixelsPerLength_ + 1.5 * above();
+        middle_ = focus_;
     } else {
+        const Size size = frame.size();
+        middle_ =
+            groundInSight(ground, frame)
+                .value_or(toWorld(camera, size, {0.5 * size.width, 0.5 * size.height}, depth));
         focus_ = extent.box.center();
         const double across =
             std::max(extent.box.sizes()[ground.across[0]], extent.box.sizes()[ground.across[1]]);
@@ -140,10 +146,10 @@ double Sheet::seen(int direction, double along, double beside, double step) cons
 }
 
 // Parallel to a direction, in pieces that are shorter near the focus.
-void Sheet::lineUp(int direction, double step, int index, const Look& look) {
+void Sheet::lineUp(int direction, double step, std::int64_t index, const Look& look) {
     constexpr std::array pieces{-1.0, -0.72, -0.5, -0.34, -0.2, -0.1, 0.0,
                                 0.1,  0.2,   0.34, 0.5,   0.72, 1.0};
-    const double beside = step * index, away = beside - focus(1 - direction);
+    const double beside = step * static_cast<double>(index), away = beside - focus(1 - direction);
     if (std::abs(away) >= radius_)
         return;
     const double half = std::sqrt(radius_ * radius_ - away * away);
@@ -165,10 +171,9 @@ void Sheet::lineUp(int direction, double step, int index, const Look& look) {
 // All lines of that step within the radius but each `skipped`th, which a coarser grid has.
 void Sheet::ruled(double step, double radius, int skipped, const Look& look) {
     for (int direction = 0; direction < 2; ++direction) {
-        const double middle = focus(1 - direction);
-        const int first = static_cast<int>(std::ceil((middle - radius) / step));
-        const int last = static_cast<int>(std::floor((middle + radius) / step));
-        for (int index = first; index <= last; ++index)
+        const auto across = ground_.across[static_cast<std::size_t>(1 - direction)];
+        const GridRows rows = gridRows(step, focus_[across], radius, middle_[across]);
+        for (std::int64_t index = rows.first; index <= rows.last; ++index)
             if ((skipped == 0 || index % skipped != 0) && (index != 0 || !display_.studio))
                 lineUp(direction, step, index, look);
     }
@@ -184,14 +189,14 @@ void Sheet::axes() {
 // Numbers along one axis, on the other or, where that is out of sight, on a line near the middle.
 void Sheet::row(int direction, double step, double beside) {
     const double height = frame_.stroke(8);
-    const int middle = static_cast<int>(std::lround(focus(direction) / step));
-    const int reach = std::min(24, static_cast<int>(0.7 * radius_ / step));
+    const std::int64_t middle = std::llround(focus(direction) / step);
+    const int reach = static_cast<int>(std::min(24.0, 0.7 * radius_ / step));
     std::optional<Eigen::Vector2d> taken;
     for (int k = 0; k <= 2 * reach; ++k) { // from the middle outwards, either way
-        const int index = middle + (k % 2 == 0 ? k / 2 : -(k + 1) / 2);
+        const std::int64_t index = middle + (k % 2 == 0 ? k / 2 : -(k + 1) / 2);
         if (index == 0 && direction == 1 && beside == 0)
             continue; // the other row has it
-        const double value = index * step;
+        const double value = static_cast<double>(index) * step;
         const std::string text = coordinateText(value, step);
         const double apart =
             (pixels(direction, value + step, beside) - pixels(direction, value, beside)).norm();
@@ -275,6 +280,16 @@ std::vector<GridStep> gridSteps(double pixelsPerLength, double stroke) {
     if (old < 1)
         steps.push_back({roundAbove(1.01 * step), 1 - old});
     return steps;
+}
+
+GridRows gridRows(double step, double focus, double radius, double middle) {
+    constexpr double most = 400;       // to either side
+    constexpr double countable = 1e15; // beyond it neighbours are the same number
+    const double first = std::ceil(std::max((focus - radius) / step, middle / step - most));
+    const double last = std::floor(std::min((focus + radius) / step, middle / step + most));
+    if (!(first <= last) || !(std::max(std::abs(first), std::abs(last)) < countable))
+        return {};
+    return {static_cast<std::int64_t>(first), static_cast<std::int64_t>(last)};
 }
 
 void addGrid(Lines& lines, const GroundPlane& ground, const Extent& extent, const Frame& frame,

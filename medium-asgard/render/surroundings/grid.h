@@ -11,6 +11,7 @@
 #include "framing/extent.h"
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -38,6 +39,14 @@ struct GridStep {
 // Of a view in which a length of the world is that many pixels times as long: one step, or two
 // while one turns into the other. Each is some 90 to 225 pixels of a picture 480 high.
 [[nodiscard]] std::vector<GridStep> gridSteps(double pixelsPerLength, double stroke);
+
+// The multiples of a step within a radius of the focus, and at most 400 to either side of what is
+// in the middle of the picture: those beyond stand too close to be told apart, however near one
+// looks at something far above the ground.
+struct GridRows {
+    std::int64_t first = 0, last = -1;
+};
+[[nodiscard]] GridRows gridRows(double step, double focus, double radius, double middle);
 
 // A place of the view on the ground, moved towards the eye as far as needed for nothing of the
 // ground to hide what stands there upright; `corners`: where that ends, pixels to the right and up.

@@ -37,6 +37,19 @@ TEST(Grid, StepsChangeGraduallyWithTheScale) {
     }
 }
 
+TEST(Grid, HasNoMoreLinesThanCanBeToldApart) {
+    const auto rows = [](double step, double focus, double radius, double middle) {
+        const GridRows found = gridRows(step, focus, radius, middle);
+        return std::pair(found.first, found.last);
+    };
+    EXPECT_EQ(rows(0.5, 0.1, 1, 0.1), std::pair(-1L, 2L));
+    EXPECT_EQ(rows(1e-4, 3, 1e6, 3), std::pair(29600L, 30400L)); // high above the ground
+    EXPECT_EQ(rows(1e-4, 0, 5, 3), std::pair(29600L, 30400L));   // near what is beside the focus
+    EXPECT_EQ(rows(1e-4, 0, 5, 3e9), std::pair(0L, -1L));        // far beside all of it
+    EXPECT_EQ(rows(1e-30, 7, 1e9, 7), std::pair(0L, -1L));       // finer than numbers are there
+    EXPECT_EQ(rows(1, NAN, 1, 0), std::pair(0L, -1L));
+}
+
 TEST(Ground, IsARoundHeightThatSmallChangesLeaveAlone) {
     Extent extent;
     extent.size = 10;
