@@ -48,12 +48,16 @@ inline std::string disagreementOfPicture(SceneDocument& document, GraphicalViewe
     SceneDisplay& display = viewer.display();
     if (!display.isVisible() || display.width() < 2 || display.height() < 2)
         return {};
+    display.grab(); // it gets its size
     const bool shown = waitFor([&] {
-        display.grab();
+        display.bringUpToDate();
         return display.showsNewest();
     });
     if (!shown)
-        return "a picture does not come";
+        return "a picture of " + std::to_string(document.shown().scene->bodies.size()) +
+               " bodies does not come: " + std::to_string(display.width()) + " by " +
+               std::to_string(display.height()) + ", at a scale of " +
+               std::to_string(display.camera().scale);
     const Shown& wanted = document.shown();
     if (display.drawing().scene != wanted.scene.get() || display.drawing().motion != wanted.motion)
         return "a picture is of another scene or motion";

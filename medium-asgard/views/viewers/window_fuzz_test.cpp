@@ -7,7 +7,8 @@
 //
 // ASGARD_WINDOW_ACTIONS sets how many (tests/desktop/windows_at_length.sh asks for a million),
 // ASGARD_SEED where they begin, ASGARD_REST_AFTER how many lie between two rests. What ends the
-// program, or disagrees, prints the seed and the last actions.
+// program, waits without end, or disagrees, prints the seed and the last actions. Waiting is
+// counted in turns and in the processor's time, so that a busy machine is no fault.
 #include "language/scene_editor.h"
 #include "shapes/shape_editor.h"
 #include "start/first_page.h"
@@ -24,6 +25,7 @@
 #include <QPointer>
 #include <QScreen>
 #include <QTemporaryDir>
+#include <QThread>
 #include <QTimer>
 #include <QWheelEvent>
 
@@ -35,6 +37,7 @@
 #include <utility>
 
 #include <execinfo.h>
+#include <sys/time.h>
 #include <unistd.h>
 
 namespace views {
@@ -73,6 +76,14 @@ void ended(int signal) {
                          STDERR_FILENO);
     std::raise(signal);
 }
+
+// An action that takes that much of the processor's time does not end: SIGPROF does.
+void watchNext() {
+    constexpr itimerval most{{}, {100, 0}}; // s
+    setitimer(ITIMER_PROF, &most, nullptr);
+}
+
+constexpr std::array ends{SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGILL, SIGPROF};
 
 // --- texts ---------------------------------------------------------------------------------------
 
@@ -130,11 +141,13 @@ protected:
         open();
         begin();
         connect();
-        for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGILL})
+        for (const int signal : ends)
             std::signal(signal, ended);
     }
     void TearDown() override {
-        for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGILL})
+        constexpr itimerval never{};
+        setitimer(ITIMER_PROF, &never, nullptr);
+        for (const int signal : ends)
             std::signal(signal, SIG_DFL);
     }
 
@@ -155,10 +168,9 @@ protected:
             return rest();
         --left_;
         ++sinceRest_;
+        watchNext();
         QTimer::singleShot(0, &timer_, [this] { act(); });
-        ++unfinished_;
         actOnce();
-        --unfinished_;
     }
     void actOnce() {
         closeDialogsOfFiles();
@@ -177,27 +189,53 @@ protected:
         else
             changeAll();
     }
+    // A dialog, a menu or a drag from one window to another has a loop of its own, whoever began
+    // it: an action, or a timer that an action started.
+    static bool isWithinAnother() { return QThread::currentThread()->loopLevel() > 1; }
     // Once the loops of all dialogs and menus have ended.
     void rest() {
-        if (unfinished_ > 0)
+        if (isWithinAnother()) {
             closeQuestions();
-        if (unfinished_ > 0 || held_) {
-            constexpr int pause = 5; // ms
+            endDrag();
+        }
+        if (isWithinAnother() || held_) {
+            constexpr int pause = 5, most = 6'000; // ms, turns: reading is waited for 20 s
+            if (++turns_ > most)
+                return fail(whatWaits());
             QTimer::singleShot(pause, &timer_, [this] { rest(); });
-            ++unfinished_; // a button that is let go may ask something
-            letGo();
-            --unfinished_;
+            letGo(); // which may ask something
             return;
         }
-        if (const std::string found = disagreementNow(); !found.empty()) {
-            ADD_FAILURE() << found << "\n" << editor_.document().text();
-            printActions();
-            return loop_.quit();
-        }
+        turns_ = 0;
+        watchNext();
+        if (const std::string found = disagreementNow(); !found.empty())
+            return fail(found);
         sinceRest_ = 0;
         if (left_ <= 0)
             return loop_.quit();
         QTimer::singleShot(0, &timer_, [this] { act(); });
+    }
+    // What hangs would hang at the end of the program, too: no destructors.
+    void fail(const std::string& found) {
+        std::fprintf(stderr, "Failure: %s\n%s\n", found.c_str(), editor_.document().text().c_str());
+        printActions();
+        std::fflush(nullptr);
+        std::_Exit(EXIT_FAILURE);
+    }
+    std::string whatWaits() const {
+        const auto named = [](const QWidget* one) {
+            return one ? one->metaObject()->className() : "none";
+        };
+        return "something waits: " + std::to_string(QThread::currentThread()->loopLevel()) +
+               " loops of events, held: " + named(held_) +
+               ", dialog: " + named(QApplication::activeModalWidget()) +
+               ", menu: " + named(QApplication::activePopupWidget());
+    }
+    // Whose window has gone with the button down: it takes keys to anybody, and nobody else this
+    // one.
+    void endDrag() {
+        QKeyEvent escape(QEvent::KeyPress, Qt::Key_Escape, Qt::NoModifier);
+        QApplication::sendEvent(&timer_, &escape);
     }
     static void closeQuestions() {
         for (QWidget* window : QApplication::topLevelWidgets())
@@ -493,7 +531,7 @@ protected:
     Qt::MouseButton button_ = Qt::LeftButton;
     Qt::MouseButtons buttons_;
     bool dark_ = false;
-    int unfinished_ = 0; // actions that wait for a dialog or a menu
+    int turns_ = 0; // of a rest that has to wait for a dialog or a menu
     long left_ = setting("ASGARD_WINDOW_ACTIONS", 5'000);
     long restAfter_ = setting("ASGARD_REST_AFTER", 400), sinceRest_ = 0, rests_ = 0;
 };
