@@ -3,6 +3,7 @@
 #include "charts/marks.h"
 #include "charts/scale.h"
 #include "expression/tokens.h"
+#include "scene/units.h"
 
 #include <algorithm>
 #include <array>
@@ -76,7 +77,27 @@ std::string spelled(double number, int digits) {
     return text.data();
 }
 
-constexpr double letters = 11, leftSpace = 54, rightSpace = 12, topSpace = 24, bottomSpace = 22;
+constexpr double letters = 11, leftSpace = 68, rightSpace = 12, topSpace = 24, bottomSpace = 36;
+
+std::string joined(const std::string& words, const std::string& unit) {
+    return words.empty() || unit.empty() ? words + unit : words + ", " + unit;
+}
+
+// What a plot of these curves says beside its values; of several bodies, what is the same of all.
+std::string nameOfValues(const scene::Units& units, const scene::Plot& plot,
+                         const std::vector<Curve>& curves) {
+    std::set<std::string> measures, words;
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+        const std::string all = units.wordsOf(plot.values[i]);
+        measures.insert(curves[i].unit);
+        words.insert(curves.size() == 1 ? all : all.substr(0, all.find(" of ")));
+    }
+    if (curves.size() == 1 && !plot.labels.empty() && !plot.labels.front().empty())
+        words = {plot.labels.front()};
+    if (measures.size() != 1)
+        return {};
+    return joined(words.size() == 1 ? *words.begin() : "", *measures.begin());
+}
 
 class Axes {
 public:
@@ -99,6 +120,9 @@ public:
             canvas_.ink({}, 0.67);
             canvas_.text(x(time), bottom + 15, spelled(time, 6), letters, Canvas::Anchor::middle);
         }
+        canvas_.ink({}, 0.67);
+        canvas_.text(a_.left + a_.width / 2, bottom + 29, timeAxis, letters,
+                     Canvas::Anchor::middle);
     }
 
     void drawValues() const {
@@ -112,7 +136,7 @@ public:
             digitsFor(size, step) > widest ? std::floor(range_.low / round) * round : 0;
         if (base != 0) {
             canvas_.ink({}, 0.67);
-            canvas_.text(a_.left - leftSpace + 2, a_.top - 3,
+            canvas_.text(a_.left - leftSpace + 16, a_.top - 3,
                          spelled(base, digitsFor(base, round)) + " +", letters,
                          Canvas::Anchor::start);
         }
@@ -125,6 +149,16 @@ public:
                          spelled(above, base != 0 ? 4 : digitsFor(value, step)), letters,
                          Canvas::Anchor::end);
         }
+    }
+
+    // As much of it as there is room for: the unit, which comes last, rather than the words.
+    void drawName(const std::string& name) const {
+        const std::size_t comma = name.rfind(", ");
+        const bool fits = canvas_.widthOf(name, letters) <= a_.height;
+        canvas_.ink({}, 0.67);
+        canvas_.textUpwards(a_.left - leftSpace + 12, a_.top + a_.height / 2,
+                            fits || comma == std::string::npos ? name : name.substr(comma + 2),
+                            letters);
     }
 
     void drawCurve(const Plot& plot, const Curve& curve) const {
@@ -192,8 +226,11 @@ void drawKey(Canvas& canvas, const Axes& axes, const Plot& plot, const PlotArea&
         cairo_line_to(canvas.cairo(), x + 18, line - 3);
         axes.stroke(curve, 2);
         canvas.ink({});
-        canvas.text(x + 22, line, curve.label, letters, Canvas::Anchor::start);
-        x += 34 + canvas.widthOf(curve.label, letters);
+        // Where the axis cannot say it.
+        const std::string label =
+            plot.values.empty() ? joined(curve.label, curve.unit) : curve.label;
+        canvas.text(x + 22, line, label, letters, Canvas::Anchor::start);
+        x += 34 + canvas.widthOf(label, letters);
     }
 }
 
@@ -201,14 +238,17 @@ void drawKey(Canvas& canvas, const Axes& axes, const Plot& plot, const PlotArea&
 
 Plot named(const scene::Scene& scene, const scene::Plot& plot) {
     Plot result{.title = plot.title.empty() ? plot.name : plot.title};
+    const scene::Units units(scene);
     for (std::size_t i = 0; i < plot.values.size(); ++i) {
         Curve curve{.label = i < plot.labels.size() ? plot.labels[i] : plot.values[i],
                     .color = curveColor(scene, plot, i)};
         const auto before = std::ranges::count_if(
             result.curves, [&](const Curve& one) { return alike(one.color, curve.color); });
         curve.stroke = static_cast<Stroke>(before % 4);
+        curve.unit = units.of(plot.values[i]);
         result.curves.push_back(std::move(curve));
     }
+    result.values = nameOfValues(units, plot, result.curves);
     return result;
 }
 
@@ -287,6 +327,7 @@ void draw(Canvas& canvas, const Plot& plot, const PlotArea& area, double now) {
     }
     axes.drawTimes();
     axes.drawValues();
+    axes.drawName(plot.values);
     cairo_save(canvas.cairo());
     cairo_rectangle(canvas.cairo(), inside.left - 3, inside.top - 3, inside.width + 6,
                     inside.height + 6);

@@ -20,14 +20,18 @@ struct Curve {
     std::vector<double> values = {}; // at the plot's times; NaN: not defined there
     Color color = {};
     Stroke stroke = Stroke::solid;
+    std::string unit = {}; // "m/s"; "": none, or not known
 };
 
 struct Plot {
     std::string title;
     std::vector<double> times = {}; // s
     std::vector<Curve> curves = {};
-    std::string fault = {}; // "" or why there are no values
+    std::string fault = {};  // "" or why there are no values
+    std::string values = {}; // the name of their axis: "x of b1, m"; "" where curves differ
 };
+
+inline constexpr const char* timeAxis = "time, s";
 
 // Its title and its curves, without values. A curve about one coloured body has that body's colour,
 // darkened where white paper would swallow it; curves that would look alike differ in their

@@ -51,6 +51,50 @@ TEST(Plots, CurvesHaveTheColourOfTheirBody) {
     EXPECT_TRUE(same(plot.curves[4].color, charts::colorOf(4))); // of two bodies
 }
 
+TEST(Plots, SayWhatTheirValuesAre) {
+    scene::Scene scene = threeBodies();
+    const auto nameOf = [&](std::vector<std::string> values, std::vector<std::string> labels = {}) {
+        scene.plots[0].values = std::move(values);
+        scene.plots[0].labels = std::move(labels);
+        return charts::named(scene, scene.plots[0]).values;
+    };
+    EXPECT_EQ(nameOf({"red.x"}), "x of red, m");
+    EXPECT_EQ(nameOf({"red.dy"}), "velocity along y of red, m/s");
+    EXPECT_EQ(nameOf({"red.x"}, {"way"}), "way, m");
+    EXPECT_EQ(nameOf({"red.x - 1"}), "m");
+    EXPECT_EQ(nameOf({"100*red.x"}, {"cm"}), "cm"); // as the author says
+    EXPECT_EQ(nameOf({"red.x", "pale.x"}), "x, m");
+    EXPECT_EQ(nameOf({"red.x", "red.y"}), "m");
+    EXPECT_EQ(nameOf({"red.x", "red.dx"}), "");
+    EXPECT_EQ(nameOf({}), "");
+}
+
+TEST(Plots, DrawTheNamesOfTheirAxes) {
+    const charts::PlotArea area{0, 0, 300, 200, 0, 2};
+    const charts::PlotArea inside = charts::insideOf(area);
+    Plot plot{.title = "p", .times = {0, 1, 2}, .curves = {{"c", {0, 1, 0}, {1, 0, 0}}}};
+    const auto inkIn = [&](double left, double top, double right, double bottom) {
+        charts::Canvas canvas(300, 200, 1);
+        charts::draw(canvas, plot, area, 1);
+        const charts::Pixels pixels = canvas.pixels();
+        int found = 0;
+        for (int y = static_cast<int>(top); y < static_cast<int>(bottom); ++y)
+            for (int x = static_cast<int>(left); x < static_cast<int>(right); ++x)
+                found +=
+                    (pixels.colors[static_cast<std::size_t>(y * pixels.width + x)] & 0xff) < 160;
+        return found;
+    };
+    const double below = inside.top + inside.height + 18; // the numbers
+    EXPECT_GT(inkIn(inside.left, below, 290, 200), 20);
+    EXPECT_EQ(inkIn(0, inside.top, 14, 190), 0);
+    plot.values = "x of red, m";
+    EXPECT_GT(inkIn(0, inside.top, 14, 190), 20);
+    plot.values = "a name that is far too long for an axis of this little height, m";
+    const int unit = inkIn(0, inside.top, 14, 190); // it alone
+    EXPECT_GT(unit, 2);
+    EXPECT_LT(unit, 40);
+}
+
 TEST(Plots, HaveTheValuesOfTheMotion) {
     const scene::Scene scene = threeBodies();
     const auto motion = simulation::simulate(scene).motion;

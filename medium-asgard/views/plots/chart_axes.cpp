@@ -11,6 +11,34 @@
 
 namespace views {
 
+namespace {
+
+// As much of it as there is room for: the unit, which comes last, rather than the words.
+QString fitting(const QString& name, double room, const QFontMetricsF& metrics) {
+    const qsizetype comma = name.lastIndexOf(QStringLiteral(", "));
+    return metrics.horizontalAdvance(name) <= room || comma < 0 ? name : name.mid(comma + 2);
+}
+
+void paintNames(QPainter& painter, const ChartAxes& axes, const QPalette& palette) {
+    const QRectF& a = axes.area;
+    const QFontMetricsF metrics(painter.font());
+    QColor ink = palette.color(QPalette::WindowText);
+    ink.setAlpha(170);
+    painter.setPen(ink);
+    const QString across = fitting(axes.across, a.width(), metrics);
+    painter.drawText(QPointF(a.center().x() - metrics.horizontalAdvance(across) / 2,
+                             a.bottom() + 4 + 2 * metrics.ascent() + 2),
+                     across);
+    const QString up = fitting(axes.up, a.height(), metrics);
+    painter.save();
+    painter.translate(2 + metrics.ascent(), a.center().y());
+    painter.rotate(-90);
+    painter.drawText(QPointF(-metrics.horizontalAdvance(up) / 2, 0), up);
+    painter.restore();
+}
+
+} // namespace
+
 void paintAxes(QPainter& painter, const ChartAxes& axes, const QPalette& palette) {
     const QRectF& a = axes.area;
     const QFontMetricsF metrics(painter.font());
@@ -42,7 +70,8 @@ void paintAxes(QPainter& painter, const ChartAxes& axes, const QPalette& palette
     const double base =
         charts::digitsFor(size, step) > widest ? std::floor(axes.low / round) * round : 0;
     if (base != 0)
-        write({2, a.top() - 4}, QString::number(base, 'g', charts::digitsFor(base, round)) + " +");
+        write({axes.up.isEmpty() ? 2 : 4 + metrics.height(), a.top() - 4},
+              QString::number(base, 'g', charts::digitsFor(base, round)) + " +");
     for (const double value : charts::multiplesOf(step, axes.low, axes.high)) {
         const double y = axes.place(axes.from, value).y();
         setLine(value == 0);
@@ -53,6 +82,7 @@ void paintAxes(QPainter& painter, const ChartAxes& axes, const QPalette& palette
         write({a.left() - 6 - metrics.horizontalAdvance(label), y + metrics.ascent() / 2 - 1},
               label);
     }
+    paintNames(painter, axes, palette);
 }
 
 } // namespace views

@@ -1,7 +1,8 @@
-// The lines of a chart at round times and values, and their numbers.
+// The lines of a chart at round times and values, their numbers, and the names of both axes.
 #pragma once
 
 #include <QRectF>
+#include <QString>
 
 class QPainter;
 class QPalette;
@@ -11,6 +12,7 @@ namespace views {
 struct ChartAxes {
     QRectF area; // pixels
     double from = 0, to = 1, low = 0, high = 1;
+    QString across = {}, up = {}; // what they say: "time, s", "x of b1, m"; "": nothing
 
     [[nodiscard]] QPointF place(double time, double value) const {
         return {area.left() + (time - from) / (to - from) * area.width(),

@@ -15,7 +15,7 @@ namespace views {
 
 namespace {
 
-constexpr double leftSpace = 64, rightSpace = 16, bottomSpace = 24;
+constexpr double numbers = 64, rightSpace = 16; // left of the axis, and at the end
 
 // With the digits that a thousandth of the range needs.
 QString number(double value, double range) {
@@ -42,23 +42,36 @@ PlotChart::PlotChart() {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
 }
 
-void PlotChart::setPlot(charts::Plot plot, double start, double finish, QStringList units) {
+void PlotChart::setPlot(charts::Plot plot, double start, double finish) {
     plot_ = std::move(plot);
-    units_ = std::move(units);
     start_ = start;
     finish_ = finish > start ? finish : start + 1;
     range_ = charts::rangeOf(plot_);
     setAccessibleName(tr("%1 against time").arg(QString::fromStdString(plot_.title)));
+    setAccessibleDescription(QString::fromStdString(plot_.values));
     update();
 }
 
-QRectF PlotChart::area() const {
-    const double top = 2.2 * fontMetrics().height();
-    return {leftSpace, top, std::max(1.0, width() - leftSpace - rightSpace),
-            std::max(1.0, height() - top - bottomSpace)};
+double PlotChart::leftSpace() const {
+    return numbers + (plot_.values.empty() ? 0 : fontMetrics().height());
 }
 
-ChartAxes PlotChart::axes() const { return {area(), start_, finish_, range_.low, range_.high}; }
+// Below the numbers of the times stands what they are.
+QRectF PlotChart::area() const {
+    const double line = fontMetrics().height(), top = 2.2 * line, bottom = 2 * line + 8;
+    return {leftSpace(), top, std::max(1.0, width() - leftSpace() - rightSpace),
+            std::max(1.0, height() - top - bottom)};
+}
+
+ChartAxes PlotChart::axes() const {
+    return {area(),
+            start_,
+            finish_,
+            range_.low,
+            range_.high,
+            QString::fromLatin1(charts::timeAxis),
+            QString::fromStdString(plot_.values)};
+}
 
 QPointF PlotChart::placeOf(double time, double value) const { return axes().place(time, value); }
 
@@ -88,7 +101,7 @@ void PlotChart::setNow(double time) {
 
 QString PlotChart::valueOf(std::size_t curve, double value) const {
     return number(value, range_.high - range_.low) + QLatin1Char(' ') +
-           units_.value(static_cast<qsizetype>(curve));
+           QString::fromStdString(plot_.curves[curve].unit);
 }
 
 QString PlotChart::legendOf(std::size_t curve) const {
@@ -181,8 +194,8 @@ void PlotChart::paintTitle(QPainter& painter) const {
     painter.setFont(bold);
     painter.setPen(palette().color(QPalette::WindowText));
     const QString title = QString::fromStdString(plot_.title);
-    painter.drawText(QPointF(leftSpace, line), title);
-    const double behind = leftSpace + QFontMetricsF(bold).horizontalAdvance(title) + 20;
+    painter.drawText(QPointF(leftSpace(), line), title);
+    const double behind = leftSpace() + QFontMetricsF(bold).horizontalAdvance(title) + 20;
     painter.setFont(font());
     const QString reading = pointer_ ? readingAt(*pointer_) : QString();
     if (!reading.isEmpty()) {

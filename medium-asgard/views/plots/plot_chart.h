@@ -5,7 +5,6 @@
 #include "plots/chart_axes.h"
 
 #include <QString>
-#include <QStringList>
 #include <QWidget>
 
 #include <optional>
@@ -20,8 +19,7 @@ class PlotChart : public QWidget {
 public:
     PlotChart();
 
-    // `units`: of its curves, as far as they are known.
-    void setPlot(charts::Plot plot, double start, double finish, QStringList units = {});
+    void setPlot(charts::Plot plot, double start, double finish);
     [[nodiscard]] const charts::Plot& plot() const { return plot_; }
     void setNow(double time); // a line shows it, and the legend the values then
     [[nodiscard]] QString legendOf(std::size_t curve) const; // "height = 1.2 m"
@@ -43,6 +41,7 @@ protected:
     void leaveEvent(QEvent* event) override;
 
 private:
+    [[nodiscard]] double leftSpace() const;
     [[nodiscard]] QRectF area() const;
     [[nodiscard]] std::optional<std::size_t> sampleAt(const QPointF& position) const;
     [[nodiscard]] std::optional<std::size_t> sampleAt(double time) const;
@@ -56,7 +55,6 @@ private:
     [[nodiscard]] QString valueOf(std::size_t curve, double value) const; // "1.2 m"
 
     charts::Plot plot_;
-    QStringList units_;
     double start_ = 0, finish_ = 1, now_ = 0;
     charts::Range range_;
     std::optional<QPointF> pointer_;

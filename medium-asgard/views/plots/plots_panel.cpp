@@ -1,7 +1,6 @@
 #include "plots/plots_panel.h"
 
 #include "plain/plain.h"
-#include "plots/quantities.h"
 
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -86,13 +85,9 @@ void PlotsPanel::take(const charts::PlotSampler::Wish& of, std::vector<charts::P
     if (plots.size() != charts_.size())
         return; // of a scene that is no more
     const scene::Simulator& simulator = of.scene->simulator;
-    for (std::size_t i = 0; i < plots.size(); ++i) {
-        QStringList units;
-        for (const std::string& value : of.scene->plots[i].values)
-            units << unitOf(*of.scene, value);
+    for (std::size_t i = 0; i < plots.size(); ++i)
         charts_[i]->setPlot(std::move(plots[i]), of.motion ? of.motion->start() : simulator.start,
-                            of.motion ? of.motion->finish() : simulator.finish, std::move(units));
-    }
+                            of.motion ? of.motion->finish() : simulator.finish);
 }
 
 } // namespace views

@@ -2,6 +2,7 @@
 #include "plots/plot_dialog.h"
 #include "plots/plots_panel.h"
 #include "plots/quantities.h"
+#include "scene/units.h"
 #include "viewers/editor.h"
 #include "views/test_workshop.h"
 
@@ -53,24 +54,15 @@ TEST_F(PlotsTest, EachQuantityHasItsUnit) {
          "rope string -points {{d} {6 9 0}} -length 7\n"
          "contact touch -body1 d -body2 floor -friction 0.1\n");
     const scene::Scene& scene = *editor.document().shown().scene;
-    const std::pair<const char*, const char*> units[] = {{"b.x", "m"},
-                                                         {"b.dx", "m/s"},
-                                                         {"b.rz", "rad"},
-                                                         {"b.wz", "rad/s"},
-                                                         {"pin.q", "rad"},
-                                                         {"pin.dq", "rad/s"},
-                                                         {"pin.motor", "N m"},
-                                                         {"rail.q", "m"},
-                                                         {"rail.dq", "m/s"},
-                                                         {"rail.motor", "N"},
-                                                         {"coil.length", "m"},
-                                                         {"coil.force", "N"},
-                                                         {"string.tension", "N"},
-                                                         {"touch.n", "N"},
-                                                         {"touch.slip", "m/s"},
-                                                         {"b.x + 1", ""}};
-    for (const auto& [expression, unit] : units)
-        EXPECT_EQ(unitOf(scene, expression), unit) << expression;
+    const scene::Units units(scene);
+    int count = 0;
+    for (const Measured& one : quantitiesOf(scene))
+        for (const Quantity& quantity : one.quantities) {
+            EXPECT_EQ(units.of(quantity.expression), quantity.unit.toStdString())
+                << quantity.expression;
+            ++count;
+        }
+    EXPECT_GT(count, 40);
 }
 
 // What one asks of a pendulum is an angle, though its rod has none.
@@ -113,8 +105,10 @@ TEST_F(PlotsTest, EachQuantityIsACurveOverTheWholeMotion) {
     EXPECT_NEAR(plot.curves[0].values.back(), 1 + 3 * 2, 1e-12);
     EXPECT_NEAR(plot.curves[1].values.front(), 6, 1e-12);
     PlotChart& chart = *window->charts()[0];
-    EXPECT_EQ(chart.readingAt(chart.placeOf(1, 4)), "t = 1 s   way = 4 m   height = 6");
+    EXPECT_EQ(chart.readingAt(chart.placeOf(1, 4)), "t = 1 s   way = 4 m   height = 6 m");
     EXPECT_EQ(chart.readingAt(QPointF(0, 0)), "");
+    EXPECT_EQ(chart.axes().across, "time, s");
+    EXPECT_EQ(chart.axes().up, "m"); // of curves that differ, what is the same
     window->setTime(1);
     EXPECT_EQ(chart.legendOf(0), "way = 4 m"); // the values of the moment that is seen
     double chosen = 0;

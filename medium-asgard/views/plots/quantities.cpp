@@ -169,16 +169,6 @@ constexpr Kind measured[] = {Kind::body, Kind::joint, Kind::link, Kind::rope, Ki
 
 } // namespace
 
-QString unitOf(const scene::Scene& scene, const std::string& expression) {
-    for (const Kind kind : measured)
-        for (std::size_t i = 0; editing::sourceOf(scene, {kind, i}); ++i)
-            if (expression.find(editing::nameOf(scene, {kind, i}) + ".") != std::string::npos)
-                for (const Quantity& one : quantitiesOf(scene, Element{kind, i}))
-                    if (one.expression == expression)
-                        return one.unit;
-    return {};
-}
-
 std::vector<Measured> quantitiesOf(const scene::Scene& scene) {
     std::vector<Measured> all;
     for (const Kind kind : measured)

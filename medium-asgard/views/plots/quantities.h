@@ -23,9 +23,6 @@ struct Quantity {
 [[nodiscard]] std::vector<Quantity> quantitiesOf(const scene::Scene& scene,
                                                  const editing::Element& element);
 
-// Of the quantity that the expression is; "": it is another one.
-[[nodiscard]] QString unitOf(const scene::Scene& scene, const std::string& expression);
-
 struct Measured {
     editing::Element element;
     std::vector<Quantity> quantities; // not empty
