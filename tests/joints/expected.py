@@ -12,8 +12,9 @@ import sys
 
 import cases
 import rope_cases
+import servo_cases
 
-BY_NAME = cases.BY_NAME | {case.__name__: case for case in rope_cases.CASES}
+BY_NAME = cases.BY_NAME | {case.__name__: case for case in rope_cases.CASES + servo_cases.CASES}
 HERE = os.path.dirname(os.path.abspath(__file__))
 
 

@@ -38,6 +38,27 @@ TEST(Convex, AMotorHoldsUpToItsGreatestForce) {
     EXPECT_EQ(forceAgainst(6), std::pair(-10.0, 1.0));
 }
 
+// The hinge of an arm and its motor: rows that are all but one. A hundred thousandth beyond the
+// motor's couple f2, or within it:  f1 = 5 + (f2 + 10),  w2 = 0.01 (-10 - f2).
+TEST(Convex, AMotorNearItsGreatestCoupleHoldsOrSlipsBesideAStiffJoint) {
+    Matrix j(2, 2);
+    j << 20, 0, 20, 0.1;
+    const Matrix a = j * j.transpose();
+    Laws laws;
+    addEquality(laws);
+    addInterval(laws, -10, 10);
+    for (const double beyond : {1e-3, 1e-5, 1e-6, -1e-6, -1e-5, -1e-3}) {
+        const Vector wanted = (Vector(2) << 5, -10 - beyond).finished();
+        const auto answer = solveConvex(a, -a * wanted, laws);
+        ASSERT_TRUE(answer) << beyond;
+        const bool slips = beyond > 0;
+        EXPECT_EQ(answer->states[1], slips ? State::low : State::inside) << beyond;
+        EXPECT_NEAR(answer->forces[0], slips ? 5 - beyond : 5, 1e-9) << beyond;
+        EXPECT_NEAR(answer->forces[1], slips ? -10 : -10 - beyond, 1e-9) << beyond;
+        EXPECT_NEAR(answer->rates[1], slips ? 0.01 * beyond : 0, 1e-11) << beyond;
+    }
+}
+
 TEST(Convex, JointsThatContradictEachOtherHaveNoForces) {
     Laws laws;
     addEquality(laws);
