@@ -67,6 +67,62 @@ force -body rod -gravitational {{0 -{G} 0}}
 """
 
 
+def wedge(x, way, turn):
+    """A box with an edge at x on a rod's axis, its middle towards `way` (degrees), turned by `turn`."""
+    half = 0.01 * math.sqrt(2)
+    return (f"{{-pos {{{x + half * math.cos(math.radians(way))!r} {half * math.sin(math.radians(way))!r} 0}} -rot {{0 0 {math.radians(turn)!r}}} "
+            "-box {0.02 0.02 0.4}}")
+
+
+def fall_lasts(turned, height, accelerated):
+    """A rod falls by an angle about one point from rest: 2/3 w^2 = g height(angle), whose first rate at 0 is w' = `accelerated`."""
+    count = 2000  # Simpson's rule on angle = s^2, where dt / ds = 2 s / w is smooth
+
+    def late(s):
+        return 2 * s / math.sqrt(1.5 * G * height(s * s)) if s else math.sqrt(2 / accelerated)
+
+    step = math.sqrt(turned) / count
+    return step / 3 * sum(late(k * step) * (1 if k in (0, count) else 4 if k % 2 else 2) for k in range(count + 1))
+
+
+def first_angle(low, high, is_over):
+    for _ in range(100):
+        middle = (low + high) / 2
+        low, high = (low, middle) if is_over(middle) else (middle, high)
+    return high
+
+
+def tipping_rod(mu):
+    """A thin rod stands on its lower end, 0.05 rad from upright; the scene, and when it slips."""
+    scene = (f"simulator -finish 1.4\nshape_set floor -desc {{-sub {{-plane}}}}\nshape_set rod -desc {{-sub {wedge(-1, 30, -15)}}}\n"
+             f"body floor floor -fixed 1 -friction {mu}\nbody rod rod -mass 1 -center {{0 0 0}} -inertia {{0.1 {1 / 3!r} {1 / 3!r}}} -restitution 0 "
+             f"-friction {mu} -init_pos {{{math.sin(0.05)!r} {math.cos(0.05)!r} 0}} -init_rot {{0 0 {math.pi / 2 - 0.05!r}}}\n" + contacts.gravity("rod"))
+
+    def height(turned):
+        return 2 * math.sin(0.05 + turned / 2) * math.sin(turned / 2)
+
+    def slips(turned):
+        s, c = math.sin(0.05 + turned), math.cos(0.05 + turned)
+        square, rate = 1.5 * G * height(turned), 0.75 * G * s
+        return abs(rate * c - square * s) > mu * (G - rate * s - square * c)
+
+    until = 1e-3
+    while not slips(until):
+        until += 1e-3
+    return scene, fall_lasts(first_angle(until - 1e-3, until, slips), height, 0.75 * G * math.sin(0.05))
+
+
+def smooth_ladder():
+    """A thin ladder of 2 m slides down between a smooth floor and a smooth wall, from 70 degrees; it leaves the wall at 2/3 of its height."""
+    a = math.radians(70)
+    scene = ("simulator -finish 0.7\nshape_set side -desc {-sub {-plane}}\n"
+             f"shape_set ladder -desc {{-sub {wedge(1, -120, 15)} -sub {wedge(-1, -35, 10)}}}\nbody floor side -fixed 1\n"
+             f"body wall side -fixed 1 -init_rot {{0 0 {-math.pi / 2!r}}}\nbody ladder ladder -mass 10 -center {{0 0 0}} "
+             f"-inertia {{0.1 {10 / 3!r} {10 / 3!r}}} -restitution 0 -init_pos {{{math.cos(a)!r} {math.sin(a)!r} 0}} "
+             f"-init_rot {{0 0 {math.pi - a!r}}}\n" + contacts.gravity("ladder"))
+    return scene, fall_lasts(a - math.asin(math.sin(a) * 2 / 3), lambda b: 2 * math.cos(a - b / 2) * math.sin(b / 2), 0.75 * G * math.cos(a))
+
+
 def cases():
     """Of each: the scene, and its instants: time, kind, names."""
     stop = 5 / (G * (math.sin(0.3) + 0.4 * math.cos(0.3)))
@@ -80,6 +136,11 @@ def cases():
     yield "hangs", HANG, [(math.sqrt(2 * 0.5 / G), "taut", "b r"), (math.sqrt(2 / G), "limit", "c j"), (1.5, "release", "c j")]
     yield "brake", BRAKE, [(0.5, "stick", "b rail"), (1, "switch", "b"), (1, "slip", "b rail")]
     yield "swings", SWINGS, [(math.pi / 2, "switch", "b"), (math.pi, "switch", "b")]
+    for mu in (0.3, 1):
+        scene, slips = tipping_rod(mu)
+        yield f"tipping_rod, friction {mu}", scene, [(slips, "slip", "floor rod")]
+    scene, leaves = smooth_ladder()
+    yield "smooth_ladder", scene, [(leaves, "open", "wall ladder")]
     yield "painleve", PAINLEVE, [(0, "inconsistent", "rod")]
     falls = math.sqrt(2 * 0.4 / G)
     yield "pair_bounces", contacts.CASES["pair_bounces"][0], [(falls, "impact", "ground a"), (falls, "impact", "ground b")]
