@@ -53,6 +53,14 @@ CASES = (
      ':6:1: warning: rope "r": it leads more than 5.7 degrees out of the plane of the wheel of body "h" at t = '),
     (DRUM % "{-0.2 2 0} -init_dpos {0 0 6.5}", 'rope "r" at the wheel of body "h" leads '),
     (DRUM % "{-0.2 2 0} -init_dpos {0 0 6.5}", " degrees out of its plane and over its side, which is not modelled; let the motion finish"),
+    (PIN + "-position {t*t} -limits {-1 0.49}",
+     "Stopped at t = 0.7: no forces of pin keep all that is to hold here: there is no solution; pin has -limits {-1 0.49}; -position of pin "
+     "goes on against its -limits with whatever force it takes: let it stay within them, or give it -max_motor."),
+    (PIN + "-position {t*t} -limits {-1 0.49} -max_motor 20", ""),
+    (PIN + "-speed 1 -limits {-1 0.5}",
+     "Stopped at t = 0.5: no forces of pin were found that last: what they hold opens, closes or slips without end, and no time goes on; "
+     "pin has -limits {-1 0.5}; -speed of pin goes on against its -limits with whatever force it takes: let it stay within them, or give it "
+     "-max_motor."),
     (PIN + "-limits {-1 1} -release {a.x}", ':4:76: error: -release of joint "pin": it wants a comparison, as {t > 2}'),
     ("joint pin -type ball -body1 a -offset1 {-0.5 0 0} -offset2 {0 1 0}",
      ':4:1: error: joint "pin": its bodies miss each other by 1 at the start'),

@@ -243,7 +243,7 @@ TEST(Bounds, AStopThatCannotHoldIsNamed) {
                                  3, tolerance(1e-6));
     const auto& stops = solver.histories().stops();
     ASSERT_FALSE(stops.empty());
-    EXPECT_EQ(stops[0].reason, Stop::Reason::bounds) << stops[0].sentence;
+    EXPECT_EQ(stops[0].reason, Stop::Reason::unheld) << stops[0].sentence;
     EXPECT_NE(stops[0].sentence.find("no forces of catch"), std::string::npos) << stops[0].sentence;
     EXPECT_EQ(stops[0].sentence.find("expression"), std::string::npos);
 }

@@ -158,7 +158,8 @@ void Lister::addEnds(const ComputedMotion::Part& part) {
                 continue;
             if (ended.reason == Reason::contradiction && areSingular(scene_, {body}))
                 add(stop.time, "indeterminate", scene_.bodies[body].name);
-            else if (ended.reason == Reason::contradiction || ended.reason == Reason::bounds)
+            else if (ended.reason == Reason::contradiction || ended.reason == Reason::unheld ||
+                     ended.reason == Reason::bounds)
                 add(stop.time, "inconsistent", scene_.bodies[body].name);
         }
     }

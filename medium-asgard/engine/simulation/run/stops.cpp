@@ -1,6 +1,7 @@
 #include "run/stops.h"
 
 #include "physics/blame.h"
+#include "scene/joint_types.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,10 +12,14 @@ namespace {
 
 constexpr double largest = solution::largestValue;
 
-std::string sentenceAt(double time, const std::string& reason) {
+std::string number(double value) {
     char text[40];
-    std::snprintf(text, sizeof text, "%.6g", time);
-    return std::string("Stopped at t = ") + text + ": " + reason + ".";
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return text;
+}
+
+std::string sentenceAt(double time, const std::string& reason) {
+    return "Stopped at t = " + number(time) + ": " + reason + ".";
 }
 
 // Values of unknowns a little after a stop, or before it.
@@ -95,6 +100,60 @@ std::string adviceFor(solution::Stop::Reason reason, bool isBlamed, bool isWritt
     }
 }
 
+// "-max_motor 10, -limits {-1 0.5}": what bounds the forces of a joint's coordinate.
+std::string boundsOf(const scene::Joint& joint, std::size_t place) {
+    const scene::JointCoordinate& c = joint.coordinates[place];
+    const std::string suffix = scene::coordinateSuffix(joint.type, place);
+    std::string text;
+    const auto add = [&](const char* option, const std::string& value) {
+        text += (text.empty() ? "" : ", ") + std::string(option) + suffix + " " + value;
+    };
+    const auto end = [](const std::optional<double>& at) { return at ? number(*at) : "{}"; };
+    if (c.maxMotor)
+        add("-max_motor", number(*c.maxMotor));
+    if (c.friction > 0)
+        add("-friction", number(c.friction));
+    if (c.lower || c.upper)
+        add("-limits", "{" + end(c.lower) + " " + end(c.upper) + "}");
+    return text;
+}
+
+// A drive that goes on against the stops of its own joint, with whatever force that takes.
+bool isDrivenIntoStops(const scene::JointCoordinate& c) {
+    return (c.speed || c.position) && !c.maxMotor && (c.lower || c.upper);
+}
+
+// What bounds the joints whose forces were not found, and what to do about it.
+struct Bounded {
+    std::string bounds, remedy; // clauses; "": none
+};
+
+Bounded boundedIn(const Problem& problem, const solution::Stop& stop) {
+    std::string bounds, remedy;
+    std::vector<std::string> told;
+    for (const std::size_t unknown : stop.culprits) {
+        const std::string& name = problem.equations.set.unknowns[unknown].name;
+        const scene::Joint* joint = scene::findJoint(problem.scene, name);
+        if (!joint || std::ranges::find(told, name) != told.end())
+            continue;
+        told.push_back(name);
+        for (std::size_t place = 0; place < joint->coordinates.size(); ++place) {
+            const scene::JointCoordinate& c = joint->coordinates[place];
+            if (const std::string text = boundsOf(*joint, place); !text.empty())
+                bounds += (bounds.empty() ? "; " : ", ") + name + " has " + text;
+            if (remedy.empty() && isDrivenIntoStops(c))
+                remedy = std::string(c.position ? "; -position" : "; -speed") +
+                         scene::coordinateSuffix(joint->type, place) + " of " + name +
+                         " goes on against its -limits with whatever force it takes: let it stay "
+                         "within them, or give it -max_motor";
+        }
+    }
+    // Several joints may contradict each other, whatever bounds stand beside.
+    if (stop.reason == solution::Stop::Reason::contradiction && (remedy.empty() || told.size() > 1))
+        return {};
+    return {bounds, remedy};
+}
+
 struct Why {
     std::string reason; // no time in it
     std::optional<Stop::Culprit> culprit = {};
@@ -123,8 +182,13 @@ Why whyOf(const Problem& problem, const physics::Suspects& suspects,
             ": there are several solutions: the joints stand in a singular position, as a flat "
             "linkage does, from which they can move in two ways; let them start a little "
             "beside it";
-    if (stop.reason == Reason::bounds)
+    if (stop.reason == Reason::unheld)
         reason += ": there is no solution";
+    Bounded bounded;
+    if (stop.reason == Reason::unheld || stop.reason == Reason::bounds ||
+        (contradicts && blames.empty()))
+        bounded = boundedIn(problem, stop);
+    reason += bounded.bounds;
     std::string named;
     bool isWritten = false;
     std::vector<std::string> told; // once, though it is on several bodies
@@ -140,7 +204,9 @@ Why whyOf(const Problem& problem, const physics::Suspects& suspects,
         reason = named;
     else if (!named.empty())
         reason += ", since " + named;
-    Why why{.reason = reason + adviceFor(stop.reason, !named.empty(), isWritten)};
+    Why why{.reason =
+                reason + (bounded.remedy.empty() ? adviceFor(stop.reason, !named.empty(), isWritten)
+                                                 : bounded.remedy)};
     using enum physics::Contribution::Kind;
     if (!blames.empty()) {
         const auto kind = problem.equations.contributions[blames[0].contribution].kind;

@@ -37,6 +37,7 @@ struct Stop {
         tooManySteps,  // more steps than Options::maximumSteps
         decisions,     // switching expressions flip without time advancing
         bounds,        // multipliers reach their bounds again and again, without time advancing
+        unheld,        // no multipliers within their bounds keep what holds
         contradiction, // no multipliers keep their conditions
         algebraicLoop, // held values that are defined by each other
         tooManyEvents, // more events at one instant than Options::maximumEventsAtOnce

@@ -194,12 +194,17 @@ void Component::changeMethodAfterStride() {
 // Switches
 
 void Component::pass(const Violation& violation, bool immediate) {
-    const auto giveUp = [&] {
-        if (const auto bounded = equations_->boundedOf(violation); !bounded.empty())
-            return end(Stop::Reason::bounds, bounded,
-                       "contacts, ropes, stops or brakes open, close or slip here without end and "
-                       "no time goes on: no forces of " +
-                           context_.names(bounded) + " were found that hold them as they are");
+    const auto giveUp = [&](bool isEndless) {
+        if (const auto bounded = equations_->boundedOf(violation); !bounded.empty()) {
+            const std::string names = context_.names(bounded);
+            return isEndless
+                       ? end(Stop::Reason::bounds, bounded,
+                             "no forces of " + names +
+                                 " were found that last: what they hold opens, closes or slips "
+                                 "without end, and no time goes on")
+                       : end(Stop::Reason::unheld, bounded,
+                             "no forces of " + names + " keep all that is to hold here");
+        }
         const std::vector<std::size_t> flipping = equations_->guards().unknownsOf(violation);
         end(Stop::Reason::decisions, flipping.empty() ? std::vector<std::size_t>{0} : flipping,
             "expressions that switch with " + switchingWith(violation) +
@@ -209,11 +214,11 @@ void Component::pass(const Violation& violation, bool immediate) {
     ++counts_.switches;
     if (immediate) {
         if (switches_.addAtOnce() > 8 * equations_->watches() + 8)
-            return giveUp();
+            return giveUp(true);
     } else {
         switches_.add(progress_.time, equations_->guards().surfacesOf(violation));
         if (switches_.isEndless(progress_.time))
-            return giveUp();
+            return giveUp(true);
     }
     std::vector<double> y = states();
     equations_->inputs().window(infinity);
@@ -221,7 +226,7 @@ void Component::pass(const Violation& violation, bool immediate) {
     if ((immediate || !comesToRest(y)) &&
         equations_->solver().cross(violation, progress_.time, y, passing(violation, immediate)) ==
             ComponentEquations::Crossing::impossible)
-        return giveUp();
+        return giveUp(false);
     endWhereApart(equations_->farApart());
     progress_.put(equations_->states(), y);
     takeHeldValues();
