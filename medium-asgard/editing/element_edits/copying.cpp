@@ -167,6 +167,7 @@ private:
     };
     [[nodiscard]] std::string readItems();
     [[nodiscard]] bool isThere(const Item& item) const;
+    [[nodiscard]] std::string hasWeight(const Item& item) const;
     void nameAnew();
     void findWay();
     [[nodiscard]] const Word* valueOf(const Item& item, std::string_view option) const;
@@ -219,6 +220,18 @@ bool Pasting::isThere(const Item& item) const {
             slice(text_, source->command) == slice(clip_, item.command->range))
             return true;
     return false;
+}
+
+// The body of the scene whose second weight it would be; "": of none.
+std::string Pasting::hasWeight(const Item& item) const {
+    const Word* body = valueOf(item, "-body");
+    if (item.kind != Kind::force || body == nullptr || valueOf(item, "-gravitational") == nullptr)
+        return {};
+    const std::string name = slice(clip_, body->content);
+    const bool hasOne = std::ranges::any_of(scene_.forces, [&](const scene::Force& force) {
+        return force.body == name && std::holds_alternative<scene::GravitationalForce>(force.kind);
+    });
+    return hasOne ? name : std::string();
 }
 
 void Pasting::nameAnew() {
@@ -357,8 +370,11 @@ Pasted Pasting::pasted() {
     findWay();
     std::vector<NewElement> elements;
     std::map<Kind, std::size_t> counts;
+    std::string heavy;
     for (const Item& item : items_) {
-        if (isThere(item))
+        if (const std::string body = hasWeight(item); !body.empty())
+            heavy = body;
+        if (isThere(item) || !hasWeight(item).empty())
             continue;
         const std::size_t index = countOf(scene_, item.kind) + counts[item.kind]++;
         if (item.kind != Kind::shapeSet)
@@ -366,7 +382,9 @@ Pasted Pasting::pasted() {
         elements.push_back(elementOf(item));
     }
     if (elements.empty())
-        pasted.reason = "The scene has all of it already.";
+        pasted.reason = heavy.empty() ? "The scene has all of it already."
+                                      : heavy + " has a weight already: select a body to copy it "
+                                                "with its weight.";
     pasted.edits = created(text_, scene_, elements);
     return pasted;
 }

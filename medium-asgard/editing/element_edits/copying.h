@@ -34,11 +34,11 @@ struct Pasted {
 };
 
 // Puts commands into a text. A shape set or trajectory that is there word for word is not put in
-// again. A name that is taken gets a number, wherever the commands mention it. Where a body would
-// stand exactly where another one does, all of them are moved by `beside`, as often as it takes,
-// and so are the points of the world and of other bodies that joints and springs hold them by. What
-// is the same and cannot be there twice (a simulator) is refused, as is all that is no command of a
-// scene.
+// again, nor a second weight of a body that has one: they would add up. A name that is taken gets a
+// number, wherever the commands mention it. Where a body would stand exactly where another one
+// does, all of them are moved by `beside`, as often as it takes, and so are the points of the world
+// and of other bodies that joints and springs hold them by. What is the same and cannot be there
+// twice (a simulator) is refused, as is all that is no command of a scene.
 [[nodiscard]] Pasted pasted(const std::string& text, const scene::Scene& scene,
                             const std::string& commands, const geometry::Vector& beside);
 

@@ -52,6 +52,20 @@ TEST(Copying, ACopyInTheSameSceneHasOtherNamesAndStandsBeside) {
     EXPECT_THAT(paste.added, ElementsAre(Element{Kind::body, 2}, Element{Kind::force, 1}));
 }
 
+TEST(Copying, ABodyGetsNoSecondWeight) {
+    const std::string heavy = "shape_set s -desc {-sub {-sphere 0.5}}\nbody a s\n"
+                              "force -body a -gravitational {0 -9.81 0}\n";
+    const auto scene = readScene(heavy);
+    const Copied weight = copied(heavy, *scene, {{Kind::force, 0}});
+    EXPECT_EQ(pasted(heavy, *scene, weight.commands, Vector(1, 0, 0)).reason,
+              "a has a weight already: select a body to copy it with its weight.");
+    const Copied both = copied(heavy, *scene, {{Kind::body, 0}, {Kind::force, 0}});
+    const std::string text =
+        text::applied(heavy, pasted(heavy, *scene, both.commands, Vector(1, 0, 0)).edits);
+    EXPECT_THAT(text, HasSubstr("force -body a2 -gravitational {0 -9.81 0}\n"));
+    EXPECT_EQ(readScene(text)->forces.size(), 2U);
+}
+
 TEST(Copying, BothBodiesKeepTheirJoint) {
     const auto scene = readScene(pair);
     const Copied copy = copied(pair, *scene, {{Kind::body, 0}, {Kind::body, 1}});

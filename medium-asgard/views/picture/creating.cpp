@@ -269,7 +269,8 @@ void Creating::finish() {
             Q_EMIT refused(recipe.otherwise);
         return;
     }
-    const editing::Element marked = markedOf(scene, made, moved);
+    const auto marked =
+        recipe.keepsSelection ? std::nullopt : std::optional(markedOf(scene, made, moved));
     addWeightAsOthersHaveIt(made, scene);
     text::Edits edits = editing::created(document_.text(), scene, made);
     edits.insert(edits.end(), changes.edits.begin(), changes.edits.end());

@@ -65,8 +65,8 @@ public:
 
 Q_SIGNALS:
     void changed();
-    // It is in the text: what it is, and whose handles to show.
-    void created(editing::Element element, HandleSwitch handles);
+    // It is in the text: what it is, where it is to be selected, and whose handles to show.
+    void created(const std::optional<editing::Element>& element, HandleSwitch handles);
     // To be shown before one can click on it.
     void needs(HandleSwitch what);
     void refused(const QString& why);

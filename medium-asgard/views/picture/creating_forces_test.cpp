@@ -85,6 +85,7 @@ TEST_F(CreatingTest, AllBodiesThatCanFallGetTheirWeightAtOnce) {
     done();
     ASSERT_EQ(scene().forces.size(), 2U);
     EXPECT_THAT(text(), HasSubstr("force -body b2 -gravitational {0 0 -1.6}\n"));
+    EXPECT_THAT(editor.document().selected(), testing::IsEmpty());
     display().creating().start(weightForAll(usualGravity(scene())));
     EXPECT_THAT(display().editing().said().toStdString(), HasSubstr("has a weight already"));
 }

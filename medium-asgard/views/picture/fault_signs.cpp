@@ -19,6 +19,22 @@ namespace {
 constexpr double half = 8, above = 14, near = 11; // points
 constexpr std::size_t most = 60;                  // LIMIT: of more, the first
 
+// Faults quote the bodies that they are about: Bodies "a" and "b" overlap.
+std::optional<std::size_t> otherBodyIn(const std::string& words, const scene::Scene& scene,
+                                       std::size_t body) {
+    for (std::size_t from = words.find('"'), to = 0; from != std::string::npos;
+         from = words.find('"', to + 1)) {
+        to = words.find('"', from + 1);
+        if (to == std::string::npos)
+            return std::nullopt;
+        const std::string name = words.substr(from + 1, to - from - 1);
+        const scene::Body* other = scene::findBody(scene, name);
+        if (other != nullptr && name != scene.bodies[body].name)
+            return static_cast<std::size_t>(other - scene.bodies.data());
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
 FaultSigns::FaultSigns(SceneDocument& document, SceneDisplay& display)
@@ -43,20 +59,44 @@ const std::vector<FaultSigns::Fault>& FaultSigns::faults() const {
              editing::elementsAt(*document_.shown().scene, one.range))
             if ((element.kind == Kind::body || element.kind == Kind::joint) &&
                 faults_->size() < most)
-                faults_->push_back({element, one.severity == scene::Severity::error,
-                                    QString::fromStdString(one.message)});
+                faults_->push_back(
+                    {element, one.severity == scene::Severity::error,
+                     QString::fromStdString(one.message),
+                     element.kind == Kind::body
+                         ? otherBodyIn(one.message, *document_.shown().scene, element.index)
+                         : std::nullopt});
     }
     return *faults_;
 }
 
-std::optional<geometry::Vector> FaultSigns::placeOf(const editing::Element& element) const {
-    const Shown& shown = document_.shown();
-    const scene::Scene& scene = *shown.scene;
-    if (element.kind == Kind::body)
-        return element.index < scene.bodies.size() &&
-                       !render::isHidden(display_.display(), scene.bodies[element.index])
-                   ? std::optional(display_.centerOf(element.index))
-                   : std::nullopt;
+std::optional<geometry::Vector> FaultSigns::placeOfBody(std::size_t body) const {
+    const scene::Scene& scene = *document_.shown().scene;
+    return body < scene.bodies.size() && !render::isHidden(display_.display(), scene.bodies[body])
+               ? std::optional(display_.centerOf(body))
+               : std::nullopt;
+}
+
+// From its origin; a half space, of which nothing is outlined, has no end.
+double FaultSigns::reachOf(std::size_t body) const {
+    const scene::Scene& scene = *document_.shown().scene;
+    double reach = 0;
+    for (const render::Ball& ball : render::outlineOf(scene, scene.bodies[body]))
+        reach = std::max(reach, ball.center.norm() + ball.radius);
+    return reach > 0 ? reach : 1e9;
+}
+
+std::optional<geometry::Vector> FaultSigns::placeOf(const Fault& fault) const {
+    const scene::Scene& scene = *document_.shown().scene;
+    const editing::Element& element = fault.element;
+    if (element.kind == Kind::body) {
+        const auto first = placeOfBody(element.index);
+        const auto second = fault.other ? placeOfBody(*fault.other) : std::nullopt;
+        if (!first || !second)
+            return first ? first : second;
+        // Where two balls touch; of a ball on a wide floor, near the ball.
+        const double reach = reachOf(element.index), others = reachOf(*fault.other);
+        return geometry::Vector(*first + reach / (reach + others) * (*second - *first));
+    }
     if (element.index >= scene.joints.size())
         return std::nullopt;
     const render::Drawing drawn = display_.drawn();
@@ -68,7 +108,7 @@ std::optional<geometry::Vector> FaultSigns::placeOf(const editing::Element& elem
 std::vector<FaultSigns::Sign> FaultSigns::signs() const {
     std::vector<Sign> signs;
     for (const Fault& fault : faults()) {
-        const auto place = placeOf(fault.element);
+        const auto place = placeOf(fault);
         if (!place || display_.sight().depth(*place) >= render::eyeOf(display_.camera()))
             continue;
         const QPointF at = display_.fromPixels(display_.sight().pixels(*place)) - QPointF(0, above);

@@ -1,4 +1,5 @@
-// Triangles at the bodies and joints that faults of the text are about. Faults of the motion, which
+// Triangles at the bodies and joints that faults of the text are about; of two bodies that overlap,
+// where they do. Faults of the motion, which
 // have a time, are on the bar of times.
 #pragma once
 
@@ -34,9 +35,12 @@ private:
         editing::Element element;
         bool isError;
         QString words;
+        std::optional<std::size_t> other = {}; // the second body that it is about
     };
     [[nodiscard]] const std::vector<Fault>& faults() const;
-    [[nodiscard]] std::optional<geometry::Vector> placeOf(const editing::Element& element) const;
+    [[nodiscard]] std::optional<geometry::Vector> placeOf(const Fault& fault) const;
+    [[nodiscard]] std::optional<geometry::Vector> placeOfBody(std::size_t body) const;
+    [[nodiscard]] double reachOf(std::size_t body) const;
 
     SceneDocument& document_;
     SceneDisplay& display_;

@@ -42,5 +42,31 @@ TEST(FaultSigns, StandAtTheElementsThatFaultsAreAbout) {
     EXPECT_TRUE(display.faultSigns().signs().empty());
 }
 
+TEST(FaultSigns, OfTwoBodiesThatOverlapStandWhereTheyDo) {
+    theApplication();
+    Editor editor{engineWorkshop()};
+    GraphicalViewer* viewer = editor.openGraphicalViewer();
+    SceneDisplay& display = viewer->display();
+    const auto placeIn = [&](const std::string& text) {
+        editor.document().setText("simulator -finish 1\nshape_set s -desc {-sub {-sphere 0.5}}\n"
+                                  "shape_set wide -desc {-sub {-box {40 1 40}}}\n" +
+                                      text,
+                                  "Edit");
+        EXPECT_TRUE(settle(editor.document()));
+        display.grab();
+        const auto signs = display.faultSigns().signs();
+        EXPECT_EQ(signs.size(), 1U);
+        return signs.empty() ? QPointF() : signs[0].place;
+    };
+    const auto isAt = [&](const QPointF& sign, const QPointF& place) {
+        return (sign + QPointF(0, 14) - place).manhattanLength() < 12;
+    };
+    const QPointF onFloor =
+        placeIn("body floor wide -init_pos {0 -0.5 0} -fixed 1\nbody b s -init_pos {6 0.3 4}\n");
+    EXPECT_TRUE(isAt(onFloor, display.placeOf(6, 0.2, 4)));
+    const QPointF between = placeIn("body a s\nbody b s -init_pos {0.8 0 0}\n");
+    EXPECT_TRUE(isAt(between, display.placeOf(0.4, 0, 0)));
+}
+
 } // namespace
 } // namespace views

@@ -208,6 +208,7 @@ Recipe newAttraction() {
 Recipe attractionOfAll() {
     Recipe recipe;
     recipe.label = QObject::tr("Attraction of All Bodies");
+    recipe.keepsSelection = true;
     recipe.make = [](const std::string& text, const scene::Scene& scene,
                      const std::vector<Indicated>&) {
         Attractions made(text, scene);

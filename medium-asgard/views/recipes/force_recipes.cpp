@@ -141,6 +141,7 @@ Recipe weights(const Vector& acceleration, std::function<bool(std::size_t)> isMe
         return made;
     };
     recipe.handles = &render::Display::forceHandles;
+    recipe.keepsSelection = true;
     return recipe;
 }
 

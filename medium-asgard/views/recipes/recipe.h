@@ -97,6 +97,7 @@ struct Recipe {
     std::function<Recipe(double times)> sized = {};
     // Of what makes nothing: the answer, said in the end.
     std::function<QString(const std::vector<Indicated>& shown)> tells = {};
+    bool keepsSelection = false; // it is done to many, and one goes on with what one has
 };
 
 } // namespace views

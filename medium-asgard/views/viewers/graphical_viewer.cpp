@@ -379,12 +379,15 @@ void GraphicalViewer::keepView() {
 }
 
 // What is new is shown with its handles, and marked.
-void GraphicalViewer::showCreated(editing::Element element, HandleSwitch handles) {
+void GraphicalViewer::showCreated(const std::optional<editing::Element>& element,
+                                  HandleSwitch handles) {
     if (handles)
         panel_->show(handles);
-    if (element.kind == editing::Kind::plot)
+    if (!element)
+        return;
+    if (element->kind == editing::Kind::plot)
         panes_.show("plots");
-    display_->editing().expect({element});
+    display_->editing().expect({*element});
 }
 
 // While a body is held the time stands still. A motion that played goes on from there, as soon as

@@ -75,7 +75,7 @@ private:
     void toggleFullScreen();
     void stop();
     void keepView();
-    void showCreated(editing::Element element, HandleSwitch handles);
+    void showCreated(const std::optional<editing::Element>& element, HandleSwitch handles);
 
     SceneDocument& document_;
     Windows windows_;
