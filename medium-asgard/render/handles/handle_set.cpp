@@ -148,7 +148,7 @@ void Handles::addForces(HandleSet& set, double time, const Display& display) {
         const auto* path = std::get_if<scene::TrajectoryForce>(&force.kind);
         const bool shown = (force.couple ? display.torqueHandles : display.forceHandles) ||
                            (display.trajectories && path);
-        if (!shown || body == scene_.bodies.size())
+        if (!shown || body == scene_.bodies.size() || isHidden(display, scene_.bodies[body]))
             continue;
         const geometry::Pose pose = poseOf(scene_, motion_.get(), body, time);
         const double scale = viewUnit_ * (force.couple ? scales_.torque : scales_.force);
@@ -179,7 +179,17 @@ void Handles::addForces(HandleSet& set, double time, const Display& display) {
     }
 }
 
-void Handles::addLinks(HandleSet& set, double time) {
+namespace {
+
+// What joins hidden bodies is hidden with them; the world is none. `second`: "": it.
+bool areHidden(const Display& display, const std::string& first, const std::string& second) {
+    return display.hidden && display.hidden->contains(first) &&
+           (second.empty() || display.hidden->contains(second));
+}
+
+} // namespace
+
+void Handles::addLinks(HandleSet& set, double time, const Display& display) {
     for (std::size_t i = 0; i < scene_.links.size(); ++i) {
         const scene::Link& link = scene_.links[i];
         const auto onBody = [&](const scene::BodyEnd& end, std::size_t part) {
@@ -190,13 +200,15 @@ void Handles::addLinks(HandleSet& set, double time) {
             set.handles.back().clear = reaches_[body] + (place - pose.position).norm();
             return place;
         };
-        if (indexOf(link.first.body) == scene_.bodies.size())
+        const auto* other = std::get_if<scene::BodyEnd>(&link.second);
+        if (indexOf(link.first.body) == scene_.bodies.size() ||
+            areHidden(display, link.first.body, other ? other->body : std::string()))
             continue;
         const Vector first = onBody(link.first, 0);
         std::optional<Vector> second;
-        if (const auto* body = std::get_if<scene::BodyEnd>(&link.second)) {
-            if (indexOf(body->body) < scene_.bodies.size())
-                second = onBody(*body, 1);
+        if (other) {
+            if (indexOf(other->body) < scene_.bodies.size())
+                second = onBody(*other, 1);
         } else if (const auto* point = std::get_if<scene::PointEnd>(&link.second)) {
             second = values_.at(point->coordinates, time);
             if (second)
@@ -216,12 +228,12 @@ void Handles::addLinks(HandleSet& set, double time) {
     }
 }
 
-void Handles::addJoints(HandleSet& set, double time) const {
+void Handles::addJoints(HandleSet& set, double time, const Display& display) const {
     const JointPlaces places(scene_, motion_.get());
     for (std::size_t i = 0; i < scene_.joints.size(); ++i) {
         const scene::Joint& joint = scene_.joints[i];
         const auto place = places.at(joint, time);
-        if (!place)
+        if (!place || areHidden(display, joint.body1, joint.body2.value_or("")))
             continue;
         const JointEnd &first = place->ends[0], &second = place->ends[1];
         if (scene::traitsOf(joint.type).hasAxis) {
@@ -307,12 +319,14 @@ void Handles::addPoints(HandleSet& set, std::size_t index, const Handle& like) c
 }
 
 // The values of a force are arrows from where it acts now, no path in space.
-void Handles::addTrajectories(HandleSet& set, double time) const {
+void Handles::addTrajectories(HandleSet& set, double time, const Display& display) const {
     for (std::size_t i = 0; i < scene_.trajectories.size(); ++i) {
         const scene::Trajectory& trajectory = scene_.trajectories[i];
         Handle like{HandleKind::trajectoryPoint, i};
         if (const scene::Force* force = forceAlong(trajectory)) {
             const std::size_t body = indexOf(force->body);
+            if (isHidden(display, scene_.bodies[body]))
+                continue;
             const geometry::Pose pose = poseOf(scene_, motion_.get(), body, time);
             like.frame.position = pointOn(body, force->offset, pose);
             like.perUnit = viewUnit_ * (force->couple ? scales_.torque : scales_.force);
@@ -347,13 +361,13 @@ HandleSet Handles::at(double time, const Display& display, const Camera& camera,
     if (display.forceHandles || display.torqueHandles || display.trajectories)
         addForces(set, time, display);
     if (display.linkHandles)
-        addLinks(set, time);
+        addLinks(set, time, display);
     if (display.jointHandles)
-        addJoints(set, time);
+        addJoints(set, time, display);
     if (display.lightHandles)
         addLights(set);
     if (display.trajectories)
-        addTrajectories(set, time);
+        addTrajectories(set, time, display);
     keepInside(set, camera, size);
     spread(set, camera, size);
     return set;

@@ -67,10 +67,10 @@ public:
 private:
     void addBody(HandleSet& set, std::size_t index, const Display& display) const;
     void addForces(HandleSet& set, double time, const Display& display);
-    void addLinks(HandleSet& set, double time);
-    void addJoints(HandleSet& set, double time) const;
+    void addLinks(HandleSet& set, double time, const Display& display);
+    void addJoints(HandleSet& set, double time, const Display& display) const;
     void addLights(HandleSet& set) const;
-    void addTrajectories(HandleSet& set, double time) const;
+    void addTrajectories(HandleSet& set, double time, const Display& display) const;
     void addPoints(HandleSet& set, std::size_t trajectory, const Handle& like) const;
     // The force that alone follows it.
     [[nodiscard]] const scene::Force* forceAlong(const scene::Trajectory& trajectory) const;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 namespace render {
 namespace {
@@ -55,6 +56,32 @@ TEST(Handles, ForcesHaveHandlesUnlessTheyChangeOnTheirOwn) {
     EXPECT_NEAR((later.handles[5].place - later.handles[5].base).z() / later.handles[5].perUnit, 3,
                 1e-9);
     EXPECT_FALSE(set.handles[5].movable);
+}
+
+// One would not know what they belong to.
+TEST(Handles, HiddenBodiesHaveNone) {
+    scene::Scene scene;
+    for (const double x : {0.0, 3.0})
+        addBody(scene, sphere(1), {x, 0, 0}, red);
+    const std::string first = scene.bodies[0].name, second = scene.bodies[1].name;
+    for (const std::string& body : {first, second})
+        scene.forces.push_back(
+            {body, false, std::nullopt, scene::GravitationalForce{{0, -10, 0}}, {}, {}});
+    addJoint(scene, scene::JointType::hinge, {1, 0, 0});
+    addJoint(scene, scene::JointType::ball, {1, 0, 0}).body2 = second;
+    scene.links.emplace_back().first.body = first;
+    scene.links.back().second = scene::BodyEnd{second, {}};
+    Display display;
+    display.positionHandles = display.forceHandles = display.jointHandles = display.linkHandles =
+        true;
+    const auto count = [&](std::set<std::string> hidden) {
+        display.hidden = std::make_shared<const std::set<std::string>>(std::move(hidden));
+        return Handles(scene, nullptr).at(0, display).handles.size();
+    };
+    // Places, weights, the hinge with its axis, the ball, the link.
+    EXPECT_EQ(count({}), 2U + 4 + 2 + 1 + 2);
+    EXPECT_EQ(count({first}), 1U + 2 + 0 + 1 + 2); // what joins it to the other is seen
+    EXPECT_EQ(count({first, second}), 0U);
 }
 
 TEST(Handles, LinksAndTrajectoriesAreLinesWithTheirEnds) {

@@ -128,11 +128,15 @@ bool TypedField::isLeft(QObject* watched, const QEvent& event) const {
                                                 widget && widget->window() == field_.window());
 }
 
-// A number, all of it: a press puts the caret into it, so that its button is waited for. Where a
-// drag has selected a part, that is meant.
+// A number, all of it, and again after Return, which leaves the keyboard here: a press puts the
+// caret into it, so that its button is waited for. Where a drag has selected a part, that is meant.
 bool TypedField::selects(const QEvent& event) {
     if (event.type() == QEvent::FocusIn)
         isClicked_ = static_cast<const QFocusEvent&>(event).reason() == Qt::MouseFocusReason;
+    if (event.type() == QEvent::MouseButtonPress && std::exchange(isGiven_, false))
+        isClicked_ = true;
+    if (event.type() == QEvent::KeyPress || event.type() == QEvent::FocusOut)
+        isGiven_ = false;
     const bool isReleased = event.type() == QEvent::MouseButtonRelease &&
                             std::exchange(isClicked_, false) && !field_.hasSelectedText();
     const bool isDouble = event.type() == QEvent::MouseButtonDblClick;
@@ -157,6 +161,7 @@ bool TypedField::takesKey(QEvent& event) {
     else {
         asked_ = field_.text();
         take(true);
+        isGiven_ = true;
     }
     leave();
     return true;

@@ -54,6 +54,7 @@ private:
     Uses uses_;
     QString asked_;          // to be taken, by Return
     bool isClicked_ = false; // the button is still down that brought the keyboard
+    bool isGiven_ = false;   // by Return: the next click is as the first one
 };
 
 } // namespace views

@@ -452,6 +452,17 @@ TEST_F(PropertiesTest, AClickOnANumberSelectsItAndTheNextOnePutsTheCaretInIt) {
     EXPECT_EQ(place.selectedText(), "");
     QTest::mouseDClick(&place, Qt::LeftButton, {}, QPoint(8, 8));
     EXPECT_EQ(place.selectedText(), "1.25");
+    QTest::keyClicks(&place, "5");
+    QTest::keyClick(&place, Qt::Key_Return);
+    ASSERT_TRUE(settle(document));
+    click(); // after a look at the motion, say
+    QTest::keyClicks(&place, "15");
+    EXPECT_EQ(place.text(), "15"); // and not 515
+    QTest::keyClick(&place, Qt::Key_Return);
+    QTest::keyClicks(&place, "2");
+    click(); // what is being typed is no matter of clicks
+    EXPECT_EQ(place.selectedText(), "");
+    QTest::keyClick(&place, Qt::Key_Return);
     document.select({{Kind::force, 0}});
     settleTimers();
     QLineEdit& along = field("-y");
