@@ -276,9 +276,19 @@ protected:
                    ? nullptr
                    : shown[static_cast<qsizetype>(below(static_cast<std::size_t>(shown.size())))];
     }
+    // A hand elsewhere closes them first. Otherwise a button could open the menu again that it has
+    // open: Qt knows one loop of a menu alone, and the other one would never end.
+    static void closeMenus() {
+        for (QWidget* popup = nullptr;
+             QApplication::activePopupWidget() && QApplication::activePopupWidget() != popup;) {
+            popup = QApplication::activePopupWidget();
+            popup->close();
+        }
+    }
     QWidget* anyWidget() {
         if (QWidget* popup = QApplication::activePopupWidget(); popup && !rarely(4))
             return popup;
+        closeMenus();
         QWidget* window = anyWindow();
         if (!window)
             return nullptr;
