@@ -90,7 +90,8 @@ void addRender(CLI::App& app, batch::RenderArguments& a) {
 
 void addAssemble(CLI::App& app, batch::AssembleArguments& a) {
     CLI::App& c = *app.add_subcommand(
-        "assemble", "Move bodies so that their joints close, and write that into the scene's text");
+        "assemble",
+        "Move bodies so that joints close and none overlap, and write it into the scene's text");
     c.add_option("SCENE", a.scene, "the scene's file, - for standard input")->required();
     c.add_option("--output", a.output, "file for the new text, - for standard output");
 }

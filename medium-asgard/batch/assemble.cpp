@@ -3,7 +3,7 @@
 #include "batch/output.h"
 #include "element_edits/closing.h"
 #include "files/save.h"
-#include "physics/assembly.h"
+#include "placing/placing.h"
 #include "terminal/terminal.h"
 
 #include <algorithm>
@@ -57,7 +57,7 @@ int assembleCommand(script::Reader& reader, const AssembleArguments& arguments) 
     if (const auto refusal = unusable(scene))
         return refuse(*refusal);
     const scene::Scene& of = scene.reading.scene;
-    const physics::Assembly assembly = physics::assembled(of);
+    const physics::Assembly assembly = simulation::placed(of);
     if (!assembly.reason.empty())
         return refuse({failure, assembly.reason});
     std::vector<editing::NewPlace> places;
@@ -70,7 +70,8 @@ int assembleCommand(script::Reader& reader, const AssembleArguments& arguments) 
     for (const physics::Assembly::Moved& moved : assembly.moved)
         terminal::complain(toldOf(of, moved));
     if (closing.edits.empty() && !arguments.output && arguments.scene != "-") {
-        terminal::complain("asgard: all joints are closed: the text stays as it is");
+        terminal::complain(
+            "asgard: all joints are closed and no bodies overlap: the text stays as it is");
         return success;
     }
     return writeText(arguments, text::applied(scene.text, closing.edits)) ? success : failure;

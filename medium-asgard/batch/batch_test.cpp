@@ -44,8 +44,8 @@ TEST(Times, UsualOnesAreAHundredAndOne) {
 TEST(Faults, NameTheCommandThatClosesAJoint) {
     SceneText scene{"swing.al", "", {}};
     scene::Diagnostic said;
-    said.message = "joint \"pin\": its bodies miss each other by 0.5 at the start; " +
-                   std::string(physics::assembleAdvice);
+    said.message =
+        "joint \"pin\": its bodies miss each other by 0.5 at the start; " + physics::closeAdvice();
     EXPECT_THAT(placed(scene, said), HasSubstr("or let \"asgard assemble SCENE\" place them"));
     EXPECT_THAT(said.message, HasSubstr("Close It"));
     EXPECT_THAT(said.message, testing::Not(HasSubstr("asgard"))); // in a window

@@ -75,11 +75,9 @@ std::vector<std::string> faultsOf(const SceneText& scene) {
 }
 
 std::string placed(const SceneText& scene, scene::Diagnostic said) {
-    if (physics::asksToAssemble(said.message)) { // there is no window with its button
-        constexpr std::string_view button = "the button Close It";
-        if (const auto at = said.message.rfind(button); at != std::string::npos)
+    for (const std::string_view button : {physics::closeButton, physics::partButton})
+        if (const auto at = said.message.rfind(button); at != std::string::npos) // there is none
             said.message.replace(at, button.size(), "\"asgard assemble SCENE\"");
-    }
     script::locate(text::Places(scene.text), said);
     return scene::formatted(said, scene.file, scene.text);
 }

@@ -1,8 +1,11 @@
 #include "physics/assembly.h"
 
+#include "complementarity/convex.h"
 #include "physics/linkage.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <optional>
 #include <utility>
 
 namespace physics {
@@ -24,10 +27,140 @@ void shorten(Linkage& linkage, const std::function<bool()>& cancelled) {
     }
 }
 
+std::string openJoints(Linkage& linkage) {
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "the joints do not close by moving the bodies that are free to move; a gap of "
+                  "%.4g is left",
+                  linkage.largestGap());
+    return text;
+}
+
+// Bodies that no condition reads do not turn: where two faces overlap, no corner goes ahead.
+void holdTurns(Linkage& linkage) {
+    std::vector<char> held;
+    for (std::size_t i = 0; i < linkage.bodies().size(); ++i)
+        held.insert(held.end(), {0, 0, 0, 1, 1, 1});
+    for (const Linkage::Reads& condition : linkage.reads())
+        for (const std::size_t place : condition.places)
+            std::fill_n(held.begin() + static_cast<std::ptrdiff_t>(6 * place), 6, 0);
+    linkage.hold(std::move(held));
+}
+
+// Of gaps of parts, where the bodies are: how they change with a movement.
+Eigen::MatrixXd openingsOf(const Linkage& linkage, const std::vector<PartGap>& gaps,
+                           const std::vector<geometry::Pose>& poses) {
+    const auto places = static_cast<Eigen::Index>(linkage.bodies().size());
+    Eigen::MatrixXd all = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(gaps.size()), 6 * places);
+    for (Eigen::Index i = 0; i < places; ++i) {
+        const auto place = static_cast<std::size_t>(i);
+        const std::size_t body = linkage.bodies()[place];
+        for (std::size_t k = 0; k < gaps.size(); ++k) {
+            if (gaps[k].first != body && gaps[k].second != body)
+                continue;
+            const Vector normal = gaps[k].first == body ? gaps[k].normal : -gaps[k].normal;
+            const Vector turn =
+                (gaps[k].at - poses[body].position).cross(normal) / linkage.radiusOf(place);
+            all.row(static_cast<Eigen::Index>(k)).segment<3>(6 * i) = normal.transpose();
+            all.row(static_cast<Eigen::Index>(k)).segment<3>(6 * i + 3) = turn.transpose();
+        }
+    }
+    for (std::size_t c = 0; c < linkage.held().size(); ++c)
+        if (linkage.held()[c] != 0)
+            all.col(static_cast<Eigen::Index>(c)).setZero();
+    return all;
+}
+
+// To the least movement that closes the joints and opens these gaps. None: there is no such one.
+std::optional<Eigen::VectorXd> partingStep(Linkage& linkage, const Eigen::MatrixXd& openings,
+                                           const Eigen::VectorXd& gaps) {
+    const Eigen::VectorXd before = linkage.movement();
+    Eigen::VectorXd movement = Eigen::VectorXd::Zero(openings.cols());
+    Eigen::MatrixXd along = openings.transpose();
+    if (const Eigen::MatrixXd jacobian = linkage.jacobian(); jacobian.rows() > 0) {
+        const Linkage::Solver solver = linkage.solver();
+        movement = solver.solve(Eigen::VectorXd(jacobian * before - linkage.gaps()));
+        along -= Eigen::MatrixXd(solver.solve(Eigen::MatrixXd(jacobian * along)));
+    }
+    const Eigen::VectorXd left = gaps + openings * (movement - before);
+    if (const double size = left.size() > 0 ? left.lpNorm<Eigen::Infinity>() : 0; size > 0) {
+        complementarity::Laws laws;
+        for (Eigen::Index k = 0; k < gaps.size(); ++k)
+            complementarity::addUnilateral(laws);
+        const auto answer = complementarity::solveConvex(openings * along, left / size, laws);
+        if (!answer)
+            return std::nullopt;
+        movement += along * (size * answer->forces);
+    }
+    return movement - before;
+}
+
+// Those of which a body can move.
+struct Open {
+    std::vector<PartGap> parts;
+    Eigen::MatrixXd by; // how they change with a movement
+    [[nodiscard]] Eigen::VectorXd gaps() const {
+        Eigen::VectorXd all(by.rows());
+        for (Eigen::Index k = 0; k < all.size(); ++k)
+            all[k] = parts[static_cast<std::size_t>(k)].gap;
+        return all;
+    }
+};
+
+Open openOf(const Linkage& linkage, const PartGaps& gapsAt) {
+    const std::vector<geometry::Pose> poses = linkage.poses();
+    Open open{gapsAt(poses), {}};
+    const auto stands = [&](const PartGap& of) {
+        return openingsOf(linkage, {of}, poses).isZero(0);
+    };
+    std::erase_if(open.parts, stands);
+    open.by = openingsOf(linkage, open.parts, poses);
+    return open;
+}
+
+// The deepest of those that overlap by more than rounding.
+const PartGap* deepest(const std::vector<PartGap>& parts, double size) {
+    constexpr double rounding = 1e-14; // of places and radii
+    const PartGap* found = nullptr;
+    for (const PartGap& of : parts)
+        if (of.gap < -rounding * std::max(of.at.norm(), size) && (!found || of.gap < found->gap))
+            found = &of;
+    return found;
+}
+
+std::string roomless(const scene::Scene& scene, const PartGap& parts) {
+    char depth[40];
+    std::snprintf(depth, sizeof depth, "%.4g", -parts.gap);
+    return "bodies \"" + scene.bodies[parts.first].name + "\" and \"" +
+           scene.bodies[parts.second].name + "\" have no room to move apart; an overlap of " +
+           depth + " is left";
+}
+
+// "": they have parted. Pairs of which no body is free to move stay as they are.
+std::string partAll(const scene::Scene& scene, Linkage& linkage, const PartGaps& gapsAt,
+                    const std::function<bool()>& cancelled) {
+    constexpr int most = 60;
+    constexpr double stays = 1e-14; // of the largest radius
+    holdTurns(linkage);
+    Open open = openOf(linkage, gapsAt);
+    for (int k = 0; k < most && !open.parts.empty() && !cancelled(); ++k) {
+        const auto step = partingStep(linkage, open.by, open.gaps());
+        if (!step)
+            break;
+        linkage.step(*step);
+        open = openOf(linkage, gapsAt);
+        if (step->norm() <= stays * linkage.size())
+            break;
+    }
+    const PartGap* left = deepest(open.parts, linkage.size());
+    return left ? roomless(scene, *left) : linkage.isClosed() ? "" : openJoints(linkage);
+}
+
 } // namespace
 
 // A coordinate counts from the start, wherever that is: its drive is no gap.
-Assembly assembled(const scene::Scene& written, const std::function<bool()>& cancelled) {
+Assembly assembled(const scene::Scene& written, const std::function<bool()>& cancelled,
+                   const PartGaps& gaps) {
     scene::Scene scene = written;
     for (scene::Joint& joint : scene.joints)
         for (scene::JointCoordinate& coordinate : joint.coordinates)
@@ -43,21 +176,16 @@ Assembly assembled(const scene::Scene& written, const std::function<bool()>& can
         return made.cancelled;
     };
     Linkage linkage(scene, equations);
-    const bool closes = linkage.close(isCancelled);
-    if (closes)
-        shorten(linkage, isCancelled);
-    if (isCancelled())
-        return made;
-    if (closes) {
-        made.moved = linkage.moved();
+    if (!linkage.close(isCancelled)) {
+        if (!isCancelled())
+            made.reason = openJoints(linkage);
         return made;
     }
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  "the joints do not close by moving the bodies that are free to move; a gap of "
-                  "%.4g is left",
-                  linkage.largestGap());
-    made.reason = text;
+    shorten(linkage, isCancelled);
+    if (gaps)
+        made.reason = partAll(scene, linkage, gaps, isCancelled);
+    if (!isCancelled() && made.reason.empty())
+        made.moved = linkage.moved();
     return made;
 }
 

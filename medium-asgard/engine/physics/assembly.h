@@ -1,4 +1,5 @@
-// Closes the joints of a scene by the smallest movement of its free bodies.
+// Closes the joints of a scene, and parts what overlaps, by the smallest movement of its free
+// bodies.
 //
 // With the gaps g of joints, gears and ropes that are too short, as functions of the places of
 // bodies, Newton's method with the least step,
@@ -10,6 +11,15 @@
 // is made smaller along the directions that open no joint, as long as that shortens it. Bodies that
 // are fixed, or that a trajectory holds at the start, stay. A joint whose -offset2 is not given
 // stays as the text has it.
+//
+// Then bodies part that overlap: with a gap  h < 0  along a normal for each pair of parts, with
+// N = dh/dy and the movement m so far, the least movement m + dy that closes the joints and opens
+// these gaps,
+//
+//     m + dy = J^+ (J m - g) + P N' f,   P = 1 - J^+ J,   h + N dy >= 0,  f >= 0,  f (h + N dy) =
+//     0,
+//
+// again and again until it stays. A body that no joint holds is moved and not turned.
 //
 // LIMIT: a straight chain of rods that must become shorter has no first step, and stays open. A
 // rope that is too short around a wheel stays so.
@@ -36,19 +46,41 @@ struct Assembly {
         bool turns = false;
     };
     std::vector<Moved> moved; // those that move at all
-    std::string reason;       // why the joints do not close; "": they do
+    std::string reason;       // why joints do not close, or bodies do not part; "": they do
     bool cancelled = false;   // nothing was found out
 };
 
-// `cancelled` is asked before each step of Newton's method.
-[[nodiscard]] Assembly assembled(const scene::Scene& scene,
-                                 const std::function<bool()>& cancelled = nullptr);
+// Two parts of bodies that must not overlap.
+struct PartGap {
+    std::size_t first = 0, second = 0;                   // bodies of the scene
+    double gap = 0;                                      // negative: they overlap
+    geometry::Vector normal = geometry::Vector::UnitX(); // unit, from the second towards the first
+    geometry::Vector at = geometry::Vector::Zero();      // where they touch, in the world
+};
+// Of bodies whose centres of mass are at these poses, those that overlap, and all that it has told
+// of before.
+using PartGaps = std::function<std::vector<PartGap>(const std::vector<geometry::Pose>& poses)>;
 
-// A fault's sentence tells of a joint that its bodies miss at the start.
-inline constexpr const char* assembleAdvice =
-    "place them so that the joint closes, or let the button Close It place them";
-[[nodiscard]] inline bool asksToAssemble(std::string_view sentence) {
-    return sentence.ends_with(assembleAdvice);
+// `cancelled` is asked before each step of Newton's method. Without `gaps` joints are closed alone.
+[[nodiscard]] Assembly assembled(const scene::Scene& scene,
+                                 const std::function<bool()>& cancelled = nullptr,
+                                 const PartGaps& gaps = nullptr);
+
+// A fault's sentence tells of a joint that its bodies miss at the start, or of bodies that overlap.
+inline constexpr const char* closeButton = "the button Close It";
+inline constexpr const char* partButton = "the button Move Apart";
+[[nodiscard]] inline std::string closeAdvice() {
+    return std::string("place them so that the joint closes, or let ") + closeButton +
+           " place them";
+}
+[[nodiscard]] inline std::string partAdvice() {
+    return std::string("place them apart, or let ") + partButton + " place them";
+}
+[[nodiscard]] inline bool asksToClose(std::string_view sentence) {
+    return sentence.find(closeAdvice()) != std::string_view::npos;
+}
+[[nodiscard]] inline bool asksToPart(std::string_view sentence) {
+    return sentence.find(partAdvice()) != std::string_view::npos;
 }
 
 } // namespace physics

@@ -414,7 +414,7 @@ void JointMultipliers::tell(const std::string& where, double gap, double rate,
     char text[200];
     if (!(gap <= startResolution * size)) {
         std::snprintf(text, sizeof text, "its bodies miss each other by %.4g at the start; %s", gap,
-                      assembleAdvice);
+                      closeAdvice().c_str());
         faults_.push_back(where + text);
     } else if (!(rate <= startResolution * speed)) {
         std::snprintf(text, sizeof text,

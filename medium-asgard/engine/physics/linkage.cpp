@@ -275,9 +275,24 @@ std::vector<double> Linkage::valuesOf(const expression::Tape& tape, std::size_t 
 }
 
 geometry::Pose Linkage::poseOf(std::size_t place) const {
-    const double* v = values_.data() + 1 + equations_.bodies[free_[place]].firstUnknown;
+    return poseOf(equations_.bodies[free_[place]]);
+}
+
+geometry::Pose Linkage::poseOf(const BodyMotion& body) const {
+    if (body.isFixed)
+        return body.start;
+    const double* v = values_.data() + 1 + body.firstUnknown;
     return {Vector(v[x], v[y], v[z]), Quaternion(v[qw], v[qx], v[qy], v[qz]).normalized()};
 }
+
+std::vector<geometry::Pose> Linkage::poses() const {
+    std::vector<geometry::Pose> all;
+    for (const BodyMotion& body : equations_.bodies)
+        all.push_back(poseOf(body));
+    return all;
+}
+
+bool Linkage::isClosed() { return largest(gapsNow()) <= closed * size_; }
 
 double Linkage::largest(const Eigen::VectorXd& gaps) const {
     const Eigen::VectorXd& tied = angles_.missed;

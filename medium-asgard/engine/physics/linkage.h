@@ -30,6 +30,8 @@ public:
     [[nodiscard]] double size() const { return size_; }
     // Of a body by its place in bodies(): its centre of mass.
     [[nodiscard]] geometry::Pose poseOf(std::size_t place) const;
+    // Of all bodies of the scene: their centres of mass.
+    [[nodiscard]] std::vector<geometry::Pose> poses() const;
     [[nodiscard]] geometry::Pose firstPoseOf(std::size_t place) const { return first_[place]; }
     [[nodiscard]] double radiusOf(std::size_t place) const {
         return equations_.bodies[free_[place]].mass.radius;
@@ -45,6 +47,7 @@ public:
         held_ = std::move(columns);
         now_.isKnown = false;
     }
+    [[nodiscard]] const std::vector<char>& held() const { return held_; }
     // A joint's condition, a gear or a rope, taut or slack.
     struct Reads {
         std::vector<std::size_t> places; // of bodies
@@ -53,7 +56,9 @@ public:
     };
     [[nodiscard]] std::vector<Reads> reads();
     [[nodiscard]] double largestGap() { return largest(gapsNow()); }
-    // How the gaps change with a movement, where the bodies are now.
+    [[nodiscard]] bool isClosed(); // but for rounding
+    [[nodiscard]] const Eigen::VectorXd& gaps() { return gapsNow(); }
+    // How they change with a movement, where the bodies are now.
     [[nodiscard]] const Eigen::MatrixXd& jacobian();
     // The work so far: places at which that was worked out.
     [[nodiscard]] std::size_t places() const { return now_.places; }
@@ -88,6 +93,7 @@ private:
         std::size_t lasting = 0;                       // gaps that hold whatever the ropes do
     };
     [[nodiscard]] bool isHeld(const BodyMotion& body) const;
+    [[nodiscard]] geometry::Pose poseOf(const BodyMotion& body) const;
     [[nodiscard]] double largest(const Eigen::VectorXd& gaps) const;
     [[nodiscard]] Conditions conditions();
     void keepTo(std::size_t body, Conditions& all);

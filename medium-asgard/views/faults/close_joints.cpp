@@ -3,6 +3,7 @@
 #include "element_edits/closing.h"
 #include "physics/assembly.h"
 #include "plain/plain.h"
+#include "placing/placing.h"
 
 #include <QApplication>
 #include <QMouseEvent>
@@ -14,19 +15,21 @@
 
 namespace views {
 
-int openJoints(const SceneDocument& document) {
-    return static_cast<int>(
-        std::ranges::count_if(document.diagnostics(), [](const scene::Diagnostic& fault) {
-            return physics::asksToAssemble(fault.message);
-        }));
+Misplaced misplacedIn(const SceneDocument& document) {
+    Misplaced found;
+    for (const scene::Diagnostic& fault : document.diagnostics()) {
+        found.openJoints += physics::asksToClose(fault.message) ? 1 : 0;
+        found.overlaps += physics::asksToPart(fault.message) ? 1 : 0;
+    }
+    return found;
 }
 
 CloseJoints::CloseJoints(SceneDocument& document, QWidget* parent)
     : QPushButton(parent), document_(document) {
     setObjectName(QStringLiteral("closeJoints"));
     setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
-    setToolTip(plain::tip(tr("Moves the free bodies as little as possible, so that the joints "
-                             "close, and writes it into the text")));
+    setToolTip(plain::tip(tr("Moves the free bodies as little as possible, so that joints close "
+                             "and no bodies overlap, and writes it into the text")));
     connect(this, &QPushButton::clicked, this, &CloseJoints::startOrStop);
     connect(&document_, &SceneDocument::textChanged, this, &CloseJoints::textChanged);
     for (const auto signal : {&SceneDocument::diagnosticsChanged, &SceneDocument::workChanged})
@@ -37,16 +40,19 @@ CloseJoints::CloseJoints(SceneDocument& document, QWidget* parent)
 CloseJoints::~CloseJoints() { cancel(); }
 
 void CloseJoints::refresh() {
-    const int open = openJoints(document_);
-    setText(search_ ? tr("Stop Closing") : open > 1 ? tr("Close Them") : tr("Close It"));
-    setVisible(search_ || (open > 0 && document_.sceneIsCurrent()));
+    const auto [open, overlaps] = misplacedIn(document_);
+    setText(search_     ? tr("Stop Moving")
+            : open > 1  ? tr("Close Them")
+            : open == 1 ? tr("Close It")
+                        : tr("Move Apart"));
+    setVisible(search_ || (open + overlaps > 0 && document_.sceneIsCurrent()));
 }
 
 void CloseJoints::startOrStop() {
     if (!search_)
         return start();
     cancel();
-    reason_ = tr("Stopped: the joints are as they were.");
+    reason_ = tr("Stopped: all bodies are where they were.");
     say();
 }
 
@@ -64,7 +70,7 @@ void CloseJoints::textChanged() {
     if (!search_)
         return;
     cancel();
-    reason_ = tr("The text has changed meanwhile: close them again.");
+    reason_ = tr("The text has changed meanwhile: try again.");
     say();
 }
 
@@ -89,7 +95,7 @@ void CloseJoints::start() {
 CloseJoints::Closed CloseJoints::closed(const std::string& text,
                                         const std::shared_ptr<const scene::Scene>& scene,
                                         const Search& search) {
-    const physics::Assembly assembly = physics::assembled(*scene, [&] { return search->load(); });
+    const physics::Assembly assembly = simulation::placed(*scene, [&] { return search->load(); });
     if (assembly.cancelled)
         return {};
     if (!assembly.reason.empty())
@@ -110,7 +116,8 @@ void CloseJoints::take(const Closed& now, const Search& search) {
     reason_ = QString::fromStdString(now.reason);
     if (!reason_.isEmpty())
         return say();
-    document_.setText(now.text, tr("Close Joints"));
+    document_.setText(now.text, misplacedIn(document_).openJoints > 0 ? tr("Close Joints")
+                                                                      : tr("Move Bodies Apart"));
 }
 
 void CloseJoints::say() const {

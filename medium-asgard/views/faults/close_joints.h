@@ -1,10 +1,10 @@
-// The offer to close joints that their bodies miss at the start: a button that is there while a
-// fault says so.
+// The offer to close joints that their bodies miss at the start, and to move bodies apart that
+// overlap there: a button that is there while a fault says so.
 //
 // A click moves the free bodies as little as possible, as `asgard assemble` does, and writes it
 // into the text as one step of undo. Another thread finds out how; meanwhile the button stops it. A
-// text that changes meanwhile stays as it is, and ends the search. Where joints cannot close, a
-// sentence at the button says why.
+// text that changes meanwhile stays as it is, and ends the search. Where bodies have no such places,
+// a sentence at the button says why.
 #pragma once
 
 #include "workbench/scene_document.h"
@@ -16,8 +16,11 @@
 
 namespace views {
 
-// How many faults tell of joints that miss.
-[[nodiscard]] int openJoints(const SceneDocument& document);
+// How many faults tell of what.
+struct Misplaced {
+    int openJoints = 0, overlaps = 0;
+};
+[[nodiscard]] Misplaced misplacedIn(const SceneDocument& document);
 
 class CloseJoints : public QPushButton {
     Q_OBJECT

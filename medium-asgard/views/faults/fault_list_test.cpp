@@ -73,15 +73,15 @@ TEST_F(FaultListTest, OffersToCloseAJointThatItsBodiesMiss) {
     EXPECT_FALSE(offer->isVisibleTo(&list));
     Computed computed{document.shown(), document.text(), {}, {}, Work::none, true};
     scene::Diagnostic fault; // as the engine says it: the test's workshop computes no motion
-    fault.message = "joint \"pin\": its bodies miss each other by 0.5 at the start; " +
-                    std::string(physics::assembleAdvice);
+    fault.message =
+        "joint \"pin\": its bodies miss each other by 0.5 at the start; " + physics::closeAdvice();
     computed.diagnostics = {fault};
     document.setComputed(computed);
     ASSERT_TRUE(offer->isVisibleTo(&list));
     EXPECT_EQ(offer->text(), "Close It");
     // While it is found out, windows go on; a text that changes meanwhile stays.
     offer->click();
-    EXPECT_EQ(offer->text(), "Stop Closing");
+    EXPECT_EQ(offer->text(), "Stop Moving");
     EXPECT_EQ(document.text(), text);
     document.setText("# before\n" + text, "Edit");
     EXPECT_THAT(offer->reason().toStdString(), HasSubstr("changed meanwhile"));

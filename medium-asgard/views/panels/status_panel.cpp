@@ -251,7 +251,7 @@ void StatusPanel::showMotion() {
                             ? tr("Computing the motion… what is shown is stale.")
                             : tr("Computing the motion…"));
     else if (document_.hasErrors())
-        state_->setText(document_.sceneIsCurrent() && openJoints(document_) > 0
+        state_->setText(document_.sceneIsCurrent() && misplacedIn(document_).openJoints > 0
                             ? tr("The bodies of a joint do not meet at the start.")
                         : document_.sceneIsCurrent()
                             ? tr("The motion has faults: see the text.")

@@ -84,14 +84,17 @@ std::optional<solution::Event> CollisionSource::renew(const Histories& histories
         stand(histories, renewal_.body, now.time);
     lookAtJoined(now.time);
     std::optional<Event> lost;
-    for (const Pair& pair : search_.takeOverlaps()) {
+    for (const auto& [pair, depth] : search_.takeOverlaps()) {
         if (const auto sentence = unmodelledOf(now, pair); sentence && !lost)
             lost = end(now, pair, *sentence);
         else if (hasMet(now, pair) && !lost)
             lost = search_.hasAnyEnded(pair) ? meetEnded(now, pair).event
                                              : end(now, pair, sentences::missed(world_, pair));
         else
-            record_.addNote(pair, now.time, sentences::overlap(world_, pair));
+            record_.addNote(pair, now.time,
+                            now.time <= world_.start
+                                ? sentences::overlapAtStart(world_, pair, depth)
+                                : sentences::overlap(world_, pair));
     }
     return lost;
 }

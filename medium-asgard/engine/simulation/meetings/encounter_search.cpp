@@ -155,7 +155,7 @@ void EncounterSearch::searchGenerally(const Pair& pair, Interval during) {
         world_.moving[pair.first], world_.moving[pair.second], during, footing,
         resting_.slack(pair.first, pair.second, during.from), depth(pair));
     if (encounter.overlap > 0)
-        overlaps_.push_back(pair);
+        overlaps_.push_back({pair, encounter.overlap});
     if (encounter.hit)
         hits_.push({.time = encounter.hit->time,
                     .pair = pair,

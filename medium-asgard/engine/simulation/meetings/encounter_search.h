@@ -143,7 +143,11 @@ public:
     [[nodiscard]] std::size_t pairTests() const { return tested_.tests(); }
     [[nodiscard]] std::vector<Pair> pairs() { return tested_.all(); } // that were searched
     // Pairs that overlapped without having met, since this was asked last.
-    [[nodiscard]] std::vector<Pair> takeOverlaps() { return std::exchange(overlaps_, {}); }
+    struct Overlap {
+        Pair pair;
+        double depth = 0;
+    };
+    [[nodiscard]] std::vector<Overlap> takeOverlaps() { return std::exchange(overlaps_, {}); }
 
 private:
     using Crossing = collision::BallCells::Crossing;
@@ -185,7 +189,7 @@ private:
     HitQueue hits_;
     SideBySide sideBySide_;
     Around around_ = Around::all; // of the ball that entered a cell last
-    std::vector<Pair> overlaps_;
+    std::vector<Overlap> overlaps_;
     TestedPairs tested_;
 };
 

@@ -2,12 +2,14 @@
 
 #include "equations/partition.h"
 #include "motion/groups.h"
+#include "placing/placing.h"
 #include "run/budget.h"
 #include "run/quantities.h"
 #include "scene/shape_of.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace simulation {
@@ -99,6 +101,18 @@ posed(const scene::Scene& original, const Options& options,
     physics::EquationsOfMotion equations(scene, meanwhile, &reader);
     if (!equations.faults.empty())
         return equations.faults;
+    const Touching begun =
+        scene.simulator.collisions ? touching(scene, equations, shapes) : Touching();
+    if (!begun.moved.empty()) {
+        for (const physics::Assembly::Moved& of : begun.moved) {
+            scene.bodies[of.body].initialPosition = of.pose.position;
+            scene.bodies[of.body].initialAttitude = of.pose.attitude;
+        }
+        equations = physics::EquationsOfMotion(scene, meanwhile, &reader);
+        if (!equations.faults.empty())
+            return equations.faults;
+        std::ranges::copy(begun.notes, std::back_inserter(equations.notes));
+    }
     auto bodies = std::make_shared<const std::vector<BodyRecord>>(recordsOf(equations));
     auto problem = std::make_shared<Problem>(Problem{.scene = std::move(scene),
                                                      .equations = std::move(equations),

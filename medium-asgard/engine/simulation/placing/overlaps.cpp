@@ -1,0 +1,125 @@
+#include "placing/overlaps.h"
+
+#include "collision/box_tree.h"
+#include "collision/contact_points.h"
+#include "collision/separation.h"
+#include "physics/carried_points.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace simulation {
+namespace {
+
+using geometry::Part;
+using geometry::Pose;
+using geometry::Vector;
+using physics::PartGap;
+
+constexpr double touching = 1e-9; // of the scene's size
+constexpr double little = 1e-3;   // of the smaller part
+
+// Of the body's frame.
+Pose frameOf(const physics::BodyMotion& body, const Pose& centre) {
+    return {centre.position - centre.attitude * body.mass.centroid, centre.attitude};
+}
+
+geometry::Box boxOf(const geometry::Shape& shape, const Pose& frame) {
+    if (std::ranges::any_of(shape.parts, &Part::isPlane))
+        return {Vector::Constant(-collision::everywhere), Vector::Constant(collision::everywhere)};
+    return geometry::bounds(shape, frame);
+}
+
+double sizeOf(const Part& part) {
+    return part.isPlane() ? HUGE_VAL : geometry::bounds(geometry::Shape{{part}}).diagonal().norm();
+}
+
+} // namespace
+
+Overlaps::Overlaps(const scene::Scene& scene, const physics::EquationsOfMotion& equations,
+                   const std::vector<geometry::Shape>& shapes)
+    : scene_(scene), equations_(equations), shapes_(shapes), mayMeet_(scene) {
+    geometry::Box box;
+    for (const physics::BodyMotion& body : equations.bodies)
+        if (!body.isFixed)
+            for (const double side : {-1, 1})
+                box.extend(Vector(body.start.position + Vector::Constant(side * body.mass.radius)));
+    size_ = box.isEmpty() ? 1 : box.sizes().maxCoeff();
+}
+
+std::vector<Pose> Overlaps::startPoses() const {
+    const double start = scene_.simulator.start;
+    std::vector<Pose> poses;
+    bool isAnyHeld = false;
+    for (const physics::BodyMotion& body : equations_.bodies) {
+        poses.push_back(body.start);
+        const auto* held = body.isFixed ? nullptr : &body.heldAt(start);
+        isAnyHeld =
+            isAnyHeld || (held && (held->attitude || std::ranges::count(held->position, true) > 0));
+    }
+    if (!isAnyHeld)
+        return poses;
+    std::vector<double> values{start};
+    for (const expression::Unknown& unknown : equations_.set.unknowns)
+        values.push_back(unknown.initial);
+    physics::putGiven(equations_.set.graph, equations_.set, start, values);
+    for (std::size_t b = 0; b < poses.size(); ++b)
+        if (const physics::BodyMotion& body = equations_.bodies[b]; !body.isFixed) {
+            const auto of = body.valuesOf(
+                std::span(values).subspan(1 + body.firstUnknown).first<physics::bodyUnknowns>());
+            poses[b] = {of.position, of.attitude};
+        }
+    return poses;
+}
+
+void Overlaps::look(const Parts& parts, const std::vector<Pose>& poses, Depth depth,
+                    std::vector<PartGap>& found) {
+    const auto [a, i, b, j] = parts;
+    const Part &first = shapes_[a].parts[i], &second = shapes_[b].parts[j];
+    if (first.isPlane() && second.isPlane())
+        return;
+    const Vector origin = poses[b].position;
+    const auto posed = [&](const Part& part, std::size_t body) {
+        const Pose frame = frameOf(equations_.bodies[body], poses[body]);
+        return collision::Posed{&part, frame.attitude.toRotationMatrix(), frame.position - origin};
+    };
+    const collision::Posed one = posed(first, a), other = posed(second, b);
+    collision::WarmStart warm;
+    const collision::Separation apart = collision::separate(one, other, warm);
+    const double most =
+        depth == Depth::any ? HUGE_VAL : little * std::min(sizeOf(first), sizeOf(second));
+    const bool isNew = !told_.contains(parts);
+    if (isNew && !(apart.gap < -touching * size_ && apart.gap >= -most))
+        return;
+    if (isNew)
+        told_.insert(parts);
+    const Vector at = apart.touch
+                          ? *apart.touch
+                          : collision::contactPoints(one, other, std::abs(apart.gap)).centre;
+    found.push_back({a, b, apart.gap, apart.normal, origin + at});
+}
+
+std::vector<PartGap> Overlaps::at(const std::vector<Pose>& poses, Depth depth) {
+    std::vector<PartGap> found;
+    const std::set<Parts> before = told_;
+    for (const Parts& parts : before)
+        look(parts, poses, depth, found);
+    collision::BoxTree tree(poses.size());
+    std::vector<std::size_t> near;
+    for (std::size_t b = 0; b < poses.size(); ++b) {
+        const geometry::Box box = boxOf(shapes_[b], frameOf(equations_.bodies[b], poses[b]));
+        near.clear();
+        tree.overlapping(box, near);
+        std::ranges::sort(near);
+        for (const std::size_t a : near)
+            if (mayMeet_(a, b))
+                for (std::size_t i = 0; i < shapes_[a].parts.size(); ++i)
+                    for (std::size_t j = 0; j < shapes_[b].parts.size(); ++j)
+                        if (const Parts parts{a, i, b, j}; !before.contains(parts))
+                            look(parts, poses, depth, found);
+        tree.put(b, box);
+    }
+    return found;
+}
+
+} // namespace simulation

@@ -1,0 +1,51 @@
+// Which bodies that may meet overlap at the start, how deep, and along which direction?
+//
+// Each pair of parts has the gap and the normal of collision/separation.h, which of parts that
+// overlap is the least way that parts them. What overlaps by less than 1e-9 of the scene's size
+// touches. The scene's size is that of the box of all moving bodies.
+//
+// LIMIT: a body of several parts parts from each of its neighbour's parts by itself, so that one
+// that has gone deep into a notch may go out through its bottom.
+#pragma once
+
+#include "collision/broad_phase.h"
+#include "meetings/may_meet.h"
+#include "physics/assembly.h"
+#include "physics/equations_of_motion.h"
+
+#include <functional>
+#include <set>
+#include <tuple>
+#include <vector>
+
+namespace simulation {
+
+class Overlaps {
+public:
+    // All outlive it. `shapes`: by body.
+    Overlaps(const scene::Scene& scene, const physics::EquationsOfMotion& equations,
+             const std::vector<geometry::Shape>& shapes);
+
+    enum class Depth { any, little };
+    // Of bodies whose centres of mass are at these poses. Pairs that were found before are among
+    // them whether they overlap or not. `little`: by at most 1e-3 of the smaller part.
+    [[nodiscard]] std::vector<physics::PartGap> at(const std::vector<geometry::Pose>& poses,
+                                                   Depth depth);
+    [[nodiscard]] double size() const { return size_; } // of the scene
+    // Where they are at the start, unless a trajectory holds a body somewhere else.
+    [[nodiscard]] std::vector<geometry::Pose> startPoses() const;
+
+private:
+    using Parts = std::tuple<std::size_t, std::size_t, std::size_t, std::size_t>;
+    void look(const Parts& parts, const std::vector<geometry::Pose>& poses, Depth depth,
+              std::vector<physics::PartGap>& found);
+
+    const scene::Scene& scene_;
+    const physics::EquationsOfMotion& equations_;
+    const std::vector<geometry::Shape>& shapes_;
+    MayMeet mayMeet_;
+    double size_ = 0;      // of the scene
+    std::set<Parts> told_; // first body, its part, second body, its part
+};
+
+} // namespace simulation

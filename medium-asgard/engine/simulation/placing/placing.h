@@ -1,0 +1,34 @@
+// Where bodies begin so that the joints of a scene are closed and nothing overlaps.
+//
+// An author rounds: a coin of radius 0.1 that leans by 0.05 stands on the floor at 0.100125, and is
+// written at 0.1001. What overlaps by little begins where it touches, as a joint that misses by
+// little begins closed. Of more the motion tells, and placed() offers where bodies could stand.
+#pragma once
+
+#include "physics/assembly.h"
+#include "physics/equations_of_motion.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace simulation {
+
+// The free bodies as they stand when joints are closed and bodies have moved apart, by the smallest
+// movement; `cancelled` is asked now and then.
+[[nodiscard]] physics::Assembly placed(const scene::Scene& scene,
+                                       const std::function<bool()>& cancelled = nullptr);
+
+// Bodies that overlap others by little (overlaps.h), where they touch them; none: there are none,
+// or there is no room. Bodies that hang together or overlap are moved by themselves, so that what
+// an edit does not concern stays to the last bit.
+struct Touching {
+    std::vector<physics::Assembly::Moved> moved;
+    std::vector<std::string> notes; // of those that overlap by more than a joint may miss
+};
+// `equations`, and `shapes` by body: of the scene.
+[[nodiscard]] Touching touching(const scene::Scene& scene,
+                                const physics::EquationsOfMotion& equations,
+                                const std::vector<geometry::Shape>& shapes);
+
+} // namespace simulation

@@ -1,0 +1,115 @@
+#include "placing/placing.h"
+#include "resimulation/resimulation_testing.h"
+
+#include <cmath>
+#include <string>
+
+namespace simulation::testing {
+namespace {
+
+double heightOf(const physics::Assembly& made, std::size_t body, double otherwise) {
+    for (const physics::Assembly::Moved& moved : made.moved)
+        if (moved.body == body)
+            return moved.pose.position.y();
+    return otherwise;
+}
+
+TEST(Placing, ABoxInTheFloorMovesUpByItsDepthAndDoesNotTurn) {
+    SceneBuilder b(1);
+    b.floor();
+    b.box("box", {0.3, 0.4, 0}, {1, 1, 1});
+    const physics::Assembly made = placed(b.scene);
+    EXPECT_EQ(made.reason, "");
+    ASSERT_EQ(made.moved.size(), 1u);
+    EXPECT_FALSE(made.moved[0].turns);
+    EXPECT_LT(distance(made.moved[0].pose.position, {0.3, 0.5, 0}), 1e-14);
+}
+
+TEST(Placing, AStackMovesUpAsAWholeWhereEachBoxIsInTheNext) {
+    SceneBuilder b(1);
+    b.floor();
+    for (int i = 0; i < 4; ++i)
+        b.box("box" + std::to_string(i), {0, 0.45 + 0.9 * i, 0}, {1, 1, 1});
+    const physics::Assembly made = placed(b.scene);
+    EXPECT_EQ(made.reason, "");
+    for (std::size_t i = 0; i < 4; ++i)
+        EXPECT_NEAR(heightOf(made, 1 + i, 0), 0.5 + static_cast<double>(i), 1e-12);
+}
+
+TEST(Placing, TwoFreeBallsShareTheWay) {
+    SceneBuilder b(1);
+    b.ball("left", {-0.08, 0, 0});
+    b.ball("right", {0.08, 0, 0});
+    const physics::Assembly made = placed(b.scene);
+    ASSERT_EQ(made.moved.size(), 2u);
+    EXPECT_LT(distance(made.moved[0].pose.position, {-0.1, 0, 0}), 1e-14);
+    EXPECT_LT(distance(made.moved[1].pose.position, {0.1, 0, 0}), 1e-14);
+}
+
+TEST(Placing, APendulumInAWallTurnsAboutItsHinge) {
+    SceneBuilder b(1);
+    b.box("wall", {0.6, -1, 0}, {1, 4, 4}).fixed = true; // its face: x = 0.1
+    b.ball("bob", {0.05, -1, 0});
+    scene::Joint pin;
+    pin.name = "pin";
+    pin.type = scene::JointType::hinge;
+    pin.body1 = "bob";
+    pin.offset1 = {-0.05, 1, 0};
+    pin.offset2 = {0, 0, 0};
+    b.scene.joints.push_back(pin);
+    const physics::Assembly made = placed(b.scene);
+    EXPECT_EQ(made.reason, "");
+    ASSERT_EQ(made.moved.size(), 1u);
+    EXPECT_TRUE(made.moved[0].turns);
+    EXPECT_NEAR(made.moved[0].pose.position.x(), 0, 1e-12);
+    EXPECT_NEAR(made.moved[0].pose.position.norm(), std::hypot(0.05, 1), 1e-12);
+}
+
+TEST(Placing, ABodyWithoutRoomIsNamed) {
+    SceneBuilder b(1);
+    b.floor();
+    b.box("lid", {0, 1, 0}, {5, 0.2, 5}).fixed = true;
+    b.box("box", {0, 0.5, 0}, {1, 1, 1});
+    EXPECT_THAT(placed(b.scene).reason, ::testing::HasSubstr("have no room to move apart"));
+}
+
+TEST(Placing, WhatOverlapsByLittleBeginsWhereItTouches) {
+    SceneBuilder b(1);
+    b.floor();
+    b.box("box", {0, 0.499999, 0}, {1, 1, 1}).restitution = 0;
+    b.weight("box");
+    const Result result = simulate(b.scene);
+    EXPECT_TRUE(result.motion->notes().empty());
+    EXPECT_NEAR(result.motion->at(1, 1).position.y(), 0.5, 1e-12);
+}
+
+TEST(Placing, ADeepOverlapIsToldWithItsDepthAndTheOffer) {
+    SceneBuilder b(1);
+    b.floor();
+    b.box("box", {0, 0.4, 0}, {1, 1, 1}).restitution = 0;
+    b.weight("box");
+    const Result result = simulate(b.scene);
+    ASSERT_EQ(result.motion->notes().size(), 1u);
+    EXPECT_THAT(result.motion->notes()[0], ::testing::HasSubstr("overlap by 0.1 at the start"));
+    EXPECT_TRUE(physics::asksToPart(result.motion->notes()[0]));
+}
+
+// What an edit does not concern stays to the last bit, also where two places are mended.
+TEST(Placing, AnEditElsewhereChangesNoBit) {
+    SceneBuilder b(1);
+    b.floor();
+    for (const double x : {-3.0, 3.0}) {
+        const std::string name = x < 0 ? "left" : "right";
+        b.box(name, {x, 0.499999, 0}, {1, 1, 1}).restitution = 0;
+        b.weight(name);
+    }
+    Resimulation kept;
+    (void)kept.update(shared(b.scene));
+    b.scene.bodies[2].initialVelocity.x() = 0.5;
+    const Result edited = updated(kept, b.scene); // compares
+    EXPECT_EQ(kept.work().print(), "solved: right; kept: 1; rounds: 1");
+    EXPECT_NEAR(edited.motion->at(1, 0.7).position.y(), 0.5, 1e-12);
+}
+
+} // namespace
+} // namespace simulation::testing
