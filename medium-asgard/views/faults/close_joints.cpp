@@ -2,8 +2,8 @@
 
 #include "element_edits/closing.h"
 #include "physics/assembly.h"
-#include "plain/plain.h"
 #include "placing/placing.h"
+#include "plain/plain.h"
 
 #include <QApplication>
 #include <QMouseEvent>
