@@ -80,7 +80,7 @@ inline constexpr const char* partButton = "the button Move Apart";
     return sentence.find(closeAdvice()) != std::string_view::npos;
 }
 [[nodiscard]] inline bool asksToPart(std::string_view sentence) {
-    return sentence.find(partAdvice()) != std::string_view::npos;
+    return sentence.find(partButton) != std::string_view::npos;
 }
 
 } // namespace physics

@@ -223,7 +223,8 @@ private:
             return addExtremes(owner, part, above);
         if (of.curved) { // a round end that lies flat, and what is at the other end
             for (const Corner& corner : touch_.corners)
-                addVertex(owner, localOf(owner, corner.point), above);
+                if (!corner.pieces) // what crosses a border is no point of the rim
+                    addVertex(owner, localOf(owner, corner.point), above);
             for (const SurfacePiece& piece : extremesOf(owner, part))
                 if (std::abs(heightOf(owner, piece, above)) > touching * touch_.size)
                     addPiece(owner, piece, above);
@@ -388,7 +389,7 @@ LastingContact contactOf(const Touch& touch, const Placed& body, const Placed& s
                          const TouchLimits& limits) {
     LastingContact found{.bodyPart = touch.bodyPart,
                          .supportPart = touch.supportPart,
-                         .isModelled = touch.hasPieces || touch.isModelled ||
+                         .isModelled = touch.hasPieces || touch.isFlat || touch.isModelled ||
                                        (touch.isRound && !touch.isCurved),
                          .place = {}};
     physics::ContactPlace& place = found.place;

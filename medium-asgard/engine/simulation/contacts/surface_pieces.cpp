@@ -43,6 +43,13 @@ SurfacePiece rimOf(const Curved& curved, const Vector& centroid, double sign) {
             .radius = curved.radius()};
 }
 
+SurfacePiece rimOf(const FlatFace& round) {
+    return {.kind = Kind::circle,
+            .place = round.plane.place,
+            .axis = round.plane.axis,
+            .radius = round.radius};
+}
+
 std::optional<SurfacePiece> pieceOf(const Feature& feature, const Vector& centroid) {
     SurfacePiece piece{.place = feature.place - centroid,
                        .axis = feature.axis,
@@ -84,16 +91,31 @@ public:
         if (const auto under = faceTowards(support_, supportPart_, normal))
             onFace(*under, false);
         if (const auto over = faceTowards(body_, bodyPart_, -normal);
-            over && found_.points.empty()) {
+            over && found_.points.empty() && !found_.isApart) {
             found_ = {.normal = normal, .points = {}, .isModelled = true};
             onFace(*over, true);
         }
-        if (found_.points.empty()) {
+        if (found_.points.empty() && !found_.isApart) {
             found_ = {.normal = normal, .points = {}, .isModelled = true};
             onPieces();
         }
         found_.isModelled = found_.isModelled && !found_.points.empty();
         return std::move(found_);
+    }
+
+    std::vector<PiecePoint> crossings(const Vector& normal) {
+        found_.normal = normal;
+        const auto over = faceTowards(body_, bodyPart_, -normal);
+        const auto under = faceTowards(support_, supportPart_, normal);
+        if (!over || !under || over->isEndless() || under->isEndless())
+            return {};
+        if (over->outline.empty() && under->outline.empty())
+            rimsCross(*over, *under);
+        else if (over->outline.empty())
+            rimCrosses(*over, true, *under);
+        else
+            rimCrosses(*under, false, *over);
+        return std::move(found_.points);
     }
 
 private:
@@ -202,12 +224,15 @@ private:
         return (direction - circle.axis * circle.axis.dot(direction)).normalized();
     }
 
-    void keepOver(const FlatFace& face, bool isBodys, const SurfacePiece& vertex) {
-        const PiecePoint point = pointOf(isBodys ? SurfaceGap{face.plane, vertex, false}
-                                                 : SurfaceGap{vertex, face.plane, false});
+    // `beside`: so far beyond the border it is still over the face.
+    void keepOver(const FlatFace& face, bool isBodys, const SurfacePiece& piece,
+                  double beside = 0) {
+        const PiecePoint point = pointOf(isBodys ? SurfaceGap{face.plane, piece, false}
+                                                 : SurfaceGap{piece, face.plane, false});
         const physics::SurfacePose& of = isBodys ? ofBody_ : ofSupport_;
         if (point.at.gap <= tolerance_ &&
-            depthIn(face, of.rotation.transpose() * Vector(point.at.contact - of.centre)) >= 0)
+            depthIn(face, of.rotation.transpose() * Vector(point.at.contact - of.centre)) >=
+                -beside)
             keep(point);
     }
 
@@ -278,10 +303,7 @@ private:
     }
 
     void acrossRim(const FlatFace& face, bool isBodys, const SurfacePiece& piece, double length) {
-        SurfacePiece rim{.kind = Kind::circle,
-                         .place = face.plane.place,
-                         .axis = face.plane.axis,
-                         .radius = face.radius};
+        SurfacePiece rim = rimOf(face);
         const physics::SurfacePose& ofOwner = isBodys ? ofBody_ : ofSupport_;
         const physics::SurfacePose& ofOther = isBodys ? ofSupport_ : ofBody_;
         const auto turned = [&](const Vector& direction) {
@@ -291,7 +313,11 @@ private:
                              turned(piece.place) - rim.place;
         if (piece.kind == Kind::circle) {
             rim.foot = footOf(rim, apart + piece.radius * turned(piece.foot));
-            return keepCrossing(face, isBodys, rim, piece, length);
+            keepCrossing(face, isBodys, rim, piece, length);
+            if (found_.points.empty()) // rims that run along each other: it leaves the face there
+                keepOver(face, isBodys, piece, tolerance_);
+            found_.isApart = found_.points.empty() && isBeside(face, isBodys, piece);
+            return;
         }
         const Vector way = footOf(rim, turned(piece.axis));
         Vector nearest = apart - way * way.dot(apart);
@@ -309,6 +335,19 @@ private:
         }
     }
 
+    // All of the rim is beyond the border of a round end, but for what has no crossings.
+    [[nodiscard]] bool isBeside(const FlatFace& face, bool isBodys, const SurfacePiece& rim) const {
+        const physics::SurfacePose& ofOwner = isBodys ? ofBody_ : ofSupport_;
+        const physics::SurfacePose& ofOther = isBodys ? ofSupport_ : ofBody_;
+        const Vector middle = ofOwner.centre + ofOwner.rotation * face.plane.place;
+        const Vector towards = ofOther.rotation.transpose() *
+                               Vector(middle - ofOther.centre - ofOther.rotation * rim.place);
+        const Vector nearest = rim.place + rim.radius * footOf(rim, towards);
+        const Vector at = ofOwner.rotation.transpose() *
+                          Vector(ofOther.centre + ofOther.rotation * nearest - ofOwner.centre);
+        return depthIn(face, at) < shortest * shortest / 2 * std::min(face.radius, rim.radius);
+    }
+
     // A line lies next to the outermost point of the rim: its own point there is on the face, or,
     // beyond the rim, a round one is on that point of the rim. LIMIT: the line's ends on the rim
     // are less than 0.03 of its radius apart.
@@ -319,6 +358,63 @@ private:
             return;
         const SurfacePiece vertex = pointAt(face.plane.place + out, 0);
         keep(pointOf(isBodys ? SurfaceGap{vertex, line, false} : SurfaceGap{line, vertex, false}));
+    }
+
+    // A round end, the body's or the support's, and a face with edges.
+    void rimCrosses(const FlatFace& round, bool isBodys, const FlatFace& face) {
+        const physics::SurfacePose& of = isBodys ? ofBody_ : ofSupport_;
+        const physics::SurfacePose& ofFace = isBodys ? ofSupport_ : ofBody_;
+        SurfacePiece rim = rimOf(round);
+        for (std::size_t i = 0; i < face.outline.size(); ++i) {
+            const Vector &from = face.outline[i], &to = face.outline[(i + 1) % face.outline.size()];
+            const double length = (to - from).norm();
+            const SurfacePiece edge{
+                .kind = Kind::line, .place = (from + to) / 2, .axis = (to - from) / length};
+            const Vector way = of.rotation.transpose() * (ofFace.rotation * edge.axis);
+            Vector off = of.rotation.transpose() *
+                             Vector(ofFace.centre + ofFace.rotation * from - of.centre) -
+                         rim.place;
+            off -= rim.axis * rim.axis.dot(off);
+            const double middle = -way.dot(off);
+            const Vector nearest = off + middle * way;
+            const double half =
+                std::sqrt(std::max(0.0, rim.radius * rim.radius - nearest.squaredNorm()));
+            for (const double sign : {-1.0, 1.0})
+                if (const double at = middle + sign * half;
+                    half > shortest * rim.radius && at >= 0 && at <= length) {
+                    rim.foot = (nearest + sign * half * way).normalized();
+                    keepIfThere(isBodys ? crossingOf(rim, edge) : crossingOf(edge, rim));
+                }
+        }
+    }
+
+    void rimsCross(const FlatFace& over, const FlatFace& under) {
+        SurfacePiece body = rimOf(over), support = rimOf(under);
+        const Vector axis = ofBody_.rotation * body.axis;
+        const Vector middle = ofBody_.centre + ofBody_.rotation * body.place;
+        Vector apart = ofSupport_.centre + ofSupport_.rotation * support.place - middle;
+        apart -= axis * axis.dot(apart);
+        const double length = apart.norm();
+        // From the body's middle on: to the line through both crossings, and half of that line.
+        const double to =
+            (length * length + body.radius * body.radius - support.radius * support.radius) /
+            (2 * length);
+        const double square = body.radius * body.radius - to * to;
+        const double smaller = std::min(body.radius, support.radius);
+        if (!(square > shortest * shortest * smaller * smaller))
+            return;
+        for (const double sign : {-1.0, 1.0}) {
+            const Vector out =
+                to / length * apart + sign * std::sqrt(square) / length * axis.cross(apart);
+            putFoot(body, ofBody_, middle + out);
+            putFoot(support, ofSupport_, middle + out);
+            keepIfThere(crossingOf(body, support));
+        }
+    }
+
+    void keepIfThere(const PiecePoint& point) {
+        if (isThere(point))
+            keep(point);
     }
 
     [[nodiscard]] std::optional<SurfacePiece> bearing(const Placed& owner, std::size_t part,
@@ -570,6 +666,12 @@ PieceTouch vertexAtWall(const Placed& body, std::size_t bodyPart, const Placed& 
 PieceTouch pieceTouch(const Placed& body, std::size_t bodyPart, const Placed& support,
                       std::size_t supportPart, const Vector& normal, double tolerance) {
     return Pieces(body, bodyPart, support, supportPart, tolerance).find(normal);
+}
+
+std::vector<PiecePoint> crossingsOfBorders(const Placed& body, std::size_t bodyPart,
+                                           const Placed& support, std::size_t supportPart,
+                                           const Vector& normal, double tolerance) {
+    return Pieces(body, bodyPart, support, supportPart, tolerance).crossings(normal);
 }
 
 bool isOnePiece(const SurfacePiece& a, const SurfacePiece& b, double size) {

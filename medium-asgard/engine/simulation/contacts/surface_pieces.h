@@ -32,11 +32,19 @@ struct PieceTouch {
     Vector normal = Vector::UnitX(); // from the support to the body
     std::vector<PiecePoint> points;
     bool isModelled = true; // each of the points
+    bool isApart = false;   // a rim has left the round end along whose border it runs
 };
 // Along the normal of their separation; `tolerance` along it.
 [[nodiscard]] PieceTouch pieceTouch(const Placed& body, std::size_t bodyPart, const Placed& support,
                                     std::size_t supportPart, const Vector& normal,
                                     double tolerance);
+
+// Of two flat faces that lie on each other, at least one of them a round end: where their borders
+// cross. LIMIT: borders that cross at less than 0.8 degrees count as not crossing.
+[[nodiscard]] std::vector<PiecePoint> crossingsOfBorders(const Placed& body, std::size_t bodyPart,
+                                                         const Placed& support,
+                                                         std::size_t supportPart,
+                                                         const Vector& normal, double tolerance);
 
 // A sphere, an end of a capsule or a vertex, by its number, and a hollow part.
 [[nodiscard]] PieceTouch vertexAtWall(const Placed& body, std::size_t bodyPart,

@@ -108,10 +108,8 @@ public:
         touch.normal = separation.normal;
         if (std::abs(touch.gap) > 10 * tolerance_ || touch.gap > tolerance_)
             return false;
-        if (touch.isCurved) {
-            addCurved();
-            return true;
-        }
+        if (touch.isCurved)
+            return addCurved();
         if (!touch.isRound && !hasPlane_)
             preferFaces();
         addCorners();
@@ -189,28 +187,71 @@ private:
     }
 
     // A round end that lies flat is a face with many corners. All else touches with pieces.
-    void addCurved() {
+    // False: they do not touch.
+    bool addCurved() {
         auto facing = collision::facingFeatures(first_, second_, touch.normal, tolerance_);
         ofBody_ = std::move(facing.first);
         ofSupport_ = std::move(facing.second);
         if (ofBody_.size() > 2 && ofSupport_.size() > 2) {
             addPatch();
-            return thinOut();
+            if (touch.corners.size() >= 2 * enough && !carryAcrossBorder())
+                thinOut();
+            return true;
         }
         keepFaces();
-        addPieces();
+        const PieceTouch pieces = pieceTouch(body_, touch.bodyPart, support_, touch.supportPart,
+                                             touch.normal, tolerance_);
+        if (pieces.isApart)
+            return false;
+        addPieces(pieces);
         if (touch.hasPieces)
-            return;
+            return true;
         touch.corners.clear();
         touch.isModelled = false;
         for (const Vector& corner :
              collision::patchOf(first_, second_, touch.normal, tolerance_, beside_).corners)
             add(Kind::onSupportPlane, corner, corner, corner, 0);
+        return true;
     }
 
-    void addPieces() {
-        addPieces(pieceTouch(body_, touch.bodyPart, support_, touch.supportPart, touch.normal,
-                             tolerance_));
+    static constexpr std::size_t enough = 16; // corners of a round patch
+
+    // Of many corners of a round end that lies on a face in part, some of its rim carry, the
+    // vertices of the other face, and where the borders cross. False: it lies on it as a whole, or
+    // borders all but touch.
+    bool carryAcrossBorder() {
+        const std::vector<PiecePoint> crossings = crossingsOfBorders(
+            body_, touch.bodyPart, support_, touch.supportPart, touch.normal, tolerance_);
+        if (crossings.empty())
+            return false;
+        touch.isModelled = false;
+        touch.corners.clear();
+        addWithin(body_, touch.bodyPart, ofBody_, support_, touch.supportPart);
+        addWithin(support_, touch.supportPart, ofSupport_, body_, touch.bodyPart);
+        for (const PiecePoint& point : crossings) {
+            const Vector& at = point.at.contact;
+            add(Kind::onSupportPlane, at, at, ofSupport_[0], 0);
+            touch.corners.back().gap = point.at.gap;
+            touch.corners.back().pieces = point.gap;
+        }
+        return true;
+    }
+    // Corners of an outline within the border of the other's face; of a round one every fourth.
+    void addWithin(const Placed& owner, std::size_t part, const std::vector<Vector>& outline,
+                   const Placed& other, std::size_t otherPart) {
+        const bool isBodys = &owner == &body_;
+        const auto face =
+            faceTowards(other, otherPart, isBodys ? touch.normal : Vector(-touch.normal));
+        const std::size_t step = isCurved(owner.shape->parts[part]) ? 4 : 1;
+        for (std::size_t i = 0; face && i < outline.size(); i += step) {
+            const Vector& corner = outline[i];
+            if (depthIn(*face, intoFrame(other, origin_ + corner)) < 0)
+                continue;
+            const Vector under =
+                onto(isBodys ? second_ : first_, isBodys ? ofSupport_ : ofBody_, corner);
+            add(Kind::onSupportPlane, corner, isBodys ? corner : under, isBodys ? under : corner,
+                0);
+        }
     }
 
     void addPieces(const PieceTouch& found) {
@@ -239,10 +280,7 @@ private:
     // Of many corners of a round patch some carry as well, from one on that lies along an axis of
     // the world, as those of a scene in a plane do.
     void thinOut() {
-        constexpr std::size_t enough = 16;
         const std::size_t step = touch.corners.size() / enough;
-        if (step < 2)
-            return;
         std::vector<Corner> kept;
         const auto first = std::ranges::max_element(
             touch.corners, {}, [](const Corner& corner) { return corner.point.x(); });

@@ -26,7 +26,8 @@ std::string noteOf(const scene::Scene& scene, const physics::PartGap& of) {
     std::snprintf(depth, sizeof depth, "%.3g", -of.gap);
     return "Bodies \"" + scene.bodies[isFirst ? of.first : of.second].name + "\" and \"" +
            scene.bodies[isFirst ? of.second : of.first].name + "\" overlap by " + depth +
-           " at the start, and begin moved apart by that; " + physics::partAdvice() + ".";
+           " at the start, and begin moved apart by that; " + physics::partButton +
+           " writes it into the text.";
 }
 
 // None: a body has no shape, which is told elsewhere.

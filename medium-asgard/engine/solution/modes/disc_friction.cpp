@@ -155,19 +155,29 @@ void DiscFriction::addGaps(std::size_t k, std::span<const double> forces,
         change.moment += forces[of.normals[n]] * leversAmong(gaps, k, n);
 }
 
-DiscFriction::InDisc DiscFriction::changeOf(std::size_t k, std::span<const double> forces,
+DiscFriction::Slope DiscFriction::slopeOf(std::size_t k, std::span<const double> forces) const {
+    Slope slope{
+        .all = changeBy(k, forces), .centre = centreOf(k, forces), .way = {}, .direction = {}};
+    slope.way = wayOf(k, slope.centre);
+    slope.direction = slope.way.normalized();
+    if (slope.way.size() > 1) {
+        slope.turning = senseOf(k) / slope.way.norm();
+        slope.spin = ratesAmong(gaps_, k)[slope.way.size() - 1];
+    }
+    return slope;
+}
+
+DiscFriction::InDisc DiscFriction::changeOf(std::size_t k, const Slope& slope,
                                             const Change& change) const {
-    const Change all = changeBy(k, forces);
-    const Centre centre = centreOf(k, forces);
+    const auto& [all, centre, way, direction, turning, spin] = slope;
     const Centre moved = all.pressed > 0
                              ? Centre((change.moment - change.pressed * centre) / all.pressed)
                              : Centre(0 * centre);
-    const InDisc way = wayOf(k, centre), direction = way.normalized();
     InDisc turned = InDisc::Zero(way.size());
     if (way.size() > 1) {
         InDisc slip = at(centre, change.slip);
-        slip.head(centre.size()) += ratesAmong(gaps_, k)[way.size() - 1] * moved;
-        turned = senseOf(k) / way.norm() * (slip - direction.dot(slip) * direction);
+        slip.head(centre.size()) += spin * moved;
+        turned = turning * (slip - direction.dot(slip) * direction);
     }
     InDisc by = change.pressed * direction + all.pressed * turned;
     by[by.size() - 1] += change.moment.dot(direction.head(centre.size())) +

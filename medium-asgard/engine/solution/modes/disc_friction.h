@@ -65,8 +65,16 @@ public:
     // Adds what these changes of gaps, of their rates and of levers bring.
     void addGaps(std::size_t disc, std::span<const double> forces, std::span<const double> gaps,
                  Change& change) const;
-    [[nodiscard]] InDisc changeOf(std::size_t disc, std::span<const double> forces,
-                                  const Change& change) const;
+    // About these normal forces: what all changes have in common.
+    struct Slope {
+        Change all;
+        Centre centre;
+        InDisc way, direction;
+        double turning = 0; // part of a change of slip that turns the direction
+        double spin = 0;    // the rate of the last row
+    };
+    [[nodiscard]] Slope slopeOf(std::size_t disc, std::span<const double> forces) const;
+    [[nodiscard]] InDisc changeOf(std::size_t disc, const Slope& slope, const Change& change) const;
 
 private:
     using Levers = Eigen::Map<const Eigen::VectorXd>;

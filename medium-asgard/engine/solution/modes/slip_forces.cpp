@@ -101,9 +101,10 @@ Eigen::VectorXd SlipForces::errors(const Eigen::VectorXd& multipliers) const {
 void SlipForces::linearise(std::span<const double> multipliers) {
     slopes_.setIdentity(rows_, rows_);
     each([&](std::size_t disc, Eigen::Index first) {
+        const DiscFriction::Slope slope = friction_.slopeOf(disc, multipliers);
         for (Eigen::Index i = 0; i < rows_; ++i) {
             const DiscFriction::Change by = friction_.changeBy(disc, spanOf(responses_.col(i)));
-            const DiscFriction::InDisc change = friction_.changeOf(disc, multipliers, by);
+            const DiscFriction::InDisc change = friction_.changeOf(disc, slope, by);
             slopes_.col(i).segment(first, change.size()) -= change;
         }
     });
@@ -117,7 +118,8 @@ void SlipForces::change(std::span<const double> multipliers, std::span<const dou
     each([&](std::size_t disc, Eigen::Index first) {
         DiscFriction::Change by = friction_.changeBy(disc, spanOf(change));
         friction_.addGaps(disc, multipliers, gaps, by);
-        const DiscFriction::InDisc of = friction_.changeOf(disc, multipliers, by);
+        const DiscFriction::InDisc of =
+            friction_.changeOf(disc, friction_.slopeOf(disc, multipliers), by);
         forces.segment(first, of.size()) = of;
     });
     forces = lu_.solve(forces);
