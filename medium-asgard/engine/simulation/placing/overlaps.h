@@ -1,8 +1,8 @@
 // Which bodies that may meet overlap at the start, how deep, and along which direction?
 //
 // Each pair of parts has the gap and the normal of collision/separation.h, which of parts that
-// overlap is the least way that parts them. What overlaps by less than 1e-9 of the scene's size
-// touches. The scene's size is that of the box of all moving bodies.
+// overlap is the least way that parts them. Parts that overlap by less than 1e-9 of the scene's
+// size touch. The scene's size is that of the box of all moving bodies.
 //
 // LIMIT: a body of several parts parts from each of its neighbour's parts by itself, so that one
 // that has gone deep into a notch may go out through its bottom.
@@ -32,7 +32,7 @@ public:
     [[nodiscard]] std::vector<physics::PartGap> at(const std::vector<geometry::Pose>& poses,
                                                    Depth depth);
     [[nodiscard]] double size() const { return size_; } // of the scene
-    // Where they are at the start, unless a trajectory holds a body somewhere else.
+    // Their poses at the start, those of bodies that trajectories hold included.
     [[nodiscard]] std::vector<geometry::Pose> startPoses() const;
 
 private:

@@ -1,8 +1,8 @@
-// Where bodies begin so that the joints of a scene are closed and nothing overlaps.
+// The places at which bodies begin, so that the joints of a scene are closed and no two overlap.
 //
 // An author rounds: a coin of radius 0.1 that leans by 0.05 stands on the floor at 0.100125, and is
-// written at 0.1001. What overlaps by little begins where it touches, as a joint that misses by
-// little begins closed. Of more the motion tells, and placed() offers where bodies could stand.
+// written at 0.1001. Bodies that overlap by little begin where they touch, as a joint that misses
+// by little begins closed. Of more the motion tells, and placed() offers places for them.
 #pragma once
 
 #include "physics/assembly.h"

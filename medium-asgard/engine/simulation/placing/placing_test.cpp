@@ -94,7 +94,7 @@ TEST(Placing, ADeepOverlapIsToldWithItsDepthAndTheOffer) {
     EXPECT_TRUE(physics::asksToPart(result.motion->notes()[0]));
 }
 
-// What an edit does not concern stays to the last bit, also where two places are mended.
+// A body that an edit does not concern keeps all bits, also when two places are mended.
 TEST(Placing, AnEditElsewhereChangesNoBit) {
     SceneBuilder b(1);
     b.floor();
