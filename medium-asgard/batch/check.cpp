@@ -1,5 +1,6 @@
 #include "batch/command.h"
 #include "batch/input.h"
+#include "placing/placing.h"
 #include "reports/doubts.h"
 #include "simulation/simulation.h"
 #include "terminal/terminal.h"
@@ -27,6 +28,11 @@ int checkCommand(script::Reader& reader, const CheckArguments& arguments) {
         return failure;
     for (const scene::Diagnostic& doubt : simulation::doubtsAbout(scene.reading.scene))
         terminal::say(placed(scene, doubt));
+    for (const std::string& sentence : simulation::overlapSentences(scene.reading.scene)) {
+        scene::Diagnostic said = simulation::faultOf(scene.reading.scene, sentence);
+        said.severity = scene::Severity::warning;
+        terminal::say(placed(scene, said));
+    }
     const Refusal refusal = refusalOf(scene, faultsOfTheEngine(scene.reading.scene));
     for (const std::string& fault : refusal.faults)
         terminal::say(fault);

@@ -1,6 +1,7 @@
 #include "events/collision_source.h"
 
 #include "events/sentences.h"
+#include "placing/placing.h"
 
 #include <algorithm>
 #include <utility>
@@ -92,9 +93,9 @@ std::optional<solution::Event> CollisionSource::renew(const Histories& histories
                                              : end(now, pair, sentences::missed(world_, pair));
         else
             record_.addNote(pair, now.time,
-                            now.time <= world_.start
-                                ? sentences::overlapAtStart(world_, pair, depth)
-                                : sentences::overlap(world_, pair));
+                            now.time <= world_.start ? overlapSentence(world_.scene, pair, depth,
+                                                                       Begin::throughEachOther)
+                                                     : sentences::overlap(world_, pair));
     }
     return lost;
 }

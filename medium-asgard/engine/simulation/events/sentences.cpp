@@ -1,7 +1,5 @@
 #include "events/sentences.h"
 
-#include "physics/assembly.h"
-
 #include <cctype>
 #include <cstdio>
 
@@ -94,15 +92,6 @@ std::string restless(const Colliders& world, std::size_t body) {
 std::string passThrough(const Colliders& world, const Pair& pair) {
     return capital(bodies(world, pair)) +
            " are both held where they meet, so they pass through each other.";
-}
-
-std::string overlapAtStart(const Colliders& world, const Pair& pair, double depth) {
-    char by[40];
-    std::snprintf(by, sizeof by, "%.3g", depth);
-    const Pair named = world.isFixed(pair.first) ? Pair(pair.second, pair.first) : pair;
-    return capital(bodies(world, named)) + " overlap by " + by +
-           " at the start, and pass through each other until they are apart; " +
-           physics::partAdvice() + ".";
 }
 
 std::string overlap(const Colliders& world, const Pair& pair) {

@@ -31,8 +31,6 @@ namespace simulation::sentences {
 [[nodiscard]] std::string unsolved(const Colliders& world, const Pair& pair);
 // What is noted beside a motion that goes on.
 [[nodiscard]] std::string passThrough(const Colliders& world, const Pair& pair);
-// `depth`: at the start, from where the author's places count.
-[[nodiscard]] std::string overlapAtStart(const Colliders& world, const Pair& pair, double depth);
 [[nodiscard]] std::string overlap(const Colliders& world, const Pair& pair);
 [[nodiscard]] std::string noRoom(const Colliders& world, std::size_t body,
                                  const std::set<std::size_t>& between);

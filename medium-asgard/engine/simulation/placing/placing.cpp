@@ -20,16 +20,6 @@ using Poses = std::vector<geometry::Pose>;
 
 constexpr double untold = 1e-5; // of the scene's size, as a joint may miss
 
-std::string noteOf(const scene::Scene& scene, const physics::PartGap& of) {
-    const bool isFirst = !scene.bodies[of.first].fixed; // the fault stands at the one that moves
-    char depth[40];
-    std::snprintf(depth, sizeof depth, "%.3g", -of.gap);
-    return "Bodies \"" + scene.bodies[isFirst ? of.first : of.second].name + "\" and \"" +
-           scene.bodies[isFirst ? of.second : of.first].name + "\" overlap by " + depth +
-           " at the start, and begin moved apart by that; " + physics::partButton +
-           " writes it into the text.";
-}
-
 // None: a body has no shape, which is told elsewhere.
 std::optional<std::vector<geometry::Shape>> shapesOf(const scene::Scene& scene) {
     scene::ShapeReader reader;
@@ -86,6 +76,43 @@ std::vector<Moved> movedIn(const scene::Scene& scene) {
 
 } // namespace
 
+std::string overlapSentence(const scene::Scene& scene, const collision::Pair& bodies, double depth,
+                            Begin begin) {
+    const auto [first, second] =
+        scene.bodies[bodies.first].fixed ? collision::Pair(bodies.second, bodies.first) : bodies;
+    char by[40];
+    std::snprintf(by, sizeof by, "%.3g", depth);
+    return "Bodies \"" + scene.bodies[first].name + "\" and \"" + scene.bodies[second].name +
+           "\" overlap by " + by + " at the start, and " +
+           (begin == Begin::movedApart
+                ? std::string("begin moved apart by that; ") + physics::partButton +
+                      " writes it into the text."
+                : "pass through each other until they are apart; " + physics::partAdvice() + ".");
+}
+
+std::vector<std::string> overlapSentences(const scene::Scene& scene) {
+    std::vector<std::string> sentences;
+    const auto shapes = scene.simulator.collisions ? shapesOf(scene) : std::nullopt;
+    const physics::EquationsOfMotion equations(scene, {}, nullptr,
+                                               physics::EquationsOfMotion::Start::mayMiss);
+    if (!shapes || !equations.faults.empty())
+        return sentences;
+    Overlaps overlaps(scene, equations, *shapes);
+    const Poses poses = overlaps.startPoses();
+    std::map<collision::Pair, double> little, all;
+    for (auto* depths : {&little, &all})
+        for (const physics::PartGap& of :
+             overlaps.at(poses, depths == &little ? Overlaps::Depth::little : Overlaps::Depth::any))
+            (*depths)[{of.first, of.second}] = std::max((*depths)[{of.first, of.second}], -of.gap);
+    for (const auto& [bodies, depth] : all) {
+        const bool isLittle = little.contains(bodies) && little[bodies] == depth;
+        if (!isLittle || depth > untold * overlaps.size())
+            sentences.push_back(overlapSentence(
+                scene, bodies, depth, isLittle ? Begin::movedApart : Begin::throughEachOther));
+    }
+    return sentences;
+}
+
 physics::Assembly placed(const scene::Scene& scene, const std::function<bool()>& cancelled) {
     const auto shapes = scene.simulator.collisions ? shapesOf(scene) : std::nullopt;
     if (!shapes)
@@ -116,7 +143,8 @@ Touching touching(const scene::Scene& scene, const physics::EquationsOfMotion& e
     }
     for (const physics::PartGap& of : found)
         if (-of.gap > untold * overlaps.size() && (isMoved[of.first] || isMoved[of.second]))
-            all.notes.push_back(noteOf(scene, of));
+            all.notes.push_back(
+                overlapSentence(scene, {of.first, of.second}, -of.gap, Begin::movedApart));
     return all;
 }
 

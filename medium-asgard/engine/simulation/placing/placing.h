@@ -5,6 +5,7 @@
 // by little begins closed. Of more the motion tells, and placed() offers places for them.
 #pragma once
 
+#include "collision/broad_phase.h"
 #include "physics/assembly.h"
 #include "physics/equations_of_motion.h"
 
@@ -18,6 +19,14 @@ namespace simulation {
 // movement; `cancelled` is asked now and then.
 [[nodiscard]] physics::Assembly placed(const scene::Scene& scene,
                                        const std::function<bool()>& cancelled = nullptr);
+
+// That two bodies overlap at the start, how deep, and what comes of it. The fault stands at the
+// first of them that is not fixed.
+enum class Begin { movedApart, throughEachOther };
+[[nodiscard]] std::string overlapSentence(const scene::Scene& scene, const collision::Pair& bodies,
+                                          double depth, Begin begin);
+// Those of a scene, one for each pair of bodies, by its deepest parts.
+[[nodiscard]] std::vector<std::string> overlapSentences(const scene::Scene& scene);
 
 // Bodies that overlap others by little (overlaps.h), where they touch them; none: there are none,
 // or there is no room. Bodies that hang together or overlap are moved by themselves, so that what

@@ -94,6 +94,21 @@ TEST(Placing, ADeepOverlapIsToldWithItsDepthAndTheOffer) {
     EXPECT_TRUE(physics::asksToPart(result.motion->notes()[0]));
 }
 
+TEST(Placing, OverlapsAreToldWithoutAMotion) {
+    SceneBuilder b(1);
+    b.floor();
+    b.box("low", {0, 0.4, 0}, {1, 1, 1});
+    b.box("near", {3, 0.4999, 0}, {1, 1, 1});
+    b.box("rounded", {6, 0.4999999, 0}, {1, 1, 1});
+    const auto told = overlapSentences(b.scene);
+    ASSERT_EQ(told.size(), 2u);
+    EXPECT_THAT(told[0], ::testing::StartsWith(
+                             "Bodies \"low\" and \"floor\" overlap by 0.1 at the start, and pass"));
+    EXPECT_THAT(told[1],
+                ::testing::StartsWith(
+                    "Bodies \"near\" and \"floor\" overlap by 0.0001 at the start, and begin"));
+}
+
 // A body that an edit does not concern keeps all bits, also when two places are mended.
 TEST(Placing, AnEditElsewhereChangesNoBit) {
     SceneBuilder b(1);
