@@ -17,6 +17,8 @@ std::chrono::milliseconds patience{12};
 
 // While something moves a picture with shadows may take that long: 20 of them a second.
 constexpr std::chrono::milliseconds smooth{50};
+// So many slower ones in a row, and shadows wait for the rest: one alone is a busy machine's.
+constexpr int mostSlow = 8;
 
 } // namespace
 
@@ -72,11 +74,11 @@ void WindowPicture::ask() {
         return;
     isOld_ = false;
     PictureWish wish = wish_();
-    isHeavy_ = isHeavy_ && picture_ &&
-               picture_->of.shown.scene->bodies.size() == wish.shown.scene->bodies.size();
+    if (!picture_ || picture_->of.shown.scene->bodies.size() != wish.shown.scene->bodies.size())
+        slow_ = 0; // a scene with other bodies is tried again
     wish.serial = ++wished_;
     wish.display.samples = isMoving_ ? 1 : 4;
-    wish.display.shadows = wish.display.shadows && !(isMoving_ && isHeavy_);
+    wish.display.shadows = wish.display.shadows && !(isMoving_ && slow_ >= mostSlow);
     const QColor paper = window_.palette().color(QPalette::Base);
     wish.display.background = {paper.redF(), paper.greenF(), paper.blueF()};
     wish.size = pixelSize();
@@ -89,10 +91,9 @@ void WindowPicture::take() {
         return;
     if (auto old = std::exchange(picture_, std::move(last)))
         thread_->drop(std::move(old));
-    // Once it was seen to be slow; a scene with other bodies is tried again.
-    const render::Display& display = picture_->of.display;
-    if (display.shadows && display.samples == 1 && picture_->lasted > smooth)
-        isHeavy_ = true;
+    if (const render::Display& display = picture_->of.display;
+        display.shadows && display.samples == 1)
+        slow_ = picture_->lasted > smooth ? slow_ + 1 : 0;
     Q_EMIT taken();
 }
 

@@ -71,8 +71,8 @@ private:
     unsigned wished_ = 0, waitedFor_ = 0; // serials
     bool isOld_ = true;                   // what is shown is not what was wished for last
     bool isMoving_ = false;
-    bool isHeavy_ = false; // with shadows it would not move smoothly
-    QTimer settle_;        // then the fine picture is drawn
+    int slow_ = 0;  // pictures with shadows in a row that would not move smoothly
+    QTimer settle_; // then the fine picture is drawn
 };
 
 } // namespace views
