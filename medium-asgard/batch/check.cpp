@@ -2,6 +2,7 @@
 #include "batch/input.h"
 #include "placing/placing.h"
 #include "reports/doubts.h"
+#include "reports/report.h"
 #include "simulation/simulation.h"
 #include "terminal/terminal.h"
 
