@@ -47,7 +47,7 @@ void holdTurns(Linkage& linkage) {
     linkage.hold(std::move(held));
 }
 
-// Of gaps of parts, where the bodies are: how they change with a movement.
+// The derivatives of these gaps by a movement.
 Eigen::MatrixXd openingsOf(const Linkage& linkage, const std::vector<PartGap>& gaps,
                            const std::vector<geometry::Pose>& poses) {
     const auto places = static_cast<Eigen::Index>(linkage.bodies().size());
@@ -71,7 +71,7 @@ Eigen::MatrixXd openingsOf(const Linkage& linkage, const std::vector<PartGap>& g
     return all;
 }
 
-// To the least movement that closes the joints and opens these gaps. None: there is no such one.
+// The step to the least movement that closes the joints and opens these gaps. None: no such one.
 std::optional<Eigen::VectorXd> partingStep(Linkage& linkage, const Eigen::MatrixXd& openings,
                                            const Eigen::VectorXd& gaps) {
     const Eigen::VectorXd before = linkage.movement();
@@ -95,7 +95,7 @@ std::optional<Eigen::VectorXd> partingStep(Linkage& linkage, const Eigen::Matrix
     return movement - before;
 }
 
-// Those of which a body can move.
+// Gaps of parts of which a body can move.
 struct Open {
     std::vector<PartGap> parts;
     Eigen::MatrixXd by; // how they change with a movement
@@ -141,15 +141,20 @@ std::string partAll(const scene::Scene& scene, Linkage& linkage, const PartGaps&
                     const std::function<bool()>& cancelled) {
     constexpr int most = 60;
     constexpr double stays = 1e-14; // of the largest radius
+    constexpr std::size_t mostPlaces = 400;
     holdTurns(linkage);
     Open open = openOf(linkage, gapsAt);
     for (int k = 0; k < most && !open.parts.empty() && !cancelled(); ++k) {
+        if (open.parts.size() > mostPlaces)
+            return "bodies overlap at too many places to move them all apart: begin with some of "
+                   "them";
         const auto step = partingStep(linkage, open.by, open.gaps());
         if (!step)
             break;
         linkage.step(*step);
         open = openOf(linkage, gapsAt);
-        if (step->norm() <= stays * linkage.size())
+        const bool hasTightened = linkage.tighten(); // a rope on which a body has moved
+        if (!hasTightened && step->norm() <= stays * linkage.size())
             break;
     }
     const PartGap* left = deepest(open.parts, linkage.size());
@@ -176,6 +181,11 @@ Assembly assembled(const scene::Scene& written, const std::function<bool()>& can
         return made.cancelled;
     };
     Linkage linkage(scene, equations);
+    if (linkage.bodies().empty()) {
+        if (!linkage.isClosed())
+            made.reason = openJoints(linkage);
+        return made;
+    }
     if (!linkage.close(isCancelled)) {
         if (!isCancelled())
             made.reason = openJoints(linkage);

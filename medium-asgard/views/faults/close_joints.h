@@ -16,7 +16,7 @@
 
 namespace views {
 
-// How many faults tell of what.
+// The numbers of faults that tell of them.
 struct Misplaced {
     int openJoints = 0, overlaps = 0;
 };

@@ -142,11 +142,11 @@ public:
 
     [[nodiscard]] std::size_t pairTests() const { return tested_.tests(); }
     [[nodiscard]] std::vector<Pair> pairs() { return tested_.all(); } // that were searched
-    // Pairs that overlapped without having met, since this was asked last.
     struct Overlap {
         Pair pair;
         double depth = 0;
     };
+    // Pairs that overlapped without having met, since this was asked last.
     [[nodiscard]] std::vector<Overlap> takeOverlaps() { return std::exchange(overlaps_, {}); }
 
 private:

@@ -16,8 +16,10 @@ using geometry::Pose;
 using geometry::Vector;
 using physics::PartGap;
 
-constexpr double touching = 1e-9; // of the scene's size
-constexpr double little = 1e-3;   // of the smaller part
+constexpr double touches = 1e-8; // of the smaller part
+constexpr double little = 1e-3;  // of the smaller part
+
+constexpr std::size_t mostPlaces = 8; // of a patch
 
 // Of the body's frame.
 Pose frameOf(const physics::BodyMotion& body, const Pose& centre) {
@@ -38,14 +40,7 @@ double sizeOf(const Part& part) {
 
 Overlaps::Overlaps(const scene::Scene& scene, const physics::EquationsOfMotion& equations,
                    const std::vector<geometry::Shape>& shapes)
-    : scene_(scene), equations_(equations), shapes_(shapes), mayMeet_(scene) {
-    geometry::Box box;
-    for (const physics::BodyMotion& body : equations.bodies)
-        if (!body.isFixed)
-            for (const double side : {-1, 1})
-                box.extend(Vector(body.start.position + Vector::Constant(side * body.mass.radius)));
-    size_ = box.isEmpty() ? 1 : box.sizes().maxCoeff();
-}
+    : scene_(scene), equations_(equations), shapes_(shapes), mayMeet_(scene) {}
 
 std::vector<Pose> Overlaps::startPoses() const {
     const double start = scene_.simulator.start;
@@ -86,17 +81,21 @@ void Overlaps::look(const Parts& parts, const std::vector<Pose>& poses, Depth de
     const collision::Posed one = posed(first, a), other = posed(second, b);
     collision::WarmStart warm;
     const collision::Separation apart = collision::separate(one, other, warm);
-    const double most =
-        depth == Depth::any ? HUGE_VAL : little * std::min(sizeOf(first), sizeOf(second));
+    const double size = std::min(sizeOf(first), sizeOf(second));
+    const double most = depth == Depth::any ? HUGE_VAL : little * size;
     const bool isNew = !told_.contains(parts);
-    if (isNew && !(apart.gap < -touching * size_ && apart.gap >= -most))
+    if (isNew && !(apart.gap < -touches * size && apart.gap >= -most))
         return;
     if (isNew)
         told_.insert(parts);
-    const Vector at = apart.touch
-                          ? *apart.touch
-                          : collision::contactPoints(one, other, std::abs(apart.gap)).centre;
-    found.push_back({a, b, apart.gap, apart.normal, origin + at});
+    std::vector<Vector> places;
+    if (apart.touch)
+        places.push_back(*apart.touch);
+    else
+        places = collision::contactPoints(one, other, std::abs(apart.gap)).points;
+    const std::size_t step = 1 + places.size() / mostPlaces;
+    for (std::size_t k = 0; k < places.size(); k += step)
+        found.push_back({a, b, apart.gap, apart.normal, origin + places[k]});
 }
 
 std::vector<PartGap> Overlaps::at(const std::vector<Pose>& poses, Depth depth) {

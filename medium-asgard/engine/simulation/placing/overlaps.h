@@ -1,8 +1,8 @@
 // Which bodies that may meet overlap at the start, how deep, and along which direction?
 //
 // Each pair of parts has the gap and the normal of collision/separation.h, which of parts that
-// overlap is the least way that parts them. Parts that overlap by less than 1e-9 of the scene's
-// size touch. The scene's size is that of the box of all moving bodies.
+// overlap is the least way that parts them. Parts that overlap by less than 1e-8 of the smaller
+// one touch. All bounds are those of the pair: bodies elsewhere change nothing.
 //
 // LIMIT: a body of several parts parts from each of its neighbour's parts by itself, so that one
 // that has gone deep into a notch may go out through its bottom.
@@ -13,7 +13,6 @@
 #include "physics/assembly.h"
 #include "physics/equations_of_motion.h"
 
-#include <functional>
 #include <set>
 #include <tuple>
 #include <vector>
@@ -28,10 +27,10 @@ public:
 
     enum class Depth { any, little };
     // Of bodies whose centres of mass are at these poses. Pairs that were found before are among
-    // them whether they overlap or not. `little`: by at most 1e-3 of the smaller part.
+    // them whether they overlap or not. `little`: by at most 1e-3 of the smaller part. A patch has
+    // several places.
     [[nodiscard]] std::vector<physics::PartGap> at(const std::vector<geometry::Pose>& poses,
                                                    Depth depth);
-    [[nodiscard]] double size() const { return size_; } // of the scene
     // Their poses at the start, those of bodies that trajectories hold included.
     [[nodiscard]] std::vector<geometry::Pose> startPoses() const;
 
@@ -44,7 +43,6 @@ private:
     const physics::EquationsOfMotion& equations_;
     const std::vector<geometry::Shape>& shapes_;
     MayMeet mayMeet_;
-    double size_ = 0;      // of the scene
     std::set<Parts> told_; // first body, its part, second body, its part
 };
 

@@ -1,24 +1,27 @@
 #include "placing/placing.h"
 
 #include "placing/overlaps.h"
-#include "scene/part_of.h"
+#include "scene/connections.h"
 #include "scene/shape_of.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <map>
-#include <memory>
+#include <numeric>
 #include <optional>
+#include <set>
 #include <utility>
 #include <variant>
 
 namespace simulation {
 namespace {
 
+using geometry::Vector;
 using Moved = physics::Assembly::Moved;
 using Poses = std::vector<geometry::Pose>;
 
-constexpr double untold = 1e-5; // of the scene's size, as a joint may miss
+constexpr double untold = 1e-5; // of the radius of the smaller body
 
 // None: a body has no shape, which is told elsewhere.
 std::optional<std::vector<geometry::Shape>> shapesOf(const scene::Scene& scene) {
@@ -36,42 +39,125 @@ std::optional<std::vector<geometry::Shape>> shapesOf(const scene::Scene& scene) 
     return shapes;
 }
 
-// Bodies that hang together, or overlap, with all that are fixed; in the scene's order.
-std::vector<std::vector<std::size_t>> clustersOf(const scene::Version& version,
-                                                 const std::vector<physics::PartGap>& overlaps) {
-    const scene::Scene& scene = *version.scene;
-    std::vector<std::size_t> cluster = version.connections.group;
-    std::vector<char> isMoved(scene.bodies.size(), 0);
-    for (const physics::PartGap& of : overlaps) {
-        if (!scene.bodies[of.first].fixed && !scene.bodies[of.second].fixed)
-            std::ranges::replace(cluster, std::size_t{cluster[of.second]}, cluster[of.first]);
-        isMoved[of.first] = isMoved[of.second] = 1;
+// By body: it may be moved, and hangs on nothing.
+std::vector<char> looseOf(const scene::Scene& scene, const physics::EquationsOfMotion& equations) {
+    const scene::Connections connections(scene);
+    std::vector<char> all;
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+        const physics::BodyMotion& body = equations.bodies[b];
+        const physics::Held& held = body.heldAt(scene.simulator.start);
+        const bool isHeld = held.attitude || std::ranges::count(held.position, true) > 0;
+        all.push_back(!body.isFixed && !isHeld && connections.joints.of(b).empty() &&
+                      connections.gears.of(b).empty() && connections.ropes.of(b).empty());
     }
-    std::map<std::size_t, std::vector<std::size_t>> bodies;
-    for (std::size_t b = 0; b < cluster.size(); ++b)
-        if (isMoved[b] != 0 && !scene.bodies[b].fixed)
-            bodies[cluster[b]];
-    for (std::size_t b = 0; b < cluster.size(); ++b)
-        for (auto& [root, of] : bodies)
-            if (scene.bodies[b].fixed || cluster[b] == root)
-                of.push_back(b);
-    std::vector<std::vector<std::size_t>> all;
-    for (auto& [root, of] : bodies)
-        all.push_back(std::move(of));
     return all;
 }
 
-std::vector<Moved> movedIn(const scene::Scene& scene) {
-    const auto shapes = shapesOf(scene);
-    const physics::EquationsOfMotion equations(scene, {}, nullptr,
-                                               physics::EquationsOfMotion::Start::mayMiss);
-    if (!shapes || !equations.faults.empty())
-        return {};
-    Overlaps overlaps(scene, equations, *shapes);
-    physics::Assembly made = physics::assembled(scene, nullptr, [&](const Poses& poses) {
-        return overlaps.at(poses, Overlaps::Depth::little);
-    });
-    return made.reason.empty() ? std::move(made.moved) : std::vector<Moved>();
+// The places of bodies that are moved apart.
+class Heaps {
+public:
+    Heaps(std::vector<char> isLoose, Poses poses)
+        : isLoose_(std::move(isLoose)), poses_(std::move(poses)) {}
+
+    [[nodiscard]] const Poses& poses() const { return poses_; }
+    [[nodiscard]] bool isLoose(std::size_t body) const { return isLoose_[body] != 0; }
+    [[nodiscard]] bool isStuck(const physics::PartGap& of) const {
+        return stuck_.contains(of.first) || stuck_.contains(of.second);
+    }
+    [[nodiscard]] bool isStuck(std::size_t body) const { return stuck_.contains(body); }
+
+    // False: nothing overlaps. `isLast`: heaps in which something does are stuck.
+    bool open(std::vector<physics::PartGap> gaps, bool isLast) {
+        std::erase_if(gaps, [this](const physics::PartGap& of) {
+            return (!isLoose(of.first) && !isLoose(of.second)) || isStuck(of);
+        });
+        bool isAny = false;
+        for (const auto& [root, heap] : heapsOf(gaps)) {
+            const bool overlaps = std::ranges::any_of(heap, [](const physics::PartGap& of) {
+                constexpr double rounding = 1e-14; // of places
+                return of.gap < -rounding * of.at.norm();
+            });
+            isAny = isAny || overlaps;
+            if (overlaps && (isLast || !openHeap(heap)))
+                for (const physics::PartGap& of : heap)
+                    for (const std::size_t body : {of.first, of.second})
+                        if (isLoose(body))
+                            stuck_.insert(body);
+        }
+        return isAny;
+    }
+
+private:
+    // By the least of the loose bodies that they connect.
+    [[nodiscard]] std::map<std::size_t, std::vector<physics::PartGap>>
+    heapsOf(const std::vector<physics::PartGap>& gaps) const {
+        std::vector<std::size_t> above(isLoose_.size());
+        std::iota(above.begin(), above.end(), 0);
+        const auto rootOf = [&](std::size_t body) {
+            while (above[body] != body)
+                body = above[body];
+            return body;
+        };
+        for (const physics::PartGap& of : gaps)
+            if (isLoose(of.first) && isLoose(of.second)) {
+                const std::size_t a = rootOf(of.first), b = rootOf(of.second);
+                above[std::max(a, b)] = std::min(a, b);
+            }
+        std::map<std::size_t, std::vector<physics::PartGap>> heaps;
+        for (const physics::PartGap& of : gaps)
+            heaps[rootOf(isLoose(of.first) ? of.first : of.second)].push_back(of);
+        return heaps;
+    }
+
+    // Hildreth's method: ways as short as they can be, by one force after the other. False: they
+    // have not come to an end.
+    bool openHeap(const std::vector<physics::PartGap>& gaps) {
+        constexpr int most = 4000;
+        constexpr double rounding = 1e-16; // of places
+        std::vector<double> forces(gaps.size(), 0);
+        std::map<std::size_t, Vector> ways;
+        for (const physics::PartGap& of : gaps)
+            for (const std::size_t body : {of.first, of.second})
+                if (isLoose(body))
+                    ways.emplace(body, Vector::Zero());
+        const auto wayOf = [&](std::size_t body) {
+            const auto found = ways.find(body);
+            return found == ways.end() ? Vector(Vector::Zero()) : found->second;
+        };
+        bool isOpen = false;
+        for (int sweep = 0; sweep < most && !isOpen; ++sweep) {
+            isOpen = true;
+            for (std::size_t k = 0; k < gaps.size(); ++k) {
+                const physics::PartGap& of = gaps[k];
+                const double sides = isLoose(of.first) && isLoose(of.second) ? 2 : 1;
+                const double left = of.gap + of.normal.dot(wayOf(of.first) - wayOf(of.second));
+                const double change = std::max(-left / sides, -forces[k]);
+                isOpen = isOpen && std::abs(change) <= rounding * of.at.norm() + least;
+                forces[k] += change;
+                if (isLoose(of.first))
+                    ways[of.first] += change * of.normal;
+                if (isLoose(of.second))
+                    ways[of.second] -= change * of.normal;
+            }
+        }
+        for (const auto& [body, way] : ways)
+            poses_[body].position += way;
+        return isOpen;
+    }
+
+    static constexpr double least = 1e-18;
+    std::vector<char> isLoose_;
+    Poses poses_;
+    std::set<std::size_t> stuck_; // loose bodies of heaps without room
+};
+
+// The deepest of each pair.
+std::map<collision::Pair, double> depthsOf(const std::vector<physics::PartGap>& gaps) {
+    std::map<collision::Pair, double> depths;
+    for (const physics::PartGap& of : gaps)
+        if (double& depth = depths[{of.first, of.second}]; - of.gap > depth)
+            depth = -of.gap;
+    return depths;
 }
 
 } // namespace
@@ -80,14 +166,21 @@ std::string overlapSentence(const scene::Scene& scene, const collision::Pair& bo
                             Begin begin) {
     const auto [first, second] =
         scene.bodies[bodies.first].fixed ? collision::Pair(bodies.second, bodies.first) : bodies;
+    const auto stands = [&](std::size_t body) {
+        return scene.bodies[body].fixed ||
+               std::ranges::any_of(scene.constraints, [&](const scene::Constraint& of) {
+                   return of.body == scene.bodies[body].name;
+               });
+    };
     char by[40];
     std::snprintf(by, sizeof by, "%.3g", depth);
-    return "Bodies \"" + scene.bodies[first].name + "\" and \"" + scene.bodies[second].name +
-           "\" overlap by " + by + " at the start, and " +
-           (begin == Begin::movedApart
-                ? std::string("begin moved apart by that; ") + physics::partButton +
-                      " writes it into the text."
-                : "pass through each other until they are apart; " + physics::partAdvice() + ".");
+    const std::string sentence = "Bodies \"" + scene.bodies[first].name + "\" and \"" +
+                                 scene.bodies[second].name + "\" overlap by " + by +
+                                 " at the start, and ";
+    if (begin == Begin::movedApart)
+        return sentence + "begin moved apart; " + physics::partButton + " writes it into the text.";
+    return sentence + "pass through each other until they are apart" +
+           (stands(first) && stands(second) ? "." : "; " + physics::partAdvice() + ".");
 }
 
 std::vector<std::string> overlapSentences(const scene::Scene& scene) {
@@ -97,19 +190,15 @@ std::vector<std::string> overlapSentences(const scene::Scene& scene) {
                                                physics::EquationsOfMotion::Start::mayMiss);
     if (!shapes || !equations.faults.empty())
         return sentences;
+    const Touching begun = touching(scene, equations, *shapes);
+    sentences = begun.notes;
     Overlaps overlaps(scene, equations, *shapes);
-    const Poses poses = overlaps.startPoses();
-    std::map<collision::Pair, double> little, all;
-    for (auto* depths : {&little, &all})
-        for (const physics::PartGap& of :
-             overlaps.at(poses, depths == &little ? Overlaps::Depth::little : Overlaps::Depth::any))
-            (*depths)[{of.first, of.second}] = std::max((*depths)[{of.first, of.second}], -of.gap);
-    for (const auto& [bodies, depth] : all) {
-        const bool isLittle = little.contains(bodies) && little[bodies] == depth;
-        if (!isLittle || depth > untold * overlaps.size())
-            sentences.push_back(overlapSentence(
-                scene, bodies, depth, isLittle ? Begin::movedApart : Begin::throughEachOther));
-    }
+    Poses poses = overlaps.startPoses();
+    for (const Moved& moved : begun.moved)
+        poses[moved.body].position +=
+            moved.pose.position - scene.bodies[moved.body].initialPosition;
+    for (const auto& [bodies, depth] : depthsOf(overlaps.at(poses, Overlaps::Depth::any)))
+        sentences.push_back(overlapSentence(scene, bodies, depth, Begin::throughEachOther));
     return sentences;
 }
 
@@ -127,24 +216,47 @@ physics::Assembly placed(const scene::Scene& scene, const std::function<bool()>&
 
 Touching touching(const scene::Scene& scene, const physics::EquationsOfMotion& equations,
                   const std::vector<geometry::Shape>& shapes) {
+    constexpr int most = 12; // times
     Overlaps overlaps(scene, equations, shapes);
-    const auto found = overlaps.at(overlaps.startPoses(), Overlaps::Depth::little);
+    const Poses start = overlaps.startPoses();
+    const auto first = overlaps.at(start, Overlaps::Depth::little);
     Touching all;
-    if (found.empty())
+    if (first.empty())
         return all;
-    std::vector<char> isMoved(scene.bodies.size(), 0);
-    const scene::Version version(std::make_shared<const scene::Scene>(scene));
-    for (const std::vector<std::size_t>& bodies : clustersOf(version, found)) {
-        for (Moved moved : movedIn(scene::partOf(version, bodies))) {
-            moved.body = bodies[moved.body];
-            isMoved[moved.body] = 1;
-            all.moved.push_back(moved);
-        }
+    // A movement may make an overlap of any depth; those that are deep at the start are the
+    // author's.
+    const auto little = depthsOf(first),
+               before = depthsOf(overlaps.at(start, Overlaps::Depth::any));
+    const auto isDeep = [&](const physics::PartGap& of) {
+        const collision::Pair pair{of.first, of.second};
+        return before.contains(pair) && !little.contains(pair);
+    };
+    Heaps heaps(looseOf(scene, equations), start);
+    auto gaps = first;
+    for (int k = 0; k <= most && heaps.open(gaps, k == most); ++k) {
+        gaps = overlaps.at(heaps.poses(), Overlaps::Depth::any);
+        std::erase_if(gaps, isDeep);
     }
-    for (const physics::PartGap& of : found)
-        if (-of.gap > untold * overlaps.size() && (isMoved[of.first] || isMoved[of.second]))
-            all.notes.push_back(
-                overlapSentence(scene, {of.first, of.second}, -of.gap, Begin::movedApart));
+    for (std::size_t b = 0; b < start.size(); ++b) {
+        const Vector way = heaps.poses()[b].position - start[b].position;
+        if (!heaps.isStuck(b) && !way.isZero(0))
+            all.moved.push_back(
+                {b,
+                 {scene.bodies[b].initialPosition + way, scene.bodies[b].initialAttitude},
+                 way.norm(),
+                 false});
+    }
+    std::vector<physics::PartGap> mended;
+    for (const physics::PartGap& of : first)
+        if (!heaps.isStuck(of) && (heaps.isLoose(of.first) || heaps.isLoose(of.second)))
+            mended.push_back(of);
+    const auto radiusOf = [&](std::size_t body) {
+        const double radius = equations.bodies[body].mass.radius;
+        return radius > 0 ? radius : HUGE_VAL; // of a half space
+    };
+    for (const auto& [bodies, depth] : depthsOf(mended))
+        if (depth > untold * std::min(radiusOf(bodies.first), radiusOf(bodies.second)))
+            all.notes.push_back(overlapSentence(scene, bodies, depth, Begin::movedApart));
     return all;
 }
 

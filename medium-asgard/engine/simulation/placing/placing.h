@@ -28,12 +28,15 @@ enum class Begin { movedApart, throughEachOther };
 // Those of a scene, one for each pair of bodies, by its deepest parts.
 [[nodiscard]] std::vector<std::string> overlapSentences(const scene::Scene& scene);
 
-// Bodies that overlap others by little (overlaps.h), where they touch them; none: there are none,
-// or there is no room. Bodies that hang together or overlap are moved by themselves, so that what
-// an edit does not concern stays to the last bit.
+// Bodies that overlap others by little (overlaps.h), where they touch them. They are moved by the
+// least way and not turned, again where that makes a new overlap, each heap by itself, so that what
+// an edit does not concern stays to the last bit. A heap that finds no room stays as it is.
+//
+// LIMIT: a body that a joint, a gear or a rope holds, or a trajectory, is not moved: Move Apart
+// finds places for the first three.
 struct Touching {
     std::vector<physics::Assembly::Moved> moved;
-    std::vector<std::string> notes; // of those that overlap by more than a joint may miss
+    std::vector<std::string> notes; // of those that overlap by more than 1e-5 of the smaller body
 };
 // `equations`, and `shapes` by body: of the scene.
 [[nodiscard]] Touching touching(const scene::Scene& scene,

@@ -94,6 +94,56 @@ TEST(Placing, ADeepOverlapIsToldWithItsDepthAndTheOffer) {
     EXPECT_TRUE(physics::asksToPart(result.motion->notes()[0]));
 }
 
+// A stack that is exact in itself, too low by little: no box goes into the next one.
+TEST(Placing, WhatStandsOnABodyThatMovesUpMovesWithIt) {
+    SceneBuilder b(1);
+    b.floor();
+    for (int i = 0; i < 3; ++i) {
+        b.box("box" + std::to_string(i), {0, 0.4999 + i, 0}, {1, 1, 1}).restitution = 0;
+        b.weight("box" + std::to_string(i));
+    }
+    const Result result = simulate(b.scene);
+    EXPECT_EQ(result.motion->notes().size(), 1u);
+    for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_NEAR(result.motion->at(1 + i, 0.5).position.y(), 0.5 + static_cast<double>(i), 1e-9);
+}
+
+TEST(Placing, BodiesThatTrajectoriesHoldStay) {
+    SceneBuilder b(1);
+    b.floor();
+    b.ball("ball", {0, 0.0999, 0});
+    b.hold("ball", 0, 1, {{0, 0.0999, 0}});
+    EXPECT_TRUE(simulate(b.scene).refusal.empty());
+    EXPECT_TRUE(placed(b.scene).moved.empty());
+}
+
+TEST(Placing, ALargeHeapTakesNoTime) {
+    SceneBuilder b(0);
+    b.floor(100);
+    for (int i = 0; i < 20; ++i)
+        for (int k = 0; k < 20; ++k)
+            b.ball("ball" + std::to_string(20 * i + k), {0.19999 * i, 0.09999 + 0.19999 * k, 0});
+    const auto told = overlapSentences(b.scene);
+    EXPECT_FALSE(told.empty());
+}
+
+TEST(Placing, ACartWithAPendulumIsMovedUp) {
+    SceneBuilder b(1);
+    b.floor();
+    b.box("cart", {0, 0.0999, 0}, {0.6, 0.2, 0.4});
+    b.ball("bob", {0, 0.6, 0});
+    scene::Joint pin;
+    pin.name = "pin";
+    pin.type = scene::JointType::hinge;
+    pin.body1 = "bob";
+    pin.offset1 = {0, -0.5, 0};
+    pin.body2 = "cart";
+    b.scene.joints.push_back(pin);
+    const physics::Assembly made = placed(b.scene);
+    EXPECT_EQ(made.reason, "");
+    EXPECT_NEAR(heightOf(made, 1, 0), 0.1, 1e-9);
+}
+
 TEST(Placing, OverlapsAreToldWithoutAMotion) {
     SceneBuilder b(1);
     b.floor();
@@ -102,9 +152,9 @@ TEST(Placing, OverlapsAreToldWithoutAMotion) {
     b.box("rounded", {6, 0.4999999, 0}, {1, 1, 1});
     const auto told = overlapSentences(b.scene);
     ASSERT_EQ(told.size(), 2u);
-    EXPECT_THAT(told[0], ::testing::StartsWith(
+    EXPECT_THAT(told[1], ::testing::StartsWith(
                              "Bodies \"low\" and \"floor\" overlap by 0.1 at the start, and pass"));
-    EXPECT_THAT(told[1],
+    EXPECT_THAT(told[0],
                 ::testing::StartsWith(
                     "Bodies \"near\" and \"floor\" overlap by 0.0001 at the start, and begin"));
 }
