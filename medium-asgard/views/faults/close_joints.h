@@ -3,7 +3,7 @@
 //
 // A click moves the free bodies as little as possible, as `asgard assemble` does, and writes it
 // into the text as one step of undo. Another thread finds out how; meanwhile the button stops it. A
-// text that changes meanwhile stays as it is, and ends the search. Where bodies have no such
+// text that changes meanwhile stays as it is, and ends the search. If bodies have no such
 // places, a sentence at the button says why.
 #pragma once
 
