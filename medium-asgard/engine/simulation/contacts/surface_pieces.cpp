@@ -91,11 +91,11 @@ public:
         if (const auto under = faceTowards(support_, supportPart_, normal))
             onFace(*under, false);
         if (const auto over = faceTowards(body_, bodyPart_, -normal);
-            over && found_.points.empty() && !found_.isApart) {
+            over && found_.points.empty()) {
             found_ = {.normal = normal, .points = {}, .isModelled = true};
             onFace(*over, true);
         }
-        if (found_.points.empty() && !found_.isApart) {
+        if (found_.points.empty()) {
             found_ = {.normal = normal, .points = {}, .isModelled = true};
             onPieces();
         }
@@ -224,15 +224,12 @@ private:
         return (direction - circle.axis * circle.axis.dot(direction)).normalized();
     }
 
-    // `beside`: so far beyond the border it is still over the face.
-    void keepOver(const FlatFace& face, bool isBodys, const SurfacePiece& piece,
-                  double beside = 0) {
-        const PiecePoint point = pointOf(isBodys ? SurfaceGap{face.plane, piece, false}
-                                                 : SurfaceGap{piece, face.plane, false});
+    void keepOver(const FlatFace& face, bool isBodys, const SurfacePiece& vertex) {
+        const PiecePoint point = pointOf(isBodys ? SurfaceGap{face.plane, vertex, false}
+                                                 : SurfaceGap{vertex, face.plane, false});
         const physics::SurfacePose& of = isBodys ? ofBody_ : ofSupport_;
         if (point.at.gap <= tolerance_ &&
-            depthIn(face, of.rotation.transpose() * Vector(point.at.contact - of.centre)) >=
-                -beside)
+            depthIn(face, of.rotation.transpose() * Vector(point.at.contact - of.centre)) >= 0)
             keep(point);
     }
 
@@ -313,11 +310,7 @@ private:
                              turned(piece.place) - rim.place;
         if (piece.kind == Kind::circle) {
             rim.foot = footOf(rim, apart + piece.radius * turned(piece.foot));
-            keepCrossing(face, isBodys, rim, piece, length);
-            if (found_.points.empty()) // rims that run along each other: it leaves the face there
-                keepOver(face, isBodys, piece, tolerance_);
-            found_.isApart = found_.points.empty() && isBeside(face, isBodys, piece);
-            return;
+            return keepCrossing(face, isBodys, rim, piece, length);
         }
         const Vector way = footOf(rim, turned(piece.axis));
         Vector nearest = apart - way * way.dot(apart);
@@ -333,19 +326,6 @@ private:
             rim.foot = nearest / rim.radius + sign * half * way;
             keepCrossing(face, isBodys, rim, piece, length);
         }
-    }
-
-    // All of the rim is beyond the border of a round end, but for what has no crossings.
-    [[nodiscard]] bool isBeside(const FlatFace& face, bool isBodys, const SurfacePiece& rim) const {
-        const physics::SurfacePose& ofOwner = isBodys ? ofBody_ : ofSupport_;
-        const physics::SurfacePose& ofOther = isBodys ? ofSupport_ : ofBody_;
-        const Vector middle = ofOwner.centre + ofOwner.rotation * face.plane.place;
-        const Vector towards = ofOther.rotation.transpose() *
-                               Vector(middle - ofOther.centre - ofOther.rotation * rim.place);
-        const Vector nearest = rim.place + rim.radius * footOf(rim, towards);
-        const Vector at = ofOwner.rotation.transpose() *
-                          Vector(ofOther.centre + ofOther.rotation * nearest - ofOwner.centre);
-        return depthIn(face, at) < shortest * shortest / 2 * std::min(face.radius, rim.radius);
     }
 
     // A line lies next to the outermost point of the rim: its own point there is on the face, or,

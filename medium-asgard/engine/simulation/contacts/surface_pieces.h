@@ -32,7 +32,6 @@ struct PieceTouch {
     Vector normal = Vector::UnitX(); // from the support to the body
     std::vector<PiecePoint> points;
     bool isModelled = true; // each of the points
-    bool isApart = false;   // a rim has left the round end along whose border it runs
 };
 // Along the normal of their separation; `tolerance` along it.
 [[nodiscard]] PieceTouch pieceTouch(const Placed& body, std::size_t bodyPart, const Placed& support,

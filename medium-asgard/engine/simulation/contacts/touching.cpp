@@ -108,8 +108,10 @@ public:
         touch.normal = separation.normal;
         if (std::abs(touch.gap) > 10 * tolerance_ || touch.gap > tolerance_)
             return false;
-        if (touch.isCurved)
-            return addCurved();
+        if (touch.isCurved) {
+            addCurved();
+            return true;
+        }
         if (!touch.isRound && !hasPlane_)
             preferFaces();
         addCorners();
@@ -187,8 +189,7 @@ private:
     }
 
     // A round end that lies flat is a face with many corners. All else touches with pieces.
-    // False: they do not touch.
-    bool addCurved() {
+    void addCurved() {
         auto facing = collision::facingFeatures(first_, second_, touch.normal, tolerance_);
         ofBody_ = std::move(facing.first);
         ofSupport_ = std::move(facing.second);
@@ -196,22 +197,18 @@ private:
             addPatch();
             if (touch.corners.size() >= 2 * enough && !carryAcrossBorder())
                 thinOut();
-            return true;
+            return;
         }
         keepFaces();
-        const PieceTouch pieces = pieceTouch(body_, touch.bodyPart, support_, touch.supportPart,
-                                             touch.normal, tolerance_);
-        if (pieces.isApart)
-            return false;
-        addPieces(pieces);
+        addPieces(pieceTouch(body_, touch.bodyPart, support_, touch.supportPart, touch.normal,
+                             tolerance_));
         if (touch.hasPieces)
-            return true;
+            return;
         touch.corners.clear();
         touch.isModelled = false;
         for (const Vector& corner :
              collision::patchOf(first_, second_, touch.normal, tolerance_, beside_).corners)
             add(Kind::onSupportPlane, corner, corner, corner, 0);
-        return true;
     }
 
     static constexpr std::size_t enough = 16; // corners of a round patch
