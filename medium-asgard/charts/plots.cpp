@@ -83,7 +83,8 @@ std::string joined(const std::string& words, const std::string& unit) {
     return words.empty() || unit.empty() ? words + unit : words + ", " + unit;
 }
 
-// What a plot of these curves says beside its values; of several bodies, what is the same of all.
+// The words of a plot of these curves beside its values; of several bodies, the words that all
+// share.
 std::string nameOfValues(const scene::Units& units, const scene::Plot& plot,
                          const std::vector<Curve>& curves) {
     std::set<std::string> measures, words;
@@ -226,7 +227,7 @@ void drawKey(Canvas& canvas, const Axes& axes, const Plot& plot, const PlotArea&
         cairo_line_to(canvas.cairo(), x + 18, line - 3);
         axes.stroke(curve, 2);
         canvas.ink({});
-        // Where the axis cannot say it.
+        // The key has units that the axis cannot say.
         const std::string label =
             plot.values.empty() ? joined(curve.label, curve.unit) : curve.label;
         canvas.text(x + 22, line, label, letters, Canvas::Anchor::start);

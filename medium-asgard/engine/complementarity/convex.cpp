@@ -183,7 +183,7 @@ std::optional<Answer> solveConvex(const Matrix& a, const Vector& b, const Laws& 
         const States before = set.states();
         if (pull > 0)
             set.pullHere(ridge, b);
-        // Where nothing pulls towards 0, rounding gives a rate to what needs no force, as the slack
+        // Without a pull towards 0, rounding gives a rate to rows that need no force, as the slack
         // side of a belt.
         set.find(pull > 0 ? 1e-9 : 1e-14);
         // Without it, on the same rows: the shortest solution to the last bits. Where rows of very

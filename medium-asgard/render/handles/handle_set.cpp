@@ -181,7 +181,7 @@ void Handles::addForces(HandleSet& set, double time, const Display& display) {
 
 namespace {
 
-// What joins hidden bodies is hidden with them; the world is none. `second`: "": it.
+// A joint or link is hidden when all bodies that it joins are. `second`: "": the world.
 bool areHidden(const Display& display, const std::string& first, const std::string& second) {
     return display.hidden && display.hidden->contains(first) &&
            (second.empty() || display.hidden->contains(second));

@@ -93,7 +93,7 @@ std::optional<geometry::Vector> FaultSigns::placeOf(const Fault& fault) const {
         const auto second = fault.other ? placeOfBody(*fault.other) : std::nullopt;
         if (!first || !second)
             return first ? first : second;
-        // Where two balls touch; of a ball on a wide floor, near the ball.
+        // The place at which two balls touch; of a ball on a wide floor, near the ball.
         const double reach = reachOf(element.index), others = reachOf(*fault.other);
         return geometry::Vector(*first + reach / (reach + others) * (*second - *first));
     }

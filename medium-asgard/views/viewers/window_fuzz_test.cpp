@@ -215,7 +215,7 @@ protected:
             return loop_.quit();
         QTimer::singleShot(0, &timer_, [this] { act(); });
     }
-    // What hangs would hang at the end of the program, too: no destructors.
+    // No destructors: a loop that hangs would hang in them, too.
     void fail(const std::string& found) {
         std::fprintf(stderr, "Failure: %s\n%s\n", found.c_str(), editor_.document().text().c_str());
         printActions();

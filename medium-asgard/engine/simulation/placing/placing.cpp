@@ -53,11 +53,15 @@ std::vector<char> looseOf(const scene::Scene& scene, const physics::EquationsOfM
     return all;
 }
 
-// The places of bodies that are moved apart.
+// The places of bodies that are moved apart, one heap of bodies that overlap after the other.
 class Heaps {
 public:
-    Heaps(std::vector<char> isLoose, Poses poses)
-        : isLoose_(std::move(isLoose)), poses_(std::move(poses)) {}
+    Heaps(const scene::Scene& scene, const physics::EquationsOfMotion& equations,
+          const Poses& start)
+        : isLoose_(looseOf(scene, equations)), start_(start), poses_(start) {
+        for (const physics::BodyMotion& body : equations.bodies)
+            radii_.push_back(body.mass.radius);
+    }
 
     [[nodiscard]] const Poses& poses() const { return poses_; }
     [[nodiscard]] bool isLoose(std::size_t body) const { return isLoose_[body] != 0; }
@@ -73,21 +77,34 @@ public:
         });
         bool isAny = false;
         for (const auto& [root, heap] : heapsOf(gaps)) {
-            const bool overlaps = std::ranges::any_of(heap, [](const physics::PartGap& of) {
-                constexpr double rounding = 1e-14; // of places
-                return of.gap < -rounding * of.at.norm();
+            const bool overlaps = std::ranges::any_of(heap, [this](const physics::PartGap& of) {
+                constexpr double rounding = 1e-14; // of sizes
+                return of.gap < -rounding * sizeOf(of);
             });
             isAny = isAny || overlaps;
             if (overlaps && (isLast || !openHeap(heap)))
-                for (const physics::PartGap& of : heap)
-                    for (const std::size_t body : {of.first, of.second})
-                        if (isLoose(body))
-                            stuck_.insert(body);
+                leave(heap);
         }
         return isAny;
     }
 
 private:
+    // Of places and of the bodies that move: what rounding is a part of.
+    [[nodiscard]] double sizeOf(const physics::PartGap& of) const {
+        double size = of.at.norm();
+        for (const std::size_t body : {of.first, of.second})
+            if (isLoose(body))
+                size = std::max(size, radii_[body]);
+        return size;
+    }
+    void leave(const std::vector<physics::PartGap>& heap) {
+        for (const physics::PartGap& of : heap)
+            for (const std::size_t body : {of.first, of.second})
+                if (isLoose(body)) {
+                    stuck_.insert(body);
+                    poses_[body] = start_[body];
+                }
+    }
     // By the least of the loose bodies that they connect.
     [[nodiscard]] std::map<std::size_t, std::vector<physics::PartGap>>
     heapsOf(const std::vector<physics::PartGap>& gaps) const {
@@ -113,7 +130,7 @@ private:
     // have not come to an end.
     bool openHeap(const std::vector<physics::PartGap>& gaps) {
         constexpr int most = 4000;
-        constexpr double rounding = 1e-16; // of places
+        constexpr double rounding = 1e-16; // of sizes
         std::vector<double> forces(gaps.size(), 0);
         std::map<std::size_t, Vector> ways;
         for (const physics::PartGap& of : gaps)
@@ -132,7 +149,7 @@ private:
                 const double sides = isLoose(of.first) && isLoose(of.second) ? 2 : 1;
                 const double left = of.gap + of.normal.dot(wayOf(of.first) - wayOf(of.second));
                 const double change = std::max(-left / sides, -forces[k]);
-                isOpen = isOpen && std::abs(change) <= rounding * of.at.norm() + least;
+                isOpen = isOpen && std::abs(change) <= rounding * sizeOf(of);
                 forces[k] += change;
                 if (isLoose(of.first))
                     ways[of.first] += change * of.normal;
@@ -145,9 +162,9 @@ private:
         return isOpen;
     }
 
-    static constexpr double least = 1e-18;
     std::vector<char> isLoose_;
-    Poses poses_;
+    std::vector<double> radii_;
+    Poses start_, poses_;
     std::set<std::size_t> stuck_; // loose bodies of heaps without room
 };
 
@@ -231,7 +248,7 @@ Touching touching(const scene::Scene& scene, const physics::EquationsOfMotion& e
         const collision::Pair pair{of.first, of.second};
         return before.contains(pair) && !little.contains(pair);
     };
-    Heaps heaps(looseOf(scene, equations), start);
+    Heaps heaps(scene, equations, start);
     auto gaps = first;
     for (int k = 0; k <= most && heaps.open(gaps, k == most); ++k) {
         gaps = overlaps.at(heaps.poses(), Overlaps::Depth::any);

@@ -73,7 +73,7 @@ TEST(Placing, ABodyWithoutRoomIsNamed) {
     EXPECT_THAT(placed(b.scene).reason, ::testing::HasSubstr("have no room to move apart"));
 }
 
-TEST(Placing, WhatOverlapsByLittleBeginsWhereItTouches) {
+TEST(Placing, ABoxThatOverlapsByLittleBeginsWhereItTouches) {
     SceneBuilder b(1);
     b.floor();
     b.box("box", {0, 0.499999, 0}, {1, 1, 1}).restitution = 0;
@@ -95,7 +95,7 @@ TEST(Placing, ADeepOverlapIsToldWithItsDepthAndTheOffer) {
 }
 
 // A stack that is exact in itself, too low by little: no box goes into the next one.
-TEST(Placing, WhatStandsOnABodyThatMovesUpMovesWithIt) {
+TEST(Placing, ABoxOnABodyThatMovesUpMovesWithIt) {
     SceneBuilder b(1);
     b.floor();
     for (int i = 0; i < 3; ++i) {
@@ -106,6 +106,20 @@ TEST(Placing, WhatStandsOnABodyThatMovesUpMovesWithIt) {
     EXPECT_EQ(result.motion->notes().size(), 1u);
     for (std::size_t i = 0; i < 3; ++i)
         EXPECT_NEAR(result.motion->at(1 + i, 0.5).position.y(), 0.5 + static_cast<double>(i), 1e-9);
+}
+
+// Rounding is a part of the ball where the touch is at the origin.
+TEST(Placing, ABallTouchesASlopeAtTheOrigin) {
+    for (const double tilt : {0.1, 0.2, 0.3, 0.4, 0.5, 0.6}) {
+        SceneBuilder b(0.1);
+        b.box("slope", {0.5 * std::sin(tilt), -0.5 * std::cos(tilt), 0}, {4, 1, 4});
+        b.scene.bodies.back().fixed = true;
+        b.scene.bodies.back().initialAttitude = geometry::fromRotationVector({0, 0, tilt});
+        b.ball("ball", {-0.0999 * std::sin(tilt), 0.0999 * std::cos(tilt), 0});
+        const auto told = overlapSentences(b.scene);
+        ASSERT_EQ(told.size(), 1u) << tilt;
+        EXPECT_THAT(told[0], ::testing::HasSubstr("begin moved apart")) << tilt;
+    }
 }
 
 TEST(Placing, BodiesThatTrajectoriesHoldStay) {

@@ -123,7 +123,7 @@ bool isDrivenIntoStops(const scene::JointCoordinate& c) {
     return (c.speed || c.position) && !c.maxMotor && (c.lower || c.upper);
 }
 
-// What bounds the joints whose forces were not found, and what to do about it.
+// The bounds of the joints whose forces were not found, and a remedy.
 struct Bounded {
     std::string bounds, remedy; // clauses; "": none
 };
