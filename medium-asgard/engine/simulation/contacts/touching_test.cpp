@@ -245,5 +245,43 @@ TEST_F(Touching, ARimCarriesWhereSidesWouldCrossBeyondTheirEnds) {
     }
 }
 
+// A can over the edge of a box, and over the rim of a round table: it bears where the borders
+// cross.
+TEST_F(Touching, ARoundEndBeyondABorderBearsWhereTheBordersCross) {
+    constexpr double radius = 0.04, over = 0.006; // its middle is that far within the edge
+    for (const bool isRound : {false, true}) {
+        SceneBuilder b(1);
+        const auto add = [&](const char* name, const scene::CylinderShape& shape) {
+            scene::ShapeSet& set = b.scene.shapeSets.emplace_back();
+            set.name = name;
+            set.parts.emplace_back().shape = shape;
+            scene::Body& body = b.scene.bodies.emplace_back();
+            body.name = body.shape = name;
+            return &body;
+        };
+        if (isRound)
+            add("table", scene::CylinderShape{0.5, 0.05})->fixed = true;
+        else
+            b.box("table", {0, 0, 0}, {1, 0.05, 1}).fixed = true;
+        add("can", scene::CylinderShape{radius, 0.1})->initialPosition = {0, 3, 0};
+        build(b);
+        const Vector middle(0.5 - over, 0.075, 0);
+        const auto found = touches(placed(1, middle));
+        ASSERT_EQ(found.size(), 1u);
+        int crossings = 0;
+        for (const Corner& corner : found[0].corners) {
+            const Vector off = corner.point - middle;
+            EXPECT_LE(std::hypot(off.x(), off.z()), radius + 1e-12);
+            if (!corner.pieces)
+                continue;
+            ++crossings;
+            EXPECT_NEAR(std::hypot(off.x(), off.z()), radius, 1e-12);
+            EXPECT_NEAR(isRound ? std::hypot(corner.point.x(), corner.point.z()) : corner.point.x(),
+                        0.5, 1e-12);
+        }
+        EXPECT_EQ(crossings, 2);
+    }
+}
+
 } // namespace
 } // namespace simulation::testing
