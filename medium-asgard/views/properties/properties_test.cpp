@@ -33,7 +33,11 @@ protected:
         pane.show();
         QCoreApplication::processEvents();
     }
-    QLineEdit& field(const char* name) { return *pane.findChild<QLineEdit*>(name); }
+    // The rows follow a little after what they show.
+    QLineEdit& field(const char* name) {
+        EXPECT_TRUE(waitFor([&] { return pane.findChild<QLineEdit*>(name) != nullptr; })) << name;
+        return *pane.findChild<QLineEdit*>(name);
+    }
     void enter(const char* name, const QString& text) {
         QLineEdit& one = field(name);
         one.setFocus();
@@ -463,6 +467,7 @@ TEST_F(PropertiesTest, AClickOnANumberSelectsItAndTheNextOnePutsTheCaretInIt) {
     click(); // what is being typed is no matter of clicks
     EXPECT_EQ(place.selectedText(), "");
     QTest::keyClick(&place, Qt::Key_Return);
+    ASSERT_TRUE(settle(document));
     document.select({{Kind::force, 0}});
     settleTimers();
     QLineEdit& along = field("-y");
