@@ -52,10 +52,16 @@ void warmUp(render::Renderer& renderer, int samples) {
         terminal::complain("asgard: the graphics driver could not draw");
 }
 
-void confine(ipc::Mode mode) {
+// The thread that draws is older than the fence of paths, which binds the thread that calls it: it
+// gets one of its own. The others hold for all threads.
+void confine(ipc::Mode mode, render::DrawingThread& drawing) {
     if (mode == ipc::Mode::edit)
         return;
     const confinement::Limits limits{mostMemory, std::nullopt, mostDescriptors};
+    drawing.run([&] {
+        (void)confinement::confine(confinement::Role::player, limits,
+                                   {.limits = false, .calls = false}); // told by the next
+    });
     const auto report = confinement::confine(confinement::Role::player, limits);
     if (!report.missing.empty())
         terminal::complain("asgard: not confined by every fence: " + report.missing);
@@ -79,20 +85,28 @@ int serveAsMedium(script::Reader& reader) {
     service::Platform platform;
     platform.tools = computing::toolsOf(reader);
     platform.version = ASGARD_VERSION;
-    platform.confine = confine;
-    auto created = render::Renderer::create();
-    if (const auto* sentence = std::get_if<std::string>(&created)) {
-        platform.noPictures = *sentence;
-        terminal::complain("asgard: " + *sentence);
-    } else {
-        auto& renderer = *std::get<std::unique_ptr<render::Renderer>>(created);
-        warmUp(renderer, service::stillSamples);
-        platform.inSpareTime = [&renderer] { warmUp(renderer, service::movingSamples); };
-        platform.maximumSize = renderer.maximumSize();
-        platform.draw = [&renderer](const render::Drawing& drawing, const render::Image& into) {
-            return renderer.draw(drawing, into);
+    // It draws its first picture before the process is confined, on the thread that draws the next.
+    const auto renderer = std::make_shared<std::unique_ptr<render::Renderer>>();
+    platform.thread = std::make_unique<render::DrawingThread>([renderer] { renderer->reset(); });
+    platform.thread->run([&] {
+        auto created = render::Renderer::create();
+        if (const auto* sentence = std::get_if<std::string>(&created)) {
+            platform.noPictures = *sentence;
+            return terminal::complain("asgard: " + *sentence);
+        }
+        *renderer = std::get<std::unique_ptr<render::Renderer>>(std::move(created));
+        warmUp(**renderer, service::stillSamples);
+        platform.maximumSize = (*renderer)->maximumSize();
+    });
+    if (*renderer) {
+        platform.inSpareTime = [renderer] { warmUp(**renderer, service::movingSamples); };
+        platform.draw = [renderer](const render::Drawing& drawing, const render::Image& into) {
+            return (*renderer)->draw(drawing, into);
         };
     }
+    platform.confine = [drawing = platform.thread.get()](ipc::Mode mode) {
+        confine(mode, *drawing);
+    };
     platform.openViewer = [&windows](const std::string& entry) {
         if (windows)
             return windows->open(entry);

@@ -5,16 +5,28 @@
 
 namespace media {
 
+namespace {
+
+void freeSlots(const QPointer<MediumProcess>& process, const std::vector<Slot>& slots) {
+    if (process)
+        for (const Slot& slot : slots)
+            process->frames().free(slot);
+}
+
+} // namespace
+
 Rendition::Rendition(LiveSubdocument& subdocument, ipc::Integer id)
     : subdocument_(&subdocument), id_(id) {}
 
 LiveSubdocument* Rendition::subdocument() const { return subdocument_; }
 
 Rendition::~Rendition() {
-    if (process_) {
-        process_->request(ipc::RenditionDestroy{id_});
-        freeSlots(slots_);
-    }
+    // Until it answers, the medium may be drawing into them.
+    if (process_)
+        process_->request(ipc::RenditionDestroy{id_},
+                          [process = process_, slots = slots_](const Outcome<ipc::Done>&) {
+                              freeSlots(process, slots);
+                          });
     if (subdocument_)
         subdocument_->forget(*this);
 }
@@ -117,9 +129,7 @@ void Rendition::sendGeometry(bool create) {
     ++unanswered_;
     const QPointer<Rendition> self = this;
     const auto done = [self, process = process_, retired = slots_](const Outcome<ipc::Done>&) {
-        if (process)
-            for (const Slot& slot : retired)
-                process->frames().free(slot);
+        freeSlots(process, retired);
         if (self && self->process_ == process) {
             --self->unanswered_;
             self->painted();
@@ -130,11 +140,6 @@ void Rendition::sendGeometry(bool create) {
         process_->request(geometry, done);
     else
         process_->request(ipc::RenditionResize{geometry}, done);
-}
-
-void Rendition::freeSlots(const std::vector<Slot>& slots) const {
-    for (const Slot& slot : slots)
-        process_->frames().free(slot);
 }
 
 QImage Rendition::decoded(const ipc::RenditionFrame& frame) const {

@@ -51,7 +51,6 @@ private:
     void showAnew(); // as the presentation that counts now
     void keepPress(const ipc::Input& input);
     [[nodiscard]] bool take(const ipc::RenditionFrame& frame); // false: not a frame of ours
-    void freeSlots(const std::vector<Slot>& slots) const;
     [[nodiscard]] QImage decoded(const ipc::RenditionFrame& frame) const;
 
     QPointer<LiveSubdocument> subdocument_;

@@ -67,9 +67,9 @@ void Rendition::shape(const ipc::RenditionGeometry& geometry,
     geometry_ = geometry;
     presentation_ = presentationNamed(geometry.presentation).value_or(Presentation::picture);
     slots_ = std::move(slots);
-    own_.clear();
     unacknowledged_.clear();
     shown_.reset();
+    begun_.reset();
 }
 
 render::Size Rendition::size() const {
@@ -188,7 +188,6 @@ Rendition::Frame Rendition::begin(const Look& look) {
     Frame frame;
     frame.message.rendition = geometry_.rendition;
     frame.message.slot = slot;
-    frame.message.serial = ++serial_;
     frame.message.width = geometry_.width;
     frame.message.height = geometry_.height;
     frame.message.time = look.time;
@@ -197,14 +196,23 @@ Rendition::Frame Rendition::begin(const Look& look) {
         const auto index = static_cast<std::size_t>(slot);
         frame.into.pixels = slots_[index]->pixels();
         frame.into.stride = static_cast<std::size_t>(geometry_.slots[index].stride);
+        frame.memory = slots_[index];
     } else {
         frame.into.stride = static_cast<std::size_t>(4 * geometry_.width);
-        own_.resize(frame.into.stride * static_cast<std::size_t>(geometry_.height));
-        frame.into.pixels = own_;
+        const auto own = std::make_shared<std::vector<std::byte>>(
+            frame.into.stride * static_cast<std::size_t>(geometry_.height));
+        frame.into.pixels = *own;
+        frame.memory = own;
     }
-    unacknowledged_[serial_] = slot;
-    shown_ = look;
+    begun_ = {look, frame.memory};
     return frame;
+}
+
+void Rendition::finish(Frame& frame) {
+    frame.message.serial = ++serial_;
+    unacknowledged_[serial_] = frame.message.slot;
+    shown_ = begun_->look;
+    begun_.reset();
 }
 
 } // namespace service

@@ -2,7 +2,8 @@
 // frames the host has not acknowledged.
 //
 // A frame is drawn only into a slot that the host does not read, and only when it would differ from
-// the last one: `Look` is everything that decides a picture.
+// the last one: `Look` is everything that decides a picture. Frames are drawn one after the other,
+// from begin() to finish(); one that is no use any more is given up between.
 #pragma once
 
 #include "framing/view.h"
@@ -61,32 +62,45 @@ public:
 
     // --- frames
     struct Frame {
-        ipc::RenditionFrame message; // pixels are missing where there are no slots
+        ipc::RenditionFrame message; // without serial; pixels are missing where there are no slots
         render::Image into;
+        std::shared_ptr<const void> memory; // where that is
     };
     [[nodiscard]] bool hasFreeSlot() const { return freeSlot().has_value(); }
     [[nodiscard]] bool shows(const Look& look) const { return shown_ && covers(*shown_, look); }
-    // The next frame, to be drawn into `into`. Call only with a free slot.
+    // The next frame, to be drawn into `into`. Call only with a free slot, and none begun.
     [[nodiscard]] Frame begin(const Look& look);
+    [[nodiscard]] bool draws() const { return begun_.has_value(); }
+    [[nodiscard]] bool draws(const Look& look) const {
+        return begun_ && covers(begun_->look, look);
+    }
+    [[nodiscard]] bool draws(const Frame& frame) const {
+        return begun_ && begun_->memory == frame.memory;
+    }
+    void finish(Frame& frame); // it is the one that is shown, and goes to the host
+    void giveUp() { begun_.reset(); }
     void acknowledge(ipc::Integer serial) { unacknowledged_.erase(serial); }
     [[nodiscard]] bool sharesMemory() const { return slots_[0] != nullptr; }
-    // The frame of begin() did not come about.
-    void forget() { shown_.reset(); }
 
     bool visible = false;
     Instant calmAt{}; // until then its user is moving the view
     render::Display display;
     std::size_t row = 0; // of a text: the first that is seen
+    unsigned round = 0;  // of pictures that the last one was of
 
 private:
     [[nodiscard]] std::optional<ipc::Integer> freeSlot() const;
 
     ipc::RenditionGeometry geometry_;
     std::array<std::shared_ptr<const MappedSlot>, 2> slots_;
-    std::vector<std::byte> own_;                          // the frame where there are no slots
     std::map<ipc::Integer, ipc::Integer> unacknowledged_; // serial to slot
     ipc::Integer serial_ = 0;
     std::optional<Look> shown_;
+    struct Begun { // the frame that is being drawn
+        Look look;
+        std::shared_ptr<const void> memory;
+    };
+    std::optional<Begun> begun_;
 
     std::string viewName_;
     std::optional<render::SceneView> view_;

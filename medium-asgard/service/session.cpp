@@ -1,8 +1,5 @@
 #include "service/session.h"
 
-#include "ipc/base64.h"
-#include "terminal/terminal.h"
-
 #include <algorithm>
 
 namespace service {
@@ -10,9 +7,6 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr milliseconds shortestFrame{16};
-constexpr milliseconds longestPause{100}; // between two frames, however long one took
-constexpr milliseconds untilSpareTime{1000};
 constexpr milliseconds betweenTimes{33};        // told to a host that shows a rendition
 constexpr milliseconds betweenHiddenTimes{500}; // to one that shows none
 constexpr milliseconds betweenValues{33};
@@ -68,6 +62,7 @@ void Session::attend(Instant now) {
     at_.now = now;
     at_.due.reset();
     const Changes changes = subdocument_.update(now);
+    pictures_.collect();
     if (changes.motion || changes.scene)
         for (auto& [id, subscription] : subscriptions_)
             subscription.reader.reset();
@@ -256,122 +251,8 @@ void Session::tellStates() {
     }
 }
 
-// --- pictures ---------------------------------------------------------------------------------
-
 bool Session::anyVisible() const {
     return std::ranges::any_of(shown_.all, [](const auto& entry) { return entry.second.visible; });
-}
-
-bool Session::moving(const Rendition& rendition) const {
-    return subdocument_.playback.playing() || at_.now < pace_.calmAt ||
-           at_.now < rendition.calmAt || rendition.beingTurned() || gesture_.handles.active();
-}
-
-const scene::Scene& Session::drawnScene() const {
-    static const scene::Scene nothing;
-    return subdocument_.scene() ? *subdocument_.scene() : nothing;
-}
-
-Look Session::lookOf(Rendition& rendition) const {
-    Look look;
-    if (rendition.presentation() != Presentation::picture) {
-        const SheetLook sheet =
-            sheets_.lookOf(rendition.presentation(), shown_.time, rendition.row);
-        look.generation = sheet.generation;
-        look.time = sheet.time;
-        look.row = sheet.row;
-        return look;
-    }
-    look.generation = subdocument_.generation();
-    look.time = shown_.time;
-    look.display = rendition.display;
-    if (!subdocument_.scene())
-        look.display.grid = false;
-    look.display.samples = moving(rendition) ? movingSamples : stillSamples;
-    look.camera = rendition.camera(shown_.time);
-    look.handles = render::showsHandles(look.display) ? gesture_.handles.generation() : 0;
-    return look;
-}
-
-render::Drawing Session::drawingOf(const Look& look) const {
-    render::Drawing drawing;
-    drawing.scene = &drawnScene();
-    drawing.motion = subdocument_.motion();
-    drawing.time = look.time;
-    drawing.camera = look.camera;
-    drawing.display = look.display;
-    return drawing;
-}
-
-void Session::drawOwed() {
-    const bool nothingYet =
-        !subdocument_.scene() && (subdocument_.computing() || !subdocument_.readAt());
-    if (nothingYet || channel_.congested())
-        return;
-    const Instant begin = Clock::now();
-    bool drawn = false;
-    for (auto& [id, rendition] : shown_.all) {
-        if (!rendition.visible ||
-            (!platform_.draw && rendition.presentation() == Presentation::picture))
-            continue;
-        if (!sheets_.drawable(rendition.presentation()))
-            continue; // until its plots are there
-        rendition.see(drawnScene(), subdocument_.motion(), subdocument_.viewGeneration());
-        const Look look = lookOf(rendition);
-        if (const Instant calm = std::max(pace_.calmAt, rendition.calmAt); at_.now < calm)
-            dueAt(calm);
-        if (rendition.shows(look) || !rendition.hasFreeSlot())
-            continue;
-        if (at_.now < pace_.nextFrame) {
-            dueAt(pace_.nextFrame);
-            continue;
-        }
-        drawn = draw(rendition, look) || drawn;
-    }
-    if (drawn) {
-        if (!pace_.firstFrame)
-            pace_.firstFrame = at_.now;
-        pace_.frameCost = Clock::now() - begin;
-        pace_.nextFrame =
-            at_.now + std::clamp<Clock::duration>(2 * pace_.frameCost, shortestFrame, longestPause);
-    }
-}
-
-void Session::useSpareTime() {
-    if (!platform_.inSpareTime || !pace_.firstFrame || subdocument_.playback.playing())
-        return;
-    if (at_.now < *pace_.firstFrame + untilSpareTime)
-        return dueAt(*pace_.firstFrame + untilSpareTime);
-    std::exchange(platform_.inSpareTime, nullptr)();
-}
-
-bool Session::draw(Rendition& rendition, const Look& look) {
-    Rendition::Frame frame = rendition.begin(look);
-    if (rendition.presentation() != Presentation::picture) {
-        sheets_.draw(rendition.presentation(), {look.generation, look.time, look.row},
-                     rendition.scale(), frame.into);
-        frame.message.time = shown_.time;
-        send(rendition, frame);
-        return true;
-    }
-    render::Drawing drawing = drawingOf(look);
-    if (subdocument_.scene())
-        drawing.handles = gesture_.handles.handles(subdocument_.scene(), drawing, frame.into.size);
-    if (!platform_.draw(drawing, frame.into)) {
-        rendition.acknowledge(frame.message.serial);
-        platform_.draw = nullptr;
-        platform_.noPictures = "the graphics driver lost its state";
-        terminal::complain("asgard: " + platform_.noPictures);
-        return false;
-    }
-    send(rendition, frame);
-    return true;
-}
-
-void Session::send(const Rendition& rendition, Rendition::Frame& frame) {
-    if (!rendition.sharesMemory())
-        frame.message.pixels = ipc::toBase64(frame.into.pixels);
-    channel_.notify(frame.message);
 }
 
 } // namespace service

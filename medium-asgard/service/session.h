@@ -4,16 +4,18 @@
 // Serves any event loop (serve.h is the plain one; a window system's will do): give each call of
 // the host to receive(), then call attend(); call attend() too when descriptor() is readable and
 // when deadline() has come. No deadline and nothing readable: there is nothing to do, and nothing
-// is done. All of it belongs to one thread, the one that owns the renderer's context. Two others
-// work beside it: the worker's reads and computes, and that of the sheets samples plots.
+// is done. All of it belongs to one thread. Others work beside it: the worker's read and compute,
+// the renderer's draws pictures, and that of the sheets samples plots. So the host is answered
+// however long a picture takes; its frame goes out when it is drawn.
 //
 // Pictures are owed when a visible rendition would look different and the host has acknowledged
-// what it was sent. They are at most 60 a second and at most half of this thread's time.
+// what it was sent. They are at most 60 a second and at most half of their thread's time.
 #pragma once
 
 #include "ipc/channel.h"
 #include "service/handle_editing.h"
 #include "service/menu.h"
+#include "service/pictures.h"
 #include "service/rendition.h"
 #include "service/subdocument.h"
 #include "service/value_reader.h"
@@ -23,13 +25,21 @@ namespace service {
 // Smooth edges cost time that a moving picture needs for the next one.
 inline constexpr int movingSamples = 1, stillSamples = 4, printedSamples = 8;
 
+inline constexpr std::chrono::milliseconds shortestFrame{16};
+
+// A refusal with a sentence for the user.
+[[nodiscard]] inline ipc::Error notPossible(std::string sentence) {
+    return {ipc::ErrorCode::notPossible, std::move(sentence)};
+}
+
 // The services that a session needs of its process.
 struct Platform {
     Tools tools;
-    std::function<bool(const render::Drawing&, const render::Image&)> draw;
+    std::unique_ptr<render::DrawingThread> thread = std::make_unique<render::DrawingThread>();
+    Draw draw;                              // on that thread
     std::string noPictures;                 // why `draw` is empty
     int maximumSize = 4096;                 // of a picture
-    std::function<void()> inSpareTime;      // done once, a while after the first picture
+    std::function<void()> inSpareTime;      // on the thread, once, a while after the first picture
     std::function<void(ipc::Mode)> confine; // called before anything of a document is looked at
     // Opens the window that a menu entry names, in mode edit; else the sentence why not.
     std::function<std::optional<std::string>(const std::string& id)> openViewer;
@@ -46,7 +56,9 @@ public:
     void attend(Instant now);
     [[nodiscard]] int descriptor() const { return subdocument_.descriptor(); }
     [[nodiscard]] std::optional<Instant> deadline() const;
-    [[nodiscard]] bool over() const { return over_; }
+    [[nodiscard]] bool over() const { return host_.over; }
+    // A picture is on its way; descriptor() becomes readable when it is there.
+    [[nodiscard]] bool draws() const { return pictures_.drawsAny(); }
 
     [[nodiscard]] Subdocument& subdocument() { return subdocument_; }
     [[nodiscard]] const ValueSource& valueSource() const { return values_; }
@@ -79,6 +91,7 @@ private:
         std::string title; // what the host calls the subdocument
         std::optional<ipc::Mode> mode;
         bool drafts = false; // in windows
+        bool over = false;   // it said so
     };
     struct Shown {
         std::optional<FrameMemory> memory;
@@ -99,8 +112,14 @@ private:
     struct Pace {
         Instant calmAt{}; // until then the user is moving through time
         std::optional<Instant> firstFrame;
-        Instant nextFrame{}; // no picture is drawn before
-        Clock::duration frameCost{};
+        Instant nextFrame{}; // no round of pictures begins before
+        // One picture of each rendition that owes one: the newest look when its turn comes.
+        struct Round {
+            unsigned number = 0;
+            int drawn = 0; // now, by the thread
+            Instant began{};
+            Clock::duration cost{};
+        } round;
     };
     struct Told {
         std::optional<ipc::TimeChanged> time;
@@ -123,8 +142,8 @@ private:
     void serve(const ipc::Id& id, const ipc::PresentationSize& call);
     Reply<ipc::Exported> serve(const ipc::PresentationExport& call);
     Reply<ipc::Done> serve(const ipc::RenditionCreate& call);
-    Reply<ipc::Done> serve(const ipc::RenditionResize& call);
-    Reply<ipc::Done> serve(const ipc::RenditionDestroy& call);
+    void serve(const ipc::Id& id, const ipc::RenditionResize& call);
+    void serve(const ipc::Id& id, const ipc::RenditionDestroy& call);
     void serve(const ipc::Id& id, const ipc::RenditionSnapshot& call);
     Reply<ipc::Done> serve(const ipc::MenuInvoke& call);
     Reply<ipc::Done> serve(const ipc::TimePlay&);
@@ -146,7 +165,7 @@ private:
     void hear(const ipc::RenditionInput& call);
     void hear(const ipc::ParameterSet& call);
     void hear(const ipc::ProgressCancel&) { subdocument_.cancel(); }
-    void hear(const ipc::Exit&) { over_ = true; }
+    void hear(const ipc::Exit&) { host_.over = true; }
 
     // --- session_gestures.cpp: handles that the pointer drags in a rendition
     bool edit(Rendition& rendition, const ipc::Input& input); // false: it is for the view
@@ -156,9 +175,6 @@ private:
     void tellHint(const Rendition& rendition); // what pointer and keys do in it
 
     std::optional<std::string> shape(Rendition& rendition, const ipc::RenditionGeometry& geometry);
-    Reply<ipc::Taken> take(const ipc::RenditionSnapshot& call);
-    [[nodiscard]] render::Drawing printed(const ipc::RenditionSnapshot& call, double time,
-                                          render::Size size);
     std::optional<ipc::Error> noPicture(Presentation of, ipc::Integer width,
                                         ipc::Integer height) const;
     void inputToSheet(Rendition& rendition, const ipc::Input& input);
@@ -185,16 +201,27 @@ private:
     [[nodiscard]] ipc::TimeChanged timeNow() const;
     [[nodiscard]] MenuState menuNow() const;
     [[nodiscard]] bool anyVisible() const;
-    [[nodiscard]] bool moving(const Rendition& rendition) const;
-    void drawOwed();
-    void useSpareTime();
-    [[nodiscard]] Look lookOf(Rendition& rendition) const;
-    [[nodiscard]] render::Drawing drawingOf(const Look& look) const;
-    bool draw(Rendition& rendition, const Look& look);
-    void send(const Rendition& rendition, Rendition::Frame& frame);
-    [[nodiscard]] const scene::Scene& drawnScene() const;
     // Something is due then, if nothing happens before.
     void dueAt(Instant instant);
+
+    // --- session_pictures.cpp: what is drawn
+    [[nodiscard]] bool moving(const Rendition& rendition) const;
+    [[nodiscard]] const scene::Scene& drawnScene() const;
+    [[nodiscard]] Look lookOf(Rendition& rendition) const;
+    [[nodiscard]] render::Drawing drawingOf(const Look& look) const;
+    void drawOwed();
+    bool replaces(Rendition& rendition, const Look& look);
+    bool mayBegin(const Rendition& rendition);
+    void draw(ipc::Integer id, Rendition& rendition, const Look& look);
+    void finish(ipc::Integer id, Rendition::Frame& frame, Pictures::Drawn drawn);
+    void endOne(Clock::duration cost); // of the round
+    void send(Rendition& rendition, Rendition::Frame& frame);
+    void losePictures();
+    void answerWhenFree(const ipc::Id& id, const Rendition& rendition);
+    std::optional<ipc::Error> take(const ipc::Id& id, const ipc::RenditionSnapshot& call);
+    [[nodiscard]] render::Drawing printed(const ipc::RenditionSnapshot& call, double time,
+                                          render::Size size);
+    void useSpareTime();
 
     template <class Result> void reply(const ipc::Id& id, Reply<Result> outcome) {
         if (const auto* error = std::get_if<ipc::Error>(&outcome))
@@ -217,7 +244,8 @@ private:
     Pace pace_;
     Told told_;
     Progress progress_;
-    bool over_ = false;
+    Pictures pictures_{std::move(platform_.thread), platform_.draw,
+                       [this] { subdocument_.wake(); }}; // the first to go
 };
 
 } // namespace service

@@ -13,9 +13,6 @@ constexpr ipc::Integer protocolVersion = 1;
 constexpr std::chrono::milliseconds settling{150}; // after the last movement of the user
 constexpr std::size_t mostRenditions = 256, mostSubscriptions = 1000, mostWaiting = 1000;
 
-ipc::Error notPossible(std::string sentence) {
-    return {ipc::ErrorCode::notPossible, std::move(sentence)};
-}
 ipc::Error faulty(std::string sentence) {
     return {ipc::ErrorCode::invalidParameters, std::move(sentence)};
 }
@@ -32,7 +29,7 @@ auto Session::serve(const ipc::Initialize& call) -> Reply<ipc::Initialized> {
     if (host_.mode)
         return ipc::Error{ipc::ErrorCode::invalidRequest, "initialize comes only once"};
     if (call.oldest > protocolVersion || call.newest < protocolVersion) {
-        over_ = true;
+        host_.over = true;
         return ipc::Error{ipc::ErrorCode::noCommonVersion, "this medium speaks version 1"};
     }
     if (call.frames) {
@@ -167,26 +164,29 @@ auto Session::serve(const ipc::RenditionCreate& call) -> Reply<ipc::Done> {
     return ipc::Done{};
 }
 
-auto Session::serve(const ipc::RenditionResize& call) -> Reply<ipc::Done> {
+// Answered when nothing is drawn into the slots of before: they are the host's then.
+void Session::serve(const ipc::Id& id, const ipc::RenditionResize& call) {
     const auto found = shown_.all.find(call.rendition);
     if (found == shown_.all.end())
-        return unknownRendition;
+        return channel_.refuse(id, unknownRendition);
     const auto presentation = presentationNamed(call.presentation);
     if (!presentation)
-        return unknownPresentation;
+        return channel_.refuse(id, unknownPresentation);
     if (const auto error = noPicture(*presentation, call.width, call.height))
-        return *error;
+        return channel_.refuse(id, *error);
     if (const auto sentence = shape(found->second, call))
-        return faulty(*sentence);
-    return ipc::Done{};
+        return channel_.refuse(id, faulty(*sentence));
+    answerWhenFree(id, found->second);
 }
 
-auto Session::serve(const ipc::RenditionDestroy& call) -> Reply<ipc::Done> {
-    if (shown_.all.erase(call.rendition) == 0)
-        return unknownRendition;
+void Session::serve(const ipc::Id& id, const ipc::RenditionDestroy& call) {
+    const auto found = shown_.all.find(call.rendition);
+    if (found == shown_.all.end())
+        return channel_.refuse(id, unknownRendition);
     if (gesture_.handles.active() && gesture_.in == call.rendition)
         gesture_.handles.cancel();
-    return ipc::Done{};
+    answerWhenFree(id, found->second);
+    shown_.all.erase(found);
 }
 
 void Session::serve(const ipc::Id& id, const ipc::RenditionSnapshot& call) {
@@ -197,67 +197,13 @@ void Session::serve(const ipc::Id& id, const ipc::RenditionSnapshot& call) {
         return channel_.refuse(id, notPossible("too many requests wait for the motion"));
     const double time = call.time.value_or(subdocument_.playback.time(at_.now));
     waiting_.push_back({[this, time, presentation](Instant now) {
-                            return knownAt(time, now) && sheets_.upToDate(*presentation);
+                            return knownAt(time, now) && sheets_.upToDate(*presentation) &&
+                                   !pictures_.draws(this); // one after the other
                         },
-                        [this, id, call] { reply(id, take(call)); }});
-}
-
-// How the scene is seen in a snapshot, at that time.
-render::Drawing Session::printed(const ipc::RenditionSnapshot& call, double time,
-                                 render::Size size) {
-    const ScenePointer scene = subdocument_.scene();
-    render::Drawing drawing;
-    drawing.scene = scene.get();
-    drawing.motion = subdocument_.motion();
-    drawing.time = time;
-    const auto seen = call.rendition ? shown_.all.find(*call.rendition) : shown_.all.end();
-    if (seen != shown_.all.end()) {
-        seen->second.see(*scene, subdocument_.motion(), subdocument_.viewGeneration());
-        drawing.camera = seen->second.camera(time);
-        drawing.display = seen->second.display;
-    } else {
-        drawing.camera = render::cameraOf(*scene, subdocument_.motion(), "", time, size);
-        drawing.display = shown_.display;
-    }
-    drawing.display.samples = printedSamples;
-    return drawing;
-}
-
-auto Session::take(const ipc::RenditionSnapshot& call) -> Reply<ipc::Taken> {
-    const Presentation presentation = *presentationNamed(call.presentation);
-    if (const auto error = noPicture(presentation, call.width, call.height))
-        return *error;
-    if (!subdocument_.scene() && presentation != Presentation::text) {
-        const auto faults = subdocument_.diagnostics();
-        return notPossible(faults.empty() ? "no scene was loaded" : faults.front().message);
-    }
-    const auto& span = subdocument_.playback.span();
-    ipc::Taken taken{std::clamp(call.time.value_or(shown_.time), span.start,
-                                std::max(span.start, span.computed)),
-                     std::nullopt};
-    render::Image image;
-    image.size = {static_cast<int>(call.width), static_cast<int>(call.height)};
-    std::shared_ptr<const MappedSlot> slot;
-    std::vector<std::byte> own;
-    if (shown_.memory && call.offset && call.stride) {
-        auto mapped = shown_.memory->map({*call.offset, *call.stride}, call.width, call.height);
-        if (const auto* sentence = std::get_if<std::string>(&mapped))
-            return faulty(*sentence);
-        slot = std::get<std::shared_ptr<const MappedSlot>>(mapped);
-        image.pixels = slot->pixels();
-        image.stride = static_cast<std::size_t>(*call.stride);
-    } else {
-        image.stride = static_cast<std::size_t>(4 * call.width);
-        own.resize(image.stride * static_cast<std::size_t>(call.height));
-        image.pixels = own;
-    }
-    if (presentation != Presentation::picture)
-        sheets_.draw(presentation, sheets_.lookOf(presentation, taken.time, 0), call.scale, image);
-    else if (!platform_.draw(printed(call, taken.time, image.size), image))
-        return notPossible("the graphics driver lost its state");
-    if (!slot)
-        taken.pixels = ipc::toBase64(own);
-    return taken;
+                        [this, id, call] {
+                            if (auto error = take(id, call))
+                                channel_.refuse(id, *error);
+                        }});
 }
 
 void Session::hear(const ipc::RenditionShow& call) {

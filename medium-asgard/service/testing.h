@@ -9,6 +9,8 @@
 #include <variant>
 #include <vector>
 
+#include <poll.h>
+
 namespace service {
 
 // A ball of mass 1 is pushed from rest by p: x = p t^2 / 2.
@@ -33,7 +35,8 @@ inline scene::Scene pushedBallScene(double p) {
     return scene;
 }
 
-// The messages of either end reach the other; notifications are taken, requests are kept.
+// The messages of either end reach the other, and what is to be drawn is; notifications are taken,
+// requests are kept.
 inline void exchangeOnce(ipc::HostChannel& host, ipc::MediumChannel& medium, Session& session,
                          Instant now, std::vector<ipc::Asked<ipc::ToHost>>& asked,
                          const std::function<void(ipc::ToHost)>& take) {
@@ -42,6 +45,11 @@ inline void exchangeOnce(ipc::HostChannel& host, ipc::MediumChannel& medium, Ses
     while (const auto call = medium.next())
         session.receive(*call, now);
     session.attend(now);
+    while (session.draws()) { // its thread is quick here
+        pollfd news{session.descriptor(), POLLIN, 0};
+        poll(&news, 1, 1000);
+        session.attend(now);
+    }
     host.feed(std::string(medium.outgoing()));
     medium.sent(medium.outgoing().size());
     while (auto call = host.next())

@@ -281,6 +281,19 @@ class Text(unittest.TestCase):
             h.call("subdocument/load", text=FLYING, revision=2)
             h.heard("time/changed", where=lambda p: p["state"] == "current" and p["finish"] == 4)
 
+    def test_pings_are_answered_while_a_large_picture_is_drawn(self):
+        with host() as h:
+            h.start(FLYING)
+            h.create(1, 4000, 4000, show=False)
+            h.heard("time/changed", where=lambda p: p["state"] == "current")
+            h.notify("rendition/show", rendition=1)
+            answered = 0
+            while not any(m.get("method") == "rendition/frame" for m in h.inbox):
+                h.call("ping", seconds=2)
+                answered += 1
+                time.sleep(0.01)
+            self.assertGreater(answered, 5)
+
     def test_parameters_are_set_without_editing_the_text(self):
         with host() as h:
             h.start(BRAKED)

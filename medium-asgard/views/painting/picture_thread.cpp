@@ -47,6 +47,10 @@ public:
     explicit Studio(bool paints) : paints_(paints) {}
     [[nodiscard]] Picture draw(Window window, const PictureWish& wish);
     void forget(Window window) { kept_.erase(window); }
+    void close() { // on the thread whose graphics these are
+        kept_.clear();
+        renderer_.reset();
+    }
 
 private:
     struct Kept { // of one window, while its scene, motion and size stay
@@ -184,16 +188,11 @@ Picture PictureThread::Studio::draw(Window window, const PictureWish& wish) {
 
 // ---------------------------------------------------------------------------------------------
 
-PictureThread::PictureThread(bool paints) : paints_(paints), thread_([this] { run(); }) {}
+PictureThread::PictureThread(bool paints)
+    : studio_(std::make_unique<Studio>(paints)),
+      thread_([studio = studio_.get()] { studio->close(); }) {}
 
-PictureThread::~PictureThread() {
-    {
-        const std::lock_guard lock(mutex_);
-        stop_ = true;
-    }
-    wished_.notify_one();
-    thread_.join();
-}
+PictureThread::~PictureThread() = default;
 
 void PictureThread::open(Window window, std::function<void()> ready) {
     const std::lock_guard lock(mutex_);
@@ -201,21 +200,20 @@ void PictureThread::open(Window window, std::function<void()> ready) {
 }
 
 void PictureThread::forget(Window window) {
-    const std::lock_guard lock(mutex_);
-    desks_.erase(window);
-    gone_.push_back(window);
-    wished_.notify_one();
+    {
+        const std::lock_guard lock(mutex_);
+        desks_.erase(window);
+    }
+    thread_.takeBack(window);
+    thread_.before([this, window] { studio_->forget(window); });
 }
 
 void PictureThread::draw(Window window, PictureWish wish) {
     {
         const std::lock_guard lock(mutex_);
-        Desk& desk = desks_[window];
-        if (!desk.wish)
-            desk.turn = ++turn_;
-        desk.wish = std::move(wish);
+        desks_.try_emplace(window);
     }
-    wished_.notify_one();
+    thread_.draw(window, [this, window, wish = std::move(wish)] { paint(window, wish); });
 }
 
 PictureThread::PicturePointer PictureThread::last(Window window) {
@@ -225,11 +223,7 @@ PictureThread::PicturePointer PictureThread::last(Window window) {
 }
 
 void PictureThread::drop(PicturePointer picture) {
-    {
-        const std::lock_guard lock(mutex_);
-        dropped_.push_back(std::move(picture));
-    }
-    wished_.notify_one();
+    thread_.before([dropped = std::move(picture)] {});
 }
 
 void PictureThread::wait(Window window, unsigned serial, std::chrono::milliseconds most) {
@@ -241,17 +235,8 @@ void PictureThread::wait(Window window, unsigned serial, std::chrono::millisecon
     });
 }
 
-PictureThread::Desk* PictureThread::next(Window& window) {
-    Desk* first = nullptr;
-    for (auto& [one, desk] : desks_)
-        if (desk.wish && (!first || desk.turn < first->turn)) {
-            first = &desk;
-            window = one;
-        }
-    return first;
-}
-
-std::vector<std::shared_ptr<const scene::Scene>> PictureThread::shown() const {
+std::vector<std::shared_ptr<const scene::Scene>> PictureThread::shown() {
+    const std::lock_guard lock(mutex_);
     std::vector<std::shared_ptr<const scene::Scene>> scenes;
     for (const auto& [window, desk] : desks_)
         if (desk.last)
@@ -259,49 +244,20 @@ std::vector<std::shared_ptr<const scene::Scene>> PictureThread::shown() const {
     return scenes;
 }
 
-void PictureThread::run() {
-    Studio studio(paints_); // its graphics belong to this thread
-    std::unique_lock lock(mutex_);
-    Window window = nullptr;
-    while (true) {
-        wished_.wait(lock, [&] {
-            return stop_ || !gone_.empty() || !dropped_.empty() || isToPrepare_ || next(window);
-        });
-        if (stop_)
-            return;
-        if (auto dropped = std::exchange(dropped_, {}); !dropped.empty()) {
-            lock.unlock();
-            dropped.clear();
-            lock.lock();
-        }
-        for (const Window gone : std::exchange(gone_, {}))
-            studio.forget(gone);
-        if (!next(window)) {
-            if (std::exchange(isToPrepare_, false)) {
-                const auto scenes = shown();
-                lock.unlock();
-                gestures::prepareShapes(scenes);
-                lock.lock();
-            }
-            continue;
-        }
-        const PictureWish wish = *std::exchange(next(window)->wish, std::nullopt);
-        lock.unlock();
-        PicturePointer picture = std::make_shared<const Picture>(studio.draw(window, wish));
-        lock.lock();
-        const auto desk = desks_.find(window);
-        if (desk == desks_.end())
-            continue;
-        if (!desk->second.last || desk->second.last->of.shown.scene != picture->of.shown.scene)
-            isToPrepare_ = true;
-        std::swap(desk->second.last, picture);
-        drawn_.notify_all();
-        if (desk->second.ready)
-            desk->second.ready();
-        lock.unlock();
-        picture.reset(); // an old motion may be large: not where a window waits
-        lock.lock();
-    }
+void PictureThread::paint(Window window, const PictureWish& wish) {
+    PicturePointer picture = std::make_shared<const Picture>(studio_->draw(window, wish));
+    // Until then an old picture lives: its motion may be large, and no window is to wait for that.
+    const std::lock_guard lock(mutex_);
+    const auto desk = desks_.find(window);
+    if (desk == desks_.end())
+        return;
+    // Shapes of the scenes that are shown are made to be pointed at, when there is time.
+    if (!desk->second.last || desk->second.last->of.shown.scene != picture->of.shown.scene)
+        thread_.inSpareTime([this] { gestures::prepareShapes(shown()); });
+    std::swap(desk->second.last, picture);
+    drawn_.notify_all();
+    if (desk->second.ready)
+        desk->second.ready();
 }
 
 } // namespace views

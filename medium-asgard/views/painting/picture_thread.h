@@ -1,12 +1,13 @@
-// Draws pictures on a thread of its own: however heavy a scene is, no window waits for it.
+// Draws the pictures of windows on a thread of its own (render/drawing_thread.h): however heavy a
+// scene is, no window waits for it.
 //
-// Each window has at most one wish that is not begun; a newer one replaces it. Windows wait for a
-// picture only as long as nobody notices, so that what is quick is drawn at once; what is not comes
-// when it is ready, and until then the last one stays. With a picture comes what was found out for
-// it: where it is seen from, and where the handles stand.
+// Windows wait for a picture only as long as nobody notices, so that what is quick is drawn at
+// once; what is not comes when it is ready, and until then the last one stays. With a picture comes
+// what was found out for it: where it is seen from, and where the handles stand.
 #pragma once
 
 #include "handles/handles.h"
+#include "render/drawing_thread.h"
 #include "render/renderer.h"
 #include "workbench/scene_document.h"
 
@@ -16,7 +17,6 @@
 #include <map>
 #include <memory>
 #include <mutex>
-#include <thread>
 
 namespace views {
 
@@ -57,7 +57,7 @@ struct Picture {
 class PictureThread {
 public:
     using PicturePointer = std::shared_ptr<const Picture>;
-    using Window = const void*;
+    using Window = render::DrawingThread::Customer;
 
     // Without paint a picture has all but its image.
     explicit PictureThread(bool paints = true);
@@ -79,27 +79,18 @@ public:
 private:
     struct Desk { // of one window
         std::function<void()> ready;
-        std::optional<PictureWish> wish;
         PicturePointer last;
-        unsigned turn = 0; // the window that waits longest is next
     };
     class Studio; // what belongs to the thread
 
-    void run();
-    [[nodiscard]] Desk* next(Window& window);
-    [[nodiscard]] std::vector<std::shared_ptr<const scene::Scene>> shown() const;
+    void paint(Window window, const PictureWish& wish); // on the thread
+    [[nodiscard]] std::vector<std::shared_ptr<const scene::Scene>> shown();
 
     std::mutex mutex_;
-    std::condition_variable wished_, drawn_;
-    // Shapes of the scenes that are shown are made to be pointed at, when there is time.
-    bool isToPrepare_ = false;
-    std::map<Window, Desk> desks_;
-    std::vector<Window> gone_;
-    std::vector<PicturePointer> dropped_;
-    unsigned turn_ = 0;
-    bool paints_;
-    bool stop_ = false;
-    std::thread thread_;
+    std::condition_variable drawn_;
+    std::map<Window, Desk> desks_;   // under mutex_
+    std::unique_ptr<Studio> studio_; // the thread's
+    render::DrawingThread thread_;   // the first to go
 };
 
 } // namespace views

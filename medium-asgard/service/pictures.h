@@ -1,0 +1,71 @@
+// Pictures of bodies, drawn beside the thread that answers the host.
+//
+// The asker hands over all that a picture needs, and gets it back by collect(), on its own thread.
+// Memory that a picture goes to is written to until then, whatever the asker does meanwhile.
+#pragma once
+
+#include "render/drawing_thread.h"
+#include "render/renderer.h"
+#include "service/subdocument.h"
+
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace service {
+
+// Drawn on the thread of a renderer; false: the graphics context was lost.
+using Draw = std::function<bool(const render::Drawing&, const render::Image&)>;
+
+class Pictures {
+public:
+    using Customer = render::DrawingThread::Customer;
+
+    // `wake` is called on the thread when there is something to collect.
+    Pictures(std::unique_ptr<render::DrawingThread> thread, Draw draw, std::function<void()> wake);
+
+    struct Wish {
+        ScenePointer scene; // lives as long as the drawing of it
+        render::Drawing drawing;
+        render::Image into;
+        std::shared_ptr<const void> memory; // where that is
+        bool isPacked = false;              // its pixels are wanted as the protocol's text
+    };
+    struct Drawn {
+        bool isFine = false;
+        std::string packed;
+        Clock::duration lasted{};
+    };
+    using Done = std::function<void(Drawn)>;
+    // One picture of a customer at a time.
+    void draw(Customer customer, Wish wish, Done done);
+    // It is not begun any more, and nobody hears of it. False: it is, or none was asked for.
+    bool takeBack(Customer customer);
+    // At once, or when its last picture is drawn: then its memory is not written to any more.
+    void whenFree(Customer customer, std::function<void()> done);
+    [[nodiscard]] bool draws(Customer customer) const;
+    [[nodiscard]] bool drawsAny() const { return !asked_.empty(); }
+    void collect();
+    // On the thread, when nothing is to be drawn.
+    void inSpareTime(std::function<void()> work) { thread_->inSpareTime(std::move(work)); }
+
+private:
+    struct Asked {
+        unsigned number = 0;
+        Customer customer = nullptr;
+        Done done;
+        std::vector<std::function<void()>> whenFree;
+    };
+    [[nodiscard]] std::vector<Asked>::iterator of(Customer customer); // the newest
+
+    Draw draw_;
+    std::function<void()> wake_;
+    unsigned number_ = 0;
+    std::vector<Asked> asked_;
+    std::mutex mutex_;
+    std::vector<std::pair<unsigned, Drawn>> drawn_; // under mutex_
+    std::unique_ptr<render::DrawingThread> thread_; // the first to go
+};
+
+} // namespace service
