@@ -157,14 +157,16 @@ bool Rendition::input(const ipc::Input& input, double time) {
     if (!turned_)
         control_.set(camera(time));
     const Eigen::Vector2d pixels(input.x, input.y);
-    const bool shifted =
-        std::ranges::find(input.modifiers, ipc::Modifier::shift) != input.modifiers.end();
+    const auto held = [&](ipc::Modifier key) {
+        return std::ranges::find(input.modifiers, key) != input.modifiers.end();
+    };
     const auto button = buttonOf(input.button);
     bool changed = false;
-    if (input.type == ipc::InputType::press && button && !shifted) {
-        control_.press(*button, pixels, size());
+    if (input.type == ipc::InputType::press && button && !held(ipc::Modifier::shift)) {
+        control_.press(*button, pixels, size(),
+                       view_ ? view_->framed().up : render::Vector::UnitY());
     } else if (input.type == ipc::InputType::move && control_.active()) {
-        changed = control_.move(pixels, size());
+        changed = control_.move(pixels, size(), held(ipc::Modifier::alt));
     } else if (input.type == ipc::InputType::release || input.type == ipc::InputType::focusOut) {
         control_.release();
     } else if (input.type == ipc::InputType::wheel && input.dy != 0) {

@@ -72,26 +72,47 @@ Quaternion facing(const Vector& toward, const Vector& up) {
     return Quaternion(Eigen::Matrix3d(axes.transpose())).normalized();
 }
 
-void CameraControl::press(Button button, Eigen::Vector2d pixels, Size) {
+Quaternion turnedUpright(const Quaternion& rotation, const Vector& up, const Eigen::Vector2d& way) {
+    constexpr double steepest = M_PI / 2 - 1e-4; // beyond it sideways would change its sense
+    const Vector upInView = rotation * up.normalized();
+    Vector level = upInView.cross(Vector::UnitZ()); // in the picture, to the right if it is upright
+    if (level.norm() < 1e-6)                        // straight from above: all of it is level
+        level = Vector::UnitX();
+    level.normalize();
+    const double above = std::asin(std::clamp(upInView.z(), -1.0, 1.0));
+    const double sideways = way.dot(level.head<2>());
+    const double upwards = way.dot(Eigen::Vector2d(-level.y(), level.x()));
+    const double tilt = std::clamp(above - upwards / virtualSphere, -steepest, steepest) - above;
+    return (Quaternion(Eigen::AngleAxisd(tilt, level)) * rotation *
+            Quaternion(Eigen::AngleAxisd(sideways / virtualSphere, up.normalized())))
+        .normalized();
+}
+
+void CameraControl::press(Button button, Eigen::Vector2d pixels, Size, const Vector& up) {
     pressed_ = button;
+    up_ = up;
     first_ = last_ = pixels;
     rolls_.reset();
 }
 
 void CameraControl::release() { pressed_.reset(); }
 
-bool CameraControl::move(Eigen::Vector2d pixels, Size size) {
+bool CameraControl::move(Eigen::Vector2d pixels, Size size, bool freely) {
     if (!pressed_ || pixels == last_)
         return false;
     const Eigen::Vector2d from = last_;
     last_ = pixels;
     switch (*pressed_) {
-    case Button::left: {
-        const Quaternion turn =
-            Quaternion::FromTwoVectors(onVirtualSphere(size, from), onVirtualSphere(size, pixels));
-        camera_.rotation = (turn * camera_.rotation).normalized();
+    case Button::left:
+        if (freely) {
+            const Quaternion turn = Quaternion::FromTwoVectors(onVirtualSphere(size, from),
+                                                               onVirtualSphere(size, pixels));
+            camera_.rotation = (turn * camera_.rotation).normalized();
+        } else {
+            const Eigen::Vector2d way = (pixels - from) / pixelsPerUnit(size);
+            camera_.rotation = turnedUpright(camera_.rotation, up_, {way.x(), -way.y()});
+        }
         return true;
-    }
     case Button::middle:
         // In the plane through the centre of rotation, so that what one holds stays under the hand.
         camera_.position += toView(camera_, size, pixels, camera_.position.z()) -

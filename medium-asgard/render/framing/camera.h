@@ -71,9 +71,15 @@ inline constexpr double virtualSphere = 0.85;
 [[nodiscard]] Camera framed(const scene::Scene& scene, const simulation::MotionPointer& motion,
                             Size size);
 
-// Unshifted buttons move the view: left rotates by a virtual sphere, middle pans in the screen's
-// plane, right scales (vertical) or rolls about the line of sight (horizontal); the wheel scales
-// about the pointer. Rotations compose as quaternions.
+// Upright turning. The way of a pointer over the front of the scene, view units to the right and
+// up: what is sideways turns it about `up`, what is upwards tilts it, and an upright picture stays
+// upright. It stops straight from above and straight from below.
+[[nodiscard]] Quaternion turnedUpright(const Quaternion& rotation, const Vector& up,
+                                       const Eigen::Vector2d& way);
+
+// Unshifted buttons move the view: left turns it upright, or freely, by a virtual sphere; middle
+// pans in the screen's plane, right scales (vertical) or rolls about the line of sight
+// (horizontal); the wheel scales about the pointer. Rotations compose as quaternions.
 class CameraControl {
 public:
     enum class Button : std::uint8_t { left, middle, right };
@@ -82,9 +88,12 @@ public:
     [[nodiscard]] const Camera& camera() const { return camera_; }
     void set(const Camera& camera) { camera_ = camera; }
 
-    void press(Button button, Eigen::Vector2d pixels, Size size);
-    // True when the view changed.
-    bool move(Eigen::Vector2d pixels, Size size);
+    // `up`: of the world, which stays upright in the picture.
+    void press(Button button, Eigen::Vector2d pixels, Size size,
+               const Vector& up = Vector::UnitY());
+    // True when the view changed. `freely`: the left button turns it about any axis, and rolls it
+    // at the picture's rim.
+    bool move(Eigen::Vector2d pixels, Size size, bool freely = false);
     void release();
     void wheel(Eigen::Vector2d pixels, double notches, Size size);
     [[nodiscard]] bool active() const { return pressed_.has_value(); }
@@ -93,6 +102,7 @@ private:
     bool scaleOrRoll(Eigen::Vector2d from, Eigen::Vector2d to, Size size);
 
     Camera camera_;
+    Vector up_ = Vector::UnitY();
     std::optional<Button> pressed_;
     Eigen::Vector2d last_ = Eigen::Vector2d::Zero();
     Eigen::Vector2d first_ = Eigen::Vector2d::Zero();

@@ -169,6 +169,7 @@ private:
     void stepBack();    // as far as bodies need that grew out of the reader's own view
     bool clickTriad(const QMouseEvent& event);
     bool turnKey(const QKeyEvent& event);
+    void pressView(render::CameraControl::Button button, const QPointF& position);
     void moveView(QMouseEvent& event);
     bool beginDrag(QMouseEvent& event); // of a body; false: the view moves
     [[nodiscard]] std::vector<geometry::Vector> verticesAndHandles();

@@ -39,11 +39,15 @@ void SceneDisplay::mousePressEvent(QMouseEvent* event) {
         event->ignore();
     else if (clickTriad(*event)) {
     } else if (creating_.active() && *button == Button::left) {
-        control_.press(*button, inPixels(event->position()), pixelSize());
+        pressView(*button, event->position());
     } else if (editing_.dragging() || !selecting_.press(*event)) {
         if (!editing_.press(*event))
-            control_.press(*button, inPixels(event->position()), pixelSize());
+            pressView(*button, event->position());
     }
+}
+
+void SceneDisplay::pressView(Button button, const QPointF& position) {
+    control_.press(button, inPixels(position), pixelSize(), render::upOf(*document_.shown().scene));
 }
 
 void SceneDisplay::mouseMoveEvent(QMouseEvent* event) {
@@ -96,7 +100,8 @@ void SceneDisplay::moveView(QMouseEvent& event) {
     }
     if ((event.buttons() & Qt::LeftButton) && !press_.isDrag)
         return;
-    if (control_.move(inPixels(event.position()), pixelSize())) {
+    if (control_.move(inPixels(event.position()), pixelSize(),
+                      event.modifiers() & Qt::AltModifier)) {
         press_.turns = true;
         movedByUser();
     }
@@ -197,7 +202,9 @@ bool SceneDisplay::turnKey(const QKeyEvent& event) {
     };
     const auto across = [&](double x, double y) {
         if (alt)
-            turn(geometry::Vector(-y, x, 0), angle);
+            camera.rotation =
+                render::turnedUpright(camera.rotation, render::upOf(*document_.shown().scene),
+                                      angle * render::virtualSphere * Eigen::Vector2d(x, y));
         else
             camera.position += way * geometry::Vector(x, y, 0);
         return alt || control;

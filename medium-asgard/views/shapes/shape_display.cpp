@@ -398,7 +398,8 @@ void ShapeDisplay::mouseMoveEvent(QMouseEvent* event) {
     if (grip_) {
         dragTo(at);
     } else if (control_.active()) {
-        if (!press_.isClick && control_.move(picture_.inPixels(at), picture_.pixelSize()))
+        if (!press_.isClick && control_.move(picture_.inPixels(at), picture_.pixelSize(),
+                                             event->modifiers() & Qt::AltModifier))
             redraw(false);
     } else if (!forLooking_) {
         setCursor(pointAt(at) ? Qt::SizeAllCursor : Qt::ArrowCursor);
