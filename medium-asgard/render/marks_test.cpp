@@ -176,6 +176,24 @@ TEST_F(RendererTest, TheTriadAndTheCentreOfRotationAreMarks) {
               0);
 }
 
+// Of an empty scene, too: the first body is to be put somewhere.
+TEST_F(RendererTest, AGridFacesWhoLooksAlongAnAxis) {
+    drawing_.display.studio = true;
+    const auto inTheSky = [&] { // pixels of the grid's lines and numbers
+        drawing_.display.grid = false;
+        const Picture bare = draw();
+        drawing_.display.grid = true;
+        const Picture ruled = draw();
+        return ruled.count(
+            [&](int x, int y) { return y < 100 && ruled.at(x, y) != bare.at(x, y); });
+    };
+    EXPECT_GT(inTheSky(), 1000);
+    drawing_.camera.rotation = facing({1, 0, 0}, Vector::UnitY());
+    EXPECT_GT(inTheSky(), 1000);
+    drawing_.camera.rotation = facing({0.3, 0, 1}, Vector::UnitY());
+    EXPECT_EQ(inTheSky(), 0);
+}
+
 // A rope whose ends lie beyond the picture, one of them nearer to the eye, crosses all of it.
 TEST_F(RendererTest, ARopeIsSeenWhoseEndsAreNot) {
     addBody(scene_, sphere(0.1), {5, 0, 0}, red); // beyond the picture, too

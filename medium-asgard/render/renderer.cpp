@@ -107,6 +107,7 @@ struct Renderer::Implementation {
     void paintHandles(const Drawing& drawing, const Frame& frame, const Projection& projection,
                       bool joints);
     void paintContacts(const Drawing& drawing, const Frame& frame);
+    void addGrids(const Ground& below, const Drawing& drawing, const Frame& frame);
     void paintMarks(const Drawing& drawing, const Frame& frame, const Projection& projection);
 };
 
@@ -287,6 +288,21 @@ void Renderer::Implementation::paintMarks(const Drawing& drawing, const Frame& f
         showTriad(*lines, *discs, frame, drawing.display.background);
 }
 
+// Where one looks along an axis, the plane in front has the grid in place of the ground.
+void Renderer::Implementation::addGrids(const Ground& below, const Drawing& drawing,
+                                        const Frame& frame) {
+    const Display& display = drawing.display;
+    const Extent& extent = kept.extent();
+    TakenRoom taken;
+    const auto facing =
+        display.studio ? facingPlane(drawing, extent.ground) : std::optional<FacingPlane>();
+    if (facing)
+        addGrid(*lines, facing->plane, extent, frame, display, {std::nullopt, facing->weight},
+                taken);
+    addGrid(*lines, below.plane, extent, frame, display,
+            {below.floor, facing ? 1 - facing->weight : 1}, taken);
+}
+
 bool Renderer::Implementation::paint(const Drawing& drawing, const Frame& frame) {
     const Display& display = drawing.display;
     const Extent& extent = kept.extent();
@@ -334,7 +350,7 @@ bool Renderer::Implementation::paint(const Drawing& drawing, const Frame& frame)
         if (!sights.empty() && !below.floor)
             groundShadow->show(below.plane, shadowing, sights, frame, projection.data(),
                                isDark(display.background) ? 0.45F : 0.28F);
-        addGrid(*lines, below.plane, extent, frame, display, below.floor);
+        addGrids(below, drawing, frame);
         lines->draw(lift);
     }
     if (!display.wireframe)

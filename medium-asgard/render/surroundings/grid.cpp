@@ -60,7 +60,7 @@ Eigen::Vector3f inkOn(const Display& display, const std::optional<Eigen::Vector3
 class Sheet {
 public:
     Sheet(Lines& lines, const GroundPlane& ground, const Extent& extent, const Frame& frame,
-          const Display& display, double strength, const Eigen::Vector3f& ink);
+          const Display& display, double strength, const Eigen::Vector3f& ink, TakenRoom& taken);
 
     void draw();
 
@@ -76,6 +76,9 @@ private:
     void axes();
     void numbers(double step);
     void row(int direction, double step, double beside);
+    // It is there for this text, and for no other one then.
+    [[nodiscard]] bool takeRoom(const Eigen::Vector2d& pixels, const Eigen::Vector2d& aside,
+                                double width, double height);
     [[nodiscard]] Vector at(int direction, double along, double beside) const {
         return frame_.toView(direction == 0 ? ground_.place(along, beside)
                                             : ground_.place(beside, along));
@@ -101,12 +104,13 @@ private:
     double pixelsPerLength_;
     double strength_;
     Eigen::Vector3f ink_;
+    TakenRoom& taken_;
 };
 
 Sheet::Sheet(Lines& lines, const GroundPlane& ground, const Extent& extent, const Frame& frame,
-             const Display& display, double strength, const Eigen::Vector3f& ink)
+             const Display& display, double strength, const Eigen::Vector3f& ink, TakenRoom& taken)
     : lines_(lines), ground_(ground), frame_(frame), display_(display), strength_(strength),
-      ink_(ink) {
+      ink_(ink), taken_(taken) {
     const Camera& camera = frame.camera();
     const double depth = camera.position.z();
     pixelsPerLength_ = frame.pixels(camera.scale, depth);
@@ -186,12 +190,22 @@ void Sheet::axes() {
                {axisColor(ground_.across[static_cast<std::size_t>(direction)]), 0.8, 1.3});
 }
 
+bool Sheet::takeRoom(const Eigen::Vector2d& pixels, const Eigen::Vector2d& aside, double width,
+                     double height) {
+    const Eigen::Vector2d middle = pixels + Eigen::Vector2d(aside.x() - 0.5 * width, -aside.y());
+    const Eigen::Vector2d half(0.5 * width + 0.35 * height, 0.7 * height);
+    const Eigen::AlignedBox2d room(middle - half, middle + half);
+    if (std::ranges::any_of(taken_, [&](const auto& one) { return one.intersects(room); }))
+        return false;
+    taken_.push_back(room);
+    return true;
+}
+
 // Numbers along one axis, on the other or, where that is out of sight, on a line near the middle.
 void Sheet::row(int direction, double step, double beside) {
     const double height = frame_.stroke(8);
     const std::int64_t middle = std::llround(focus(direction) / step);
     const int reach = static_cast<int>(std::min(24.0, 0.7 * radius_ / step));
-    std::optional<Eigen::Vector2d> taken;
     for (int k = 0; k <= 2 * reach; ++k) { // from the middle outwards, either way
         const std::int64_t index = middle + (k % 2 == 0 ? k / 2 : -(k + 1) / 2);
         if (index == 0 && direction == 1 && beside == 0)
@@ -207,6 +221,8 @@ void Sheet::row(int direction, double step, double beside) {
         if (alpha < 0.05)
             continue;
         const Eigen::Vector2d aside(-0.4 * height, -1.05 * height);
+        if (!takeRoom(pixels(direction, value, beside), aside, textWidth(text, height), height))
+            continue;
         const double bottom = aside.y() - 0.7 * height;
         const std::array corners{Eigen::Vector2d(aside.x(), bottom),
                                  Eigen::Vector2d(aside.x() - textWidth(text, height), bottom)};
@@ -293,17 +309,45 @@ GridRows gridRows(double step, double focus, double radius, double middle) {
 }
 
 void addGrid(Lines& lines, const GroundPlane& ground, const Extent& extent, const Frame& frame,
-             const Display& display, const std::optional<Eigen::Vector3f>& floor) {
+             const Display& display, const GridLook& look, TakenRoom& taken) {
     // Seen edge-on it is a line: it fades before that.
+    constexpr double fromBelow = 0.4;
     const Vector up = frame.directionInView(ground.up);
     const double offset = frame.toView(ground.place(0, 0)).dot(up);
-    const double rise = frame.camera().orthographic
-                            ? std::abs(up.z())
-                            : std::abs(eyeDistance * up.z() - offset) / eyeDistance;
-    const double slant = smooth(0.01, 0.12, rise), strength = floor ? 0.7 : 1;
-    if (slant > 0)
-        Sheet(lines, ground, extent, frame, display, strength * slant, inkOn(display, floor))
+    const double rise =
+        frame.camera().orthographic ? up.z() : (eyeDistance * up.z() - offset) / eyeDistance;
+    const double slant = smooth(0.01, 0.12, std::abs(rise));
+    const double strength = look.strength * (look.floor ? 0.7 : 1) * (rise < 0 ? fromBelow : 1);
+    if (slant * strength > 0)
+        Sheet(lines, ground, extent, frame, display, strength * slant, inkOn(display, look.floor),
+              taken)
             .draw();
+}
+
+std::optional<double> commonDepth(const Drawing& drawing, Eigen::Index axis) {
+    std::optional<double> common;
+    for (std::size_t i = 0; i < drawing.scene->bodies.size(); ++i) {
+        const double one =
+            poseOf(*drawing.scene, drawing.motion.get(), i, drawing.time).position[axis];
+        if (common && std::abs(*common - one) > 1e-6 * (1 + std::abs(one)))
+            return std::nullopt;
+        common = one;
+    }
+    return common.value_or(0);
+}
+
+std::optional<FacingPlane> facingPlane(const Drawing& drawing, const Vector& up) {
+    constexpr double along = 0.01, aside = 0.05; // radians off the axis
+    const Vector toViewer = drawing.camera.rotation.conjugate() * Vector::UnitZ();
+    Eigen::Index axis = 0;
+    toViewer.cwiseAbs().maxCoeff(&axis);
+    const double sine = toViewer.cross(Vector::Unit(axis)).norm();
+    const double weight = 1 - smooth(along, aside, sine);
+    if (weight <= 0 || std::abs(up[axis]) > 0.5)
+        return std::nullopt;
+    const double sign = toViewer[axis] > 0 ? 1 : -1;
+    const double depth = commonDepth(drawing, axis).value_or(drawing.camera.center[axis]);
+    return FacingPlane{groundPlane(sign * Vector::Unit(axis), sign * depth), weight};
 }
 
 } // namespace render

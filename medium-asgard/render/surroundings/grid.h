@@ -3,7 +3,8 @@
 // It stands still in the world. Its step, of the series 1, 2, 5, 10, ..., follows the scale of the
 // view; near a change of the step both grids are seen, one fading into the other. Lines fade with
 // distance and where they would crowd. On a page of a document it is a discreet patch under the
-// scene, in a studio (Display::studio) it reaches to the horizon, with numbers and coloured axes.
+// scene, in a studio (Display::studio) it reaches to the horizon, with numbers and coloured axes;
+// seen from below it is faint, so that it hides nothing.
 #pragma once
 
 #include "drawing/frame.h"
@@ -53,8 +54,27 @@ struct GridRows {
 [[nodiscard]] Vector beforeGround(const GroundPlane& ground, const Frame& frame,
                                   const Vector& place, std::span<const Eigen::Vector2d> corners);
 
-// `floor`: the colour of the floor that it lies on; none: that is not seen itself.
+// The room that numbers have taken in a picture, pixels: no other one is written over them.
+using TakenRoom = std::vector<Eigen::AlignedBox2d>;
+
+struct GridLook {
+    std::optional<Eigen::Vector3f> floor; // the colour of the floor that it lies on; none: there
+                                          // is none to see
+    double strength = 1;
+};
 void addGrid(Lines& lines, const GroundPlane& ground, const Extent& extent, const Frame& frame,
-             const Display& display, const std::optional<Eigen::Vector3f>& floor);
+             const Display& display, const GridLook& look, TakenRoom& taken);
+
+// The plane of a grid that faces whoever looks along an axis of the world, from the side or from
+// the front, where the ground is a line: one builds in it, so it lies as deep as new places do.
+struct FacingPlane {
+    GroundPlane plane;
+    double weight = 1; // it fades as the view is turned away
+};
+[[nodiscard]] std::optional<FacingPlane> facingPlane(const Drawing& drawing, const Vector& up);
+
+// The coordinate of a place that nobody points at, along an axis of the world: that of all bodies,
+// where they have one in common; 0 where there is none; none: they differ.
+[[nodiscard]] std::optional<double> commonDepth(const Drawing& drawing, Eigen::Index axis);
 
 } // namespace render

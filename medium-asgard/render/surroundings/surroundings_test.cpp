@@ -99,6 +99,39 @@ TEST(Grid, NoNumberIsBehindTheGround) {
         }
 }
 
+// Along an axis one builds as on a plan: its grid lies in the plane of the bodies. From above the
+// ground is that plane itself.
+TEST(Grid, FacesWhoLooksAlongAnAxis) {
+    scene::Scene scene;
+    scene.bodies.resize(2);
+    scene.bodies[0].initialPosition = {0, 1, 3};
+    scene.bodies[1].initialPosition = {2, 0, 3};
+    Drawing drawing;
+    drawing.scene = &scene;
+    const auto seen = [&](const Vector& toward) {
+        drawing.camera.rotation =
+            facing(toward, std::abs(toward.y()) > 0.9 ? Vector(0, 0, -1) : Vector(0, 1, 0));
+        return facingPlane(drawing, Vector::UnitY());
+    };
+    const auto front = seen(Vector::UnitZ()), back = seen(-Vector::UnitZ());
+    ASSERT_TRUE(front && back);
+    EXPECT_EQ(front->weight, 1);
+    EXPECT_EQ(front->plane.place(5, 7), Vector(5, 7, 3));
+    EXPECT_EQ(back->plane.up, Vector(0, 0, -1));
+    EXPECT_EQ(back->plane.place(5, 7), Vector(5, 7, 3));
+    drawing.camera.center = {0.4, 0, 0}; // the bodies differ in x
+    const auto side = seen(Vector::UnitX());
+    ASSERT_TRUE(side);
+    EXPECT_EQ(side->plane.place(5, 7), Vector(0.4, 5, 7));
+    EXPECT_FALSE(seen(Vector::UnitY()));
+    EXPECT_FALSE(seen({0.1, 0, 1}));
+    const auto nearly = seen({0.03, 0, 1});
+    ASSERT_TRUE(nearly);
+    EXPECT_LT(nearly->weight, 1);
+    scene.bodies.clear();
+    EXPECT_EQ(seen(Vector::UnitX())->plane.height, 0);
+}
+
 TEST(Horizon, IsWhereLevelLinesOfSightLead) {
     Drawing drawing;
     const Size size{640, 480};

@@ -68,7 +68,11 @@ private:
         unsigned framedWith = 0; // the kinds of handles
         bool keptDirection = false;
         unsigned scaling = 0; // of the handles
-        std::optional<render::GroundPlane> ground = {};
+        struct Ground {
+            render::GroundPlane plane;
+            unsigned scaling = 0; // with which it was chosen
+        };
+        std::optional<Ground> ground = {};
     };
     [[nodiscard]] Kept& kept(Window window, const PictureWish& wish);
     [[nodiscard]] static render::Camera cameraOf(Kept& kept, const PictureWish& wish);
@@ -157,11 +161,15 @@ void PictureThread::Studio::paint(Picture& picture, Kept& kept) {
         {reinterpret_cast<std::byte*>(image.bits()), static_cast<std::size_t>(image.sizeInBytes())},
         static_cast<std::size_t>(image.bytesPerLine()),
         wish.size};
-    renderer_->keepGround(wish.keepsGround ? kept.ground : std::nullopt);
+    const bool keepsGround =
+        wish.keepsGround && kept.ground && kept.ground->scaling == wish.scaling;
+    renderer_->keepGround(keepsGround ? std::optional(kept.ground->plane) : std::nullopt);
     if (renderer_->draw(drawing, into)) {
         image.setDevicePixelRatio(wish.size.ratio);
         picture.image = std::move(image);
-        picture.ground = kept.ground = renderer_->ground();
+        picture.ground = renderer_->ground();
+        if (picture.ground)
+            kept.ground = {*picture.ground, wish.scaling};
     } else {
         renderer_.reset();
         noRenderer_ = picture.fault =

@@ -3,6 +3,7 @@
 #include "gestures/standing.h"
 #include "picture/scene_display.h"
 #include "script/numbers.h"
+#include "surroundings/grid.h"
 
 #include <QRegularExpression>
 
@@ -154,16 +155,8 @@ Vector Indicating::depth(const std::vector<Indicated>& shown) const {
         return shown.back().point;
     const gestures::Sight sight = display_.sight();
     const Eigen::Index axis = sight.facing();
-    const std::size_t bodies = display_.drawing().scene->bodies.size();
     Vector depth = sight.camera.center;
-    std::optional<double> common;
-    for (std::size_t i = 0; i < bodies; ++i) {
-        const double one = centerOf(i).point[axis];
-        if (common && std::abs(*common - one) > 1e-6 * (1 + std::abs(one)))
-            return depth;
-        common = one;
-    }
-    depth[axis] = common.value_or(0);
+    depth[axis] = render::commonDepth(display_.drawing(), axis).value_or(depth[axis]);
     return depth;
 }
 

@@ -47,8 +47,8 @@ TEST_F(PositioningTest, TheKeysTurnMoveRollAndScaleTheView) {
     EXPECT_EQ(editor.document().text(), ballScene);
 }
 
-// While nobody knows what the new motion needs the grid stays.
-TEST_F(PositioningTest, TheGroundWaitsForTheNewMotion) {
+// An edit moves no grid, however far the new motion leads; framing puts it below all of it.
+TEST_F(PositioningTest, TheGroundStaysWhereItIsUntilOneFramesAnew) {
     const auto sinking = [](const std::string& speed) {
         return "simulator -finish 2\nshape_set s -desc {-sub {-sphere 0.3}}\n"
                "body b s -init_dpos {0 -" +
@@ -62,15 +62,33 @@ TEST_F(PositioningTest, TheGroundWaitsForTheNewMotion) {
     ASSERT_TRUE(display.ground().has_value());
     const double before = display.ground()->height;
     EXPECT_LT(before, -2.3);
-    made.blocked = true;
     document.setText(sinking("4") + "body beside s -init_pos {1 0 0} -init_dpos {0 -4 0}\n",
                      "Edit");
-    ASSERT_TRUE(waitFor([&] { return document.sceneIsCurrent(); }));
+    ASSERT_TRUE(settle(document));
     display.grab();
     ASSERT_TRUE(display.ground().has_value());
     EXPECT_EQ(display.ground()->height, before);
-    made.blocked = false;
+    display.frameAll();
+    display.grab();
     EXPECT_TRUE(waitFor([&] { return display.ground() && display.ground()->height < -8; }));
+}
+
+// A first body that is put across the grid of an empty scene leaves the grid at 0.
+TEST_F(PositioningTest, TheGridOfAnEmptySceneStaysUnderTheFirstBody) {
+    SceneDocument& document = editor.document();
+    document.setText("simulator -finish 2\n", "Edit");
+    ASSERT_TRUE(settle(document));
+    SceneDisplay& display = editor.openGraphicalViewer()->display();
+    display.lookAlong(geometry::Vector::UnitZ());
+    display.grab();
+    ASSERT_TRUE(display.ground().has_value());
+    EXPECT_EQ(display.ground()->height, 0);
+    document.setText("simulator -finish 2\nshape_set s -desc {-sub {-sphere 0.3}}\nbody b s\n",
+                     "Edit");
+    ASSERT_TRUE(settle(document));
+    display.grab();
+    ASSERT_TRUE(waitFor([&] { return display.ground().has_value(); }));
+    EXPECT_EQ(display.ground()->height, 0);
 }
 
 TEST_F(PositioningTest, TheHorizonIsLevelledAndTheDirectionStays) {

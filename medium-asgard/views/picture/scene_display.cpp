@@ -36,11 +36,7 @@ SceneDisplay::SceneDisplay(SceneDocument& document, std::shared_ptr<PictureThrea
     connect(&document_, &SceneDocument::opened, this, [this] { seen_.isAnother = true; });
     connect(&document_, &SceneDocument::sceneChanged, this, &SceneDisplay::sceneChanged);
     connect(&document_, &SceneDocument::motionChanged, this, &SceneDisplay::motionChanged);
-    connect(&document_, &SceneDocument::workChanged, this, [this] {
-        if (seen_.isEdited && !keepsGround()) // which has waited
-            redraw(picture_.isMoving());
-        update();
-    });
+    connect(&document_, &SceneDocument::workChanged, this, [this] { update(); });
     connect(&creating_, &Creating::changed, this, [this] { update(); });
     connect(&creating_, &Creating::refused, &editing_,
             [this](const QString& why) { editing_.say(why); });
@@ -75,17 +71,13 @@ PictureWish SceneDisplay::wish() const {
     wish.framing = seen_.framing;
     wish.keepsDirection = seen_.keepsDirection;
     wish.keepsExtent = seen_.isEdited;
-    wish.keepsGround = keepsGround();
     wish.scaling = seen_.scaling;
     wish.from = !seen_.followed.isEmpty()                                ? SeenFrom::view
                 : seen_.framesItself && (seen_.isDue || !seen_.isEdited) ? SeenFrom::framed
                 : seen_.turned                                           ? SeenFrom::turned
                                                                          : SeenFrom::camera;
+    wish.keepsGround = seen_.keepsGround && wish.from != SeenFrom::framed;
     return wish;
-}
-
-bool SceneDisplay::keepsGround() const {
-    return seen_.isEdited && (document_.work() != Work::none || document_.motionIsStale());
 }
 
 bool SceneDisplay::isFollowed(const Picture& picture) const {
@@ -178,11 +170,13 @@ void SceneDisplay::sceneChanged() {
         followView(QString::fromStdString(views.front().name));
     else if (!seen_.followed.isEmpty() && !known)
         followView({});
-    if (std::exchange(seen_.isAnother, false)) {
+    const bool isAnother = std::exchange(seen_.isAnother, false);
+    if (isAnother) {
         seen_.isPlaced = false;
         ++seen_.scaling;
     }
     seen_.isEdited = seen_.isPlaced;
+    seen_.keepsGround = seen_.isEdited || (!isAnother && !seen_.framesItself);
     if (seen_.framed) // it is edited as it is seen now
         keepFrame();
     if (seen_.isEdited && seen_.framesItself)
@@ -368,7 +362,9 @@ void SceneDisplay::lookAlong(const geometry::Vector& toward) {
     camera.rotation = render::facing(toward, upright);
     const bool wasFraming = seen_.framesItself;
     setCamera(camera);
-    seen_.turned = wasFraming;
+    // Of a scene that is empty there is nothing to frame, and the first body stays as it was put.
+    const bool isEmpty = document_.sceneIsCurrent() && document_.shown().scene->bodies.empty();
+    seen_.turned = wasFraming && !isEmpty;
     redraw(false);
 }
 

@@ -155,7 +155,6 @@ private:
     void motionChanged();
     void rename(const std::vector<editing::Renamed>& renamed); // of what is hidden
     [[nodiscard]] PictureWish wish() const;
-    [[nodiscard]] bool keepsGround() const; // nobody knows yet what the motion needs
     // The picture is seen from the place where the display is to be: nobody has moved that
     // meanwhile.
     [[nodiscard]] bool isWanted(const Picture& picture) const;
@@ -184,6 +183,7 @@ private:
         bool isDue = false;          // the next picture frames all of the motion, edited or not
         bool turned = false;         // framed anew, with the attitude as it is
         bool isPlaced = false;       // its bodies were seen, since it was opened
+        bool keepsGround = false;    // the grid stays where it is until the reader frames anew
         bool isToStay = false;       // once the scene is framed, the view stays
         bool keepsDirection = false; // the reader has chosen it, or has seen it
         unsigned scaling = 0;        // how often the reader has framed anew
