@@ -195,17 +195,23 @@ bool Snapping::isAsDeep(const Vector& place, const Vector& wanted) const {
     return std::abs((place - wanted).dot(line.direction)) <= reach_ * sight_.pixelLength(wanted);
 }
 
+// Of those as deep as the hand the nearest in space: what lies a little in front of it is further
+// away. Of the others the nearest in the picture, and of two in one place the one in front.
 const Snapping::Point* Snapping::nearest(const Vector& wanted, bool flat) const {
     const Eigen::Vector2d pixels = sight_.pixels(wanted);
+    const double length = sight_.pixelLength(wanted), depth = sight_.depth(wanted);
     const Point* found = nullptr;
-    double least = reach_;
+    double least = std::numeric_limits<double>::infinity();
     for (const Point& point : points_) {
-        const double away = (point.pixels - pixels).norm();
-        // Of two in one place of the picture the one in front.
-        const bool inFront = found && away <= least + 0.5 &&
+        double away = (point.pixels - pixels).norm();
+        if (away > reach_ || (flat && !isAsDeep(point.place, wanted)))
+            continue;
+        if (flat)
+            away = std::hypot(away,
+                              (sight_.depth(point.place) - depth) / (length * sight_.camera.scale));
+        const bool inFront = found && !flat && away <= least + 0.5 &&
                              sight_.depth(point.place) > sight_.depth(found->place) + 1e-9;
-        if (away > reach_ || (found && away >= least - 0.5 && !inFront) ||
-            (flat && !isAsDeep(point.place, wanted)))
+        if (found && away >= least - (flat ? 0 : 0.5) && !inFront)
             continue;
         least = std::min(least, away);
         found = &point;
@@ -231,10 +237,15 @@ std::optional<Snapped> Snapping::onEdge(const Vector& wanted) const {
     return found;
 }
 
-// The hand moves in the plane of the screen: coordinates across it stay as they
-// are.
+// The hand moves in the plane of the screen: coordinates across it stay as they are. A new place is
+// round; one that is moved is drawn to round numbers, and where one looks along an axis, as at a
+// plan, what lies between has few digits, too.
 Vector Snapping::rounded(const Vector& wanted, const std::optional<Vector>& before) const {
     const double length = sight_.pixelLength(wanted), step = this->step(wanted);
+    constexpr double finer = 8;
+    const double fine = roundStep(step / finer);
+    const Eigen::Index facing = sight_.facing();
+    const bool isPlan = (sight_.camera.rotation * Vector::Unit(facing)).head<2>().norm() < 1e-6;
     Vector place = wanted;
     for (Eigen::Index i = 0; i < 3; ++i) {
         Vector axis = Vector::Zero();
@@ -247,8 +258,10 @@ Vector Snapping::rounded(const Vector& wanted, const std::optional<Vector>& befo
         const double near = 0.7 * reach_ * length;
         if (before && std::abs(wanted[i] - (*before)[i]) <= near)
             place[i] = (*before)[i];
-        else if (std::abs(wanted[i] - round) <= near)
+        else if (!before || std::abs(wanted[i] - round) <= near)
             place[i] = round;
+        else if (isPlan)
+            place[i] = std::round(wanted[i] / fine) * fine;
     }
     return place;
 }

@@ -68,12 +68,16 @@ TEST_F(SnappingTest, ThingsThatLieAsDeepDrawBeforeThoseInFrontOfThem) {
 TEST_F(SnappingTest, RoundNumbersAndTheOldOnesDrawEachCoordinate) {
     EXPECT_DOUBLE_EQ(Snapping(drawing, sight, 1).step({0, 0, 0}), 0.1);
     EXPECT_DOUBLE_EQ(Snapping(drawing, sight, 2).step({0, 0, 0}),
-                     0.2); // pixels are half as large
-    const Snapped round = at({0.11, 2.05, 0.123});
-    EXPECT_NEAR(round.place.x(), 0.1, 1e-12);
-    EXPECT_EQ(round.place.y(), 2.05); // between
+                     0.2);                         // pixels are half as large
+    const Snapped round = at({0.11, 2.04, 0.123}); // a new place
+    EXPECT_LT((round.place - Vector(0.1, 2, 0.1)).norm(), 1e-12);
     EXPECT_FALSE(round.isExact);
     EXPECT_EQ(round.to, "");
+    // One that is moved: also between, in few digits where one looks along an axis.
+    const Snapped between = at({0.11, 2.0537, 0.123}, std::nullopt, Vector(5, 7, 0.123));
+    EXPECT_NEAR(between.place.x(), 0.1, 1e-12);
+    EXPECT_NEAR(std::remainder(between.place.y(), 0.01), 0, 1e-12);
+    EXPECT_NEAR(between.place.y(), 2.05, 0.015);
     const Snapped moved = at({0.11, 2.05, 0.123}, std::nullopt, Vector(0, 2.04, 0.123));
     EXPECT_EQ(moved.place.y(), 2.04);  // straight from where it was
     EXPECT_EQ(moved.place.z(), 0.123); // the hand does not move it
