@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <utility>
 
 namespace gestures {
@@ -139,6 +140,27 @@ std::optional<Picked> bodyAt(const render::Drawing& drawing, const Sight& sight,
 
 bool isEndless(const geometry::Shape& shape) {
     return std::ranges::any_of(shape.parts, &geometry::Part::isPlane);
+}
+
+std::optional<Picked> bodyBeside(const render::Drawing& drawing, const Sight& sight,
+                                 const Eigen::Vector2d& pixels, double reach,
+                                 std::optional<std::size_t> but) {
+    constexpr int rings = 4, directions = 16;
+    const auto ends = [&](const std::optional<Picked>& found) {
+        const ShapePointer shape =
+            found ? shapeOf(*drawing.scene, drawing.scene->bodies[found->body].name) : nullptr;
+        return shape && !isEndless(*shape);
+    };
+    const auto here = bodyAt(drawing, sight, pixels, but);
+    for (int ring = 1; ring <= rings && !ends(here); ++ring)
+        for (int i = 0; i < directions; ++i) {
+            const double angle = 2 * std::numbers::pi * i / directions;
+            const Eigen::Vector2d away(std::cos(angle), std::sin(angle));
+            const auto found = bodyAt(drawing, sight, pixels + reach * ring / rings * away, but);
+            if (ends(found))
+                return found;
+        }
+    return here;
 }
 
 bool isIn(const render::Drawing& drawing, std::size_t body, const Vector& place) {

@@ -63,6 +63,10 @@ struct Picked {
 [[nodiscard]] std::optional<Picked> bodyAt(const render::Drawing& drawing, const Sight& sight,
                                            const Eigen::Vector2d& pixels,
                                            std::optional<std::size_t> but = std::nullopt);
+// The same, or the body whose edge is seen within `reach` of pixels that show none, or a floor.
+[[nodiscard]] std::optional<Picked> bodyBeside(const render::Drawing& drawing, const Sight& sight,
+                                               const Eigen::Vector2d& pixels, double reach,
+                                               std::optional<std::size_t> but = std::nullopt);
 
 // A place of the world, as near as rounded numbers tell, is inside of the body or on its surface.
 [[nodiscard]] bool isIn(const render::Drawing& drawing, std::size_t body, const Vector& place);

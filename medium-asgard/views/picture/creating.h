@@ -58,6 +58,8 @@ public:
     [[nodiscard]] bool uses(const QKeyEvent& event) const;
     // The step that is asked for, and the fault of the last click.
     [[nodiscard]] QString prompt() const;
+    // The meaning of a click where the pointer is, beside which it stands; "": none.
+    [[nodiscard]] QString pointedWords() const;
     void paint(QPainter& painter) const;
     // The measured distance is seen until the next command, a change of the text, or this. False:
     // there is none.
@@ -91,6 +93,7 @@ private:
     void paintMeasured(QPainter& painter) const;
     void paintOutline(QPainter& painter, const Outline& outline) const;
     void paintGhost(QPainter& painter, const Indicated& next) const;
+    void paintHold(QPainter& painter, const Indicated& next) const;
     void paintWords(QPainter& painter, const QPointF& place, const QString& words) const;
     [[nodiscard]] QString wordsOf(const Indicated& next) const;
     [[nodiscard]] bool isInSight() const;

@@ -66,6 +66,41 @@ QString Creating::wordsOf(const Indicated& next) const {
     return words;
 }
 
+QString Creating::pointedWords() const {
+    if (!next_)
+        return {};
+    if (const auto judged = judge(*next_))
+        return judged->words;
+    if (begun_->step().wanted != Wanted::hold)
+        return wordsOf(*next_);
+    const auto& bodies = document_.shown().scene->bodies;
+    return next_->body
+               ? tr("to %1: %2")
+                     .arg(QString::fromStdString(bodies[*next_->body].name), wordsOf(*next_))
+               : tr("to the ground: %1").arg(wordsOf(*next_));
+}
+
+// The body that is meant is outlined, and the ground has its sign: which of them it is must be seen
+// before the click.
+void Creating::paintHold(QPainter& painter, const Indicated& next) const {
+    const scene::Scene& scene = *document_.shown().scene;
+    const QPointF place = display_.fromPixels(display_.sight().pixels(next.point));
+    const scene::ShapeSet* set =
+        next.body ? scene::findShapeSet(scene, scene.bodies[*next.body].shape) : nullptr;
+    if (set) {
+        const render::Drawing drawing = display_.drawing();
+        paintOutline(painter, {set->parts, render::poseOf(scene, drawing.motion.get(), *next.body,
+                                                          drawing.time)});
+    }
+    painter.setPen(QPen(QColor(20, 90, 200), 2));
+    if (next.body)
+        return;
+    const QPointF below = place + QPointF(0, 10);
+    painter.drawLine(below - QPointF(12, 0), below + QPointF(12, 0));
+    for (const double x : {-8.0, 0.0, 8.0})
+        painter.drawLine(below + QPointF(x, 0), below + QPointF(x - 5, 6));
+}
+
 void Creating::paint(QPainter& painter) const {
     if (begun_)
         paintSteps(painter);
@@ -117,8 +152,7 @@ void Creating::paintSteps(QPainter& painter) const {
             painter.drawLine(at(shown.back()), at(*next_));
         }
         paintGhost(painter, *next_);
-        const auto judged = judge(*next_);
-        paintWords(painter, at(*next_), judged ? judged->words : wordsOf(*next_));
+        paintWords(painter, at(*next_), pointedWords());
     } else if (next_) { // as it would be
         const QPointF place = at(*next_);
         painter.setPen(QPen(QColor(20, 90, 200), 2, Qt::DashLine));
@@ -127,17 +161,14 @@ void Creating::paintSteps(QPainter& painter) const {
         painter.setPen(QPen(QColor(20, 90, 200), 2));
         painter.drawEllipse(place, 7, 7);
         painter.drawEllipse(place, 2, 2);
+        if (begun_->step().wanted == Wanted::hold)
+            paintHold(painter, *next_);
         if (begun_->step().outlines)
             for (const Outline& one : begun_->step().outlines(*document_.shown().scene, *next_))
                 paintOutline(painter, one);
         painter.setPen(QPen(QColor(20, 90, 200), 2));
         painter.setBrush(QColor(255, 255, 255, 200));
-        const auto& bodies = document_.shown().scene->bodies;
-        const auto judged = judge(*next_);
-        paintWords(painter, place,
-                   judged        ? judged->words
-                   : next_->body ? QString::fromStdString(bodies[*next_->body].name)
-                                 : tr("the ground: %1").arg(wordsOf(*next_)));
+        paintWords(painter, place, pointedWords());
     }
     if (cross_) {
         painter.drawLine(*cross_ - QPointF(9, 0), *cross_ + QPointF(9, 0));

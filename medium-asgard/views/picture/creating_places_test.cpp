@@ -53,6 +53,54 @@ TEST_F(CreatingTest, AJointOnTheGroundStandsAtARoundPlace) {
     EXPECT_EQ(make({0.02, 1.137, 0}).x(), 0); // above its middle
 }
 
+// Two rods end to end: whatever side of the seam the pointer stands on, and some pixels beside it,
+// the second rod is meant, and its end.
+TEST_F(CreatingTest, AJointAtTheSeamOfTwoBodiesIsAtTheEndOfTheSecond) {
+    open("shape_set rod -desc {-sub {-box {2 0.1 0.1}}}\nbody b1 rod -init_pos {1 0 0}\n"
+         "body b2 rod -init_pos {3 0 0}\n");
+    display().frameAll();
+    display().grab();
+    for (const QPoint away : {QPoint(0, 0), QPoint(-5, 1), QPoint(4, 0), QPoint(2, -7)}) {
+        display().creating().start(newJoint(scene::JointType::hinge));
+        click({1, 0, 0});
+        const QPoint place =
+            display().fromPixels(display().sight().pixels({2, 0, 0})).toPoint() + away;
+        display().creating().hover(place);
+        EXPECT_THAT(display().creating().pointedWords().toStdString(),
+                    testing::StartsWith("to b2: 2 0 0, "));
+        QTest::mouseClick(&display(), Qt::LeftButton, {}, place);
+        done();
+        display().grab();
+        EXPECT_EQ(scene().joints.back().body2, "b2") << text();
+        EXPECT_EQ(scene().joints.back().offset1, Vector(1, 0, 0)) << text();
+    }
+}
+
+// On a body a joint is drawn to its corners and edges, else to round numbers; Ctrl means what is
+// seen, to the pixel; and beside all bodies the words name the ground.
+TEST_F(CreatingTest, AJointOnABodyIsDrawnToItsThings) {
+    open("shape_set s -desc {-sub {-box {1 1 0.1}}}\nbody b1 s\nbody b2 s -init_pos {3 0 0}\n");
+    display().frameAll();
+    display().grab();
+    const double pixel = display().sight().pixelLength({3, 0, 0});
+    const auto pointed = [&](const Vector& place, bool holdsOff = false) {
+        display().creating().hover(display().fromPixels(display().sight().pixels(place)), holdsOff);
+        return display().creating().pointedWords().toStdString();
+    };
+    display().creating().start(newJoint(scene::JointType::ball));
+    click({0, 0, 0});
+    EXPECT_THAT(pointed({2.5 + pixel, 0.5 - pixel, 0}),
+                testing::MatchesRegex("to b2: 2.5 0.5 0, (a corner|the middle of an edge) of .*"));
+    EXPECT_THAT(pointed({2.8, 0.5 - 2 * pixel, 0}),
+                testing::MatchesRegex("to b2: 2.8[0-9]* 0.5 0, an edge of b2; .*"));
+    EXPECT_THAT(pointed({3 + 2 * pixel, pixel, 0}), testing::StartsWith("to b2: 3 0 0;"));
+    EXPECT_THAT(pointed({3.21, 0.21, 0}), testing::StartsWith("to b2: 3.2 0.2 0;"));
+    const Vector beside(2.5 - 5 * pixel, 0.21, 0);
+    EXPECT_THAT(pointed(beside), testing::StartsWith("to b2: 2.5 "));
+    EXPECT_THAT(pointed(beside, true), testing::StartsWith("to the ground: 2.4"));
+    EXPECT_THAT(pointed({1.61, 0.21, 0}), testing::StartsWith("to the ground: 1.6 0.2 0;"));
+}
+
 TEST_F(CreatingTest, ThePlaceOfAJointIsTyped) {
     open("shape_set ball -desc {-sub {-sphere 0.5}}\nbody b ball -init_pos {1 0 0}\n");
     display().creating().start(newJoint(scene::JointType::hinge));

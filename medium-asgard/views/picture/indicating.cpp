@@ -246,66 +246,92 @@ Vector Indicating::onAxes(std::size_t body, const Vector& onBody, double near) c
     return from + center;
 }
 
-// The place under a body that is shown there, further behind or before: as deep as its centre.
-Indicated Indicating::held(const BegunRecipe& begun, const Eigen::Vector2d& pixels, bool holdsOff) {
+// The place under a body that is shown there, further behind or before: as deep as its centre. The
+// edge of a body reaches a little further than it is seen, or a hand that trembles at the seam of
+// two bodies would join one of them to the ground.
+Indicated Indicating::held(const BegunRecipe& begun, Eigen::Vector2d pixels, bool holdsOff) {
     const gestures::Sight sight = display_.sight();
     const render::Drawing drawing = display_.drawing();
-    const Indicated& first = begun.shown().front();
-    const geometry::Pose pose = poseOf(*first.body);
+    const std::size_t first = *begun.shown().front().body;
     Indicated found;
     found.given = true;
-    found.point = sight.across(pixels, first.point);
+    const auto other = holdsOff
+                           ? gestures::bodyAt(drawing, sight, pixels, first)
+                           : gestures::bodyBeside(drawing, sight, pixels,
+                                                  edgeReach * display_.devicePixelRatioF(), first);
+    if (other)
+        pixels = sight.pixels(other->point);
+    found.point = sight.across(pixels, begun.shown().front().point);
     found.resolution = sight.pixelLength(found.point);
-    const auto other = gestures::bodyAt(drawing, sight, pixels, first.body);
+    std::size_t alongside = first; // its axes draw the place to them
     if (other) {
         const Indicated center = centerOf(other->body);
         found.body = other->body;
         found.atCenter = isNear(center.point, pixels);
-        if (gestures::isGrasped(*drawing.scene, other->body) &&
-            !gestures::isIn(drawing, other->body, found.point))
-            found.point = sight.beside(pixels, center.point);
-        const geometry::Pose its = poseOf(other->body);
-        found.onBody = found.atCenter
-                           ? center.onBody
-                           : onAxes(other->body, its.toLocal(found.point), found.resolution);
-        found.point = its.toWorld(found.onBody);
+        if (gestures::isGrasped(*drawing.scene, other->body)) {
+            alongside = other->body;
+            if (!gestures::isIn(drawing, other->body, found.point))
+                found.point = sight.beside(pixels, center.point);
+        }
+        if (found.atCenter)
+            found.point = center.point;
     }
-    found.onFirst = onAxes(*first.body, pose.toLocal(found.point), found.resolution);
-    if (!other && first.atCenter)
-        found.point = pose.toWorld(found.onFirst);
-    if (!other && !holdsOff)
-        drawn(found, *first.body, pose);
+    if (!found.atCenter && (other || begun.shown().front().atCenter)) {
+        const geometry::Pose pose = poseOf(alongside);
+        found.point = pose.toWorld(onAxes(alongside, pose.toLocal(found.point), found.resolution));
+    }
+    if (!found.atCenter && !holdsOff)
+        drawn(found, alongside);
+    found.onFirst = poseOf(first).toLocal(found.point);
+    if (other) {
+        const geometry::Pose pose = poseOf(other->body);
+        found.onBody = pose.toLocal(found.point);
+        found.attitude = pose.attitude;
+    }
     return found;
 }
 
-// On the ground it is drawn to things and round numbers, but for what lies on the body's axes.
-void Indicating::drawn(Indicated& found, std::size_t firstBody, const geometry::Pose& first) {
+// It is drawn to things and round numbers, but for what lies on the axes of that body. Where one
+// looks along an axis nobody points at a depth: an edge in front draws the place sideways only.
+void Indicating::drawn(Indicated& found, std::size_t alongside) {
     const gestures::Snapped meant = snapping().at(found.point);
+    const gestures::Sight sight = display_.sight();
+    const Eigen::Index facing = sight.facing();
     found.at = meant.to;
-    const Vector center = first.toWorld(display_.centroidOf(firstBody));
-    Vector place = meant.place;
+    if (meant.isExact) {
+        const bool isPlan = (sight.camera.rotation * Vector::Unit(facing)).head<2>().norm() < 1e-6;
+        const double depth = found.point[facing], away = meant.place[facing] - depth;
+        found.point = meant.place;
+        if (isPlan && std::abs(away) <= clickReach * found.resolution)
+            found.point[facing] = depth;
+        found.resolution *= 0.01; // so that it meets the thing
+        return;
+    }
+    const geometry::Pose pose = poseOf(alongside);
+    const Vector center = pose.toWorld(display_.centroidOf(alongside));
+    const bool isTurned = (pose.attitude * Vector::UnitX()).cwiseAbs().maxCoeff() < 1 - 1e-9 ||
+                          (pose.attitude * Vector::UnitY()).cwiseAbs().maxCoeff() < 1 - 1e-9;
+    if (found.body && isTurned) // along its axes no number of the world is round
+        return;
     constexpr double finer = 4; // than for bodies: a joint may be anywhere on them
     const double step = gestures::roundStep(snapping().step(found.point) / finer);
-    if (meant.isExact)
-        found.resolution *= 0.01; // so that it meets the thing
-    for (Eigen::Index i = 0; i < 3 && !meant.isExact; ++i) {
+    for (Eigen::Index i = 0; i < 3; ++i) {
         const bool isOnAxis =
             std::abs(found.point[i] - center[i]) < 1e-9 * (1 + std::abs(center[i]));
-        const bool isDepth = i == display_.sight().facing(); // nobody points at it
-        place[i] = isOnAxis  ? center[i]
-                   : isDepth ? found.point[i]
-                             : step * std::round(found.point[i] / step);
+        if (!isOnAxis && i != facing)
+            found.point[i] = step * std::round(found.point[i] / step);
     }
-    found.point = place;
-    found.onFirst = first.toLocal(place);
 }
 
 // A typed place holds the first body to the body that is there.
 void Indicating::holdFirst(Indicated& found, const Indicated& first) const {
     found.onFirst = poseOf(*first.body).toLocal(found.point);
     found.body = gestures::bodyAround(display_.drawing(), found.point, *first.body);
-    if (found.body)
-        found.onBody = poseOf(*found.body).toLocal(found.point);
+    if (!found.body)
+        return;
+    const geometry::Pose pose = poseOf(*found.body);
+    found.onBody = pose.toLocal(found.point);
+    found.attitude = pose.attitude;
 }
 
 bool Indicating::isNear(const Vector& point, const Eigen::Vector2d& pixels) const {

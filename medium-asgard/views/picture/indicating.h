@@ -24,6 +24,7 @@ class SceneDisplay;
 class Indicating {
 public:
     static constexpr double clickReach = 12; // pixels
+    static constexpr double edgeReach = 8;   // pixels beside what is seen of a body
 
     // Both outlive it.
     Indicating(const SceneDocument& document, const SceneDisplay& display)
@@ -52,9 +53,8 @@ private:
                                       Indicated found);
     [[nodiscard]] Indicated onBody(const Step& step, std::size_t body, const Vector& point) const;
     [[nodiscard]] Vector onAxes(std::size_t body, const Vector& onBody, double near) const;
-    [[nodiscard]] Indicated held(const BegunRecipe& begun, const Eigen::Vector2d& pixels,
-                                 bool holdsOff);
-    void drawn(Indicated& found, std::size_t firstBody, const geometry::Pose& first);
+    [[nodiscard]] Indicated held(const BegunRecipe& begun, Eigen::Vector2d pixels, bool holdsOff);
+    void drawn(Indicated& found, std::size_t alongside);
     void holdFirst(Indicated& found, const Indicated& first) const; // the place that was typed
     [[nodiscard]] bool isNear(const Vector& point, const Eigen::Vector2d& pixels) const;
     [[nodiscard]] geometry::Pose poseOf(std::size_t body) const;
