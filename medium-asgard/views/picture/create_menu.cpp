@@ -167,6 +167,16 @@ void buildCreateMenu(QMenu* menu, SceneDocument& document, SceneDisplay& display
     joint(QObject::tr("&Fixed"), QObject::tr("Two bodies move as one"), scene::JointType::fixed);
     joint(QObject::tr("&Distance"), QObject::tr("A massless rod between two points"),
           scene::JointType::distance);
+    joint(QObject::tr("&Cylindrical"),
+          QObject::tr("It slides along one line and turns about it: a piston rod"),
+          scene::JointType::cylindrical);
+    joint(QObject::tr("&Universal"),
+          QObject::tr("It turns about two axes that cross: the joint of a drive shaft"),
+          scene::JointType::universal);
+    joint(QObject::tr("&Planar"), QObject::tr("It slides and turns in one plane: an air puck"),
+          scene::JointType::planar);
+    joint(QObject::tr("Scre&w"), QObject::tr("It turns as it slides: a screw, a vice"),
+          scene::JointType::screw);
     add(joints, QObject::tr("&Gear"), newGear);
     joints->actions().back()->setToolTip(
         plain::tip(QObject::tr("Two wheels, or a wheel and a rack, roll on each other")));

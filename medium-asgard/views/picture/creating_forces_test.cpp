@@ -187,6 +187,38 @@ TEST_F(CreatingTest, LinksOfAllKinds) {
     EXPECT_EQ(std::get<scene::TrajectoryEnd>(scene().links[2].second).trajectory, "T");
 }
 
+// Whatever its type it is read as it was made, and its motion is computed.
+TEST_F(CreatingTest, JointsOfAllTypesAreMadeByClicks) {
+    using scene::JointType;
+    for (const JointType type : {JointType::fixed, JointType::hinge, JointType::slider,
+                                 JointType::cylindrical, JointType::universal, JointType::ball,
+                                 JointType::planar, JointType::distance, JointType::screw}) {
+        open(balls);
+        display().creating().start(newJoint(type));
+        click({-1, 0, 0});
+        click({1, 0, 0});
+        if (display().creating().active()) // where it slides to
+            click({2.5, 0, 0});
+        done();
+        EXPECT_FALSE(display().creating().active());
+        EXPECT_TRUE(editor.document().diagnostics().empty()) << text();
+        ASSERT_EQ(scene().joints.size(), 1U) << text();
+        const scene::Joint& made = scene().joints[0];
+        EXPECT_EQ(made.type, type);
+        EXPECT_EQ(made.body2, "b2");
+        const bool slides =
+            type == JointType::slider || type == JointType::cylindrical || type == JointType::screw;
+        if (slides) {
+            EXPECT_EQ(made.axis, Vector::UnitX()) << text();
+        }
+        if (type == JointType::universal) {
+            EXPECT_EQ(made.axis.dot(made.axis2.value_or(made.axis)), 0) << text();
+            EXPECT_EQ(made.axis.y(), 0);
+        }
+        EXPECT_EQ(made.pitch > 0, type == JointType::screw);
+    }
+}
+
 TEST_F(CreatingTest, AJointIsOnAnotherBodyOrOnTheGround) {
     open(balls);
     display().creating().start(newJoint(scene::JointType::hinge));

@@ -113,6 +113,11 @@ void Building::body() {
     create(joint, QObject::tr("&Ball"), [] { return newJoint(scene::JointType::ball); });
     create(joint, QObject::tr("&Fixed"), [] { return newJoint(scene::JointType::fixed); });
     create(joint, QObject::tr("&Distance"), [] { return newJoint(scene::JointType::distance); });
+    create(joint, QObject::tr("&Cylindrical"),
+           [] { return newJoint(scene::JointType::cylindrical); });
+    create(joint, QObject::tr("&Universal"), [] { return newJoint(scene::JointType::universal); });
+    create(joint, QObject::tr("&Planar"), [] { return newJoint(scene::JointType::planar); });
+    create(joint, QObject::tr("Scre&w"), [] { return newJoint(scene::JointType::screw); });
     create(joint, QObject::tr("&Gear"), newGear);
     QMenu* spring = menu_.addMenu(QObject::tr("New Sp&ring"));
     create(spring, QObject::tr("To Another &Body"), [] { return newSpring(Wanted::body); });

@@ -1,5 +1,8 @@
 // Create > Joint: the body that moves, then the place of the joint on another body or the ground.
 // Create > Rope: the body to which it is tied, then its other points.
+#include "editing/number_text.h"
+#include "framing/extent.h"
+#include "gestures/snapping.h"
 #include "recipes/recipe_words.h"
 #include "recipes/recipes.h"
 
@@ -17,17 +20,31 @@ using scene::JointType;
 
 QString labelOf(JointType type) {
     switch (type) {
+    case JointType::fixed:
+        return QObject::tr("New Fixed Joint");
     case JointType::hinge:
         return QObject::tr("New Hinge");
     case JointType::slider:
         return QObject::tr("New Slider");
+    case JointType::cylindrical:
+        return QObject::tr("New Cylindrical Joint");
+    case JointType::universal:
+        return QObject::tr("New Universal Joint");
     case JointType::ball:
         return QObject::tr("New Ball Joint");
-    case JointType::fixed:
-        return QObject::tr("New Fixed Joint");
-    default:
+    case JointType::planar:
+        return QObject::tr("New Planar Joint");
+    case JointType::distance:
         return QObject::tr("New Distance");
+    case JointType::screw:
+        return QObject::tr("New Screw");
     }
+    return {};
+}
+
+// Along which one body slides on the other.
+bool hasLine(JointType type) {
+    return type == JointType::slider || type == JointType::cylindrical || type == JointType::screw;
 }
 
 std::vector<Step> stepsOf(JointType type) {
@@ -48,7 +65,7 @@ std::vector<Step> stepsOf(JointType type) {
                                         "type x y z."),
                       ""};
     std::vector<Step> steps{first, second};
-    if (type == JointType::slider)
+    if (hasLine(type))
         steps.push_back({Wanted::point, QObject::tr("Click where it slides to."),
                          QObject::tr("Return: along x.")});
     return steps;
@@ -61,19 +78,37 @@ Vector acrossThePicture(const Vector& sight) {
     return Vector::Unit(axis);
 }
 
-// "-axis {0 0 1}" in the frame of body 1; nothing for z, which is a hinge's own.
-void addAxis(NewElement& joint, JointType type, const std::vector<Indicated>& shown) {
+// "-axis {0 0 1}" in the frame of body 1; nothing for z where that is what the type has by itself.
+// A universal joint has a second one in the frame of body 2: both are level where that is possible,
+// so that what hangs from it swings either way.
+void addAxes(NewElement& joint, JointType type, const scene::Scene& scene,
+             const std::vector<Indicated>& shown) {
     constexpr double steady = 1e-3;
-    if (type != JointType::hinge && type != JointType::slider)
+    const scene::JointTraits& traits = scene::traitsOf(type);
+    if (!traits.hasAxis)
         return;
+    const auto add = [&](const char* option, const Vector& own) {
+        joint.words.insert(joint.words.end(), {option, listed(own, steady)});
+    };
     Vector axis = acrossThePicture(shown[0].sight);
-    if (type == JointType::slider) {
+    const Vector up = render::upOf(scene);
+    if (type == JointType::universal && std::abs(axis.dot(up)) > 0.5)
+        axis = std::abs(up.x()) > 0.5 ? Vector(Vector::UnitZ()) : Vector(Vector::UnitX());
+    if (hasLine(type)) {
         const Vector way = shown[2].point - shown[1].point;
         axis = shown[2].given && way.norm() > 0 ? alongAxis(way).normalized() : Vector::UnitX();
     }
     const Vector own = shown[0].attitude.conjugate() * axis;
-    if (type == JointType::slider || (own - Vector::UnitZ()).norm() > steady)
-        joint.words.insert(joint.words.end(), {"-axis", listed(own, steady)});
+    if (!traits.isDefaultAxis || (own - Vector::UnitZ()).norm() > steady)
+        add("-axis", own);
+    if (type == JointType::universal)
+        add("-axis2", shown[1].attitude.conjugate() * up.cross(axis));
+    // In one turn it goes as far as one sees well.
+    constexpr double pixels = 20;
+    if (type == JointType::screw)
+        joint.words.insert(
+            joint.words.end(),
+            {"-pitch", editing::numberText(gestures::roundStep(pixels * shown[0].resolution), 0)});
 }
 
 } // namespace
@@ -105,7 +140,7 @@ Recipe newJoint(JointType type) {
         }
         if (isDistance && !(second.body && second.atCenter))
             add("-offset2", second.body ? second.onBody : second.point, second.resolution);
-        addAxis(joint, type, shown);
+        addAxes(joint, type, scene, shown);
         return std::vector{joint};
     };
     recipe.handles = &render::Display::jointHandles;

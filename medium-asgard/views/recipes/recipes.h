@@ -40,7 +40,7 @@ enum class BasicShape { sphere, box };
 [[nodiscard]] Recipe attractionOfAll();
 // A body goes round another in a circle, and both attract each other.
 [[nodiscard]] Recipe newOrbit();
-// A hinge, a slider, a ball, a fixed joint or a distance, between a body and another or the ground.
+// Of each type, between a body and another or the ground.
 [[nodiscard]] Recipe newJoint(scene::JointType type);
 // Two bodies on hinges or sliders roll on each other; the ratio follows from their sizes.
 [[nodiscard]] Recipe newGear();
