@@ -237,16 +237,23 @@ void drawKey(Canvas& canvas, const Axes& axes, const Plot& plot, const PlotArea&
 
 } // namespace
 
+Said saidAs(const std::string& unit) {
+    return unit == "rad" ? Said{"°", 180 / M_PI} : Said{unit, 1};
+}
+
 Plot named(const scene::Scene& scene, const scene::Plot& plot) {
     Plot result{.title = plot.title.empty() ? plot.name : plot.title};
     const scene::Units units(scene);
     for (std::size_t i = 0; i < plot.values.size(); ++i) {
-        Curve curve{.label = i < plot.labels.size() ? plot.labels[i] : plot.values[i],
+        Curve curve{.label =
+                        i < plot.labels.size() ? plot.labels[i] : units.wordsOf(plot.values[i]),
                     .color = curveColor(scene, plot, i)};
+        if (curve.label.empty() && i >= plot.labels.size())
+            curve.label = plot.values[i];
         const auto before = std::ranges::count_if(
             result.curves, [&](const Curve& one) { return alike(one.color, curve.color); });
         curve.stroke = static_cast<Stroke>(before % 4);
-        curve.unit = units.of(plot.values[i]);
+        curve.unit = saidAs(units.of(plot.values[i])).unit;
         result.curves.push_back(std::move(curve));
     }
     result.values = nameOfValues(units, plot, result.curves);
@@ -266,6 +273,9 @@ std::optional<Plot> sampled(simulation::ReadableScene& readable, const scene::Sc
             result.fault += (result.fault.empty() ? "" : "\n") + fault;
     if (!result.fault.empty())
         return result;
+    std::vector<double> factors;
+    for (const std::string& value : plot.values)
+        factors.push_back(saidAs(scene::Units(scene).of(value)).factor);
     const double start = motion->start(), length = motion->computed() - start;
     for (int i = 0; i <= intervals; ++i) {
         if (isOvertaken())
@@ -274,7 +284,7 @@ std::optional<Plot> sampled(simulation::ReadableScene& readable, const scene::Sc
         const std::vector<double> values = quantities.at(time);
         result.times.push_back(time);
         for (std::size_t k = 0; k < values.size() && k < result.curves.size(); ++k)
-            result.curves[k].values.push_back(values[k]);
+            result.curves[k].values.push_back(factors[k] * values[k]);
     }
     return result;
 }

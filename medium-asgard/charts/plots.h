@@ -17,10 +17,10 @@ enum class Stroke { solid, dashed, dotted, dashDotted };
 
 struct Curve {
     std::string label;
-    std::vector<double> values = {}; // at the plot's times; NaN: not defined there
+    std::vector<double> values = {}; // at the plot's times, in its unit; NaN: not defined there
     Color color = {};
     Stroke stroke = Stroke::solid;
-    std::string unit = {}; // "m/s"; "": none, or not known
+    std::string unit = {}; // "m/s", "°"; "": none, or not known
 };
 
 struct Plot {
@@ -32,6 +32,14 @@ struct Plot {
 };
 
 inline constexpr const char* timeAxis = "time, s";
+
+// The unit in which charts show values that have this one in expressions, and how many of it one
+// is: angles are said in degrees, as everywhere that people read them.
+struct Said {
+    std::string unit;
+    double factor = 1;
+};
+[[nodiscard]] Said saidAs(const std::string& unit);
 
 // Its title and its curves, without values. A curve about one coloured body has that body's colour,
 // darkened where white paper would swallow it; curves that would look alike differ in their

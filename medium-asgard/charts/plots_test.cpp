@@ -42,7 +42,8 @@ TEST(Plots, CurvesHaveTheColourOfTheirBody) {
     const Plot plot = charts::named(scene, scene.plots[0]);
     EXPECT_EQ(plot.title, "p");
     EXPECT_EQ(plot.curves[0].label, "way");
-    EXPECT_EQ(plot.curves[1].label, "red.y");
+    EXPECT_EQ(plot.curves[1].label, "y of red");
+    EXPECT_EQ(plot.curves[4].label, "red.x + pale.x");
     EXPECT_TRUE(same(plot.curves[0].color, {0.8, 0.1, 0.1}));
     EXPECT_TRUE(same(plot.curves[1].color, plot.curves[0].color));
     EXPECT_NE(plot.curves[1].stroke, plot.curves[0].stroke); // told apart all the same
@@ -112,6 +113,23 @@ TEST(Plots, HaveTheValuesOfTheMotion) {
     faulty.plots[0].values = {"nobody.x"};
     EXPECT_THAT(charts::sampled(readable, faulty, faulty.plots[0], motion)->fault,
                 testing::HasSubstr("nobody"));
+}
+
+// In expressions they are radians.
+TEST(Plots, AnglesAreInDegrees) {
+    scene::Scene scene = threeBodies();
+    scene.plots[0].values = {"atan2(red.x + 1, 1)", "red.x"};
+    scene.plots[0].labels = {"angle of red"};
+    const auto motion = simulation::simulate(scene).motion;
+    simulation::ReadableScene readable(scene);
+    const auto plot = charts::sampled(readable, scene, scene.plots[0], motion);
+    ASSERT_TRUE(plot);
+    EXPECT_EQ(plot->curves[0].unit, "°");
+    EXPECT_NEAR(plot->curves[0].values.front(), 45, 1e-9);
+    EXPECT_EQ(plot->curves[1].unit, "m");
+    EXPECT_NEAR(plot->curves[1].values.back(), 2, 1e-12);
+    scene.plots[0].values = {"atan2(red.x + 1, 1)"};
+    EXPECT_EQ(charts::named(scene, scene.plots[0]).values, "angle of red, °");
 }
 
 TEST(Plots, EnormousValuesHaveNoPlaceAndTheOthersStay) {

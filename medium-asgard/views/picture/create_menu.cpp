@@ -105,7 +105,8 @@ void askForPlot(SceneDocument& document, SceneDisplay& display) {
     PlotDialog dialog(document.shown().scene, &display,
                       selected.empty() ? std::nullopt : std::optional(selected.front()));
     if (dialog.exec() == QDialog::Accepted)
-        display.creating().start(newPlot(dialog.expression().toStdString()));
+        display.creating().start(
+            newPlot(dialog.expression().toStdString(), dialog.name().toStdString()));
 }
 
 Recipe newWeight(SceneDisplay& display) {

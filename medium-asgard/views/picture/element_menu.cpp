@@ -175,8 +175,8 @@ void Building::charts() {
     QMenu* beside = menu_.addMenu(QObject::tr("Show &Beside It"));
     for (const Quantity& one : all) {
         plots->addAction(plain::ours(one.label), &display_,
-                         [&display, expression = one.expression] {
-                             display.creating().start(newPlot(expression));
+                         [&display, expression = one.expression, name = one.name] {
+                             display.creating().start(newPlot(expression, name));
                          });
         if (one.isIntegral)
             continue;

@@ -115,7 +115,9 @@ QString Meters::words(const Meter& meter, double time) const {
     const charts::Range range = charts::rangeOf(found->second);
     const double noise = 1e-9 * std::max(std::abs(range.low), std::abs(range.high));
     const QString number = QString::number(std::abs(value) <= noise ? 0 : value, 'g', 3);
-    return QStringLiteral("%1 %2 %3").arg(label, number, meter.quantity.unit).trimmed();
+    const auto& curves = found->second.curves;
+    const QString unit = curves.empty() ? QString() : QString::fromStdString(curves.front().unit);
+    return QStringLiteral("%1 %2 %3").arg(label, number, unit).trimmed();
 }
 
 std::optional<QPointF> Meters::placeOf(const Meter& meter) const {

@@ -29,8 +29,8 @@ TEST_F(MetersTest, AValueStandsBesideItsBodyAtEachTime) {
     meters.toggle(body, x);
     ASSERT_EQ(meters.all().size(), 1U);
     const Meter meter = meters.all().front();
-    EXPECT_TRUE(waitFor([&] { return meters.words(meter, 0) == "x 1"; }));
-    EXPECT_EQ(meters.words(meter, 1.2345), "x 4.7");
+    EXPECT_TRUE(waitFor([&] { return meters.words(meter, 0) == "x 1 m"; }));
+    EXPECT_EQ(meters.words(meter, 1.2345), "x 4.7 m");
     EXPECT_EQ(meters.words(meter, 5), QStringLiteral("x –"));
     const QImage with = display.grab().toImage();
     meters.toggle(body, x);

@@ -104,16 +104,6 @@ PlotDialog::PlotDialog(std::shared_ptr<const scene::Scene> scene, QWidget* paren
     setMinimumWidth(420);
 }
 
-namespace {
-
-// "Angle about z, rad"
-QString worded(const Quantity& quantity) {
-    const QString label = QString(quantity.label).remove('&');
-    return quantity.unit.isEmpty() ? label : QStringLiteral("%1, %2").arg(label, quantity.unit);
-}
-
-} // namespace
-
 // The quantities below their elements; the one that is chosen stands in the field.
 QTreeWidget* PlotDialog::makeList(const std::optional<editing::Element>& about) {
     auto* list = new QTreeWidget;
@@ -134,8 +124,9 @@ QTreeWidget* PlotDialog::makeList(const std::optional<editing::Element>& about) 
         auto* element = new QTreeWidgetItem(
             list, {QString::fromStdString(editing::describe(*scene_, one.element))});
         for (const Quantity& quantity : one.quantities)
-            new QTreeWidgetItem(element,
-                                {worded(quantity), QString::fromStdString(quantity.expression)});
+            (new QTreeWidgetItem(element,
+                                 {worded(quantity), QString::fromStdString(quantity.expression)}))
+                ->setData(0, Qt::UserRole, QString::fromStdString(quantity.name));
         constexpr std::size_t few = 6; // elements: their quantities are seen at once
         element->setExpanded(all.size() <= few || one.element == about);
         if (one.element == about)
@@ -148,6 +139,12 @@ QTreeWidget* PlotDialog::makeList(const std::optional<editing::Element>& about) 
     if (proposed)
         list->setCurrentItem(proposed);
     return list;
+}
+
+QString PlotDialog::name() const {
+    const QTreeWidgetItem* chosen = findChild<QTreeWidget*>("quantities")->currentItem();
+    return chosen && chosen->text(1) == expression() ? chosen->data(0, Qt::UserRole).toString()
+                                                     : QString();
 }
 
 QString PlotDialog::expression() const { return field_->text().trimmed(); }

@@ -26,7 +26,8 @@ public:
                const std::optional<editing::Element>& about = std::nullopt);
 
     [[nodiscard]] QString expression() const;
-    void accept() override; // only what can be charted
+    [[nodiscard]] QString name() const; // of its curve; "": the expression tells it
+    void accept() override;             // only what can be charted
 
 private:
     QTreeWidget* makeList(const std::optional<editing::Element>& about);

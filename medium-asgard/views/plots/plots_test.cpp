@@ -37,12 +37,16 @@ TEST_F(PlotsTest, TheDialogOffersTheQuantitiesOfTheScene) {
     EXPECT_EQ(whole.expression(), "b.y");
     auto* list = whole.findChild<QTreeWidget*>("quantities");
     ASSERT_EQ(list->topLevelItemCount(), 2); // a fixed body has none
-    EXPECT_EQ(list->topLevelItem(1)->child(0)->text(0), "Angle, rad");
+    EXPECT_EQ(list->topLevelItem(1)->child(0)->text(0), "Angle from straight down, °");
     list->setCurrentItem(list->topLevelItem(1)->child(0));
+    EXPECT_EQ(whole.expression(), "atan2(b.x, 4 - b.y)");
+    EXPECT_EQ(whole.name(), "angle of pin");
+    list->setCurrentItem(list->topLevelItem(1)->child(1));
     EXPECT_EQ(whole.expression(), "pin.q");
+    EXPECT_EQ(whole.name(), "");
     const PlotDialog about(editor.document().shown().scene, nullptr,
                            editing::Element{editing::Kind::joint, 0});
-    EXPECT_EQ(about.expression(), "pin.q");
+    EXPECT_EQ(about.expression(), "atan2(b.x, 4 - b.y)");
 }
 
 TEST_F(PlotsTest, EachQuantityHasItsUnit) {
@@ -73,7 +77,46 @@ TEST_F(PlotsTest, ARodThatHangsFromAPointHasAnAngle) {
         quantitiesOf(*editor.document().shown().scene, editing::Element{editing::Kind::joint, 0});
     const auto angle = std::ranges::find(all, QStringLiteral("rad"), &Quantity::unit);
     ASSERT_NE(angle, all.end());
-    EXPECT_EQ(angle->expression, "atan2(b.x - (0), 3 - b.y)");
+    EXPECT_EQ(angle->expression, "atan2(b.x, 3 - b.y)");
+}
+
+// Whatever it was pulled to before the joint was made: 0 is where it hangs, and to the right of an
+// axis that looks at the viewer is positive, as the joint's own angle counts.
+TEST_F(PlotsTest, APendulumsAngleIsFromStraightDown) {
+    const auto angle = [&](const std::string& joint, const std::string& gravity = "0 -9.81 0") {
+        show("simulator -finish 1\nshape_set s -desc {-sub {-sphere 0.1}}\n"
+             "body wall s -fixed 1 -init_pos {0 9 0}\nbody b s -init_pos {0.6 2.2 0}\n" +
+             joint + "\nforce -body b -gravitational {" + gravity + "}\n");
+        const auto all = quantitiesOf(*editor.document().shown().scene,
+                                      editing::Element{editing::Kind::joint, 0});
+        return all.front();
+    };
+    const Quantity own = angle("joint pin -type hinge -body1 b -offset1 {-0.6 0.8 0}");
+    EXPECT_EQ(own.label, "&Angle from straight down");
+    EXPECT_EQ(own.expression, "atan2(b.x, 3 - b.y)");
+    EXPECT_EQ(own.name, "angle of pin");
+    EXPECT_EQ(worded(own), "Angle from straight down, °");
+    EXPECT_EQ(angle("joint pin -type hinge -body1 b -body2 wall -offset1 {-0.6 -0.8 0}").expression,
+              "atan2(b.x, 1.4 - b.y)");
+    EXPECT_EQ(
+        angle("joint pin -type hinge -body1 b -offset1 {-0.6 0.8 0} -axis {0 0 -1}").expression,
+        "atan2(-b.x, 3 - b.y)");
+    EXPECT_EQ(angle("joint pin -type hinge -body1 b -offset1 {0 0 0.8} -axis {0 1 0}", "0 0 -9.81")
+                  .expression,
+              "atan2(0.6 - b.x, 0.8 - b.z)");
+    // A turntable hangs nowhere, nor does what turns about its middle.
+    EXPECT_EQ(angle("joint pin -type hinge -body1 b -offset1 {1 0 0} -axis {0 1 0}").expression,
+              "pin.q");
+    EXPECT_EQ(angle("joint pin -type hinge -body1 b").expression, "pin.q");
+    // The plot that is made of it has its name.
+    angle("joint pin -type hinge -body1 b -offset1 {-0.6 0.8 0}");
+    GraphicalViewer* viewer = editor.openGraphicalViewer();
+    viewer->display().creating().start(newPlot(own.expression, own.name));
+    ASSERT_TRUE(settle(editor.document()));
+    ASSERT_EQ(editor.document().shown().scene->plots.size(), 1U) << editor.document().text();
+    const charts::Plot plot =
+        charts::named(*editor.document().shown().scene, editor.document().shown().scene->plots[0]);
+    EXPECT_EQ(plot.values, "angle of pin, °");
 }
 
 TEST_F(PlotsTest, TheRightButtonOnAChartAsksForItsMenu) {

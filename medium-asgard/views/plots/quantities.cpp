@@ -1,10 +1,14 @@
 #include "plots/quantities.h"
 
+#include "charts/plots.h"
 #include "editing/number_text.h"
 #include "framing/extent.h"
 #include "scene/joint_types.h"
 
 #include <QObject>
+
+#include <cmath>
+#include <optional>
 
 namespace views {
 
@@ -102,24 +106,75 @@ std::vector<Quantity> ofBody(const scene::Scene& scene, const scene::Body& body,
         {QObject::tr("Angular velocity about z"), names.of("wz"), QStringLiteral("rad/s")}};
 }
 
-// Of a pendulum: a rod from a point of the world to a body's centre of mass. "": another joint.
-std::string angleOfRod(const scene::Joint& joint) {
-    if (joint.type != scene::JointType::distance || joint.offset1 || joint.body2 || !joint.offset2)
-        return {};
-    const auto number = [](double value) { return editing::numberText(value, 0); };
-    const geometry::Vector& top = *joint.offset2;
-    return "atan2(" + joint.body1 + ".x - (" + number(top.x()) + "), " + number(top.y()) + " - " +
-           joint.body1 + ".y)";
+// The angle of a pendulum from where it hangs straight down, right-handed about the axis: that of
+// the way from its point to the body's centre of mass. `across`: the direction in which a small
+// positive angle leads.
+std::string angleFromBelow(const std::string& body, const geometry::Vector& point,
+                           const geometry::Vector& up, const geometry::Vector& across) {
+    const auto along = [&](const geometry::Vector& direction) { // an axis of the world, either way
+        Eigen::Index axis = 0;
+        direction.cwiseAbs().maxCoeff(&axis);
+        const std::string place = body + "." + "xyz"[axis];
+        const double start = point[axis];
+        const std::string from = editing::numberText(start, 0);
+        return direction[axis] > 0 ? (start == 0  ? place
+                                      : start < 0 ? place + " + " + editing::numberText(-start, 0)
+                                                  : place + " - " + from)
+                                   : (start == 0 ? "-" + place : from + " - " + place);
+    };
+    return "atan2(" + along(across) + ", " + along(-up) + ")";
 }
 
-std::vector<Quantity> ofJoint(const Names& names, const scene::Joint& joint) {
+// An axis of the world, or none.
+std::optional<geometry::Vector> worldAxis(const geometry::Vector& direction) {
+    Eigen::Index axis = 0;
+    const double most = direction.normalized().cwiseAbs().maxCoeff(&axis);
+    constexpr double straight = 1 - 1e-9;
+    if (!(most > straight))
+        return std::nullopt;
+    return geometry::Vector(geometry::Vector::Unit(axis) * (direction[axis] > 0 ? 1 : -1));
+}
+
+// "": it is none that hangs from a point of the world.
+std::string angleOfPendulum(const scene::Scene& scene, const scene::Joint& joint) {
+    const scene::Body* body = scene::findBody(scene, joint.body1);
+    const scene::Body* other = joint.body2 ? scene::findBody(scene, *joint.body2) : nullptr;
+    if (!body || body->fixed || (joint.body2 && !(other && other->fixed)))
+        return {};
+    const geometry::Vector up = render::upOf(scene);
+    if (joint.type == scene::JointType::distance) {
+        if (joint.offset1 || joint.body2 || !joint.offset2)
+            return {};
+        // About z as a rule; where that is upwards, about x.
+        const geometry::Vector axis =
+            std::abs(up.z()) < 0.5 ? geometry::Vector::UnitZ() : geometry::Vector::UnitX();
+        return angleFromBelow(joint.body1, *joint.offset2, up, axis.cross(-up));
+    }
+    if (joint.type != scene::JointType::hinge || !joint.offset1)
+        return {};
+    const geometry::Pose pose{body->initialPosition, body->initialAttitude};
+    const auto axis = worldAxis(pose.attitude * joint.axis);
+    if (!axis || std::abs(axis->dot(up)) > 0.5)
+        return {};
+    return angleFromBelow(joint.body1, pose.toWorld(*joint.offset1), up, axis->cross(-up));
+}
+
+std::vector<Quantity> ofJoint(const scene::Scene& scene, const Names& names,
+                              const scene::Joint& joint) {
     std::vector<Quantity> all;
+    const std::string fromBelow = angleOfPendulum(scene, joint);
+    if (!fromBelow.empty())
+        all.push_back({QObject::tr("&Angle from straight down"), fromBelow, QStringLiteral("rad"),
+                       false, "angle of " + joint.name});
     const auto& coordinates = scene::traitsOf(joint.type).coordinates;
     for (std::size_t i = 0; i < coordinates.size(); ++i) {
         const std::string which = scene::coordinateSuffix(joint.type, i);
         const QString shown = which.empty() ? QString() : QString::fromStdString(" " + which);
         const bool isAngle = coordinates[i] == scene::CoordinateKind::angle;
-        all.push_back({(isAngle ? QObject::tr("&Angle") : QObject::tr("&Distance")) + shown,
+        all.push_back({(!isAngle            ? QObject::tr("&Distance")
+                        : fromBelow.empty() ? QObject::tr("&Angle")
+                                            : QObject::tr("A&ngle of the joint")) +
+                           shown,
                        names.of("q" + which),
                        isAngle ? QStringLiteral("rad") : QStringLiteral("m")});
         all.push_back({QObject::tr("&Rate") + shown, names.of("dq" + which),
@@ -129,14 +184,18 @@ std::vector<Quantity> ofJoint(const Names& names, const scene::Joint& joint) {
             all.push_back({QObject::tr("&Motor") + shown, names.of("motor" + which),
                            isAngle ? QStringLiteral("N m") : QStringLiteral("N")});
     }
-    if (const auto angle = angleOfRod(joint); !angle.empty())
-        all.push_back({QObject::tr("&Angle from below, about z"), angle, QStringLiteral("rad")});
     all.push_back({QObject::tr("&Force"), names.length("fx", "fy", "fz"), QStringLiteral("N")});
     all.push_back({QObject::tr("C&ouple"), names.length("tx", "ty", "tz"), QStringLiteral("N m")});
     return all;
 }
 
 } // namespace
+
+QString worded(const Quantity& quantity) {
+    const QString label = QString(quantity.label).remove('&');
+    const QString unit = QString::fromStdString(charts::saidAs(quantity.unit.toStdString()).unit);
+    return unit.isEmpty() ? label : QStringLiteral("%1, %2").arg(label, unit);
+}
 
 std::vector<Quantity> quantitiesOf(const scene::Scene& scene, const Element& element) {
     const std::string name = editing::nameOf(scene, element);
@@ -147,7 +206,7 @@ std::vector<Quantity> quantitiesOf(const scene::Scene& scene, const Element& ele
     case Kind::body:
         return ofBody(scene, scene.bodies[element.index], names);
     case Kind::joint:
-        return ofJoint(names, scene.joints[element.index]);
+        return ofJoint(scene, names, scene.joints[element.index]);
     case Kind::link:
         if (!scene.links[element.index].spring)
             return {};

@@ -17,6 +17,7 @@ struct Quantity {
     std::string expression;
     QString unit = {};
     bool isIntegral = false; // over the motion: known only where the scene's text reads it
+    std::string name = {};   // of its curve, "angle of hinge1"; "": the expression tells it
 };
 
 // None of an element without a name, or of which nothing changes.
@@ -27,6 +28,9 @@ struct Measured {
     editing::Element element;
     std::vector<Quantity> quantities; // not empty
 };
+// Its label and its unit, as a chart has them: "Angle about z, °".
+[[nodiscard]] QString worded(const Quantity& quantity);
+
 // Of all bodies that can move, joints, springs, ropes and contacts, in this order.
 [[nodiscard]] std::vector<Measured> quantitiesOf(const scene::Scene& scene);
 

@@ -138,7 +138,7 @@ Recipe newParameter(const std::string& name, const std::string& value, const std
         }};
 }
 
-Recipe newPlot(const std::string& expression) {
+Recipe newPlot(const std::string& expression, const std::string& curve) {
     return {
         QObject::tr("New Plot"),
         {},
@@ -147,6 +147,8 @@ Recipe newPlot(const std::string& expression) {
                             editing::unusedName(text, scene, Kind::plot, "plot"),
                             {"-values", "{{" + expression + "}}"},
                             {}};
+            if (!curve.empty())
+                plot.words.insert(plot.words.end(), {"-labels", "{{" + curve + "}}"});
             for (const Kind kind : {Kind::body, Kind::link, Kind::joint, Kind::rope, Kind::contact})
                 for (std::size_t i = 0; editing::sourceOf(scene, {kind, i}); ++i)
                     if (const std::string name = editing::nameOf(scene, {kind, i});

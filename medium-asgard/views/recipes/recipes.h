@@ -52,7 +52,8 @@ enum class BasicShape { sphere, box };
 // Without steps: what a dialog has asked for.
 [[nodiscard]] Recipe newParameter(const std::string& name, const std::string& value,
                                   const std::string& minimum, const std::string& maximum);
-[[nodiscard]] Recipe newPlot(const std::string& expression);
+// `curve`: its name; "": the expression tells it.
+[[nodiscard]] Recipe newPlot(const std::string& expression, const std::string& curve = {});
 // A plane below everything that is there, without a click.
 [[nodiscard]] Recipe newFloor();
 // The distance of two points; the text stays as it is.

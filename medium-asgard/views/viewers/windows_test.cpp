@@ -512,11 +512,12 @@ TEST_F(WindowsTest, AJointIsChartedByOneClick) {
     EXPECT_EQ(sign.element, (editing::Element{editing::Kind::joint, 0}));
     menu = elementMenu(editor.document(), display(), sign, {});
     QMenu* charts = action(*menu, "New Plot")->menu();
-    ASSERT_EQ(charts->actions().size(), 4);
+    ASSERT_EQ(charts->actions().size(), 5);
     charts->actions()[0]->trigger();
     ASSERT_TRUE(settle(editor.document()));
-    EXPECT_EQ(text(), pendulum + "\nplot plot1 -values {{pivot.q}}\n");
-    charts->actions()[2]->trigger();
+    EXPECT_EQ(text(), pendulum + "\nplot plot1 -values {{atan2(bob.x, -bob.y)}} -labels {{angle of "
+                                 "pivot}}\n");
+    charts->actions()[3]->trigger();
     ASSERT_TRUE(settle(editor.document()));
     EXPECT_THAT(text(), HasSubstr("{{hypot(pivot.fx, pivot.fy, pivot.fz)}}"));
     ASSERT_EQ(editor.document().shown().scene->plots.size(), 2U);
