@@ -99,6 +99,10 @@ QString MotionNotice::progress() const {
             .arg(seconds);
     const double length = shown.motion->finish() - shown.motion->start();
     const double known = simulation::knownSpan(*shown.motion).computed;
+    if (known >= shown.motion->finish())
+        return tr("All %1 can be played. Checking how exact the motion is, %2 s so far.")
+            .arg(timeText(length, length))
+            .arg(seconds);
     return tr("Computing: at t = %1 of %2, %3 s so far.")
         .arg(timeText(known, length), timeText(shown.motion->finish(), length))
         .arg(seconds);

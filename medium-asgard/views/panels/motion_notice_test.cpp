@@ -1,5 +1,6 @@
 // What a picture says of a motion that stops, that is computed, and that was stopped.
 #include "panels/motion_notice.h"
+#include "panels/time_bar.h"
 #include "surroundings/triad.h"
 #include "viewers/graphical_viewer.h"
 #include "views/test_workshop.h"
@@ -120,6 +121,35 @@ TEST_F(MotionNoticeTest, WhileItIsComputedPlayingWaitsAtAStop) {
     EXPECT_TRUE(viewer.playback().isPlaying());
     document.setComputed(stopping(Work::none));
     EXPECT_FALSE(viewer.playback().isPlaying());
+}
+
+// All of it is there while another run still tells how exact it is.
+TEST_F(MotionNoticeTest, WhatIsComputedToTheEndIsBeingChecked) {
+    SceneDocument document{Workshop{}};
+    GraphicalViewer viewer(document, pictures, {}, 1);
+    viewer.show();
+    Computed computed = stopping(Work::simulating);
+    computed.shown.motion = std::make_shared<render::GivenMotion>(
+        2,
+        std::vector<render::GivenMotion::Law>(2, [](double) { return simulation::BodyState(); }));
+    document.setComputed(computed);
+    ASSERT_TRUE(waitFor([&] { return !wordsOf(viewer).empty(); }));
+    EXPECT_THAT(wordsOf(viewer), HasSubstr("Checking how exact the motion is"));
+    EXPECT_THAT(wordsOf(viewer), testing::Not(HasSubstr("Computing")));
+}
+
+// The second beside the time is no span that is computed.
+TEST_F(MotionNoticeTest, TheTimeBarIsFilledOnlyAsFarAsItIsComputed) {
+    TimeBar bar;
+    bar.resize(500, bar.sizeHint().height());
+    bar.setRange(0, 10, 0);
+    bar.setTime(0);
+    const auto colorAt = [&](double time) {
+        return bar.grab().toImage().pixelColor(static_cast<int>(bar.position(time)), 14);
+    };
+    EXPECT_EQ(colorAt(0.5), colorAt(5));
+    bar.setRange(0, 10, 3);
+    EXPECT_NE(colorAt(2), colorAt(5));
 }
 
 TEST_F(MotionNoticeTest, ComputingIsSaidStoppedAndBegunAgain) {

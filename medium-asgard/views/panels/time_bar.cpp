@@ -26,7 +26,7 @@ TimeBar::TimeBar(QWidget* parent) : QAbstractSlider(parent) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setOrientation(Qt::Horizontal);
     setAccessibleName(tr("Time"));
-    setToolTip(tr("The slider's left edge is now, its length is one second"));
+    setToolTip(tr("The line is now; the outline beside it is one second long"));
 }
 
 QSize TimeBar::sizeHint() const { return {200, fontMetrics().height() + 24}; }
@@ -220,18 +220,24 @@ void TimeBar::paintScale(QPainter& painter) const {
     }
 }
 
+// A line with a head is now; the second that it is long is a bare outline: what is filled is
+// computed.
 void TimeBar::paintSlider(QPainter& painter) const {
     const QPalette& p = palette();
     const QRectF area = trough();
     const QRectF grip = slider();
-    QColor fill = p.color(QPalette::Highlight);
-    fill.setAlpha(isSliderDown() ? 230 : 170);
-    painter.setPen(QPen(p.color(QPalette::Highlight).darker(130), 1));
-    painter.setBrush(fill);
-    painter.drawRoundedRect(grip.adjusted(0, 0.5, -0.5, -0.5), 2.5, 2.5);
-    painter.setPen(QPen(p.color(QPalette::HighlightedText), 2));
-    painter.drawLine(QPointF(grip.left() + 2, grip.top() + 4),
-                     QPointF(grip.left() + 2, grip.bottom() - 4));
+    painter.setPen(QPen(faint(isSliderDown() ? 160 : 90), 1));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRoundedRect(grip.adjusted(0.5, 0.5, -0.5, -0.5), 2.5, 2.5);
+    const QColor ink = isSliderDown() ? p.color(QPalette::Highlight) : faint(255);
+    painter.setPen(QPen(ink, 2, Qt::SolidLine, Qt::FlatCap));
+    painter.drawLine(QPointF(grip.left(), grip.top()), QPointF(grip.left(), grip.bottom()));
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(ink);
+    const double top = grip.top() - 1;
+    painter.drawPolygon(QPolygonF({QPointF(grip.left() - 5, top), QPointF(grip.left() + 5, top),
+                                   QPointF(grip.left() + 5, top + 3), QPointF(grip.left(), top + 8),
+                                   QPointF(grip.left() - 5, top + 3)}));
     if (hasFocus()) {
         painter.setBrush(Qt::NoBrush);
         painter.setPen(QPen(p.color(QPalette::Highlight), 1));

@@ -1,7 +1,8 @@
 // The time scrollbar: its slider's left edge is now, its length one second (dissertation 4.1).
 //
-// The trough shows what is computed, from when on the motion is not predictable, and where bodies
-// hit. A QAbstractSlider, so that keys, wheel and screen readers work as on any slider.
+// The trough is filled as far as the motion is computed, and shows from when on the motion is not
+// predictable, and where bodies hit. A QAbstractSlider, so that keys, wheel and screen readers work
+// as on any slider.
 #pragma once
 
 #include <QAbstractSlider>
