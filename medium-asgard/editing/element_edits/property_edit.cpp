@@ -19,13 +19,17 @@ namespace {
 
 // A coordinate's option has its number behind it where the type has several: -limits2. The list of
 // options has it without a number, with 1 and with 2.
-bool hasCoordinate(const scene::Joint& joint, const CommandHint& command, std::string_view option) {
+bool isOfType(const scene::Joint& joint, const CommandHint& command, std::string_view option) {
+    const scene::JointTraits& traits = scene::traitsOf(joint.type);
+    if (option == "-pitch")
+        return joint.type == scene::JointType::screw;
+    if (option == "-axis" || option == "-axis2")
+        return traits.hasAxis;
     const bool isNumbered = option.ends_with('1') || option.ends_with('2') || option.ends_with('3');
     const std::string_view stem = isNumbered ? option.substr(0, option.size() - 1) : option;
     for (const char* number : {"", "1", "2"})
         if (!hintOf(command, std::string(stem) + number))
             return true;
-    const scene::JointTraits& traits = scene::traitsOf(joint.type);
     if (!(stem == "-from" ? traits.hasFrom : traits.hasDrives))
         return false;
     for (std::size_t i = 0; i < traits.coordinates.size(); ++i)
@@ -64,7 +68,7 @@ std::vector<const OptionHint*> optionsOf(const scene::Scene& scene, const Elemen
     const CommandHint& command = hintOf(scene, element);
     for (const OptionHint& option : command.options)
         if (element.kind != Kind::joint ||
-            hasCoordinate(scene.joints[element.index], command, option.name))
+            isOfType(scene.joints[element.index], command, option.name))
             options.push_back(&option);
     return options;
 }

@@ -421,22 +421,69 @@ TEST_F(PropertiesTest, HiddenItDoesNothing) {
     EXPECT_EQ(pane.name().text(), "b");
 }
 
+// For each option of the language that it may have a row with a field or a box, and no other row.
 TEST_F(PropertiesTest, EachKindOfElementHasRowsThatCanBeRead) {
-    open(two + "link -body1 a -x 0 -y 3 -z 0 -tightness 5\n"
-               "joint j -type hinge -body1 b -axis {0 0 1}\n"
-               "trajectory w -points {{0 0 0 0} {1 1 0 0}}\n"
-               "lightsource -direction {0 -1 0}\nview v -scale 2\nparameter k -value 2\n"
-               "plot p -values {a.x}\n",
+    open("simulator -finish 3\n" + two +
+             "link -body1 a -x 0 -y 3 -z 0 -tightness 5\n"
+             "joint j -type hinge -body1 b -axis {0 0 1}\njoint k -type hinge -body1 a\n"
+             "gear g -joint1 j -joint2 k -ratio 2\nrope r -points {a {0 9 0} b}\n"
+             "contact c -body1 a -body2 b -friction 0.2\n"
+             "trajectory w -points {{0 0 0 0} {1 1 0 0}}\nconstrain a -rot w\n"
+             "lightsource -direction {0 -1 0}\nview v -scale 2\nparameter q -value 2\n"
+             "plot p -values {a.x}\n",
          {});
-    for (const Kind kind :
-         {Kind::shapeSet, Kind::body, Kind::force, Kind::link, Kind::joint, Kind::trajectory,
-          Kind::light, Kind::view, Kind::parameter, Kind::plot}) {
-        document.select({{kind, 0}});
+    ASSERT_TRUE(document.sceneIsCurrent()) << document.diagnostics().front().message;
+    const scene::Scene& scene = *document.shown().scene;
+    for (int i = 0; i <= static_cast<int>(Kind::plot); ++i) {
+        const Element element{static_cast<Kind>(i), 0};
+        ASSERT_TRUE(editing::sourceOf(scene, element)) << i;
+        document.select({element});
         settleTimers();
         EXPECT_NE(pane.title(), "");
-        EXPECT_TRUE(pane.findChild<QLineEdit*>() != nullptr);
-        for (const QLineEdit* one : pane.findChildren<QLineEdit*>())
+        const auto options = editing::optionsOf(scene, element);
+        EXPECT_FALSE(options.empty()) << i;
+        if (element.kind != Kind::joint) { // which has those of its type
+            EXPECT_EQ(options.size(), editing::hintOf(scene, element).options.size()) << i;
+        }
+        for (const editing::OptionHint* option : options) {
+            const PropertyRow* row = pane.row(std::string(option->name));
+            ASSERT_TRUE(row) << option->name;
+            EXPECT_TRUE(row->box() || !row->fields().empty()) << option->name;
+        }
+        for (const auto* one : pane.findChildren<QLineEdit*>())
             EXPECT_NE(one->accessibleName(), "") << one->objectName().toStdString();
+        for (const auto* one : pane.findChildren<QComboBox*>())
+            EXPECT_NE(one->accessibleName(), "") << one->objectName().toStdString();
+    }
+}
+
+// A row that the reader would refuse whatever is typed there belongs to another type.
+TEST_F(PropertiesTest, AJointHasTheRowsOfItsType) {
+    const std::vector<std::string> types = {"fixed",       "hinge", "slider",
+                                            "cylindrical", "screw", "distance",
+                                            "universal",   "ball",  "planar"};
+    std::string text = two;
+    for (const std::string& type : types)
+        text += "joint " + type + " -type " + type + " -body1 a -body2 b" +
+                (type == "fixed" || type == "ball" || type == "distance" ? "" : " -axis {0 0 1}") +
+                (type == "universal" ? " -axis2 {1 0 0}" : "") +
+                (type == "screw" ? " -pitch 1" : "") + "\n";
+    open(text, {});
+    ASSERT_TRUE(document.sceneIsCurrent()) << document.diagnostics().front().message;
+    const auto has = [&](const std::string& type, const char* option) {
+        document.select({{Kind::joint, static_cast<std::size_t>(std::ranges::find(types, type) -
+                                                                types.begin())}});
+        settleTimers();
+        return pane.row(option) != nullptr;
+    };
+    for (const std::string& type : types) {
+        EXPECT_EQ(has(type, "-pitch"), type == "screw") << type;
+        EXPECT_EQ(has(type, "-axis"), type != "fixed" && type != "ball" && type != "distance");
+        EXPECT_EQ(has(type, "-axis2"), has(type, "-axis")) << type;
+        EXPECT_EQ(has(type, "-motor2"), type == "cylindrical" || type == "universal") << type;
+        EXPECT_EQ(has(type, "-motor"),
+                  type == "hinge" || type == "slider" || type == "screw" || type == "distance")
+            << type;
     }
 }
 
