@@ -11,6 +11,8 @@
 #include <QMenu>
 #include <QToolButton>
 
+#include <algorithm>
+
 namespace views {
 
 namespace {
@@ -53,6 +55,7 @@ TimeControls::TimeControls(SceneDocument& document, Playback& playback, QWidget*
     font.setBold(true);
     time_->setFont(font);
     time_->setAccessibleName(tr("Time"));
+    time_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     row->addWidget(time_);
     connect(&playback_, &Playback::timeChanged, this, &TimeControls::showTime);
     connect(&playback_, &Playback::stateChanged, this, &TimeControls::showState);
@@ -86,6 +89,12 @@ void TimeControls::addRates(QHBoxLayout* row) {
         menu->addAction(plain::caption(rateText(rate)), this,
                         [this, rate] { playback_.setRate(rate); });
     rateButton_->setMenu(menu);
+    int widest = 0;
+    for (double rate : rates) {
+        rateButton_->setText(rateText(rate));
+        widest = std::max(widest, rateButton_->sizeHint().width());
+    }
+    rateButton_->setFixedWidth(widest);
     row->addWidget(rateButton_);
 }
 
@@ -132,7 +141,9 @@ int TimeControls::widthOfAll() const {
     for (int i = 0; i < layout()->count(); ++i) {
         QLayoutItem* item = layout()->itemAt(i); // a hidden one has a hint, too
         const QWidget* widget = item->widget();
-        sum += (widget ? widget->sizeHint() : item->sizeHint()).width() + layout()->spacing();
+        const int wanted = (widget ? widget->sizeHint() : item->sizeHint()).width();
+        const int least = widget ? widget->minimumWidth() : 0;
+        sum += std::max(wanted, least) + layout()->spacing();
     }
     return sum;
 }
@@ -161,16 +172,38 @@ void TimeControls::resizeEvent(QResizeEvent* event) {
 
 bool TimeControls::event(QEvent* event) {
     const bool is = QWidget::event(event);
-    if (event->type() == QEvent::LayoutRequest) // a longer time, another rate
+    if (event->type() == QEvent::LayoutRequest) // a longer motion
         fold();
     return is;
 }
 
-void TimeControls::showTime() {
-    time_->setText(timeText(playback_.time(), playback_.finish() - playback_.start()));
+// Of the whole motion, however much of it is computed, or may be played.
+double TimeControls::length() const {
+    const Shown& shown = document_.shown();
+    const scene::Simulator& simulator = shown.scene->simulator;
+    return shown.motion ? shown.motion->finish() - shown.motion->start()
+                        : simulator.finish - simulator.start;
+}
+
+void TimeControls::showTime() { time_->setText(timeText(playback_.time(), length())); }
+
+// As wide as the longest time of the motion: the buttons stay where they are while time runs.
+void TimeControls::reserveTime() {
+    const QFontMetrics metrics = time_->fontMetrics();
+    int widest = 0;
+    for (const double time : {playback_.start(), playback_.start() + length()}) {
+        QString text = timeText(time, length());
+        for (QChar& one : text)
+            if (one.isDigit())
+                one = '8';
+        widest = std::max(widest, metrics.horizontalAdvance(text) + 2);
+    }
+    if (time_->minimumWidth() != widest)
+        time_->setMinimumWidth(widest);
 }
 
 void TimeControls::showState() {
+    reserveTime();
     showTime();
     loopButton_->setChecked(playback_.loops());
     rateButton_->setText(rateText(playback_.rate()));

@@ -21,7 +21,8 @@ namespace views {
 
 class MotionSpan;
 
-// In a narrow row the buttons that have keys fold away, those that are needed least first.
+// In a narrow row the buttons that have keys fold away, those that are needed least first. The
+// row's width decides which, and the motion's length; never the time that is shown.
 class TimeControls : public QWidget {
     Q_OBJECT
 public:
@@ -49,6 +50,8 @@ private:
     QToolButton* addButton(QHBoxLayout* row, const char* name, Icon which, const QString& tip,
                            std::function<void()> action);
     void addRates(QHBoxLayout* row);
+    [[nodiscard]] double length() const;
+    void reserveTime();
     void showTime();
     void showState();
     void showIcons();

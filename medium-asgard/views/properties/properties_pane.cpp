@@ -4,6 +4,7 @@
 #include "editing/number_text.h"
 #include "element_edits/attitude.h"
 #include "element_edits/fixing.h"
+#include "element_edits/options.h"
 #include "element_edits/units.h"
 #include "frame/names_box.h"
 #include "offers/asked_value.h"
@@ -12,6 +13,7 @@
 
 #include <QGridLayout>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QScrollArea>
@@ -20,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace views {
 
@@ -42,6 +45,28 @@ QString defaultIn(std::string_view words) {
 
 std::string shownNumber(double value, double resolution = 1e-9) {
     return editing::numberText(value, resolution * std::max(1.0, std::abs(value)));
+}
+
+constexpr int columnsApart = 8;
+
+// Of rows of any kind of element, as a rule or at least: captions break between their words.
+int widthOfRows(const QWidget& form, bool atLeast) {
+    const std::unique_ptr<QLabel> label(plain::label());
+    label->setFont(form.font());
+    label->setWordWrap(true);
+    const int three = PropertyRow::widthOfFields(form, atLeast);
+    int widest = 0;
+    for (const editing::CommandHint& command : editing::commandHints()) {
+        int caption = 0;
+        for (const OptionHint& option : command.options) {
+            label->setText(plain::ours(QString::fromStdString(editing::captionOf(option))));
+            caption = std::max(caption, label->minimumSizeHint().width());
+        }
+        const bool hasVector = std::ranges::any_of(
+            command.options, [](const OptionHint& one) { return one.wants == Wants::vector; });
+        widest = std::max(widest, caption + columnsApart + (hasVector ? three : three / 2));
+    }
+    return widest;
 }
 
 // The rotation vector that stands in these parts.
@@ -93,6 +118,7 @@ PropertiesPane::PropertiesPane(SceneDocument& document, const PropertyActions& a
         });
     connect(&commands_, &ElementCommands::refused, head_, &PropertyHead::say);
     refresh();
+    reserveWidth();
 }
 
 // A field that loses the keyboard now gives what was typed to nobody.
@@ -183,7 +209,7 @@ void PropertiesPane::rebuild() {
     auto* column = new QVBoxLayout(form_);
     column->setContentsMargins(0, 0, 4, 0);
     auto* grid = new QGridLayout;
-    grid->setHorizontalSpacing(8);
+    grid->setHorizontalSpacing(columnsApart);
     grid->setVerticalSpacing(2);
     grid->setColumnStretch(0, 2);
     grid->setColumnStretch(1, 5);
@@ -202,10 +228,18 @@ void PropertiesPane::rebuild() {
         turn_ = new PropertyRow(document_, *option, tr("Turned by °, about"), 4, *grid, form_);
         listen(*turn_, &PropertiesPane::setTurn);
     }
+    findChild<QScrollArea*>()->setWidget(form_); // deletes the one before
+}
+
+// Whatever is selected, rows of all kinds have room: the picture beside keeps its place.
+void PropertiesPane::reserveWidth() {
     auto* scroll = findChild<QScrollArea*>();
-    scroll->setWidget(form_); // deletes the one before
-    scroll->setMinimumWidth(form_->minimumSizeHint().width() +
-                            scroll->verticalScrollBar()->sizeHint().width());
+    const QMargins inside = form_->layout()->contentsMargins(),
+                   around = layout()->contentsMargins();
+    const int beside =
+        inside.left() + inside.right() + scroll->verticalScrollBar()->sizeHint().width();
+    scroll->setMinimumWidth(widthOfRows(*this, true) + beside);
+    usualWidth_ = widthOfRows(*this, false) + beside + around.left() + around.right();
 }
 
 // The size is written in the shape, not in the body's command.

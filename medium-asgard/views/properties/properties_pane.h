@@ -58,7 +58,7 @@ public:
     // points at the viewer most, so that the turn is seen in the picture.
     void setUsualAxis(const geometry::Vector& axis);
 
-    [[nodiscard]] QSize sizeHint() const override { return {300, 480}; }
+    [[nodiscard]] QSize sizeHint() const override { return {usualWidth_, 480}; }
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -70,6 +70,7 @@ private:
     void buildButtons(QVBoxLayout& column, const PropertyActions& actions);
     void refresh();
     void rebuild(); // other rows
+    void reserveWidth();
     void addTurn(const editing::OptionHint& option);
     void showHead();
     void showRow(PropertyRow& row);
@@ -117,6 +118,7 @@ private:
     Axis axis_;
     PropertyRow* size_ = nullptr; // of the shape
     QWidget* form_ = nullptr;
+    int usualWidth_ = 300;
     std::vector<editing::Element> shown_;
     PropertyHead* head_ = nullptr;
     QWidget* buttons_ = nullptr;

@@ -152,7 +152,9 @@ TEST_F(PropertiesTest, ANumberOfSevenDigitsIsSeenWhole) {
     const QLineEdit& x = field("-init_pos1");
     EXPECT_EQ(x.text(), "-1.162857");
     const int words = x.fontMetrics().horizontalAdvance(x.text());
-    EXPECT_GE(x.minimumWidth(), words + 6); // the frame and what is beside the words
+    const auto isWhole = [&] { return x.width() >= words + 6; }; // the frame, what is beside them
+    pane.resize(pane.sizeHint());
+    EXPECT_TRUE(waitFor(isWhole)) << x.width();
 }
 
 TEST_F(PropertiesTest, ABoxThatIsFixedDeadensNoBounce) {

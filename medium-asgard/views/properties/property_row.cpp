@@ -26,6 +26,10 @@ namespace {
 
 using editing::Wants;
 
+constexpr int fieldsApart = 3;
+constexpr const char* usualNumber = "-1.234567"; // is seen whole where there is room
+constexpr const char* leastNumber = "-1.2345";   // is seen whole in any window
+
 bool isChosen(Wants wants) {
     return wants == Wants::flag || wants == Wants::choice || wants == Wants::body ||
            wants == Wants::shapeSet || wants == Wants::trajectory || wants == Wants::joint;
@@ -71,7 +75,7 @@ PropertyRow::PropertyRow(const SceneDocument& document, const editing::OptionHin
     caption_->setWordWrap(true);
     grid.addWidget(caption_, row, 0);
     auto* line = new QHBoxLayout;
-    line->setSpacing(3);
+    line->setSpacing(fieldsApart);
     if (isChosen(option.wants))
         addBox(*line, caption);
     else
@@ -105,6 +109,12 @@ int widthOf(const QLineEdit& field, const char* words) {
 
 } // namespace
 
+int PropertyRow::widthOfFields(const QWidget& form, bool atLeast) {
+    QLineEdit field;
+    field.setFont(form.font());
+    return 3 * widthOf(field, atLeast ? leastNumber : usualNumber) + 2 * fieldsApart;
+}
+
 void PropertyRow::addFields(const SceneDocument& document, QHBoxLayout& line,
                             const QString& caption, std::size_t most) {
     static const char* const axes[] = {"x", "y", "z"};
@@ -118,7 +128,7 @@ void PropertyRow::addFields(const SceneDocument& document, QHBoxLayout& line,
                              (most == 4 ? QStringLiteral("turn") : QString()) +
                              (most == 1 ? QString() : QString::number(i + 1)));
         field->setAccessibleName(caption + part);
-        field->setMinimumWidth(most == 1 ? 80 : most == 3 ? widthOf(*field, "-1.234567") : 36);
+        field->setMinimumWidth(most == 1 ? 80 : most == 3 ? widthOf(*field, leastNumber) : 36);
         new TypedField(
             *field, document,
             {[this](bool asked) { finish(asked); }, [this, field] { bringBack(*field); }});

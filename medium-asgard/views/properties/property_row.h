@@ -25,6 +25,7 @@ class QLabel;
 class QLineEdit;
 class QToolButton;
 class QVBoxLayout;
+class QWidget;
 
 namespace views {
 
@@ -36,6 +37,9 @@ public:
     // In the next lines of a grid with two columns. `most` parts at once.
     PropertyRow(const SceneDocument& document, const editing::OptionHint& option,
                 const QString& caption, std::size_t most, QGridLayout& grid, QObject* parent);
+
+    // That three numbers take side by side, as a rule or at least.
+    [[nodiscard]] static int widthOfFields(const QWidget& form, bool atLeast);
 
     [[nodiscard]] const editing::OptionHint& option() const { return option_; }
     // Parts that are none differ between the elements. `absent`: shown in place of empty ones.

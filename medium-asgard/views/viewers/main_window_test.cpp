@@ -23,6 +23,7 @@
 #include <QScreen>
 #include <QSettings>
 #include <QTimer>
+#include <QToolButton>
 #include <QTreeWidget>
 
 #include <gmock/gmock.h>
@@ -266,6 +267,59 @@ TEST_F(MainWindowTest, ANarrowWindowHasOneColumnOfPanes) {
     EXPECT_EQ(side("pane.text"), side("pane.properties"));
     EXPECT_EQ(side("pane.status"), side("pane.properties"));
     EXPECT_FALSE(viewer->panes().isShown("sceneList"));
+}
+
+// The second of two clicks means what the first one saw.
+TEST_F(MainWindowTest, ThePictureStaysWhereItIsWhateverIsSelected) {
+    editor.document().setText(ballScene + "body other ball -init_pos {3 0 0}\n"
+                                          "joint j -type hinge -body1 b1\n"
+                                          "force -body b1 -gravitational {0 -9.81 0}\n"
+                                          "light -pos {1 2 3}\n"
+                                          "rope r -points {b1 {0 5 0} other}\n",
+                              "Edit");
+    ASSERT_TRUE(settle(editor.document()));
+    GraphicalViewer& viewer = open();
+    const auto seen = [&] {
+        QTest::qWait(60); // longer than Properties waits
+        return QRect(viewer.display().mapTo(&viewer, QPoint(0, 0)), viewer.display().size());
+    };
+    const QRect before = seen();
+    for (const editing::Kind kind :
+         {editing::Kind::body, editing::Kind::joint, editing::Kind::force, editing::Kind::light,
+          editing::Kind::rope, editing::Kind::shapeSet}) {
+        editor.document().select({{kind, 0}});
+        EXPECT_EQ(seen(), before) << static_cast<int>(kind);
+    }
+    viewer.display().pointing().moveTo(viewer.display().rect().center(), Qt::NoModifier);
+    EXPECT_EQ(seen(), before);
+}
+
+// At no moment of the motion a button is elsewhere, nor another one folds: 10.00 s is longer than
+// 9.99 s.
+TEST_F(MainWindowTest, TheButtonsOfTheTimeStayWhereTheyAreAtEachTime) {
+    std::string longer = ballScene;
+    longer.replace(longer.find("-finish 2"), 9, "-finish 10");
+    editor.document().setText(longer, "Edit");
+    ASSERT_TRUE(settle(editor.document()));
+    GraphicalViewer& viewer = open();
+    TimeControls& controls = viewer.times().controls();
+    const auto places = [&] {
+        QCoreApplication::sendPostedEvents();
+        QCoreApplication::processEvents();
+        std::vector<std::pair<QString, QRect>> all;
+        for (const QToolButton* one : controls.findChildren<QToolButton*>())
+            if (one->isVisible())
+                all.emplace_back(one->objectName(), one->geometry());
+        return all;
+    };
+    for (int width = 1400; width > 700; width -= 8) {
+        viewer.resize(width, 760);
+        viewer.playback().seek(0);
+        const auto before = places();
+        viewer.playback().seek(10);
+        ASSERT_EQ(viewer.playback().time(), 10);
+        ASSERT_EQ(places(), before) << width;
+    }
 }
 
 // 750 points are what a screen of 1500 pixels has at scale 2.
