@@ -1,16 +1,19 @@
 #!/usr/bin/env python3
 """First tasks of a newcomer, from an empty scene, with no more than 40 actions each: a car rolls down a slope; planets
-go round a sun. What an action is: person.py.
+go round a sun; a ball rolls off a table; a pendulum has a graph; a stack falls; a ball is thrown while the motion plays.
+What an action is: person.py.
 
 usage: first_tasks_test.py PATH-TO-ASGARD [unittest arguments]       ASGARD_SCREENSHOTS=FOLDER keeps what was seen
 """
 import math
 import os
+import re
 import sys
 import tempfile
 import unittest
 
 from person import Author, Newcomer
+from screen import until
 
 ASGARD = os.path.abspath(sys.argv[1])
 MOST = 40  # actions
@@ -108,6 +111,117 @@ class FirstTasks(unittest.TestCase):
         self.assertLess(max(math.dist(state[0][:3], states[0][0][:3]) for state in states), 0.02)  # the sun stays
         energies = [energy(state) for state in states]
         self.assertLess(max(energies) - min(energies), 1e-3 * abs(energies[0]))
+
+    def test_a_ball_rolls_off_a_table(self):
+        self.newcomer.create("Body", "New Box")
+        self.newcomer.click(0, 0, 0)
+        self.author.says(r"^body body1 block1")
+        self.newcomer.enter("size1", "2", "0.2", "1")
+        self.author.says(r"-box \{2 0.2 1\}")
+        self.newcomer.choose("-fixed", "y")
+        self.author.says(r"^body body1 .*-fixed 1")
+        top = float(self.author.says(r"^body body1 .*-init_pos \{\S+ (\S+) ").group(1)) + 0.1
+        self.newcomer.create("Body", "New Sphere")
+        self.newcomer.click(-0.5, top, 0)
+        self.author.says(r"^body body2 ball1")
+        self.newcomer.enter("-init_dpos1", "1")
+        self.author.says(r"^body body2 .*-init_dpos \{1 0 0\}")
+        self.newcomer.create("Force", "Gravity for All Bodies")
+        self.author.says(r"^force -body body2 -gravitational \{0 -9.81 0\}")
+        self.author.look("table")
+        self.newcomer.play(MOST)
+
+        rows = self.author.motion(5, "body2.x", "body2.y")
+        on = [row for row in rows if row[1] < 0.9]
+        self.assertGreater(len(on), 3)
+        for row in on:
+            self.assertLess(abs(row[2] - rows[0][2]), 1e-3)  # it stays on the table
+        self.assertLess(rows[-1][2], rows[0][2] - 1)  # and falls beyond its edge
+
+    def test_a_pendulum_has_a_graph(self):
+        self.author.press("graphicalViewer1", "3")  # along z
+        self.newcomer.actions += 1
+        self.newcomer.create("Body", "New Sphere")
+        self.newcomer.click(0.8, -0.6, 0)
+        x, y = (float(one) for one in self.author.says(r"^body body1 .*-init_pos \{(\S+) (\S+) 0\}").groups())
+        for number in x, y:
+            self.assertEqual(number, round(number, 2))  # as on a plan: no digits that nobody meant
+        self.newcomer.create("Joint", "Hinge")
+        self.newcomer.click(x, y, 0)
+        self.newcomer.click(0, 0, 0)
+        self.author.says(r"^joint hinge1 -type hinge -body1 body1")
+        self.newcomer.create("Force", "Gravity for All Bodies")
+        self.author.says(r"^force -body body1 -gravitational \{0 -9.81 0\}")
+        self.newcomer.click(0, 0, 0)  # the hinge
+        self.newcomer.create("Plot")
+        self.author.window("newPlot")
+        self.author.press("newPlot", "Return")
+        self.newcomer.actions += 1
+        plot = self.author.says(r"^plot \S+ -values \{\{(.*)\}\} -labels \{\{angle of hinge1\}\}").group(1)
+        self.assertRegex(plot, r"^atan2\(body1\.x, .*body1\.y\)$")
+        self.author.look("graph")
+        self.newcomer.play(MOST)
+
+        rows = self.author.motion(6, "body1.x", "body1.y")
+        angles = [math.degrees(math.atan2(row[1], -row[2])) for row in rows]
+        self.assertAlmostEqual(angles[0], math.degrees(math.atan2(x, -y)), delta=1)
+        self.assertAlmostEqual(max(angles), -min(angles), delta=2)  # about straight down
+
+    def test_a_stack_falls(self):
+        self.newcomer.create("Body", "New Floor Below All")
+        self.author.says(r"^body floor1|^body body1 .*-fixed 1")
+        height = 0  # of the stack
+        for count in range(1, 4):
+            self.newcomer.create("Body", "New Box")
+            self.newcomer.click(0, height, 0)
+            until("there is another box", lambda: len(self.boxes()) == count)
+            middle = self.boxes()[-1][1]
+            self.assertGreater(middle, height)
+            height = 2 * middle - height
+            self.author.look("box")
+        self.newcomer.create("Force", "Gravity for All Bodies")
+        top, start = max(self.boxes(), key=lambda box: box[1])
+        self.author.says(rf"^force -body {top} -gravitational")
+        self.newcomer.create("Body", "New Sphere")
+        self.newcomer.type(f"-3 {start:g} 0")
+        ball = self.author.says(r"^body (\S+) ball1 .*-init_pos \{-3 ").group(1)
+        self.author.says(rf"^force -body {ball} -gravitational")  # as all others
+        self.newcomer.enter("-init_dpos1", "20")
+        self.author.says(rf"^body {ball} .*-init_dpos \{{20 0 0\}}")
+        self.newcomer.enter("-mass", "5")
+        self.author.says(rf"^body {ball} .*-mass 5")
+        self.newcomer.play(MOST)
+
+        rows = self.author.motion(4, f"{top}.y")
+        self.assertLess(abs(rows[0][1] - start), 1e-6)
+        self.assertLess(rows[-1][1], start - 0.5)
+
+    def boxes(self):
+        """Names and heights."""
+        return [(name, float(y)) for name, y in
+                re.findall(r"^body (\S+) block\d+ .*?-init_pos \{\S+ (\S+) ", self.author.saved(), re.M)]
+
+    def test_a_ball_is_thrown_while_the_motion_plays(self):
+        self.author.press("graphicalViewer1", "3")
+        self.newcomer.actions += 1
+        self.newcomer.create("Body", "New Sphere")
+        self.newcomer.click(0, 0, 0)
+        self.author.says(r"^body body1 ball1")
+        self.newcomer.enter("finish", "600")  # however slow the machine is
+        self.author.says(r"^simulator .*-finish 600")
+        self.author.giveKeysTo("scene")
+        self.author.press("graphicalViewer1", "space")
+        self.newcomer.actions += 1
+        begun = self.author.widget("graphicalViewer1", "time").text
+        until("time runs", lambda: self.author.widget("graphicalViewer1", "time").text != begun)
+        start, end = (self.author.point("graphicalViewer1", *at) for at in ((0, 0, 0), (0.5, 0.3, 0)))
+        self.author.drag("graphicalViewer1", start, end)
+        self.newcomer.actions += 1
+        thrown = self.author.says(r"^body body1 .*-init_dpos \{(\S+) (\S+) \S+\}")
+        self.author.look("thrown")
+        self.assertGreater(float(thrown.group(1)), 0)
+        self.assertGreater(float(thrown.group(2)), 0)
+        self.assertLessEqual(self.newcomer.actions, MOST)
 
 
 if __name__ == "__main__":
