@@ -2,6 +2,7 @@
 // through. An awaited paint covers `within` (where that is empty: any part of the widget).
 #pragma once
 
+#include <QCoreApplication>
 #include <QPaintEvent>
 #include <QWidget>
 
@@ -15,7 +16,9 @@ public:
     bool eventFilter(QObject* of, QEvent* event) override {
         if (event->type() != QEvent::Paint)
             return false;
-        of->event(event);
+        of->removeEventFilter(this);
+        QCoreApplication::sendEvent(of, event); // also to who paints a viewport, by a filter
+        of->installEventFilter(this);
         last = std::chrono::steady_clock::now();
         ++count;
         const QRegion painted = static_cast<QPaintEvent*>(event)->region();

@@ -78,8 +78,8 @@ render::Size Rendition::size() const {
 
 void Rendition::see(const scene::Scene& scene, const simulation::MotionPointer& motion,
                     unsigned generation) {
-    if (viewOf_ == std::pair(generation, size()))
-        return;
+    if (turned_ || viewOf_ == std::pair(generation, size()))
+        return; // how all of the motion is seen takes a look at all of it
     viewOf_ = {generation, size()};
     view_.emplace(scene, motion, viewName_, size());
 }

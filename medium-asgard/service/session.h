@@ -9,7 +9,8 @@
 // however long a picture takes; its frame goes out when it is drawn.
 //
 // Pictures are owed when a visible rendition would look different and the host has acknowledged
-// what it was sent. They are at most 60 a second and at most half of their thread's time.
+// what it was sent. They are at most 60 a second and, but during a gesture, at most half of their
+// thread's time.
 #pragma once
 
 #include "ipc/channel.h"

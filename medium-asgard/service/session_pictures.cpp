@@ -155,7 +155,9 @@ void Session::send(Rendition& rendition, Rendition::Frame& frame) {
 void Session::endOne(Clock::duration cost) {
     --pace_.round.drawn;
     pace_.round.cost += cost;
-    pace_.nextFrame = pace_.round.began + std::clamp<Clock::duration>(2 * pace_.round.cost,
+    // No pause for a hand: it waits for the new motion.
+    const int times = gesture_.handles.active() ? 1 : 2;
+    pace_.nextFrame = pace_.round.began + std::clamp<Clock::duration>(times * pace_.round.cost,
                                                                       shortestFrame, longestPause);
 }
 

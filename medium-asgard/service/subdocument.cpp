@@ -3,6 +3,7 @@
 #include "motion/known_span.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace service {
@@ -105,7 +106,9 @@ void Subdocument::start(bool asked, Instant now) {
 
 Changes Subdocument::update(Instant now) {
     bell_.hear();
-    follower_.setSeen(playback.time(now));
+    // A hand that drags sees whole motions, as in viewers: pictures of parts would only delay them.
+    constexpr double never = std::numeric_limits<double>::infinity();
+    follower_.setSeen(previewing() ? never : playback.time(now));
     Changes changes = follower_.update(now);
     if (std::exchange(accepted_, false) && readAt()) // of another revision
         changes.diagnostics = true;
