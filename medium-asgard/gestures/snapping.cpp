@@ -237,9 +237,9 @@ std::optional<Snapped> Snapping::onEdge(const Vector& wanted) const {
     return found;
 }
 
-// The hand moves in the plane of the screen: coordinates across it stay as they are. A new place is
-// round; one that is moved is drawn to round numbers, and where one looks along an axis, as at a
-// plan, what lies between has few digits, too.
+// The hand moves in the plane of the screen: coordinates across it stay as they are. The others are
+// drawn to round numbers; between these they have few digits, those of a new place in each picture,
+// those of one that is moved where one looks along an axis, as at a plan.
 Vector Snapping::rounded(const Vector& wanted, const std::optional<Vector>& before) const {
     const double length = sight_.pixelLength(wanted), step = this->step(wanted);
     constexpr double finer = 8;
@@ -258,9 +258,9 @@ Vector Snapping::rounded(const Vector& wanted, const std::optional<Vector>& befo
         const double near = 0.7 * reach_ * length;
         if (before && std::abs(wanted[i] - (*before)[i]) <= near)
             place[i] = (*before)[i];
-        else if (!before || std::abs(wanted[i] - round) <= near)
+        else if (std::abs(wanted[i] - round) <= near)
             place[i] = round;
-        else if (isPlan)
+        else if (isPlan || !before)
             place[i] = std::round(wanted[i] / fine) * fine;
     }
     return place;

@@ -70,7 +70,7 @@ TEST_F(SnappingTest, RoundNumbersAndTheOldOnesDrawEachCoordinate) {
     EXPECT_DOUBLE_EQ(Snapping(drawing, sight, 2).step({0, 0, 0}),
                      0.2);                         // pixels are half as large
     const Snapped round = at({0.11, 2.04, 0.123}); // a new place
-    EXPECT_LT((round.place - Vector(0.1, 2, 0.1)).norm(), 1e-12);
+    EXPECT_LT((round.place - Vector(0.1, 2.04, 0.1)).norm(), 1e-12);
     EXPECT_FALSE(round.isExact);
     EXPECT_EQ(round.to, "");
     // One that is moved: also between, in few digits where one looks along an axis.

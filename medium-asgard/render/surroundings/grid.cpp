@@ -324,11 +324,10 @@ void addGrid(Lines& lines, const GroundPlane& ground, const Extent& extent, cons
             .draw();
 }
 
-std::optional<double> commonDepth(const Drawing& drawing, Eigen::Index axis) {
+std::optional<double> commonDepth(const scene::Scene& scene, Eigen::Index axis) {
     std::optional<double> common;
-    for (std::size_t i = 0; i < drawing.scene->bodies.size(); ++i) {
-        const double one =
-            poseOf(*drawing.scene, drawing.motion.get(), i, drawing.time).position[axis];
+    for (const scene::Body& body : scene.bodies) {
+        const double one = body.initialPosition[axis];
         if (common && std::abs(*common - one) > 1e-6 * (1 + std::abs(one)))
             return std::nullopt;
         common = one;
@@ -346,7 +345,7 @@ std::optional<FacingPlane> facingPlane(const Drawing& drawing, const Vector& up)
     if (weight <= 0 || std::abs(up[axis]) > 0.5)
         return std::nullopt;
     const double sign = toViewer[axis] > 0 ? 1 : -1;
-    const double depth = commonDepth(drawing, axis).value_or(drawing.camera.center[axis]);
+    const double depth = commonDepth(*drawing.scene, axis).value_or(drawing.camera.center[axis]);
     return FacingPlane{groundPlane(sign * Vector::Unit(axis), sign * depth), weight};
 }
 

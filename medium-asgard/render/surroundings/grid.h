@@ -74,7 +74,7 @@ struct FacingPlane {
 [[nodiscard]] std::optional<FacingPlane> facingPlane(const Drawing& drawing, const Vector& up);
 
 // The coordinate of a place that nobody points at, along an axis of the world: that of all bodies,
-// where they have one in common; 0 where there is none; none: they differ.
-[[nodiscard]] std::optional<double> commonDepth(const Drawing& drawing, Eigen::Index axis);
+// where they have one in common as they start; 0 where there is none; none: they differ.
+[[nodiscard]] std::optional<double> commonDepth(const scene::Scene& scene, Eigen::Index axis);
 
 } // namespace render

@@ -156,7 +156,7 @@ Vector Indicating::depth(const std::vector<Indicated>& shown) const {
     const gestures::Sight sight = display_.sight();
     const Eigen::Index axis = sight.facing();
     Vector depth = sight.camera.center;
-    depth[axis] = render::commonDepth(display_.drawing(), axis).value_or(depth[axis]);
+    depth[axis] = render::commonDepth(*display_.drawing().scene, axis).value_or(depth[axis]);
     return depth;
 }
 
