@@ -75,6 +75,35 @@ Wish ofPoint(const scene::Scene& scene, const Handle& handle, const Vector& at, 
     return wish;
 }
 
+// A hinge's by whole degrees, drawn to each 15, from where it is on; neither passes the other.
+Wish limit(const scene::Scene& scene, const Handle& handle, const Vector& place, double pixel) {
+    const scene::Joint& joint = scene.joints[handle.element];
+    const scene::JointCoordinate& q = joint.coordinates.front();
+    const bool isLower = handle.part == 0;
+    const double now = (isLower ? q.lower : q.upper).value_or(0);
+    const Vector local = handle.frame.toLocal(place);
+    Wish wish;
+    wish.element = elementOf(handle);
+    wish.option = "-limits";
+    wish.path = {handle.part};
+    wish.now = {now};
+    double value = q.from + local.z();
+    wish.resolution = editing::decimalStep(pixel);
+    if (joint.type == scene::JointType::hinge) {
+        constexpr double degree = M_PI / 180, round = 15 * degree, near = 2.5 * degree;
+        value = now + std::remainder(q.from + std::atan2(local.y(), local.x()) - now, 2 * M_PI);
+        const double drawn = round * std::round(value / round);
+        value = std::abs(value - drawn) < near ? drawn : degree * std::round(value / degree);
+        wish.resolution = 1e-6;
+    }
+    if (isLower && q.upper)
+        value = std::min(value, *q.upper - wish.resolution);
+    if (!isLower && q.lower)
+        value = std::max(value, *q.lower + wish.resolution);
+    wish.values = {value};
+    return wish;
+}
+
 // In any locale with a point.
 std::string fixed(double value, int digits) {
     std::array<char, 400> text;
@@ -134,6 +163,7 @@ editing::Element elementOf(const Handle& handle) {
         return {Kind::link, handle.element};
     case HandleKind::jointAxis:
     case HandleKind::jointPoint:
+    case HandleKind::jointLimit:
         return {Kind::joint, handle.element};
     case HandleKind::lightPlace:
     case HandleKind::lightDirection:
@@ -178,6 +208,8 @@ std::vector<Wish> wishesFor(const scene::Scene& scene, const Handle& handle, con
         return {one(handle, "-axis", value, now, resolution)};
     case HandleKind::jointPoint:
         return {one(handle, handle.part == 0 ? "-offset1" : "-offset2", local, localNow, length)};
+    case HandleKind::jointLimit:
+        return {limit(scene, handle, place, length)};
     case HandleKind::lightPlace:
         return {one(handle, "-pos", place, handle.place, length)};
     case HandleKind::lightDirection:
@@ -253,6 +285,8 @@ std::string quantityOf(const scene::Scene& scene, const Handle& handle) {
         return "axis";
     case HandleKind::jointPoint:
         return handle.part == 0 ? "point" : "second point";
+    case HandleKind::jointLimit:
+        return handle.part == 0 ? "lower limit" : "upper limit";
     case HandleKind::lightPlace:
         return "place";
     case HandleKind::lightDirection:

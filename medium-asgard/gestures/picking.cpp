@@ -77,7 +77,8 @@ std::optional<std::size_t> handleAt(const render::HandleSet& set, const Sight& s
         const double distance = (render::standOf(handle, sight.camera, sight.size) - pixels).norm();
         const bool onTop = nearest && distance <= least + 0.5 &&
                            radiusOf(handle.kind) < radiusOf(set.handles[*nearest].kind);
-        if (handle.movable && distance <= reach && (distance < least || onTop || !nearest)) {
+        if (handle.movable && !handle.folded && distance <= reach &&
+            (distance < least || onTop || !nearest)) {
             least = distance;
             nearest = i;
         }

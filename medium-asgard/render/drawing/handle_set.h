@@ -26,6 +26,9 @@ enum class HandleKind : std::uint8_t {
     linkEnd, // part: 0 or 1
     jointAxis,
     jointPoint, // part: 0; 1: of a distance, its second
+    // Of a hinge or a slider; part: 0 the lower, 1 the upper. In its frame q is 0 along x and the
+    // axis is z.
+    jointLimit,
     lightPlace,
     lightDirection,
     // part: which of -points, or of -bezier's control points (editing/). Of a trajectory that only
@@ -48,6 +51,7 @@ struct Handle {
     double clear = 0;       // world: how far its own body reaches about it, which does not hide it
     Eigen::Vector2d aside = Eigen::Vector2d::Zero(); // pixels: where it stands beside its place
     bool cut = false;                                // its arrow is shortened
+    bool folded = false; // of a crowd: it is neither drawn nor taken, until one comes nearer
     [[nodiscard]] bool isArrow() const { return base != place; }
     // Of a trajectory's point: the head of an arrow, and no place of a path.
     [[nodiscard]] bool isValue() const { return perUnit != 1 || isArrow(); }

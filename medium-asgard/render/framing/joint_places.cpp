@@ -59,6 +59,11 @@ std::optional<JointPlace> JointPlaces::at(const scene::Joint& joint, double time
     return place;
 }
 
+Vector JointPlace::unturned() const {
+    const Vector across = towards - axis * axis.dot(towards);
+    return across.norm() > 1e-9 * (1 + towards.norm()) ? across.normalized() : acrossOf(axis);
+}
+
 Vector acrossOf(const Vector& n) {
     Eigen::Index least = 0;
     n.cwiseAbs().minCoeff(&least);

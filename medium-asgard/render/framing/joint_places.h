@@ -36,6 +36,9 @@ struct JointPlace {
     Vector axis = Vector::UnitZ();   // world at the start, of length 1
     Vector apart = Vector::Zero();   // world at the start: the first point less the second
     Vector towards = Vector::Zero(); // world at the start: from the joint to body 1's centre
+
+    // Across the axis, of length 1, world at the start: where body 1's centre is before it turns.
+    [[nodiscard]] Vector unturned() const;
 };
 
 class JointPlaces {

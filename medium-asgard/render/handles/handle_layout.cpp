@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <string>
 
 namespace render {
 
@@ -89,7 +91,7 @@ void spread(HandleSet& set, const Camera& camera, Size size) {
         places.push_back(toPixels(camera, size, set.handles[i].place));
         radii.push_back(stroke * radiusOf(set.handles[i].kind));
     }
-    constexpr std::size_t most = 8; // LIMIT: of a larger crowd the others stay where they are
+    constexpr std::size_t most = 6;
     for (std::vector<std::size_t>& group : crowds(places, radii)) {
         std::ranges::stable_sort(group, std::greater(), [&](std::size_t i) { return radii[i]; });
         const std::size_t around = std::min(group.size() - 1, most);
@@ -105,6 +107,16 @@ void spread(HandleSet& set, const Camera& camera, Size size) {
             set.handles[movable[index]].aside =
                 places[group[0]] - places[index] + ring * Pixels(std::cos(angle), std::sin(angle));
         }
+        std::size_t folded = 0;
+        for (std::size_t k = around + 1; k < group.size(); ++k) {
+            Handle& handle = set.handles[movable[group[k]]];
+            handle.folded = handle.kind != HandleKind::trajectoryPoint &&
+                            (places[group[k]] - places[group[0]]).norm() < ring;
+            folded += handle.folded ? 1 : 0;
+        }
+        Handle& largest = set.handles[movable[group[0]]];
+        if (folded > 0 && largest.label.empty())
+            largest.label = "+" + std::to_string(folded);
     }
 }
 

@@ -16,7 +16,9 @@ namespace render {
 // Arrows whose foot is in the picture and whose head is not are shortened until it is.
 void keepInside(HandleSet& set, const Camera& camera, Size size);
 
-// Handles that would cover each other: the largest stays, the others stand around it.
+// Handles that would cover each other: the largest stays, six stand around it, and what else lies
+// beneath them is folded: a number beside the largest tells how many there are. Points of paths
+// stay where they are.
 void spread(HandleSet& set, const Camera& camera, Size size);
 
 // Labels beside their points: for each the rectangle of its size, at one of eight places about its

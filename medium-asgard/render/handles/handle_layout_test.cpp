@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace render {
@@ -36,6 +37,28 @@ TEST(HandleLayout, HandlesInOnePlaceStandSideBySide) {
                     8)
                     << count;
     }
+}
+
+// A small car has dozens: a few are seen, and come out as one comes nearer.
+TEST(HandleLayout, OfALargeCrowdAFewAreSeenUntilOneComesNearer) {
+    const Size size{640, 480};
+    std::vector<Vector> places;
+    for (int i = 0; i < 20; ++i)
+        places.emplace_back(0.2 * (i % 5), 0.2 * (i / 5), 0);
+    const auto seen = [&](double scale, HandleKind kind) {
+        HandleSet set = handlesAt(places, kind);
+        spread(set, Camera{.scale = scale}, size);
+        const auto count = std::ranges::count(set.handles, false, &Handle::folded);
+        const auto labels = std::ranges::count_if(
+            set.handles, [](const Handle& one) { return !one.label.empty(); });
+        if (kind == HandleKind::velocity) {
+            EXPECT_EQ(labels, count < 20 ? 1 : 0) << scale;
+        }
+        return count;
+    };
+    EXPECT_EQ(seen(0.01, HandleKind::velocity), 7);
+    EXPECT_EQ(seen(1, HandleKind::velocity), 20);
+    EXPECT_EQ(seen(0.01, HandleKind::trajectoryPoint), 20); // a path is one
 }
 
 TEST(HandleLayout, HeadsOutsideThePictureAreBroughtInside) {

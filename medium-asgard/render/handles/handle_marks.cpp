@@ -52,7 +52,7 @@ std::vector<Disc> addHandles(Lines& lines, const HandleSet& set, const Frame& fr
                            place,
                            {0.9F * color, 0.95F,
                             frame.stroke(handle.kind == HandleKind::orientation ? 1.3 : 2.2)});
-        if (!handle.movable)
+        if (!handle.movable || handle.folded)
             continue;
         const Vector stand = moved(frame, place, handle.aside);
         if (!handle.aside.isZero()) {

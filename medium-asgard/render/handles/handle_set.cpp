@@ -7,6 +7,7 @@
 #include "scene/joint_types.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -246,9 +247,37 @@ void Handles::addJoints(HandleSet& set, double time, const Display& display) con
         }
         set.handles.push_back(
             {HandleKind::jointPoint, i, 0, first.point, first.point, 1, first.pose});
+        addLimits(set, i, *place);
         if (joint.type == scene::JointType::distance)
             set.handles.push_back(
                 {HandleKind::jointPoint, i, 1, second.point, second.point, 1, second.pose});
+    }
+}
+
+// At the ends of a hinge's arc, at the stops of a slider's rail, where its sign has them.
+void Handles::addLimits(HandleSet& set, std::size_t index, const JointPlace& place) const {
+    const scene::Joint& joint = scene_.joints[index];
+    const bool isHinge = joint.type == scene::JointType::hinge;
+    if ((!isHinge && joint.type != scene::JointType::slider) || joint.coordinates.empty())
+        return;
+    const scene::JointCoordinate& q = joint.coordinates.front();
+    const JointEnd& second = place.ends[1];
+    const Vector n = second.carried(place.axis), u = second.carried(place.unturned());
+    Eigen::Matrix3d axes;
+    axes << u, n.cross(u), n;
+    const Vector middle =
+        isHinge ? place.ends[0].point : Vector(second.point + n * place.axis.dot(place.apart));
+    const geometry::Pose frame{middle, geometry::Quaternion(axes)};
+    const double reach = 0.085 * viewUnit_; // a little further out than the arc
+    const std::array limits{q.lower, q.upper};
+    for (std::size_t part = 0; part < limits.size(); ++part) {
+        if (!limits[part])
+            continue;
+        const double at = *limits[part] - q.from;
+        const Vector local =
+            isHinge ? Vector(reach * std::cos(at), reach * std::sin(at), 0) : Vector(0, 0, at);
+        const Vector stands = frame.toWorld(local);
+        set.handles.push_back({HandleKind::jointLimit, index, part, stands, stands, 1, frame});
     }
 }
 

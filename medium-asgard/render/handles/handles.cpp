@@ -24,6 +24,7 @@ scene::Color colorOf(HandleKind kind) {
         return {0.15, 0.35, 0.85};
     case HandleKind::jointPoint:
     case HandleKind::jointAxis:
+    case HandleKind::jointLimit:
         return jointColor;
     case HandleKind::lightPlace:
     case HandleKind::lightDirection:
@@ -70,6 +71,7 @@ bool shows(const Display& display, HandleKind kind) {
         return display.linkHandles;
     case HandleKind::jointPoint:
     case HandleKind::jointAxis:
+    case HandleKind::jointLimit:
         return display.jointHandles;
     case HandleKind::lightPlace:
     case HandleKind::lightDirection:
@@ -88,7 +90,8 @@ bool showsHandles(const Display& display) {
 }
 
 bool isJoint(HandleKind kind) {
-    return kind == HandleKind::jointPoint || kind == HandleKind::jointAxis;
+    return kind == HandleKind::jointPoint || kind == HandleKind::jointAxis ||
+           kind == HandleKind::jointLimit;
 }
 
 std::vector<Vector> pathOf(const scene::Trajectory& trajectory) {

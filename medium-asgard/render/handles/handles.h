@@ -13,6 +13,7 @@
 
 #include "drawing/drawing.h"
 #include "framing/extent.h"
+#include "framing/joint_places.h"
 #include "framing/standing_points.h"
 #include "handles/vector_values.h"
 
@@ -69,6 +70,7 @@ private:
     void addForces(HandleSet& set, double time, const Display& display);
     void addLinks(HandleSet& set, double time, const Display& display);
     void addJoints(HandleSet& set, double time, const Display& display) const;
+    void addLimits(HandleSet& set, std::size_t index, const JointPlace& place) const;
     void addLights(HandleSet& set) const;
     void addTrajectories(HandleSet& set, double time, const Display& display) const;
     void addPoints(HandleSet& set, std::size_t trajectory, const Handle& like) const;

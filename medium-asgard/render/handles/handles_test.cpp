@@ -126,6 +126,32 @@ TEST(Handles, JointsHaveTheirPointTheirAxisAndADistanceBothOfItsPoints) {
     EXPECT_EQ(all[4].part, 1U);
 }
 
+// Those that are written, where they are now: a hinge's around it, a slider's along it.
+TEST(Handles, LimitsOfJointsHaveTheirs) {
+    scene::Scene scene;
+    addBody(scene, sphere(1), {3, 0, 0}, red);
+    scene::Joint& hinge = addJoint(scene, scene::JointType::hinge, {-1, 0, 0});
+    hinge.coordinates.resize(1);
+    hinge.coordinates[0].lower = 0;
+    hinge.coordinates[0].upper = M_PI / 2;
+    scene::Joint& slider = addJoint(scene, scene::JointType::slider, {0, 0, 0});
+    slider.axis = {0, 1, 0};
+    slider.coordinates.resize(1);
+    slider.coordinates[0].upper = 2.5;
+    slider.coordinates[0].from = 0.5;
+    Display display;
+    display.jointHandles = true;
+    std::vector<Handle> limits = Handles(scene, nullptr).at(0, display).handles;
+    std::erase_if(limits, [](const Handle& one) { return one.kind != HandleKind::jointLimit; });
+    ASSERT_EQ(limits.size(), 3U);
+    const auto way = [&](std::size_t i) { return Vector(limits[i].place - Vector(2, 0, 0)); };
+    EXPECT_LT((way(0).normalized() - Vector(1, 0, 0)).norm(), 1e-9);
+    EXPECT_LT((way(1).normalized() - Vector(0, 1, 0)).norm(), 1e-9);
+    EXPECT_EQ(limits[1].part, 1U);
+    EXPECT_LT((limits[2].place - Vector(3, 2, 0)).norm(), 1e-9);
+    EXPECT_EQ(limits[2].part, 1U);
+}
+
 TEST(Handles, ArrowsHaveASteadyScaleOfTheScreen) {
     scene::Scene scene;
     addBody(scene, sphere(1), {0, 0, 0}, red).initialVelocity = {300, 0, 0};

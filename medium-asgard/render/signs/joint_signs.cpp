@@ -133,9 +133,7 @@ void Sign::range(const Vector& middle) {
         return;
     const double reach = px(14);
     const Vector n = second().carried(place_.axis);
-    Vector zero = place_.towards - place_.axis * place_.axis.dot(place_.towards);
-    zero = zero.norm() > 1e-9 * (1 + place_.towards.norm()) ? zero.normalized()
-                                                            : acrossOf(place_.axis);
+    const Vector zero = place_.unturned();
     const Vector u = second().carried(zero), v = n.cross(u);
     const auto stop = [&](double angle) {
         const Vector out = std::cos(angle) * u + std::sin(angle) * v;

@@ -74,6 +74,8 @@ QString wordsOf(HandleKind kind) {
         return QObject::tr("where it holds");
     case HandleKind::jointAxis:
         return QObject::tr("which way its axis points");
+    case HandleKind::jointLimit:
+        return QObject::tr("how far it goes");
     case HandleKind::lightPlace:
         return QObject::tr("where it is");
     case HandleKind::lightDirection:

@@ -276,6 +276,30 @@ TEST_F(PictureEditingTest, ForcesAreDraggedByHeadAndBase) {
     EXPECT_NEAR(scene().forces[0].offset->y(), 0.4, 0.02);
 }
 
+// One number of the list changes, and neither passes the other.
+TEST_F(PictureEditingTest, LimitsOfASliderAreDragged) {
+    open(ball + "body b1 ball\n"
+                "joint rail -type slider -body1 b1 -axis {1 0 0} -limits {-2 1.5}\n",
+         {&render::Display::jointHandles});
+    drag(pixels({1.5, 0, 0}), pixels({2.5, 0, 0}));
+    EXPECT_NEAR(*scene().joints[0].coordinates[0].upper, 2.5, 0.05) << text();
+    EXPECT_EQ(scene().joints[0].coordinates[0].lower, -2);
+    drag(pixels({-2, 0, 0}), pixels({2.9, 0, 0}));
+    EXPECT_LT(*scene().joints[0].coordinates[0].lower, *scene().joints[0].coordinates[0].upper);
+}
+
+// By whole degrees, drawn to each 15. A side without a limit keeps none.
+TEST_F(PictureEditingTest, LimitsOfAHingeAreDragged) {
+    open(ball + "body b1 ball\n"
+                "joint pin -type hinge -body1 b1 -offset1 {-1 0 0} -limits {{} 1}\n",
+         {&render::Display::jointHandles});
+    const render::Handle upper = handle(render::HandleKind::jointLimit, 1);
+    const double reach = (upper.place - Vector(-1, 0, 0)).norm();
+    drag(pixels(upper.place), pixels(Vector(-1, 0, 0) + 3 * reach * Vector(0.01, 1, 0)));
+    EXPECT_NEAR(*scene().joints[0].coordinates[0].upper, M_PI / 2, 1e-5) << text();
+    EXPECT_FALSE(scene().joints[0].coordinates[0].lower);
+}
+
 TEST_F(PictureEditingTest, WhatChangesOnItsOwnHasNoHandle) {
     open(ball + "body b1 ball\nforce -body b1 -x 0 -y {sin(t)} -z 0\n",
          {&render::Display::forceHandles});
