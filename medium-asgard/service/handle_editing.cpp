@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
+#include <sstream>
 #include <utility>
 
 namespace service {
 
 namespace {
+
+const render::HandleSet nothing;
 
 bool same(const render::Handle& a, const render::Handle& b) {
     return a.kind == b.kind && a.element == b.element && a.part == b.part;
@@ -39,27 +42,65 @@ HandleEditing::handles(const std::shared_ptr<const scene::Scene>& scene,
     return set;
 }
 
-bool HandleEditing::press(gestures::Ground ground, const render::Drawing& drawing,
-                          render::Size size, double scale, render::CameraControl::Button button,
-                          const Eigen::Vector2d& pixels) {
+bool HandleEditing::press(gestures::Ground ground, const Picture& picture,
+                          render::CameraControl::Button button, const Pointer& pointer) {
     using What = gestures::Grasp::What;
     if (active())
         return false;
-    const auto set = handles(ground.scene, drawing, size);
-    const gestures::Sight sight{drawing.camera, size};
+    const render::Drawing& drawing = picture.drawing;
+    const auto set = handles(ground.scene, drawing, picture.size);
+    const render::HandleSet& shown = set ? *set : nothing;
+    const gestures::Sight sight{drawing.camera, picture.size};
+    const double reach = gestures::handleReach * picture.scale;
     // Bodies are there without handles too.
-    const auto grasp = gestures::graspAt(drawing, set ? *set : render::HandleSet(), sight, button,
-                                         pixels, gestures::handleReach * scale);
+    const auto grasp = gestures::graspAt(drawing, shown, sight, button, pointer.pixels, reach);
     if (!grasp)
         return false;
-    scale_ = scale;
+    const bool isBody = grasp->what == What::drag &&
+                        grasp->handle.kind == render::HandleKind::position &&
+                        !gestures::handleAt(shown, sight, pointer.pixels, reach);
+    if (isBody && picture.rate && take(ground, picture, sight, grasp->handle.element, pointer))
+        return true;
+    scale_ = picture.scale;
     if (grasp->what == What::removePoint) {
         remove(ground, grasp->handle);
         return true;
     }
-    hand_.take(std::move(ground), sight, *grasp, button, pixels, scale);
+    hand_.take(std::move(ground), sight, *grasp, button, pointer.pixels, scale_);
     say(hand_.words());
     return true;
+}
+
+bool HandleEditing::take(const gestures::Ground& ground, const Picture& picture,
+                         const gestures::Sight& sight, std::size_t body, const Pointer& pointer) {
+    auto why = gestures::whyNotTaken(ground, picture.drawing.time, body);
+    if (!why)
+        return false;
+    const double moment = gestures::roundMoment(*ground.motion, picture.drawing.time);
+    if (why->empty())
+        if (const auto joined = gestures::joinedAt(ground, moment, body, sight, pointer.pixels))
+            why = joined->whyNotThrown();
+    if (why->empty())
+        thrown_.emplace(
+            Thrown{{ground, moment, body, sight, pointer.pixels}, sight, *picture.rate});
+    say(thrown_
+            ? "Let go to throw " + thrown_->body.name() + "  \u00b7  Escape: it goes on as it was"
+            : *why);
+    return true;
+}
+
+void HandleEditing::letFly(double seconds) {
+    Thrown thrown = *std::exchange(thrown_, std::nullopt); // what it ends with may come back here
+    const gestures::Ground& ground = thrown.body.ground();
+    if (!thrown.body.moved()) {
+        ground.finish(ground.text, {});
+        return say({});
+    }
+    const editing::Answer answer = thrown.body.answer(thrown.sight, thrown.rate, seconds);
+    std::ostringstream label;
+    label << "Throw " << thrown.body.name() << " at " << thrown.body.moment() << " s";
+    ground.finish(text::applied(ground.text, answer.edits), label.str());
+    say(answer.possible() ? gestures::countsAnew(ground, thrown.body.moment()) : answer.reason);
 }
 
 // Nobody can be asked here about what depends on a trajectory.
@@ -78,8 +119,16 @@ void HandleEditing::remove(const gestures::Ground& ground, const render::Handle&
     say(words + ": a graphical viewer deletes them together.");
 }
 
-void HandleEditing::move(const Eigen::Vector2d& pixels, bool holdsOff) {
-    hand_.move(pixels, holdsOff);
+void HandleEditing::move(const Pointer& pointer) {
+    if (thrown_) {
+        thrown_->body.move(thrown_->sight, pointer.pixels, pointer.seconds);
+        const auto answer = thrown_->body.answer(thrown_->sight, std::nullopt, pointer.seconds);
+        const gestures::Ground& ground = thrown_->body.ground();
+        if (answer.possible())
+            ground.preview(text::applied(ground.text, answer.edits));
+        return;
+    }
+    hand_.move(pointer.pixels, pointer.holdsOff);
     say(active() ? hand_.words() : words_);
 }
 
@@ -96,16 +145,29 @@ bool HandleEditing::key(const std::string& name, bool pressed) {
     const auto key = keys.find(letter);
     if (!active() || key == keys.end())
         return false;
+    if (thrown_) {
+        if (key->second == Key::escape && pressed)
+            cancel();
+        return true;
+    }
     hand_.key(key->second, pressed, scale_);
     say(hand_.words());
     return true;
 }
 
-void HandleEditing::release(render::CameraControl::Button button) {
-    sayLetGo(hand_.release(button));
+void HandleEditing::release(render::CameraControl::Button button, const Pointer& pointer) {
+    if (!thrown_)
+        sayLetGo(hand_.release(button));
+    else if (button == render::CameraControl::Button::left)
+        letFly(pointer.seconds);
 }
 
-void HandleEditing::finish() { sayLetGo(hand_.finish()); }
+// Nobody saw a throw to its end.
+void HandleEditing::finish() {
+    if (thrown_)
+        return cancel();
+    sayLetGo(hand_.finish());
+}
 
 void HandleEditing::sayLetGo(const std::optional<gestures::Hand::LetGo>& gone) {
     if (gone)
@@ -113,11 +175,16 @@ void HandleEditing::sayLetGo(const std::optional<gestures::Hand::LetGo>& gone) {
 }
 
 void HandleEditing::cancel() {
+    if (const auto thrown = std::exchange(thrown_, std::nullopt))
+        thrown->body.ground().finish(thrown->body.ground().text, {});
     hand_.cancel();
     say({});
 }
 
-void HandleEditing::drop() { say(hand_.drop() ? gestures::Hand::overtaken : ""); }
+void HandleEditing::drop() {
+    const bool wasThrown = std::exchange(thrown_, std::nullopt).has_value();
+    say(hand_.drop() || wasThrown ? gestures::Hand::overtaken : "");
+}
 
 void HandleEditing::say(std::string words) {
     words_ = std::move(words);

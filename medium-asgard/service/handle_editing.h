@@ -3,10 +3,12 @@
 //
 // A shifted button takes hold of what is under the pointer: a handle that is shown, or a body
 // (gestures/hand.h). The picture shows what is held where the pointer has it, however long the
-// motion takes.
+// motion takes. While the motion plays a body is taken out of its way and thrown
+// (gestures/throw.h); then the picture shows the scene that begins with the body in the hand.
 #pragma once
 
 #include "gestures/hand.h"
+#include "gestures/throw.h"
 
 #include <memory>
 #include <string>
@@ -15,19 +17,34 @@ namespace service {
 
 class HandleEditing {
 public:
-    // False: nothing is there to take hold of. `scale`: device pixels for each of the reader's.
-    bool press(gestures::Ground ground, const render::Drawing& drawing, render::Size size,
-               double scale, render::CameraControl::Button button, const Eigen::Vector2d& pixels);
-    // `holdsOff`: things nearby do not draw it to them.
-    void move(const Eigen::Vector2d& pixels, bool holdsOff = false);
-    void release(render::CameraControl::Button button); // the change becomes one of the document
-    bool key(const std::string& name, bool pressed);    // false: not theirs
+    struct Pointer {
+        Eigen::Vector2d pixels;
+        double seconds = 0;    // of its clock
+        bool holdsOff = false; // things nearby do not draw what it holds to them
+    };
+    struct Picture { // under the pointer
+        render::Drawing drawing;
+        render::Size size;
+        double scale = 1;                // device pixels for each of the reader's
+        std::optional<double> rate = {}; // while it plays: seconds of its time for each
+    };
+    // False: nothing is there to take hold of.
+    bool press(gestures::Ground ground, const Picture& picture,
+               render::CameraControl::Button button, const Pointer& pointer);
+    void move(const Pointer& pointer);
+    // The change becomes one of the document.
+    void release(render::CameraControl::Button button, const Pointer& pointer);
+    bool key(const std::string& name, bool pressed); // false: not theirs
     void finish();
     void cancel(); // the text is as it was
     // The text that a drag was made on is gone: nothing more of the drag is taken, which is said.
     void drop();
 
-    [[nodiscard]] bool active() const { return hand_.active(); }
+    [[nodiscard]] bool active() const { return hand_.active() || thrown_; }
+    // The moment that is to stand still while a body is held; none: it may go on.
+    [[nodiscard]] std::optional<double> moment() const {
+        return thrown_ ? std::optional(thrown_->body.moment()) : std::nullopt;
+    }
     // The words of a drag about itself, now or last: "b1: position -4.37 0 2", or why it cannot be.
     [[nodiscard]] const std::string& words() const { return words_; }
     // Grows whenever pictures of the same scene may differ.
@@ -40,11 +57,21 @@ public:
 
 private:
     void remove(const gestures::Ground& ground, const render::Handle& handle);
+    // False: a drag does not mean that there.
+    bool take(const gestures::Ground& ground, const Picture& picture, const gestures::Sight& sight,
+              std::size_t body, const Pointer& pointer);
+    void letFly(double seconds);
     void say(std::string words);
 
     void sayLetGo(const std::optional<gestures::Hand::LetGo>& gone);
 
     gestures::Hand hand_;
+    struct Thrown {
+        gestures::Throw body;
+        gestures::Sight sight;
+        double rate;
+    };
+    std::optional<Thrown> thrown_;
     double scale_ = 1;
     std::string words_;
     unsigned generation_ = 0;

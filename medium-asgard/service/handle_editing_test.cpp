@@ -409,5 +409,82 @@ TEST_F(HandleEditingTest, ADragEndsWhereItsPictureIsHidden) {
     EXPECT_GT(scene().bodies[0].initialPosition.x(), -0.95);
 }
 
+// The ball flies along x at 1 m/s; after a second it is at 0.
+class ThrowingTest : public HandleEditingTest {
+protected:
+    ThrowingTest() {
+        open(ball + "body b ball -init_pos {-1 0 0} -init_dpos {1 0 0}\n", {});
+        ask(ipc::TimePlay{});
+        now += std::chrono::seconds(1);
+        exchange();
+        EXPECT_NEAR(time(), 1, 0.01);
+    }
+    double time() { return session->subdocument().playback.time(now); }
+    bool plays() { return session->subdocument().playback.playing(); }
+    // To the right, for half a second.
+    void carry() {
+        const Eigen::Vector2d start = pixels({0, 0, 0});
+        press(start);
+        for (int i = 1; i <= 10; ++i) {
+            now += std::chrono::milliseconds(50);
+            move(start + Eigen::Vector2d(4 * i, 0));
+        }
+        settleHeld();
+    }
+    void settleHeld() {
+        const Instant end = Clock::now() + std::chrono::seconds(20);
+        while (session->subdocument().computing() || !session->subdocument().upToDate()) {
+            ASSERT_LT(Clock::now(), end) << "waited too long";
+            pollfd news{session->descriptor(), POLLIN, 0};
+            poll(&news, 1, 5);
+            exchange();
+        }
+    }
+};
+
+TEST_F(ThrowingTest, WhilePlayingABodyIsThrownAndTheMotionGoesOn) {
+    carry();
+    EXPECT_TRUE(session->subdocument().previewing());
+    EXPECT_FALSE(plays()); // time stands still
+    EXPECT_NEAR(time(), 1, 0.01);
+    const auto held = session->subdocument().scene()->bodies[0];
+    EXPECT_GT(held.initialPosition.x(), 0.05); // in the hand
+    release(pixels({0, 0, 0}) + Eigen::Vector2d(40, 0));
+    ASSERT_THAT(asked, SizeIs(1));
+    const auto change = std::get<ipc::SubdocumentChanged>(asked[0].call);
+    EXPECT_THAT(change.label, HasSubstr("Throw b at 1"));
+    host.answer(asked[0].id, ipc::Revised{change.base + 1});
+    asked.clear();
+    exchange();
+    settleHeld();
+    exchange();
+    EXPECT_THAT(session->subdocument().text(), HasSubstr("-start"));
+    EXPECT_GT(session->subdocument().scene()->bodies[0].initialVelocity.x(), 0.1);
+    EXPECT_TRUE(plays());
+    EXPECT_GE(time(), 0.99);
+    EXPECT_LE(time(), 1.3);
+}
+
+TEST_F(ThrowingTest, EscapeLetsItGoOnAsItWas) {
+    carry();
+    key("Escape");
+    settleHeld();
+    exchange();
+    EXPECT_THAT(asked, IsEmpty());
+    EXPECT_FALSE(session->subdocument().previewing());
+    EXPECT_EQ(session->subdocument().scene()->simulator.start, 0);
+    EXPECT_TRUE(plays());
+    EXPECT_NEAR(time(), 1, 0.02);
+}
+
+TEST_F(ThrowingTest, WhatTheReaderSaysOfTimeMeanwhileCounts) {
+    carry();
+    ask(ipc::TimePause{});
+    key("Escape");
+    settleHeld();
+    exchange();
+    EXPECT_FALSE(plays());
+}
+
 } // namespace
 } // namespace service

@@ -68,6 +68,7 @@ void Session::attend(Instant now) {
             subscription.reader.reset();
     if (changes.diagnostics && !subdocument_.previewing())
         tellDiagnostics();
+    goOn();
     subdocument_.playback.advance(now);
     shown_.time = subdocument_.playback.time(now);
     tellProgress();

@@ -106,7 +106,8 @@ private:
     };
     struct Gesture {
         HandleEditing handles;
-        ipc::Integer in = 0; // the rendition whose handle is held
+        ipc::Integer in = 0;    // the rendition whose handle is held
+        bool holdsTime = false; // of what played when a body was taken
         std::string toldWords, refusedWords;
         std::optional<ipc::Integer> token; // of what is told of it
     };
@@ -172,6 +173,7 @@ private:
     bool edit(Rendition& rendition, const ipc::Input& input); // false: it is for the view
     [[nodiscard]] gestures::Ground ground();
     void finishGesture(const std::string& text, const std::string& label);
+    void goOn();
     void tellGesture();
     void tellHint(const Rendition& rendition); // what pointer and keys do in it
 

@@ -292,11 +292,13 @@ bool Session::key(const std::string& name) {
 }
 
 auto Session::serve(const ipc::TimePlay&) -> Reply<ipc::Done> {
+    gesture_.holdsTime = false; // the reader says what it does
     subdocument_.playback.play(at_.now);
     return ipc::Done{};
 }
 
 auto Session::serve(const ipc::TimePause&) -> Reply<ipc::Done> {
+    gesture_.holdsTime = false; // the reader says what it does
     subdocument_.playback.pause(at_.now);
     return ipc::Done{};
 }

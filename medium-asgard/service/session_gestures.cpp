@@ -40,13 +40,16 @@ bool Session::edit(Rendition& rendition, const ipc::Input& input) {
     const auto with = [&](ipc::Modifier key) {
         return std::ranges::find(input.modifiers, key) != input.modifiers.end();
     };
+    const HandleEditing::Pointer pointer{
+        pixels, std::chrono::duration<double>(at_.now.time_since_epoch()).count(),
+        with(ipc::Modifier::control)};
     if (gesture_.handles.active()) {
         if (input.rendition != gesture_.in)
             return false;
         if (input.type == InputType::move)
-            gesture_.handles.move(pixels, with(ipc::Modifier::control));
+            gesture_.handles.move(pointer);
         else if (input.type == InputType::release && button)
-            gesture_.handles.release(*button);
+            gesture_.handles.release(*button, pointer);
         else if (input.type == InputType::focusOut)
             gesture_.handles.finish();
         return input.type != InputType::wheel;
@@ -55,21 +58,38 @@ bool Session::edit(Rendition& rendition, const ipc::Input& input) {
     if (input.type != InputType::press || !button || !with(ipc::Modifier::shift) ||
         !subdocument_.scene() || !subdocument_.upToDate() || subdocument_.previewing())
         return false;
-    shown_.time = subdocument_.playback.time(at_.now);
+    Playback& playback = subdocument_.playback;
+    shown_.time = playback.time(at_.now);
     rendition.see(drawnScene(), subdocument_.motion(), subdocument_.viewGeneration());
-    if (!gesture_.handles.press(ground(), drawingOf(lookOf(rendition)), rendition.size(),
-                                rendition.scale(), *button, pixels))
+    HandleEditing::Picture picture{drawingOf(lookOf(rendition)), rendition.size(),
+                                   rendition.scale()};
+    if (playback.playing() && !subdocument_.motionIsStale())
+        picture.rate = playback.rate();
+    if (!gesture_.handles.press(ground(), picture, *button, pointer))
         return false;
+    if (const auto moment = gesture_.handles.moment()) {
+        playback.pause(at_.now);
+        playback.seek(*moment, at_.now);
+        gesture_.holdsTime = true;
+    }
     gesture_.toldWords.clear(); // the same words are said again, of another gesture
     rendition.holdView(shown_.time);
     gesture_.in = input.rendition;
     return true;
 }
 
+// A motion that played goes on from the moment, as soon as the one that follows is known.
+void Session::goOn() {
+    if (gesture_.handles.active() || !subdocument_.upToDate() || !subdocument_.motion() ||
+        subdocument_.motionIsStale() || !std::exchange(gesture_.holdsTime, false))
+        return;
+    subdocument_.playback.play(at_.now);
+}
+
 void Session::tellHint(const Rendition& rendition) {
     const std::string what = render::showsHandles(rendition.display)
                                  ? "Shift-drag changes what is under the pointer"
-                                 : "Shift-drag moves a body";
+                                 : "Shift-drag moves a body, or throws it while it plays";
     const ipc::Integer token = ++progress_.lastToken;
     channel_.notify(ipc::ProgressBegin{token, "Editing", false});
     channel_.notify(ipc::ProgressEnd{token, "Drag turns the view, the wheel scales it  \u00b7  " +

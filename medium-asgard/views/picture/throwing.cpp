@@ -1,6 +1,5 @@
 #include "picture/throwing.h"
 
-#include "gestures/present.h"
 #include "gestures/wireframe.h"
 #include "picture/scene_display.h"
 
@@ -16,16 +15,6 @@ using geometry::Vector;
 
 namespace {
 
-constexpr double lately = 0.1; // s: how the hand moved before it let go
-
-// The leader from which no hand could take it: "led by path way"; "": nothing leads it.
-QString leaderOf(const scene::Scene& scene, const std::string& body) {
-    const auto one = std::ranges::find(scene.constraints, body, &scene::Constraint::body);
-    return one == scene.constraints.end()
-               ? QString()
-               : QObject::tr("led by the path %1").arg(QString::fromStdString(one->trajectory));
-}
-
 double secondsOf(const QMouseEvent& event) { return 1e-3 * static_cast<double>(event.timestamp()); }
 
 } // namespace
@@ -38,11 +27,6 @@ Throwing::Throwing(SceneDocument& document, SceneDisplay& display)
     });
 }
 
-// In the upright or level plane through a place of the body.
-Vector Throwing::under(const QPointF& position, const Vector& through) const {
-    return display_.sight().across(display_.inPixels(position), through);
-}
-
 double Throwing::moment() const {
     return gestures::roundMoment(*document_.shown().motion, display_.time());
 }
@@ -50,10 +34,8 @@ double Throwing::moment() const {
 // Null: nothing holds it.
 std::unique_ptr<gestures::Joined> Throwing::joinedAt(std::size_t body,
                                                      const QPointF& position) const {
-    const Shown& shown = document_.shown();
-    const Vector place = render::poseOf(*shown.scene, shown.motion.get(), body, moment()).position;
-    return gestures::Joined::of(gestures::sceneAt(document_.ground(), moment()), body,
-                                under(position, place));
+    return gestures::joinedAt(document_.ground(), moment(), body, display_.sight(),
+                              display_.inPixels(position));
 }
 
 const std::string& Throwing::whyHeld(std::size_t body, const QPointF& position) const {
@@ -68,17 +50,12 @@ const std::string& Throwing::whyHeld(std::size_t body, const QPointF& position) 
 }
 
 std::optional<QString> Throwing::whyNot(std::size_t body, const QPointF& position) const {
-    const Shown& shown = document_.shown();
-    const scene::Body& one = shown.scene->bodies[body];
-    if (!shown.motion || display_.time() <= shown.motion->start() || one.fixed ||
-        !document_.sceneIsCurrent() || document_.motionIsStale())
+    if (!document_.sceneIsCurrent() || document_.motionIsStale())
         return std::nullopt;
-    if (const QString leader = leaderOf(*shown.scene, one.name); !leader.isEmpty())
-        return tr("%1 is %2: it is neither thrown nor put elsewhere on its way. Its place at the "
-                  "start can be dragged there.")
-            .arg(QString::fromStdString(one.name), leader);
-    const std::string why = gestures::whyNotAt(*shown.scene, shown.motion, moment());
-    return QString::fromStdString(why.empty() ? whyHeld(body, position) : why);
+    const auto why = gestures::whyNotTaken(document_.ground(), display_.time(), body);
+    if (!why)
+        return std::nullopt;
+    return QString::fromStdString(why->empty() ? whyHeld(body, position) : *why);
 }
 
 bool Throwing::takesAtOnce(std::size_t body, const QPointF& position) const {
@@ -86,8 +63,7 @@ bool Throwing::takesAtOnce(std::size_t body, const QPointF& position) const {
 }
 
 // Empty: it goes alone, or one of them is not free to go.
-std::vector<std::pair<std::size_t, geometry::Pose>>
-Throwing::companyOf(std::size_t body, const QPointF& position) const {
+gestures::Throw::Poses Throwing::companyOf(std::size_t body, const QPointF& position) const {
     std::vector<std::size_t> taken = display_.editing().companyOf(body);
     if (plays_ || taken.empty())
         return {};
@@ -102,7 +78,7 @@ Throwing::companyOf(std::size_t body, const QPointF& position) const {
         if (joined)
             all.insert(joined->bodies().begin(), joined->bodies().end());
     }
-    std::vector<std::pair<std::size_t, geometry::Pose>> company;
+    gestures::Throw::Poses company;
     company.reserve(all.size());
     for (const std::size_t one : all)
         company.emplace_back(one, render::poseOf(*shown.scene, shown.motion.get(), one, moment()));
@@ -117,27 +93,9 @@ bool Throwing::press(std::size_t body, const QPointF& position) {
         display_.editing().say(*fault);
         return true;
     }
-    const Shown& shown = document_.shown();
     display_.keepCamera();
-    const geometry::Pose pose = render::poseOf(*shown.scene, shown.motion.get(), body, moment());
-    held_.emplace(Held{document_.ground(),
-                       moment(),
-                       body,
-                       pose,
-                       pose.position - under(position, pose.position),
-                       {},
-                       joinedAt(body, position),
-                       companyOf(body, position)});
-    if (held_->joined)
-        held_->joined->keep([limits = gestures::JointLimits(held_->ground, held_->time)](
-                                const gestures::Joined& joined) {
-            std::vector<gestures::Put> puts;
-            for (const std::size_t one : joined.bodies()) {
-                const geometry::Pose there = joined.poseOf(one);
-                puts.push_back({one, there.position, std::nullopt, 0, there.attitude});
-            }
-            return limits.areKept(puts);
-        });
+    held_.emplace(document_.ground(), moment(), body, display_.sight(), display_.inPixels(position),
+                  companyOf(body, position));
     rate_.reset();
     Q_EMIT grabbed();
     return true;
@@ -146,41 +104,9 @@ bool Throwing::press(std::size_t body, const QPointF& position) {
 bool Throwing::move(const QMouseEvent& event) {
     if (!held_)
         return false;
-    held_->way.push_back(
-        {secondsOf(event), under(event.position(), held_->pose.position) + held_->off});
-    if (held_->joined) {
-        const Vector way = held_->way.back().place - held_->pose.position;
-        held_->joined->isLoose() ? held_->joined->moveAll(way) : held_->joined->pull(way);
-    }
+    held_->move(display_.sight(), display_.inPixels(event.position()), secondsOf(event));
     Q_EMIT changed();
     return true;
-}
-
-Vector Throwing::velocity(double seconds) const {
-    const auto& way = held_->way;
-    const auto first = std::ranges::find_if(
-        way, [&](const Moment& one) { return one.seconds >= seconds - lately; });
-    if (first == way.end() || !rate_)
-        return Vector::Zero(); // the hand was still
-    const Moment& from = first == way.begin() ? *first : *(first - 1);
-    const double lasted = std::max(seconds - std::max(from.seconds, seconds - lately), 1e-2);
-    return (way.back().place - from.place) / lasted / *rate_;
-}
-
-std::vector<gestures::Put> Throwing::handPuts(Held& held, double resolution,
-                                              const std::optional<Vector>& velocity) {
-    std::vector<gestures::Put> puts;
-    const Vector way = held.way.back().place - held.pose.position;
-    for (const auto& [body, pose] : held.company)
-        puts.push_back({body, pose.position + way, std::nullopt, resolution});
-    if (!puts.empty())
-        return puts;
-    if (!held.joined)
-        return {{held.body, held.way.back().place, velocity, resolution}};
-    for (const editing::NewPlace& one : held.joined->thrown(velocity))
-        puts.push_back({one.body, one.pose.position, one.velocity->linear, 0, one.pose.attitude,
-                        one.velocity->angular});
-    return puts;
 }
 
 bool Throwing::release(const QMouseEvent& event) {
@@ -188,22 +114,18 @@ bool Throwing::release(const QMouseEvent& event) {
         return false;
     if (event.button() != Qt::LeftButton)
         return true;
-    if (held_->way.empty()) {
+    if (!held_->moved()) {
         cancel();
         return true;
     }
-    const double resolution = display_.sight().pixelLength(held_->pose.position);
-    const auto thrown = rate_ ? std::optional(velocity(secondsOf(event))) : std::nullopt;
-    Held held = *std::exchange(held_, std::nullopt);
-    const editing::Answer answer =
-        gestures::startingAt(held.ground, held.time, handPuts(held, resolution, thrown));
-    const QString name = nameOf(held);
+    gestures::Throw held = *std::exchange(held_, std::nullopt);
+    const editing::Answer answer = held.answer(display_.sight(), rate_, secondsOf(event));
     if (answer.possible()) {
-        document_.setText(text::applied(held.ground.text, answer.edits),
+        document_.setText(text::applied(held.ground().text, answer.edits),
                           (rate_ ? tr("Throw %1 at %2 s") : tr("Put %1 Elsewhere at %2 s"))
-                              .arg(name)
-                              .arg(held.time));
-        const std::string anew = gestures::countsAnew(held.ground, held.time);
+                              .arg(QString::fromStdString(held.name()))
+                              .arg(held.moment()));
+        const std::string anew = gestures::countsAnew(held.ground(), held.moment());
         display_.editing().say(QString::fromStdString(anew), false);
     } else {
         display_.editing().say(QString::fromStdString(answer.reason));
@@ -222,26 +144,19 @@ bool Throwing::cancel() {
     return true;
 }
 
-// "b1", "b1 and 2 more".
-QString Throwing::nameOf(const Held& held) {
-    const QString name = QString::fromStdString(held.ground.scene->bodies[held.body].name);
-    return held.company.size() > 1 ? tr("%1 and %2 more").arg(name).arg(held.company.size() - 1)
-                                   : name;
-}
-
 QString Throwing::words() const {
     if (!held_)
         return {};
-    const QString name = nameOf(*held_);
+    const QString name = QString::fromStdString(held_->name());
     return rate_ ? tr("Let go to throw %1  ·  Escape: it goes on as it was").arg(name)
                  : tr("Let go to put %1 here, from %2 s on  ·  Escape: it goes on as it was")
                        .arg(name)
-                       .arg(held_->time);
+                       .arg(held_->moment());
 }
 
 void Throwing::paintBody(QPainter& painter, std::size_t body, const geometry::Pose& pose) const {
     const gestures::Sight sight = display_.sight();
-    const scene::Scene& scene = *held_->ground.scene;
+    const scene::Scene& scene = *held_->ground().scene;
     const scene::ShapeSet* shape = scene::findShapeSet(scene, scene.bodies[body].shape);
     if (!shape)
         return;
@@ -255,28 +170,17 @@ void Throwing::paintBody(QPainter& painter, std::size_t body, const geometry::Po
 
 // The body as it would be with what is joined to it, and where it comes from.
 void Throwing::paint(QPainter& painter) const {
-    if (!held_ || held_->way.empty())
+    if (!held_ || !held_->moved())
         return;
     const gestures::Sight sight = display_.sight();
-    geometry::Pose there = held_->pose;
-    there.position = held_->way.back().place;
     painter.setPen(QPen(QColor(20, 90, 200), 1.5));
     painter.setBrush(Qt::NoBrush);
-    if (!held_->company.empty()) {
-        for (auto [body, pose] : held_->company) {
-            pose.position += there.position - held_->pose.position;
-            paintBody(painter, body, pose);
-        }
-    } else if (!held_->joined) {
-        paintBody(painter, held_->body, there);
-    } else {
-        there = held_->joined->poseOf(held_->body);
-        for (const std::size_t body : held_->joined->bodies())
-            paintBody(painter, body, held_->joined->poseOf(body));
-    }
+    for (const auto& [body, pose] : held_->poses())
+        paintBody(painter, body, pose);
+    const auto [from, to] = held_->way();
     painter.setPen(QPen(QColor(20, 90, 200), 1.5, Qt::DashLine));
-    painter.drawLine(display_.fromPixels(sight.pixels(held_->pose.position)),
-                     display_.fromPixels(sight.pixels(there.position)));
+    painter.drawLine(display_.fromPixels(sight.pixels(from)),
+                     display_.fromPixels(sight.pixels(to)));
 }
 
 } // namespace views

@@ -1,13 +1,9 @@
-// A body in the hand while the motion is past its start: the moment becomes the start, with the
-// body where it is let go. While the motion plays the body is thrown: it has the velocity of the
-// hand. What joints hold goes and moves as they let it, with what is joined to it. Where several
-// are selected and none of them is held to what stands, all go by one way; one alone is thrown. One
-// step of undo brings the motion back as it was.
+// A body in the hand while the motion is past its start (gestures/throw.h), in a viewer: while the
+// motion plays the body is thrown. Where several are selected and none of them is held to what
+// stands, all go by one way; one alone is thrown.
 #pragma once
 
-#include "gestures/joined.h"
-#include "gestures/picking.h"
-#include "gestures/present.h"
+#include "gestures/throw.h"
 
 #include <QObject>
 #include <QPointF>
@@ -54,38 +50,16 @@ Q_SIGNALS:
     void letGo(bool isChanged); // the text has the moment as its start
 
 private:
-    struct Moment {
-        double seconds; // of the hand's clock
-        geometry::Vector place;
-    };
-    struct Held { // a body
-        gestures::Ground ground;
-        double time;
-        std::size_t body;
-        geometry::Pose pose;  // when it was taken
-        geometry::Vector off; // from the place under the pointer to the body's
-        std::vector<Moment> way;
-        std::unique_ptr<gestures::Joined> joined; // null: nothing holds it
-        // Others that are selected, and all that is joined to any of them, when it was taken.
-        std::vector<std::pair<std::size_t, geometry::Pose>> company = {};
-    };
-    [[nodiscard]] std::vector<std::pair<std::size_t, geometry::Pose>>
-    companyOf(std::size_t body, const QPointF& position) const;
-    [[nodiscard]] static QString nameOf(const Held& held);
-    [[nodiscard]] static std::vector<gestures::Put>
-    handPuts(Held& held, double resolution, const std::optional<geometry::Vector>& velocity);
+    [[nodiscard]] gestures::Throw::Poses companyOf(std::size_t body, const QPointF& position) const;
     [[nodiscard]] std::unique_ptr<gestures::Joined> joinedAt(std::size_t body,
                                                              const QPointF& position) const;
     [[nodiscard]] const std::string& whyHeld(std::size_t body, const QPointF& position) const;
     void paintBody(QPainter& painter, std::size_t body, const geometry::Pose& pose) const;
     [[nodiscard]] double moment() const;
-    [[nodiscard]] geometry::Vector under(const QPointF& position,
-                                         const geometry::Vector& through) const;
-    [[nodiscard]] geometry::Vector velocity(double seconds) const; // of the motion's seconds
 
     SceneDocument& document_;
     SceneDisplay& display_;
-    std::optional<Held> held_;
+    std::optional<gestures::Throw> held_;
     std::optional<double> rate_;
     bool plays_ = false;
     struct Asked { // of joints; while it plays the answer of a moment before counts
