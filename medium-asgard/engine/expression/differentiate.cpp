@@ -3,29 +3,48 @@
 #include "expression/node_map.h"
 #include "expression/operation.h"
 #include "expression/rate_along.h"
+#include "expression/visited.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
 
 namespace expression {
+namespace {
 
-// An own stack: expressions may be very deep. A bit for each node: reading them gives the order.
+// Of many nodes a bit for each gives their order sooner than comparing them.
+void putInOrder(std::vector<Node>& nodes) {
+    constexpr std::uint32_t wide = 64;
+    if (nodes.empty())
+        return;
+    const auto [first, last] = std::ranges::minmax(nodes);
+    const std::size_t words = last.index / wide - first.index / wide + 1;
+    if (words > 4 * nodes.size()) {
+        std::ranges::sort(nodes);
+        return;
+    }
+    std::vector<std::uint64_t> bits(words);
+    const std::uint32_t start = first.index / wide * wide;
+    for (const Node n : nodes)
+        bits[(n.index - start) / wide] |= std::uint64_t{1} << (n.index % wide);
+    auto next = nodes.begin();
+    for (std::uint32_t word = 0; word < words; ++word)
+        for (std::uint64_t left = bits[word]; left != 0; left &= left - 1)
+            *next++ =
+                Node{start + word * wide + static_cast<std::uint32_t>(std::countr_zero(left))};
+}
+
+} // namespace
+
+// An own stack: expressions may be very deep.
 std::vector<Node> reachable(const Graph& graph, std::span<const Node> roots,
                             const std::unordered_map<std::uint32_t, Node>& end) {
-    constexpr std::uint32_t wide = 64;
-    if (roots.empty())
-        return {};
-    const std::uint32_t last = std::ranges::max(roots).index;
-    std::vector<std::uint64_t> seen(last / wide + 1);
-    std::vector<Node> pending;
-    std::size_t count = 0;
+    Visited seen;
+    std::vector<Node> found, pending;
     const auto see = [&](Node n) {
-        const std::uint64_t bit = std::uint64_t{1} << (n.index % wide);
-        if ((seen[n.index / wide] & bit) != 0)
+        if (!seen.insert(n))
             return;
-        seen[n.index / wide] |= bit;
-        ++count;
+        found.push_back(n);
         if (end.empty() || !end.contains(n.index))
             pending.push_back(n);
     };
@@ -35,11 +54,7 @@ std::vector<Node> reachable(const Graph& graph, std::span<const Node> roots,
         pending.pop_back();
         std::ranges::for_each(arguments, see);
     }
-    std::vector<Node> found;
-    found.reserve(count);
-    for (std::uint32_t word = 0; word < seen.size(); ++word)
-        for (std::uint64_t bits = seen[word]; bits != 0; bits &= bits - 1)
-            found.push_back(Node{word * wide + static_cast<std::uint32_t>(std::countr_zero(bits))});
+    putInOrder(found);
     return found;
 }
 
@@ -291,9 +306,20 @@ Node substitute(Graph& graph, Node node,
 }
 
 std::vector<Node> symbolsOf(const Graph& graph, std::span<const Node> nodes) {
-    std::vector<Node> found = reachable(graph, nodes);
-    std::erase_if(found, [&graph](Node n) { return graph.op(n) != Op::symbol; });
-    return found;
+    Visited seen;
+    std::vector<Node> symbols, pending(nodes.begin(), nodes.end());
+    while (!pending.empty()) {
+        const Node n = pending.back();
+        pending.pop_back();
+        if (!seen.insert(n))
+            continue;
+        if (graph.op(n) == Op::symbol)
+            symbols.push_back(n);
+        const auto arguments = graph.arguments(n);
+        pending.insert(pending.end(), arguments.begin(), arguments.end());
+    }
+    std::ranges::sort(symbols);
+    return symbols;
 }
 
 } // namespace expression

@@ -1,7 +1,7 @@
 #include "equations/zero_states.h"
 
 #include "equations/directions.h"
-#include "expression/node_map.h"
+#include "expression/visited.h"
 
 #include <algorithm>
 
@@ -290,9 +290,9 @@ std::vector<std::size_t> ZeroStates::readersOf(const expression::EquationSet& se
                                                std::span<const std::size_t> unknowns) {
     std::vector<std::size_t> found;
     std::vector<std::uint32_t> open;
-    expression::NodeMap<bool> seen;
+    expression::Visited seen;
     for (const std::size_t u : unknowns)
-        if (seen.insert(set.unknowns[u].symbol, true))
+        if (seen.insert(set.unknowns[u].symbol))
             open.push_back(set.unknowns[u].symbol.index);
     while (!open.empty()) {
         const std::uint32_t n = open.back();
@@ -300,7 +300,7 @@ std::vector<std::size_t> ZeroStates::readersOf(const expression::EquationSet& se
         ++looks_;
         eachUnknown(n, [&](std::uint32_t u) { found.push_back(u); });
         eachReader(n, [&](std::uint32_t reader) {
-            if (seen.insert(Node{reader}, true))
+            if (seen.insert(Node{reader}))
                 open.push_back(reader);
         });
     }
@@ -313,11 +313,11 @@ std::vector<Node> ZeroStates::symbolsLeft(const Graph& graph, std::span<const No
     if (empty())
         return expression::symbolsOf(graph, nodes);
     std::vector<Node> open(nodes.begin(), nodes.end()), symbols;
-    expression::NodeMap<bool> seen;
+    expression::Visited seen;
     while (!open.empty()) {
         const Node n = open.back();
         open.pop_back();
-        if (isZero(n) || !seen.insert(n, true))
+        if (isZero(n) || !seen.insert(n))
             continue;
         if (graph.op(n) == Op::symbol)
             symbols.push_back(n);
