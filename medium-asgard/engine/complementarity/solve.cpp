@@ -435,33 +435,46 @@ Vector withoutDiscs(const Matrix& a, const Vector& b, const Laws& laws) {
 }
 
 // From centre to centre, beginning with these.
-std::optional<Answer> solveFrom(const Vector& start, const AtCentres& at, const Matrix& a,
-                                const Vector& b, const Laws& laws, const Answer& guess,
-                                Work& counts) {
-    FixedPoint centres(start);
-    constexpr int most = 60;
-    constexpr double close = 1e-7; // of a violation that goes on no further down: rounding is left
-    std::optional<Answer> answer = guess, best;
-    double least = unbounded;
-    for (int round = 0; round < most; ++round) {
-        ++counts.rounds;
-        answer = at.solve(centres.at(), *answer, counts);
-        if (!answer)
-            break;
-        const double faulty = violation(a, b, laws, *answer);
-        const bool isOn = faulty < 0.5 * least;
-        if (faulty < least) {
-            best = answer;
-            least = faulty;
+class FromCentres {
+public:
+    FromCentres(const Vector& start, const Answer& guess) : centres_(start), last_(guess) {}
+
+    // Until no round has done better for so long.
+    std::optional<Answer> solve(int patience, const AtCentres& at, const Matrix& a, const Vector& b,
+                                const Laws& laws, Work& counts) {
+        constexpr double close = 1e-7; // a violation that goes on no further down: rounding is left
+        for (int inVain = 0; inVain < patience && rounds_ < mostRounds && !isOver_; ++inVain) {
+            ++rounds_;
+            ++counts.rounds;
+            const auto answer = at.solve(centres_.at(), last_, counts);
+            isOver_ = !answer || centres_.at().size() == 0;
+            if (!answer)
+                break;
+            last_ = *answer;
+            const double faulty = violation(a, b, laws, last_);
+            const bool isOn = faulty < 0.5 * least_;
+            if (faulty < least_) {
+                best_ = last_;
+                least_ = faulty;
+                inVain = 0;
+            }
+            if (least_ <= kept || (least_ <= close && !isOn))
+                return best_;
+            if (!isOver_)
+                centres_.moveFrom(at.centresOf(last_.forces));
         }
-        if (least <= kept || (least <= close && !isOn))
-            return best;
-        if (centres.at().size() == 0)
-            break;
-        centres.moveFrom(at.centresOf(answer->forces));
+        isOver_ = isOver_ || rounds_ == mostRounds;
+        return isOver_ && least_ <= close ? std::optional(best_) : std::nullopt;
     }
-    return least <= close ? best : std::nullopt;
-}
+
+private:
+    static constexpr int mostRounds = 60;
+    FixedPoint centres_;
+    Answer last_, best_;
+    double least_ = unbounded;
+    int rounds_ = 0;
+    bool isOver_ = false; // it can find no more
+};
 
 } // namespace
 
@@ -477,13 +490,17 @@ std::optional<Answer> solve(const Matrix& a, const Vector& b, const Laws& laws, 
     const AtCentres at(a, b, laws);
     const bool hasGuess = guess.forces.size() == b.size();
     const Vector start = at.centresOf(hasGuess ? guess.forces : withoutDiscs(a, b, laws));
-    // The centres that forces without friction have may lie far from all answers.
-    for (const double part : {1.0, 0.0, -1.0, 0.5}) {
-        if (part != 1 && start.isZero(0))
-            break;
-        if (auto found = solveFrom(part * start, at, a, b, laws, guess, counts))
-            return found;
-    }
+    // The centres that forces without friction have may lie far from all answers. One start may
+    // wander where another is there in a few rounds: first each has few of them.
+    constexpr int few = 8, many = 60;
+    std::vector<FromCentres> ways;
+    for (const double part : {1.0, 0.0, -1.0, 0.5})
+        if (part == 1 || !start.isZero(0))
+            ways.emplace_back(part * start, guess);
+    for (const int patience : {few, many})
+        for (FromCentres& way : ways)
+            if (auto found = way.solve(patience, at, a, b, laws, counts))
+                return found;
     return std::nullopt;
 }
 
