@@ -148,7 +148,8 @@ private:
         return point;
     }
     // In the owner's frame a vertex and a normal are those of its part, without the rounding of its
-    // attitude: contacts of the same vertices have the same numbers.
+    // attitude: contacts of the same vertices have the same numbers. Of two faces that are next to
+    // parallel each has its own normal: along the other's it would miss what its far side does.
     [[nodiscard]] const geometry::Part& partOf(const Placed& owner) const {
         return owner.shape->parts[&owner == &body_ ? touch_.bodyPart : touch_.supportPart];
     }
@@ -165,7 +166,7 @@ private:
         const Vector local = owner.state.attitude.conjugate() * normal;
         const auto face =
             faceTowards(owner, &owner == &body_ ? touch_.bodyPart : touch_.supportPart, normal);
-        return face && (face->plane.axis - local).norm() <= rounding ? face->plane.axis : local;
+        return face ? face->plane.axis : local;
     }
 
     const Touch& touch_;
