@@ -75,17 +75,21 @@ public:
 
 private:
     std::optional<Answer> near(States states, const Vector& forces, Aim aim) {
-        constexpr int most = 20;
+        constexpr int most = 20, patience = 5; // rounds, and those that do not do better
         std::optional<Answer> best;
         std::vector<States> tried;
-        double least = kept;
-        for (int round = 0; round < most; ++round) {
+        double least = kept, leastFault = unbounded;
+        for (int round = 0, inVain = 0; round < most && inVain < patience; ++round, ++inVain) {
             ++work_.tries;
             const std::optional<Answer> answer = solveStates(a_, b_, laws_, states, forces, aim);
             if (!answer)
                 break;
             const double faulty = violation(a_, b_, laws_, *answer);
             keep(*answer, faulty);
+            if (faulty < 0.5 * leastFault) {
+                leastFault = faulty;
+                inVain = 0;
+            }
             if (faulty <= least) {
                 best = answer;
                 least = faulty;
