@@ -1,4 +1,4 @@
-// What an author waits for at a handle in a document: from a movement of the pointer to the painted
+// An author waits at a handle in a document: from a movement of the pointer to the painted
 // picture in which the handle has moved, and to the one that shows the new motion. Drives a real
 // document window without a display, with the medium's real process behind it; the clock on the
 // wall, since two programs, a pipe and a renderer are waited for. The goals are those of the

@@ -47,7 +47,7 @@ public:
     [[nodiscard]] const Ground& ground() const { return ground_; }
     [[nodiscard]] double moment() const { return moment_; }
     [[nodiscard]] std::string name() const; // "b1", "b1 and 2 more"
-    // Where they are in the hand, and the body's own way there.
+    // The poses of the bodies in the hand, and the body's own way there.
     [[nodiscard]] Poses poses() const;
     [[nodiscard]] std::pair<geometry::Vector, geometry::Vector> way() const;
 

@@ -1,4 +1,4 @@
-// What a hand makes of a motion that it takes a body out of.
+// A hand takes a body out of a motion, and the motion becomes another.
 #include "gestures/throw.h"
 
 #include "script/reader.h"

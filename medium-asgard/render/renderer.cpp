@@ -288,7 +288,7 @@ void Renderer::Implementation::paintMarks(const Drawing& drawing, const Frame& f
         showTriad(*lines, *discs, frame, drawing.display.background);
 }
 
-// Where one looks along an axis, the plane in front has the grid in place of the ground.
+// The plane in front has the grid in place of the ground while one looks along an axis.
 void Renderer::Implementation::addGrids(const Ground& below, const Drawing& drawing,
                                         const Frame& frame) {
     const Display& display = drawing.display;

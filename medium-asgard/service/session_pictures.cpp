@@ -1,4 +1,4 @@
-// What is drawn: frames of renditions and snapshots. Bodies are drawn on the renderer's thread
+// A session draws frames of renditions and snapshots. Bodies are drawn on the renderer's thread
 // (pictures.h), charts and texts here.
 #include "service/session.h"
 

@@ -74,6 +74,18 @@ def dominoes(count, speed):
     return "\n".join(lines) + "\n"
 
 
+def dominoes_askew(count, finish):
+    """High dominoes with the friction of a new scene, and a large ball that hits the first beside its middle."""
+    lines = [f"simulator -finish {finish!r} -accuracy 1e-2", "shape_set floor -desc {-sub {-plane}}", "shape_set stone -desc {-sub {-box {0.2 1 0.5}}}",
+             "shape_set ball -desc {-sub {-sphere 0.5}}", "body floor floor -fixed 1 -friction 0.3 -restitution 0"]
+    for k in range(count):
+        lines.append(f"body d{k} stone -init_pos {{{0.5 * k!r} 0.5 0}} -restitution 0 -friction 0.3")
+        lines.append(f"force -body d{k} -gravitational {{0 -9.81 0}}")
+    lines += ["body ball ball -init_pos {-2 0.5 -0.0333333} -init_dpos {3 0 0} -restitution 0 -friction 0.3",
+              "force -body ball -gravitational {0 -9.81 0}"]
+    return "\n".join(lines) + "\n"
+
+
 def row_of_dominoes(count, finish):
     """A row on a table, of which the first stands on its edge, tilted beyond its balance."""
     lines = [f"simulator -finish {finish!r}", "shape_set stone -desc {-sub {-box {0.06 0.4 0.2}}}", "shape_set table -desc {-sub {-box {8 0.1 0.8}}}",
@@ -242,6 +254,8 @@ CASES = [
     ("three boxes with friction that a ball hits", hit_with_friction(3, 2.0, 20), {"steps": 850, "collisions": 100}),
     # The contact of the ball, rounded, moved the stones out of their plane: slips flipped without end, and stopped at 0.709 s.
     ("three dominoes that a ball hits", dominoes(3, 1), {"steps": 1300, "collisions": 250}),
+    # Of two faces next to parallel the one had the other's normal: its far corner let go each 3e-8 s without end.
+    ("two dominoes that a ball hits askew", dominoes_askew(2, 0.82), {"steps": 1500, "evaluations": 25000, "collisions": 400}),
     # What lay on a stone sank by its resolution without having been open, and hit it for that, each 5 us without end.
     ("three dominoes that a fast ball hits", dominoes(3, 2), {"steps": 900, "collisions": 250}),
     ("three dominoes that a slow ball hits", dominoes(3, 0.5), {"steps": 1000, "collisions": 100}),
