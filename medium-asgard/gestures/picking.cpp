@@ -27,6 +27,10 @@ Eigen::Index Sight::facing() const {
     return axis;
 }
 
+bool Sight::isPlan() const {
+    return (camera.rotation * Vector::Unit(facing())).head<2>().norm() < 1e-6;
+}
+
 Vector Sight::across(const Eigen::Vector2d& pixels, const Vector& world) const {
     const Line line = lineOfSight(*this, pixels);
     const Eigen::Index axis = facing();

@@ -26,7 +26,8 @@ struct Sight {
     // In the plane through another point that is upright or level in the world, whichever faces the
     // viewer most: across z, x or y.
     [[nodiscard]] Vector across(const Eigen::Vector2d& pixels, const Vector& world) const;
-    [[nodiscard]] Eigen::Index facing() const;             // the axis that looks at the viewer most
+    [[nodiscard]] Eigen::Index facing() const; // the axis that looks at the viewer most
+    [[nodiscard]] bool isPlan() const; // it looks straight at the viewer: no place has a depth
     [[nodiscard]] double depth(const Vector& world) const; // view units, towards the viewer
     // The length in the world that a pixel shows at that point.
     [[nodiscard]] double pixelLength(const Vector& world) const;

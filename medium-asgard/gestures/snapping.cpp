@@ -244,8 +244,7 @@ Vector Snapping::rounded(const Vector& wanted, const std::optional<Vector>& befo
     const double length = sight_.pixelLength(wanted), step = this->step(wanted);
     constexpr double finer = 8;
     const double fine = roundStep(step / finer);
-    const Eigen::Index facing = sight_.facing();
-    const bool isPlan = (sight_.camera.rotation * Vector::Unit(facing)).head<2>().norm() < 1e-6;
+    const bool isPlan = sight_.isPlan();
     Vector place = wanted;
     for (Eigen::Index i = 0; i < 3; ++i) {
         Vector axis = Vector::Zero();

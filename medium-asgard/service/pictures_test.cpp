@@ -92,10 +92,7 @@ protected:
         }
     }
     template <class R> void ask(R request) {
-        host.request(std::move(request), [this](ipc::Outcome<typename R::Result> outcome) {
-            const auto* error = std::get_if<ipc::Error>(&outcome);
-            answers.push_back(std::string(R::method) + (error ? ": " + error->message : ""));
-        });
+        service::request(host, std::move(request), answers);
         exchange();
     }
     void create(ipc::Integer id, int size = 20) {

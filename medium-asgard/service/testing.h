@@ -59,4 +59,13 @@ inline void exchangeOnce(ipc::HostChannel& host, ipc::MediumChannel& medium, Ses
             asked.push_back(std::get<ipc::Asked<ipc::ToHost>>(*call));
 }
 
+// Notes its answer: its method, and ": why" of one that was refused.
+template <class R>
+void request(ipc::HostChannel& host, R request, std::vector<std::string>& answers) {
+    host.request(std::move(request), [&answers](ipc::Outcome<typename R::Result> outcome) {
+        const auto* error = std::get_if<ipc::Error>(&outcome);
+        answers.push_back(std::string(R::method) + (error ? ": " + error->message : ""));
+    });
+}
+
 } // namespace service

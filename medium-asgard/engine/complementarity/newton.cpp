@@ -37,7 +37,7 @@ std::optional<Vector> byLittleSteps(const Matrix& a, const Vector& right) {
 }
 
 Vector leastSolution(const Matrix& a, const Vector& right) {
-    constexpr Index many = 16;
+    constexpr Index many = 60;
     constexpr double noPivot = 1e-11; // of the largest
     const Eigen::PartialPivLU<Matrix> lu(a);
     const auto pivots = lu.matrixLU().diagonal().cwiseAbs();

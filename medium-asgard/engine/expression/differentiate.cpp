@@ -306,20 +306,9 @@ Node substitute(Graph& graph, Node node,
 }
 
 std::vector<Node> symbolsOf(const Graph& graph, std::span<const Node> nodes) {
-    Visited seen;
-    std::vector<Node> symbols, pending(nodes.begin(), nodes.end());
-    while (!pending.empty()) {
-        const Node n = pending.back();
-        pending.pop_back();
-        if (!seen.insert(n))
-            continue;
-        if (graph.op(n) == Op::symbol)
-            symbols.push_back(n);
-        const auto arguments = graph.arguments(n);
-        pending.insert(pending.end(), arguments.begin(), arguments.end());
-    }
-    std::ranges::sort(symbols);
-    return symbols;
+    std::vector<Node> found = reachable(graph, nodes);
+    std::erase_if(found, [&graph](Node n) { return graph.op(n) != Op::symbol; });
+    return found;
 }
 
 } // namespace expression

@@ -3,11 +3,14 @@
 #include "expression/rate_along.h"
 #include "expression/tape.h"
 #include "expression/testing.h"
+#include "expression/visited.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 namespace expression {
 namespace {
@@ -244,6 +247,41 @@ TEST(SymbolsOf, NamesWhatIsReadAndNothingElse) {
     for (const Node n : symbolsOf(graph, nodes))
         names += graph.name(n) + ' ';
     EXPECT_EQ(names, "b a ");
+}
+
+// A walk within a walk, and one after both, know nothing of each other.
+TEST(Visited, SeesEachNodeOnceInEachWalk) {
+    const Node few{3}, many{5000};
+    for (int walk = 0; walk < 3; ++walk) {
+        Visited seen;
+        EXPECT_TRUE(seen.insert(few));
+        {
+            Visited within;
+            EXPECT_TRUE(within.insert(many));
+            EXPECT_TRUE(within.insert(few));
+            EXPECT_FALSE(within.insert(many));
+        }
+        EXPECT_TRUE(seen.insert(many));
+        EXPECT_FALSE(seen.insert(few));
+    }
+}
+
+// Few nodes far apart are put in order by comparing, many side by side by a bit for each.
+TEST(Reachable, IsInOrderOfIndexHoweverTheNodesLie) {
+    Graph graph;
+    const Node far = parsed(graph, "a*b");
+    Node sum = graph.constant(1);
+    for (int i = 0; i < 3000; ++i)
+        sum = graph.add(graph.symbol("s" + std::to_string(i)), graph.multiply(sum, sum));
+    const Node late = parsed(graph, "a + c");
+    const Node apart[] = {late, far};
+    const std::vector<Node> few = reachable(graph, apart),
+                            all = reachable(graph, std::span(&sum, 1));
+    EXPECT_EQ(few.size(), 5u);
+    EXPECT_TRUE(std::ranges::is_sorted(few));
+    EXPECT_GT(all.size(), 9000u);
+    EXPECT_TRUE(std::ranges::is_sorted(all));
+    EXPECT_EQ(std::ranges::adjacent_find(all), all.end());
 }
 
 // 100,000 bytes of one sum are about 50,000 levels of a graph.

@@ -299,10 +299,9 @@ void Indicating::drawn(Indicated& found, std::size_t alongside) {
     const Eigen::Index facing = sight.facing();
     found.at = meant.to;
     if (meant.isExact) {
-        const bool isPlan = (sight.camera.rotation * Vector::Unit(facing)).head<2>().norm() < 1e-6;
         const double depth = found.point[facing], away = meant.place[facing] - depth;
         found.point = meant.place;
-        if (isPlan && std::abs(away) <= clickReach * found.resolution)
+        if (sight.isPlan() && std::abs(away) <= clickReach * found.resolution)
             found.point[facing] = depth;
         found.resolution *= 0.01; // so that it meets the thing
         return;
