@@ -156,12 +156,12 @@ std::optional<Picked> bodyBeside(const render::Drawing& drawing, const Sight& si
             found ? shapeOf(*drawing.scene, drawing.scene->bodies[found->body].name) : nullptr;
         return shape && !isEndless(*shape);
     };
-    const auto here = bodyAt(drawing, sight, pixels, but);
+    auto here = bodyAt(drawing, sight, pixels, but);
     for (int ring = 1; ring <= rings && !ends(here); ++ring)
         for (int i = 0; i < directions; ++i) {
             const double angle = 2 * std::numbers::pi * i / directions;
             const Eigen::Vector2d away(std::cos(angle), std::sin(angle));
-            const auto found = bodyAt(drawing, sight, pixels + reach * ring / rings * away, but);
+            auto found = bodyAt(drawing, sight, pixels + reach * ring / rings * away, but);
             if (ends(found))
                 return found;
         }
