@@ -9,8 +9,9 @@ import sys
 import tempfile
 
 import contact_cases as contacts
+import curved_cases  # adds its cases
 
-RESTING = ("stays", "stack_heavy_above", "stack_heavy_below", "grip_holds")
+RESTING = ("stays", "just_stays", "stack_heavy_above", "stack_heavy_below", "million_above", "million_below", "grip_holds", "wheel_rests")
 
 
 def rows(scene, accuracy):
