@@ -62,9 +62,6 @@ std::optional<solution::Event> CollisionSource::next(const Histories& histories,
             return announced(std::move(*handled.event));
         if (!handled.isDone)
             search_.searchOn(hit.pair, hit.time);
-        else if (flights_.isRallyDue())
-            if (auto event = rally(histories, hit.pair, until))
-                return announced(std::move(*event));
     }
 }
 

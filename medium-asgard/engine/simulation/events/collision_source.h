@@ -103,9 +103,6 @@ private:
     };
     [[nodiscard]] Handled handle(const Histories& histories, const Found& hit);
     [[nodiscard]] std::optional<Handled> meetInFlight(const Instant& instant, const Pair& pair);
-    // Hit after hit, after one of these; an event: one that must be announced.
-    [[nodiscard]] std::optional<Event> rally(const Histories& histories, const Pair& pair,
-                                             double until);
     [[nodiscard]] std::optional<Event> meet(const Instant& instant, const Pair& pair);
     // A body meets one whose motion ended: its own motion ends there too.
     [[nodiscard]] Handled meetEnded(const Instant& instant, const Pair& pair);

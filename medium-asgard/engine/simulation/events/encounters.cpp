@@ -132,25 +132,6 @@ std::optional<CollisionSource::Handled> CollisionSource::meetInFlight(const Inst
     return Handled{.event = {}, .isDone = true};
 }
 
-std::optional<Event> CollisionSource::rally(const Histories& histories, const Pair& pair,
-                                            double until) {
-    const auto rallied = flights_.rally(at(histories, until), pair, until, counts_, cancelled_);
-    const Instant last = at(histories, rallied.time);
-    switch (rallied.course) {
-    case FlightImpacts::Course::over:
-        return std::nullopt;
-    case FlightImpacts::Course::endless:
-        return endWithoutEnd(last, rallied.pair);
-    case FlightImpacts::Course::unclear:
-        search_.goOn(rallied.pair, last.time, renewal_);
-        return std::nullopt;
-    case FlightImpacts::Course::refused:
-        if (auto handled = meetInFlight(last, rallied.pair))
-            return std::move(handled->event);
-    }
-    return std::nullopt;
-}
-
 void CollisionSource::passThrough(const Instant& at, const Pair& pair) {
     record_.addNote(pair, at.time, sentences::passThrough(world_, pair));
     search_.letPass(pair, at.nextPhase(pair));

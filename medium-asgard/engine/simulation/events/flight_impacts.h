@@ -30,17 +30,6 @@ public:
     [[nodiscard]] std::optional<Hit> meet(const Instant& instant, const Pair& pair,
                                           Outcome& outcome);
 
-    // In a rally hit follows hit, as meet() does them, until somebody else must answer.
-    enum class Course { over, endless, refused, unclear };
-    struct Rallied {
-        Course course = Course::over;
-        Pair pair; // the last, and when
-        double time = 0;
-    };
-    [[nodiscard]] bool isRallyDue() { return rally_.isDue(); }
-    [[nodiscard]] Rallied rally(const Instant& instant, const Pair& pair, double until,
-                                MeetingCounts& counts, const std::function<bool()>& cancelled);
-
 private:
     [[nodiscard]] bool touchesMore(const Instant& instant, const Present& one, const Present& met);
     void readVelocity(const Instant& instant, Present& present) const;
@@ -51,21 +40,11 @@ private:
     void announce(const Pair& pair, const std::array<Vector, 2>& before,
                   const std::array<Vector, 2>& after, solution::Event& event, Outcome& outcome);
 
-    enum class Step { goesOn, isOver, isEndless, isRefused, isUnclear };
-    [[nodiscard]] bool canRally();
-    [[nodiscard]] bool touchesMoreInRally(const Present& one, const Rally::Ball& ball,
-                                          const Rally::Meeting& met, double time) const;
-    [[nodiscard]] Step meetInRally(const Instant& instant, const Rally::Meeting& met,
-                                   MeetingCounts& counts);
-    [[nodiscard]] bool turnInRally(const Rally::Meeting& met, const std::array<Vector, 2>& before,
-                                   const std::array<Vector, 2>& then);
-
     FlightView view_;
     EncounterSearch& search_;
     const BodyReaders& readers_;
     CollisionRecord& record_;
     solution::Turns* turns_ = nullptr;
-    Rally rally_;
 };
 
 } // namespace simulation

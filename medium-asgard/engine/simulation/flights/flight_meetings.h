@@ -1,5 +1,5 @@
 // Meetings of balls in flight by formulas (collision/ball_flight.h), as the search for encounters
-// and rallies ask for them.
+// asks for them.
 #pragma once
 
 #include "collision/ball_flight.h"

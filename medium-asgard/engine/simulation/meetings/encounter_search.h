@@ -26,14 +26,12 @@
 // (solution/event_source.h), the search knows their flights without reading them again:
 //
 //     turn(b, ...), goOn(pair):   what cut() of both and renew() would do
-//
-// A few that meet nobody but each other and what stands still leave for a rally: rally.h.
 #pragma once
 
 #include "collision/time_of_impact.h"
 #include "contacts/resting_bodies.h"
 #include "contacts/side_by_side.h"
-#include "flights/rally.h"
+#include "flights/flight_meetings.h"
 #include "meetings/earliest.h"
 #include "meetings/hit_queue.h"
 #include "meetings/neighbourhood.h"
@@ -88,28 +86,6 @@ public:
     // They let each other pass until then.
     void letPass(const Pair& pair, double until) { near_.mayMeet.letPass(pair, until); }
 
-    // A rally takes balls out of the search and brings them back (rally_gathering.h).
-    struct Window {
-        double from = 0, until = 0;
-        int number = 0; // since the last cut
-        geometry::Box box;
-        bool isFlight = false, isFollowed = false;
-        collision::BallFlight flight;
-        double pieceEnd = 0; // of the flight
-        int growth = 0;      // of its cell
-        collision::BallCells::Exit exit, crossed;
-    };
-    [[nodiscard]] const Window& window(std::size_t body) const { return windows_[body]; }
-    [[nodiscard]] Neighbourhood& near() { return near_; }
-    [[nodiscard]] bool isFixed(std::size_t body) const { return world_.isFixed(body); }
-    [[nodiscard]] bool canRally(std::size_t body) const;
-    [[nodiscard]] bool mayAnyRally() const {
-        return !near_.mayMeet.isAnyPassing() && !resting_.isAnyResting();
-    }
-    [[nodiscard]] const HitQueue& hits() const { return hits_; }
-    void leave(std::size_t ball);
-    void comeBack(const Rally& rally);
-
     [[nodiscard]] std::vector<std::size_t> partners(std::size_t body) const override {
         return near_.all(body);
     }
@@ -151,12 +127,21 @@ public:
 
 private:
     using Crossing = collision::BallCells::Crossing;
+    struct Window {
+        double from = 0, until = 0;
+        int number = 0; // since the last cut
+        geometry::Box box;
+        bool isFlight = false, isFollowed = false;
+        collision::BallFlight flight;
+        double pieceEnd = 0; // of the flight
+        int growth = 0;      // of its cell
+        collision::BallCells::Exit exit, crossed;
+    };
     // Balls near one in its cell; beyond: beyond the face that it came through.
     enum class Around { all, beyond };
 
     void addFixed(std::size_t body);
     void endBody(std::size_t body);
-    void comeBack(const Rally::Ball& ball);
     [[nodiscard]] bool isOver(const solution::Histories& histories, std::size_t body,
                               double time) const;
     [[nodiscard]] bool openFlight(const solution::Histories& histories, std::size_t body,

@@ -301,46 +301,4 @@ void EncounterSearch::findPartners(std::size_t body, const geometry::Box& leaf, 
         renewal.joined.insert(renewal.joined.end(), joined.begin(), joined.end());
 }
 
-// --- rallies --------------------------------------------------------------------------------
-
-bool EncounterSearch::canRally(std::size_t body) const {
-    const Window& window = windows_[body];
-    return window.isFlight && window.isFollowed && window.growth == 0 &&
-           near_.cells.contains(body) && unclear_[body].empty() && !hasEnded(body);
-}
-
-void EncounterSearch::leave(std::size_t ball) {
-    hits_.cut(ball);
-    ends_.set(ball, infinity);
-}
-
-void EncounterSearch::comeBack(const Rally::Ball& ball) {
-    Window& window = windows_[ball.body];
-    if (ball.hasTurned) {
-        world_.moving[ball.body].forget();
-        window.flight = ball.flight;
-        window.from = ball.flight.from;
-        window.number = 0;
-        window.exit = near_.cells.exitOf(ball.body, ball.flight, window.from);
-        window.until = std::min(window.from + firstSpan, window.exit.time);
-        if (!near_.partners(ball.body).empty())
-            boxFlight(ball.body);
-    }
-    ends_.set(ball.body, window.until);
-}
-
-void EncounterSearch::comeBack(const Rally& rally) {
-    tested_.addTests(rally.tests);
-    for (const Rally::Ball& ball : rally.balls)
-        comeBack(ball);
-    for (const Rally::Meeting& meeting : rally.meetings) {
-        if (meeting.isNear)
-            tested_.remember(meeting.pair);
-        const double until =
-            meeting.isStanding ? windows_[rally.balls[meeting.ball].body].until : infinity;
-        if (meeting.time < infinity && meeting.time <= until)
-            hits_.push({.time = meeting.time, .pair = meeting.pair});
-    }
-}
-
 } // namespace simulation

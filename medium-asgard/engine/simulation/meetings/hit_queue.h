@@ -26,14 +26,7 @@ public:
     void push(const Found& found);
     // The earliest, of equal times that of the least pair; null: none. Valid until the next change.
     [[nodiscard]] const Found* first();
-    [[nodiscard]] Found take(); // the first
-    // Every hit that is not outdated, in no order, while `visit` says true. False: it did not.
-    template <typename Visit> bool allOf(Visit&& visit) const {
-        for (const Entry& entry : queue_)
-            if (!isOutdated(entry) && !visit(entry.found))
-                return false;
-        return true;
-    }
+    [[nodiscard]] Found take();                                      // the first
     [[nodiscard]] std::size_t size() const { return queue_.size(); } // with outdated ones
 
 private:

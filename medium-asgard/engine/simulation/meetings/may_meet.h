@@ -31,7 +31,6 @@ public:
                                                    const scene::Released& released);
     void letPass(const Pair& pair, double until) { passing_.push_back({pair, until}); }
     [[nodiscard]] bool isPassing(const Pair& pair, double time) const;
-    [[nodiscard]] bool isAnyPassing() const { return !passing_.empty(); }
 
 private:
     [[nodiscard]] bool mayChoosyMeet(std::size_t a, std::size_t b) const;

@@ -11,7 +11,8 @@ constexpr std::size_t recentPairs = 4096;
 
 TestedPairs::TestedPairs() : recent_(recentPairs, 0) {}
 
-void TestedPairs::remember(const Pair& pair) {
+void TestedPairs::test(const Pair& pair) {
+    ++tests_;
     const std::uint64_t key = (static_cast<std::uint64_t>(pair.first) << 32) + pair.second;
     std::uint64_t& recent = recent_[(pair.first * 613 + pair.second) % recentPairs];
     if (recent == key)

@@ -13,12 +13,7 @@ public:
     using Pair = collision::Pair; // the lesser body first
 
     TestedPairs();
-    void test(const Pair& pair) {
-        ++tests_;
-        remember(pair);
-    }
-    void remember(const Pair& pair); // which is no test
-    void addTests(std::size_t tests) { tests_ += tests; }
+    void test(const Pair& pair);
     [[nodiscard]] std::size_t tests() const { return tests_; }
     [[nodiscard]] std::vector<Pair> all(); // each once, in order
 

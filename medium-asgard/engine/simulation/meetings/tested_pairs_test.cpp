@@ -16,10 +16,6 @@ TEST(TestedPairs, AreListedOnceAndInOrder) {
         tested.test(pair);
     EXPECT_EQ(tested.tests(), 5u);
     EXPECT_THAT(tested.all(), ElementsAre(Pair(0, 1), Pair(0, 2), Pair(3, 7)));
-    tested.remember({1, 2});
-    tested.addTests(10);
-    EXPECT_EQ(tested.tests(), 15u);
-    EXPECT_EQ(tested.all().size(), 4u);
 }
 
 // Also of more than are remembered at a time.

@@ -1,4 +1,4 @@
-// Rallies: a hit after another without what only others need, and the same to the last bit.
+// Balls that meet only each other fly to the last bit as they do beside others that hit elsewhere.
 #include "simulation/testing.h"
 
 #include <cmath>
@@ -6,7 +6,7 @@
 namespace simulation::testing {
 namespace {
 
-// Far away, a ball between two walls: each of its hits ends whatever rally there is.
+// Far away, a ball between two walls.
 void addRestless(SceneBuilder& b) {
     b.box("far left", {499.4, 0, 0}, {1, 2, 2}).fixed = true;
     b.box("far right", {500.63, 0, 0}, {1, 2, 2}).fixed = true;
@@ -52,7 +52,7 @@ SceneBuilder ballsInARoom(std::size_t count, double finish) {
     return b;
 }
 
-TEST(Rally, IsTheSameWhereOthersEndIt) {
+TEST(BesideOthers, BallsHitAsAlone) {
     SceneBuilder galperin(10);
     galperin.box("wall", {-0.5, 0, 0}, {1, 2, 2}).fixed = true;
     galperin.ball("light", {1.1, 0, 0});
@@ -63,22 +63,22 @@ TEST(Rally, IsTheSameWhereOthersEndIt) {
     expectSameBeside(ballsInARoom(3, 20), 100);
 }
 
-TEST(Rally, IsTheSameUnderWeight) {
+TEST(BesideOthers, BallsWithWeightHitAsAlone) {
     SceneBuilder b = ballsInARoom(3, 6);
     for (int i = 0; i < 3; ++i)
         b.weight("ball" + std::to_string(i));
     expectSameBeside(b, 50);
 }
 
-TEST(Rally, IsTheSameWhereHitsTakeEnergy) {
+TEST(BesideOthers, HitsThatTakeEnergyAreAsAlone) {
     SceneBuilder b = ballsInARoom(3, 8);
     for (scene::Body& body : b.scene.bodies)
         body.restitution = 0.95;
     expectSameBeside(b, 40);
 }
 
-// A ball comes from afar into a rally of two others with a wall.
-TEST(Rally, EndsWhenSomebodyComes) {
+// A ball comes from afar to two others that rattle at a wall.
+TEST(BesideOthers, ABallFromAfarMeetsThem) {
     SceneBuilder b(10);
     b.box("wall", {-0.5, 0, 0}, {1, 2, 2}).fixed = true;
     b.ball("light", {0.3, 0, 0});
