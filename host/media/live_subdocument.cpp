@@ -1,6 +1,10 @@
 #include "media/live_subdocument.h"
 
+#include <QTimer>
+
 #include <algorithm>
+#include <memory>
+#include <utility>
 
 namespace media {
 
@@ -402,6 +406,18 @@ void LiveSubdocument::invoke(const QString& id, const Rendition* rendition) {
         processes_.changeTo(Mode::edit, tell);
     else
         tell();
+}
+
+void LiveSubdocument::whenHeard(std::function<void()> done) {
+    if (!isReady())
+        return done();
+    constexpr int patienceMs = 200;
+    const auto once = [done = std::make_shared<std::function<void()>>(std::move(done))] {
+        if (const auto first = std::exchange(*done, nullptr))
+            first();
+    };
+    QTimer::singleShot(patienceMs, this, once);
+    process().request(ipc::Ping{}, [once](const Outcome<ipc::Done>&) { once(); });
 }
 
 bool LiveSubdocument::takesDrafts() const {

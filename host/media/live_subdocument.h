@@ -90,6 +90,9 @@ public:
     [[nodiscard]] const std::vector<ipc::MenuEntry>& menus() const { return said_.menus; }
     // While its process starts or changes, it is done as soon as it can be.
     void invoke(const QString& id, const Rendition* rendition);
+    // Done when its medium has taken all input so far, and told what has come of it: the menu of
+    // what is under the pointer, say. One that is slow is not waited for.
+    void whenHeard(std::function<void()> done);
     // Text typed in windows of the medium can be made a change of the text, by the entry
     // `update-drafts` of its menu; then windowsChanged() says that no draft is left.
     [[nodiscard]] bool takesDrafts() const;

@@ -34,6 +34,7 @@
 #include <QDesktopServices>
 #include <QFileInfo>
 #include <QMimeData>
+#include <QPointer>
 #include <QScreen>
 #include <QStatusBar>
 #include <QToolButton>
@@ -135,8 +136,14 @@ DocumentWindow::DocumentWindow(Application& application,
     connect(view_, &view::DocumentView::linkActivated, this, &DocumentWindow::openLink);
     connect(view_, &view::DocumentView::contextMenuWanted, this,
             [this, figure](document::SubdocumentId id, const QPoint& at) {
-                commands_->refresh();
-                figure->showAt(at, commands_->menuOf(id));
+                const auto show = [window = QPointer(this), this, figure, id, at] {
+                    if (!window)
+                        return;
+                    commands_->refresh();
+                    figure->showAt(at, commands_->menuOf(id));
+                };
+                media::LiveSubdocument* live = document_->live(id);
+                live ? live->whenHeard(show) : show();
             });
     connect(view_, &view::DocumentView::textMenuWanted, edit, &EditMenu::showAt);
     connect(&view_->writing(), &view::Writing::refused, this, &DocumentWindow::say);

@@ -86,6 +86,22 @@ TEST_F(PlayingTest, AFaultyFigureBeforeTheOthersIsNoObstacle) {
     EXPECT_TRUE(waitFor([&] { return live(*window, 1).time()->playing; }));
 }
 
+// The medium says what can be done there when it has heard of the click.
+TEST_F(PlayingTest, TheMenuAtThePointerHasTheCommandsOfWhatIsThere) {
+    DocumentWindow* window = open(memo(scripted("thing Paint It")));
+    ASSERT_TRUE(waitFor([&] { return hasPicture(*window, 0); }));
+    const QPointF at = window->view().placeOf(nth(*window, 0)).topLeft() + QPointF(60, 60);
+    QTest::mouseClick(window->view().viewport(), Qt::RightButton, {}, at.toPoint());
+    QMenu* menu = nullptr;
+    ASSERT_TRUE(waitFor([&] {
+        menu = window->findChild<QMenu*>("figureContext");
+        return menu != nullptr;
+    }));
+    EXPECT_TRUE(std::ranges::any_of(
+        menu->actions(), [](const QAction* action) { return action->text() == "Paint It"; }));
+    menu->close();
+}
+
 TEST_F(PlayingTest, FiguresOfEveryMediumPlayTogether) {
     const QByteArray second =
         "<PARAGRAPH><DOCUMENT>\nDOCUMENT OTHER\n<OTHER WIDTH=\"300\" HEIGHT=\"200\"><SCRIPT>{"

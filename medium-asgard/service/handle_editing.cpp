@@ -71,6 +71,22 @@ bool HandleEditing::press(gestures::Ground ground, const Picture& picture,
     return true;
 }
 
+bool HandleEditing::pressBody(gestures::Ground ground, const Picture& picture, std::size_t body,
+                              const Pointer& pointer) {
+    if (active())
+        return false;
+    const gestures::Sight sight{picture.drawing.camera, picture.size};
+    if (picture.rate && take(ground, picture, sight, body, pointer))
+        return true;
+    const geometry::Vector& start = ground.scene->bodies[body].initialPosition;
+    scale_ = picture.scale;
+    hand_.take(std::move(ground), sight,
+               {gestures::Grasp::What::drag, {render::HandleKind::position, body, 0, start, start}},
+               render::CameraControl::Button::left, pointer.pixels, scale_);
+    say(hand_.words());
+    return true;
+}
+
 bool HandleEditing::take(const gestures::Ground& ground, const Picture& picture,
                          const gestures::Sight& sight, std::size_t body, const Pointer& pointer) {
     auto why = gestures::whyNotTaken(ground, picture.drawing.time, body);

@@ -31,6 +31,10 @@ public:
     // False: nothing is there to take hold of.
     bool press(gestures::Ground ground, const Picture& picture,
                render::CameraControl::Button button, const Pointer& pointer);
+    // Of a body, wherever something is before it: by a drag of the left button.
+    bool pressBody(gestures::Ground ground, const Picture& picture, std::size_t body,
+                   const Pointer& pointer);
+    void tell(std::string words) { say(std::move(words)); } // of what was done without a drag
     void move(const Pointer& pointer);
     // The change becomes one of the document.
     void release(render::CameraControl::Button button, const Pointer& pointer);

@@ -61,26 +61,36 @@ ipc::MenuEntry window(std::string id, std::string label, std::string shortcut) {
     return e;
 }
 
+// None of a name that is too long for an id.
+std::vector<ipc::MenuEntry> ofSelected(const std::string& name) {
+    constexpr std::size_t most = 1000;
+    if (name.empty() || name.size() > most)
+        return {};
+    return {entry(deleteSelected + name, "Delete " + name),
+            entry(duplicateSelected + name, "Duplicate " + name), entry("line", "-")};
+}
+
 } // namespace
 
 bool MenuState::operator==(const MenuState& other) const {
     bool same = hasMotion == other.hasMotion && playing == other.playing && loops == other.loops &&
-                computing == other.computing && rate == other.rate && drafts == other.drafts;
+                computing == other.computing && rate == other.rate && drafts == other.drafts &&
+                selected == other.selected;
     for (const Switch& s : switches)
         same = same && display.*s.value == other.display.*s.value;
     return same;
 }
 
 std::vector<ipc::MenuEntry> menuOf(const MenuState& state) {
-    std::vector<ipc::MenuEntry> menu{
-        entry("play", "Play", "media-playback-start"),
-        entry("pause", "Pause", "media-playback-pause"),
-        entry("stop", "Stop", "media-playback-stop"),
-        entry("step", "Step", "media-skip-forward"),
+    std::vector<ipc::MenuEntry> menu = ofSelected(state.selected);
+    const auto command = [&](const char* id, const char* label, const char* icon, bool enabled) {
+        menu.push_back(entry(id, label, icon));
+        menu.back().enabled = enabled;
     };
-    menu[0].enabled = state.hasMotion && !state.playing;
-    menu[1].enabled = state.playing;
-    menu[2].enabled = menu[3].enabled = state.hasMotion;
+    command("play", "Play", "media-playback-start", state.hasMotion && !state.playing);
+    command("pause", "Pause", "media-playback-pause", state.playing);
+    command("stop", "Stop", "media-playback-stop", state.hasMotion);
+    command("step", "Step", "media-skip-forward", state.hasMotion);
     for (const double rate : rates) {
         menu.push_back(checkable("rate-" + number(rate), number(rate) + "\u00d7",
                                  state.rate == rate, ipc::Scope::subdocument));

@@ -13,6 +13,7 @@ struct MenuState {
     bool hasMotion = false, playing = false, loops = false, computing = false;
     bool drafts = false; // something typed in a window is not in the document yet
     double rate = 1;
+    std::string selected;    // body "b1"; "": nothing is
     render::Display display; // of the visible renditions
     bool operator==(const MenuState&) const;
 };
@@ -21,6 +22,10 @@ inline constexpr std::array rates{0.1, 0.25, 0.5, 1.0, 2.0, 4.0};
 
 // Makes drafts the document's text; hosts offer it before they save or close.
 inline constexpr const char* updateDrafts = "update-drafts";
+
+// What can be done with what is selected in a picture; its name follows, so that a menu that was
+// opened for another thing does nothing.
+inline const std::string deleteSelected = "delete ", duplicateSelected = "duplicate ";
 
 [[nodiscard]] std::vector<ipc::MenuEntry> menuOf(const MenuState& state);
 

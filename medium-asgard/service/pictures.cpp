@@ -27,6 +27,8 @@ void Pictures::draw(Customer customer, Wish wish, Done done) {
         const Instant began = Clock::now();
         Drawn drawn;
         drawn.isFine = draw_(wish.drawing, wish.into);
+        if (drawn.isFine && wish.over)
+            wish.over(wish.into);
         if (drawn.isFine && wish.isPacked)
             drawn.packed = ipc::toBase64(wish.into.pixels);
         drawn.lasted = Clock::now() - began;

@@ -31,6 +31,7 @@ public:
         render::Image into;
         std::shared_ptr<const void> memory; // where that is
         bool isPacked = false;              // its pixels are wanted as the protocol's text
+        std::function<void(const render::Image&)> over = {}; // draws over the bodies, on the thread
     };
     struct Drawn {
         bool isFine = false;

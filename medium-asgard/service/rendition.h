@@ -25,8 +25,9 @@ struct Look {
     double time = 0;
     render::Camera camera;
     render::Display display;
-    unsigned handles = 0; // generation of what a gesture makes of them
-    std::size_t row = 0;  // of a text: the first that is seen
+    unsigned handles = 0;   // generation of what a gesture makes of them
+    unsigned selection = 0; // of what is selected
+    std::size_t row = 0;    // of a text: the first that is seen
 };
 // A picture of one look is as good as one of the other, or better: it may have more samples.
 [[nodiscard]] bool covers(const Look& shown, const Look& wanted);

@@ -66,6 +66,7 @@ void Session::attend(Instant now) {
     if (changes.motion || changes.scene)
         for (auto& [id, subscription] : subscriptions_)
             subscription.reader.reset();
+    gesture_.selection.follow(subdocument_.scene(), subdocument_.sceneText());
     if (changes.diagnostics && !subdocument_.previewing())
         tellDiagnostics();
     goOn();
@@ -217,6 +218,7 @@ MenuState Session::menuNow() const {
     state.loops = playback.loops();
     state.rate = playback.rate();
     state.drafts = host_.drafts;
+    state.selected = gesture_.selection.name();
     state.display = shown_.display;
     for (const auto& [id, rendition] : shown_.all)
         if (rendition.visible) {

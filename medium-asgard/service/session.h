@@ -18,6 +18,7 @@
 #include "service/menu.h"
 #include "service/pictures.h"
 #include "service/rendition.h"
+#include "service/selection.h"
 #include "service/subdocument.h"
 #include "service/value_reader.h"
 
@@ -106,6 +107,13 @@ private:
     };
     struct Gesture {
         HandleEditing handles;
+        Selection selection;
+        struct Press { // that may be a click
+            ipc::Integer in = 0;
+            Eigen::Vector2d pixels;
+            ipc::Button button = ipc::Button::none;
+        };
+        std::optional<Press> press;
         ipc::Integer in = 0;    // the rendition whose handle is held
         bool holdsTime = false; // of what played when a body was taken
         std::string toldWords, refusedWords;
@@ -171,6 +179,13 @@ private:
 
     // --- session_gestures.cpp: handles that the pointer drags in a rendition
     bool edit(Rendition& rendition, const ipc::Input& input); // false: it is for the view
+    // The same of what no modifier makes a drag of handles: clicks, and drags of what is selected.
+    bool choose(Rendition& rendition, const ipc::Input& input, const HandleEditing::Pointer& at);
+    bool hold(Rendition& rendition, const ipc::Input& input, std::optional<std::size_t> body,
+              const HandleEditing::Pointer& pointer);
+    [[nodiscard]] HandleEditing::Picture pictureOf(Rendition& rendition);
+    bool selectionKey(const std::string& name);
+    Reply<ipc::Done> changeSelected(bool isRemoved);
     [[nodiscard]] gestures::Ground ground();
     void finishGesture(const std::string& text, const std::string& label);
     void goOn();

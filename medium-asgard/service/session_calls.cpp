@@ -228,6 +228,8 @@ void Session::hear(const ipc::RenditionInput& call) {
         const bool press = call.type == ipc::InputType::keyPress;
         if (gesture_.handles.key(call.key, press))
             return;
+        if (press && call.modifiers.empty() && selectionKey(call.key))
+            return;
         if (!call.modifiers.empty() || !(press ? key(call.key) : usesKey(call.key)))
             channel_.notify(ipc::RenditionUnhandled{call});
         return;
@@ -240,6 +242,8 @@ void Session::hear(const ipc::RenditionInput& call) {
         return inputToSheet(rendition, call);
     if (call.type == ipc::InputType::focusIn)
         tellHint(rendition);
+    else if (call.type == ipc::InputType::focusOut)
+        gesture_.selection.clear();
     if (edit(rendition, call))
         return;
     const bool before = rendition.beingTurned();
@@ -351,6 +355,10 @@ auto Session::serve(const ipc::MenuInvoke& call) -> Reply<ipc::Done> {
     } else if (call.id == "reset-view") {
         for (Rendition* rendition : targets(call.rendition))
             rendition->follow("");
+    } else if (const std::string name = gesture_.selection.name();
+               !name.empty() &&
+               (call.id == deleteSelected + name || call.id == duplicateSelected + name)) {
+        return changeSelected(call.id == deleteSelected + name);
     } else if (call.id == "recompute") {
         subdocument_.recompute(at_.now);
     } else if (call.id == "open-graphical-viewer" || call.id == "open-language-viewer" ||

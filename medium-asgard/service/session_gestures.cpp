@@ -54,19 +54,34 @@ bool Session::edit(Rendition& rendition, const ipc::Input& input) {
             gesture_.handles.finish();
         return input.type != InputType::wheel;
     }
-    // What is held must be what the text says, and nothing else be on its way to the host.
-    if (input.type != InputType::press || !button || !with(ipc::Modifier::shift) ||
-        !subdocument_.scene() || !subdocument_.upToDate() || subdocument_.previewing())
-        return false;
-    Playback& playback = subdocument_.playback;
+    return choose(rendition, input, pointer) ||
+           (input.type == InputType::press && with(ipc::Modifier::shift) &&
+            hold(rendition, input, std::nullopt, pointer));
+}
+
+HandleEditing::Picture Session::pictureOf(Rendition& rendition) {
+    const Playback& playback = subdocument_.playback;
     shown_.time = playback.time(at_.now);
     rendition.see(drawnScene(), subdocument_.motion(), subdocument_.viewGeneration());
     HandleEditing::Picture picture{drawingOf(lookOf(rendition)), rendition.size(),
                                    rendition.scale()};
     if (playback.playing() && !subdocument_.motionIsStale())
         picture.rate = playback.rate();
-    if (!gesture_.handles.press(ground(), picture, *button, pointer))
+    return picture;
+}
+
+// What is held must be what the text says, and nothing else be on its way to the host.
+bool Session::hold(Rendition& rendition, const ipc::Input& input, std::optional<std::size_t> body,
+                   const HandleEditing::Pointer& pointer) {
+    const auto button = buttonOf(input.button);
+    if (!subdocument_.scene() || !subdocument_.upToDate() || subdocument_.previewing() ||
+        (!body && !button))
         return false;
+    const HandleEditing::Picture picture = pictureOf(rendition);
+    if (body ? !gesture_.handles.pressBody(ground(), picture, *body, pointer)
+             : !gesture_.handles.press(ground(), picture, *button, pointer))
+        return false;
+    Playback& playback = subdocument_.playback;
     if (const auto moment = gesture_.handles.moment()) {
         playback.pause(at_.now);
         playback.seek(*moment, at_.now);
@@ -76,6 +91,91 @@ bool Session::edit(Rendition& rendition, const ipc::Input& input) {
     rendition.holdView(shown_.time);
     gesture_.in = input.rendition;
     return true;
+}
+
+// A press turns the view only when the pointer leaves its place; where it does not, it is a click.
+// A drag that begins on a body that is selected moves that.
+bool Session::choose(Rendition& rendition, const ipc::Input& input,
+                     const HandleEditing::Pointer& at) {
+    using ipc::InputType;
+    auto& press = gesture_.press;
+    if (input.type == InputType::press) {
+        press.reset();
+        const bool isClick =
+            input.button == ipc::Button::left || input.button == ipc::Button::right;
+        if (isClick && input.modifiers.empty() && subdocument_.scene())
+            press = Gesture::Press{input.rendition, at.pixels, input.button};
+        return false;
+    }
+    if (!press || press->in != input.rendition)
+        return false;
+    constexpr double still = 4; // of the reader's pixels
+    const bool isNear = (at.pixels - press->pixels).lpNorm<1>() < still * rendition.scale();
+    if (input.type == InputType::move) {
+        if (isNear)
+            return true;
+        const Gesture::Press began = *std::exchange(press, std::nullopt);
+        if (began.button != ipc::Button::left)
+            return false;
+        const HandleEditing::Picture picture = pictureOf(rendition);
+        const auto body =
+            gestures::selectedBodyAt(picture.drawing, {picture.drawing.camera, picture.size},
+                                     began.pixels, gesture_.selection.elements());
+        HandleEditing::Pointer from = at;
+        from.pixels = began.pixels;
+        if (!body || !hold(rendition, input, body, from))
+            return false;
+        ipc::Input letGo = input; // the view does not turn
+        letGo.type = InputType::release;
+        letGo.button = began.button;
+        rendition.input(letGo, shown_.time);
+        gesture_.handles.move(at);
+        return true;
+    }
+    if (input.type != InputType::release || input.button != press->button)
+        return false;
+    press.reset();
+    if (!isNear || !subdocument_.scene())
+        return false;
+    const HandleEditing::Picture picture = pictureOf(rendition);
+    const gestures::Sight sight{picture.drawing.camera, picture.size};
+    const auto handles =
+        gesture_.handles.handles(subdocument_.scene(), picture.drawing, picture.size);
+    const render::HandleSet& shown = handles ? *handles : render::HandleSet();
+    gesture_.selection.follow(subdocument_.scene(), subdocument_.sceneText());
+    if (input.button == ipc::Button::left)
+        gesture_.selection.click(picture.drawing, shown, sight, at.pixels, picture.scale);
+    else
+        gesture_.selection.point(picture.drawing, shown, sight, at.pixels, picture.scale);
+    tellMenu();   // before what is asked next is answered
+    return false; // the view hears of it too
+}
+
+bool Session::selectionKey(const std::string& name) {
+    if (gesture_.selection.empty() || (name != "Delete" && name != "Escape"))
+        return false;
+    if (name == "Escape")
+        gesture_.selection.clear();
+    else
+        changeSelected(true);
+    return true;
+}
+
+auto Session::changeSelected(bool isRemoved) -> Reply<ipc::Done> {
+    Selection& selection = gesture_.selection;
+    if (selection.empty() || gesture_.handles.active())
+        return ipc::Done{};
+    std::string why = "the text is being read; a moment, and it can be changed";
+    if (subdocument_.upToDate() && !subdocument_.previewing()) {
+        selection.follow(subdocument_.scene(), subdocument_.sceneText());
+        for (auto& [id, rendition] : shown_.all) // the others stay where they are seen
+            if (rendition.presentation() == Presentation::picture)
+                rendition.holdView(shown_.time);
+        why = isRemoved ? selection.remove(ground()) : selection.duplicate(ground());
+    }
+    gesture_.toldWords.clear();
+    gesture_.handles.tell(why); // "": what was said before is over
+    return ipc::Done{};
 }
 
 // A motion that played goes on from the moment, as soon as the one that follows is known.
@@ -92,9 +192,10 @@ void Session::tellHint(const Rendition& rendition) {
                                  : "Shift-drag moves a body, or throws it while it plays";
     const ipc::Integer token = ++progress_.lastToken;
     channel_.notify(ipc::ProgressBegin{token, "Editing", false});
-    channel_.notify(ipc::ProgressEnd{token, "Drag turns the view, the wheel scales it  \u00b7  " +
-                                                what + "  \u00b7  Space plays  \u00b7  " +
-                                                "right button: menu"});
+    channel_.notify(
+        ipc::ProgressEnd{token, "Click selects, then a drag moves it  \u00b7  Right button: "
+                                "menu  \u00b7  " +
+                                    what + "  \u00b7  Space plays"});
 }
 
 // What a drag says of itself goes to the host as the message of something that goes on.

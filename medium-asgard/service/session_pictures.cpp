@@ -46,6 +46,7 @@ Look Session::lookOf(Rendition& rendition) const {
     look.display.samples = moving(rendition) ? movingSamples : stillSamples;
     look.camera = rendition.camera(shown_.time);
     look.handles = render::showsHandles(look.display) ? gesture_.handles.generation() : 0;
+    look.selection = gesture_.selection.generation();
     return look;
 }
 
@@ -124,6 +125,13 @@ void Session::draw(ipc::Integer id, Rendition& rendition, const Look& look) {
     if (subdocument_.scene())
         wish.drawing.handles =
             gesture_.handles.handles(subdocument_.scene(), wish.drawing, frame.into.size);
+    auto frames =
+        gesture_.selection.frames(wish.drawing, {look.camera, frame.into.size}, rendition.scale());
+    if (!frames.empty())
+        wish.over = [frames = std::move(frames), scale = rendition.scale(),
+                     isDark = render::isDark(look.display.background)](const render::Image& into) {
+            drawFrames(frames, scale, isDark, into);
+        };
     pictures_.draw(&rendition, std::move(wish), [this, id, frame](Pictures::Drawn drawn) mutable {
         finish(id, frame, std::move(drawn));
     });

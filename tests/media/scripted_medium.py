@@ -11,6 +11,7 @@ The text of its subdocument is lines of `WORD VALUES`:
   slider               its menu has an entry that makes every value greater by 1 at once: another motion
   fault LINE COLUMN SENTENCE
   menu LABEL           one more entry of its menu, with an icon
+  thing LABEL          a release of the right button puts one more entry into its menu, a moment later
   behave BEHAVIOUR     as the argument, from the moment that the text is loaded
   windows N DRAFTS     says that it has N windows of its own, with drafts (1) or none (0)
   draft TEXT           says that TEXT was typed in a window; update-drafts asks the host to append it
@@ -101,6 +102,7 @@ class Medium:
         self.handles = False
         self.draft, self.opened, self.keeps, self.notice = "", 0, "", ""
         self.label = ""
+        self.thing = ""
         self.has_slider, self.slid = False, 0
         self.values, self.watched, self.faulty = {}, {}, False
         self.stay = False
@@ -214,6 +216,8 @@ class Medium:
                                "endColumn": int(words[2]) + 1, "message": " ".join(words[3:])})
             elif words[0] == "menu":
                 self.label = " ".join(words[1:])
+            elif words[0] == "thing":
+                self.thing = " ".join(words[1:])
             elif words[0] == "behave":
                 pending.append(words[1:])
             elif words[0] == "windows":
@@ -454,6 +458,10 @@ class Medium:
                 self.renditions[p["rendition"]]["state"] = "magenta"
                 notify("rendition/state", rendition=p["rendition"], state="magenta")
                 self.draw(p["rendition"])
+            if p["type"] == "release" and p.get("button") == "right" and self.thing:
+                time.sleep(0.05)
+                self.label = self.thing
+                notify("menu/changed", menus=self.menus())
         elif method == "session/restore":
             words = p["state"].split()
             if words[0] == "behave":

@@ -1,5 +1,6 @@
 // What is painted over a picture: labels, what is selected, what is said.
 #include "gestures/handle_meaning.h"
+#include "gestures/things.h"
 #include "handles/handle_layout.h"
 #include "picture/picture_editing.h"
 #include "picture/scene_display.h"
@@ -35,21 +36,14 @@ void PictureEditing::paintSelection(QPainter& painter) const {
             if (element.kind != editing::Kind::body && gestures::elementOf(handle) == element)
                 painter.drawEllipse(
                     display_.fromPixels(render::standOf(handle, sight.camera, sight.size)), 9, 9);
-        if (element.kind != editing::Kind::body || element.index >= drawing.scene->bodies.size() ||
-            render::isHidden(drawing.display, drawing.scene->bodies[element.index]))
+        if (element.kind != editing::Kind::body)
             continue;
-        const geometry::Pose pose =
-            render::poseOf(*drawing.scene, drawing.motion.get(), element.index, drawing.time);
-        QRectF frame;
-        for (const render::Ball& ball :
-             render::outlineOf(*drawing.scene, drawing.scene->bodies[element.index])) {
-            const Vector center = pose.toWorld(ball.center);
-            const double radius =
-                ball.radius / sight.pixelLength(center) / display_.devicePixelRatioF() + 4;
-            const QPointF at = display_.fromPixels(sight.pixels(center));
-            frame |= QRectF(at - QPointF(radius, radius), QSizeF(2 * radius, 2 * radius));
-        }
-        painter.drawRoundedRect(frame, 5, 5);
+        const double ratio = display_.devicePixelRatioF();
+        const Eigen::AlignedBox2d frame =
+            gestures::frameOf(drawing, sight, element.index, 4 * ratio);
+        if (!frame.isEmpty())
+            painter.drawRoundedRect(
+                QRectF(display_.fromPixels(frame.min()), display_.fromPixels(frame.max())), 5, 5);
     }
 }
 

@@ -1,7 +1,6 @@
 #include "picture/selecting.h"
 
 #include "gestures/grasp.h"
-#include "gestures/handle_meaning.h"
 #include "painting/pointer.h"
 #include "picture/scene_display.h"
 
@@ -16,6 +15,7 @@ namespace views {
 
 using editing::Element;
 using editing::Kind;
+using gestures::Thing;
 
 namespace {
 
@@ -105,16 +105,8 @@ bool Selecting::cancel() {
 }
 
 std::optional<std::size_t> Selecting::selectedBodyAt(const QPointF& position) const {
-    const auto& selected = document_.selected();
-    if (std::ranges::find(selected, Kind::body, &Element::kind) == selected.end())
-        return std::nullopt;
-    const render::Drawing drawing = display_.drawn();
-    for (const gestures::Picked& picked :
-         gestures::bodiesAt(drawing, display_.sight(), display_.inPixels(position)))
-        if (std::ranges::find(selected, Element{Kind::body, picked.body}) != selected.end() &&
-            gestures::isGrasped(*drawing.scene, picked.body))
-            return picked.body;
-    return std::nullopt;
+    return gestures::selectedBodyAt(display_.drawn(), display_.sight(), display_.inPixels(position),
+                                    document_.selected());
 }
 
 std::optional<std::size_t> Selecting::draggedBodyAt(const QPointF& position) const {
@@ -127,27 +119,10 @@ std::optional<std::size_t> Selecting::draggedBodyAt(const QPointF& position) con
                : std::nullopt;
 }
 
-std::vector<Selecting::Thing> Selecting::thingsAt(const QPointF& position) const {
-    std::vector<Thing> things;
-    const auto add = [&](const Element& element, std::optional<render::Handle> handle = {}) {
-        if (std::ranges::find(things, element, &Thing::element) == things.end())
-            things.push_back({element, std::move(handle)});
-    };
-    const Eigen::Vector2d pixels = display_.inPixels(position);
-    const double reach = gestures::handleReach * display_.devicePixelRatioF();
-    const gestures::Sight sight = display_.sight();
-    const render::Drawing drawing = display_.drawn();
-    const render::HandleSet& set = display_.handles();
-    if (const auto index = gestures::handleAt(set, sight, pixels, reach))
-        add(gestures::elementOf(set.handles[*index]), set.handles[*index]);
-    if (const auto sign = gestures::jointAt(drawing, sight, pixels, reach))
-        add(gestures::elementOf(*sign), *sign);
-    for (const gestures::Picked& picked : gestures::bodiesAt(drawing, sight, pixels))
-        add({Kind::body, picked.body});
-    if (drawing.display.trajectories)
-        if (const auto path = gestures::trajectoryAt(*drawing.scene, sight, pixels, reach))
-            add({Kind::trajectory, *path});
-    return things;
+std::vector<Thing> Selecting::thingsAt(const QPointF& position) const {
+    return gestures::thingsAt(display_.drawn(), display_.handles(), display_.sight(),
+                              display_.inPixels(position),
+                              gestures::handleReach * display_.devicePixelRatioF());
 }
 
 void Selecting::click(const QPointF& position) {
@@ -155,20 +130,14 @@ void Selecting::click(const QPointF& position) {
         return display_.frameSelected();
     const std::vector<Thing> things = thingsAt(position);
     const auto before = std::exchange(clicked_, position);
-    if (things.empty())
+    const Thing* thing =
+        gestures::meant(things, document_.selected(), before && isNear(*before, position));
+    if (!thing)
         return document_.select({});
-    std::size_t which = 0;
-    const auto& selected = document_.selected();
-    if (before && isNear(*before, position) && selected.size() == 1) {
-        const auto now = std::ranges::find(things, selected.front(), &Thing::element);
-        if (now != things.end())
-            which = (static_cast<std::size_t>(now - things.begin()) + 1) % things.size();
-    }
-    const Thing& thing = things[which];
-    if (thing.handle)
-        display_.editing().choose(thing.handle->kind, thing.handle->element, thing.handle->part);
+    if (thing->handle)
+        display_.editing().choose(thing->handle->kind, thing->handle->element, thing->handle->part);
     else
-        document_.select({thing.element});
+        document_.select({thing->element});
 }
 
 void Selecting::addOrTakeOut(const QPointF& position) {

@@ -7,8 +7,7 @@
 // selected moves it, as Shift and a drag do with any; other drags are the view's.
 #pragma once
 
-#include "editing/element.h"
-#include "handles/handles.h"
+#include "gestures/things.h"
 
 #include <QPointF>
 #include <QRectF>
@@ -59,11 +58,8 @@ public:
     void paint(QPainter& painter) const;
 
 private:
-    struct Thing {
-        editing::Element element;
-        std::optional<render::Handle> handle; // of it, that is there
-    };
-    [[nodiscard]] std::vector<Thing> thingsAt(const QPointF& position) const; // from the front on
+    [[nodiscard]] std::vector<gestures::Thing>
+    thingsAt(const QPointF& position) const; // from the front on
     void click(const QPointF& position);
     void paintTag(QPainter& painter, const Tag& tag) const;
     void selectBand(bool adds);

@@ -1,40 +1,12 @@
 #include "properties/element_commands.h"
 
-#include "editing/number_text.h"
-#include "element_edits/copying.h"
 #include "element_edits/renaming.h"
-#include "framing/extent.h"
+#include "gestures/copies.h"
 
 #include <QClipboard>
 #include <QGuiApplication>
 
-#include <algorithm>
-#include <functional>
-#include <limits>
-#include <set>
-
 namespace views {
-
-namespace {
-
-// A little more than the bodies of the scene with those names are wide together, along x.
-geometry::Vector besideThem(const scene::Scene& scene, const std::set<std::string>& names) {
-    double least = std::numeric_limits<double>::infinity(), most = -least;
-    for (const scene::Body& body : scene.bodies) {
-        if (!names.contains(body.name))
-            continue;
-        for (const render::Ball& ball : render::outlineOf(scene, body)) {
-            const double x = (body.initialPosition + body.initialAttitude * ball.center).x();
-            least = std::min(least, x - ball.radius);
-            most = std::max(most, x + ball.radius);
-        }
-    }
-    const double width = std::max(0.0, most - least);
-    const double step = editing::decimalStep(width);
-    return {width > 0 ? editing::roundedTo(1.1 * width, step / 10) : 1, 0, 0};
-}
-
-} // namespace
 
 ElementCommands::ElementCommands(SceneDocument& document, QObject* parent)
     : QObject(parent), document_(document), trial_(document) {}
@@ -76,17 +48,11 @@ void ElementCommands::put(const std::string& commands, const QString& label) {
     if (!document_.sceneIsCurrent() && !document_.text().empty())
         return Q_EMIT refused(document_.whyNotCurrent());
     const scene::Scene& scene = *document_.shown().scene;
-    const editing::Pasted paste = editing::pasted(document_.text(), scene, commands,
-                                                  besideThem(scene, editing::bodiesOf(commands)));
+    editing::Pasted paste = gestures::pastedBeside(document_.text(), scene, commands);
     if (!paste.possible())
         return Q_EMIT refused(QString::fromStdString(paste.reason));
-    // Bodies alone, where there are any: one goes on with them.
-    std::vector<editing::Element> added = paste.added;
-    const auto isBody = [](const editing::Element& one) { return one.kind == editing::Kind::body; };
-    if (std::ranges::any_of(added, isBody))
-        std::erase_if(added, std::not_fn(isBody));
     trial_.start(text::applied(document_.text(), paste.edits), label,
-                 [this, added](const QString& why) {
+                 [this, added = std::move(paste.added)](const QString& why) {
                      if (!why.isEmpty())
                          return Q_EMIT refused(why);
                      document_.select(added);

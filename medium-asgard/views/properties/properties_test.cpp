@@ -1,4 +1,4 @@
-// (text, field, text) in the pane of values, and copies by the viewer's commands.
+// (text, field, text) in the pane of values.
 #include "properties/properties_pane.h"
 #include "viewers/editor.h"
 #include "views/test_workshop.h"
@@ -557,57 +557,6 @@ TEST_F(PropertiesTest, AfterReturnABlankIsTheWindows) {
     QTest::keyClicks(&mass, " * 2");
     EXPECT_TRUE(keepsBlank());
     EXPECT_TRUE(keeps(Qt::Key_F, "f"));
-}
-
-class CopiesTest : public testing::Test {
-protected:
-    static void SetUpTestSuite() { theApplication(); }
-    TestWorkshop made;
-    SceneDocument document{made.workshop()};
-    ElementCommands commands{document};
-};
-
-TEST_F(CopiesTest, CopyPasteAndDuplicate) {
-    document.setText(two, "Edit");
-    ASSERT_TRUE(settle(document));
-    document.select({{Kind::body, 0}});
-    commands.copy();
-    EXPECT_THAT(QGuiApplication::clipboard()->text().toStdString(), HasSubstr("body a s"));
-    commands.duplicate();
-    ASSERT_TRUE(settle(document));
-    EXPECT_THAT(document.text(), HasSubstr("body a2 s -init_pos {2.1 2 0} -mass 2\n"));
-    EXPECT_EQ(document.undoLabel(), "Duplicate");
-    EXPECT_THAT(document.selected(), ElementsAre(Element{Kind::body, 2}));
-    commands.paste();
-    ASSERT_TRUE(settle(document));
-    EXPECT_THAT(document.text(), HasSubstr("body a3 s -init_pos {3.2 2 0} -mass 2\n"));
-    document.undo();
-    document.undo();
-    EXPECT_EQ(document.text(), two);
-}
-
-TEST_F(CopiesTest, IntoAnotherScene) {
-    document.setText(two, "Edit");
-    ASSERT_TRUE(settle(document));
-    document.select({{Kind::body, 0}});
-    commands.copy();
-    document.setText("", "Edit");
-    ASSERT_TRUE(settle(document));
-    commands.paste();
-    ASSERT_TRUE(settle(document));
-    EXPECT_EQ(document.shown().scene->bodies.size(), 1U);
-    EXPECT_EQ(document.shown().scene->forces.size(), 1U);
-}
-
-TEST_F(CopiesTest, OtherTextOnTheClipboardIsRefused) {
-    QString said;
-    QObject::connect(&commands, &ElementCommands::refused, [&](const QString& why) { said = why; });
-    document.setText(two, "Edit");
-    ASSERT_TRUE(settle(document));
-    QGuiApplication::clipboard()->setText("Dear Ann,");
-    commands.paste();
-    EXPECT_EQ(said, "The clipboard holds no commands of a scene.");
-    EXPECT_EQ(document.text(), two);
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 #include "workbench/scene_document.h"
 
-#include "editing/changes.h"
+#include "editing/followed.h"
 #include "gestures/hand.h"
 #include "text/difference.h"
 
@@ -8,57 +8,9 @@
 #include <QFileInfo>
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace views {
-
-namespace {
-
-// Whether an element is at its place still: by its name, or by its command, which an edit moved at
-// most. Quick for the usual case, where nothing comes or goes.
-class Stays {
-public:
-    Stays(const scene::Scene& before, const scene::Scene& after, const text::Edit& edit)
-        : before_(before), after_(after), edit_(edit) {}
-
-    // Something came or went: then a command may stand where another one stood.
-    [[nodiscard]] bool sameCounts() const {
-        const auto counts = [](const scene::Scene& s) {
-            return std::array{s.shapeSets.size(),   s.bodies.size(),   s.forces.size(),
-                              s.links.size(),       s.joints.size(),   s.gears.size(),
-                              s.ropes.size(),       s.contacts.size(), s.trajectories.size(),
-                              s.constraints.size(), s.lights.size(),   s.views.size(),
-                              s.parameters.size(),  s.plots.size()};
-        };
-        return counts(before_) == counts(after_);
-    }
-    bool operator()(const editing::Element& element) const {
-        const scene::Source* old = editing::sourceOf(before_, element);
-        const scene::Source* now = editing::sourceOf(after_, element);
-        if (!old || !now || old->runs != now->runs)
-            return false;
-        const std::string name = editing::nameOf(before_, element);
-        if (name != editing::nameOf(after_, element))
-            return false;
-        if (!name.empty())
-            return true;
-        const scene::Range command = old->command;
-        if (old->runs != 1 || !command.known())
-            return false;
-        if (command.to <= edit_.range.from ||
-            (command.from < edit_.range.from && edit_.range.to <= command.to))
-            return now->command.from == command.from;
-        return command.from >= edit_.range.to &&
-               now->command.from == command.from - edit_.range.size() + edit_.text.size();
-    }
-
-private:
-    const scene::Scene &before_, &after_;
-    const text::Edit& edit_;
-};
-
-} // namespace
 
 SceneDocument::SceneDocument(Workshop workshop, QObject* parent) : QObject(parent) {
     due_.setSingleShot(true);
@@ -100,19 +52,8 @@ void SceneDocument::followSelection(const scene::Scene& before, const std::strin
                                     const std::vector<editing::Renamed>& renamed) {
     if (selected_.empty())
         return;
-    const text::Edit edit = text::difference(textBefore, shownText());
-    const Stays stays(before, *shown().scene, edit);
-    if (stays.sameCounts() && std::ranges::all_of(selected_, stays))
-        return;
-    const editing::Changes changes =
-        editing::changesBetween({textBefore, before}, {shownText(), *shown().scene});
-    std::vector<editing::Element> now;
-    for (const editing::Element& element : selected_)
-        if (const auto after = changes.now(element))
-            now.push_back(*after);
-        else if (std::ranges::find(renamed, element, &editing::Renamed::element) != renamed.end())
-            now.push_back(element);
-    select(std::move(now));
+    select(
+        editing::followed(selected_, {textBefore, before}, {shownText(), *shown().scene}, renamed));
 }
 
 void SceneDocument::setText(const std::string& text, const QString& label) {
