@@ -11,6 +11,7 @@ using geometry::Vector;
 namespace {
 
 constexpr double lately = 0.1; // s: how the hand moved before it let go
+constexpr double soon = 0.03;  // s: from one place of a hand that moves to the next
 
 geometry::Pose poseAt(const Ground& ground, std::size_t body, double moment) {
     return render::poseOf(*ground.scene, ground.motion.get(), body, moment);
@@ -63,14 +64,28 @@ void Throw::move(const Sight& sight, const Eigen::Vector2d& pixels, double secon
     joined_->isLoose() ? joined_->moveAll(way) : joined_->pull(way);
 }
 
+// Between two places that are told soon after each other the hand went steadily.
 Vector Throw::velocity(double rate, double seconds) const {
-    const auto first = std::ranges::find_if(
-        way_, [&](const Place& one) { return one.seconds >= seconds - lately; });
+    if (way_.empty())
+        return Vector::Zero();
+    const Place& last = way_.back();
+    const double end = seconds - last.seconds < soon ? last.seconds : seconds;
+    double begin = end - lately;
+    const auto first =
+        std::ranges::find_if(way_, [&](const Place& one) { return one.seconds >= begin; });
     if (first == way_.end())
         return Vector::Zero(); // the hand was still
-    const Place& from = first == way_.begin() ? *first : *(first - 1);
-    const double lasted = std::max(seconds - std::max(from.seconds, seconds - lately), 1e-2);
-    return (way_.back().place - from.place) / lasted / rate;
+    Vector from = first->place;
+    if (first == way_.begin()) {
+        begin = first->seconds;
+    } else {
+        const Place& before = *(first - 1);
+        const double left = std::max(before.seconds, first->seconds - soon);
+        const double part =
+            std::clamp((first->seconds - begin) / std::max(first->seconds - left, 1e-9), 0.0, 1.0);
+        from += part * (before.place - from);
+    }
+    return (last.place - from) / std::max(end - begin, 1e-2) / rate;
 }
 
 std::vector<Put> Throw::allPut(double resolution, const std::optional<Vector>& velocity) {

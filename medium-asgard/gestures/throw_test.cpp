@@ -53,6 +53,30 @@ TEST(Throw, TheHandsVelocityAndPlaceBecomeTheStart) {
     }
 }
 
+// However the places that are told lie in the time that counts.
+TEST(Throw, AHandThatMovesSteadilyThrowsWithItsVelocity) {
+    const Ground ground = flying();
+    const Sight sight = fromFront();
+    script::Reader reader;
+    for (const double late : {0.0, 0.005, 0.01, 0.015}) {
+        Throw body(ground, 1, 0, sight, sight.pixels({1, 0, 0}));
+        double seconds = 0;
+        for (int i = 0; i <= 30; ++i) {
+            seconds = 0.016 * i;
+            body.move(sight, sight.pixels({1 + 2 * seconds, 0, 0}), seconds);
+        }
+        const auto answer = body.answer(sight, 1, seconds + late);
+        ASSERT_TRUE(answer.possible()) << answer.reason;
+        const auto after = reader.read(text::applied(ground.text, answer.edits)).scene;
+        EXPECT_NEAR(after.bodies[0].initialVelocity.x(), 2, 0.02) << late;
+    }
+    Throw still(ground, 1, 0, sight, sight.pixels({1, 0, 0}));
+    still.move(sight, sight.pixels({2, 0, 0}), 0.1);
+    const auto answer = still.answer(sight, 1, 0.5);
+    const auto after = reader.read(text::applied(ground.text, answer.edits)).scene;
+    EXPECT_EQ(after.bodies[0].initialVelocity.x(), 0);
+}
+
 TEST(Throw, OneThatStandsOrIsLedIsNotTaken) {
     const Ground ground = flying();
     EXPECT_EQ(whyNotTaken(ground, 0, 0), std::nullopt); // the start
