@@ -118,7 +118,10 @@ QString MotionNotice::unread() const {
         error->line > 0 ? tr("Line %1 of the text: %2").arg(error->line).arg(words) : words;
     return document_.shown().scene->bodies.empty()
                ? place
-               : tr("%1\nThe picture shows the last good scene.").arg(place);
+               : tr("%1\nThe picture shows the last good scene. Mend the text there, or take back "
+                    "what "
+                    "was changed (Ctrl+Z).")
+                     .arg(place);
 }
 
 MotionNotice::Said MotionNotice::said() {

@@ -212,6 +212,7 @@ TEST_F(MotionNoticeTest, ATextThatCannotBeReadIsSaidInThePicture) {
     good.diagnostics = {fault};
     document.setComputed(good);
     EXPECT_THAT(wordsOf(viewer), HasSubstr("shows the last good scene"));
+    EXPECT_THAT(wordsOf(viewer), HasSubstr("(Ctrl+Z)")); // what one can do
 }
 
 } // namespace
