@@ -115,6 +115,37 @@ Recipe newWeight(SceneDisplay& display) {
         usualGravity(*display.drawing().scene));
 }
 
+void addJointTypes(QMenu* menu,
+                   const std::function<void(const QString&, std::function<Recipe()>)>& add) {
+    const auto joint = [&](const QString& label, const QString& tip, scene::JointType type) {
+        add(label, [type] { return newJoint(type); });
+        menu->actions().back()->setToolTip(plain::tip(tip));
+    };
+    menu->setToolTipsVisible(true);
+    joint(QObject::tr("&Hinge"), QObject::tr("It turns about one axis: a pendulum, a door"),
+          scene::JointType::hinge);
+    joint(QObject::tr("&Slider"), QObject::tr("It slides along one line: a drawer, a piston"),
+          scene::JointType::slider);
+    joint(QObject::tr("&Ball"), QObject::tr("It turns any way about one point: a shoulder"),
+          scene::JointType::ball);
+    joint(QObject::tr("&Fixed"), QObject::tr("Two bodies move as one"), scene::JointType::fixed);
+    joint(QObject::tr("&Distance"), QObject::tr("A massless rod between two points"),
+          scene::JointType::distance);
+    joint(QObject::tr("&Cylindrical"),
+          QObject::tr("It slides along one line and turns about it: a piston rod"),
+          scene::JointType::cylindrical);
+    joint(QObject::tr("&Universal"),
+          QObject::tr("It turns about two axes that cross: the joint of a drive shaft"),
+          scene::JointType::universal);
+    joint(QObject::tr("&Planar"), QObject::tr("It slides and turns in one plane: an air puck"),
+          scene::JointType::planar);
+    joint(QObject::tr("Scre&w"), QObject::tr("It turns as it slides: a screw, a vice"),
+          scene::JointType::screw);
+    add(QObject::tr("&Gear"), newGear);
+    menu->actions().back()->setToolTip(
+        plain::tip(QObject::tr("Two wheels, or a wheel and a rack, roll on each other")));
+}
+
 void buildCreateMenu(QMenu* menu, SceneDocument& document, SceneDisplay& display) {
     QMenu* bodies = menu->addMenu(QObject::tr("&Body"));
     bodies->setObjectName("createBody");
@@ -154,33 +185,9 @@ void buildCreateMenu(QMenu* menu, SceneDocument& document, SceneDisplay& display
     add(torques, QObject::tr("By a &Trajectory"), [] { return newTrajectoryForce(true); });
     QMenu* joints = menu->addMenu(QObject::tr("Jo&int"));
     joints->setObjectName("createJoint");
-    const auto joint = [&](const QString& label, const QString& tip, scene::JointType type) {
-        add(joints, label, [type] { return newJoint(type); });
-        joints->actions().back()->setToolTip(plain::tip(tip));
-    };
-    joints->setToolTipsVisible(true);
-    joint(QObject::tr("&Hinge"), QObject::tr("It turns about one axis: a pendulum, a door"),
-          scene::JointType::hinge);
-    joint(QObject::tr("&Slider"), QObject::tr("It slides along one line: a drawer, a piston"),
-          scene::JointType::slider);
-    joint(QObject::tr("&Ball"), QObject::tr("It turns any way about one point: a shoulder"),
-          scene::JointType::ball);
-    joint(QObject::tr("&Fixed"), QObject::tr("Two bodies move as one"), scene::JointType::fixed);
-    joint(QObject::tr("&Distance"), QObject::tr("A massless rod between two points"),
-          scene::JointType::distance);
-    joint(QObject::tr("&Cylindrical"),
-          QObject::tr("It slides along one line and turns about it: a piston rod"),
-          scene::JointType::cylindrical);
-    joint(QObject::tr("&Universal"),
-          QObject::tr("It turns about two axes that cross: the joint of a drive shaft"),
-          scene::JointType::universal);
-    joint(QObject::tr("&Planar"), QObject::tr("It slides and turns in one plane: an air puck"),
-          scene::JointType::planar);
-    joint(QObject::tr("Scre&w"), QObject::tr("It turns as it slides: a screw, a vice"),
-          scene::JointType::screw);
-    add(joints, QObject::tr("&Gear"), newGear);
-    joints->actions().back()->setToolTip(
-        plain::tip(QObject::tr("Two wheels, or a wheel and a rack, roll on each other")));
+    addJointTypes(joints, [&](const QString& label, std::function<Recipe()> recipe) {
+        add(joints, label, std::move(recipe));
+    });
     add(menu, QObject::tr("&Rope"), newRope);
     menu->actions().back()->setObjectName("createRope");
     menu->actions().back()->setToolTip(

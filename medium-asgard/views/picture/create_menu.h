@@ -5,6 +5,8 @@
 #include "recipes/recipes.h"
 #include "workbench/scene_document.h"
 
+#include <functional>
+
 class QMenu;
 
 namespace views {
@@ -13,6 +15,11 @@ class SceneDisplay;
 
 // Filled anew each time it opens: it lists the scene's shapes. All three live as long as the menu.
 void buildCreateMenu(QMenu* menu, SceneDocument& document, SceneDisplay& display);
+
+// The types of joints, with a tip for each, and a gear; `add` puts a command into the menu, which
+// begins its recipe.
+void addJointTypes(QMenu* menu,
+                   const std::function<void(const QString&, std::function<Recipe()>)>& add);
 
 // With arrows as long as the display draws them, and the gravity that other bodies have.
 [[nodiscard]] Recipe newWeight(SceneDisplay& display);

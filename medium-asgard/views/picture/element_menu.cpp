@@ -108,17 +108,9 @@ void Building::body() {
            [&display] { return newForce(true, display.arrowLength(true)); });
     create(torque, QObject::tr("By a &Trajectory"), [] { return newTrajectoryForce(true); });
     QMenu* joint = menu_.addMenu(QObject::tr("New &Joint"));
-    create(joint, QObject::tr("&Hinge"), [] { return newJoint(scene::JointType::hinge); });
-    create(joint, QObject::tr("&Slider"), [] { return newJoint(scene::JointType::slider); });
-    create(joint, QObject::tr("&Ball"), [] { return newJoint(scene::JointType::ball); });
-    create(joint, QObject::tr("&Fixed"), [] { return newJoint(scene::JointType::fixed); });
-    create(joint, QObject::tr("&Distance"), [] { return newJoint(scene::JointType::distance); });
-    create(joint, QObject::tr("&Cylindrical"),
-           [] { return newJoint(scene::JointType::cylindrical); });
-    create(joint, QObject::tr("&Universal"), [] { return newJoint(scene::JointType::universal); });
-    create(joint, QObject::tr("&Planar"), [] { return newJoint(scene::JointType::planar); });
-    create(joint, QObject::tr("Scre&w"), [] { return newJoint(scene::JointType::screw); });
-    create(joint, QObject::tr("&Gear"), newGear);
+    addJointTypes(joint, [&](const QString& label, std::function<Recipe()> recipe) {
+        create(joint, label, std::move(recipe));
+    });
     QMenu* spring = menu_.addMenu(QObject::tr("New Sp&ring"));
     create(spring, QObject::tr("To Another &Body"), [] { return newSpring(Wanted::body); });
     create(spring, QObject::tr("To a &Point"), [] { return newSpring(Wanted::point); });

@@ -1,65 +1,14 @@
 // Selecting by plain clicks and a band, and what the selected does with a plain drag.
-#include "viewers/editor.h"
-#include "views/test_workshop.h"
+#include "picture/selecting_testing.h"
 
 #include <gmock/gmock.h>
 
 namespace views {
 namespace {
 
-using editing::Element;
-using editing::Kind;
-using geometry::Vector;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-
-// Seen along z: near stands before far; left stands alone.
-const std::string three = "simulator -finish 2\n"
-                          "shape_set s -desc {-sub {-sphere 0.5}}\n"
-                          "body near s -init_pos {0 0 2}\n"
-                          "body far s -init_pos {0.2 0 -2}\n"
-                          "body left s -init_pos {-3 0 0}\n";
-constexpr Element nearOne{Kind::body, 0}, farOne{Kind::body, 1}, leftOne{Kind::body, 2};
-
-class SelectingTest : public testing::Test {
-protected:
-    static void SetUpTestSuite() { theApplication(); }
-    void SetUp() override {
-        editor.document().setText(three, "Edit");
-        ASSERT_TRUE(settle(editor.document()));
-        viewer = editor.openGraphicalViewer();
-        display().lookAlong(Vector::UnitZ());
-        display().keepCamera();
-        display().grab();
-        middle = at({0.1, 0, 0});
-        left = at({-3, 0, 0});
-        empty = QPoint(8, display().height() - 8);
-    }
-    SceneDisplay& display() { return viewer->display(); }
-    const std::vector<Element>& selected() { return editor.document().selected(); }
-    QPoint at(const Vector& world) {
-        return display().fromPixels(display().sight().pixels(world)).toPoint();
-    }
-    void click(QPoint place, Qt::KeyboardModifiers keys = {}) {
-        QTest::mouseClick(&display(), Qt::LeftButton, keys, place);
-    }
-    void drag(QPoint from, QPoint to, Qt::KeyboardModifiers keys = {}) {
-        QTest::mousePress(&display(), Qt::LeftButton, keys, from);
-        for (const QPoint& place : {from + QPoint(1, 0), (from + to) / 2, to}) {
-            QMouseEvent move(QEvent::MouseMove, place, display().mapToGlobal(place), Qt::NoButton,
-                             Qt::LeftButton, keys);
-            QApplication::sendEvent(&display(), &move);
-        }
-        QTest::mouseRelease(&display(), Qt::LeftButton, keys, to);
-        ASSERT_TRUE(settle(editor.document()));
-    }
-
-    TestWorkshop made;
-    Editor editor{made.workshop()};
-    GraphicalViewer* viewer = nullptr;
-    QPoint middle, left, empty;
-};
 
 TEST_F(SelectingTest, AClickSelectsAndAnotherOneWhatLiesBehind) {
     click(middle);
@@ -380,76 +329,6 @@ TEST_F(SelectingTest, AKeyKeepsADragToAnAxisAndWithShiftAcrossIt) {
     EXPECT_NE(place().x(), -3);
 }
 
-// While the motion plays a body that is let go has the velocity of the hand.
-TEST_F(SelectingTest, ABodyIsThrownWhileTheMotionPlaysAndPutWhileItRests) {
-    for (const bool plays : {true, false}) {
-        editor.document().setText(three, "Edit");
-        ASSERT_TRUE(settle(editor.document()));
-        if (plays) // then a drag takes a body at once
-            editor.document().select({});
-        else
-            editor.document().select({leftOne});
-        viewer->playback().setClock([] { return 0.0; });
-        viewer->playback().seek(0.5);
-        if (plays)
-            viewer->playback().play();
-        display().grab();
-        const auto send = [&](QEvent::Type type, const QPoint& place, Qt::MouseButtons buttons,
-                              unsigned long long ms) {
-            QMouseEvent event(type, place, display().mapToGlobal(place),
-                              type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton, buttons,
-                              {});
-            event.setTimestamp(ms);
-            QApplication::sendEvent(&display(), &event);
-        };
-        const QPoint from = at({-3, 0, 0}) + QPoint(5, 5);
-        send(QEvent::MouseButtonPress, from, Qt::LeftButton, 0);
-        for (int i = 1; i <= 10; ++i)
-            send(QEvent::MouseMove, from + QPoint(6 * i, 0), Qt::LeftButton, 20ULL * i);
-        EXPECT_TRUE(display().throwing().active());
-        EXPECT_FALSE(viewer->playback().isPlaying()); // the time stands still
-        send(QEvent::MouseButtonRelease, from + QPoint(60, 0), {}, 205);
-        ASSERT_TRUE(settle(editor.document()));
-        const scene::Scene& scene = *editor.document().shown().scene;
-        EXPECT_EQ(scene.simulator.start, 0.5);
-        const double way = 60 * display().sight().pixelLength({-3, 0, 0});
-        EXPECT_NEAR(scene.bodies[2].initialPosition.x(), -3 + way, 0.05 * way);
-        EXPECT_NEAR(scene.bodies[2].initialVelocity.x(), plays ? way / 0.2 : 0, 0.15 * way / 0.2);
-        EXPECT_TRUE(waitFor([&] { return viewer->playback().isPlaying() == plays; }));
-        EXPECT_EQ(editor.document().undoLabel(),
-                  plays ? "Throw left at 0.5 s" : "Put left Elsewhere at 0.5 s");
-        EXPECT_TRUE(viewer->findChild<QAction*>("undo")->isEnabled());
-        viewer->playback().stop();
-    }
-}
-
-// As at the start; with the keys, too.
-TEST_F(SelectingTest, AllThatAreSelectedArePutElsewhereTogether) {
-    editor.document().select({nearOne, leftOne});
-    viewer->playback().seek(0.5);
-    display().grab();
-    const QPoint from = at({-3, 0, 0}) + QPoint(5, 5);
-    drag(from, from + QPoint(40, 0));
-    const auto places = [&](std::size_t body) {
-        return editor.document().shown().scene->bodies[body].initialPosition;
-    };
-    EXPECT_EQ(editor.document().shown().scene->simulator.start, 0.5);
-    EXPECT_GT(places(2).x(), -2.9);
-    EXPECT_NEAR(places(0).x(), places(2).x() + 3, 1e-3);
-    EXPECT_EQ(places(1).x(), 0.2);
-    EXPECT_EQ(editor.document().undoLabel(), "Put left and 1 more Elsewhere at 0.5 s");
-    editor.document().setText(three, "Edit");
-    ASSERT_TRUE(settle(editor.document()));
-    viewer->playback().seek(0);
-    editor.document().select({nearOne, leftOne});
-    display().grab();
-    QTest::keyClick(&display(), Qt::Key_Right, Qt::ShiftModifier);
-    QTest::keyRelease(&display(), Qt::Key_Shift);
-    ASSERT_TRUE(settle(editor.document()));
-    EXPECT_GT(places(0).x(), 0);
-    EXPECT_NEAR(places(0).x(), places(2).x() + 3, 1e-6);
-}
-
 TEST_F(SelectingTest, WhatIsSelectedOutOfThePictureIsToldAndAClickShowsIt) {
     editor.document().select({leftOne});
     EXPECT_FALSE(display().selecting().tag().has_value());
@@ -557,62 +436,6 @@ TEST_F(SelectingTest, AHiddenBodyIsNotSelectedAnyMoreNorByTheBand) {
                                                display().inPixels(all.bottomRight()));
     EXPECT_FALSE(bodies.empty());
     EXPECT_EQ(std::ranges::find(bodies, nearOne.index), bodies.end());
-}
-
-// A throw of a body that a path leads would not do what the hand asks.
-TEST_F(SelectingTest, WhatAPathLeadsIsNotThrown) {
-    editor.document().setText(
-        three + "trajectory way -points {{0 -3 0 0} {1 -3 1 0}}\nconstrain left -pos way\n",
-        "Edit");
-    ASSERT_TRUE(settle(editor.document()));
-    ASSERT_FALSE(editor.document().hasErrors()) << editor.document().diagnostics()[0].message;
-    viewer->playback().seek(0.5);
-    EXPECT_TRUE(display().throwing().press(leftOne.index, middle));
-    EXPECT_FALSE(display().throwing().active());
-    EXPECT_THAT(display().editing().said().toStdString(), HasSubstr("left is led"));
-}
-
-TEST_F(SelectingTest, WhatAJointHoldsIsThrownAsTheJointAllows) {
-    editor.document().setText(three + "joint pin -type hinge -body1 left -offset1 {0 2 0}\n",
-                              "Edit");
-    ASSERT_TRUE(settle(editor.document()));
-    viewer->playback().setClock([] { return 0.0; });
-    viewer->playback().seek(0.5);
-    viewer->playback().play();
-    display().grab();
-    const QPoint from = at({-3, 0, 0});
-    for (int i = 0; i <= 11; ++i) {
-        const auto type = i == 0    ? QEvent::MouseButtonPress
-                          : i == 11 ? QEvent::MouseButtonRelease
-                                    : QEvent::MouseMove;
-        const QPoint place = from + QPoint(6 * std::min(i, 10), 0);
-        QMouseEvent event(type, place, display().mapToGlobal(place),
-                          type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton,
-                          i == 11 ? Qt::NoButton : Qt::LeftButton, {});
-        event.setTimestamp(20ULL * i);
-        QApplication::sendEvent(&display(), &event);
-    }
-    ASSERT_TRUE(settle(editor.document()));
-    EXPECT_EQ(editor.document().undoLabel(), "Throw left at 0.5 s");
-    const scene::Body& body = editor.document().shown().scene->bodies[leftOne.index];
-    const Vector arm = body.initialPosition - Vector(-3, 2, 0);
-    EXPECT_NEAR(arm.norm(), 2, 1e-6);
-    EXPECT_GT(arm.x(), 0.1);
-    EXPECT_GT(body.initialVelocity.x(), 0.5);
-    EXPECT_NEAR(body.initialVelocity.dot(arm), 0, 1e-6);
-    EXPECT_LT((body.initialVelocity - body.initialAngularVelocity.cross(arm)).norm(), 1e-6);
-    EXPECT_TRUE(editor.document().diagnostics().empty()); // no joint forbids it
-    viewer->playback().stop();
-}
-
-TEST_F(SelectingTest, WhatAJointHoldsFastIsNotThrown) {
-    editor.document().setText(three + "joint pin -type fixed -body1 left\n", "Edit");
-    ASSERT_TRUE(settle(editor.document()));
-    viewer->playback().seek(0.5);
-    EXPECT_TRUE(display().throwing().press(leftOne.index, middle));
-    EXPECT_FALSE(display().throwing().active());
-    EXPECT_THAT(display().editing().said().toStdString(),
-                HasSubstr("\"left\" is held by joint \"pin\": nothing lets it go anywhere"));
 }
 
 } // namespace

@@ -8,21 +8,18 @@
 #include "shapes/shape_editor.h"
 #include "start/first_page.h"
 #include "trajectories/trajectory_editor.h"
-#include "viewers/editor.h"
+#include "viewers/main_window_testing.h"
 #include "viewers/scene_files.h"
 #include "viewers/starting.h"
-#include "views/test_workshop.h"
 
 #include <QCheckBox>
 #include <QClipboard>
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QMenu>
-#include <QMenuBar>
 #include <QPushButton>
 #include <QScreen>
 #include <QSettings>
-#include <QTimer>
 #include <QToolButton>
 #include <QTreeWidget>
 
@@ -34,66 +31,6 @@ namespace views {
 namespace {
 
 using ::testing::HasSubstr;
-
-class MainWindowTest : public testing::Test {
-protected:
-    static void SetUpTestSuite() { theApplication(); }
-    void SetUp() override {
-        editor.document().setText(ballScene, "Edit");
-        ASSERT_TRUE(settle(editor.document()));
-    }
-    GraphicalViewer& open() {
-        GraphicalViewer* viewer = editor.openGraphicalViewer();
-        viewer->resize(1200, 760);
-        viewer->showUsualPanes();
-        viewer->activateWindow();
-        EXPECT_TRUE(QTest::qWaitForWindowActive(viewer, longestWait));
-        return *viewer;
-    }
-    static QAction* action(const QWidget& window, const QString& begins) {
-        for (QAction* one : window.findChildren<QAction*>())
-            if (one->text().remove('&').startsWith(begins))
-                return one;
-        return nullptr;
-    }
-    static QStringList fileMenu(const QMainWindow& window) {
-        QStringList entries;
-        for (const QAction* menu : window.menuBar()->actions())
-            if (menu->text().remove('&') == "File")
-                for (const QAction* entry : menu->menu()->actions())
-                    if (!entry->isSeparator())
-                        entries << entry->text().remove('&').remove(QStringLiteral("…"));
-        return entries;
-    }
-    // In the question that is about to be asked.
-    void answer(const QString& label) {
-        QTimer::singleShot(0, &editor, [this, label] {
-            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-            if (!box) // a typed value is being read before
-                return answer(label);
-            ++asked;
-            for (QAbstractButton* button : box->buttons())
-                if (button->text().remove('&') == label)
-                    return button->click();
-            FAIL() << "no button " << label.toStdString();
-        });
-    }
-
-    TestWorkshop made;
-    Editor editor{made.workshop()};
-    int asked = 0;
-};
-
-// Into the field of the properties that are shown, and no Return.
-void typeMass(QWidget& window, const QString& mass) {
-    window.activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(&window, longestWait));
-    QLineEdit* field = nullptr;
-    ASSERT_TRUE(waitFor([&] { return (field = window.findChild<QLineEdit*>("-mass")); }));
-    field->setFocus();
-    field->selectAll();
-    QTest::keyClicks(field, mass);
-}
 
 TEST_F(MainWindowTest, TheTourClosesWhenAnotherSceneIsOpened) {
     GraphicalViewer& viewer = open();
@@ -154,23 +91,6 @@ TEST_F(MainWindowTest, EachKeyMeansOneThingInAllWindows) {
     EXPECT_EQ(meaning["Ctrl+W"], "Close");
     EXPECT_EQ(meaning["Ctrl+Q"], "Quit");
     EXPECT_EQ(meaning["F11"], "Full");
-}
-
-// Its fields are gone with it; the other windows have theirs.
-TEST_F(MainWindowTest, AWindowThatHasARefusedValueAsksBeforeItCloses) {
-    editor.beginSession();
-    open();
-    GraphicalViewer* second = editor.openGraphicalViewer();
-    editor.document().select({{editing::Kind::body, 0}});
-    second->panes().show("properties");
-    typeMass(*second, "heavy");
-    answer("No");
-    EXPECT_FALSE(second->close());
-    EXPECT_EQ(asked, 1);
-    EXPECT_TRUE(second->isVisible());
-    answer("Yes");
-    EXPECT_TRUE(second->close());
-    EXPECT_EQ(asked, 2);
 }
 
 // Whichever menus were open: the keyboard is where it was, and its keys do what they say.
@@ -485,71 +405,6 @@ TEST_F(MainWindowTest, AViewersWindowsAndDraftsComeBack) {
     EXPECT_TRUE(text->hasDraft());
 }
 
-TEST_F(MainWindowTest, ClosingOneClosesThatOneAndTheLastAsks) {
-    editor.beginSession();
-    GraphicalViewer& first = open();
-    GraphicalViewer* second = editor.openGraphicalViewer();
-    editor.openShapeEditor();
-    EXPECT_TRUE(second->close());
-    EXPECT_EQ(asked, 0);
-    EXPECT_TRUE(first.isVisible());
-    first.activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(&first, longestWait));
-    answer("Cancel");
-    EXPECT_FALSE(first.close());
-    EXPECT_EQ(asked, 1);
-    EXPECT_TRUE(first.isVisible());
-    answer("Discard");
-    EXPECT_TRUE(first.close());
-    EXPECT_EQ(asked, 2);
-    for (const QWidget* one : QApplication::topLevelWidgets())
-        EXPECT_FALSE(one->isVisible() && qobject_cast<const QMainWindow*>(one))
-            << one->windowTitle().toStdString();
-}
-
-TEST_F(MainWindowTest, SavingTakesWhatIsTyped) {
-    const QTemporaryDir folder;
-    const QString path = folder.filePath("scene.al");
-    SceneFiles& files = editor.beginSession();
-    ASSERT_EQ(editor.document().save(path).sentence, "");
-    GraphicalViewer& viewer = open();
-    viewer.text()->editor().setText(QString::fromStdString("# mine\n" + ballScene));
-    EXPECT_TRUE(files.save());
-    QFile file(path);
-    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
-    EXPECT_EQ(file.readAll().toStdString(), "# mine\n" + ballScene);
-    EXPECT_FALSE(viewer.text()->hasDraft());
-}
-
-TEST_F(MainWindowTest, SavingAndQuittingTakeAValueThatIsTyped) {
-    const QTemporaryDir folder;
-    const QString path = folder.filePath("scene.al");
-    editor.beginSession();
-    ASSERT_EQ(editor.document().save(path).sentence, "");
-    GraphicalViewer& viewer = open();
-    editor.document().select({{editing::Kind::body, 0}});
-    viewer.panes().show("properties");
-    typeMass(viewer, "5");
-    QTest::keyClick(viewer.focusWidget(), Qt::Key_S, Qt::ControlModifier);
-    QFile file(path);
-    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
-    EXPECT_THAT(file.readAll().toStdString(), HasSubstr("-mass 5"));
-    EXPECT_FALSE(editor.document().isModified());
-    typeMass(viewer, "6");
-    answer("Cancel"); // that it is not saved
-    QTest::keyClick(viewer.focusWidget(), Qt::Key_Q, Qt::ControlModifier);
-    EXPECT_EQ(asked, 1);
-    EXPECT_THAT(editor.document().text(), HasSubstr("-mass 6"));
-    editor.document().undo();
-    ASSERT_TRUE(settle(editor.document()));
-    typeMass(viewer, "heavy");
-    answer("No"); // that it is not taken
-    QTest::keyClick(viewer.focusWidget(), Qt::Key_Q, Qt::ControlModifier);
-    EXPECT_EQ(asked, 2);
-    EXPECT_TRUE(viewer.isVisible());
-    EXPECT_FALSE(editor.document().isModified());
-}
-
 TEST_F(MainWindowTest, TheSceneListCopiesCommandsAndShowsValues) {
     GraphicalViewer& viewer = open();
     SceneDocument& document = editor.document();
@@ -585,21 +440,6 @@ TEST_F(MainWindowTest, TheSceneListCopiesCommandsAndShowsValues) {
     list->setCurrentItem(bodies.front());
     QTest::keyClick(list, Qt::Key_Return);
     EXPECT_EQ(viewer.focusWidget()->objectName(), "-init_pos1"); // no key changes the shape
-}
-
-TEST_F(MainWindowTest, QuittingEndsTheFirstPageTooFromEitherWindow) {
-    SceneFiles& files = editor.beginSession();
-    Starting starting(editor, files);
-    for (const bool fromPage : {false, true}) {
-        editor.document().reset();
-        const QPointer<QWidget> viewer = &open(), page = starting.showFirstPage();
-        QWidget* from = fromPage ? page : viewer;
-        from->activateWindow();
-        ASSERT_TRUE(QTest::qWaitForWindowActive(from, longestWait));
-        QTest::keyClick(from, Qt::Key_Q, Qt::ControlModifier);
-        for (const auto& window : {viewer, page})
-            EXPECT_TRUE(waitFor([&] { return !window || !window->isVisible(); }));
-    }
 }
 
 TEST_F(MainWindowTest, AnotherWindowOpensBesideWhereThereIsRoom) {
