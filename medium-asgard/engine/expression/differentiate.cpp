@@ -7,35 +7,8 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 
 namespace expression {
-namespace {
-
-// Of many nodes a bit for each gives their order sooner than comparing them.
-void putInOrder(std::vector<Node>& nodes) {
-    constexpr std::uint32_t wide = 64;
-    if (nodes.empty())
-        return;
-    const auto [first, last] = std::ranges::minmax(nodes);
-    const std::size_t words = last.index / wide - first.index / wide + 1;
-    if (words > 4 * nodes.size()) {
-        std::ranges::sort(nodes);
-        return;
-    }
-    std::vector<std::uint64_t> bits(words);
-    const std::uint32_t start = first.index / wide * wide;
-    for (const Node n : nodes)
-        bits[(n.index - start) / wide] |= std::uint64_t{1} << (n.index % wide);
-    auto next = nodes.begin();
-    for (std::uint32_t word = 0; word < words; ++word)
-        for (std::uint64_t left = bits[word]; left != 0; left &= left - 1)
-            *next++ =
-                Node{start + word * wide + static_cast<std::uint32_t>(std::countr_zero(left))};
-}
-
-} // namespace
-
 // An own stack: expressions may be very deep.
 std::vector<Node> reachable(const Graph& graph, std::span<const Node> roots,
                             const std::unordered_map<std::uint32_t, Node>& end) {
@@ -277,10 +250,16 @@ std::vector<Node> ratesAlong(Graph& graph, std::span<const Node> roots,
 // What holds nothing that is replaced stays the node that it is.
 Node substitute(Graph& graph, Node node,
                 const std::unordered_map<std::uint32_t, Node>& replacements) {
+    return substitute(graph, std::span(&node, 1), replacements)[0];
+}
+
+std::vector<Node> substitute(Graph& graph, std::span<const Node> nodes,
+                             const std::unordered_map<std::uint32_t, Node>& replacements) {
+    std::vector<Node> results(nodes.begin(), nodes.end());
     if (replacements.empty())
-        return node;
+        return results;
     NodeMap<Node> made; // absent: as it was
-    for (const Node n : reachable(graph, std::span(&node, 1), replacements)) {
+    for (const Node n : reachable(graph, nodes, replacements)) {
         const auto replacement = replacements.find(n.index);
         if (replacement != replacements.end()) {
             made.insert(n, replacement->second);
@@ -301,8 +280,10 @@ Node substitute(Graph& graph, Node node,
                        : arguments.size() == 2 ? graph.apply(op, a[0], a[1])
                                                : graph.apply(op, a[0], a[1], a[2]));
     }
-    const Node* const result = made.find(node);
-    return result ? *result : node;
+    for (Node& result : results)
+        if (const Node* const other = made.find(result))
+            result = *other;
+    return results;
 }
 
 std::vector<Node> symbolsOf(const Graph& graph, std::span<const Node> nodes) {

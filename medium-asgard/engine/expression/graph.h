@@ -174,6 +174,10 @@ struct Partial {
 // Every node (a symbol, mostly) replaced by the one given for it; what is put in stays as it is.
 [[nodiscard]] Node substitute(Graph& graph, Node node,
                               const std::unordered_map<std::uint32_t, Node>& replacements);
+// Of several nodes: what they share is looked at once.
+[[nodiscard]] std::vector<Node>
+substitute(Graph& graph, std::span<const Node> nodes,
+           const std::unordered_map<std::uint32_t, Node>& replacements);
 
 // All nodes that the given ones are made of, themselves included, in order of index: arguments
 // before what reads them. Nothing below the nodes of `end`.

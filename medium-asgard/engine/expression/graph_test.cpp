@@ -1,5 +1,6 @@
 #include "expression/graph.h"
 
+#include "expression/parts.h"
 #include "expression/rate_along.h"
 #include "expression/tape.h"
 #include "expression/testing.h"
@@ -238,6 +239,27 @@ TEST(Substitute, ReplacesSymbolsAtOnceAndSimplifies) {
     EXPECT_EQ(print(graph, swapped), "y - 2*x");
     const Node gone = substitute(graph, parsed(graph, "x*y + 1"), {{x.index, graph.constant(0)}});
     EXPECT_EQ(print(graph, gone), "1");
+    const Node both[] = {parsed(graph, "x*y + 1"), y, x};
+    const auto replaced = substitute(graph, both, {{x.index, graph.constant(0)}});
+    EXPECT_EQ(print(graph, replaced[0]), "1");
+    EXPECT_EQ(replaced[1], y);
+    EXPECT_EQ(replaced[2], graph.constant(0));
+}
+
+// Each node once, and in which of the formulas it is; x is left out, and what only x reads.
+TEST(PartsOf, NameTheFormulasThatReadANode) {
+    Graph graph;
+    const Node x = parsed(graph, "sin(c)");
+    const std::vector<std::vector<Node>> formulas{
+        {parsed(graph, "a*b"), parsed(graph, "a + sin(c)")}, {parsed(graph, "a*b + d")}, {}};
+    std::string found;
+    for (const auto& [node, bits] : partsOf(graph, formulas, [&](Node n) { return n == x; })) {
+        found += print(graph, node) + ":";
+        eachFormula(bits, [&](std::size_t f) { found += " " + std::to_string(f); });
+        found += "; ";
+    }
+    EXPECT_EQ(found, "a*b + d: 1; d: 1; a + sin(c): 0; a*b: 0 1; b: 0 1; a: 0 1; ");
+    EXPECT_TRUE(partsOf(graph, {}).empty());
 }
 
 TEST(SymbolsOf, NamesWhatIsReadAndNothingElse) {

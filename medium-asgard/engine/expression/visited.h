@@ -44,4 +44,7 @@ private:
     std::unique_ptr<Table> table_;
 };
 
+// By index. Of many nodes a bit for each gives their order sooner than comparing them.
+void putInOrder(std::vector<Node>& nodes);
+
 } // namespace expression

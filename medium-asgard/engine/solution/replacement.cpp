@@ -37,11 +37,11 @@ std::set<std::size_t> Replacement::changedBy(const Event& event, const Changes& 
             candidates.insert(candidates.end(), network_.set->quaternions[*four].begin(),
                               network_.set->quaternions[*four].end());
     const auto isWoken = [&](std::size_t u) { return std::ranges::binary_search(woken, u); };
-    for (const std::size_t u : candidates)
-        if (!network_.isUnread(u) &&
-            std::ranges::any_of(readsOf(*network_.set, network_.set.index(), u, event.time, {}),
-                                isWoken))
-            changed.insert(u);
+    std::erase_if(candidates, [&](std::size_t u) { return network_.isUnread(u); });
+    const Reads reads = readsOf(*network_.set, network_.set.index(), candidates, event.time, {});
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+        if (std::ranges::any_of(reads[i], isWoken))
+            changed.insert(candidates[i]);
     return changed;
 }
 
@@ -54,13 +54,17 @@ Replacement::Region Replacement::regionOf(const Event& event, const std::set<std
         if (network_.componentOf[unknown] != noComponent)
             groups.insert(network_.schedule.groupOf(network_.componentOf[unknown]));
     };
+    const auto readsNow = [&](std::span<const std::size_t> unknowns) {
+        return readsOf(*network_.set, network_.set.index(), unknowns, event.time, network_.zero);
+    };
+    std::vector<std::size_t> awake;
     for (const std::size_t u : changed) {
         include(u);
         if (!network_.zero.contains(u))
-            for (const std::size_t read :
-                 readsOf(*network_.set, network_.set.index(), u, event.time, network_.zero))
-                include(read);
+            awake.push_back(u);
     }
+    for (const std::vector<std::size_t>& read : readsNow(awake))
+        std::ranges::for_each(read, include);
     Region region{.groups = {groups.begin(), groups.end()},
                   .components = {},
                   .unknowns = woken,
@@ -80,14 +84,11 @@ Replacement::Region Replacement::regionOf(const Event& event, const std::set<std
             region.unknowns.insert(region.unknowns.end(), own.begin(), own.end());
         }
     std::ranges::sort(region.unknowns);
-    Reads reads;
-    for (const std::size_t u : region.unknowns) {
-        auto& places = reads.emplace_back(
-            readsOf(*network_.set, network_.set.index(), u, event.time, network_.zero));
+    Reads reads = readsNow(region.unknowns);
+    for (std::vector<std::size_t>& places : reads)
         for (std::size_t& read : places)
             read = static_cast<std::size_t>(std::ranges::lower_bound(region.unknowns, read) -
                                             region.unknowns.begin());
-    }
     addSharedSwitches(*network_.set, network_.set.index(), region.unknowns, event.time,
                       network_.zero, reads);
     region.partition = network_.options.whole ? wholePartition(reads) : partitionOf(reads);

@@ -338,10 +338,9 @@ void ComponentModel::deriveConditions() {
             add(isOfTie ? conditions_.ofTies : conditions_.matrix, r, column);
             (isOfTie ? ties : system).push_back(derivative);
         }
+    const std::vector<Node> rests = expression::substitute(graph, seconds, without);
     for (std::size_t r = 0; r < count; ++r)
-        system.push_back(conditions_.isTie[r] != 0
-                             ? graph.constant(0)
-                             : expression::substitute(graph, seconds[r], without));
+        system.push_back(conditions_.isTie[r] != 0 ? graph.constant(0) : rests[r]);
 
     const std::span<const Node> slopes = std::span(outputs_).first(symbols_.states);
     const auto pushes = expression::gradients(graph, slopes, multipliers);

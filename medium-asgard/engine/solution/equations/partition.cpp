@@ -3,8 +3,10 @@
 #include "equations/directions.h"
 
 #include "expression/operation.h"
+#include "expression/parts.h"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -48,6 +50,11 @@ bool hasSwitch(const expression::Graph& graph) {
     return false;
 }
 
+void putInOrder(std::vector<std::size_t>& places) {
+    std::ranges::sort(places);
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+}
+
 // What a switch compares, the same for all that have the same surface (surfaces.h), whichever way
 // round they write it.
 using Compared = std::pair<Node, Node>;
@@ -77,38 +84,48 @@ bool compares(expression::Op op) {
     return expression::isSwitch(op) && op != expression::Op::floor && op != expression::Op::ceil;
 }
 
-bool comparesNothing(const expression::Graph& graph, std::span<const Node> nodes) {
-    return std::ranges::none_of(nodes, [&](Node n) { return compares(graph.op(n)); }) &&
-           lengthsInQuotients(graph, nodes).empty();
+// visit(node, eachReader): of each node that is left of these unknowns' equations;
+// eachReader(visit) visits the places of the unknowns that read it.
+template <class Visit>
+void eachNodeOf(const expression::EquationSet& equations, std::span<const std::size_t> unknowns,
+                double from, const std::function<bool(Node)>& isLeftOut, const Visit& visit) {
+    for (std::size_t first = 0; first < unknowns.size(); first += expression::formulasAtOnce) {
+        std::vector<std::vector<Node>> formulas;
+        for (const std::size_t u :
+             unknowns.subspan(first, std::min(expression::formulasAtOnce, unknowns.size() - first)))
+            formulas.push_back(nodesAfter(equations.unknowns[u], from));
+        for (const auto& [node, bits] : expression::partsOf(equations.graph, formulas, isLeftOut)) {
+            const auto eachReader = [first, bits](const auto& each) {
+                expression::eachFormula(bits, [&](std::size_t f) { each(first + f); });
+            };
+            visit(node, eachReader);
+        }
+    }
 }
 
 // Places of those whose rates have a switch, by what it compares.
 std::map<Compared, std::vector<std::size_t>> sharersOf(const expression::EquationSet& equations,
                                                        std::span<const std::size_t> unknowns,
                                                        double from, const ZeroStates& zero) {
-    std::map<Compared, std::vector<std::size_t>> sharers;
-    std::vector<Node> all; // flat faces in contact, as a rule, have no switch
-    for (const std::size_t unknown : unknowns)
-        if (!zero.contains(unknown))
-            std::ranges::copy(nodesAfter(equations.unknowns[unknown], from),
-                              std::back_inserter(all));
-    if (comparesNothing(equations.graph, expression::reachable(equations.graph, all)))
-        return sharers;
-    for (std::size_t place = 0; place < unknowns.size(); ++place) {
-        if (zero.contains(unknowns[place]))
-            continue;
-        const std::vector<Node> nodes = expression::reachable(
-            equations.graph, nodesAfter(equations.unknowns[unknowns[place]], from));
-        for (const Node n : nodes) {
-            if (!compares(equations.graph.op(n)))
-                continue;
-            std::vector<std::size_t>& places = sharers[comparedBy(equations.graph, n)];
-            if (places.empty() || places.back() != place)
-                places.push_back(place);
+    std::vector<std::size_t> awake, places;
+    for (std::size_t place = 0; place < unknowns.size(); ++place)
+        if (!zero.contains(unknowns[place])) {
+            awake.push_back(unknowns[place]);
+            places.push_back(place);
         }
-        for (const Node length : lengthsInQuotients(equations.graph, nodes)) // friction in a plane
-            sharers[{length, nothing}].push_back(place);
-    }
+    std::map<Compared, std::vector<std::size_t>> sharers;
+    eachNodeOf(equations, awake, from, {}, [&](Node n, const auto& eachReader) {
+        const auto add = [&](const Compared& compared) {
+            std::vector<std::size_t>& sharing = sharers[compared];
+            eachReader([&](std::size_t i) { sharing.push_back(places[i]); });
+        };
+        if (compares(equations.graph.op(n)))
+            add(comparedBy(equations.graph, n));
+        for (const Node length : lengthsInQuotients(equations.graph, std::span(&n, 1)))
+            add({length, nothing}); // friction in a plane
+    });
+    for (auto& [compared, sharing] : sharers)
+        putInOrder(sharing);
     return sharers;
 }
 
@@ -216,34 +233,39 @@ Reads readsOf(const expression::EquationSet& equations, double from, const ZeroS
     return readsOf(equations, UnknownIndex(equations), from, zero);
 }
 
-std::vector<std::size_t> readsOf(const expression::EquationSet& equations,
-                                 const UnknownIndex& index, std::size_t unknown, double from,
-                                 const ZeroStates& zero) {
-    std::vector<std::size_t> reads;
-    const std::vector<Node> nodes = nodesAfter(equations.unknowns[unknown], from);
-    for (const Node symbol : zero.symbolsLeft(equations.graph, nodes))
-        if (const auto read = index.of(symbol))
-            reads.push_back(*read);
-    for (const std::size_t multiplier : index.multipliersOf(unknown))
-        if (!zero.contains(multiplier))
-            reads.push_back(multiplier);
-    for (const std::size_t release : index.releasesBy(unknown))
-        if (!zero.contains(release))
-            reads.push_back(release);
-    if (const auto four = index.quaternionOf(unknown))
-        std::ranges::copy_if(equations.quaternions[*four], std::back_inserter(reads),
-                             [&](std::size_t i) { return !zero.contains(i); });
-    std::ranges::sort(reads);
-    reads.erase(std::unique(reads.begin(), reads.end()), reads.end());
+Reads readsOf(const expression::EquationSet& equations, const UnknownIndex& index,
+              std::span<const std::size_t> unknowns, double from, const ZeroStates& zero) {
+    Reads reads(unknowns.size());
+    const auto isLeftOut =
+        zero.empty() ? std::function<bool(Node)>() : [&zero](Node n) { return zero.isZero(n); };
+    eachNodeOf(equations, unknowns, from, isLeftOut, [&](Node n, const auto& eachReader) {
+        if (const auto read = index.of(n))
+            eachReader([&](std::size_t i) { reads[i].push_back(*read); });
+    });
+    for (std::size_t i = 0; i < unknowns.size(); ++i) {
+        const auto add = [&](std::span<const std::size_t> more) {
+            std::ranges::copy_if(more, std::back_inserter(reads[i]),
+                                 [&](std::size_t u) { return !zero.contains(u); });
+        };
+        add(index.multipliersOf(unknowns[i]));
+        add(index.releasesBy(unknowns[i]));
+        if (const auto four = index.quaternionOf(unknowns[i]))
+            add(equations.quaternions[*four]);
+        putInOrder(reads[i]);
+    }
     return reads;
 }
 
 Reads readsOf(const expression::EquationSet& equations, const UnknownIndex& index, double from,
               const ZeroStates& zero) {
-    Reads reads(equations.unknowns.size());
-    for (std::size_t i = 0; i < reads.size(); ++i)
+    std::vector<std::size_t> awake;
+    for (std::size_t i = 0; i < equations.unknowns.size(); ++i)
         if (!zero.contains(i))
-            reads[i] = readsOf(equations, index, i, from, zero);
+            awake.push_back(i);
+    Reads reads(equations.unknowns.size());
+    Reads ofAwake = readsOf(equations, index, awake, from, zero);
+    for (std::size_t i = 0; i < awake.size(); ++i)
+        reads[awake[i]] = std::move(ofAwake[i]);
     if (hasSwitch(equations.graph) || dividesByLength(equations.graph)) {
         std::vector<std::size_t> all(reads.size());
         std::iota(all.begin(), all.end(), 0);
@@ -269,8 +291,7 @@ void addSharedSwitches(const expression::EquationSet& equations, const UnknownIn
                 continue;
             std::vector<std::size_t>& list = reads[*place];
             list.insert(list.end(), places.begin(), places.end());
-            std::ranges::sort(list);
-            list.erase(std::unique(list.begin(), list.end()), list.end());
+            putInOrder(list);
         }
     }
 }

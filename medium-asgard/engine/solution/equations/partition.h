@@ -71,10 +71,10 @@ using Reads = std::vector<std::vector<std::size_t>>;
                             double from, const ZeroStates& zero = {});
 [[nodiscard]] Reads readsOf(const expression::EquationSet& equations, double from,
                             const ZeroStates& zero = {});
-// Of one equation, its switches aside.
-[[nodiscard]] std::vector<std::size_t> readsOf(const expression::EquationSet& equations,
-                                               const UnknownIndex& index, std::size_t unknown,
-                                               double from, const ZeroStates& zero);
+// Of these equations alone, beside `unknowns`, their switches aside.
+[[nodiscard]] Reads readsOf(const expression::EquationSet& equations, const UnknownIndex& index,
+                            std::span<const std::size_t> unknowns, double from,
+                            const ZeroStates& zero);
 
 // Adds what switches that are shared make these unknowns read; `reads` stand beside `unknowns`, and
 // name places among them. Those of unknowns that are not listed are not asked.

@@ -40,6 +40,11 @@ bool areFinite(std::span<const double> values) {
 
 } // namespace
 
+double ComponentEquations::fastestTurn(double t, std::span<const double> y) {
+    std::vector<double> slopes(states().size());
+    return rates(t, y, slopes) ? field_.multipliers().fastestTurn() : 0;
+}
+
 bool ComponentEquations::rates(double t, std::span<const double> y, std::span<double> out) {
     if (isPlain_) {
         functions_.plainRates(t, y, out);

@@ -137,6 +137,8 @@ public:
     // A contact slips.
     [[nodiscard]] bool slips() const { return active_.slips(); }
     [[nodiscard]] bool slipsSlowly() const { return active_.slipsSlowly(); }
+    // How fast friction turns slips about there, at most; 0 where the equations have no rates.
+    [[nodiscard]] double fastestTurn(double t, std::span<const double> y);
     // Contacts that slip do so as these states move.
     void takeSlips(double t, std::span<const double> y) { active_.takeSlips(t, y); }
     // Conditions are gone for ever where these values, by place, say so. True: some went now.

@@ -145,6 +145,27 @@ double Multipliers::secondRate(std::size_t row) const {
     return rate;
 }
 
+double Multipliers::fastestTurn() {
+    evaluateGaps();
+    const std::vector<ComponentModel::Entry>& entries = model_.conditions().matrix;
+    std::vector<double> ofRow(size(), 0);
+    for (std::size_t i = 0; i < entries.size(); ++i)
+        if (entries[i].row == entries[i].column)
+            ofRow[entries[i].row] = std::abs(second_[i]);
+    double fastest = 0;
+    for (std::size_t k = 0; k < f_.bound()->discs.size(); ++k) {
+        if (!friction_.acts(k))
+            continue;
+        double most = 0;
+        for (const std::size_t row : friction_.disc(k).rows)
+            most = std::max(most, ofRow[row]);
+        const DiscFriction::Slope slope = friction_.slopeOf(k, values());
+        fastest = std::max(fastest, most * friction_.disc(k).sliding * slope.all.pressed *
+                                        std::abs(slope.turning));
+    }
+    return fastest;
+}
+
 double Multipliers::weight() const {
     const auto& matrix = model_.conditions().matrix;
     double largest = 0;

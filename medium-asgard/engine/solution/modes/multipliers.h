@@ -91,6 +91,11 @@ public:
     [[nodiscard]] double secondRate(std::size_t row) const;
     // After solve(): the largest second rate that the force of a contact gives its own gap.
     [[nodiscard]] double weight() const;
+    // After solve(): the fastest of the rates at which friction turns slips about. It acts against
+    // the slip, so that what a slip has across its way fades with the rate  mu N A / |slip|, A
+    // being the second rate that a force of 1 gives. Of slow slips this is the largest eigenvalue
+    // of the Jacobian.
+    [[nodiscard]] double fastestTurn();
     // Second rates of these conditions as matrix times their multipliers and a rest, in which the
     // others stand at their bounds; those that are not on second rates have their own values.
     struct System {

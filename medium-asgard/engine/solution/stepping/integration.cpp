@@ -81,7 +81,8 @@ std::optional<Ending> Integration::beginMethod() {
             : method_->firstStep(std::min(context_.limit() - context_.time(), longestFirst()));
     proposed = proposed > 0 && !options.fixedStep ? std::min(proposed, first) : first;
     if (mayChange_ && !method_->implicit() && equations.slipsSlowly() &&
-        context_.memory.now.choice.isStiffAtFirst(spectralRadius(), proposed))
+        context_.memory.now.choice.isStiffAtFirst(equations.fastestTurn(context_.time(), y),
+                                                  proposed))
         return changeMethod();
     strides_ = mayStride();
     return std::nullopt;
