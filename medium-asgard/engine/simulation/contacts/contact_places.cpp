@@ -386,6 +386,16 @@ std::optional<ContactPoint> pointAt(const Touch& touch, const Corner& corner, co
     return point;
 }
 
+// A round end that stands needs no more points than a square has corners. Where it would tip over
+// a side of that square, it gets the others (ContactSet::firstChange).
+void standOnFew(std::vector<ContactPoint>& points) {
+    constexpr std::size_t few = 4;
+    const std::size_t step = points.size() / few;
+    for (std::size_t i = 0; i < few; ++i)
+        points[i] = points[i * step];
+    points.resize(few);
+}
+
 LastingContact contactOf(const Touch& touch, const Placed& body, const Placed& support,
                          const TouchLimits& limits) {
     LastingContact found{.bodyPart = touch.bodyPart,
@@ -427,6 +437,12 @@ LastingContact contactOf(const Touch& touch, const Placed& body, const Placed& s
     if (!found.rolls && corners.size() > 1)
         place.centre = withoutRounding(localOf(body, middle.centre), touch.size);
     place.friction.reach = middle.reach;
+    if (touch.isRoundPatch && isWhole && !limits.plane) {
+        using Stand = LastingContact::Stand;
+        found.stand = limits.isTipping ? Stand::fine : Stand::coarse;
+        if (found.stand == Stand::coarse)
+            standOnFew(place.points);
+    }
     if (limits.plane)
         putInPlane(place, corners, *limits.plane, body, support);
     if (place.points.size() == 1)
@@ -463,7 +479,7 @@ std::vector<LastingContact> lastingContacts(const Placed& body, const Placed& su
 
 std::vector<PointInTouch> pointsInTouch(const Placed& body, const Placed& support, double gap,
                                         const std::optional<MotionPlane>& plane) {
-    const TouchLimits limits{.gap = gap, .wereInContact = true, .plane = plane};
+    const TouchLimits limits{.gap = gap, .wereInContact = true, .isTipping = true, .plane = plane};
     std::vector<PointInTouch> found;
     std::size_t patch = 0;
     for (const Touch& touch : touchesOf(body, support, gap)) {

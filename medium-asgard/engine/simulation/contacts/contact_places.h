@@ -22,8 +22,10 @@ namespace simulation {
 struct LastingContact {
     std::size_t bodyPart = 0, supportPart = 0;
     bool isModelled = true;
-    bool rolls = false;          // a surface is curved where they touch
-    bool isInPlane = false;      // its points are those of a motion in a plane
+    bool rolls = false;     // a surface is curved where they touch
+    bool isInPlane = false; // its points are those of a motion in a plane
+    // A round end that stands whole: on a few points of its rim, or on all that may carry.
+    enum class Stand { other, coarse, fine } stand = Stand::other;
     physics::ContactPlace place; // without friction
 };
 
@@ -32,6 +34,7 @@ struct TouchLimits {
     double slow = 0;            // corners that part faster take no part
     bool wereInContact = false; // then corners that part take part until they have parted
     bool isStart = false;       // of the motion: gaps stay what they are
+    bool isTipping = false;     // a round end that stands gets all points that may carry
     std::optional<MotionPlane> plane;
 };
 

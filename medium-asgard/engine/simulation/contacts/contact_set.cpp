@@ -90,8 +90,48 @@ std::optional<ContactSet::Change> ContactSet::firstChange(const Histories& histo
         for (std::size_t k = 0; k < contact.of.place.points.size() && !contact.rows.empty(); ++k)
             if (const auto gone = goneFrom(histories, contact.rows[k], contact.from, until))
                 note(*gone, contact);
+        if (contact.of.stand == LastingContact::Stand::coarse && !contact.rows.empty())
+            if (const auto tips = tipsFrom(histories, contact, until))
+                note(*tips, contact);
     }
     return first;
+}
+
+// One or two of its points carry, and others open. From the first of the steps at whose begin that
+// is so.
+std::optional<double> ContactSet::tipsFrom(const Histories& histories, const Contact& contact,
+                                           double until) {
+    std::vector<Histories::Place> places;
+    for (std::size_t k = 0; k < contact.of.place.points.size(); ++k) {
+        if (contact.rows[k] >= histories.unknowns())
+            return std::nullopt;
+        places.push_back(histories.place(contact.rows[k], until));
+        if (places[k].history->empty() || places[k].history != places[0].history)
+            return std::nullopt;
+    }
+    const auto& history = *places[0].history;
+    const std::size_t last = history.find(until);
+    for (std::size_t step = history.find(contact.from); step <= last; ++step) {
+        std::size_t held = 0;
+        for (const Histories::Place& place : places) {
+            const solution::Piece piece = history.piece(step, place.column);
+            held += piece.value(piece.origin) == solution::heldMode ? 1 : 0;
+        }
+        if (held == 1 || held == 2)
+            return std::max(history.origin(step), contact.from);
+    }
+    return std::nullopt;
+}
+
+bool ContactSet::isTipping(const Histories& histories, std::size_t a, std::size_t b,
+                           double time) const {
+    using Stand = LastingContact::Stand;
+    return std::ranges::any_of(contacts_, [&](const Contact& contact) {
+        return contact.has(a) && contact.has(b) &&
+               (contact.of.stand == Stand::fine ||
+                (contact.of.stand == Stand::coarse && !contact.rows.empty() &&
+                 tipsFrom(histories, contact, time)));
+    });
 }
 
 std::size_t ContactSet::ownerOf(const Contact& contact) const {

@@ -62,10 +62,15 @@ public:
         double time = 0;
         Pair bodies;
     };
-    // The first time, not after `until`, at which a contact has ended or a trajectory takes hold of
-    // one of its bodies, bends or lets go.
+    // The first time, not after `until`, at which a contact has ended, a round end that stands on
+    // few points tips, or a trajectory takes hold of one of its bodies, bends or lets go.
     [[nodiscard]] std::optional<Change> firstChange(const solution::Histories& histories,
                                                     double until) const;
+
+    // A round end of one of the two that stands on the other needs all points of its rim: it has
+    // them already, or it tips at that time over a side of the square of those that it has.
+    [[nodiscard]] bool isTipping(const solution::Histories& histories, std::size_t a, std::size_t b,
+                                 double time) const;
 
     // These are the contacts of these bodies already: the same features of the same parts.
     [[nodiscard]] bool isLike(std::span<const std::size_t> bodies,
@@ -92,6 +97,8 @@ private:
             return of.place.body == body || of.place.support == body;
         }
     };
+    [[nodiscard]] static std::optional<double> tipsFrom(const solution::Histories& histories,
+                                                        const Contact& contact, double until);
     [[nodiscard]] std::size_t ownerOf(const Contact& contact) const;
     void giveRows(Contact& contact, solution::EquationsInForce& equations,
                   solution::Changes& changes);

@@ -285,6 +285,7 @@ private:
         for (std::size_t i = 0; i < touch.corners.size(); i += step)
             kept.push_back(touch.corners[(start + i) % touch.corners.size()]);
         touch.corners = std::move(kept);
+        touch.isRoundPatch = touch.corners.size() == enough;
     }
 
     // Of a polyhedron, that in whose cell the sphere's centre lies; the normal away from it.
