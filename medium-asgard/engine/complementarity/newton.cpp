@@ -74,14 +74,19 @@ public:
         if (unknowns_ == 0)
             return true;
         constexpr double small = 1e-13; // Newton's steps shrink from here on until rounding is left
-        double last = 1;
-        for (int round = 0; round < 50; ++round) {
+        constexpr int most = 50, patience = 8; // rounds, and those that come no nearer
+        double last = 1, least = unbounded;
+        for (int round = 0, inVain = 0; round < most && inVain < patience; ++round, ++inVain) {
             const double change = step();
             if (!std::isfinite(change))
                 return false;
             if (change <= 1e-15 || (last <= small && change >= 0.25 * last))
                 return true;
             last = change;
+            if (change < 0.5 * least) {
+                least = change;
+                inVain = 0;
+            }
         }
         return true; // the caller judges what was met
     }
