@@ -221,7 +221,7 @@ public:
                 a(i, j) = mobility(line, found[static_cast<std::size_t>(j)].line);
         }
         const bool hasFriction = found.size() > withoutFriction;
-        const auto answer = hasFriction ? complementarity::solve(a, b, laws)
+        const auto answer = hasFriction ? complementarity::solveByFew(a, b, laws)
                                         : complementarity::solveConvex(a, b, laws);
         if (!answer)
             return {};
