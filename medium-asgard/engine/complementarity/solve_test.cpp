@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -91,6 +92,37 @@ TEST(Solve, FrictionOfAFaceActsAtTheCentreOfItsNormalForces) {
     ASSERT_TRUE(answer);
     EXPECT_EQ(answer->states[2], State::inside);
     EXPECT_LE(answer->rates.norm(), 1e-12);
+}
+
+// A can of unit mass and inertia, hit beside its middle so that it tips, on sixteen points of its
+// rim: those few that carry are found, and the others would not sink in.
+TEST(Solve, ByFewOfManyNormalForcesIsTheSameAnswer) {
+    constexpr Index many = 16;
+    for (const double side : {0.1, 0.5, 2.0, 3.9}) {
+        Matrix rows = Matrix::Zero(many + 3, 5); // velocities (y, x, z, turns about x, about z)
+        Matrix levers(2, many);
+        for (Index i = 0; i < many; ++i) {
+            const double angle = 2 * std::numbers::pi * static_cast<double>(i) / many;
+            rows.row(i) << 1, 0, 0, -std::sin(angle), std::cos(angle);
+            levers.col(i) << -std::sin(angle), std::cos(angle);
+        }
+        rows(many, 1) = rows(many + 1, 2) = 1;
+        const Matrix a = rows * rows.transpose();
+        Vector blow(5);
+        blow << -1, 0.3, 0, 0.9 * std::sin(side), -0.9 * std::cos(side);
+        const Vector b = rows * blow;
+        Laws laws;
+        for (Index i = 0; i < many; ++i)
+            addUnilateral(laws);
+        addFriction(laws, 3, 0, 0.3, many);
+        laws.back().levers = levers;
+        const auto few = solveByFew(a, b, laws), all = solve(a, b, laws);
+        ASSERT_TRUE(few && all) << side;
+        EXPECT_LE(violation(a, b, laws, *few), 1e-10) << side;
+        EXPECT_LE((few->rates - all->rates).norm(), 1e-9) << side;
+        EXPECT_EQ(few->states.size(), laws.size());
+        EXPECT_LE(std::ranges::count(few->states, State::inside), 5);
+    }
 }
 
 // The same block while it slides and turns: its friction follows its normal forces, and the couple

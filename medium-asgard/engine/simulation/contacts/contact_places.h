@@ -11,6 +11,7 @@
 #pragma once
 
 #include "contacts/in_plane.h"
+#include "contacts/stand.h"
 #include "contacts/touching.h"
 #include "physics/contact_rows.h"
 
@@ -22,19 +23,19 @@ namespace simulation {
 struct LastingContact {
     std::size_t bodyPart = 0, supportPart = 0;
     bool isModelled = true;
-    bool rolls = false;     // a surface is curved where they touch
-    bool isInPlane = false; // its points are those of a motion in a plane
-    // A round end that stands whole: on a few points of its rim, or on all that may carry.
-    enum class Stand { other, coarse, fine } stand = Stand::other;
+    bool rolls = false;          // a surface is curved where they touch
+    bool isInPlane = false;      // its points are those of a motion in a plane
+    Stand stand = {};            // without parts
     physics::ContactPlace place; // without friction
 };
 
 struct TouchLimits {
-    double gap = 1e-7;          // of the parts' size
-    double slow = 0;            // corners that part faster take no part
-    bool wereInContact = false; // then corners that part take part until they have parted
-    bool isStart = false;       // of the motion: gaps stay what they are
-    bool isTipping = false;     // a round end that stands gets all points that may carry
+    double gap = 1e-7;              // of the parts' size
+    double slow = 0;                // corners that part faster take no part
+    bool wereInContact = false;     // then corners that part take part until they have parted
+    bool isStart = false;           // of the motion: gaps stay what they are
+    bool isOfBlow = false;          // a round end touches with all points that may carry
+    std::vector<Stand> stands = {}; // of round ends, so far
     std::optional<MotionPlane> plane;
 };
 

@@ -3,6 +3,7 @@
 #include "contacts/surface_pieces.h"
 
 #include <algorithm>
+#include <ranges>
 #include <unordered_map>
 #include <utility>
 
@@ -90,17 +91,17 @@ std::optional<ContactSet::Change> ContactSet::firstChange(const Histories& histo
         for (std::size_t k = 0; k < contact.of.place.points.size() && !contact.rows.empty(); ++k)
             if (const auto gone = goneFrom(histories, contact.rows[k], contact.from, until))
                 note(*gone, contact);
-        if (contact.of.stand == LastingContact::Stand::coarse && !contact.rows.empty())
-            if (const auto tips = tipsFrom(histories, contact, until))
-                note(*tips, contact);
+        if (const auto tips = tipsFrom(histories, contact, until))
+            note(tips->time, contact);
     }
     return first;
 }
 
-// One or two of its points carry, and others open. From the first of the steps at whose begin that
-// is so.
-std::optional<double> ContactSet::tipsFrom(const Histories& histories, const Contact& contact,
-                                           double until) {
+// At the begin of the first of the steps at which it does.
+std::optional<ContactSet::Tipping> ContactSet::tipsFrom(const Histories& histories,
+                                                        const Contact& contact, double until) {
+    if (!contact.of.stand.stands || contact.rows.empty())
+        return std::nullopt;
     std::vector<Histories::Place> places;
     for (std::size_t k = 0; k < contact.of.place.points.size(); ++k) {
         if (contact.rows[k] >= histories.unknowns())
@@ -111,27 +112,40 @@ std::optional<double> ContactSet::tipsFrom(const Histories& histories, const Con
     }
     const auto& history = *places[0].history;
     const std::size_t last = history.find(until);
+    Tipping tipping{.time = contact.from, .stand = contact.of.stand};
     for (std::size_t step = history.find(contact.from); step <= last; ++step) {
-        std::size_t held = 0;
+        tipping.stand.carries.clear();
         for (const Histories::Place& place : places) {
             const solution::Piece piece = history.piece(step, place.column);
-            held += piece.value(piece.origin) == solution::heldMode ? 1 : 0;
+            tipping.stand.carries.push_back(piece.value(piece.origin) == solution::heldMode ? 1
+                                                                                            : 0);
         }
-        if (held == 1 || held == 2)
-            return std::max(history.origin(step), contact.from);
+        if (tipping.stand.tipsEarly()) {
+            tipping.time = std::max(history.origin(step), contact.from);
+            return tipping;
+        }
     }
     return std::nullopt;
 }
 
-bool ContactSet::isTipping(const Histories& histories, std::size_t a, std::size_t b,
-                           double time) const {
-    using Stand = LastingContact::Stand;
-    return std::ranges::any_of(contacts_, [&](const Contact& contact) {
-        return contact.has(a) && contact.has(b) &&
-               (contact.of.stand == Stand::fine ||
-                (contact.of.stand == Stand::coarse && !contact.rows.empty() &&
-                 tipsFrom(histories, contact, time)));
-    });
+std::vector<Stand> ContactSet::standsOf(const Histories& histories, std::size_t a, std::size_t b,
+                                        double time) const {
+    std::vector<Stand> stands;
+    for (const Contact& contact : contacts_) {
+        const auto isGone = [&](std::size_t row) {
+            return row >= histories.unknowns() ||
+                   histories.value(row, time) == solution::releasedMode;
+        };
+        if (!contact.has(a) || !contact.has(b) || !contact.of.stand.stands ||
+            std::ranges::any_of(std::views::take(contact.rows, std::ssize(contact.of.place.points)),
+                                isGone))
+            continue;
+        const auto tipping = tipsFrom(histories, contact, time);
+        Stand& stand = stands.emplace_back(tipping ? tipping->stand : contact.of.stand);
+        stand.bodyPart = contact.of.bodyPart;
+        stand.supportPart = contact.of.supportPart;
+    }
+    return stands;
 }
 
 std::size_t ContactSet::ownerOf(const Contact& contact) const {

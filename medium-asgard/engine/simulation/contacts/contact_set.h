@@ -67,10 +67,10 @@ public:
     [[nodiscard]] std::optional<Change> firstChange(const solution::Histories& histories,
                                                     double until) const;
 
-    // A round end of one of the two that stands on the other needs all points of its rim: it has
-    // them already, or it tips at that time over a side of the square of those that it has.
-    [[nodiscard]] bool isTipping(const solution::Histories& histories, std::size_t a, std::size_t b,
-                                 double time) const;
+    // How round ends of one of the two stand on the other, and on which points they tip then: of
+    // those of which no point is gone.
+    [[nodiscard]] std::vector<Stand> standsOf(const solution::Histories& histories, std::size_t a,
+                                              std::size_t b, double time) const;
 
     // These are the contacts of these bodies already: the same features of the same parts.
     [[nodiscard]] bool isLike(std::span<const std::size_t> bodies,
@@ -97,8 +97,12 @@ private:
             return of.place.body == body || of.place.support == body;
         }
     };
-    [[nodiscard]] static std::optional<double> tipsFrom(const solution::Histories& histories,
-                                                        const Contact& contact, double until);
+    struct Tipping { // of a round end, early
+        double time = 0;
+        Stand stand;
+    };
+    [[nodiscard]] static std::optional<Tipping> tipsFrom(const solution::Histories& histories,
+                                                         const Contact& contact, double until);
     [[nodiscard]] std::size_t ownerOf(const Contact& contact) const;
     void giveRows(Contact& contact, solution::EquationsInForce& equations,
                   solution::Changes& changes);

@@ -127,6 +127,46 @@ TEST(Rest, ABoxDroppedFlatWithoutBounceSlidesOnAndTurnsOn) {
     EXPECT_EQ(result.motion->impacts().size(), 1u);
 }
 
+// Gravity leans by the part `lean` of the angle at which a can tips, and to any side of the can. It
+// stands on few points of its rim, and gets those over which it tips: under that angle it stands,
+// and beyond it tips to that side.
+TEST(Rest, ACanTipsOverItsRimToAllSides) {
+    for (const double side : {0.0, 7.3, 11.25, 40.0, 200.0})
+        for (const double lean : {0.97, 0.99999, 1.001}) {
+            SCOPED_TRACE(side);
+            SCOPED_TRACE(lean);
+            constexpr double radius = 0.4, height = 1;
+            SceneBuilder b(1);
+            b.floor();
+            scene::ShapeSet set;
+            set.name = "can";
+            set.parts.emplace_back().shape = scene::CylinderShape{radius, height};
+            b.scene.shapeSets.push_back(set);
+            b.scene.bodies.push_back(physics::testing::body("can", "can", 1));
+            b.scene.bodies.back().initialPosition = {0, height / 2, 0};
+            const double angle = std::atan(2 * radius / height * lean),
+                         to = side * std::numbers::pi / 180;
+            b.weight("can", g * Vector(std::sin(angle) * std::cos(to), -std::cos(angle),
+                                       std::sin(angle) * std::sin(to)));
+            for (scene::Body& body : b.scene.bodies) {
+                body.friction = 2;
+                body.restitution = 0;
+            }
+            const Result result = simulate(b.scene);
+            ASSERT_FALSE(result.motion->stop(1));
+            const BodyState end = result.motion->at(1, 1);
+            if (lean < 1) {
+                EXPECT_LT(distance(end.position, {0, height / 2, 0}), 1e-14);
+                EXPECT_LT(end.velocity.norm(), 1e-14);
+                continue;
+            }
+            EXPECT_GT(end.position.y(), height / 2 + 1e-4);
+            const Vector along(std::cos(to), 0, std::sin(to));
+            const Vector moved = end.position - Vector(0, height / 2, 0);
+            EXPECT_LT(moved.cross(along).dot(Vector::UnitY()), 2e-3 * moved.norm());
+        }
+}
+
 // Corners above those that bear land, too.
 TEST(Rest, ABoxThatFallsFlatAndIsBrakedTipsOnToItsSide) {
     for (const double height : {1e-7, 1e-4, 0.05})

@@ -231,6 +231,7 @@ private:
             touch.corners.back().gap = point.at.gap;
             touch.corners.back().pieces = point.gap;
         }
+        touch.isRoundPatch = true;
         return true;
     }
     // Corners of an outline within the border of the other's face; of a round one every fourth.
@@ -285,7 +286,7 @@ private:
         for (std::size_t i = 0; i < touch.corners.size(); i += step)
             kept.push_back(touch.corners[(start + i) % touch.corners.size()]);
         touch.corners = std::move(kept);
-        touch.isRoundPatch = touch.corners.size() == enough;
+        touch.isRoundPatch = true;
     }
 
     // Of a polyhedron, that in whose cell the sphere's centre lies; the normal away from it.

@@ -55,7 +55,7 @@ struct Touch { // of one pair of parts
     bool isCurved = false;             // one of the two is a capsule, cylinder, cone or ellipsoid
     bool hasPieces = false;            // ... and each corner has its pieces of the surfaces
     bool isRoundOnEdge = false;        // a sphere on an edge or a vertex
-    bool isRoundPatch = false;         // a round end lies whole: corners go round its rim
+    bool isRoundPatch = false;         // a round end lies on a face, many corners go round its rim
     std::optional<std::size_t> vertex; // of a part at a hollow part's wall: it touches alone
     std::vector<Corner> corners;
     std::vector<Vector> bodyFace, supportFace; // outlines, world; of polyhedra

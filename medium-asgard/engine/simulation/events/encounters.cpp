@@ -269,7 +269,7 @@ CollisionSource::contactsBetween(const Instant& at, const Pair& pair,
                          resolution::noRate * world_.smallerRadius(pair)),
         .wereInContact = resting_.contacts().areIn(first, second),
         .isStart = at.time == world_.start,
-        .isTipping = resting_.contacts().isTipping(at.histories, first, second, at.time),
+        .stands = resting_.contacts().standsOf(at.histories, first, second, at.time),
         .plane = plane};
     std::vector<LastingContact> found = lastingContacts(a, b, limits);
     for (LastingContact& contact : found) {
