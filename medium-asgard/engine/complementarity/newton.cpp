@@ -74,7 +74,7 @@ public:
         if (unknowns_ == 0)
             return true;
         constexpr double small = 1e-13; // Newton's steps shrink from here on until rounding is left
-        constexpr int most = 50, patience = 8; // rounds, and those that come no nearer
+        constexpr int most = 50, patience = 8; // rounds, and those since the best one
         double last = 1, least = unbounded;
         for (int round = 0, inVain = 0; round < most && inVain < patience; ++round, ++inVain) {
             const double change = step();

@@ -75,7 +75,7 @@ public:
 
 private:
     std::optional<Answer> near(States states, const Vector& forces, Aim aim) {
-        constexpr int most = 20, patience = 5; // rounds, and those that do not do better
+        constexpr int most = 20, patience = 5; // rounds, and those since the best one
         std::optional<Answer> best;
         std::vector<States> tried;
         double least = kept, leastFault = unbounded;
@@ -443,7 +443,7 @@ class FromCentres {
 public:
     FromCentres(const Vector& start, const Answer& guess) : centres_(start), last_(guess) {}
 
-    // Until no round has done better for so long.
+    // Until the best round is so many rounds ago.
     std::optional<Answer> solve(int patience, const AtCentres& at, const Matrix& a, const Vector& b,
                                 const Laws& laws, Work& counts) {
         constexpr double close = 1e-7; // a violation that goes on no further down: rounding is left
