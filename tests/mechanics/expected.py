@@ -11,13 +11,14 @@ import sys
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, os.pardir, "joints"))
 
+import clock_cases  # noqa: E402
 import everyday_cases  # noqa: E402
 import mechanism_cases  # noqa: E402
 import simple_cases  # noqa: E402
 import standing_cases  # noqa: E402
 import swinging_cases  # noqa: E402
 
-MODULES = (simple_cases, mechanism_cases, swinging_cases, standing_cases, everyday_cases)
+MODULES = (simple_cases, mechanism_cases, swinging_cases, standing_cases, everyday_cases, clock_cases)
 
 
 def scenes():
