@@ -70,23 +70,25 @@ std::string nameOf(const JointMultipliers::Element& element) {
 } // namespace
 
 void JointMultipliers::begin(Element element, const std::optional<scene::Expression>& release) {
-    element_ = std::move(element);
-    release_.reset();
+    begun_.element = std::move(element);
+    begun_.release.reset();
     if (!release)
         return;
-    release_ = g_.symbol(element_.name + ".release");
-    releases_.push_back(
-        {.symbol = *release_, .text = *release, .element = element_, .value = g_.constant(0)});
+    begun_.release = g_.symbol(begun_.element.name + ".release");
+    releases_.push_back({.symbol = *begun_.release,
+                         .text = *release,
+                         .element = begun_.element,
+                         .value = g_.constant(0)});
 }
 
 Node JointMultipliers::add(Make make, const JointBounds& bounds,
                            std::vector<std::size_t> trajectories, std::vector<Node> reads) {
     const std::string number = std::to_string(kept_.size());
-    kept_.push_back({.multiplier = g_.symbol(element_.name + ".condition" + number),
-                     .element = element_,
+    kept_.push_back({.multiplier = g_.symbol(begun_.element.name + ".condition" + number),
+                     .element = begun_.element,
                      .make = std::move(make),
                      .bounds = bounds,
-                     .release = release_,
+                     .release = begun_.release,
                      .trajectories = std::move(trajectories),
                      .reads = std::move(reads)});
     return kept_.back().multiplier;
@@ -94,7 +96,7 @@ Node JointMultipliers::add(Make make, const JointBounds& bounds,
 
 void JointMultipliers::push(std::vector<Contribution>& contributions, Contribution made, Node rate,
                             Node force) {
-    for (const std::size_t body : element_.moving) {
+    for (const std::size_t body : begun_.element.moving) {
         const BodySymbols& s = bodies_[body].symbols;
         made.body = body;
         for (std::size_t i = 0; i < 3; ++i) {
@@ -126,7 +128,7 @@ void JointMultipliers::keepThroughBlows(const Jet& jet) {
 }
 
 Node JointMultipliers::releasable(Node force) {
-    if (!release_)
+    if (!begun_.release)
         return force;
     const Node multiplier = add({}), rate = g_.subtract(multiplier, force);
     kept_.back().make = [rate](const Along&) {
@@ -144,8 +146,9 @@ Node JointMultipliers::located(Node value) {
     if (std::ranges::none_of(expression::reachable(g_, std::span(&value, 1)), isOther) ||
         !scope_.trajectoriesReadBy(g_, std::span(&value, 1)).empty())
         return value;
-    const Node symbol = g_.symbol(element_.name + ".wanted" + std::to_string(located_.size()));
-    located_.push_back({symbol, value, element_.moving.front()});
+    const Node symbol =
+        g_.symbol(begun_.element.name + ".wanted" + std::to_string(located_.size()));
+    located_.push_back({symbol, value, begun_.element.moving.front()});
     return symbol;
 }
 

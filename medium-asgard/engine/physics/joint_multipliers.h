@@ -128,8 +128,10 @@ private:
     const Scope& scope_;
     std::span<const BodyMotion> bodies_;
     std::vector<std::string>& faults_;
-    Element element_; // that is added now
-    std::optional<Node> release_;
+    struct Begun { // to which conditions are added now
+        Element element;
+        std::optional<Node> release;
+    } begun_;
     std::vector<Kept> kept_;
     std::vector<JointRow> rows_;
     std::vector<Angle> angles_;

@@ -119,14 +119,14 @@ Pulling::Pulling(const scene::Scene& scene, std::size_t body, const Vector& poin
     if (!linkage_->close())
         return;
     state_ = State::joined;
-    place_ = static_cast<std::size_t>(found - bodies.begin());
-    const geometry::Pose pose = linkage_->firstPoseOf(place_);
-    arm_ = pose.attitude.conjugate() * (point - pose.position);
+    grasp_.place = static_cast<std::size_t>(found - bodies.begin());
+    const geometry::Pose pose = linkage_->firstPoseOf(grasp_.place);
+    grasp_.arm = pose.attitude.conjugate() * (point - pose.position);
     findCosts();
     findStages();
     if (scene.bodies[body].fixed) // it is put elsewhere as it is
         for (Held& held : stages_)
-            std::fill_n(held.begin() + columnOf(place_) + 3, 3, 1);
+            std::fill_n(held.begin() + columnOf(grasp_.place) + 3, 3, 1);
     held_ = stages_.back();
     linkage_->hold(held_);
     const Eigen::MatrixXd free = allowed();
@@ -134,13 +134,14 @@ Pulling::Pulling(const scene::Scene& scene, std::size_t body, const Vector& poin
     movesAsOne_ = isLoose_ || isStuck_;
     if (movesAsOne_)
         return;
-    const Eigen::MatrixXd own = free.middleRows(columnOf(place_), 6);
+    const Eigen::MatrixXd own = free.middleRows(columnOf(grasp_.place), 6);
     const Eigen::JacobiSVD<Eigen::MatrixXd> ways(own, Eigen::ComputeThinU);
     turns_ = own.bottomRows(3).norm() > 1e-9;
     const auto independent = (ways.singularValues().array() > 1e-9).count();
     Eigen::MatrixXd reached = Eigen::MatrixXd::Zero(3, 1);
     if (independent > 0)
-        reached = pointBy().middleCols(columnOf(place_), 6) * ways.matrixU().leftCols(independent);
+        reached =
+            pointBy().middleCols(columnOf(grasp_.place), 6) * ways.matrixU().leftCols(independent);
     movesAsOne_ = !(reached.jacobiSvd().singularValues()[0] > noWay);
 }
 
@@ -154,11 +155,11 @@ void Pulling::findStages() {
     std::vector<std::size_t> away(count, far), group(count);
     for (std::size_t i = 0; i < count; ++i)
         group[i] = i;
-    away[place_] = 0;
+    away[grasp_.place] = 0;
     std::vector<char> stands(count, 0); // by group
     const auto others = [&](const Linkage::Reads& one) {
         std::vector<std::size_t> places = one.places;
-        std::erase(places, place_);
+        std::erase(places, grasp_.place);
         return places;
     };
     for (const Linkage::Reads& one : reads)
@@ -172,7 +173,7 @@ void Pulling::findStages() {
         if (one.isLoose)
             continue;
         const auto places = others(one);
-        isOnGround_ = isOnGround_ || (places.empty() && !one.isSlack);
+        grasp_.isOnGround = grasp_.isOnGround || (places.empty() && !one.isSlack);
         for (const std::size_t place : places)
             stands[group[place]] = 1;
     }
@@ -203,16 +204,17 @@ Vector Pulling::centreOf(const std::string& body) const {
 }
 
 Vector Pulling::point() const {
-    const geometry::Pose pose = linkage_->poseOf(place_);
-    return pose.position + pose.attitude * arm_;
+    const geometry::Pose pose = linkage_->poseOf(grasp_.place);
+    return pose.position + pose.attitude * grasp_.arm;
 }
 
 Eigen::MatrixXd Pulling::pointBy() const {
     const auto columns = static_cast<Eigen::Index>(6 * bodies().size());
     Eigen::MatrixXd by = Eigen::MatrixXd::Zero(3, columns);
-    by.block<3, 3>(0, columnOf(place_)).setIdentity();
-    by.block<3, 3>(0, columnOf(place_) + 3) =
-        -crossed(linkage_->poseOf(place_).attitude * arm_) / linkage_->radiusOf(place_);
+    by.block<3, 3>(0, columnOf(grasp_.place)).setIdentity();
+    by.block<3, 3>(0, columnOf(grasp_.place) + 3) =
+        -crossed(linkage_->poseOf(grasp_.place).attitude * grasp_.arm) /
+        linkage_->radiusOf(grasp_.place);
     return by;
 }
 
@@ -253,7 +255,7 @@ void Pulling::findCosts() {
         costs_.push_back(cost);
     }
     std::vector<int> away(bodies().size(), 3); // joints from the body, at most
-    away[place_] = 0;
+    away[grasp_.place] = 0;
     for (int round = 1; round < 3; ++round)
         for (const Cost& cost : costs_)
             if (cost.first && cost.second) {
@@ -346,9 +348,9 @@ Eigen::VectorXd Pulling::given(const Vector& velocity, const Eigen::MatrixXd& co
 
 std::vector<std::size_t> Pulling::loose(const Eigen::MatrixXd& conditions) const {
     const std::size_t count = bodies().size();
-    std::vector<std::size_t> group{place_};
+    std::vector<std::size_t> group{grasp_.place};
     std::vector<char> isIn(count, 0);
-    isIn[place_] = 1;
+    isIn[grasp_.place] = 1;
     for (std::size_t k = 0; k < group.size(); ++k)
         for (Eigen::Index r = 0; r < conditions.rows(); ++r) {
             const double size = conditions.row(r).norm();
@@ -456,7 +458,7 @@ void Pulling::pullTo(const Vector& place) {
         first_ = before;
     if (last > 0)
         linkage_->setValues(first_);
-    const Vector from = linkage_->firstPoseOf(place_).toWorld(arm_);
+    const Vector from = linkage_->firstPoseOf(grasp_.place).toWorld(grasp_.arm);
     const double way = (place - from).norm();
     Vector target = place;
     double left = way;

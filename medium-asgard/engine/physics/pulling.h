@@ -112,9 +112,12 @@ private:
     scene::Scene scene_; // without what is no condition
     std::unique_ptr<EquationsOfMotion> equations_;
     std::unique_ptr<Linkage> linkage_;
-    std::size_t place_ = 0;       // of the body among those of the linkage
-    Vector arm_ = Vector::Zero(); // of the point from the centre of mass, along the body's axes
-    struct Cost {                 // of a joint that turns or slides between two bodies
+    struct Grasp {                   // what is pulled
+        std::size_t place = 0;       // of the body among those of the linkage
+        Vector arm = Vector::Zero(); // of the point from the centre of mass, along the body's axes
+        bool isOnGround = false;     // what stands holds the body itself
+    } grasp_;
+    struct Cost { // of a joint that turns or slides between two bodies
         std::optional<std::size_t> first, second; // places; none: what does not move
         Vector arm1, arm2; // to the joint's point, from the centres of mass, along the bodies' axes
         double radius, weight;
@@ -129,7 +132,6 @@ private:
         bool goesOn = false;    // one was cut short: from where it is
         double share = 1;       // of the last step, as far as it came nearer
     } effort_;
-    bool isOnGround_ = false; // what stands holds the body itself
     State state_ = State::free;
     bool isLoose_ = false, movesAsOne_ = false, turns_ = false, isStuck_ = false;
 };

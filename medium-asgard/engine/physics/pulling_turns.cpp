@@ -9,13 +9,13 @@
 namespace physics {
 
 double Pulling::turned() const {
-    const geometry::Quaternion turn =
-        linkage_->poseOf(place_).attitude * linkage_->firstPoseOf(place_).attitude.conjugate();
+    const geometry::Quaternion turn = linkage_->poseOf(grasp_.place).attitude *
+                                      linkage_->firstPoseOf(grasp_.place).attitude.conjugate();
     return geometry::toRotationVector(turn.normalized()).norm();
 }
 
 bool Pulling::turnTo(double angle) {
-    const bool isAboutWhatStands = isOnGround_ || stage_ + 1 < stages_.size();
+    const bool isAboutWhatStands = grasp_.isOnGround || stage_ + 1 < stages_.size();
     if (!isAboutWhatStands)
         return false;
     held_ = stages_[stage_];
@@ -33,8 +33,8 @@ bool Pulling::turnsTo(double angle) {
             independent.are() && independent.free() != 1)
             break;
         const Eigen::MatrixXd free = allowed();
-        const geometry::Quaternion turn =
-            linkage_->poseOf(place_).attitude * linkage_->firstPoseOf(place_).attitude.conjugate();
+        const geometry::Quaternion turn = linkage_->poseOf(grasp_.place).attitude *
+                                          linkage_->firstPoseOf(grasp_.place).attitude.conjugate();
         const Vector about = geometry::toRotationVector(turn.normalized());
         const double missing = angle - about.norm();
         if (free.cols() == 1 && std::abs(missing) <= 1e-13)
@@ -42,8 +42,8 @@ bool Pulling::turnsTo(double angle) {
         const double rate =
             free.cols() != 1 || !(about.norm() > 0)
                 ? 0
-                : about.normalized().dot(free.col(0).segment<3>(columnOf(place_) + 3)) /
-                      linkage_->radiusOf(place_);
+                : about.normalized().dot(free.col(0).segment<3>(columnOf(grasp_.place) + 3)) /
+                      linkage_->radiusOf(grasp_.place);
         if (!(std::abs(rate) > 1e-6))
             break;
         linkage_->step(missing / rate * free.col(0));
@@ -56,8 +56,8 @@ bool Pulling::turnsTo(double angle) {
 
 Eigen::MatrixXd Pulling::turnBy() const {
     Eigen::MatrixXd by = Eigen::MatrixXd::Zero(3, columnOf(bodies().size()));
-    by.block<3, 3>(0, columnOf(place_) + 3) =
-        Eigen::Matrix3d::Identity() / linkage_->radiusOf(place_);
+    by.block<3, 3>(0, columnOf(grasp_.place) + 3) =
+        Eigen::Matrix3d::Identity() / linkage_->radiusOf(grasp_.place);
     return by;
 }
 
@@ -65,9 +65,9 @@ Eigen::MatrixXd Pulling::turnBy() const {
 std::vector<Pulling::Held> Pulling::stagesOfTurns() const {
     std::vector<Held> all = stages_;
     all.insert(all.begin(), Held(6 * bodies().size(), 1));
-    std::fill_n(all.front().begin() + columnOf(place_), 3, 0);
+    std::fill_n(all.front().begin() + columnOf(grasp_.place), 3, 0);
     for (Held& held : all) // a fixed body, too
-        std::fill_n(held.begin() + columnOf(place_) + 3, 3, 0);
+        std::fill_n(held.begin() + columnOf(grasp_.place) + 3, 3, 0);
     return all;
 }
 
@@ -76,7 +76,7 @@ bool Pulling::turnAbout(const Vector& axis, double angle) {
     const std::vector<double> before = linkage_->values();
     if (first_.empty())
         first_ = before;
-    const geometry::Pose from = linkage_->firstPoseOf(place_);
+    const geometry::Pose from = linkage_->firstPoseOf(grasp_.place);
     const int strides = std::max(1, static_cast<int>(std::ceil(std::abs(angle) / stride)));
     const std::vector<Held> stages = stagesOfTurns();
     std::size_t stage = 0;
@@ -92,7 +92,7 @@ bool Pulling::turnAbout(const Vector& axis, double angle) {
     const bool is = stage < stages.size();
     if (is && isLoose_ && stage > 0) { // all together go nowhere
         Eigen::VectorXd by = Eigen::VectorXd::Zero(columnOf(bodies().size()));
-        const Vector back = from.position - linkage_->poseOf(place_).position;
+        const Vector back = from.position - linkage_->poseOf(grasp_.place).position;
         for (std::size_t i = 0; i < bodies().size(); ++i)
             by.segment<3>(columnOf(i)) = back;
         linkage_->step(by);
@@ -108,7 +108,8 @@ bool Pulling::reach(const geometry::Quaternion& attitude) {
     constexpr int steps = 20;
     constexpr double reached = 1e-12; // radians
     const auto left = [&] {
-        const geometry::Quaternion turn = attitude * linkage_->poseOf(place_).attitude.conjugate();
+        const geometry::Quaternion turn =
+            attitude * linkage_->poseOf(grasp_.place).attitude.conjugate();
         return geometry::toRotationVector(turn.normalized());
     };
     for (int k = 0; k < steps; ++k) {

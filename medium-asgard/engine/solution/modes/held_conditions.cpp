@@ -90,18 +90,18 @@ bool HeldConditions::eliminate(std::span<const double> values) {
 
 void HeldConditions::findKernel(std::span<const double> values) {
     const std::size_t n = plan_.rows.size(), idle = elimination_.dependent().size();
-    kernel_.resize(count(n), count(idle));
+    redundancy_.kernel.resize(count(n), count(idle));
     if (idle == 0)
         return;
     for (std::size_t k = 0; k < idle; ++k)
-        elimination_.kernel(k, {kernel_.col(count(k)).data(), n});
-    inRooms_ = rooms_.cwiseInverse().asDiagonal() * kernel_;
-    ofKernel_.compute(inRooms_.transpose() * inRooms_);
-    redundant_.clear();
+        elimination_.kernel(k, {redundancy_.kernel.col(count(k)).data(), n});
+    redundancy_.inRooms = rooms_.cwiseInverse().asDiagonal() * redundancy_.kernel;
+    redundancy_.normal.compute(redundancy_.inRooms.transpose() * redundancy_.inRooms);
+    redundancy_.values.clear();
     scale_.setOnes(count(n));
     for (const Term& term : plan_.terms) {
         const double value = values[term.entry];
-        redundant_.push_back(value);
+        redundancy_.values.push_back(value);
         if (term.place.row == term.place.column && value != 0)
             scale_[term.place.row] = 1 / std::sqrt(std::abs(value));
     }
@@ -109,26 +109,26 @@ void HeldConditions::findKernel(std::span<const double> values) {
 
 Eigen::VectorXd HeldConditions::left() const {
     if (way_ != Way::sparse)
-        return matrix_ * answer_ - right_;
+        return dense_.matrix * answer_ - right_;
     Eigen::VectorXd left = Eigen::VectorXd::Zero(answer_.size());
-    for (std::size_t k = 0; k < redundant_.size(); ++k) {
+    for (std::size_t k = 0; k < redundancy_.values.size(); ++k) {
         const auto& [row, column] = plan_.terms[k].place;
-        left[row] += redundant_[k] * answer_[column];
+        left[row] += redundancy_.values[k] * answer_[column];
     }
     return scale_.cwiseProduct(left) - right_;
 }
 
 void HeldConditions::putMatrix(std::span<const double> values) {
     const Eigen::Index n = count(plan_.rows.size());
-    matrix_.setZero(n, n);
+    dense_.matrix.setZero(n, n);
     scale_.setOnes(n);
     for (const Term& term : plan_.terms) {
         const auto [row, column] = term.place;
-        const double value = matrix_(row, column) = values[term.entry];
+        const double value = dense_.matrix(row, column) = values[term.entry];
         if (row == column && value != 0)
             scale_[row] = 1 / std::sqrt(std::abs(value));
     }
-    matrix_ = scale_.asDiagonal() * matrix_ * scale_.asDiagonal();
+    dense_.matrix = scale_.asDiagonal() * dense_.matrix * scale_.asDiagonal();
 }
 
 void HeldConditions::takeRooms() {
@@ -146,16 +146,16 @@ bool HeldConditions::factorise(std::span<const double> values) {
         return true;
     way_ = Way::dense;
     putMatrix(values);
-    if (!matrix_.allFinite())
+    if (!dense_.matrix.allFinite())
         return false;
-    lu_.compute(matrix_);
+    dense_.lu.compute(dense_.matrix);
     const double none = plan_.hasFaces ? noPivotOfFaces : noPivot;
-    for (Eigen::Index i = 0; i < matrix_.rows(); ++i)
-        if (!(std::abs(lu_.matrixLU()(i, i)) > none))
+    for (Eigen::Index i = 0; i < dense_.matrix.rows(); ++i)
+        if (!(std::abs(dense_.lu.matrixLU()(i, i)) > none))
             way_ = Way::least;
     if (way_ == Way::least) {
-        least_.setThreshold(none);
-        least_.compute(matrix_);
+        dense_.least.setThreshold(none);
+        dense_.least.compute(dense_.matrix);
     }
     return true;
 }
@@ -179,12 +179,13 @@ std::string HeldConditions::how() const {
 // Of the m = S y with  A y = right,  A scaled by S, the one next to what is wanted: the shortest y,
 // and of what leaves A y as it is the part that brings m nearer.
 Eigen::VectorXd HeldConditions::leastSolution(const Eigen::VectorXd& wanted) const {
-    Eigen::VectorXd y = least_.solve(right_);
-    const Eigen::Index free = y.size() - least_.rank();
+    Eigen::VectorXd y = dense_.least.solve(right_);
+    const Eigen::Index free = y.size() - dense_.least.rank();
     if (free == 0)
         return y;
     const Eigen::MatrixXd idle =
-        least_.colsPermutation() * Eigen::MatrixXd(least_.matrixZ().transpose().rightCols(free));
+        dense_.least.colsPermutation() *
+        Eigen::MatrixXd(dense_.least.matrixZ().transpose().rightCols(free));
     const Eigen::VectorXd unit = scale_.cwiseQuotient(rooms_);
     const Eigen::MatrixXd forces = unit.asDiagonal() * idle;
     y -= idle *
@@ -205,9 +206,10 @@ void HeldConditions::solve(Eigen::Ref<Eigen::VectorXd> rates, std::span<const do
     if (way_ == Way::sparse) {
         answer_ = right_;
         elimination_.solve({answer_.data(), n});
-        if (kernel_.cols() > 0) {
-            answer_ -= kernel_ * ofKernel_.solve(inRooms_.transpose() *
-                                                 (answer_ - wanted_).cwiseQuotient(rooms_));
+        if (redundancy_.kernel.cols() > 0) {
+            answer_ -= redundancy_.kernel *
+                       redundancy_.normal.solve(redundancy_.inRooms.transpose() *
+                                                (answer_ - wanted_).cwiseQuotient(rooms_));
             right_ = scale_.cwiseProduct(right_);
         }
         for (std::size_t i = 0; i < n; ++i)
@@ -215,7 +217,8 @@ void HeldConditions::solve(Eigen::Ref<Eigen::VectorXd> rates, std::span<const do
         return;
     }
     right_ = scale_.cwiseProduct(right_);
-    answer_ = way_ == Way::dense ? Eigen::VectorXd(lu_.solve(right_)) : leastSolution(wanted_);
+    answer_ =
+        way_ == Way::dense ? Eigen::VectorXd(dense_.lu.solve(right_)) : leastSolution(wanted_);
     for (std::size_t i = 0; i < n; ++i)
         rates[count(plan_.rows[i])] = scale_[count(i)] * answer_[count(i)];
 }

@@ -44,7 +44,7 @@ public:
     void solve(Eigen::Ref<Eigen::VectorXd> rates, std::span<const double> wanted = {});
     // Conditions are not redundant.
     [[nodiscard]] bool isRegular() const {
-        return way_ == Way::dense || (way_ == Way::sparse && kernel_.cols() == 0);
+        return way_ == Way::dense || (way_ == Way::sparse && redundancy_.kernel.cols() == 0);
     }
     // Where they are, what the last solution left of rates, by row(), scaled; the rates; a scale.
     [[nodiscard]] Eigen::VectorXd left() const;
@@ -86,14 +86,18 @@ private:
     Plan plan_;
     Way way_ = Way::dense;
     Elimination elimination_;
-    Eigen::MatrixXd kernel_;  // of the sparse matrix: what redundant conditions may have
-    Eigen::MatrixXd inRooms_; // in units of Mode::rooms
-    Eigen::LDLT<Eigen::MatrixXd> ofKernel_;
-    std::vector<double> redundant_; // the terms' values, then
-    Eigen::MatrixXd matrix_;        // scaled, where it is not eliminated as a sparse one
+    struct Redundancy {          // of the sparse matrix
+        Eigen::MatrixXd kernel;  // what redundant conditions may have
+        Eigen::MatrixXd inRooms; // the same, in units of Mode::rooms
+        Eigen::LDLT<Eigen::MatrixXd> normal;
+        std::vector<double> values; // of the terms, then
+    } redundancy_;
+    struct Dense {              // where it is not eliminated as a sparse one
+        Eigen::MatrixXd matrix; // scaled
+        Eigen::PartialPivLU<Eigen::MatrixXd> lu;
+        Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> least;
+    } dense_;
     Eigen::VectorXd scale_, right_, answer_, wanted_, rooms_;
-    Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> least_;
 };
 
 } // namespace solution
