@@ -153,7 +153,7 @@ void Rendition::restore(const std::string& state) {
     control_.set(camera);
 }
 
-bool Rendition::input(const ipc::Input& input, double time) {
+bool Rendition::input(const ipc::Input& input, double time, const render::Vector& up) {
     if (!turned_)
         control_.set(camera(time));
     const Eigen::Vector2d pixels(input.x, input.y);
@@ -163,8 +163,7 @@ bool Rendition::input(const ipc::Input& input, double time) {
     const auto button = buttonOf(input.button);
     bool changed = false;
     if (input.type == ipc::InputType::press && button && !held(ipc::Modifier::shift)) {
-        control_.press(*button, pixels, size(),
-                       view_ ? view_->framed().up : render::Vector::UnitY());
+        control_.press(*button, pixels, size(), up);
     } else if (input.type == ipc::InputType::move && control_.active()) {
         changed = control_.move(pixels, size(), held(ipc::Modifier::alt));
     } else if (input.type == ipc::InputType::release || input.type == ipc::InputType::focusOut) {

@@ -50,8 +50,8 @@ public:
     // Follows the scene's view of that name; "" its first, or one that shows all well.
     void follow(const std::string& view);
     [[nodiscard]] render::Camera camera(double time) const;
-    // True when the picture changed.
-    bool input(const ipc::Input& input, double time);
+    // True when the picture changed. A view that is turned keeps `up` upright.
+    bool input(const ipc::Input& input, double time, const render::Vector& up);
     // The picture stays as it is while what is in it moves.
     void holdView(double time);
     [[nodiscard]] bool beingTurned() const { return control_.active(); }

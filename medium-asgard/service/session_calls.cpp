@@ -247,7 +247,7 @@ void Session::hear(const ipc::RenditionInput& call) {
     if (edit(rendition, call))
         return;
     const bool before = rendition.beingTurned();
-    if (rendition.input(call, subdocument_.playback.time(at_.now)))
+    if (rendition.input(call, subdocument_.playback.time(at_.now), render::upOf(drawnScene())))
         rendition.calmAt = at_.now + settling;
     if (rendition.beingTurned() != before)
         channel_.notify(ipc::RenditionCursor{call.rendition, before ? ipc::CursorShape::arrow

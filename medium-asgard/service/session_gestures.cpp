@@ -128,7 +128,7 @@ bool Session::choose(Rendition& rendition, const ipc::Input& input,
         ipc::Input letGo = input; // the view does not turn
         letGo.type = InputType::release;
         letGo.button = began.button;
-        rendition.input(letGo, shown_.time);
+        rendition.input(letGo, shown_.time, render::upOf(drawnScene()));
         gesture_.handles.move(at);
         return true;
     }

@@ -47,8 +47,9 @@ private:
 };
 
 // Texts: "faulty" makes no scene, "p" has a parameter p, all but "empty" have one body. "pushed" is
-// the pushed ball, and moves as it should.
-// A motion of 10 s is computed up to what allow() said, and ends there when `ends`.
+// the pushed ball, and moves as it should; "falls down" and "falls back" are that ball with a
+// weight along -y and -z. A motion of 10 s is computed up to what allow() said, and ends there when
+// `ends`.
 class World {
 public:
     Tools tools() {
@@ -79,6 +80,15 @@ private:
             result.usable = true;
             result.scene = pushedBallScene(parameters.empty() ? 1 : parameters.at("p"));
             result.scene.simulator.finish = 10;
+            return result;
+        }
+        if (text.starts_with("falls")) {
+            result.usable = true;
+            result.scene = pushedBallScene(1);
+            result.scene.simulator.finish = 10;
+            result.scene.forces[0].kind = scene::GravitationalForce{
+                -10 *
+                (text == "falls back" ? simulation::Vector::UnitZ() : simulation::Vector::UnitY())};
             return result;
         }
         const bool known = text == "p" || parameters.empty();
@@ -135,6 +145,7 @@ protected:
         platform.tools = world.tools();
         platform.draw = [this](const render::Drawing& drawing, const render::Image&) {
             drawn.push_back(drawing.time);
+            camera = drawing.camera;
             return true;
         };
         session.emplace(std::move(platform), medium);
@@ -222,6 +233,7 @@ protected:
     std::optional<Session> session;
     Instant now = Clock::now();
     std::vector<double> drawn;
+    render::Camera camera; // of the last
     std::optional<ipc::TimeChanged> told;
     std::optional<ipc::Diagnostics> diagnostics;
     std::vector<ipc::RenditionFrame> frames;
@@ -491,6 +503,54 @@ TEST_F(SessionTest, HowARenditionIsSeenComesBackInAnotherProcess) {
     other.restore("asgard-2 1 0 1 1 0 0 0 0 0 0 1 0 0 0 ");
     EXPECT_TRUE(other.display.wireframe && other.display.linkHandles && other.display.joints);
     EXPECT_FALSE(other.display.jointHandles);
+}
+
+// What is upright leans to a side as it did before a drag, whoever turned the picture before.
+TEST_F(SessionTest, APictureTurnsAboutWhatIsUpright) {
+    load("falls down");
+    computedTo(10);
+    show();
+    const auto turned = [&](ipc::Integer rendition) {
+        const render::Camera before = camera;
+        ipc::RenditionInput input;
+        input.rendition = rendition;
+        for (const auto type :
+             {ipc::InputType::press, ipc::InputType::move, ipc::InputType::release}) {
+            input.type = type;
+            input.button = type == ipc::InputType::move ? ipc::Button::none : ipc::Button::left;
+            input.x = type == ipc::InputType::press ? 5 : 9;
+            input.y = 10;
+            host.notify(input);
+            exchange();
+            host.notify(ipc::RenditionAck{rendition, frames.back().serial});
+        }
+        now += std::chrono::seconds(1);
+        exchange();
+        host.notify(ipc::RenditionAck{rendition, frames.back().serial});
+        EXPECT_GT(camera.rotation.angularDistance(before.rotation), 0.1);
+        return std::pair(before.rotation, camera.rotation);
+    };
+    const auto keeps = [](const auto& turn, const simulation::Vector& up) {
+        const auto lean = [&](const geometry::Quaternion& rotation) -> Eigen::Vector2d {
+            return (rotation * up).head<2>().normalized();
+        };
+        return lean(turn.first).isApprox(lean(turn.second), 1e-9);
+    };
+    EXPECT_TRUE(keeps(turned(1), simulation::Vector::UnitY()));
+    load("falls back", 2); // while it is seen
+    until([&] { return !session->subdocument().computing(); });
+    now += std::chrono::seconds(1);
+    exchange();
+    EXPECT_TRUE(keeps(turned(1), simulation::Vector::UnitZ()));
+    ask(ipc::RenditionDestroy{1});
+    ipc::RenditionCreate create;
+    create.rendition = 2;
+    create.width = create.height = 20;
+    create.state = states.back();
+    ask(create);
+    host.notify(ipc::RenditionShow{2});
+    exchange();
+    EXPECT_TRUE(keeps(turned(2), simulation::Vector::UnitZ()));
 }
 
 TEST_F(SessionTest, PicturesAreDrawnOnceForEachLookAndNeverWhileHidden) {
