@@ -204,6 +204,35 @@ TEST(Gestures, AnAxisAndBothEndsOfADistanceAreDragged) {
     EXPECT_THAT(stage.text(), HasSubstr("-body1 b1 -offset2 {0.5 1 0}\n"));
 }
 
+// However far a limit is dragged, the text can be read, and a hinge has whole degrees.
+TEST(Gestures, ALimitLetsTheJointBeWhereItIsAtTheStart) {
+    constexpr double degree = M_PI / 180;
+    const auto dragged = [](const std::string& joint, std::size_t part, double to) {
+        Stage stage(ball + "body b1 ball -init_pos {1 0 0}\njoint p -body1 b1 " + joint + "\n");
+        const Handle handle = stage.handle(HandleKind::jointLimit, part);
+        const Vector local = handle.frame.toLocal(handle.place);
+        stage.drag(handle,
+                   handle.frame.toWorld(
+                       stage.scene().joints[0].type == scene::JointType::hinge
+                           ? Vector(local.norm() * std::cos(to), local.norm() * std::sin(to), 0)
+                           : Vector(0, 0, to)));
+        return stage.scene().joints[0].coordinates[0];
+    };
+    const std::string hinge = "-type hinge -offset1 {-1 0 0} -limits ", slider = "-type slider ";
+    EXPECT_EQ(dragged(hinge + "{-0.5 0.7}", 0, 1).lower, 0);
+    EXPECT_EQ(dragged(hinge + "{-0.5 0.7}", 1, -0.8).upper, 0);
+    EXPECT_NEAR(*dragged(hinge + "{-0.5 0.7}", 0, -0.9).lower, -52 * degree, 1e-6);
+    EXPECT_NEAR(*dragged(hinge + "{-0.5 0.7} -from 0.7", 0, 0.5).lower, 40 * degree, 1e-6);
+    EXPECT_NEAR(*dragged(hinge + "{0 1} -from 0", 1, -0.5).upper, degree, 1e-6);
+    // 17 degrees would be written as a little more.
+    EXPECT_NEAR(*dragged(hinge + "{-0.5 0.7} -from 0.29670597283903605", 0, 0.5).lower, 16 * degree,
+                1e-6);
+    const auto rail = dragged(slider + "-axis {1 0 0} -limits {-0.5 1} -from 0.0777", 0, 0.5);
+    EXPECT_LE(*rail.lower, 0.0777);
+    EXPECT_GT(*rail.lower, 0.05);
+    EXPECT_EQ(dragged(slider + "-axis {1 0 0} -limits {-0.5 1}", 1, -2).upper, 0);
+}
+
 TEST(Gestures, ButtonsTakeHoldOfHandlesBodiesAndPoints) {
     const Stage stage(ball + "body b1 ball -init_pos {-1 0 0} -init_dpos {0 0.8 0}\n"
                              "trajectory T -points {{0 1 0 0} {1 1 1 0}}\n");

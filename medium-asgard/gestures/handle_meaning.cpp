@@ -75,32 +75,52 @@ Wish ofPoint(const scene::Scene& scene, const Handle& handle, const Vector& at, 
     return wish;
 }
 
-// A hinge's by whole degrees, drawn to each 15, from where it is on; neither passes the other.
+// The coordinate at the start lies within both limits, and the lower one is under the upper one.
+bool allows(const scene::JointCoordinate& q, bool isLower, double limit) {
+    if (isLower)
+        return limit <= q.from && limit < q.upper.value_or(HUGE_VAL);
+    return limit >= q.from && limit > q.lower.value_or(-HUGE_VAL);
+}
+
+// The whole number of steps next to `value` that is allowed as it will be written.
+double allowedLimit(const scene::JointCoordinate& q, bool isLower, double value, double step,
+                    double written) {
+    const double outwards = isLower ? -1 : 1;
+    value = isLower ? std::min(value, q.from) : std::max(value, q.from);
+    const auto at = [&](double steps) { return editing::roundedTo(steps * step, written); };
+    double steps = std::round(value / step);
+    for (int tries = 0; tries < 3 && !allows(q, isLower, at(steps)); ++tries)
+        steps += outwards;
+    return at(steps);
+}
+
+// A hinge's by whole degrees, drawn to each 15, from where it is on.
 Wish limit(const scene::Scene& scene, const Handle& handle, const Vector& place, double pixel) {
     const scene::Joint& joint = scene.joints[handle.element];
     const scene::JointCoordinate& q = joint.coordinates.front();
     const bool isLower = handle.part == 0;
     const double now = (isLower ? q.lower : q.upper).value_or(0);
-    const Vector local = handle.frame.toLocal(place);
     Wish wish;
     wish.element = elementOf(handle);
     wish.option = "-limits";
     wish.path = {handle.part};
-    wish.now = {now};
-    double value = q.from + local.z();
+    wish.now = wish.values = {now};
     wish.resolution = editing::decimalStep(pixel);
-    if (joint.type == scene::JointType::hinge) {
+    const bool isHinge = joint.type == scene::JointType::hinge;
+    if (isHinge)
+        wish.resolution = 1e-6;
+    if (place == handle.place || wish.resolution <= 0)
+        return wish;
+    const Vector local = handle.frame.toLocal(place);
+    double value = q.from + local.z(), step = wish.resolution;
+    if (isHinge) {
         constexpr double degree = M_PI / 180, round = 15 * degree, near = 2.5 * degree;
         value = now + std::remainder(q.from + std::atan2(local.y(), local.x()) - now, 2 * M_PI);
         const double drawn = round * std::round(value / round);
-        value = std::abs(value - drawn) < near ? drawn : degree * std::round(value / degree);
-        wish.resolution = 1e-6;
+        value = std::abs(value - drawn) < near ? drawn : value;
+        step = degree;
     }
-    if (isLower && q.upper)
-        value = std::min(value, *q.upper - wish.resolution);
-    if (!isLower && q.lower)
-        value = std::max(value, *q.lower + wish.resolution);
-    wish.values = {value};
+    wish.values = {allowedLimit(q, isLower, value, step, wish.resolution)};
     return wish;
 }
 
