@@ -419,8 +419,9 @@ TEST_F(HandleEditingTest, ADragEndsWhereItsPictureIsHidden) {
 // The ball flies along x at 1 m/s; after a second it is at 0.
 class ThrowingTest : public HandleEditingTest {
 protected:
+    const std::string start = ball + "body b ball -init_pos {-1 0 0} -init_dpos {1 0 0}\n";
     ThrowingTest() {
-        open(ball + "body b ball -init_pos {-1 0 0} -init_dpos {1 0 0}\n", {});
+        open(start, {});
         ask(ipc::TimePlay{});
         now += std::chrono::seconds(1);
         exchange();
@@ -491,6 +492,60 @@ TEST_F(ThrowingTest, WhatTheReaderSaysOfTimeMeanwhileCounts) {
     settleHeld();
     exchange();
     EXPECT_FALSE(plays());
+}
+
+// By the menu, by keys and by another text, before the new motion is known.
+TEST_F(ThrowingTest, WhatTheReaderSaysOfTimeAfterAThrowCounts) {
+    const auto answered = [](const auto&) {};
+    const auto space = [&] {
+        ipc::RenditionInput input;
+        input.rendition = 1;
+        input.type = ipc::InputType::keyPress;
+        input.key = " ";
+        host.notify(input);
+    };
+    const auto invoke = [&](const char* id) {
+        host.request(ipc::MenuInvoke{id, std::nullopt}, answered);
+    };
+    const auto load = [&](ipc::Integer later) {
+        host.request(ipc::SubdocumentLoad{start, session->subdocument().revision() + later},
+                     answered);
+    };
+    const std::vector<std::pair<std::string, std::function<void()>>> said{
+        {"nothing", [] {}},
+        {"play", [&] { invoke("play"); }},
+        {"pause", [&] { invoke("pause"); }},
+        {"stop", [&] { invoke("stop"); }},
+        {"step", [&] { invoke("step"); }},
+        {"Space, Space", [&] { space(), space(); }},
+        {"load", [&] { load(5); }}};
+    for (const auto& [what, say] : said) {
+        load(1);
+        exchange();
+        settleHeld();
+        ask(ipc::TimeSeek{0});
+        ask(ipc::TimePlay{});
+        now += std::chrono::seconds(1);
+        exchange();
+        carry();
+        ipc::RenditionInput letGo;
+        letGo.rendition = 1;
+        letGo.type = ipc::InputType::release;
+        letGo.button = ipc::Button::left;
+        letGo.x = pixels({0, 0, 0}).x() + 40;
+        letGo.y = pixels({0, 0, 0}).y();
+        host.notify(letGo);
+        say();
+        exchange();
+        ASSERT_THAT(asked, SizeIs(1)) << what;
+        const auto& change = std::get<ipc::SubdocumentChanged>(asked[0].call);
+        host.answer(asked[0].id, ipc::Revised{change.base + 1});
+        asked.clear();
+        exchange();
+        settleHeld();
+        exchange();
+        EXPECT_EQ(plays(), what == "nothing" || what == "play") << what;
+    }
 }
 
 // --- clicks, and what is done with what they select ----------------------------------------------

@@ -198,6 +198,8 @@ private:
     void inputToSheet(Rendition& rendition, const ipc::Input& input);
     [[nodiscard]] static bool usesKey(const std::string& name);
     bool key(const std::string& name); // true: used
+    // The reader says whether it plays, whatever a hand held before.
+    [[nodiscard]] Playback& playedByReader();
     std::vector<Rendition*> targets(std::optional<ipc::Integer> rendition);
 
     // --- session_commands.cpp: script/evaluate

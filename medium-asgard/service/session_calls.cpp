@@ -54,6 +54,7 @@ auto Session::serve(const ipc::Initialize& call) -> Reply<ipc::Initialized> {
 auto Session::serve(const ipc::SubdocumentLoad& call) -> Reply<ipc::Done> {
     host_.title = call.title;
     gesture_.handles.drop();
+    gesture_.holdsTime = false; // of another text
     subdocument_.load(call.text, call.revision, at_.now);
     return ipc::Done{};
 }
@@ -276,6 +277,11 @@ void Session::inputToSheet(Rendition& rendition, const ipc::Input& input) {
 
 // --- time -------------------------------------------------------------------------------------
 
+Playback& Session::playedByReader() {
+    gesture_.holdsTime = false;
+    return subdocument_.playback;
+}
+
 bool Session::usesKey(const std::string& name) {
     constexpr std::array used{" ",         "ArrowLeft", "ArrowRight", "ArrowUp",
                               "ArrowDown", "Home",      "End"};
@@ -285,25 +291,23 @@ bool Session::usesKey(const std::string& name) {
 bool Session::key(const std::string& name) {
     Playback& playback = subdocument_.playback;
     if (name == " ")
-        playback.playing() ? playback.pause(at_.now) : playback.play(at_.now);
+        playback.playing() ? playedByReader().pause(at_.now) : playedByReader().play(at_.now);
     else if (name == "ArrowLeft" || name == "ArrowRight")
-        playback.step(name == "ArrowLeft" ? -1 : 1, at_.now);
+        playedByReader().step(name == "ArrowLeft" ? -1 : 1, at_.now);
     else if (name == "ArrowDown" || name == "ArrowUp")
-        playback.step(name == "ArrowDown" ? -10 : 10, at_.now);
+        playedByReader().step(name == "ArrowDown" ? -10 : 10, at_.now);
     else if (name == "Home" || name == "End")
         playback.seek(name == "Home" ? playback.span().start : playback.span().finish, at_.now);
     return usesKey(name);
 }
 
 auto Session::serve(const ipc::TimePlay&) -> Reply<ipc::Done> {
-    gesture_.holdsTime = false; // the reader says what it does
-    subdocument_.playback.play(at_.now);
+    playedByReader().play(at_.now);
     return ipc::Done{};
 }
 
 auto Session::serve(const ipc::TimePause&) -> Reply<ipc::Done> {
-    gesture_.holdsTime = false; // the reader says what it does
-    subdocument_.playback.pause(at_.now);
+    playedByReader().pause(at_.now);
     return ipc::Done{};
 }
 
@@ -343,13 +347,13 @@ auto Session::serve(const ipc::MenuInvoke& call) -> Reply<ipc::Done> {
         if (!call.rendition || shown_.all.size() <= 1)
             shown_.display.*value = on;
     } else if (call.id == "play") {
-        playback.play(at_.now);
+        playedByReader().play(at_.now);
     } else if (call.id == "pause") {
-        playback.pause(at_.now);
+        playedByReader().pause(at_.now);
     } else if (call.id == "stop") {
-        playback.stop(at_.now);
+        playedByReader().stop(at_.now);
     } else if (call.id == "step") {
-        playback.step(1, at_.now);
+        playedByReader().step(1, at_.now);
     } else if (call.id == "loop") {
         playback.setRate(playback.rate(), !playback.loops(), at_.now);
     } else if (call.id == "reset-view") {
