@@ -222,6 +222,27 @@ TEST_F(SlowPicturesTest, WhatIsHiddenMeanwhileIsNotShown) {
     until([&] { return frames.size() == 1; });
 }
 
+TEST_F(SlowPicturesTest, WhatIsHiddenWhileItWaitsIsNotDrawn) {
+    create(1);
+    until([&] { return begun().size() == 1; });
+    create(2); // waits
+    host.notify(ipc::RenditionHide{2});
+    exchange();
+    seek(1);
+    let(1);
+    until([&] { return frames.size() == 1; });
+    EXPECT_EQ(frames[0].rendition, 1);
+    let(1);
+    until([&] { return frames.size() == 2; }); // the first's next
+    EXPECT_THAT(begun(), ElementsAre(0, 1));
+    now += milliseconds(200);
+    host.notify(ipc::RenditionShow{2});
+    let(1);
+    until([&] { return frames.size() == 3; });
+    EXPECT_EQ(frames[2].rendition, 2);
+    EXPECT_FALSE(session->draws());
+}
+
 TEST_F(SlowPicturesTest, ALostContextIsSaidToThoseWhoAskNext) {
     create(1);
     until([&] { return begun().size() == 1; });

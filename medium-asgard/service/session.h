@@ -231,13 +231,14 @@ private:
     [[nodiscard]] render::Drawing drawingOf(const Look& look) const;
     void drawOwed();
     bool replaces(Rendition& rendition, const Look& look);
+    bool takeBack(Rendition& rendition); // its picture that waits is not drawn; false: none waits
     bool mayBegin(const Rendition& rendition);
     void draw(ipc::Integer id, Rendition& rendition, const Look& look);
     void finish(ipc::Integer id, Rendition::Frame& frame, Pictures::Drawn drawn);
     void endOne(Clock::duration cost); // of the round
     void send(Rendition& rendition, Rendition::Frame& frame);
     void losePictures();
-    void answerWhenFree(const ipc::Id& id, const Rendition& rendition);
+    void answerWhenFree(const ipc::Id& id, Rendition& rendition);
     std::optional<ipc::Error> take(const ipc::Id& id, const ipc::RenditionSnapshot& call);
     [[nodiscard]] render::Drawing printed(const ipc::RenditionSnapshot& call, double time,
                                           render::Size size);

@@ -213,8 +213,10 @@ void Session::hear(const ipc::RenditionShow& call) {
 }
 
 void Session::hear(const ipc::RenditionHide& call) {
-    if (const auto found = shown_.all.find(call.rendition); found != shown_.all.end())
+    if (const auto found = shown_.all.find(call.rendition); found != shown_.all.end()) {
         found->second.visible = false;
+        takeBack(found->second);
+    }
     if (gesture_.handles.active() && gesture_.in == call.rendition)
         gesture_.handles.finish(); // as when the focus goes: what was seen last is taken
 }

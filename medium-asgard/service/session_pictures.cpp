@@ -90,10 +90,14 @@ void Session::drawOwed() {
 
 // A picture that waits for its turn becomes the newest; one that is being drawn is waited for.
 bool Session::replaces(Rendition& rendition, const Look& look) {
-    if (rendition.draws(look) || !pictures_.takeBack(&rendition))
+    return !rendition.draws(look) && takeBack(rendition);
+}
+
+bool Session::takeBack(Rendition& rendition) {
+    if (!pictures_.takeBack(&rendition))
         return false;
     rendition.giveUp();
-    --pace_.round.drawn;
+    endOne({});
     return true;
 }
 
@@ -177,9 +181,8 @@ void Session::losePictures() {
     terminal::complain("asgard: " + platform_.noPictures);
 }
 
-void Session::answerWhenFree(const ipc::Id& id, const Rendition& rendition) {
-    if (pictures_.takeBack(&rendition))
-        endOne({});
+void Session::answerWhenFree(const ipc::Id& id, Rendition& rendition) {
+    takeBack(rendition);
     pictures_.whenFree(&rendition, [this, id] { channel_.answer(id, ipc::Done{}); });
 }
 
