@@ -11,6 +11,12 @@ Pictures::Pictures(std::unique_ptr<render::DrawingThread> thread, Draw draw,
                    std::function<void()> wake)
     : draw_(std::move(draw)), wake_(std::move(wake)), thread_(std::move(thread)) {}
 
+std::vector<std::byte> pixelsFor(render::Image& image) {
+    std::vector<std::byte> pixels(image.stride * static_cast<std::size_t>(image.size.height));
+    image.pixels = pixels;
+    return pixels;
+}
+
 std::vector<Pictures::Asked>::iterator Pictures::of(Customer customer) {
     const auto last = std::find_if(asked_.rbegin(), asked_.rend(),
                                    [&](const Asked& one) { return one.customer == customer; });
@@ -26,11 +32,15 @@ void Pictures::draw(Customer customer, Wish wish, Done done) {
     thread_->draw(customer, [this, number = number_, wish = std::move(wish)] {
         const Instant began = Clock::now();
         Drawn drawn;
-        drawn.isFine = draw_(wish.drawing, wish.into);
+        render::Image into = wish.into;
+        std::vector<std::byte> own; // made now: many that wait are replaced
+        if (!wish.slot)
+            own = pixelsFor(into);
+        drawn.isFine = draw_(wish.drawing, into);
         if (drawn.isFine && wish.over)
-            wish.over(wish.into);
-        if (drawn.isFine && wish.isPacked)
-            drawn.packed = ipc::toBase64(wish.into.pixels);
+            wish.over(into);
+        if (drawn.isFine && !wish.slot)
+            drawn.packed = ipc::toBase64(own);
         drawn.lasted = Clock::now() - began;
         {
             const std::lock_guard lock(mutex_);

@@ -6,6 +6,7 @@
 
 #include "render/drawing_thread.h"
 #include "render/renderer.h"
+#include "service/frame_memory.h"
 #include "service/subdocument.h"
 
 #include <memory>
@@ -18,6 +19,9 @@ namespace service {
 // Drawn on the thread of a renderer; false: the graphics context was lost.
 using Draw = std::function<bool(const render::Drawing&, const render::Image&)>;
 
+// Memory for the pixels of an image that has none.
+[[nodiscard]] std::vector<std::byte> pixelsFor(render::Image& image);
+
 class Pictures {
 public:
     using Customer = render::DrawingThread::Customer;
@@ -28,14 +32,13 @@ public:
     struct Wish {
         ScenePointer scene; // lives as long as the drawing of it
         render::Drawing drawing;
-        render::Image into;
-        std::shared_ptr<const void> memory; // where that is
-        bool isPacked = false;              // its pixels are wanted as the protocol's text
+        render::Image into;                     // without pixels: they are wanted as text
+        std::shared_ptr<const MappedSlot> slot; // where its pixels are
         std::function<void(const render::Image&)> over = {}; // draws over the bodies, on the thread
     };
     struct Drawn {
         bool isFine = false;
-        std::string packed;
+        std::string packed; // the pixels as the protocol's text
         Clock::duration lasted{};
     };
     using Done = std::function<void(Drawn)>;

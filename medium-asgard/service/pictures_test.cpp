@@ -3,7 +3,10 @@
 
 #include <gmock/gmock.h>
 
+#include <fstream>
+
 #include <poll.h>
+#include <unistd.h>
 
 namespace service {
 namespace {
@@ -154,6 +157,28 @@ TEST_F(SlowPicturesTest, TheNewestTimeIsDrawnNextAndThoseBetweenAreNot) {
     EXPECT_THAT(begun(), ElementsAre(0, 3));
     EXPECT_THAT((std::vector{frames[0].time, frames[1].time}), ElementsAre(0, 3));
     EXPECT_NE(frames[0].slot, frames[1].slot);
+}
+
+// Of this process.
+std::size_t bytesInUse() {
+    std::size_t all = 0, resident = 0;
+    std::ifstream("/proc/self/statm") >> all >> resident;
+    return resident * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+}
+
+// However often it becomes the newest while another is drawn.
+TEST_F(SlowPicturesTest, APictureThatWaitsHasNoMemory) {
+    constexpr int size = 2000;
+    create(1);
+    until([&] { return begun().size() == 1; });
+    const std::size_t before = bytesInUse();
+    create(2, size);
+    for (int i = 1; i <= 20; ++i)
+        seek(0.1 * i);
+    EXPECT_LT(bytesInUse(), before + 4UL * size * size);
+    let(1);
+    until([&] { return begun().size() == 2; });
+    EXPECT_THAT(begun(), ElementsAre(0, testing::DoubleNear(2, 1e-9)));
 }
 
 TEST_F(SlowPicturesTest, APictureThatWaitsForAnothersIsTheNewestToo) {

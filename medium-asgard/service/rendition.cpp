@@ -193,26 +193,21 @@ Rendition::Frame Rendition::begin(const Look& look) {
     frame.message.height = geometry_.height;
     frame.message.time = look.time;
     frame.into.size = size();
+    frame.into.stride = static_cast<std::size_t>(4 * geometry_.width);
     if (sharesMemory()) {
         const auto index = static_cast<std::size_t>(slot);
-        frame.into.pixels = slots_[index]->pixels();
+        frame.slot = slots_[index];
+        frame.into.pixels = frame.slot->pixels();
         frame.into.stride = static_cast<std::size_t>(geometry_.slots[index].stride);
-        frame.memory = slots_[index];
-    } else {
-        frame.into.stride = static_cast<std::size_t>(4 * geometry_.width);
-        const auto own = std::make_shared<std::vector<std::byte>>(
-            frame.into.stride * static_cast<std::size_t>(geometry_.height));
-        frame.into.pixels = *own;
-        frame.memory = own;
     }
-    begun_ = {look, frame.memory};
+    frame.look = begun_ = std::make_shared<const Look>(look);
     return frame;
 }
 
 void Rendition::finish(Frame& frame) {
     frame.message.serial = ++serial_;
     unacknowledged_[serial_] = frame.message.slot;
-    shown_ = begun_->look;
+    shown_ = *begun_;
     begun_.reset();
 }
 

@@ -64,20 +64,17 @@ public:
     // --- frames
     struct Frame {
         ipc::RenditionFrame message; // without serial; pixels are missing where there are no slots
-        render::Image into;
-        std::shared_ptr<const void> memory; // where that is
+        render::Image into;          // the same
+        std::shared_ptr<const MappedSlot> slot; // where that is
+        std::shared_ptr<const Look> look;       // by it the rendition knows its frame
     };
     [[nodiscard]] bool hasFreeSlot() const { return freeSlot().has_value(); }
     [[nodiscard]] bool shows(const Look& look) const { return shown_ && covers(*shown_, look); }
     // The next frame, to be drawn into `into`. Call only with a free slot, and none begun.
     [[nodiscard]] Frame begin(const Look& look);
-    [[nodiscard]] bool draws() const { return begun_.has_value(); }
-    [[nodiscard]] bool draws(const Look& look) const {
-        return begun_ && covers(begun_->look, look);
-    }
-    [[nodiscard]] bool draws(const Frame& frame) const {
-        return begun_ && begun_->memory == frame.memory;
-    }
+    [[nodiscard]] bool draws() const { return begun_ != nullptr; }
+    [[nodiscard]] bool draws(const Look& look) const { return begun_ && covers(*begun_, look); }
+    [[nodiscard]] bool draws(const Frame& frame) const { return begun_ && begun_ == frame.look; }
     void finish(Frame& frame); // it is the one that is shown, and goes to the host
     void giveUp() { begun_.reset(); }
     void acknowledge(ipc::Integer serial) { unacknowledged_.erase(serial); }
@@ -97,11 +94,7 @@ private:
     std::map<ipc::Integer, ipc::Integer> unacknowledged_; // serial to slot
     ipc::Integer serial_ = 0;
     std::optional<Look> shown_;
-    struct Begun { // the frame that is being drawn
-        Look look;
-        std::shared_ptr<const void> memory;
-    };
-    std::optional<Begun> begun_;
+    std::shared_ptr<const Look> begun_; // of the frame that is being drawn
 
     std::string viewName_;
     std::optional<render::SceneView> view_;

@@ -117,15 +117,15 @@ void Session::draw(ipc::Integer id, Rendition& rendition, const Look& look) {
     rendition.round = pace_.round.number;
     ++pace_.round.drawn;
     if (rendition.presentation() != Presentation::picture) {
+        const auto pixels = frame.slot ? std::vector<std::byte>() : pixelsFor(frame.into);
         sheets_.draw(rendition.presentation(), {look.generation, look.time, look.row},
                      rendition.scale(), frame.into);
         frame.message.time = shown_.time;
-        if (!rendition.sharesMemory())
-            frame.message.pixels = ipc::toBase64(frame.into.pixels);
+        if (!frame.slot)
+            frame.message.pixels = ipc::toBase64(pixels);
         return send(rendition, frame);
     }
-    Pictures::Wish wish{subdocument_.scene(), drawingOf(look), frame.into, frame.memory,
-                        !rendition.sharesMemory()};
+    Pictures::Wish wish{subdocument_.scene(), drawingOf(look), frame.into, frame.slot};
     if (subdocument_.scene())
         wish.drawing.handles =
             gesture_.handles.handles(subdocument_.scene(), wish.drawing, frame.into.size);
@@ -231,40 +231,32 @@ std::optional<ipc::Error> Session::take(const ipc::Id& id, const ipc::RenditionS
                      std::nullopt};
     render::Image image;
     image.size = {static_cast<int>(call.width), static_cast<int>(call.height)};
-    std::shared_ptr<const void> memory;
-    const bool isPacked = !shown_.memory || !call.offset || !call.stride;
-    if (!isPacked) {
+    image.stride = static_cast<std::size_t>(4 * call.width);
+    std::shared_ptr<const MappedSlot> slot;
+    if (shown_.memory && call.offset && call.stride) {
         auto mapped = shown_.memory->map({*call.offset, *call.stride}, call.width, call.height);
         if (const auto* sentence = std::get_if<std::string>(&mapped))
             return ipc::Error{ipc::ErrorCode::invalidParameters, *sentence};
-        const auto slot = std::get<std::shared_ptr<const MappedSlot>>(mapped);
+        slot = std::get<std::shared_ptr<const MappedSlot>>(mapped);
         image.pixels = slot->pixels();
         image.stride = static_cast<std::size_t>(*call.stride);
-        memory = slot;
-    } else {
-        image.stride = static_cast<std::size_t>(4 * call.width);
-        const auto own = std::make_shared<std::vector<std::byte>>(
-            image.stride * static_cast<std::size_t>(call.height));
-        image.pixels = *own;
-        memory = own;
     }
     if (presentation != Presentation::picture) {
+        const auto pixels = slot ? std::vector<std::byte>() : pixelsFor(image);
         sheets_.draw(presentation, sheets_.lookOf(presentation, taken.time, 0), call.scale, image);
-        if (isPacked)
-            taken.pixels = ipc::toBase64(image.pixels);
+        if (!slot)
+            taken.pixels = ipc::toBase64(pixels);
         channel_.answer(id, taken);
         return std::nullopt;
     }
-    pictures_.draw(
-        this,
-        {subdocument_.scene(), printed(call, taken.time, image.size), image, memory, isPacked},
-        [this, id, taken](Pictures::Drawn drawn) mutable {
-            if (!drawn.isFine)
-                return channel_.refuse(id, notPossible(lostState));
-            if (!drawn.packed.empty())
-                taken.pixels = std::move(drawn.packed);
-            channel_.answer(id, taken);
-        });
+    pictures_.draw(this, {subdocument_.scene(), printed(call, taken.time, image.size), image, slot},
+                   [this, id, taken](Pictures::Drawn drawn) mutable {
+                       if (!drawn.isFine)
+                           return channel_.refuse(id, notPossible(lostState));
+                       if (!drawn.packed.empty())
+                           taken.pixels = std::move(drawn.packed);
+                       channel_.answer(id, taken);
+                   });
     return std::nullopt;
 }
 
