@@ -61,6 +61,7 @@ void DrawingThread::run(const Work& work) {
 void DrawingThread::inSpareTime(Work work) {
     {
         const std::lock_guard lock(mutex_);
+        before_.push_back([replaced = std::move(spare_)] {});
         spare_ = std::move(work);
     }
     wished_.notify_one();
@@ -94,6 +95,9 @@ void DrawingThread::serve() {
         lock.lock();
     }
     lock.unlock();
+    wishes_.clear(); // nobody asks any more
+    before_.clear();
+    spare_ = {};
     if (atEnd_)
         atEnd_();
 }

@@ -1,8 +1,9 @@
 // A thread to draw on: a renderer belongs to it, and whoever wants a picture goes on meanwhile.
 //
-// A customer (a window, a rendition) has at most one picture that is not begun; a newer one
-// replaces it. Of several customers the one that has waited longest is next. What a piece of work
-// holds is let go on this thread: an old motion may be large.
+// A customer (a window, a rendition) has at most one picture that is not begun; a newer one takes
+// its place and its turn. Customers have their turns in the order in which they asked; one whose
+// picture was taken back asks anew. What a piece of work holds is let go on this thread, also of
+// work that is never done: an old motion may be large.
 #pragma once
 
 #include <condition_variable>

@@ -77,6 +77,31 @@ TEST_F(DrawingThreadTest, WhatIsHeldByAPictureIsLetGoOnTheThread) {
     EXPECT_EQ(let, its);
 }
 
+// Of work that was replaced in spare time, and of what waits when the thread ends.
+TEST(DrawingThread, WhatIsNeverDoneIsLetGoOnTheThread) {
+    std::vector<std::thread::id> let;
+    const auto held = [&] {
+        return std::shared_ptr<void>(nullptr,
+                                     [&](void*) { let.push_back(std::this_thread::get_id()); });
+    };
+    std::thread::id its;
+    {
+        std::promise<void> begun;
+        DrawingThread thread;
+        thread.run([&] { its = std::this_thread::get_id(); });
+        thread.draw(&its, [&] {
+            begun.set_value();
+            std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        });
+        begun.get_future().wait();
+        thread.inSpareTime([kept = held()] {});
+        thread.inSpareTime([kept = held()] {});
+        thread.draw(&let, [kept = held()] {});
+        thread.before([kept = held()] {});
+    }
+    EXPECT_THAT(let, ElementsAre(its, its, its, its));
+}
+
 TEST(DrawingThread, ItsEndIsOnTheThreadAndDrawsNothingMore) {
     std::thread::id its, last;
     bool drawn = false;

@@ -3,9 +3,9 @@
 //     Visited seen;
 //     if (seen.insert(n)) ... // it is new
 //
-// A walk costs the nodes that it sees, however large the graph is: a table of the thread notes in
-// which walk each node was seen last, and serves one walk after the other. Walks within walks have
-// tables of their own.
+// A walk costs the nodes that it sees: a table of the thread notes in which walk each node was seen
+// last, and serves one walk after the other. A walk to a node beyond the table makes it larger
+// first, up to that node. Walks within walks have tables of their own, one for each depth.
 #pragma once
 
 #include "expression/graph.h"
