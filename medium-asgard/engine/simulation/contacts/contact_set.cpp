@@ -3,7 +3,6 @@
 #include "contacts/surface_pieces.h"
 
 #include <algorithm>
-#include <ranges>
 #include <unordered_map>
 #include <utility>
 
@@ -113,7 +112,11 @@ std::optional<ContactSet::Tipping> ContactSet::tipsFrom(const Histories& histori
     const auto& history = *places[0].history;
     const std::size_t last = history.find(until);
     Tipping tipping{.time = contact.from, .stand = contact.of.stand};
-    for (std::size_t step = history.find(contact.from); step <= last; ++step) {
+    Contact::Looked& looked = contact.looked;
+    const bool isThere = looked.history == &history && looked.step <= last &&
+                         history.origin(looked.step) == looked.origin;
+    for (std::size_t step = isThere ? looked.step : history.find(contact.from); step <= last;
+         ++step) {
         tipping.stand.carries.clear();
         for (const Histories::Place& place : places) {
             const solution::Piece piece = history.piece(step, place.column);
@@ -125,6 +128,7 @@ std::optional<ContactSet::Tipping> ContactSet::tipsFrom(const Histories& histori
             return tipping;
         }
     }
+    looked = {.history = &history, .step = last, .origin = history.origin(last)};
     return std::nullopt;
 }
 
@@ -136,9 +140,9 @@ std::vector<Stand> ContactSet::standsOf(const Histories& histories, std::size_t 
             return row >= histories.unknowns() ||
                    histories.value(row, time) == solution::releasedMode;
         };
+        const std::size_t points = std::min(contact.of.place.points.size(), contact.rows.size());
         if (!contact.has(a) || !contact.has(b) || !contact.of.stand.stands ||
-            std::ranges::any_of(std::views::take(contact.rows, std::ssize(contact.of.place.points)),
-                                isGone))
+            std::ranges::any_of(std::span(contact.rows).first(points), isGone))
             continue;
         const auto tipping = tipsFrom(histories, contact, time);
         Stand& stand = stands.emplace_back(tipping ? tipping->stand : contact.of.stand);

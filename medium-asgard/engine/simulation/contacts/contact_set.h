@@ -93,6 +93,14 @@ private:
         LastingContact of;
         std::vector<std::size_t> rows; // unknowns; none yet: write() gives them
         double from = 0, phase = 0;
+        // The last step up to which it did not tip: those before it, where they are the same, are
+        // not looked at again.
+        struct Looked {
+            const void* history = nullptr;
+            std::size_t step = 0;
+            double origin = 0;
+        };
+        mutable Looked looked = {};
         [[nodiscard]] bool has(std::size_t body) const {
             return of.place.body == body || of.place.support == body;
         }

@@ -3,7 +3,9 @@
 // It has four, as a box has four corners. Where it would tip over one of them, or over the line
 // between two, it gets three more in each arc beside, and again, until the arcs are so short that
 // it tips over its rim (contact_places.h chooses the points, contact_set.h sees it tip). An arc of
-// the angle a is a^2/8 of the radius within the rim: 1e-9 at last.
+// the angle a is a^2/8 of the radius within the rim. LIMIT: a third point next to those that carry
+// may hold by rounding, and ends that early: it may tip up to 3e-6 too early, and within 1e-6 of
+// the angle at which it tips its speed may be wrong by more than the estimate of the error says.
 //
 // Where its rim crosses the border of the face, the crossings are points, and few of the others;
 // once it tips, all sixteen of a round patch (touching.h). LIMIT: over these it may tip up to 2 %

@@ -94,11 +94,12 @@ void eachNodeOf(const expression::EquationSet& equations, std::span<const std::s
         for (const std::size_t u :
              unknowns.subspan(first, std::min(expression::formulasAtOnce, unknowns.size() - first)))
             formulas.push_back(nodesAfter(equations.unknowns[u], from));
-        for (const auto& [node, bits] : expression::partsOf(equations.graph, formulas, isLeftOut)) {
-            const auto eachReader = [first, bits](const auto& each) {
-                expression::eachFormula(bits, [&](std::size_t f) { each(first + f); });
+        for (const expression::PartOf& part :
+             expression::partsOf(equations.graph, formulas, isLeftOut)) {
+            const auto eachReader = [first, &part](const auto& each) {
+                expression::eachFormula(part.formulas, [&](std::size_t f) { each(first + f); });
             };
-            visit(node, eachReader);
+            visit(part.node, eachReader);
         }
     }
 }
