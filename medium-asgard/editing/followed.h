@@ -1,4 +1,4 @@
-// What is selected stays so while the text changes.
+// Selected elements stay selected while the text changes.
 #pragma once
 
 #include "editing/changes.h"

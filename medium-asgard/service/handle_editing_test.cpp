@@ -660,7 +660,7 @@ TEST_F(SelectingTest, ACopyStandsBesideAndIsSelected) {
     ASSERT_EQ(scene().bodies.size(), 4U);
     EXPECT_NEAR(scene().bodies[3].initialPosition.x(), 4.1, 1e-9);
     EXPECT_EQ(offered(), "Delete body \"" + scene().bodies[3].name + "\"");
-    // What lies before it comes or goes, and it is selected still.
+    // Elements before it come and go, and it is selected still.
     const std::size_t end = text().size();
     ask(ipc::SubdocumentEdit{session->subdocument().revision() + 1,
                              {{{end, end}, "body b9 ball -init_pos {0 3 0}\n"}},

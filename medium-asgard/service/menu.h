@@ -23,8 +23,8 @@ inline constexpr std::array rates{0.1, 0.25, 0.5, 1.0, 2.0, 4.0};
 // Makes drafts the document's text; hosts offer it before they save or close.
 inline constexpr const char* updateDrafts = "update-drafts";
 
-// What can be done with what is selected in a picture; its name follows, so that a menu that was
-// opened for another thing does nothing.
+// Commands for the selected thing of a picture; its name follows, so that a menu that was opened
+// for another thing does nothing.
 inline const std::string deleteSelected = "delete ", duplicateSelected = "duplicate ";
 
 [[nodiscard]] std::vector<ipc::MenuEntry> menuOf(const MenuState& state);

@@ -137,7 +137,7 @@ void drawFrames(const std::vector<Eigen::AlignedBox2d>& frames, double scale, bo
     cairo_set_line_width(cairo, width * scale);
     cairo_set_dash(cairo, dashes.data(), dashes.size(), 0);
     for (const Eigen::AlignedBox2d& frame : frames) {
-        // What lies far out of the picture is cut off: cairo has small numbers only.
+        // Lines far out of the picture are cut off: cairo has small numbers only.
         const Eigen::AlignedBox2d near(
             Eigen::Vector2d(-100, -100),
             Eigen::Vector2d(into.size.width + 100.0, into.size.height + 100.0));

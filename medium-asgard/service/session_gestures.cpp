@@ -70,7 +70,7 @@ HandleEditing::Picture Session::pictureOf(Rendition& rendition) {
     return picture;
 }
 
-// What is held must be what the text says, and nothing else be on its way to the host.
+// The scene in the picture must be the text's, and no other change be on its way to the host.
 bool Session::hold(Rendition& rendition, const ipc::Input& input, std::optional<std::size_t> body,
                    const HandleEditing::Pointer& pointer) {
     const auto button = buttonOf(input.button);

@@ -505,7 +505,7 @@ TEST_F(SessionTest, HowARenditionIsSeenComesBackInAnotherProcess) {
     EXPECT_FALSE(other.display.jointHandles);
 }
 
-// What is upright leans to a side as it did before a drag, whoever turned the picture before.
+// An upright body leans to a side as it did before a drag, whoever turned the picture before.
 TEST_F(SessionTest, APictureTurnsAboutWhatIsUpright) {
     load("falls down");
     computedTo(10);

@@ -17,7 +17,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 TABLE = os.path.join(HERE, "counts.csv")
 COUNTS = ("steps", "rejected_steps", "evaluations")
 ACCURACIES = ("1e-3", "1e-6", "1e-9")
-# What moves freely, by forces and links (a to c), balls that meet (d), held bodies (e), and larger problems (f).
+# Bodies that move freely, by forces and links (a to c), balls that meet (d), held bodies (e), and larger problems (f).
 SCENES = ("a01_ballistic_spin", "a05_driven_resonance", "a07_kepler_e09", "a10_figure_eight", "a12_foucault", "b01_free_symmetric_top",
           "b03_dzhanibekov", "b04_heavy_top", "b06_world_torque_offaxis", "c01_pendulum_large_amplitude", "c03_spherical_pendulum",
           "c05b_two_rods_ball_attached", "c06b_stiff_chain_1e8", "c09_link_extra_mass_underdamped", "d02_oblique_unequal",

@@ -33,11 +33,6 @@ struct Work {       // counts of the last solve, for tests and reports
 [[nodiscard]] std::optional<Answer> solve(const Matrix& a, const Vector& b, const Laws& laws,
                                           const Answer& guess = {}, Work* work = nullptr);
 
-// The same, where many normal forces share a disc, as those round the rim of a can: of more than
-// eight a few carry, in most blows. It begins with four of each such disc and takes in those that
-// would sink in, until none does. The normal forces of a disc stand in their order round the patch.
-[[nodiscard]] std::optional<Answer> solveByFew(const Matrix& a, const Vector& b, const Laws& laws);
-
 // All solutions of few laws, each with other states: two of one problem with different rates are an
 // indeterminate motion (Painleve's rod). None of more than six laws that are not equalities, or of
 // discs with levers, or slips.

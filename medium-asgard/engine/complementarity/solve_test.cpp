@@ -1,3 +1,4 @@
+#include "complementarity/by_few.h"
 #include "complementarity/solve.h"
 
 #include <Eigen/LU>

@@ -1,7 +1,7 @@
 #include "physics/impact.h"
 
+#include "complementarity/by_few.h"
 #include "complementarity/convex.h"
-#include "complementarity/solve.h"
 #include "geometry/patch_middle.h"
 
 #include <Eigen/QR>

@@ -1,4 +1,4 @@
-// What closing, saving and quitting do with windows and with values that are typed.
+// Closing, saving and quitting, with windows and with values that are typed.
 #include "language/scene_editor.h"
 #include "start/first_page.h"
 #include "viewers/main_window_testing.h"

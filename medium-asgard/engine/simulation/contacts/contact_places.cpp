@@ -392,113 +392,18 @@ std::optional<ContactPoint> pointAt(const Touch& touch, const Corner& corner, co
     return point;
 }
 
-// Chooses on which points a round end stands. No more than a square has corners, and those where
-// its rim crosses a border, do for what does not tip. Where it would tip over the line between two
-// points, or over one, it gets three more in the arcs beside, until these are so short that it tips
-// over the rim.
-class Standing {
-public:
-    Standing(const Touch& touch, const Placed& body, const Placed& support,
-             const TouchLimits& limits, LastingContact& contact)
-        : touch_(touch), body_(body), support_(support), limits_(limits), stand_(contact.stand),
-          points_(contact.place.points), isBodys_(points_[0].gap.support.kind == Kind::plane) {}
-
-    void choose() {
-        const auto was = std::ranges::find_if(limits_.stands, [&](const Stand& stand) {
-            return stand.bodyPart == touch_.bodyPart && stand.supportPart == touch_.supportPart;
-        });
-        const bool isKnown = was != limits_.stands.end();
-        stand_.stands = true;
-        stand_.isAcrossBorder = std::ranges::any_of(
-            touch_.corners, [](const Corner& corner) { return corner.pieces.has_value(); });
-        if (stand_.isAcrossBorder) {
-            stand_.isOnFew =
-                !(isKnown && was->isAcrossBorder && (!was->isOnFew || !was->carries.empty()));
-            if (stand_.isOnFew)
-                standOnFew(few / 2); // the ends of an arc leave the face first
-            return;
-        }
-        findRim();
-        if (isKnown && !was->isAcrossBorder)
-            standAsBefore(*was);
-        else
-            standOnFew(0);
-        for (const ContactPoint& point : points_) {
-            stand_.places.push_back(pieceOf(point).place);
-            stand_.angles.push_back(angleOf(pieceOf(point).place));
-        }
-    }
-
-private:
-    static constexpr std::size_t few = 4;
-
-    void standOnFew(std::size_t first) {
-        const auto isOfRim = [](const Corner& corner) { return !corner.pieces; };
-        const auto all = std::ranges::count_if(touch_.corners, isOfRim);
-        const auto step = std::max<std::size_t>(static_cast<std::size_t>(all) / few, 1);
-        std::vector<ContactPoint> kept;
-        std::size_t ofRim = first * step / few;
-        for (std::size_t i = 0; i < touch_.corners.size(); ++i)
-            if (!isOfRim(touch_.corners[i]) || ofRim++ % step == 0)
-                kept.push_back(std::move(points_[i]));
-        points_ = std::move(kept);
-    }
-
-    [[nodiscard]] const Placed& owner() const { return isBodys_ ? body_ : support_; }
-    [[nodiscard]] const SurfacePiece& pieceOf(const ContactPoint& point) const {
-        return isBodys_ ? point.gap.body : point.gap.support;
-    }
-    void findRim() {
-        for (const ContactPoint& point : points_)
-            middle_ += pieceOf(point).place / static_cast<double>(points_.size());
-        const Vector arm = pieceOf(points_[0]).place - middle_;
-        radius_ = arm.norm();
-        along_ = arm / radius_;
-        across_ =
-            Vector(owner().state.attitude.conjugate() * touch_.normal).cross(along_).normalized();
-    }
-    [[nodiscard]] double angleOf(const Vector& place) const {
-        return std::atan2(across_.dot(place - middle_), along_.dot(place - middle_));
-    }
-    // Where it tips, on the first few, on those that carry, and on others beside them.
-    void standAsBefore(const Stand& was) {
-        points_.clear();
-        const bool tips = !was.carries.empty();
-        Stand now; // as the rim has its angles here
-        for (std::size_t k = 0; k < was.places.size(); ++k) {
-            now.angles.push_back(angleOf(was.places[k]));
-            if (!tips || k < few || was.carries[k] != 0)
-                addAt(was.places[k]);
-        }
-        now.carries = was.carries;
-        for (const Stand::Arc& arc : now.arcsBeside())
-            for (std::size_t k = 1; k < few; ++k) {
-                const double at =
-                    arc.from + arc.width * static_cast<double>(k) / static_cast<double>(few);
-                addAt(middle_ + radius_ * (std::cos(at) * along_ + std::sin(at) * across_));
-            }
-    }
-    void addAt(const Vector& place) {
-        const auto isThere = [&](const ContactPoint& point) {
-            return (pieceOf(point).place - place).norm() <= same * touch_.size;
-        };
-        if (std::ranges::any_of(points_, isThere))
-            return;
-        const Vector at = owner().state.position + owner().state.attitude * place;
-        points_.push_back(
-            Polyhedra(touch_, body_, support_, limits_.gap * touch_.size).onRim(at, isBodys_));
-    }
-
-    const Touch& touch_;
-    const Placed& body_;
-    const Placed& support_;
-    const TouchLimits& limits_;
-    Stand& stand_;
-    std::vector<ContactPoint>& points_;
-    bool isBodys_;
-    Vector middle_ = Vector::Zero(), along_ = Vector::UnitX(), across_ = Vector::UnitZ();
-    double radius_ = 0;
-};
+// How the round end stands, on those of the points that it leaves.
+Stand standOf(const Touch& touch, const Placed& body, const Placed& support,
+              const TouchLimits& limits, std::vector<ContactPoint>& points) {
+    const auto was = std::ranges::find_if(limits.stands, [&](const Stand& stand) {
+        return stand.bodyPart == touch.bodyPart && stand.supportPart == touch.supportPart;
+    });
+    const auto onRim = [&](const Vector& at, bool isBodys) {
+        return Polyhedra(touch, body, support, limits.gap * touch.size).onRim(at, isBodys);
+    };
+    return chooseStand(touch, body, support, was == limits.stands.end() ? nullptr : &*was, onRim,
+                       points);
+}
 
 LastingContact contactOf(const Touch& touch, const Placed& body, const Placed& support,
                          const TouchLimits& limits) {
@@ -542,7 +447,7 @@ LastingContact contactOf(const Touch& touch, const Placed& body, const Placed& s
         place.centre = withoutRounding(localOf(body, middle.centre), touch.size);
     place.friction.reach = middle.reach;
     if (touch.isRoundPatch && isWhole && !limits.plane && !limits.isOfBlow)
-        Standing(touch, body, support, limits, found).choose();
+        found.stand = standOf(touch, body, support, limits, place.points);
     if (limits.plane)
         putInPlane(place, corners, *limits.plane, body, support);
     if (place.points.size() == 1)

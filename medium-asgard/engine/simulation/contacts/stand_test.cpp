@@ -43,11 +43,13 @@ TEST(Stand, ItTipsEarlyWhereOneOrTwoPointsCarryAndTheRimBesideHasOthers) {
     EXPECT_TRUE(onPoints({{0, true}, {90, true}, {180, false}, {-90, false}}).tipsEarly());
     EXPECT_TRUE(onPoints({{0, true}, {90, false}, {180, false}, {-90, false}}).tipsEarly());
     EXPECT_FALSE(onPoints({{0, true}, {90, true}, {180, true}, {-90, false}}).tipsEarly());
+    EXPECT_TRUE(onPoints({{0, true}, {1, true}, {2, true}, {-90, false}}).tipsEarly());
+    EXPECT_FALSE(onPoints({{0, true}, {1, true}, {9, true}, {-90, false}}).tipsEarly());
     EXPECT_FALSE(onPoints({{0, false}, {90, false}, {180, false}, {-90, false}}).tipsEarly());
     Stand fine = onPoints({{0, true}, {0, true}, {180, false}});
-    fine.angles[1] = 0.9e-4;
+    fine.angles[1] = 1.9e-3;
     EXPECT_FALSE(fine.tipsEarly());
-    fine.angles[1] = 1.1e-4;
+    fine.angles[1] = 2.1e-3;
     EXPECT_TRUE(fine.tipsEarly());
 }
 
