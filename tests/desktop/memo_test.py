@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A reader opens the memo, turns its picture, plays it, uses a menu and quits."""
+"""A reader opens the memo, turns its picture, moves a ball and takes it back, plays it, uses a menu and quits."""
 import sys
 import tempfile
 import unittest
@@ -40,14 +40,29 @@ class Reader(unittest.TestCase):
     def changed(self, what, before):
         until(what, lambda: self.balls() not in (before, set()))
 
-    def test_opens_turns_plays_shows_menus_and_quits(self):
+    def isChanged(self):
+        return self.person.window(WINDOW).modified
+
+    def aBall(self):
         at = sorted(self.still())
-        x, y = at[len(at) // 2]
+        return at[len(at) // 2]
+
+    def test_opens_turns_moves_plays_shows_menus_and_quits(self):
+        before = self.still()
+        x, y = self.aBall()
+        self.person.drag(WINDOW, (x, y), (x + 60, y + 20))
+        self.changed("dragging turns the picture", before)
+        self.assertFalse(self.isChanged())
 
         before = self.still()
+        x, y = self.aBall()
         self.person.click(WINDOW, (x, y))
-        self.person.drag(WINDOW, (x, y), (x + 120, y + 40))
-        self.changed("dragging turns the picture", before)
+        self.person.drag(WINDOW, (x, y), (x + 40, y))
+        self.changed("dragging the ball that a click selected moves it", before)
+        until("the memo has a change", self.isChanged)
+        self.person.press(WINDOW, "ctrl+z")
+        until("the memo is as it was", lambda: not self.isChanged())
+        x, y = self.aBall()
 
         before = self.still()
         self.person.press(WINDOW, "space")
