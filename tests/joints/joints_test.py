@@ -12,6 +12,7 @@ Of each NAME.al at each accuracy A:
   estimate  the error that the run states is at least 0.3 times the true one (against a run at 1e-12) or rounding, and, but for
             one in twenty, at most 30 times
   the same  a second run gives the same bytes (at the first accuracy)
+  no jams   none warns that a contact jams
 
 Exit 0 when all hold.
 """
@@ -42,6 +43,8 @@ def simulate(asgard, scene, times, accuracy, quantities, folder):
     run = subprocess.run(command, capture_output=True, text=True, timeout=120)
     if run.returncode != 0:
         raise RuntimeError(run.stderr.strip()[-400:])
+    if " jam at t = " in run.stderr:
+        raise RuntimeError("no contact jams: " + run.stderr.strip()[-400:])
     with open(paths[1], encoding="utf-8") as file:
         text = file.read()
     with open(paths[2], encoding="utf-8") as file:

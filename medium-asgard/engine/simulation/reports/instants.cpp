@@ -3,6 +3,7 @@
 #include "equations/prepared_equations.h"
 #include "physics/forces.h"
 #include "reports/switch_instants.h"
+#include "run/jams.h"
 #include "run/stops.h"
 
 #include <algorithm>
@@ -19,9 +20,10 @@ namespace {
 using Pair = std::pair<std::size_t, std::size_t>;
 
 // Of a multiplier, as its history keeps it.
-enum class Mode { none, holds, low, high, gone };
+enum class Mode { none, holds, low, high, gone, jammed };
 static_assert(static_cast<int>(Mode::holds) == static_cast<int>(solution::heldMode));
 static_assert(static_cast<int>(Mode::gone) == static_cast<int>(solution::releasedMode));
+static_assert(static_cast<int>(Mode::jammed) == static_cast<int>(solution::jammedMode));
 
 Mode modeAt(const solution::Histories& histories, std::size_t row, double time) {
     const double value = row < histories.unknowns() ? histories.value(row, time) : 0;
@@ -250,7 +252,8 @@ int stateOf(const solution::Histories& histories, const std::vector<ContactLog::
     int state = 0;
     for (const ContactLog::Contact& contact : contacts) {
         const auto holds = [&](std::size_t row) {
-            return modeAt(histories, row, time) == Mode::holds;
+            const Mode mode = modeAt(histories, row, time);
+            return mode == Mode::holds || mode == Mode::jammed;
         };
         if (std::ranges::none_of(contact.normals, holds))
             continue;
@@ -272,6 +275,10 @@ void Lister::addContacts(std::size_t part) {
         for (const ContactLog::Contact& contact : entry.contacts)
             if (bodies.contains(contact.bodies.first) && bodies.contains(contact.bodies.second))
                 pairs.insert(contact.bodies);
+    for (const Jam& jam : jamsOf(*of.histories, of.contacts, motion_.computed()))
+        if (bodies.contains(jam.bodies.first) && bodies.contains(jam.bodies.second))
+            add(jam.time, "inconsistent",
+                namesOf(Pair{bodies.at(jam.bodies.first), bodies.at(jam.bodies.second)}));
     for (const Pair& pair : pairs) {
         int state = -1; // not known yet
         std::vector<ContactLog::Contact> now;

@@ -2,13 +2,16 @@
 
 #include "events/collision_source.h"
 #include "run/cpu_seconds.h"
+#include "run/jams.h"
 #include "run/nudge.h"
 #include "run/rope_notes.h"
 #include "run/stops.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <iterator>
+#include <set>
 
 namespace simulation {
 namespace {
@@ -164,6 +167,29 @@ void OpenRun::publish(double known) {
     observer_.progress(run.motion(problem_, true));
 }
 
+namespace {
+
+// The first of each pair.
+void addJamNotes(const Problem& problem, Run& run, double until) {
+    if (run.statistics.jams == 0)
+        return;
+    std::set<std::pair<std::size_t, std::size_t>> told;
+    for (const Jam& jam : jamsOf(*run.histories, run.contacts, until)) {
+        if (!told.insert(jam.bodies).second)
+            continue;
+        char at[40];
+        std::snprintf(at, sizeof at, "%.6g", jam.time);
+        run.notes.push_back("Bodies \"" + problem.scene.bodies[jam.bodies.first].name +
+                            "\" and \"" + problem.scene.bodies[jam.bodies.second].name +
+                            "\" jam at t = " + at +
+                            ": no forces keep them sliding (no solution), since friction presses "
+                            "them together faster than they push each other away; an impact "
+                            "without a collision ends the slip.");
+    }
+}
+
+} // namespace
+
 Run OpenRun::collect(double until) {
     Run run;
     run.histories = machinery_->solver->snapshot();
@@ -186,6 +212,7 @@ Run OpenRun::collect(double until) {
         std::ranges::copy(record.notes(until), std::back_inserter(run.notes));
         run.lostHops = record.lostHops(until);
         run.contacts = collisions.contactLog().upTo(until);
+        addJamNotes(problem_, run, until);
         const std::size_t tests = collisions.pairTests();
         run.pairTests = tests - std::exchange(countedPairTests_, tests);
         run.candidates = collisions.candidates();

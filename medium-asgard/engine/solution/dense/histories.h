@@ -22,8 +22,9 @@
 namespace solution {
 
 // In the history of a multiplier, which keeps 1 and its mode (modes/mode.h), and 0 while it sleeps:
-// its condition holds, or is gone.
-inline constexpr double heldMode = 1, releasedMode = 4;
+// its condition holds, or is gone; of friction, it holds since the contact jammed, up to the next
+// event (modes/active_set.h).
+inline constexpr double heldMode = 1, releasedMode = 4, jammedMode = 5;
 
 inline constexpr double largestValue = 1e100; // of anything; beyond it motion ends
 

@@ -76,6 +76,11 @@ public:
     [[nodiscard]] bool slips() const;
     // One of them slipped slowly at the last event.
     [[nodiscard]] bool slipsSlowly() const;
+    // Of friction: it jammed at the last event. No forces kept the laws of its slip, which an
+    // impact without a collision has ended.
+    [[nodiscard]] bool hasJammed(std::size_t row) const {
+        return jammed_[row] != 0 && mode_.kept[row] == complementarity::State::inside;
+    }
 
 private:
     static constexpr double atRest = 1e-12;  // of the rates that enter: none
@@ -104,6 +109,7 @@ private:
     [[nodiscard]] bool isStop(std::size_t row) const;
     [[nodiscard]] bool isContact(std::size_t row) const { return law(row).leaving.has_value(); }
     [[nodiscard]] bool isGone(std::size_t row) const { return mode_.kept[row] == Mode::gone; }
+    void beginEvent(double t);
     void noteOpened(std::span<const complementarity::State> before, double t,
                     std::span<const double> y);
     void watchRow(std::size_t row);
@@ -148,6 +154,11 @@ private:
     [[nodiscard]] bool hasStopped(std::size_t disc, double elapsed);
     [[nodiscard]] double secondOf(std::size_t disc) const; // the largest of its rows
     void halt(std::span<const std::size_t> discs, double t, std::span<double> y);
+    // A push of these contacts with the friction of their slip brings them nearer.
+    [[nodiscard]] bool pushesIn(std::size_t disc, std::span<const std::size_t> normals);
+    // No forces of these keep the laws: what slips among them may jam. True: it did.
+    [[nodiscard]] bool endJam(std::span<const std::size_t> candidates, double t,
+                              std::span<double> y, std::span<const double> rates);
     [[nodiscard]] bool mayHold(std::size_t disc, std::span<const std::size_t> fallen,
                                double fastest) const;
     // `slipping`: discs that slip, though they have no velocity yet.
@@ -171,6 +182,7 @@ private:
     std::vector<Watch> watches_;
     bool hasContacts_ = false;
     std::vector<double> opened_; // by multiplier: the gap at which a stop opened, at most 0
+    std::vector<char> jammed_;   // by multiplier
     double largest_ = 0;         // of the multipliers, where watches are asked
     Slow slow_;
     double slowest_ = 0;               // at the last event

@@ -126,6 +126,7 @@ public:
     // Branches.
     [[nodiscard]] const Mode& mode() const { return mode_; }
     // Whether conditions of multipliers hold, as their histories keep it.
+    [[nodiscard]] std::vector<double> kept() const;
     void takeKept(std::span<const double> states);
     // With conditions that hold as these say, for this question alone: Multipliers::isOff().
     [[nodiscard]] bool isOff(double t, std::span<const double> y, std::span<const double> kept);

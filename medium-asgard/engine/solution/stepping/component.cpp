@@ -186,11 +186,13 @@ void Component::makeControl() {
 // Of multipliers the histories keep the mode.
 void Component::takeModes() {
     const std::vector<std::size_t>& multipliers = equations_->multipliers();
-    std::vector<double> modes;
-    for (const complementarity::State state : equations_->mode().kept)
-        modes.push_back(1 + static_cast<double>(state)); // 0: it sleeps
-    for (std::size_t k = 0; k < multipliers.size(); ++k)
-        progress_.values[multipliers[k]] = modes[k];
+    const std::vector<double> modes = equations_->kept();
+    for (std::size_t k = 0; k < multipliers.size(); ++k) {
+        double& value = progress_.values[multipliers[k]];
+        if (modes[k] == jammedMode && value != jammedMode)
+            ++counts_.jams;
+        value = modes[k];
+    }
     writer_.hold(multipliers, modes);
 }
 

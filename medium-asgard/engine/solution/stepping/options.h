@@ -20,6 +20,7 @@ struct Work {
     std::size_t evaluations = 0;      // of right-hand sides of components
     std::size_t factorisations = 0;
     std::size_t switches = 0; // switching events located
+    std::size_t jams = 0;     // rows of friction whose slip an impact without a collision ended
 
     void add(const Work& other) {
         steps += other.steps;
@@ -29,6 +30,7 @@ struct Work {
         evaluations += other.evaluations;
         factorisations += other.factorisations;
         switches += other.switches;
+        jams += other.jams;
     }
 };
 
