@@ -5,7 +5,7 @@ usage: horizon_test.py ASGARD
 
 The experiments share nothing with the engine: a double pendulum by the classical Runge-Kutta rule with steps that leave only
 rounding, and a billiard as a loop over its bounces. Each is computed once as it is and again from starts that differ by one
-unit in the last place; the horizon is the median time at which these part by more than the accuracy. Within 20 %: exit 0.
+unit in the last place; the horizon is the median time at which these part by more than the accuracy. Within 20 % (pendulum) and 10 % (billiard): exit 0.
 """
 import json
 import math
@@ -16,7 +16,7 @@ import sys
 import tempfile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-WITHIN = 0.2
+WITHIN = {"double_pendulum.al": 0.2, "sinai_billiard.al": 0.1}  # no tolerance is below 64 units in the last place
 ACCURACIES = (1e-2, 1e-4, 1e-6, 1e-8)
 
 
@@ -105,7 +105,7 @@ def main():
     for scene, parted in experiments.items():
         for accuracy in ACCURACIES:
             until = told(sys.argv[1], scene, accuracy)
-            ok = until is not None and abs(until - parted[accuracy]) <= WITHIN * parted[accuracy]
+            ok = until is not None and abs(until - parted[accuracy]) <= WITHIN[scene] * parted[accuracy]
             failed += not ok
             print(f"{'ok  ' if ok else 'FAIL'} {scene} {accuracy:g}: predictable until {until}, perturbed starts part at "
                   f"{parted[accuracy]:.4g} s")

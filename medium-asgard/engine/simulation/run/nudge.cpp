@@ -11,7 +11,7 @@ namespace simulation {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-constexpr double least = 2; // units in the last place
+constexpr double least = 1; // unit in the last place
 constexpr double latest = 1e-5 / (least * epsilon);
 
 bool isVelocity(std::size_t unknown) {
@@ -69,15 +69,15 @@ NudgedSource::NudgedSource(solution::EventSource& source, const std::vector<Body
 // |t| / (t - start) units more of its speed, once the time since the start has doubled. An impact
 // at the start itself is not late.
 //
-// Place: the arm or the normal has the resolution of the farthest coordinate beside the body's
-// radius: half a unit, as a power of 2. A turn and an event read the place from the same
-// polynomial; where they differ by a unit in the last place the power is the same, except next to
-// a power of 2.
+// Place: the arm or the normal is the difference of two places, of which each has the resolution of
+// the farthest coordinate: half a unit, as a power of 2, beside the body's radius. A turn and an
+// event read the place from the same polynomial; where they differ by a unit in the last place the
+// power is the same, except next to a power of 2.
 double NudgedSource::unitsAt(double time, std::size_t unknown, double farthest) const {
     const double late = time > start_ ? std::min(std::abs(time) / (time - start_), latest) : 1;
     const double far = farthest / radii_[unknown / physics::bodyUnknowns];
     return least *
-           std::max({1.0, late, far > 2 ? std::min(std::exp2(std::ilogb(far) - 1), latest) : 1.0});
+           std::max({1.0, late, far > 2 ? std::min(std::exp2(std::ilogb(far)), latest) : 1.0});
 }
 
 bool NudgedSource::turn(double time, std::span<solution::Turn> turns) {

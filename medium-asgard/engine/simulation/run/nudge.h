@@ -1,4 +1,4 @@
-// How much of a motion is rounding? The same run again, with values a unit or two in the last place
+// How much of a motion is rounding? The same run again, with values a unit in the last place
 // beside what they were wherever they are given: velocities at the start and after each impact, and
 // places of what moves at the start. Where the two runs part, rounding has grown so far that nobody
 // could tell them apart from the truth. Far from time 0 impacts are late by more than that, and far
