@@ -385,7 +385,7 @@ std::optional<ContactPoint> pointAt(const Touch& touch, const Corner& corner, co
         point.sides = sidesOfPieces(point.gap, touch, body, support);
         return point;
     }
-    if (!touch.isRound)
+    if (!touch.round.isBall)
         return Polyhedra(touch, body, support, limits.gap * touch.size).pointAt(corner);
     point.gap = roundGap(touch, corner.constraint, body, support);
     point.sides = sidesOfRound(touch, body, support);
@@ -410,7 +410,7 @@ LastingContact contactOf(const Touch& touch, const Placed& body, const Placed& s
     LastingContact found{.bodyPart = touch.bodyPart,
                          .supportPart = touch.supportPart,
                          .isModelled = touch.hasPieces || touch.isFlat || touch.isModelled ||
-                                       (touch.isRound && !touch.isCurved),
+                                       (touch.round.isBall && !touch.round.isCurved),
                          .place = {}};
     physics::ContactPlace& place = found.place;
     place.body = body.index;
@@ -446,13 +446,13 @@ LastingContact contactOf(const Touch& touch, const Placed& body, const Placed& s
     if (!found.rolls && corners.size() > 1)
         place.centre = withoutRounding(localOf(body, middle.centre), touch.size);
     place.friction.reach = middle.reach;
-    if (touch.isRoundPatch && isWhole && !limits.plane && !limits.isOfBlow)
+    if (touch.round.isPatch && isWhole && !limits.plane && !limits.isOfBlow)
         found.stand = standOf(touch, body, support, limits, place.points);
     if (limits.plane)
         putInPlane(place, corners, *limits.plane, body, support);
     if (place.points.size() == 1)
         place.centre.reset();
-    if (!(touch.isRound && !touch.isCurved) && !isWhole)
+    if (!(touch.round.isBall && !touch.round.isCurved) && !isWhole)
         Landings(touch, body, support, limits.plane, place).add();
     if (touch.vertex)
         addLandingsInHollow(touch, body, support, limits, place);

@@ -2,6 +2,7 @@
 
 #include "collision/hollow_separation.h"
 #include "collision/patch.h"
+#include "contacts/posed_parts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,14 +13,7 @@ namespace {
 using collision::Posed;
 using geometry::Part;
 
-Posed posed(const Placed& placed, std::size_t part, const Vector& origin) {
-    const geometry::Matrix rotation = placed.state.attitude.toRotationMatrix();
-    return {.part = &placed.shape->parts[part],
-            .rotation = rotation,
-            .offset = placed.state.position - origin - rotation * placed.record->centroid};
-}
-
-double sizeOf(const Part& part) {
+double radiusOf(const Part& part) {
     return geometry::radiusAbout(part, part.core.vertices[0]) + part.radius;
 }
 
@@ -33,7 +27,7 @@ bool isWideBall(const Posed& ball, const Posed& wall, double tolerance) {
         return false;
     const auto nearest = geometry::nearestOf(curved, turnedInto(wall, ball.world(0)));
     return nearest.piece == geometry::HollowNearest::Piece::rim &&
-           nearest.distance - ball.part->radius <= tolerance * sizeOf(*ball.part);
+           nearest.distance - ball.part->radius <= tolerance * radiusOf(*ball.part);
 }
 
 // Something of a round part touches the lid where there is none.
@@ -41,7 +35,7 @@ bool isAtMouth(const Posed& other, const Posed& wall, double tolerance) {
     const geometry::Curved& curved = *wall.part->curved;
     if (!other.part->curved || other.part->isPlane())
         return false;
-    const double beside = tolerance * std::min(sizeOf(*other.part), sizeOf(*wall.part));
+    const double beside = tolerance * std::min(radiusOf(*other.part), radiusOf(*wall.part));
     collision::WarmStart cold;
     const collision::Separation hull = collision::separate(other, wall, cold);
     if (std::abs(hull.gap) > beside)
@@ -103,7 +97,7 @@ std::optional<WallWatch::Crossing> WallWatch::first(const ContactSet& contacts, 
                 b.part->isSphere())
                 return false;
             return collision::separateHollow(a, b).gap <
-                   -part * std::min(sizeOf(*a.part), sizeOf(*b.part));
+                   -part * std::min(radiusOf(*a.part), radiusOf(*b.part));
         };
         double from = std::max(looked_, parts.from);
         const double stretch = (until - from) / looks;

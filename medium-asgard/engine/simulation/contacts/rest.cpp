@@ -1,6 +1,7 @@
 #include "contacts/rest.h"
 
 #include "contacts/bearing_rates.h"
+#include "contacts/touch_constraints.h"
 
 #include <Eigen/QR>
 
@@ -171,8 +172,9 @@ private:
     // it may sink in there unnoticed is none: in a groove, off the one wall that it slides on when
     // it meets the other, such hops would follow each other without end, each put back.
     [[nodiscard]] double slowestParting(const Touch& touch) const {
-        return touch.isRound && isFooting(touch) ? std::max(slowest(), slowFor(2 * resolution_.gap))
-                                                 : slowest();
+        return touch.round.isBall && isFooting(touch)
+                   ? std::max(slowest(), slowFor(2 * resolution_.gap))
+                   : slowest();
     }
 
     // Corners that neither part nor approach.
@@ -182,7 +184,7 @@ private:
             const double most = slowest();
             for (std::size_t i = 0; i < touch.corners.size(); ++i) {
                 const double rate = touch.corners[i].rate, gap = touch.corners[i].gap;
-                if (touch.isRoundOnEdge && isYetToCome(touch, rate))
+                if (touch.round.isOnEdge && isYetToCome(touch, rate))
                     continue;
                 if (rate < -most && gap > resolution::landed * touch.size)
                     continue;
@@ -260,9 +262,9 @@ private:
                                      "\", which is held in part only, would give way under the "
                                      "load, which is not modelled; hold its rotation, too "
                                      "(constrain -rot), or all of its position");
-        const bool isOnRim = touch.isCurved && touch.isFlat && !touch.corners.empty() &&
+        const bool isOnRim = touch.round.isCurved && touch.isFlat && !touch.corners.empty() &&
                              candidate.bearing.size() < 3;
-        if (isOnRim || (!touch.isModelled && touch.isCurved))
+        if (isOnRim || (!touch.isModelled && touch.round.isCurved))
             return refuse(touch, "come to rest on each other with a round side, rim or tip, which "
                                  "is not modelled");
         if (!touch.isModelled)

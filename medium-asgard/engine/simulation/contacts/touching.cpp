@@ -4,6 +4,8 @@
 #include "collision/nearest_feature.h"
 #include "collision/patch.h"
 #include "collision/separation.h"
+#include "contacts/gap_rates.h"
+#include "contacts/posed_parts.h"
 #include "contacts/surface_pieces.h"
 #include "geometry/outline.h"
 
@@ -18,37 +20,9 @@ namespace {
 
 using collision::Posed;
 using geometry::besideOutline;
-using geometry::depthInside;
-using geometry::Matrix;
 using geometry::Part;
 using physics::GapConstraint;
 using Kind = physics::GapConstraint::Kind;
-
-Vector centripetal(const BodyState& state, const Vector& point) {
-    const Vector& w = state.angularVelocity;
-    return w.cross(w.cross(point - state.position));
-}
-
-Vector accelerationAt(const Placed& placed, const Vector& point) {
-    return placed.acceleration.linear +
-           placed.acceleration.angular.cross(point - placed.state.position) +
-           centripetal(placed.state, point);
-}
-
-Vector intoFrame(const Placed& placed, const Vector& point) {
-    return placed.state.attitude.conjugate() * Vector(point - placed.state.position);
-}
-
-Vector turnedInto(const Placed& placed, const Vector& direction) {
-    return placed.state.attitude.conjugate() * direction;
-}
-
-Posed posed(const Placed& placed, std::size_t part, const Vector& origin) {
-    const Matrix rotation = placed.state.attitude.toRotationMatrix();
-    return {.part = &placed.shape->parts[part],
-            .rotation = rotation,
-            .offset = placed.state.position - origin - rotation * placed.record->centroid};
-}
 
 bool isCurved(const Part& part) { return part.isCapsule() || (part.curved && !part.isPlane()); }
 
@@ -56,29 +30,6 @@ double sizeOf(const Part& part) {
     if (part.isPlane()) // never the smaller one
         return HUGE_VAL;
     return geometry::radiusAbout(part, part.core.vertices[0]) + part.radius;
-}
-
-// The outward normal of the face that lies closest along a direction.
-Vector faceNormal(const Posed& owner, const Vector& direction) {
-    Vector best = direction;
-    double most = -1;
-    if (owner.part->curved) { // of a cylinder the end that is meant; of a cone the base
-        const Vector axis = owner.rotation * owner.part->curved->axis();
-        using Curved = geometry::Curved::Kind;
-        const Curved kind = owner.part->curved->kind;
-        const bool hasTwo = kind == Curved::cylinder || kind == Curved::tube;
-        const bool isUp =
-            owner.part->isPlane() || kind == Curved::bowl || (hasTwo && axis.dot(direction) > 0);
-        return isUp ? axis : Vector(-axis);
-    }
-    for (const geometry::Face& face : owner.part->core.faces) {
-        const Vector normal = owner.rotation * face.normal;
-        if (const double along = normal.dot(direction); along > most) {
-            most = along;
-            best = normal;
-        }
-    }
-    return best;
 }
 
 // The pair of parts and the features in which they touch.
@@ -91,8 +42,8 @@ public:
         touch.support = support.index;
         touch.bodyPart = bodyPart;
         touch.supportPart = supportPart;
-        touch.isRound = first_.part->isSphere() || second_.part->isSphere();
-        touch.isCurved = isCurved(*first_.part) || isCurved(*second_.part);
+        touch.round.isBall = first_.part->isSphere() || second_.part->isSphere();
+        touch.round.isCurved = isCurved(*first_.part) || isCurved(*second_.part);
         hasPlane_ = first_.part->isPlane() || second_.part->isPlane();
         touch.size = std::min(sizeOf(*first_.part), sizeOf(*second_.part));
         const PartsInTouch parts{support.index, bodyPart, supportPart};
@@ -108,15 +59,15 @@ public:
         touch.normal = separation.normal;
         if (std::abs(touch.gap) > 10 * tolerance_ || touch.gap > tolerance_)
             return false;
-        if (touch.isCurved) {
+        if (touch.round.isCurved) {
             addCurved();
             return true;
         }
-        if (!touch.isRound && !hasPlane_)
+        if (!touch.round.isBall && !hasPlane_)
             preferFaces();
         addCorners();
         // A patch with an area, what is round, and what is on a half space, has one normal.
-        if (touch.corners.size() < 3 && !touch.isRound && !hasPlane_)
+        if (touch.corners.size() < 3 && !touch.round.isBall && !hasPlane_)
             addOthers();
         return true;
     }
@@ -231,7 +182,7 @@ private:
             touch.corners.back().gap = point.at.gap;
             touch.corners.back().pieces = point.gap;
         }
-        touch.isRoundPatch = true;
+        touch.round.isPatch = true;
         return true;
     }
     // Corners of an outline within the border of the other's face; of a round one every fourth.
@@ -286,7 +237,7 @@ private:
         for (std::size_t i = 0; i < touch.corners.size(); i += step)
             kept.push_back(touch.corners[(start + i) % touch.corners.size()]);
         touch.corners = std::move(kept);
-        touch.isRoundPatch = true;
+        touch.round.isPatch = true;
     }
 
     // Of a polyhedron, that in whose cell the sphere's centre lies; the normal away from it.
@@ -298,7 +249,7 @@ private:
         collision::NearestFeature feature =
             collision::nearestFeature(polyhedron, place, resolution::ofPlaces * coordinates);
         touch.gap = feature.distance - centre.part->radius;
-        touch.isRoundOnEdge = feature.corners.size() < 3;
+        touch.round.isOnEdge = feature.corners.size() < 3;
         return feature;
     }
 
@@ -357,7 +308,7 @@ private:
             setCrossing(c);
         c.supportTurns = support_.turns;
         c.supportRotation = support_.state.attitude.toRotationMatrix();
-        measure(corner, origin_ + bodyPoint, origin_ + supportPoint);
+        measureGap(corner, touch, origin_ + bodyPoint, origin_ + supportPoint, body_, support_);
         touch.corners.push_back(corner);
     }
 
@@ -366,49 +317,6 @@ private:
         const Vector across =
             (body_.state.attitude * c.bodyEdge).cross(support_.state.attitude * c.supportEdge);
         c.flipped = across.dot(touch.normal) < 0;
-    }
-
-    [[nodiscard]] Vector normalRate(const GapConstraint& c) const {
-        const Vector &w = body_.state.angularVelocity, &u = support_.state.angularVelocity;
-        if (c.kind == Kind::onSupportPlane)
-            return u.cross(touch.normal);
-        if (c.kind == Kind::onBodyPlane)
-            return w.cross(touch.normal);
-        if (c.kind != Kind::edgeOnEdge)
-            return Vector::Zero();
-        const Vector a = body_.state.attitude * c.bodyEdge;
-        const Vector b = support_.state.attitude * c.supportEdge;
-        const double length = (c.flipped ? -1 : 1) * a.cross(b).norm();
-        const Vector rate = (w.cross(a).cross(b) + a.cross(u.cross(b))) / length;
-        return rate - touch.normal * touch.normal.dot(rate);
-    }
-
-    void measure(Corner& corner, const Vector& bodyPoint, const Vector& supportPoint) const {
-        const GapConstraint& c = corner.constraint;
-        const Vector& n = touch.normal;
-        const bool onPlane = c.kind == Kind::onSupportPlane || c.kind == Kind::onBodyPlane;
-        // On a plane, the material point of its owner that lies under the other's point.
-        const Vector p =
-            c.kind == Kind::onBodyPlane ? Vector(supportPoint + c.radius * n) : bodyPoint;
-        const Vector q =
-            c.kind == Kind::onSupportPlane ? Vector(bodyPoint - c.radius * n) : supportPoint;
-        const Vector speed = body_.state.velocityAt(p) - support_.state.velocityAt(q);
-        const Vector turning = normalRate(c);
-        corner.rate =
-            n.dot(body_.state.velocityAt(corner.point) - support_.state.velocityAt(corner.point));
-        corner.gap = onPlane ? n.dot(bodyPoint - supportPoint) - c.radius : touch.gap;
-        corner.extra = n.dot(centripetal(body_.state, p) - accelerationAt(support_, q)) +
-                       2 * turning.dot(speed);
-        if (onPlane) {
-            corner.extra -= c.radius * turning.squaredNorm();
-        } else if (c.kind != Kind::edgeOnEdge) {
-            Vector across = speed - n * n.dot(speed);
-            if (c.kind == Kind::roundOnLine) {
-                const Vector edge = support_.state.attitude * c.supportEdge;
-                across -= edge * edge.dot(across);
-            }
-            corner.extra += across.squaredNorm() / c.radius;
-        }
     }
 
     // A corner of a patch lies halfway between the surfaces: the point of a feature that is over or
@@ -504,100 +412,7 @@ private:
     std::vector<Vector> ofBody_, ofSupport_;
 };
 
-GapConstraint onPlane(Kind kind, const Vector& bodyPoint, const Vector& supportPoint,
-                      const Touch& touch, const Placed& body, const Placed& support) {
-    GapConstraint c;
-    c.kind = kind;
-    c.support = support.index;
-    c.bodyPoint = intoFrame(body, bodyPoint);
-    c.supportPoint = intoFrame(support, supportPoint);
-    c.normal = turnedInto(kind == Kind::onBodyPlane ? body : support, touch.normal);
-    c.supportTurns = support.turns;
-    c.supportRotation = support.state.attitude.toRotationMatrix();
-    return c;
-}
-
-// With a face flat on a plane that does not turn, the centre's distance from it stays, and so do
-// the directions that lie in it. They are those of the face itself, which may yet be tilted by what
-// counts as touching.
-std::vector<GapConstraint> flat(const Touch& touch, const Placed& body, const Placed& support) {
-    GapConstraint distance = onPlane(Kind::onSupportPlane, body.state.position,
-                                     touch.supportFace[0], touch, body, support);
-    const Vector normal =
-        -faceNormal(posed(body, touch.bodyPart, body.state.position), -touch.normal);
-    distance.radius = normal.dot(body.state.position - touch.bodyFace[0]);
-    std::vector<GapConstraint> constraints{distance};
-    const Vector across = turnedInto(body, normal).unitOrthogonal();
-    const Vector along = turnedInto(body, normal).cross(across);
-    for (const auto& [axis, inPlane] : {std::pair(across, along), {along, Vector(-across)}}) {
-        GapConstraint tilt = distance;
-        tilt.kind = Kind::tilt;
-        tilt.bodyEdge = axis;
-        tilt.inPlane = inPlane;
-        constraints.push_back(tilt);
-    }
-    return constraints;
-}
-
-// The edge of an outline (or the outline, if it is one) that a point lies on and not at its end.
-std::optional<Vector> edgeThrough(const std::vector<Vector>& outline, const Vector& point,
-                                  double tolerance) {
-    const std::size_t edges = outline.size() == 2 ? 1 : outline.size();
-    for (std::size_t i = 0; i < edges && outline.size() > 1; ++i) {
-        const Vector &a = outline[i], &b = outline[(i + 1) % outline.size()];
-        const Vector edge = (b - a).normalized();
-        const double along = edge.dot(point - a);
-        if (edge.cross(point - a).norm() <= tolerance && along > tolerance &&
-            along < (b - a).norm() - tolerance)
-            return edge;
-    }
-    return std::nullopt;
-}
-
-// A single corner where an edge of the body crosses one of the support: the place at which it bears
-// goes along both, and is no point of either.
-std::optional<GapConstraint> crossingAt(const Touch& touch, const Corner& corner,
-                                        const Placed& body, const Placed& support) {
-    constexpr double parallel = 1e-3, near = 1e-5;
-    const auto ofBody = edgeThrough(touch.bodyFace, corner.point, near * touch.size);
-    const auto ofSupport = edgeThrough(touch.supportFace, corner.point, near * touch.size);
-    if (!ofBody || !ofSupport)
-        return std::nullopt;
-    const double across = ofBody->cross(*ofSupport).dot(touch.normal);
-    if (std::abs(across) < parallel)
-        return std::nullopt;
-    GapConstraint c = onPlane(Kind::edgeOnEdge, corner.point, corner.point, touch, body, support);
-    c.bodyEdge = turnedInto(body, *ofBody);
-    c.supportEdge = turnedInto(support, *ofSupport);
-    c.flipped = across < 0;
-    return c;
-}
-
 } // namespace
-
-std::vector<GapConstraint> constraintsOf(const Touch& touch,
-                                         const std::vector<std::size_t>& bearing,
-                                         const Placed& body, const Placed& support) {
-    std::vector<GapConstraint> constraints;
-    if (touch.isFlat && bearing.size() > 2 && !support.turns)
-        return flat(touch, body, support);
-    Vector middle = Vector::Zero();
-    for (const std::size_t i : bearing)
-        middle += touch.corners[i].point / static_cast<double>(bearing.size());
-    const bool isSupportsEdge = touch.isFlat && bearing.size() < 3 &&
-                                depthInside(touch.supportFace, touch.normal, middle) <
-                                    depthInside(touch.bodyFace, touch.normal, middle);
-    if (bearing.size() == 1 && !touch.bodyFace.empty())
-        if (const auto crossing = crossingAt(touch, touch.corners[bearing[0]], body, support))
-            return {*crossing};
-    for (const std::size_t i : bearing)
-        if (isSupportsEdge)
-            constraints.push_back(onPlane(Kind::onBodyPlane, touch.bodyFace[0],
-                                          touch.corners[i].point, touch, body, support));
-        else
-            constraints.push_back(touch.corners[i].constraint);
-    return constraints;
-}
 
 double Touch::rate() const {
     double least = HUGE_VAL;

@@ -3,11 +3,7 @@
 // For a body at rest the question is another than for a hit: the shapes touch for long, within a
 // tolerance that is the integration's and not rounding's, and it counts which features bear.
 // For each corner of the patch in which two parts touch: the constraint that keeps its gap
-// (physics/resting.h), the gap's rate, and the part of its acceleration that does not come from the
-// body's own accelerations,
-//     plane with point:   n.(w x (w x r) - a_s) + 2 n'.(v_b - v_s) - R |n'|^2
-//     round on a point    n.(w x (w x r) - a_s) + |u|^2 / R       u: the speed across the normal
-// with n' from the turning of the plane's owner, r from the body's centre of mass to the point.
+// (physics/resting.h), and how that gap changes (gap_rates.h).
 //
 // A sphere touches the feature in whose cell its centre lies (collision/nearest_feature.h).
 // Where edges or vertices touch, the parts may touch along several axes at once, and stay apart as
@@ -51,11 +47,14 @@ struct Touch { // of one pair of parts
     double size = 0; // of the two parts
     bool isFlat = false;
     bool isModelled = true;
-    bool isRound = false;              // one of the two is a sphere
-    bool isCurved = false;             // one of the two is a capsule, cylinder, cone or ellipsoid
-    bool hasPieces = false;            // ... and each corner has its pieces of the surfaces
-    bool isRoundOnEdge = false;        // a sphere on an edge or a vertex
-    bool isRoundPatch = false;         // a round end lies on a face, many corners go round its rim
+    struct Roundness {
+        bool isBall = false;   // one of the two is a sphere
+        bool isOnEdge = false; // ... on an edge or a vertex
+        bool isCurved = false; // one of the two is a capsule, cylinder, cone or ellipsoid
+        bool isPatch = false;  // ... whose end lies on a face, many corners go round its rim
+    };
+    Roundness round;
+    bool hasPieces = false;            // of what is curved: each corner has its pieces
     std::optional<std::size_t> vertex; // of a part at a hollow part's wall: it touches alone
     std::vector<Corner> corners;
     std::vector<Vector> bodyFace, supportFace; // outlines, world; of polyhedra
@@ -81,12 +80,5 @@ struct PartsInTouch {
 [[nodiscard]] std::vector<Touch> touchesOf(const Placed& body, const Placed& support,
                                            double tolerance,
                                            std::span<const PartsInTouch> resting = {});
-
-// The constraints that keep these corners' gaps: of a face that bears whole, one distance and two
-// turns; of the two corners of an edge, the points of whichever edge it is, on the other's plane;
-// of one corner where edges cross, these edges.
-[[nodiscard]] std::vector<physics::GapConstraint>
-constraintsOf(const Touch& touch, const std::vector<std::size_t>& bearing, const Placed& body,
-              const Placed& support);
 
 } // namespace simulation

@@ -103,7 +103,7 @@ TEST_F(Touching, ABallThatPassesAnotherParts) {
     ballOnBall();
     const auto found = touches(placed(1, {0, 2, 0}, {3, 0, 0}));
     ASSERT_EQ(found.size(), 1u);
-    EXPECT_TRUE(found[0].isRound);
+    EXPECT_TRUE(found[0].round.isBall);
     ASSERT_EQ(found[0].corners.size(), 1u);
     EXPECT_NEAR(found[0].corners[0].rate, 0, 1e-15);
     EXPECT_NEAR(found[0].corners[0].extra, 9.0 / 2, 1e-14);

@@ -242,7 +242,7 @@ bool CollisionSource::needsRows(const Instant& at, std::size_t body,
         const auto touches =
             touchesOf(placed, at.placed(other, states), world_.resolution[body].gap);
         for (const Touch& touch : touches) {
-            if (isAsked || touch.isCurved)
+            if (isAsked || touch.round.isCurved)
                 return true;
             const Touch* lasting = touch.lasting(
                 std::max(resolution::rattled * speedOf(placed),
