@@ -30,10 +30,9 @@ ActiveSet::ActiveSet(ModelFunctions& functions, Multipliers& multipliers, Mode& 
         }
     opened_.assign(laws.size(), 0);
     jammed_.assign(laws.size(), 0);
-    mode.slips.clear();
+    mode.discs.clear();
     for (const BoundModel::Disc& disc : discs())
-        mode.slips.push_back({leastOf(disc), 0, 0});
-    mode.centres.assign(functions.bound()->discs.size(), {0, 0});
+        mode.discs.push_back({.slip = {leastOf(disc), 0, 0}});
 }
 
 bool ActiveSet::isStop(std::size_t row) const { return law(row).isStop; }
@@ -407,7 +406,7 @@ void ActiveSet::setDisc(std::size_t disc, State state) {
 void ActiveSet::setSlip(std::size_t disc, const DiscFriction::InDisc& direction, double speed) {
     setDisc(disc, State::low);
     const double length = direction.norm(), least = leastOf(discs()[disc]);
-    Eigen::Map<Eigen::Vector3d> slip(mode_.slips[disc].data());
+    Eigen::Map<Eigen::Vector3d> slip(mode_.discs[disc].slip.data());
     if (length > 0) {
         slip.setZero();
         slip.head(direction.size()) = direction / length;
@@ -422,8 +421,8 @@ void ActiveSet::setSlip(std::size_t disc) {
 }
 
 void ActiveSet::setCentre(std::size_t disc, const DiscFriction::Centre& centre) {
-    std::ranges::fill(mode_.centres[disc], 0);
-    std::ranges::copy(centre, mode_.centres[disc].begin());
+    mode_.discs[disc].centre = {};
+    std::ranges::copy(centre, mode_.discs[disc].centre.begin());
 }
 
 void ActiveSet::takeSlips(double t, std::span<const double> y) {
@@ -433,7 +432,7 @@ void ActiveSet::takeSlips(double t, std::span<const double> y) {
     multipliers_.evaluateGaps();
     for (std::size_t disc = 0; disc < discs().size(); ++disc)
         if (multipliers_.friction().slips(disc)) {
-            mode_.centres[disc] = {0, 0};
+            mode_.discs[disc].centre = {};
             setSlip(disc);
         }
 }

@@ -128,8 +128,7 @@ bool ActiveSet::settle(std::span<const std::size_t> fallen, double fastest, doub
                        std::span<const double> y) {
     f_.fill(t, y);
     multipliers_.evaluateGaps();
-    mode_.forces.clear();
-    mode_.rooms.clear();
+    mode_.share = {};
     std::vector<char> slipping(discs().size(), 0);
     for (bool isOther = true; isOther;) {
         const Rows rows = rowsFor(fallen, fastest, slipping);
@@ -150,16 +149,15 @@ bool ActiveSet::settle(std::span<const std::size_t> fallen, double fastest, doub
 
 // The laws' where the shortest that keep redundant conditions break a bound.
 void ActiveSet::takeForces() {
-    std::vector<double> ofLaws = std::exchange(mode_.forces, {});
+    std::vector<double> ofLaws = std::exchange(mode_.share.forces, {});
     if (!multipliers_.solve() || !multipliers_.isRedundant() || areWithinBounds())
         return;
-    mode_.forces = std::move(ofLaws);
-    mode_.rooms = roomsOf(mode_.forces);
+    mode_.share.forces = std::move(ofLaws);
+    mode_.share.rooms = roomsOf(mode_.share.forces);
     (void)multipliers_.solve();
     if (areWithinBounds())
         return;
-    mode_.forces.clear(); // these tell no more than the shortest
-    mode_.rooms.clear();
+    mode_.share = {}; // it tells no more than the shortest
 }
 
 std::vector<double> ActiveSet::roomsOf(std::span<const double> forces) const {
@@ -268,9 +266,9 @@ bool ActiveSet::solveLaws(const Rows& rows) {
     constexpr double more = 10;
     const double faulty = more * complementarity::violation(a, b, rows.laws, *answer);
     const double none = hasContacts_ ? std::max(noForce, faulty) * largest : 0;
-    mode_.forces.assign(mode_.kept.size(), 0);
+    mode_.share.forces.assign(mode_.kept.size(), 0);
     for (std::size_t i = 0; i < rows.rows.size(); ++i)
-        mode_.forces[rows.rows[i]] = answer->forces[static_cast<Eigen::Index>(i)];
+        mode_.share.forces[rows.rows[i]] = answer->forces[static_cast<Eigen::Index>(i)];
     std::size_t disc = 0;
     for (std::size_t k = 0; k < rows.laws.size(); ++k) {
         const Law& of = rows.laws[k];
@@ -293,7 +291,7 @@ bool ActiveSet::solveLaws(const Rows& rows) {
         }
     }
     for (std::size_t k = 0; k < discs().size(); ++k)
-        setCentre(k, multipliers_.friction().centreOf(k, mode_.forces));
+        setCentre(k, multipliers_.friction().centreOf(k, mode_.share.forces));
     return true;
 }
 

@@ -74,12 +74,12 @@ DiscFriction::Centre DiscFriction::centreOf(std::size_t k, std::span<const doubl
 }
 
 DiscFriction::Centre DiscFriction::centreIn(std::size_t k) const {
-    return Eigen::Map<const Eigen::Vector2d>(mode_.centres[k].data())
+    return Eigen::Map<const Eigen::Vector2d>(mode_.discs[k].centre.data())
         .head(noChange(k).moment.size());
 }
 
 DiscFriction::InDisc DiscFriction::beganOf(std::size_t k) const {
-    return Eigen::Map<const Eigen::Vector3d>(mode_.slips[k].data())
+    return Eigen::Map<const Eigen::Vector3d>(mode_.discs[k].slip.data())
         .head(indexOf(disc(k).rows.size()));
 }
 

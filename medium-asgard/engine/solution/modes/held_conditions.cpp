@@ -133,9 +133,9 @@ void HeldConditions::putMatrix(std::span<const double> values) {
 
 void HeldConditions::takeRooms() {
     rooms_.setOnes(count(plan_.rows.size()));
-    if (!mode_.rooms.empty())
+    if (!mode_.share.rooms.empty())
         for (std::size_t i = 0; i < plan_.rows.size(); ++i)
-            rooms_[count(i)] = mode_.rooms[plan_.rows[i]];
+            rooms_[count(i)] = mode_.share.rooms[plan_.rows[i]];
 }
 
 bool HeldConditions::factorise(std::span<const double> values) {

@@ -28,7 +28,7 @@ TEST(HeldConditions, TakeTheShortestForces) {
     HeldConditions held(*bound.model, bound, mode);
     ASSERT_TRUE(held.factorise(std::vector<double>(9, 1)));
     Eigen::VectorXd m = Eigen::Vector3d::Constant(-9.81);
-    held.solve(m, mode.forces);
+    held.solve(m, mode.share.forces);
     EXPECT_FALSE(held.isRegular());
     EXPECT_LT((m - Eigen::Vector3d::Constant(3.27)).norm(), 1e-14);
 }
@@ -38,12 +38,12 @@ TEST(HeldConditions, ChangeForcesInProportionToTheSquaresOfTheirRooms) {
     const PreparedEquations prepared = massOnThreePoints();
     const auto& bound = *prepared.components.at(0).bound;
     Mode mode(*bound.model);
-    mode.forces = {6, 3.81 - 1e-6, 1e-6};
-    mode.rooms = {2, 1, 1e-3};
+    mode.share.forces = {6, 3.81 - 1e-6, 1e-6};
+    mode.share.rooms = {2, 1, 1e-3};
     HeldConditions held(*bound.model, bound, mode);
     ASSERT_TRUE(held.factorise(std::vector<double>(9, 1)));
     Eigen::VectorXd m = Eigen::Vector3d::Constant(-10.81);
-    held.solve(m, mode.forces);
+    held.solve(m, mode.share.forces);
     const double part = 1 / (4 + 1 + 1e-6);
     EXPECT_NEAR(m[0], 6 + 4 * part, 1e-11);
     EXPECT_NEAR(m[1], 3.81 - 1e-6 + part, 1e-11);

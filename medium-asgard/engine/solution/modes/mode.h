@@ -45,14 +45,21 @@ struct Mode {
     // to these, by which the laws gave the set: one of each multiplier; empty: the shortest do. A
     // distance counts in units of what its contact can bear, `rooms`: a contact that is hardly
     // pressed takes hardly a part of what changes.
-    std::vector<double> forces, rooms;
+    struct Share {
+        std::vector<double> forces, rooms;
+        [[nodiscard]] bool operator==(const Share&) const = default;
+    };
+    Share share;
     // Stops that touch without a force and without a rate: rounding may close them.
     std::vector<char> touches;
-    // Of each disc of friction whose rows are at a bound: the direction in which it began to slip,
-    // as long as the speed under which that direction counts.
-    std::vector<std::array<double, 3>> slips;
-    // Of each disc the centre of its normal forces there (complementarity/laws.h).
-    std::vector<std::array<double, 2>> centres;
+    struct Disc { // of friction
+        // Where its rows are at a bound: the direction in which it began to slip, as long as the
+        // speed under which that direction counts.
+        std::array<double, 3> slip{};
+        std::array<double, 2> centre{}; // of its normal forces there (complementarity/laws.h)
+        [[nodiscard]] bool operator==(const Disc&) const = default;
+    };
+    std::vector<Disc> discs;
     // A stage that lies a little beyond a surface, where the branch that holds has no value, takes
     // the branch of its values.
     bool looksBeyond = false;

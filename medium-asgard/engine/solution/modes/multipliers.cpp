@@ -109,12 +109,12 @@ bool Multipliers::solve() {
     if (!slips_.empty()) {
         evaluateGaps();
         found_ = rest_;
-        held_.solve(found_, mode_.forces);
+        held_.solve(found_, mode_.share.forces);
         areBalanced = slips_.solve(entries, held_, found_);
         slips_.addTo(rest_, entries);
     }
     found_ = rest_;
-    held_.solve(found_, mode_.forces);
+    held_.solve(found_, mode_.share.forces);
     const bool isKept = areBalanced && found_.allFinite() && isSolved();
     const std::span<double> into = std::span(f_.in()).last(size());
     for (std::size_t row = 0; row < size(); ++row)
