@@ -258,11 +258,11 @@ void ContactRows::addNormals(const ContactPlace& place, std::span<const Node> mu
             condition.valid.push_back(sideOf(side, meeting));
         if (const auto tilt = tiltOf(place, point.gap, meeting))
             condition.valid.push_back(*tilt);
-        if (point.gap.hasFeet())
+        if (point.gap.isCrossing())
             condition.valid.push_back(g_.subtract(meeting.steady, numberOf(leastSteady)));
         const Node gap = g_.subtract(meeting.gap, amountOf(point.start));
         const Node rate =
-            point.gap.hasFeet() ? openingOf(place, meeting) : along(std::span(&gap, 1))[0];
+            point.gap.isCrossing() ? openingOf(place, meeting) : along(std::span(&gap, 1))[0];
         addRow(place, multipliers[k], gap, rate, std::move(condition));
     }
 }

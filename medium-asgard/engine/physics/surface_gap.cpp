@@ -92,6 +92,25 @@ NearestSurfaces nearest(const SurfaceGap& gap, const SurfacePose& body,
     return {found.gap, of(found.normal), of(found.contact), of(found.place), found.steady};
 }
 
+SurfaceGap fromSphereIfSteady(const SurfaceGap& gap, const SurfacePose& body,
+                              const SurfacePose& support) {
+    using Kind = SurfacePiece::Kind;
+    if (!gap.hasFeet() || gap.body.kind != Kind::circle || gap.support.kind != Kind::circle)
+        return gap;
+    const NearestSurfaces feet = nearest(gap, body, support);
+    SurfaceGap found = gap;
+    double least = HUGE_VAL;
+    for (const double branch : {1.0, -1.0}) {
+        SurfaceGap other = gap;
+        other.branch = branch;
+        const NearestSurfaces at = nearest(other, body, support);
+        const double away = (at.contact - feet.contact).norm();
+        if (at.steady > feet.steady / 2 && away < least)
+            found = other, least = away;
+    }
+    return found;
+}
+
 double accelerationOf(const SurfaceGap& gap, const SurfaceMotion& body,
                       const SurfaceMotion& support) {
     return surfaces::nearestOf(gap, of(body), of(support)).gap.second;

@@ -23,9 +23,14 @@
 //     line and line       g = n.d - r, n along a x b          x where they cross
 //
 // A circle has no closed form with a line or a circle (a rim across an edge, a side or another
-// rim). Four steps of Newton's method find the two nearest points p and q, from the circle's `foot`
-// on, which is where it touched. They are exact to rounding near it (nearFoot()), and as smooth as
-// what they come from:
+// rim). Four steps of Newton's method find the two nearest points p and q. They begin
+//
+//     on the sphere   about one circle, with its radius, which another circle leaves at the point
+//                     they share: exact wherever they touch (`branch`)
+//     at the feet     the points of the circles where they touched: exact to rounding near them
+//                     (nearFoot()). For lines, and where a circle only grazes that sphere
+//
+// and the gap is as smooth as what it comes from:
 //
 //     two curves          g = n.(p - q), n along both tangents' product        x = p
 //     round line, circle  g = |p - q| - r                                      x on the circle
@@ -61,9 +66,11 @@ struct SurfacePiece {
 struct SurfaceGap {
     SurfacePiece body, support;
     bool isFlipped = false; // curves: the normal is along support x body
+    // Of two circles: 1 or -1 for one of the two points on the sphere, 0 for the feet.
+    double branch = 0;
 
     // A curve across a curve, of which one is a circle.
-    [[nodiscard]] bool hasFeet() const {
+    [[nodiscard]] bool isCrossing() const {
         const auto isCurve = [](const SurfacePiece& piece) {
             return piece.kind == SurfacePiece::Kind::line ||
                    piece.kind == SurfacePiece::Kind::circle;
@@ -72,6 +79,8 @@ struct SurfaceGap {
                (body.kind == SurfacePiece::Kind::circle ||
                 support.kind == SurfacePiece::Kind::circle);
     }
+
+    [[nodiscard]] bool hasFeet() const { return isCrossing() && branch == 0; }
 
     [[nodiscard]] bool isOnPlane() const {
         return body.kind == SurfacePiece::Kind::plane || support.kind == SurfacePiece::Kind::plane;
@@ -92,9 +101,10 @@ struct NearestSurfaces {
     Vector contact = Vector::Zero(); // on one of the surfaces, world
     // Of a point its place, within its radius; else `contact`.
     Vector place = Vector::Zero();
-    // Of curves with feet how well the two points are determined, else 1: the determinant of their
-    // distance's half square by both points' ways. Of edges that cross it is the square of the
-    // sine of their angle.
+    // Of a crossing with a circle how well the two points are determined, else 1. From feet it is
+    // the determinant of their distance's half square by both points' ways; of edges that cross it
+    // is the square of the sine of their angle. From the sphere it is the square of the sine of the
+    // angle at which the circle leaves it; of circles that touch that is never more.
     double steady = 1;
     // How far, in rad, a circle's point may be from its foot.
     [[nodiscard]] double nearFoot() const;
@@ -104,6 +114,10 @@ inline constexpr double leastSteady = 1e-4;
 
 [[nodiscard]] NearestSurfaces nearest(const SurfaceGap& gap, const SurfacePose& body,
                                       const SurfacePose& support);
+
+// A crossing of two circles that touch at its feet: from the sphere where that is as steady.
+[[nodiscard]] SurfaceGap fromSphereIfSteady(const SurfaceGap& gap, const SurfacePose& body,
+                                            const SurfacePose& support);
 
 struct SurfaceMotion { // of a body, along the world's axes
     SurfacePose pose;

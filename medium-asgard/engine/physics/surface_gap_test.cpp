@@ -159,6 +159,49 @@ TEST(SurfaceGap, OfCurvesNearTheirFeetIsExact) {
     EXPECT_GT(tried, 1000);
 }
 
+// A can that is shoved about on another one: their rims cross where the can came from, and that
+// goes around both of them. Begun on the sphere the crossing is exact all the way.
+TEST(SurfaceGap, OfRimsNearlyInOneAnotherIsExactAllAround) {
+    SurfaceGap gap;
+    gap.body = {.kind = Kind::circle, .axis = Vector::UnitY(), .radius = 0.4};
+    gap.support = gap.body;
+    const Vector off(0.0056, 0, 0.0192); // 0.02
+    gap.body.foot = gap.support.foot = Vector::UnitY().cross(off).normalized();
+    SurfacePose pose{.centre = off};
+    gap = withFeet(gap, pose);
+    gap = fromSphereIfSteady(gap, pose, {});
+    ASSERT_NE(gap.branch, 0);
+    for (int i = 0; i < 400; ++i) {
+        const Matrix turn =
+            posed(Vector::Zero(), Vector::UnitY(), i * std::numbers::pi / 100).rotation;
+        const double tilt = 1e-3 * std::sin(0.7 * i);
+        pose = posed(turn * off * (1 + 0.5 * std::sin(0.01 * i)), turn.col(0), tilt);
+        pose.centre.y() += 0.4 * tilt;
+        pose.centre -= nearest(gap, pose, {}).gap * nearest(gap, pose, {}).normal;
+        const NearestSurfaces found = nearest(gap, pose, {});
+        SurfaceGap anew = gap;
+        anew.branch = 0;
+        for (SurfacePiece* piece : {&anew.body, &anew.support}) {
+            const SurfacePose of = piece == &anew.body ? pose : SurfacePose{};
+            piece->foot = of.rotation.transpose() * (found.contact - of.centre) / 0.4;
+        }
+        const NearestSurfaces exact = nearest(withFeet(anew, pose), pose, {});
+        EXPECT_NEAR(found.gap, 0, 1e-14);
+        EXPECT_NEAR(exact.gap, 0, 1e-14);
+        EXPECT_LT((found.contact - exact.contact).norm(), 1e-11) << i;
+        EXPECT_GT(found.contact.dot(turn.col(0)), 0.3); // the same of the two
+        EXPECT_NEAR(found.steady, exact.steady, 0.01 * exact.steady);
+    }
+}
+
+// The lowest point of a rim that stands upright on another one grazes the sphere: its feet stay.
+TEST(SurfaceGap, OfARimThatStandsOnAnotherBeginsAtItsFeet) {
+    const Curves made = curves(Kind::circle, 0.3);
+    const SurfaceGap gap{made.rim, made.other, false};
+    EXPECT_EQ(fromSphereIfSteady(gap, {}, {}).branch, 0);
+    EXPECT_GT(nearest(gap, {}, {}).steady, 0.5);
+}
+
 // Of a rim and a line the gap is the least distance of the rim's points from the line.
 TEST(SurfaceGap, OfARimAndALineIsTheirLeastDistance) {
     const Curves made = curves(Kind::line, 0.04);
@@ -204,6 +247,9 @@ SurfaceMotion after(double time, const SurfaceMotion& m) {
 TEST(SurfaceGap, AcceleratesAsItsSecondDifferenceSays) {
     const Curves edge = curves(Kind::line, 0), log = curves(Kind::line, 0.04),
                  rim = curves(Kind::circle, 0.3);
+    SurfaceGap sphere{rim.rim, rim.other, false};
+    sphere.branch = 1;
+    sphere.support.place = {0.25, 0.3, 0};
     const SurfacePiece ball{.kind = Kind::point, .radius = 0.1};
     const SurfacePiece below{.kind = Kind::plane, .axis = Vector::UnitY()};
     const SurfaceMotion body{.pose = posed({0.01, 0.2, 0.02}, {1, 2, 3}, 0.1),
@@ -215,7 +261,7 @@ TEST(SurfaceGap, AcceleratesAsItsSecondDifferenceSays) {
     for (const SurfaceGap& gap :
          {SurfaceGap{edge.rim, edge.other, false}, SurfaceGap{log.rim, log.other, false},
           SurfaceGap{rim.rim, rim.other, false}, SurfaceGap{ball, log.other, false},
-          SurfaceGap{edge.rim, below, false}}) {
+          SurfaceGap{edge.rim, below, false}, sphere}) {
         constexpr double h = 1e-4;
         const auto at = [&](double time) {
             return nearest(gap, after(time, body).pose, after(time, support).pose).gap;

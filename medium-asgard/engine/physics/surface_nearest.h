@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace physics::surfaces {
@@ -102,10 +103,10 @@ Extent<S> lowest(const SurfacePiece& piece, const Place<S>& owner, const Triple<
 template <class S> Triple<S> unit(const Triple<S>& a) { return a / lengthOf(a); }
 
 // Of two curves: a line or a circle, and a circle. Each step of Newton's method for the points that
-// are nearest to each other begins at those of the step before, the first at the pieces' feet;
-// a point moves along its tangent and from there back onto its circle. Of a line the nearest point
-// to any other is known.
-constexpr int curveSteps = 4;
+// are nearest to each other begins at those of the step before, the first where `branch` says
+// (surface_gap.h); a point moves along its tangent and from there back onto its circle. Of a line
+// the nearest point to any other is known.
+constexpr int stepsFromFeet = 4, stepsFromSphere = 2;
 
 template <class S> struct Circle {
     Triple<S> axis;
@@ -117,6 +118,7 @@ template <class S> struct Circle {
           out(owner.toWorld(piece.foot)) {}
     [[nodiscard]] Triple<S> tangent() const { return cross(axis, out); }
     void move(const S& angle) { out = unit(out + angle * tangent()); }
+    void turnTo(const Triple<S>& point) { out = unit(point - dot(axis, point) * axis); }
 };
 
 template <class S> struct Crossing { // of two curves
@@ -126,6 +128,30 @@ template <class S> struct Crossing { // of two curves
     S steady;                        // surface_gap.h
 };
 
+// The root of what is below 0 beyond where a curve leaves a sphere: there next to 0, so that a step
+// that goes too far has a value too.
+template <class S> S rootOf(const S& sine) {
+    using std::sqrt;
+    constexpr double least = 0.01 * leastSteady;
+    return sqrt((sine + sqrt(sine * sine + like(sine, least * least))) / like(sine, 2));
+}
+
+// The first circle leaves the sphere about the second; `d` from the second's centre to the first's.
+// Gives the square of the sine of the angle at which it does.
+template <class S>
+S beginOnSphere(Circle<S>& first, Circle<S>& second, const Triple<S>& d, double branch) {
+    const Triple<S> to = like(first.radius, -1) * d, across = cross(first.axis, to);
+    const S square = second.radius * second.radius, wide = dot(across, across);
+    const S way =
+        (first.radius * first.radius + dot(to, to) - square) / (like(square, 2) * first.radius);
+    const S sine = (wide - way * way) / square;
+    first.out = (way * cross(across, first.axis) +
+                 like(sine, branch) * second.radius * rootOf(sine) * across) /
+                wide;
+    second.turnTo(first.radius * first.out - to);
+    return sine;
+}
+
 // `d` from the circle's centre to the line's place.
 template <class S>
 Crossing<S> crossingOf(const Triple<S>& line, Circle<S> circle, const Triple<S>& d) {
@@ -134,14 +160,18 @@ Crossing<S> crossingOf(const Triple<S>& line, Circle<S> circle, const Triple<S>&
         const Triple<S> apart = from - dot(line, from) * line;
         const S across = dot(line, tangent), bends = dot(apart, circle.out) / circle.radius;
         const S steady = like(across, 1) - across * across + bends;
-        if (i == curveSteps)
+        if (i == stepsFromFeet)
             return {apart, line, tangent, apart + circle.radius * circle.out - d, steady};
         circle.move(dot(apart, tangent) / circle.radius / steady);
     }
 }
 
 // `d` from the second's centre to the first's.
-template <class S> Crossing<S> crossingOf(Circle<S> first, Circle<S> second, const Triple<S>& d) {
+template <class S>
+Crossing<S> crossingOf(Circle<S> first, Circle<S> second, const Triple<S>& d, double branch) {
+    std::optional<S> sine;
+    if (branch != 0)
+        sine = beginOnSphere(first, second, d, branch);
     for (int i = 0;; ++i) {
         const Triple<S> offset = first.radius * first.out;
         const Triple<S> apart = d + offset - second.radius * second.out;
@@ -151,8 +181,8 @@ template <class S> Crossing<S> crossingOf(Circle<S> first, Circle<S> second, con
         const S ofFirst = like(both, 1) - dot(apart, first.out) / first.radius;
         const S ofSecond = like(both, 1) + dot(apart, second.out) / second.radius;
         const S steady = ofFirst * ofSecond - both * both;
-        if (i == curveSteps)
-            return {apart, along, other, offset, steady};
+        if (i == (sine ? stepsFromSphere : stepsFromFeet))
+            return {apart, along, other, offset, sine.value_or(steady)};
         first.move((two * both - one * ofSecond) / steady / first.radius);
         second.move((two * ofFirst - one * both) / steady / second.radius);
     }
@@ -162,7 +192,7 @@ template <class S> Crossing<S> crossingOf(Circle<S> first, Circle<S> second, con
 // Places: from a's place.
 template <class S>
 Nearest<S> between(const SurfacePiece& a, const Place<S>& ofA, const SurfacePiece& b,
-                   const Place<S>& ofB, const Triple<S>& d, bool isFlipped) {
+                   const Place<S>& ofB, const Triple<S>& d, const SurfaceGap& gap) {
     using Kind = SurfacePiece::Kind;
     const Triple<S> none = ofA.toWorld(Vector::Zero());
     if (b.kind == Kind::plane) {
@@ -175,29 +205,30 @@ Nearest<S> between(const SurfacePiece& a, const Place<S>& ofA, const SurfacePiec
     const auto round = [&](const Triple<S>& way, const S& length, double both) {
         const bool isWithin = both < 0; // a in the hollow of b
         const Triple<S> n = (isWithin ? ofA.number(-1) * way : way) / length;
-        const S gap = isWithin ? ofA.number(-both) - length : length - ofA.number(both);
-        return Nearest<S>{gap, n, ofA.number(-a.radius) * n, none, ofA.number(1)};
+        const S apart = isWithin ? ofA.number(-both) - length : length - ofA.number(both);
+        return Nearest<S>{apart, n, ofA.number(-a.radius) * n, none, ofA.number(1)};
     };
     if (b.kind == Kind::point)
         return round(d, lengthOf(d), a.radius + b.radius);
     if (b.kind == Kind::circle && a.kind != Kind::point) {
         const Circle<S> circle(b, ofB);
-        const Crossing<S> found = a.kind == Kind::line ? crossingOf(ofA.toWorld(a.axis), circle, d)
-                                                       : crossingOf(Circle<S>(a, ofA), circle, d);
+        const Crossing<S> found = a.kind == Kind::line
+                                      ? crossingOf(ofA.toWorld(a.axis), circle, d)
+                                      : crossingOf(Circle<S>(a, ofA), circle, d, gap.branch);
         if (a.kind == Kind::line && a.radius > 0) {
             const S length = lengthOf(found.apart);
             const Triple<S> n = found.apart / length, on = found.offset - found.apart;
             return {length - radius, n, on, on, found.steady};
         }
-        const Triple<S> n =
-            unit(isFlipped ? cross(found.second, found.first) : cross(found.first, found.second));
+        const Triple<S> n = unit(gap.isFlipped ? cross(found.second, found.first)
+                                               : cross(found.first, found.second));
         return {dot(n, found.apart), n, found.offset, found.offset, found.steady};
     }
     const Triple<S> axis = ofB.toWorld(b.axis);
     const Triple<S> across = d - dot(axis, d) * axis;
     if (a.kind == Kind::line) {
         const Triple<S> own = ofA.toWorld(a.axis);
-        const Triple<S> common = isFlipped ? cross(axis, own) : cross(own, axis);
+        const Triple<S> common = gap.isFlipped ? cross(axis, own) : cross(own, axis);
         const Triple<S> n = common / lengthOf(common);
         const S both = dot(own, axis);
         const S way = (both * dot(axis, d) - dot(own, d)) / dot(common, common);
@@ -225,7 +256,7 @@ Nearest<S> nearestOf(const SurfaceGap& gap, const Place<S>& body, const Place<S>
     const Place<S>&a = isSwapped ? support : body, &b = isSwapped ? body : support;
     const Triple<S> place = a.toWorld(first->place);
     const Triple<S> d = (a.centre - b.centre) + (place - b.toWorld(second->place));
-    Nearest<S> found = between(*first, a, *second, b, d, gap.isFlipped);
+    Nearest<S> found = between(*first, a, *second, b, d, gap);
     const Triple<S> at = a.centre + place;
     found.contact = at + found.contact;
     found.place = at + found.place;

@@ -77,7 +77,7 @@ public:
         SurfacePiece &first = found.gap.body, &second = found.gap.support;
         const Vector normal = physics::nearest(gap, poseOf(body_), poseOf(support_)).normal;
         found.follows -= across_ * across_.transpose();
-        if (gap.hasFeet()) {
+        if (gap.isCrossing()) {
             atFoot(first, body_);
             atFoot(second, support_);
         }

@@ -87,14 +87,26 @@ public:
           tolerance_(tolerance), ofBody_(poseOf(body)), ofSupport_(poseOf(support)) {}
 
     PieceTouch find(const Vector& normal) {
-        found_.normal = normal;
-        if (const auto under = faceTowards(support_, supportPart_, normal))
-            onFace(*under, false);
-        if (const auto over = faceTowards(body_, bodyPart_, -normal);
-            over && found_.points.empty()) {
+        PieceTouch nearest{.normal = normal, .points = {}, .isModelled = true};
+        const auto isNearer = [&] {
+            return !found_.points.empty() &&
+                   (nearest.points.empty() ||
+                    (found_.isModelled &&
+                     lowestGap(found_) < lowestGap(nearest) - beyond * tolerance_));
+        };
+        // Of what lies across the border of a face something else may lie on the other's face.
+        bool isAcross = true;
+        for (const bool isBodys : {false, true}) {
+            const auto face = isBodys ? faceTowards(body_, bodyPart_, -normal)
+                                      : faceTowards(support_, supportPart_, normal);
+            if (!face || !isAcross)
+                continue;
             found_ = {.normal = normal, .points = {}, .isModelled = true};
-            onFace(*over, true);
+            isAcross = onFace(*face, isBodys);
+            if (isNearer())
+                nearest = found_;
         }
+        found_ = std::move(nearest);
         if (found_.points.empty()) {
             found_ = {.normal = normal, .points = {}, .isModelled = true};
             onPieces();
@@ -140,6 +152,9 @@ private:
             putFoot(point.gap.support, ofSupport_, point.at.contact);
             point.at = physics::nearest(point.gap, ofBody_, ofSupport_);
         }
+        point.gap = physics::fromSphereIfSteady(point.gap, ofBody_, ofSupport_);
+        if (point.gap.branch != 0)
+            point.at = physics::nearest(point.gap, ofBody_, ofSupport_);
         return point;
     }
     // Of two curves whose normal may be the opposite one.
@@ -156,9 +171,34 @@ private:
         off -= piece.axis * piece.axis.dot(off);
         piece.foot = off.normalized();
     }
+    // Two circles with their feet where they cross: twice, or not at all where one only grazes the
+    // other.
+    static std::vector<std::pair<SurfacePiece, SurfacePiece>>
+    feetOnSpheres(SurfacePiece first, const physics::SurfacePose& ofFirst, SurfacePiece second,
+                  const physics::SurfacePose& ofSecond) {
+        std::vector<std::pair<SurfacePiece, SurfacePiece>> found;
+        for (const double branch : {1.0, -1.0}) {
+            const SurfaceGap gap{.body = first, .support = second, .branch = branch};
+            const physics::NearestSurfaces at = physics::nearest(gap, ofFirst, ofSecond);
+            if (!(at.steady > steadyEnough))
+                continue;
+            putFoot(first, ofFirst, at.contact);
+            putFoot(second, ofSecond, at.contact);
+            if (physics::fromSphereIfSteady({first, second}, ofFirst, ofSecond).branch != 0)
+                found.emplace_back(first, second);
+        }
+        return found;
+    }
     void keep(const PiecePoint& point) { found_.points.push_back(point); }
 
-    void onFace(const FlatFace& face, bool isBodys) {
+    static double lowestGap(const PieceTouch& touch) {
+        return std::ranges::min_element(touch.points, {},
+                                        [](const PiecePoint& point) { return point.at.gap; })
+            ->at.gap;
+    }
+
+    // Something of it is across the border, or nothing on it.
+    bool onFace(const FlatFace& face, bool isBodys) {
         const Placed &owner = isBodys ? body_ : support_, &round = isBodys ? support_ : body_;
         found_.normal = toWorld(owner, face.plane.axis) * (isBodys ? -1 : 1);
         const physics::SurfacePose& ofOwner = isBodys ? ofBody_ : ofSupport_;
@@ -177,8 +217,10 @@ private:
             else
                 keep(point);
         }
-        if (isBeyond || found_.points.empty())
-            acrossBorder(face, isBodys);
+        if (!isBeyond && !found_.points.empty())
+            return false;
+        acrossBorder(face, isBodys);
+        return true;
     }
 
     // The outside of a bowl whose edge is lower.
@@ -248,8 +290,8 @@ private:
     }
     // The feet were found, near where the parts touch.
     [[nodiscard]] bool isThere(const PiecePoint& point) const {
-        return !point.gap.hasFeet() ||
-               (std::abs(point.at.gap) <= farthest * tolerance_ &&
+        return !point.gap.isCrossing() ||
+               (point.at.gap <= tolerance_ && point.at.gap >= -farthest * tolerance_ &&
                 point.at.normal.dot(found_.normal) > sameWay && point.at.steady > steadyEnough);
     }
 
@@ -309,6 +351,11 @@ private:
         const Vector apart = ofOwner.rotation.transpose() * (ofOther.centre - ofOwner.centre) +
                              turned(piece.place) - rim.place;
         if (piece.kind == Kind::circle) {
+            if (const auto pairs = feetOnSpheres(rim, ofOwner, piece, ofOther); !pairs.empty()) {
+                for (const auto& [own, other] : pairs)
+                    keepCrossing(face, isBodys, own, other, length);
+                return;
+            }
             rim.foot = footOf(rim, apart + piece.radius * turned(piece.foot));
             return keepCrossing(face, isBodys, rim, piece, length);
         }
