@@ -204,6 +204,26 @@ TEST(Gestures, AnAxisAndBothEndsOfADistanceAreDragged) {
     EXPECT_THAT(stage.text(), HasSubstr("-body1 b1 -offset2 {0.5 1 0}\n"));
 }
 
+// Its handle stands as far out as the rope is slack; none of a belt.
+TEST(Gestures, ARopesLengthIsDraggedAndNoShorterThanItMeasures) {
+    const std::string bob = ball + "body bob ball -init_pos {2 0 0}\n";
+    const auto dragged = [&](const std::string& rope, double by) {
+        Stage stage(bob + "rope r -points {{0 0 0} {bob}}" + rope + "\n");
+        const Handle handle = stage.handle(HandleKind::ropeLength, 0);
+        stage.drag(handle, handle.place + Vector(by, 0, 0));
+        return stage.scene().ropes[0].length.value_or(0);
+    };
+    EXPECT_NEAR(dragged("", 0.5), 2.5, 0.01); // written where nothing stood
+    EXPECT_NEAR(dragged(" -length 2.25", 0.5), 2.75, 0.01);
+    EXPECT_NEAR(dragged(" -length 2.25", -0.1), 2.15, 0.01);
+    EXPECT_EQ(dragged(" -length 2.25", -1), 2);
+    Stage slack(bob + "rope r -points {{0 0 0} {bob}} -length 2.25\n");
+    Stage taut(bob + "rope r -points {{0 0 0} {bob}}\n");
+    const Handle handle = slack.handle(HandleKind::ropeLength, 0);
+    EXPECT_NEAR(handle.place.x() - taut.handle(HandleKind::ropeLength, 0).place.x(), 0.25, 1e-12);
+    EXPECT_EQ(quantityOf(slack.scene(), handle), "length");
+}
+
 // However far a limit is dragged, the text can be read, and a hinge has whole degrees.
 TEST(Gestures, ALimitLetsTheJointBeWhereItIsAtTheStart) {
     constexpr double degree = M_PI / 180;

@@ -1,6 +1,7 @@
 #include "gestures/handle_meaning.h"
 
 #include "editing/number_text.h"
+#include "framing/rope_lines.h"
 #include "point_edits/trajectory_edit.h"
 
 #include <algorithm>
@@ -124,6 +125,25 @@ Wish limit(const scene::Scene& scene, const Handle& handle, const Vector& place,
     return wish;
 }
 
+// No shorter than the rope measures at the start, as it will be written.
+Wish lengthOfRope(const scene::Scene& scene, const Handle& handle, const Vector& place,
+                  double pixel) {
+    const auto end = render::ropeEndOf(scene, nullptr, handle.element, scene.simulator.start);
+    const double measured = end ? end->measured : 0;
+    Wish wish;
+    wish.element = elementOf(handle);
+    wish.option = "-length";
+    wish.absent = {measured};
+    wish.now = wish.values = {scene.ropes[handle.element].length.value_or(measured)};
+    wish.resolution = editing::decimalStep(pixel);
+    if (place == handle.place || wish.resolution <= 0)
+        return wish;
+    double steps = std::round((measured + handle.frame.toLocal(place).z()) / wish.resolution);
+    steps = std::max(steps, std::ceil(measured / wish.resolution - 1e-9));
+    wish.values = {editing::roundedTo(steps * wish.resolution, wish.resolution)};
+    return wish;
+}
+
 // In any locale with a point.
 std::string fixed(double value, int digits) {
     std::array<char, 400> text;
@@ -185,6 +205,8 @@ editing::Element elementOf(const Handle& handle) {
     case HandleKind::jointPoint:
     case HandleKind::jointLimit:
         return {Kind::joint, handle.element};
+    case HandleKind::ropeLength:
+        return {Kind::rope, handle.element};
     case HandleKind::lightPlace:
     case HandleKind::lightDirection:
         return {Kind::light, handle.element};
@@ -230,6 +252,8 @@ std::vector<Wish> wishesFor(const scene::Scene& scene, const Handle& handle, con
         return {one(handle, handle.part == 0 ? "-offset1" : "-offset2", local, localNow, length)};
     case HandleKind::jointLimit:
         return {limit(scene, handle, place, length)};
+    case HandleKind::ropeLength:
+        return {lengthOfRope(scene, handle, place, length)};
     case HandleKind::lightPlace:
         return {one(handle, "-pos", place, handle.place, length)};
     case HandleKind::lightDirection:
@@ -307,6 +331,8 @@ std::string quantityOf(const scene::Scene& scene, const Handle& handle) {
         return handle.part == 0 ? "point" : "second point";
     case HandleKind::jointLimit:
         return handle.part == 0 ? "lower limit" : "upper limit";
+    case HandleKind::ropeLength:
+        return "length";
     case HandleKind::lightPlace:
         return "place";
     case HandleKind::lightDirection:

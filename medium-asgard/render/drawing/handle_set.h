@@ -29,6 +29,9 @@ enum class HandleKind : std::uint8_t {
     // Of a hinge or a slider; part: 0 the lower, 1 the upper. In its frame q is 0 along x and the
     // axis is z.
     jointLimit,
+    // How long a rope is. In its frame z is 0 where the rope is taut at the start, and the slack
+    // beyond.
+    ropeLength,
     lightPlace,
     lightDirection,
     // part: which of -points, or of -bezier's control points (editing/). Of a trajectory that only

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <unordered_map>
 
 namespace render {
@@ -188,6 +187,22 @@ public:
         return line.corners;
     }
 
+    [[nodiscard]] std::optional<RopeEnd> endOf(const scene::Rope& rope, double time) const {
+        auto start = placesOf(rope, std::nullopt), now = placesOf(rope, time);
+        if (rope.isClosed || !start || !now || now->size() < 2)
+            return std::nullopt;
+        const std::vector<double> radii = Route(rope, *start).orientedRadii();
+        for (std::size_t i = 0; i < radii.size(); ++i)
+            (*start)[i].radius = (*now)[i].radius = radii[i];
+        const Route::Line line = Route(rope, *now).line();
+        const Vector last = line.corners.back() - line.corners[line.corners.size() - 2];
+        const double measured = Route(rope, *start).line().length;
+        if (Route(rope, *now).hasDrum() || !(last.norm() > 0) || !line.corners.back().allFinite() ||
+            !std::isfinite(measured))
+            return std::nullopt;
+        return RopeEnd{line.corners.back(), last.normalized(), measured};
+    }
+
 private:
     [[nodiscard]] std::optional<std::vector<Place>> placesOf(const scene::Rope& rope,
                                                              std::optional<double> time) const {
@@ -228,6 +243,11 @@ std::vector<RopeLine> ropeLinesOf(const scene::Scene& scene, const simulation::M
         if (auto corners = ropes.cornersOf(scene.ropes[r], time, up))
             lines.push_back({r, std::move(*corners)});
     return lines;
+}
+
+std::optional<RopeEnd> ropeEndOf(const scene::Scene& scene, const simulation::Motion* motion,
+                                 std::size_t rope, double time) {
+    return Ropes(scene, motion).endOf(scene.ropes[rope], time);
 }
 
 std::vector<Vector> ropeAnchorsOf(const scene::Scene& scene) {

@@ -8,6 +8,7 @@
 #include "motion/motion.h"
 #include "scene/scene.h"
 
+#include <optional>
 #include <vector>
 
 namespace render {
@@ -23,6 +24,16 @@ struct RopeLine {
 [[nodiscard]] std::vector<RopeLine> ropeLinesOf(const scene::Scene& scene,
                                                 const simulation::Motion* motion, double time,
                                                 const Vector& up);
+
+// The end of a rope at a time: where its last point is, which way its last span leads there, and
+// what the rope measures at the start. None of a closed rope, and of one that drums wind.
+struct RopeEnd {
+    Vector at, direction;
+    double measured = 0;
+};
+[[nodiscard]] std::optional<RopeEnd> ropeEndOf(const scene::Scene& scene,
+                                               const simulation::Motion* motion, std::size_t rope,
+                                               double time);
 
 // The points of ropes that stand in the world.
 [[nodiscard]] std::vector<Vector> ropeAnchorsOf(const scene::Scene& scene);

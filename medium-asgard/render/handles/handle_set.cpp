@@ -2,6 +2,7 @@
 #include "drawing/round_numbers.h"
 #include "framing/framing.h"
 #include "framing/joint_places.h"
+#include "framing/rope_lines.h"
 #include "handles/handle_layout.h"
 #include "handles/handles.h"
 #include "scene/joint_types.h"
@@ -229,6 +230,30 @@ void Handles::addLinks(HandleSet& set, double time, const Display& display) {
     }
 }
 
+// Beyond its last point, by what the rope is longer than it measures at the start; a little further
+// out, so that nothing there covers it.
+void Handles::addRopes(HandleSet& set, double time, const Display& display) const {
+    for (std::size_t i = 0; i < scene_.ropes.size(); ++i) {
+        const scene::Rope& rope = scene_.ropes[i];
+        const bool isHidden =
+            display.hidden && std::ranges::all_of(rope.points, [&](const auto& p) {
+                return p.body && display.hidden->contains(*p.body);
+            });
+        const auto end = ropeEndOf(scene_, motion_.get(), i, time);
+        if (!end || isHidden)
+            continue;
+        const std::string& last = rope.points.back().body.value_or(std::string());
+        const std::size_t body = last.empty() ? scene_.bodies.size() : indexOf(last);
+        const double reach = body < reaches_.size() ? reaches_[body] : 0;
+        const geometry::Pose frame{
+            end->at + (reach + 0.06 * viewUnit_) * end->direction,
+            geometry::Quaternion::FromTwoVectors(Vector::UnitZ(), end->direction)};
+        const double slack = std::max(0.0, rope.length.value_or(end->measured) - end->measured);
+        const Vector stands = frame.toWorld(Vector(0, 0, slack));
+        set.handles.push_back({HandleKind::ropeLength, i, 0, stands, stands, 1, frame});
+    }
+}
+
 void Handles::addJoints(HandleSet& set, double time, const Display& display) const {
     const JointPlaces places(scene_, motion_.get());
     for (std::size_t i = 0; i < scene_.joints.size(); ++i) {
@@ -391,6 +416,8 @@ HandleSet Handles::at(double time, const Display& display, const Camera& camera,
         addForces(set, time, display);
     if (display.linkHandles)
         addLinks(set, time, display);
+    if (display.linkHandles)
+        addRopes(set, time, display);
     if (display.jointHandles)
         addJoints(set, time, display);
     if (display.lightHandles)

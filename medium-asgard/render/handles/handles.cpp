@@ -21,6 +21,7 @@ scene::Color colorOf(HandleKind kind) {
     case HandleKind::torqueHead:
         return {0.75, 0.15, 0.60};
     case HandleKind::linkEnd:
+    case HandleKind::ropeLength:
         return {0.15, 0.35, 0.85};
     case HandleKind::jointPoint:
     case HandleKind::jointAxis:
@@ -68,6 +69,7 @@ bool shows(const Display& display, HandleKind kind) {
     case HandleKind::torqueHead:
         return display.torqueHandles;
     case HandleKind::linkEnd:
+    case HandleKind::ropeLength:
         return display.linkHandles;
     case HandleKind::jointPoint:
     case HandleKind::jointAxis:

@@ -69,6 +69,7 @@ private:
     void addBody(HandleSet& set, std::size_t index, const Display& display) const;
     void addForces(HandleSet& set, double time, const Display& display);
     void addLinks(HandleSet& set, double time, const Display& display);
+    void addRopes(HandleSet& set, double time, const Display& display) const;
     void addJoints(HandleSet& set, double time, const Display& display) const;
     void addLimits(HandleSet& set, std::size_t index, const JointPlace& place) const;
     void addLights(HandleSet& set) const;

@@ -76,6 +76,8 @@ QString wordsOf(HandleKind kind) {
         return QObject::tr("which way its axis points");
     case HandleKind::jointLimit:
         return QObject::tr("how far it goes");
+    case HandleKind::ropeLength:
+        return QObject::tr("how long it is");
     case HandleKind::lightPlace:
         return QObject::tr("where it is");
     case HandleKind::lightDirection:
