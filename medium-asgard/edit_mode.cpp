@@ -1,5 +1,6 @@
 #include "edit_mode.h"
 
+#include "frame/placing.h"
 #include "frame/seen_style.h"
 #include "plain/qt_messages.h"
 #include "service/menu.h"
@@ -85,16 +86,39 @@ public:
         attend();
     }
 
-    std::optional<std::string> open(const std::string& entry) override {
+    std::optional<std::string> open(const std::string& entry,
+                                    const std::optional<ipc::ScreenArea>& figure) override {
+        const auto before = editor_.viewerWindows();
+        openFor(entry);
+        if (figure)
+            for (QMainWindow* one : editor_.viewerWindows())
+                if (!before.contains(one))
+                    views::placeBesideFigure(
+                        *one, {static_cast<int>(figure->x), static_cast<int>(figure->y),
+                               static_cast<int>(figure->width), static_cast<int>(figure->height)});
+        return std::nullopt;
+    }
+
+    void openFor(const std::string& entry) {
         if (entry == service::updateDrafts)
             for (views::LanguageViewer* viewer : editor_.languageViewers())
                 viewer->updateDocument();
+        else if (entry.starts_with(service::openThing + " "))
+            openAt(entry.substr(service::openThing.size() + 1));
         else if (entry == "open-graphical-viewer")
             raise(editor_.graphicalViewers().isEmpty() ? editor_.openMainWindow()
                                                        : editor_.openGraphicalViewer());
         else
             raise(editor_.openLanguageViewer());
-        return std::nullopt;
+    }
+
+    // The viewer that is open, or one that begins, with the thing of that name selected: as soon as
+    // its scene is read, in a process that has just begun.
+    void openAt(std::string name) {
+        wanted_ = std::move(name);
+        const auto open = editor_.graphicalViewers();
+        raise(open.isEmpty() ? editor_.openMainWindow() : open.back());
+        selectWanted();
     }
 
     void restore(const std::string& state, const std::string& notice) override {
@@ -181,6 +205,15 @@ private:
         computed.stale = from.motionIsStale();
         computed.stopped = from.isCancelled();
         document().setComputed(std::move(computed));
+        selectWanted();
+    }
+
+    void selectWanted() {
+        if (wanted_.empty() || !document().sceneIsCurrent())
+            return;
+        const std::string name = std::exchange(wanted_, {});
+        if (const auto element = service::thingCalled(*document().shown().scene, name))
+            document().select({*element});
     }
 
     void tellWindows() {
@@ -263,6 +296,7 @@ private:
     std::string proposedText_; // by the last change
     bool preview_ = false;     // the windows show a gesture's text
     QString label_;            // of the last change
+    std::string wanted_;       // the thing that a viewer opens at, when its scene is read
     struct Followed {
         service::ScenePointer scene;
         simulation::MotionPointer motion;

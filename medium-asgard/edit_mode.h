@@ -13,7 +13,8 @@ namespace asgard {
 class Windows {
 public:
     virtual ~Windows() = default;
-    virtual std::optional<std::string> open(const std::string& entry) = 0;
+    virtual std::optional<std::string> open(const std::string& entry,
+                                            const std::optional<ipc::ScreenArea>& figure) = 0;
     // Those of a process that ended; `notice` says in them what happened.
     virtual void restore(const std::string& state, const std::string& notice) = 0;
 };

@@ -107,9 +107,10 @@ int serveAsMedium(script::Reader& reader) {
     platform.confine = [drawing = platform.thread.get()](ipc::Mode mode) {
         confine(mode, *drawing);
     };
-    platform.openViewer = [&windows](const std::string& entry) {
+    platform.openViewer = [&windows](const std::string& entry,
+                                     const std::optional<ipc::ScreenArea>& figure) {
         if (windows)
-            return windows->open(entry);
+            return windows->open(entry, figure);
         const std::string why = screen::displayFault();
         return std::optional(why.empty() ? "windows are opened by a process in mode \"edit\""
                                          : why);

@@ -35,6 +35,8 @@ inline constexpr Count mostDiagnostics{1000, true}; // of one text
 inline constexpr Count mostParameters{1000};
 inline constexpr Count mostExpressions{1000, false, longestExpression}; // and their values
 inline constexpr Count mostOffers{1000, true};                          // of values
+inline constexpr Count mostFields{100}, mostWays{100, true};            // of a question
+inline constexpr Count mostFieldValues{100, false, longestInput};
 inline constexpr Count mostValueFaults{1000, false, longestSentence};
 inline constexpr Count mostCapabilities{100, false, longestName};
 inline constexpr Count mostEdits{10'000}; // of one change

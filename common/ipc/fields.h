@@ -48,6 +48,12 @@ template <class V> void describe(V& v, text::Edit& m) {
     v.field("to", m.range.to, natural);
     v.field("text", m.text, longestText);
 }
+template <class V> void describe(V& v, ScreenArea& m) {
+    v.field("x", m.x, {-(1 << 20), 1 << 20});
+    v.field("y", m.y, {-(1 << 20), 1 << 20});
+    v.field("width", m.width, {1, 1 << 20});
+    v.field("height", m.height, {1, 1 << 20});
+}
 template <class V> void describe(V& v, Presentation& m) {
     v.field("id", m.id, longestName);
     v.field("label", m.label, longestLabel);
@@ -99,6 +105,22 @@ template <class V> void describe(V& v, Values& m) {
     v.option("faults", m.faults, mostValueFaults);
 }
 template <class V> void describe(V& v, Evaluated& m) { v.field("result", m.result, longestText); }
+template <class V> void describe(V& v, AskedField& m) {
+    v.field("label", m.label, longestLabel);
+    v.field("value", m.value, longestInput);
+}
+template <class V> void describe(V& v, Way& m) {
+    v.field("id", m.id, longestName);
+    v.field("label", m.label, longestLabel);
+}
+template <class V> void describe(V& v, Question& m) {
+    v.field("title", m.title, longestLabel);
+    v.option("note", m.note, longestSentence);
+    v.field("fields", m.fields, mostFields);
+    v.option("refusal", m.refusal, longestSentence);
+    v.option("ways", m.ways, mostWays);
+}
+template <class V> void describe(V& v, Invoked& m) { v.option("question", m.question); }
 template <class V> void describe(V& v, Revised& m) { v.field("revision", m.revision, natural); }
 
 template <class V> void describe(V& v, Initialize& m) {
@@ -186,6 +208,8 @@ template <class V> void describe(V& v, RenditionSnapshot& m) {
 template <class V> void describe(V& v, MenuInvoke& m) {
     v.field("id", m.id, longestName);
     v.field("rendition", m.rendition, natural);
+    v.option("values", m.values, mostFieldValues);
+    v.option("figure", m.figure);
 }
 template <class V> void describe(V&, TimePlay&) {}
 template <class V> void describe(V&, TimePause&) {}

@@ -59,6 +59,10 @@ struct Presentation {
     std::string id, label;
 };
 
+struct ScreenArea { // device pixels of the screen that both sides are on
+    Integer x = 0, y = 0, width = 0, height = 0;
+};
+
 struct ParameterValue {
     std::string name;
     double value = 0;
@@ -133,12 +137,29 @@ struct ValueOffers {
 struct Evaluated {
     std::string result;
 };
+struct AskedField { // of a question: its value as it is now, to be typed anew
+    std::string label, value;
+};
+struct Way { // another one than that which was refused
+    std::string id, label;
+};
+// A command that wants to know more before it is done. The host asks its user, and invokes the same
+// entry again with the values, or a way by its id.
+struct Question {
+    std::string title, note;
+    std::vector<AskedField> fields;
+    std::string refusal;   // why the values that came with it cannot be; "": none came
+    std::vector<Way> ways; // instead
+};
+struct Invoked {
+    std::optional<Question> question; // none: it is done
+};
 struct Revised {
     Integer revision = 0;
 };
 
 using AnyResult = std::variant<Done, Initialized, Presentations, PreferredSize, Exported, Taken,
-                               Parameters, Values, ValueOffers, Evaluated, Revised>;
+                               Parameters, Values, ValueOffers, Evaluated, Invoked, Revised>;
 
 // --- host to medium ---------------------------------------------------------------------------
 
@@ -251,9 +272,11 @@ struct RenditionSnapshot {
 };
 struct MenuInvoke {
     static constexpr auto method = "menu/invoke";
-    using Result = Done;
+    using Result = Invoked;
     std::string id;
     std::optional<Integer> rendition;
+    std::vector<std::string> values = {};  // of the fields of its question
+    std::optional<ScreenArea> figure = {}; // where its user sees it; none: nobody knows
 };
 struct TimePlay {
     static constexpr auto method = "time/play";

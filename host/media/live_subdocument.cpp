@@ -182,7 +182,7 @@ void LiveSubdocument::askForPresentations() {
 
 void LiveSubdocument::invokeWaiting() {
     for (const Invocation& one : std::exchange(whenReady_, {}))
-        invoke(one.id, renditions_.of(one.rendition));
+        invoke(one.id, renditions_.of(one.rendition), one.figure, one.asks);
 }
 
 void LiveSubdocument::steer(const KeptTime::Commands& commands) {
@@ -379,9 +379,10 @@ void LiveSubdocument::snapshot(QSize pixels, double scale, std::optional<double>
 
 // --- commands ----------------------------------------------------------------------------------
 
-void LiveSubdocument::invoke(const QString& id, const Rendition* rendition) {
+void LiveSubdocument::invoke(const QString& id, const Rendition* rendition,
+                             std::optional<ipc::ScreenArea> figure, Asks asks) {
     if (!isReady()) { // its menu may not be known yet
-        whenReady_.push_back({id, rendition ? rendition->id() : 0});
+        whenReady_.push_back({id, rendition ? rendition->id() : 0, figure, std::move(asks)});
         startAgain();
         Q_EMIT message(name() + QStringLiteral(" is starting."));
         return;
@@ -392,20 +393,34 @@ void LiveSubdocument::invoke(const QString& id, const Rendition* rendition) {
         return;
     ipc::MenuInvoke call;
     call.id = wanted;
+    call.figure = figure;
     if (rendition && entry->scope == ipc::Scope::rendition)
         call.rendition = rendition->id();
-    const auto tell = [this, call] {
-        process().request(
-            call, [this, isCurrent = processes_.sameAsNow()](const Outcome<ipc::Done>& outcome) {
-                const auto* error = std::get_if<ipc::Error>(&outcome);
-                if (isCurrent() && error)
-                    Q_EMIT message(QString::fromStdString(error->message));
-            });
+    const auto tell = [this, call, asks = std::move(asks)] {
+        answer(call, [this, asks](const Outcome<ipc::Invoked>& outcome) {
+            if (const auto* error = std::get_if<ipc::Error>(&outcome))
+                Q_EMIT message(QString::fromStdString(error->message));
+            else if (const auto& question = std::get<ipc::Invoked>(outcome).question;
+                     question && asks)
+                asks(*question);
+        });
     };
     if (entry->mode == Mode::edit && process().mode() != Mode::edit)
         processes_.changeTo(Mode::edit, tell);
     else
         tell();
+}
+
+void LiveSubdocument::answer(ipc::MenuInvoke call,
+                             std::function<void(Outcome<ipc::Invoked>)> done) {
+    if (!isReady())
+        return done(ipc::Error(ipc::ErrorCode::notPossible,
+                               (name() + QStringLiteral(" is starting.")).toStdString()));
+    process().request(std::move(call),
+                      [isCurrent = processes_.sameAsNow(), done](Outcome<ipc::Invoked> outcome) {
+                          if (isCurrent())
+                              done(std::move(outcome));
+                      });
 }
 
 void LiveSubdocument::whenHeard(std::function<void()> done) {

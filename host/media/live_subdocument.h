@@ -89,7 +89,14 @@ public:
     // --- its commands
     [[nodiscard]] const std::vector<ipc::MenuEntry>& menus() const { return said_.menus; }
     // While its process starts or changes, it is done as soon as it can be.
-    void invoke(const QString& id, const Rendition* rendition);
+    // `asks` gets the question of a command that wants to know more first.
+    using Asks = std::function<void(const ipc::Question& question)>;
+    // `figure`: where its user sees it.
+    void invoke(const QString& id, const Rendition* rendition,
+                std::optional<ipc::ScreenArea> figure = {}, Asks asks = {});
+    // The values that answer it, or one of its ways without any. What comes of it may be the next
+    // question.
+    void answer(ipc::MenuInvoke call, std::function<void(Outcome<ipc::Invoked>)> done);
     // Done when its medium has taken all input so far, and told what has come of it: the menu of
     // what is under the pointer, say. One that is slow is not waited for.
     void whenHeard(std::function<void()> done);
@@ -186,6 +193,8 @@ private:
     struct Invocation { // of an entry of the menu
         QString id;
         ipc::Integer rendition; // 0: none
+        std::optional<ipc::ScreenArea> figure;
+        Asks asks;
     };
 
     SubdocumentText text_;

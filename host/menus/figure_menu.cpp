@@ -231,7 +231,7 @@ void openEditor(view::DocumentView& view, document::SubdocumentId id) {
         live, &media::LiveSubdocument::windowsChanged, &view, [say] { say({}); },
         Qt::SingleShotConnection);
     live->setMode(media::Mode::edit);
-    live->invoke(manifest->newEditor, view.rendition(id));
+    live->invoke(manifest->newEditor, view.rendition(id), view.screenAreaOf(id));
     say(FigureMenu::tr("Opening the editor of %1 ...").arg(manifest->name));
 }
 

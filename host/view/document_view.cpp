@@ -221,6 +221,17 @@ media::Rendition* DocumentView::rendition(document::SubdocumentId id) const {
 
 QRectF DocumentView::placeOf(document::SubdocumentId id) const { return figures_->placeOf(id); }
 
+std::optional<ipc::ScreenArea> DocumentView::screenAreaOf(document::SubdocumentId id) const {
+    const QRect seen = placeOf(id).toRect() & viewport()->rect();
+    if (seen.isEmpty() || QGuiApplication::platformName().startsWith("wayland"))
+        return std::nullopt;
+    const QPoint corner = screen()->geometry().topLeft();
+    const double ratio = screen()->devicePixelRatio();
+    const QPointF at = QPointF(viewport()->mapToGlobal(seen.topLeft()) - corner) * ratio + corner;
+    return ipc::ScreenArea{qRound(at.x()), qRound(at.y()), qRound(seen.width() * ratio),
+                           qRound(seen.height() * ratio)};
+}
+
 void DocumentView::scrollTo(document::SubdocumentId id) {
     if (const document::Subdocument* of = document_.document().subdocument(id))
         folds_->reveal(document_.document().tree().node(of->element).range.from);

@@ -57,6 +57,8 @@ public:
     [[nodiscard]] std::vector<document::SubdocumentId> visibleSubdocuments() const;
     [[nodiscard]] media::Rendition* rendition(document::SubdocumentId id) const;
     [[nodiscard]] QRectF placeOf(document::SubdocumentId id) const; // in the viewport
+    // As much of it as is seen; none: nothing is, or the window system does not tell where.
+    [[nodiscard]] std::optional<ipc::ScreenArea> screenAreaOf(document::SubdocumentId id) const;
     // Of a formula; nothing: it is on no page. Takes a look at every page.
     [[nodiscard]] std::optional<QRectF> placeOfFormula(sgml::NodeId element) const;
     void scrollTo(document::SubdocumentId id);

@@ -2,6 +2,7 @@
 
 #include "controls/icons.h"
 #include "controls/play_bar.h"
+#include "menus/question_dialog.h"
 #include "plain/plain.h"
 
 #include <algorithm>
@@ -135,7 +136,22 @@ QString MediumCommands::toolOwner() const {
 void MediumCommands::invoke(const QString& documentClass, const QString& id) {
     for (const document::SubdocumentId target : targets(documentClass))
         if (media::LiveSubdocument* live = document_.live(target))
-            live->invoke(id, view_.rendition(target));
+            live->invoke(id, view_.rendition(target), view_.screenAreaOf(target),
+                         [self = QPointer(this), live = QPointer(live), id,
+                          target](const ipc::Question& question) {
+                             if (self && live)
+                                 self->ask(*live, target, id, question);
+                         });
+}
+
+void MediumCommands::ask(media::LiveSubdocument& live, document::SubdocumentId target,
+                         const QString& id, const ipc::Question& question) {
+    ipc::MenuInvoke call;
+    call.id = id.toStdString();
+    if (const media::Rendition* rendition = view_.rendition(target))
+        call.rendition = rendition->id();
+    auto* dialog = new menus::QuestionDialog(live, std::move(call), question, bar_.window());
+    dialog->open();
 }
 
 // --- menus -------------------------------------------------------------------------------------

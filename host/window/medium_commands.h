@@ -58,6 +58,9 @@ private:
     void refreshTools();
     void refreshTime();
     void invoke(const QString& documentClass, const QString& id);
+    // A command that wants to know more first.
+    void ask(media::LiveSubdocument& live, document::SubdocumentId target, const QString& id,
+             const ipc::Question& question);
     static void showState(QAction& action, const std::string& id,
                           const std::vector<media::LiveSubdocument*>& all);
     [[nodiscard]] std::vector<media::LiveSubdocument*>

@@ -102,6 +102,56 @@ TEST_F(PlayingTest, TheMenuAtThePointerHasTheCommandsOfWhatIsThere) {
     menu->close();
 }
 
+// A command that wants to know more asks; it is done when the medium takes what was typed.
+TEST_F(PlayingTest, ACommandOfAMediumAsks) {
+    DocumentWindow* window = open(memo(scripted("asks How Many")));
+    ASSERT_TRUE(waitFor([&] { return hasPicture(*window, 0); }));
+    const auto ask = [&]() -> QDialog* {
+        window->commands().refresh();
+        for (QAction* action : window->commands().menuOf(nth(*window, 0))->actions())
+            if (action->text() == "How Many")
+                action->trigger();
+        QDialog* dialog = nullptr;
+        EXPECT_TRUE(waitFor([&] {
+            dialog = window->findChild<QDialog*>("questionDialog");
+            return dialog && dialog->isVisible();
+        }));
+        return dialog;
+    };
+    const auto text = [&] { return window->document().document().text(nth(*window, 0)); };
+    QPointer<QDialog> dialog = ask();
+    auto* field = dialog->findChild<QLineEdit*>("answer1");
+    ASSERT_TRUE(field);
+    EXPECT_EQ(field->text(), "1");
+    EXPECT_EQ(dialog->windowTitle(), "How many");
+    QLabel* refusal = dialog->findChild<QLabel*>("questionRefusal");
+    EXPECT_FALSE(refusal->isVisible());
+    field->setText("12");
+    QTest::keyClick(field, Qt::Key_Return);
+    ASSERT_TRUE(waitFor([&] { return refusal->isVisible(); }));
+    EXPECT_EQ(refusal->text(), "From 1 to 9, please.");
+    EXPECT_EQ(field->text(), "12"); // to be mended
+    field->setText("7");
+    QTest::keyClick(field, Qt::Key_Return);
+    ASSERT_TRUE(waitFor([&] { return dialog.isNull(); }));
+    EXPECT_TRUE(waitFor([&] { return text().ends_with("chosen 7"); }));
+    dialog = ask();
+    dialog->findChild<QLineEdit*>("answer1")->setText("no");
+    dialog->accept();
+    QPushButton* way = nullptr;
+    ASSERT_TRUE(waitFor([&] {
+        for (QPushButton* one : dialog->findChildren<QPushButton*>())
+            way = one->text() == "Take 5" ? one : way;
+        return way != nullptr;
+    }));
+    way->click();
+    ASSERT_TRUE(waitFor([&] { return dialog.isNull(); }));
+    EXPECT_TRUE(waitFor([&] { return text().ends_with("chosen 7\nchosen 5"); }));
+    dialog = ask();
+    QTest::keyClick(dialog, Qt::Key_Escape);
+    EXPECT_TRUE(waitFor([&] { return dialog.isNull(); }));
+}
+
 TEST_F(PlayingTest, FiguresOfEveryMediumPlayTogether) {
     const QByteArray second =
         "<PARAGRAPH><DOCUMENT>\nDOCUMENT OTHER\n<OTHER WIDTH=\"300\" HEIGHT=\"200\"><SCRIPT>{"

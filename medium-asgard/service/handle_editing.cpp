@@ -1,6 +1,7 @@
 #include "service/handle_editing.h"
 
 #include "editing/element.h"
+#include "gestures/handle_meaning.h"
 
 #include <algorithm>
 #include <cctype>
@@ -186,8 +187,15 @@ void HandleEditing::finish() {
 }
 
 void HandleEditing::sayLetGo(const std::optional<gestures::Hand::LetGo>& gone) {
-    if (gone)
-        say(gone->fault);
+    if (!gone)
+        return;
+    std::string words = gone->fault;
+    if (gone->drag && !words.empty())
+        if (const auto& ways = gone->drag->answer().offers; !ways.empty()) {
+            refused_ = {gestures::labelOf(*gone->drag->ground().scene, gone->drag->handle()), ways};
+            words += "  \u00b7  Right button: what can be done instead";
+        }
+    say(std::move(words));
 }
 
 void HandleEditing::cancel() {

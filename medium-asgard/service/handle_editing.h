@@ -12,6 +12,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 
 namespace service {
 
@@ -51,6 +52,12 @@ public:
     }
     // The words of a drag about itself, now or last: "b1: position -4.37 0 2", or why it cannot be.
     [[nodiscard]] const std::string& words() const { return words_; }
+    // In place of the drag that could not be: what can be done instead, once.
+    struct Refused {
+        std::string label; // of the step of undo
+        std::vector<editing::Offer> ways;
+    };
+    [[nodiscard]] std::optional<Refused> takeRefused() { return std::exchange(refused_, {}); }
     // Grows whenever pictures of the same scene may differ.
     [[nodiscard]] unsigned generation() const { return generation_; }
 
@@ -78,6 +85,7 @@ private:
     std::optional<Thrown> thrown_;
     double scale_ = 1;
     std::string words_;
+    std::optional<Refused> refused_;
     unsigned generation_ = 0;
     struct Prepared { // of one scene and motion, for all pictures
         std::shared_ptr<const scene::Scene> scene;

@@ -9,7 +9,7 @@ struct Switch {
     const char* id;
     const char* label;
     bool render::Display::*value;
-    const char* group = "";
+    const char* group;
 };
 constexpr Switch switches[] = {
     {"position-handles", "Positions", &render::Display::positionHandles, "Handles"},
@@ -22,14 +22,14 @@ constexpr Switch switches[] = {
     {"joint-handles", "Joints", &render::Display::jointHandles, "Handles"},
     {"light-handles", "Lights", &render::Display::lightHandles, "Handles"},
     {"trajectories", "Trajectories", &render::Display::trajectories, "Handles"},
-    {"wireframe", "Wireframe", &render::Display::wireframe},
-    {"axes", "Axes", &render::Display::axes},
-    {"grid", "Grid", &render::Display::grid},
-    {"trails", "Trails", &render::Display::trails},
-    {"joints", "Joints", &render::Display::joints},
-    {"shadows", "Shadows", &render::Display::shadows},
-    {"contact-forces", "Contact Forces", &render::Display::contactForces},
-    {"friction-cones", "Friction Cones", &render::Display::frictionCones},
+    {"wireframe", "Wireframe", &render::Display::wireframe, "Show"},
+    {"axes", "Axes", &render::Display::axes, "Show"},
+    {"grid", "Grid", &render::Display::grid, "Show"},
+    {"trails", "Trails", &render::Display::trails, "Show"},
+    {"joints", "Joints", &render::Display::joints, "Show"},
+    {"shadows", "Shadows", &render::Display::shadows, "Show"},
+    {"contact-forces", "Contact Forces", &render::Display::contactForces, "Show"},
+    {"friction-cones", "Friction Cones", &render::Display::frictionCones, "Show"},
 };
 
 std::string number(double value) {
@@ -61,13 +61,33 @@ ipc::MenuEntry window(std::string id, std::string label, std::string shortcut) {
     return e;
 }
 
-// None of a name that is too long for an id.
-std::vector<ipc::MenuEntry> ofSelected(const std::string& name) {
+ipc::MenuEntry line(const char* id) { return entry(id, "-"); }
+
+// The ways and offers of the moment, and what can be done with the selected thing. None of a name
+// that is too long for an id.
+std::vector<ipc::MenuEntry> ofTheMoment(const MenuState& state) {
+    std::vector<ipc::MenuEntry> menu;
+    for (std::size_t i = 0; i < state.ways.size(); ++i)
+        menu.push_back(entry(wayPrefix + std::to_string(i), state.ways[i]));
+    if (!state.closing.empty())
+        menu.push_back(entry(closeJoints, state.closing));
+    if (!menu.empty())
+        menu.push_back(line("line-offers"));
     constexpr std::size_t most = 1000;
-    if (name.empty() || name.size() > most)
-        return {};
-    return {entry(deleteSelected + name, "Delete " + name),
-            entry(duplicateSelected + name, "Duplicate " + name), entry("line", "-")};
+    if (state.selected.empty() || !state.commands)
+        return menu;
+    for (const ThingCommand& one : *state.commands) {
+        if (one.key.size() + state.selected.size() > most)
+            continue;
+        ipc::MenuEntry& added = menu.emplace_back(entry(idOf(one, state.selected), one.label));
+        added.group = one.group;
+        added.checkable = one.checked.has_value();
+        added.checked = one.checked.value_or(false);
+        if (one.inWindows)
+            added.mode = ipc::Mode::edit;
+    }
+    menu.push_back(line("line-selected"));
+    return menu;
 }
 
 } // namespace
@@ -75,14 +95,21 @@ std::vector<ipc::MenuEntry> ofSelected(const std::string& name) {
 bool MenuState::operator==(const MenuState& other) const {
     bool same = hasMotion == other.hasMotion && playing == other.playing && loops == other.loops &&
                 computing == other.computing && rate == other.rate && drafts == other.drafts &&
-                selected == other.selected;
+                selected == other.selected && closing == other.closing && ways == other.ways &&
+                (commands == other.commands ||
+                 (commands && other.commands && *commands == *other.commands));
     for (const Switch& s : switches)
         same = same && display.*s.value == other.display.*s.value;
     return same;
 }
 
+std::string idOf(const ThingCommand& command, const std::string& name) {
+    return command.key + " " + name;
+}
+
+// What one wants every day stands at hand, the rest in submenus.
 std::vector<ipc::MenuEntry> menuOf(const MenuState& state) {
-    std::vector<ipc::MenuEntry> menu = ofSelected(state.selected);
+    std::vector<ipc::MenuEntry> menu = ofTheMoment(state);
     const auto command = [&](const char* id, const char* label, const char* icon, bool enabled) {
         menu.push_back(entry(id, label, icon));
         menu.back().enabled = enabled;
@@ -90,21 +117,23 @@ std::vector<ipc::MenuEntry> menuOf(const MenuState& state) {
     command("play", "Play", "media-playback-start", state.hasMotion && !state.playing);
     command("pause", "Pause", "media-playback-pause", state.playing);
     command("stop", "Stop", "media-playback-stop", state.hasMotion);
+    const std::size_t inTime = menu.size();
     command("step", "Step", "media-skip-forward", state.hasMotion);
-    for (const double rate : rates) {
-        menu.push_back(checkable("rate-" + number(rate), number(rate) + "\u00d7",
-                                 state.rate == rate, ipc::Scope::subdocument));
-        menu.back().group = "Rate";
-    }
     menu.push_back(checkable("loop", "Loop", state.loops, ipc::Scope::subdocument));
     menu.back().icon = "media-playlist-repeat";
+    for (const double rate : rates)
+        menu.push_back(checkable("rate-" + number(rate), number(rate) + "\u00d7",
+                                 state.rate == rate, ipc::Scope::subdocument));
+    menu.push_back(entry("recompute", "Recompute Motion", "view-refresh"));
+    for (std::size_t i = inTime; i < menu.size(); ++i)
+        menu[i].group = "Time";
     for (const Switch& s : switches) {
         menu.push_back(checkable(s.id, s.label, state.display.*s.value, ipc::Scope::rendition));
         menu.back().group = s.group;
     }
     menu.push_back(entry("reset-view", "Reset View"));
     menu.back().scope = ipc::Scope::rendition;
-    menu.push_back(entry("recompute", "Recompute Motion", "view-refresh"));
+    menu.push_back(line("line-windows"));
     menu.push_back(window("open-graphical-viewer", "New Graphical Viewer", "Ctrl+Shift+G"));
     menu.push_back(window("open-language-viewer", "New Language Viewer", "Ctrl+L"));
     menu.push_back(window(updateDrafts, "Update from the Language Viewers", ""));

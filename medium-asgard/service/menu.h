@@ -3,8 +3,10 @@
 
 #include "ipc/messages.h"
 #include "render/renderer.h"
+#include "service/thing_commands.h"
 
 #include <array>
+#include <memory>
 
 namespace service {
 
@@ -13,8 +15,11 @@ struct MenuState {
     bool hasMotion = false, playing = false, loops = false, computing = false;
     bool drafts = false; // something typed in a window is not in the document yet
     double rate = 1;
-    std::string selected;    // body "b1"; "": nothing is
-    render::Display display; // of the visible renditions
+    std::string selected;                                      // body "b1"; "": nothing is
+    std::shared_ptr<const std::vector<ThingCommand>> commands; // for it; null: none
+    std::string closing; // the offer to close joints or move bodies apart; "": there is none
+    std::vector<std::string> ways; // in place of a drag that could not be
+    render::Display display;       // of the visible renditions
     bool operator==(const MenuState&) const;
 };
 
@@ -23,9 +28,14 @@ inline constexpr std::array rates{0.1, 0.25, 0.5, 1.0, 2.0, 4.0};
 // Makes drafts the document's text; hosts offer it before they save or close.
 inline constexpr const char* updateDrafts = "update-drafts";
 
-// Commands for the selected thing of a picture; its name follows, so that a menu that was opened
-// for another thing does nothing.
-inline const std::string deleteSelected = "delete ", duplicateSelected = "duplicate ";
+// Closes joints that are open at the start, or moves bodies apart; once more stops it.
+inline constexpr const char* closeJoints = "close-joints";
+// One of the ways in place of what could not be; its number follows.
+inline const std::string wayPrefix = "way ";
+
+// Of a command for the selected thing; its name follows the key, so that a menu that was opened for
+// another thing does nothing.
+[[nodiscard]] std::string idOf(const ThingCommand& command, const std::string& name);
 
 [[nodiscard]] std::vector<ipc::MenuEntry> menuOf(const MenuState& state);
 

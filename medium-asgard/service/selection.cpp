@@ -26,6 +26,7 @@ void Selection::select(std::vector<editing::Element> elements) {
     if (elements == elements_)
         return;
     elements_ = std::move(elements);
+    commands_.reset();
     ++generation_;
 }
 
@@ -69,11 +70,20 @@ void Selection::follow(const std::shared_ptr<const scene::Scene>& scene, const s
     }
     scene_ = scene;
     text_ = text;
+    commands_.reset();
 }
 
 std::string Selection::name() const {
     return elements_.empty() || !scene_ ? std::string()
                                         : editing::describe(*scene_, elements_.front());
+}
+
+const std::shared_ptr<const std::vector<ThingCommand>>&
+Selection::commands(const simulation::MotionPointer& motion) {
+    if (!commands_ && !elements_.empty() && scene_)
+        commands_ = std::make_shared<const std::vector<ThingCommand>>(
+            commandsOf(scene_, motion, elements_.front(), name()));
+    return commands_;
 }
 
 std::string Selection::remove(const gestures::Ground& ground) {

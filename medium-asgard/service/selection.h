@@ -5,7 +5,9 @@
 #include "gestures/ground.h"
 #include "gestures/things.h"
 #include "render/renderer.h"
+#include "service/thing_commands.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,6 +29,9 @@ public:
     [[nodiscard]] const std::vector<editing::Element>& elements() const { return elements_; }
     [[nodiscard]] bool empty() const { return elements_.empty(); }
     [[nodiscard]] std::string name() const; // body "b1"; "" of nothing
+    // What can be done with it, as the scene is now; null: nothing is selected.
+    [[nodiscard]] const std::shared_ptr<const std::vector<ThingCommand>>&
+    commands(const simulation::MotionPointer& motion);
     // Grows whenever pictures of the same scene may differ.
     [[nodiscard]] unsigned generation() const { return generation_; }
 
@@ -47,8 +52,9 @@ private:
     std::vector<editing::Element> elements_;
     // Of a text that is not read yet, made from `text_`: they are selected then.
     std::vector<editing::Element> expected_;
-    std::optional<Eigen::Vector2d> clicked_; // where the last click was
-    bool isAsked_ = false;                   // whether all of it is to go
+    std::optional<Eigen::Vector2d> clicked_;                    // where the last click was
+    bool isAsked_ = false;                                      // whether all of it is to go
+    std::shared_ptr<const std::vector<ThingCommand>> commands_; // null: to be found out
     unsigned generation_ = 0;
 };
 

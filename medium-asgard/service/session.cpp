@@ -69,6 +69,7 @@ void Session::attend(Instant now) {
     gesture_.selection.follow(subdocument_.scene(), subdocument_.sceneText());
     if (changes.diagnostics && !subdocument_.previewing())
         tellDiagnostics();
+    takeClosed();
     goOn();
     subdocument_.playback.advance(now);
     shown_.time = subdocument_.playback.time(now);
@@ -210,7 +211,7 @@ void Session::tellValues() {
     }
 }
 
-MenuState Session::menuNow() const {
+MenuState Session::menuNow() {
     MenuState state;
     const Playback& playback = subdocument_.playback;
     state.hasMotion = subdocument_.motion() && playback.span().finish > playback.span().start;
@@ -219,6 +220,15 @@ MenuState Session::menuNow() const {
     state.rate = playback.rate();
     state.drafts = host_.drafts;
     state.selected = gesture_.selection.name();
+    state.closing = offerToClose();
+    if (gesture_.ways && gesture_.ways->inMenu &&
+        gesture_.ways->revision == subdocument_.revision())
+        for (const editing::Offer& one : gesture_.ways->all)
+            state.ways.push_back(one.label);
+    if (!subdocument_.previewing())
+        state.commands = gesture_.selection.commands(subdocument_.motion());
+    else if (told_.menu && told_.menu->selected == state.selected)
+        state.commands = told_.menu->commands; // a drag changes no entry
     state.display = shown_.display;
     for (const auto& [id, rendition] : shown_.all)
         if (rendition.visible) {

@@ -14,6 +14,7 @@
 #pragma once
 
 #include "ipc/channel.h"
+#include "service/closing_search.h"
 #include "service/handle_editing.h"
 #include "service/menu.h"
 #include "service/pictures.h"
@@ -28,6 +29,8 @@ namespace service {
 inline constexpr int movingSamples = 1, stillSamples = 4, printedSamples = 8;
 
 inline constexpr std::chrono::milliseconds shortestFrame{16};
+
+inline constexpr const char* beingRead = "The text is being read; a moment, and it can be changed.";
 
 // A refusal with a sentence for the user.
 [[nodiscard]] inline ipc::Error notPossible(std::string sentence) {
@@ -44,7 +47,10 @@ struct Platform {
     std::function<void()> inSpareTime;      // on the thread, once, a while after the first picture
     std::function<void(ipc::Mode)> confine; // called before anything of a document is looked at
     // Opens the window that a menu entry names, in mode edit; else the sentence why not.
-    std::function<std::optional<std::string>(const std::string& id)> openViewer;
+    // `figure`: beside it, where that is known.
+    std::function<std::optional<std::string>(const std::string& id,
+                                             const std::optional<ipc::ScreenArea>& figure)>
+        openViewer;
     // Opens the windows that an earlier process had open, and says there what happened.
     std::function<void(const std::string& state, const std::string& notice)> restoreWindows;
     std::string version;
@@ -118,6 +124,21 @@ private:
         bool holdsTime = false; // of what played when a body was taken
         std::string toldWords, refusedWords;
         std::optional<ipc::Integer> token; // of what is told of it
+        struct Ways {                      // in place of what could not be
+            gestures::Ground ground;
+            ipc::Integer revision = 0; // of its text
+            std::string label;
+            std::vector<editing::Offer> all;
+            bool inMenu = false; // else a question has them
+        };
+        std::optional<Ways> ways;
+        struct Asked { // a question that waits; the figure may have lost the keyboard to it
+            ThingCommand command;
+            std::string name; // of the thing
+        };
+        std::optional<Asked> asked;
+        ClosingSearch closing;
+        std::optional<gestures::Ground> closingOn; // the text that is searched for
     };
     struct Pace {
         Instant calmAt{}; // until then the user is moving through time
@@ -155,7 +176,7 @@ private:
     void serve(const ipc::Id& id, const ipc::RenditionResize& call);
     void serve(const ipc::Id& id, const ipc::RenditionDestroy& call);
     void serve(const ipc::Id& id, const ipc::RenditionSnapshot& call);
-    Reply<ipc::Done> serve(const ipc::MenuInvoke& call);
+    Reply<ipc::Invoked> serve(const ipc::MenuInvoke& call);
     Reply<ipc::Done> serve(const ipc::TimePlay&);
     Reply<ipc::Done> serve(const ipc::TimePause&);
     Reply<ipc::Done> serve(const ipc::TimeSeek& call);
@@ -185,7 +206,26 @@ private:
               const HandleEditing::Pointer& pointer);
     [[nodiscard]] HandleEditing::Picture pictureOf(Rendition& rendition);
     bool selectionKey(const std::string& name);
-    Reply<ipc::Done> changeSelected(bool isRemoved);
+    void changeSelected(bool isRemoved);
+    void holdViews();
+
+    // --- session_things.cpp: what is done with the selected thing, and what is offered
+    Reply<ipc::Invoked> invokeOfTheMoment(const ipc::MenuInvoke& call);
+    Reply<ipc::Invoked> doNow(const ThingCommand& command, const std::string& name,
+                              const std::vector<std::string>& values);
+    Reply<ipc::Invoked> doWith(const ThingCommand& command, const editing::Element& element,
+                               const std::vector<std::string>& values);
+    Reply<ipc::Invoked> answerAsked(const gestures::Ground& on, const commands::AskedValue& asked,
+                                    const std::vector<std::string>& values);
+    Reply<ipc::Invoked> fix(const gestures::Ground& on, std::size_t body);
+    Reply<ipc::Invoked> takeWay(std::size_t number);
+    void keepWays(const gestures::Ground& on, std::string label, std::vector<editing::Offer> offers,
+                  bool inMenu);
+    Reply<ipc::Invoked> closeJointsOrStop();
+    void takeClosed();
+    [[nodiscard]] std::string offerToClose() const; // "": there is none
+    void tellUser(const std::string& sentence);
+    Reply<ipc::Invoked> openWindow(const ipc::MenuInvoke& call);
     [[nodiscard]] gestures::Ground ground();
     void finishGesture(const std::string& text, const std::string& label);
     void goOn();
@@ -219,7 +259,7 @@ private:
     void tellMenu();
     void tellStates();
     [[nodiscard]] ipc::TimeChanged timeNow() const;
-    [[nodiscard]] MenuState menuNow() const;
+    [[nodiscard]] MenuState menuNow();
     [[nodiscard]] bool anyVisible() const;
     // Something is due then, if nothing happens before.
     void dueAt(Instant instant);

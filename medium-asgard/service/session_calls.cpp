@@ -338,7 +338,7 @@ std::vector<Rendition*> Session::targets(std::optional<ipc::Integer> rendition) 
     return visible.empty() ? all : visible;
 }
 
-auto Session::serve(const ipc::MenuInvoke& call) -> Reply<ipc::Done> {
+auto Session::serve(const ipc::MenuInvoke& call) -> Reply<ipc::Invoked> {
     Playback& playback = subdocument_.playback;
     if (const auto rate = rateOf(call.id)) {
         playback.setRate(*rate, playback.loops(), at_.now);
@@ -361,22 +361,12 @@ auto Session::serve(const ipc::MenuInvoke& call) -> Reply<ipc::Done> {
     } else if (call.id == "reset-view") {
         for (Rendition* rendition : targets(call.rendition))
             rendition->follow("");
-    } else if (const std::string name = gesture_.selection.name();
-               !name.empty() &&
-               (call.id == deleteSelected + name || call.id == duplicateSelected + name)) {
-        return changeSelected(call.id == deleteSelected + name);
     } else if (call.id == "recompute") {
         subdocument_.recompute(at_.now);
-    } else if (call.id == "open-graphical-viewer" || call.id == "open-language-viewer" ||
-               call.id == updateDrafts) {
-        if (!platform_.openViewer)
-            return notPossible("windows are opened by a process in mode \"edit\"");
-        if (const auto sentence = platform_.openViewer(call.id))
-            return notPossible(*sentence);
     } else {
-        return faulty("there is no menu entry \"" + call.id + "\"");
+        return invokeOfTheMoment(call);
     }
-    return ipc::Done{};
+    return ipc::Invoked{};
 }
 
 // --- parameters and values --------------------------------------------------------------------

@@ -52,6 +52,8 @@ bool Session::edit(Rendition& rendition, const ipc::Input& input) {
             gesture_.handles.release(*button, pointer);
         else if (input.type == InputType::focusOut)
             gesture_.handles.finish();
+        if (auto refused = gesture_.handles.takeRefused())
+            keepWays(ground(), std::move(refused->label), std::move(refused->ways), true);
         return input.type != InputType::wheel;
     }
     return choose(rendition, input, pointer) ||
@@ -88,6 +90,7 @@ bool Session::hold(Rendition& rendition, const ipc::Input& input, std::optional<
         gesture_.holdsTime = true;
     }
     gesture_.toldWords.clear(); // the same words are said again, of another gesture
+    gesture_.ways.reset();
     rendition.holdView(shown_.time);
     gesture_.in = input.rendition;
     return true;
@@ -161,21 +164,22 @@ bool Session::selectionKey(const std::string& name) {
     return true;
 }
 
-auto Session::changeSelected(bool isRemoved) -> Reply<ipc::Done> {
+void Session::changeSelected(bool isRemoved) {
     Selection& selection = gesture_.selection;
     if (selection.empty() || gesture_.handles.active())
-        return ipc::Done{};
-    std::string why = "the text is being read; a moment, and it can be changed";
-    if (subdocument_.upToDate() && !subdocument_.previewing()) {
-        selection.follow(subdocument_.scene(), subdocument_.sceneText());
-        for (auto& [id, rendition] : shown_.all) // the others stay where they are seen
-            if (rendition.presentation() == Presentation::picture)
-                rendition.holdView(shown_.time);
-        why = isRemoved ? selection.remove(ground()) : selection.duplicate(ground());
-    }
-    gesture_.toldWords.clear();
-    gesture_.handles.tell(why); // "": what was said before is over
-    return ipc::Done{};
+        return;
+    if (!subdocument_.upToDate() || subdocument_.previewing())
+        return tellUser(beingRead);
+    selection.follow(subdocument_.scene(), subdocument_.sceneText());
+    holdViews();
+    tellUser(isRemoved ? selection.remove(ground()) : selection.duplicate(ground()));
+}
+
+// What else there is stays where it is seen.
+void Session::holdViews() {
+    for (auto& [id, rendition] : shown_.all)
+        if (rendition.presentation() == Presentation::picture)
+            rendition.holdView(shown_.time);
 }
 
 // A motion that played goes on from the moment, as soon as the one that follows is known.

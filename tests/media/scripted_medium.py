@@ -11,6 +11,8 @@ The text of its subdocument is lines of `WORD VALUES`:
   slider               its menu has an entry that makes every value greater by 1 at once: another motion
   fault LINE COLUMN SENTENCE
   menu LABEL           one more entry of its menu, with an icon
+  asks LABEL           one more entry of its menu, which asks for a number; it takes 1 to 9, appends it to its text,
+                       and offers 5 in place of others
   thing LABEL          a release of the right button puts one more entry into its menu, a moment later
   behave BEHAVIOUR     as the argument, from the moment that the text is loaded
   windows N DRAFTS     says that it has N windows of its own, with drafts (1) or none (0)
@@ -103,6 +105,7 @@ class Medium:
         self.draft, self.opened, self.keeps, self.notice = "", 0, "", ""
         self.label = ""
         self.thing = ""
+        self.asks = ""
         self.has_slider, self.slid = False, 0
         self.values, self.watched, self.faulty = {}, {}, False
         self.stay = False
@@ -216,6 +219,10 @@ class Medium:
                                "endColumn": int(words[2]) + 1, "message": " ".join(words[3:])})
             elif words[0] == "menu":
                 self.label = " ".join(words[1:])
+            elif words[0] == "asks":
+                self.asks = " ".join(words[1:])
+            elif words[0] == "chosen":
+                pass
             elif words[0] == "thing":
                 self.thing = " ".join(words[1:])
             elif words[0] == "behave":
@@ -327,11 +334,25 @@ class Medium:
         ]
         if self.label:
             menus.append({"id": "more", "label": self.label, "icon": "view-refresh"})
+        if self.asks:
+            menus.append({"id": "ask", "label": self.asks})
         if self.has_slider:
             menus.append({"id": "slide", "label": "Slide"})
         if self.draft:
             menus.append({"id": "update-drafts", "label": "Update", "enabled": True})
         return menus
+
+    def asked(self, value):
+        question = {"title": "How many", "note": "At most 9.", "fields": [{"label": "number", "value": value or "1"}]}
+        if value is None:
+            return {"question": question}
+        if not (value.isdigit() and 1 <= int(value) <= 9):
+            return {"question": dict(question, refusal="From 1 to 9, please.", ways=[{"id": "five", "label": "Take 5"}])}
+        end = len(self.text.encode())
+        send({"id": 3, "method": "subdocument/changed", "params": {"base": self.revision, "label": "Choose", "edits": [
+            {"from": end, "to": end, "text": "\nchosen " + value}]}})
+        self.text, self.revision = self.text + "\nchosen " + value, self.revision + 1
+        return {}
 
     def answer(self, method, p):
         if method == "initialize":
@@ -381,6 +402,8 @@ class Medium:
         if method == "menu/invoke":
             if p["id"] == "crash":
                 self.behave(["crash"])
+            if p["id"] in ("ask", "five"):
+                return self.asked("5" if p["id"] == "five" else p.get("values", [None])[0])
             if p["id"] not in [entry["id"] for entry in self.menus()]:
                 raise Impossible("there is no such command")
             if p["id"] == "play":

@@ -135,6 +135,25 @@ Part withSizingPoint(const Part& part, std::size_t point, const Vector& local) {
 
 std::vector<double> sizesOf(const Part& part) { return std::visit(Sizes{}, part.shape); }
 
+std::vector<std::string> sizeNames(const Part& part) {
+    if (std::holds_alternative<TubeShape>(part.shape))
+        return {"Radius inside", "outside", "Height"};
+    if (std::holds_alternative<BowlShape>(part.shape))
+        return {"Radius inside", "outside"};
+    switch (sizesOf(part).size()) {
+    case 1:
+        return {"Radius"};
+    case 2:
+        return {"Radius", "Height"};
+    case 3:
+        return std::holds_alternative<BoxShape>(part.shape)
+                   ? std::vector<std::string>{"Edge x", "Edge y", "Edge z"}
+                   : std::vector<std::string>{"Half axis x", "Half axis y", "Half axis z"};
+    default:
+        return {};
+    }
+}
+
 Part withSizes(Part part, const std::vector<double>& sizes) {
     std::visit(Resize{sizes}, part.shape);
     return part;

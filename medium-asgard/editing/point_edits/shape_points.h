@@ -5,6 +5,7 @@
 
 #include "scene/scene.h"
 
+#include <string>
 #include <vector>
 
 namespace editing {
@@ -12,6 +13,8 @@ namespace editing {
 // The numbers of its option: radius, edges, radius and height, half axes; none of a polyhedron and
 // of a half space.
 [[nodiscard]] std::vector<double> sizesOf(const scene::Part& part);
+// What they are: "Radius", "Height".
+[[nodiscard]] std::vector<std::string> sizeNames(const scene::Part& part);
 [[nodiscard]] scene::Part withSizes(scene::Part part, const std::vector<double>& sizes);
 
 // Vertices that stand several times, as in faces, are one point.

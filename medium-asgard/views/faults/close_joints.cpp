@@ -1,8 +1,5 @@
 #include "faults/close_joints.h"
 
-#include "element_edits/closing.h"
-#include "physics/assembly.h"
-#include "placing/placing.h"
 #include "plain/plain.h"
 
 #include <QApplication>
@@ -11,18 +8,7 @@
 #include <QThreadPool>
 #include <QToolTip>
 
-#include <algorithm>
-
 namespace views {
-
-Misplaced misplacedIn(const SceneDocument& document) {
-    Misplaced found;
-    for (const scene::Diagnostic& fault : document.diagnostics()) {
-        found.openJoints += physics::asksToClose(fault.message) ? 1 : 0;
-        found.overlaps += physics::asksToPart(fault.message) ? 1 : 0;
-    }
-    return found;
-}
 
 CloseJoints::CloseJoints(SceneDocument& document, QWidget* parent)
     : QPushButton(parent), document_(document) {
@@ -40,12 +26,9 @@ CloseJoints::CloseJoints(SceneDocument& document, QWidget* parent)
 CloseJoints::~CloseJoints() { cancel(); }
 
 void CloseJoints::refresh() {
-    const auto [open, overlaps] = misplacedIn(document_);
-    setText(search_     ? tr("Stop Moving")
-            : open > 1  ? tr("Close Them")
-            : open == 1 ? tr("Close It")
-                        : tr("Move Apart"));
-    setVisible(search_ || (open + overlaps > 0 && document_.sceneIsCurrent()));
+    const auto misplaced = commands::misplacedIn(document_.diagnostics());
+    setText(search_ ? tr("Stop Moving") : QString::fromStdString(commands::offerOf(misplaced)));
+    setVisible(search_ || (misplaced != commands::Misplaced() && document_.sceneIsCurrent()));
 }
 
 void CloseJoints::startOrStop() {
@@ -83,32 +66,16 @@ void CloseJoints::start() {
     QThreadPool::globalInstance()->start([button = QPointer<CloseJoints>(this),
                                           text = document_.text(), scene = document_.shown().scene,
                                           search = search_] {
-        const auto take = [button, now = closed(text, scene, search), search] {
-            if (button)
-                button->take(now, search);
-        };
+        const auto take =
+            [button, now = commands::closed(text, scene, [&] { return search->load(); }), search] {
+                if (button)
+                    button->take(now, search);
+            };
         QMetaObject::invokeMethod(qApp, take, Qt::QueuedConnection);
     });
 }
 
-// On the other thread.
-CloseJoints::Closed CloseJoints::closed(const std::string& text,
-                                        const std::shared_ptr<const scene::Scene>& scene,
-                                        const Search& search) {
-    const physics::Assembly assembly = simulation::placed(*scene, [&] { return search->load(); });
-    if (assembly.cancelled)
-        return {};
-    if (!assembly.reason.empty())
-        return {{}, assembly.reason};
-    std::vector<editing::NewPlace> places;
-    for (const physics::Assembly::Moved& moved : assembly.moved)
-        places.push_back({moved.body, moved.pose, moved.turns});
-    const editing::Closing closing =
-        editing::closingEdits(editing::Mapper(text, scene), *scene, places);
-    return {text::applied(text, closing.edits), closing.reason};
-}
-
-void CloseJoints::take(const Closed& now, const Search& search) {
+void CloseJoints::take(const commands::Closed& now, const Search& search) {
     if (search != search_)
         return; // it was ended
     search_.reset();
@@ -116,8 +83,8 @@ void CloseJoints::take(const Closed& now, const Search& search) {
     reason_ = QString::fromStdString(now.reason);
     if (!reason_.isEmpty())
         return say();
-    document_.setText(now.text, misplacedIn(document_).openJoints > 0 ? tr("Close Joints")
-                                                                      : tr("Move Bodies Apart"));
+    document_.setText(now.text, QString::fromStdString(commands::labelOf(
+                                    commands::misplacedIn(document_.diagnostics()))));
 }
 
 void CloseJoints::say() const {

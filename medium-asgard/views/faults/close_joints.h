@@ -7,6 +7,7 @@
 // places, a sentence at the button says why.
 #pragma once
 
+#include "commands/closing.h"
 #include "workbench/scene_document.h"
 
 #include <QPushButton>
@@ -15,12 +16,6 @@
 #include <memory>
 
 namespace views {
-
-// The numbers of faults that tell of them.
-struct Misplaced {
-    int openJoints = 0, overlaps = 0;
-};
-[[nodiscard]] Misplaced misplacedIn(const SceneDocument& document);
 
 class CloseJoints : public QPushButton {
     Q_OBJECT
@@ -38,19 +33,13 @@ protected:
 private:
     // How joints close, as another thread finds out. Whoever sets it ends the search.
     using Search = std::shared_ptr<std::atomic<bool>>;
-    struct Closed {
-        std::string text, reason;
-    };
 
     void refresh();
     void startOrStop();
     void start();
     void cancel();
     void textChanged();
-    [[nodiscard]] static Closed closed(const std::string& text,
-                                       const std::shared_ptr<const scene::Scene>& scene,
-                                       const Search& search);
-    void take(const Closed& now, const Search& search);
+    void take(const commands::Closed& now, const Search& search);
     void say() const;
 
     SceneDocument& document_;

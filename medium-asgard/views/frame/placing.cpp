@@ -94,6 +94,51 @@ void placeBeside(QWidget& window, QWidget& asked) {
     moveWithinScreen(window, asked.pos() + QPoint(step, step));
 }
 
+QRect placeAround(const QRect& figure, const QRect& room, const QSize& size, const QSize& least) {
+    QRect right = room, left = room, below = room, above = room;
+    right.setLeft(figure.right() + 2 * frame);
+    left.setRight(figure.left() - 2 * frame);
+    below.setTop(figure.bottom() + frame + title);
+    above.setBottom(figure.top() - frame - title);
+    const auto within = [&](const QRect& strip) { return size.boundedTo(strip.size()); };
+    const auto area = [](const QSize& one) { return one.width() * one.height(); };
+    const QRect* best = nullptr;
+    for (const QRect* strip : {&right, &left, &below, &above})
+        if (strip->width() >= least.width() && strip->height() >= least.height() &&
+            (!best || area(within(*strip)) > area(within(*best))))
+            best = strip;
+    if (!best) { // it covers some of it
+        const bool isLeft = figure.center().x() > room.center().x();
+        QRect place(room.topLeft(), within(room));
+        if (!isLeft)
+            place.moveRight(room.right());
+        return place;
+    }
+    QRect place({}, within(*best));
+    place.moveLeft(best == &left ? room.left() : room.right() + 1 - place.width());
+    place.moveTop(best == &below ? room.bottom() + 1 - place.height()
+                  : best == &above
+                      ? room.top()
+                      : std::clamp(figure.top(), room.top(), room.bottom() + 1 - place.height()));
+    return place;
+}
+
+void placeBesideFigure(QWidget& window, const QRect& figure) {
+    for (QScreen* screen : QApplication::screens()) {
+        const QPoint corner = screen->geometry().topLeft();
+        const double ratio = screen->devicePixelRatio();
+        const auto shown = [&](const QPoint& device) {
+            return corner + ((QPointF(device - corner)) / ratio).toPoint();
+        };
+        const QRect seen(shown(figure.topLeft()), shown(figure.bottomRight()));
+        if (!screen->geometry().contains(seen.center()))
+            continue;
+        const QRect room = screen->availableGeometry().adjusted(frame, title, -frame, -frame);
+        return put(window, placeAround(seen, room, window.size(),
+                                       window.minimumSizeHint().expandedTo(window.size() / 2)));
+    }
+}
+
 void placeFirst(QWidget& window) {
     constexpr QSize large(1480, 960);
     const QRect room = roomOf(window);

@@ -1,6 +1,5 @@
 #include "offers/value_entry.h"
 
-#include "editing/number_text.h"
 #include "offers/edit_preview.h"
 #include "offers/offer_list.h"
 #include "plain/plain.h"
@@ -13,21 +12,10 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <cmath>
 
 namespace views {
 
-namespace {
-
-// Of what is computed: without the last digits, which are the rounding's.
-QString plain(double value) {
-    const double resolution = editing::decimalStep(1e-13 * std::max(1.0, std::abs(value)));
-    return QString::fromStdString(editing::numberText(value, resolution));
-}
-
-} // namespace
-
-ValueEntry::ValueEntry(SceneDocument& document, AskedValue asked, QWidget* parent)
+ValueEntry::ValueEntry(SceneDocument& document, commands::AskedValue asked, QWidget* parent)
     : QFrame(parent), document_(document), asked_(std::move(asked)) {
     setObjectName(QStringLiteral("valueEntry"));
     setFrameStyle(QFrame::StyledPanel | QFrame::Raised);
@@ -36,7 +24,7 @@ ValueEntry::ValueEntry(SceneDocument& document, AskedValue asked, QWidget* paren
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(10, 8, 10, 8);
     column->setSpacing(6);
-    auto* title = plain::label(asked_.title);
+    auto* title = plain::label(QString::fromStdString(asked_.title));
     title->setObjectName("valueTitle");
     QFont bold = title->font();
     bold.setBold(true);
@@ -49,8 +37,8 @@ ValueEntry::ValueEntry(SceneDocument& document, AskedValue asked, QWidget* paren
         quiet->setForegroundRole(QPalette::PlaceholderText);
         column->addWidget(quiet);
     };
-    if (!asked_.note.isEmpty())
-        addQuiet(asked_.note);
+    if (!asked_.note.empty())
+        addQuiet(QString::fromStdString(asked_.note));
     addQuiet(tr("Return takes it  ·  Escape leaves it as it is"));
     says_ = plain::markupLabel();
     says_->setWordWrap(true);
@@ -68,17 +56,18 @@ void ValueEntry::addFields(QVBoxLayout* column) {
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(8);
     grid->setVerticalSpacing(3);
+    const std::vector<std::string> shown = commands::shownNumbers(asked_);
     for (std::size_t i = 0; i < asked_.now.size(); ++i) {
         const int row = static_cast<int>(i);
         const std::string& written = asked_.written[i];
         const bool literal = script::decimalNumber(written).has_value();
-        const QString text = literal ? QString::fromStdString(written) : plain(asked_.now[i]);
-        auto* field = new QLineEdit(text);
+        auto* field = new QLineEdit(QString::fromStdString(shown[i]));
         field->setObjectName(QStringLiteral("value%1").arg(row + 1));
-        field->setAccessibleName(asked_.names[row]);
+        const QString name = QString::fromStdString(asked_.names[i]);
+        field->setAccessibleName(name);
         field->installEventFilter(this);
         connect(field, &QLineEdit::textEdited, this, &ValueEntry::update);
-        grid->addWidget(plain::label(asked_.names[row]), row, 0);
+        grid->addWidget(plain::label(name), row, 0);
         grid->addWidget(field, row, 1);
         if (!literal && !written.empty()) { // the source text, where it is no number
             auto* source = plain::label(QString::fromStdString(written));
@@ -89,22 +78,15 @@ void ValueEntry::addFields(QVBoxLayout* column) {
             grid->addWidget(source, row, 2);
         }
         fields_.push_back(field);
-        first_.push_back(text);
     }
     column->addLayout(grid);
 }
 
 std::optional<std::vector<double>> ValueEntry::values() const {
-    std::vector<double> values = asked_.now;
-    for (std::size_t i = 0; i < fields_.size(); ++i) {
-        if (fields_[i]->text() == first_[i])
-            continue;
-        const auto number = script::decimalNumber(fields_[i]->text().toStdString());
-        if (!number)
-            return std::nullopt;
-        values[i] = *number;
-    }
-    return values;
+    std::vector<std::string> typed;
+    for (const QLineEdit* field : fields_)
+        typed.push_back(field->text().toStdString());
+    return commands::typedNumbers(asked_, typed);
 }
 
 void ValueEntry::update() {
@@ -164,7 +146,7 @@ void ValueEntry::openAt(const QPoint& handle) {
 
 void ValueEntry::take(const text::Edits& edits) {
     const std::string text = text::applied(asked_.text, edits);
-    const QString label = asked_.label;
+    const QString label = QString::fromStdString(asked_.label);
     SceneDocument& document = document_;
     leave();
     document.setText(text, label);

@@ -5,7 +5,8 @@
 // previewed in the same way. Return takes the value, Escape leaves everything as it is.
 #pragma once
 
-#include "offers/asked_value.h"
+#include "commands/asked_value.h"
+#include "workbench/scene_document.h"
 
 #include <QFrame>
 #include <QLabel>
@@ -18,7 +19,7 @@ namespace views {
 class ValueEntry : public QFrame {
     Q_OBJECT
 public:
-    ValueEntry(SceneDocument& document, AskedValue asked, QWidget* parent);
+    ValueEntry(SceneDocument& document, commands::AskedValue asked, QWidget* parent);
 
     void openAt(const QPoint& handle);
     // The values that a gesture asked for, as if they were typed.
@@ -40,9 +41,8 @@ private:
     void leave();
 
     SceneDocument& document_;
-    const AskedValue asked_;
+    const commands::AskedValue asked_;
     std::vector<QLineEdit*> fields_;
-    std::vector<QString> first_; // what they showed at first
     QLabel* says_;
     QVBoxLayout* offers_;
     editing::Answer answer_;

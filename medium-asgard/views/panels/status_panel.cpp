@@ -1,5 +1,6 @@
 #include "panels/status_panel.h"
 
+#include "commands/closing.h"
 #include "faults/close_joints.h"
 #include "handles/handles.h"
 #include "motion/known_span.h"
@@ -165,8 +166,8 @@ void StatusPanel::addSwitches(const render::Display& display) {
          HandleKind::forceHead},
         {"torqueHandles", tr("Tor&ques"), tr("About the arrow, by the right hand"),
          &Display::torqueHandles, HandleKind::torqueHead},
-        {"linkHandles", tr("Lin&ks"), tr("Their two ends"), &Display::linkHandles,
-         HandleKind::linkEnd},
+        {"linkHandles", tr("Lin&ks"), tr("Their two ends, and how long ropes are"),
+         &Display::linkHandles, HandleKind::linkEnd},
         {"jointHandles", tr("Joints"), tr("Their points and axes"), &Display::jointHandles,
          HandleKind::jointPoint},
         {"lightHandles", tr("L&ights"), tr("Where they stand and shine"), &Display::lightHandles,
@@ -251,7 +252,8 @@ void StatusPanel::showMotion() {
                             ? tr("Computing the motion… what is shown is stale.")
                             : tr("Computing the motion…"));
     else if (document_.hasErrors())
-        state_->setText(document_.sceneIsCurrent() && misplacedIn(document_).openJoints > 0
+        state_->setText(document_.sceneIsCurrent() &&
+                                commands::misplacedIn(document_.diagnostics()).openJoints > 0
                             ? tr("The bodies of a joint do not meet at the start.")
                         : document_.sceneIsCurrent()
                             ? tr("The motion has faults: see the text.")

@@ -1,10 +1,10 @@
 #include "picture/element_menu.h"
 
+#include "commands/quantities.h"
 #include "gestures/handle_meaning.h"
 #include "picture/create_menu.h"
 #include "picture/scene_display.h"
 #include "plain/plain.h"
-#include "plots/quantities.h"
 
 #include <QMenu>
 
@@ -159,21 +159,21 @@ void Building::element() {
 }
 
 void Building::charts() {
-    const std::vector<Quantity> all = quantitiesOf(scene(), *place_.element);
+    const std::vector<commands::Quantity> all = commands::quantitiesOf(scene(), *place_.element);
     if (all.empty())
         return;
     SceneDisplay& display = display_;
     QMenu* plots = menu_.addMenu(QObject::tr("New &Plot of"));
     QMenu* beside = menu_.addMenu(QObject::tr("Show &Beside It"));
-    for (const Quantity& one : all) {
-        plots->addAction(plain::ours(one.label), &display_,
+    for (const commands::Quantity& one : all) {
+        plots->addAction(plain::ours(QString::fromStdString(one.label)), &display_,
                          [&display, expression = one.expression, name = one.name] {
                              display.creating().start(newPlot(expression, name));
                          });
         if (one.isIntegral)
             continue;
         QAction* meter = beside->addAction(
-            plain::ours(one.label), &display_,
+            plain::ours(QString::fromStdString(one.label)), &display_,
             [&display, element = *place_.element, one] { display.meters().toggle(element, one); });
         meter->setCheckable(true);
         meter->setChecked(display.meters().has(one));

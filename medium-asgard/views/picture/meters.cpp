@@ -57,8 +57,9 @@ void Meters::rename(const std::vector<editing::Renamed>& renamed) {
         for (const editing::Renamed& one : renamed) {
             if (meter.kind != one.element.kind || meter.element != one.before)
                 continue;
-            const auto all = quantitiesOf(*document_.shown().scene, one.element);
-            const auto same = std::ranges::find(all, meter.quantity.label, &Quantity::label);
+            const auto all = commands::quantitiesOf(*document_.shown().scene, one.element);
+            const auto same =
+                std::ranges::find(all, meter.quantity.label, &commands::Quantity::label);
             meter.element = one.now;
             if (same != all.end())
                 meter.quantity = *same;
@@ -66,12 +67,12 @@ void Meters::rename(const std::vector<editing::Renamed>& renamed) {
     set(std::move(meters));
 }
 
-bool Meters::has(const Quantity& quantity) const {
+bool Meters::has(const commands::Quantity& quantity) const {
     return std::ranges::any_of(
         meters_, [&](const Meter& one) { return one.quantity.expression == quantity.expression; });
 }
 
-void Meters::toggle(const editing::Element& element, const Quantity& quantity) {
+void Meters::toggle(const editing::Element& element, const commands::Quantity& quantity) {
     std::vector<Meter> meters = meters_;
     const auto gone = std::erase_if(
         meters, [&](const Meter& one) { return one.quantity.expression == quantity.expression; });
@@ -105,7 +106,7 @@ void Meters::take(std::vector<charts::Plot> plots) {
 }
 
 QString Meters::words(const Meter& meter, double time) const {
-    const QString label = QString(meter.quantity.label).remove('&');
+    const QString label = QString::fromStdString(meter.quantity.label).remove('&');
     const auto found = sampled_.find(meter.quantity.expression);
     if (found == sampled_.end())
         return label + QStringLiteral(" …");

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "charts/plot_sampler.h"
-#include "plots/quantities.h"
+#include "commands/quantities.h"
 #include "workbench/scene_document.h"
 
 #include <QObject>
@@ -24,7 +24,7 @@ class SceneDisplay;
 struct Meter {
     editing::Kind kind = editing::Kind::body;
     std::string element; // its name
-    Quantity quantity;
+    commands::Quantity quantity;
 };
 
 class Meters : public QObject {
@@ -34,8 +34,8 @@ public:
 
     [[nodiscard]] const std::vector<Meter>& all() const { return meters_; }
     void set(std::vector<Meter> meters);
-    [[nodiscard]] bool has(const Quantity& quantity) const;
-    void toggle(const editing::Element& element, const Quantity& quantity);
+    [[nodiscard]] bool has(const commands::Quantity& quantity) const;
+    void toggle(const editing::Element& element, const commands::Quantity& quantity);
     // "Speed 1.25" of each that is known at that time; "…" while it is computed.
     [[nodiscard]] QString words(const Meter& meter, double time) const;
     void paint(QPainter& painter) const;

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 namespace views {
+
+using commands::Quantity, commands::quantitiesOf;
 namespace {
 
 const std::string flying = "simulator -finish 2\n"
@@ -82,7 +84,7 @@ TEST_F(MetersTest, TheCoordinateUpwardsIsTheHeight) {
     const auto labels = [&] {
         QStringList all;
         for (const Quantity& one : quantitiesOf(*editor.document().shown().scene, body))
-            all << QString(one.label).remove('&');
+            all << QString::fromStdString(one.label).remove('&');
         return all.mid(0, 3);
     };
     EXPECT_EQ(labels(), QStringList({"x", "Height, y", "z"}));

@@ -39,7 +39,7 @@ void PictureEditing::openSize(std::size_t body) {
     if (body >= document_.shown().scene->bodies.size() || !mayChange())
         return;
     document_.select({{editing::Kind::body, body}});
-    if (auto size = askedSize(document_, body))
+    if (auto size = commands::askedSize(document_.ground(), body))
         openEntry(std::move(*size), positionOf(body)->place);
     else
         Q_EMIT shapeWanted(QString::fromStdString(document_.shown().scene->bodies[body].shape));
@@ -49,7 +49,7 @@ void PictureEditing::openSurface(std::size_t body) {
     if (body >= document_.shown().scene->bodies.size() || !mayChange())
         return;
     document_.select({{editing::Kind::body, body}});
-    openEntry(askedSurface(document_, body), positionOf(body)->place);
+    openEntry(commands::askedSurface(document_.ground(), body), positionOf(body)->place);
 }
 
 void PictureEditing::setFixed(std::size_t body, bool fixed) {
@@ -58,13 +58,14 @@ void PictureEditing::setFixed(std::size_t body, bool fixed) {
     const scene::Body& one = document_.shown().scene->bodies[body];
     if (one.fixed == fixed)
         return;
-    if (const QString why = whyNotFixed(*document_.shown().scene, body); !why.isEmpty())
-        return say(why);
-    AskedValue asked = askedFixed(document_, body);
+    if (const std::string why = commands::whyNotFixed(*document_.shown().scene, body); !why.empty())
+        return say(QString::fromStdString(why));
+    commands::AskedValue asked = commands::askedFixed(document_.ground(), body);
     const double value = fixed ? 1 : 0;
     const editing::Answer answer = asked.answer({value});
     if (answer.possible())
-        return document_.setText(text::applied(asked.text, answer.edits), asked.label);
+        return document_.setText(text::applied(asked.text, answer.edits),
+                                 QString::fromStdString(asked.label));
     editing::Wish wish; // what makes it so is said, and what can be done
     wish.values = {value};
     openEntry(std::move(asked), positionOf(body)->place);

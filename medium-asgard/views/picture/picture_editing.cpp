@@ -232,9 +232,7 @@ void PictureEditing::offerOthers(const gestures::HandleDrag& drag) {
     if (document_.text() != drag.text())
         return; // it was changed elsewhere meanwhile
     delete entry_;
-    entry_ = new ValueEntry(
-        document_, askedOf(document_, {drag.ground().scene, drag.ground().motion}, drag.handle()),
-        &display_);
+    entry_ = new ValueEntry(document_, commands::askedOf(drag.ground(), drag.handle()), &display_);
     entry_->propose(drag.wishes());
     entry_->openAt(display_.fromPixels(display_.sight().pixels(drag.place())).toPoint());
     Q_EMIT changed();
@@ -497,10 +495,10 @@ void PictureEditing::openEntry() {
     const auto handle = marked();
     if (!handle || !mayChange())
         return;
-    openEntry(askedOf(document_, document_.shown(), *handle), handle->place);
+    openEntry(commands::askedOf(document_.ground(), *handle), handle->place);
 }
 
-void PictureEditing::openEntry(AskedValue asked, const geometry::Vector& place) {
+void PictureEditing::openEntry(commands::AskedValue asked, const geometry::Vector& place) {
     delete entry_;
     entry_ = new ValueEntry(document_, std::move(asked), &display_);
     entry_->openAt(display_.fromPixels(display_.sight().pixels(place)).toPoint());

@@ -89,7 +89,7 @@ Q_SIGNALS:
     void shapeWanted(const QString& name); // in the shape editor
 
 private:
-    void openEntry(AskedValue asked, const geometry::Vector& place);
+    void openEntry(commands::AskedValue asked, const geometry::Vector& place);
     bool openBodyAt(const QPointF& position); // false: there is none
     gestures::Ground beginGesture();
     void ended(const gestures::Hand::LetGo& gone);

@@ -1,7 +1,7 @@
 #include "plots/plot_dialog.h"
 
+#include "commands/quantities.h"
 #include "plain/plain.h"
-#include "plots/quantities.h"
 #include "scene/names.h"
 
 #include <QDialogButtonBox>
@@ -118,14 +118,14 @@ QTreeWidget* PlotDialog::makeList(const std::optional<editing::Element>& about) 
         if (one->childCount() == 0)
             accept();
     });
-    const auto all = quantitiesOf(*scene_);
+    const auto all = commands::quantitiesOf(*scene_);
     QTreeWidgetItem* proposed = nullptr;
-    for (const Measured& one : all) {
+    for (const commands::Measured& one : all) {
         auto* element = new QTreeWidgetItem(
             list, {QString::fromStdString(editing::describe(*scene_, one.element))});
-        for (const Quantity& quantity : one.quantities)
-            (new QTreeWidgetItem(element,
-                                 {worded(quantity), QString::fromStdString(quantity.expression)}))
+        for (const commands::Quantity& quantity : one.quantities)
+            (new QTreeWidgetItem(element, {QString::fromStdString(worded(quantity)),
+                                           QString::fromStdString(quantity.expression)}))
                 ->setData(0, Qt::UserRole, QString::fromStdString(quantity.name));
         constexpr std::size_t few = 6; // elements: their quantities are seen at once
         element->setExpanded(all.size() <= few || one.element == about);

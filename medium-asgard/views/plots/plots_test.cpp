@@ -1,7 +1,7 @@
 // What a `plot` says is to be seen, and follows the motion.
+#include "commands/quantities.h"
 #include "plots/plot_dialog.h"
 #include "plots/plots_panel.h"
-#include "plots/quantities.h"
 #include "scene/units.h"
 #include "viewers/editor.h"
 #include "views/test_workshop.h"
@@ -13,6 +13,8 @@
 #include <gtest/gtest.h>
 
 namespace views {
+
+using commands::Measured, commands::Quantity, commands::quantitiesOf;
 namespace {
 
 const std::string flying = "simulator -finish 2\n"
@@ -62,8 +64,7 @@ TEST_F(PlotsTest, EachQuantityHasItsUnit) {
     int count = 0;
     for (const Measured& one : quantitiesOf(scene))
         for (const Quantity& quantity : one.quantities) {
-            EXPECT_EQ(units.of(quantity.expression), quantity.unit.toStdString())
-                << quantity.expression;
+            EXPECT_EQ(units.of(quantity.expression), quantity.unit) << quantity.expression;
             ++count;
         }
     EXPECT_GT(count, 40);
@@ -75,7 +76,7 @@ TEST_F(PlotsTest, ARodThatHangsFromAPointHasAnAngle) {
          "joint rod -type distance -body1 b -offset2 {0 3 0}\n");
     const auto all =
         quantitiesOf(*editor.document().shown().scene, editing::Element{editing::Kind::joint, 0});
-    const auto angle = std::ranges::find(all, QStringLiteral("rad"), &Quantity::unit);
+    const auto angle = std::ranges::find(all, "rad", &Quantity::unit);
     ASSERT_NE(angle, all.end());
     EXPECT_EQ(angle->expression, "atan2(b.x, 3 - b.y)");
 }

@@ -1,5 +1,6 @@
 #include "properties/properties_pane.h"
 
+#include "commands/asked_value.h"
 #include "editing/element_values.h"
 #include "editing/number_text.h"
 #include "element_edits/attitude.h"
@@ -7,7 +8,6 @@
 #include "element_edits/options.h"
 #include "element_edits/units.h"
 #include "frame/names_box.h"
-#include "offers/asked_value.h"
 #include "plain/plain.h"
 #include "script/numbers.h"
 
@@ -396,20 +396,24 @@ void PropertiesPane::showSize() {
         return one.kind == Kind::body && one.index < bodies.size() &&
                bodies[one.index].shape == bodies[elements().front().index].shape;
     });
-    const auto asked = haveOne ? askedSize(document_, elements().front().index) : std::nullopt;
+    const auto asked =
+        haveOne ? commands::askedSize(document_.ground(), elements().front().index) : std::nullopt;
     size_->setVisible(asked.has_value());
-    size_->setRemark(asked ? asked->note : QString());
+    size_->setRemark(asked ? QString::fromStdString(asked->note) : QString());
     if (!asked)
         return;
     PropertyParts parts;
     for (const double one : asked->now)
         parts.emplace_back(shownNumber(one));
     size_->show(parts, {}, {});
-    size_->setNames(asked->names);
+    QStringList names;
+    for (const std::string& one : asked->names)
+        names << QString::fromStdString(one);
+    size_->setNames(names);
 }
 
 void PropertiesPane::setSize(const Entered& entered) {
-    const auto asked = askedSize(document_, entered.elements.front().index);
+    const auto asked = commands::askedSize(document_.ground(), entered.elements.front().index);
     if (!asked)
         return answer(entered, tr("The shape has no one size."));
     std::vector<double> sizes = asked->now;
@@ -420,7 +424,7 @@ void PropertiesPane::setSize(const Entered& entered) {
             return answer(entered, tr("Decimal numbers, please."));
         sizes[i] = *number;
     }
-    tryEdits(entered, asked->answer(sizes), asked->label);
+    tryEdits(entered, asked->answer(sizes), QString::fromStdString(asked->label));
 }
 
 // --- changes ------------------------------------------------------------------------------------

@@ -1,6 +1,7 @@
 // Create > Light, Trajectory, Parameter, Plot, View, and measuring.
 #include "recipes/recipes.h"
 
+#include "commands/quantities.h"
 #include "editing/number_text.h"
 #include "framing/extent.h"
 #include "recipes/recipe_words.h"
@@ -139,23 +140,11 @@ Recipe newParameter(const std::string& name, const std::string& value, const std
 }
 
 Recipe newPlot(const std::string& expression, const std::string& curve) {
-    return {
-        QObject::tr("New Plot"),
-        {},
-        [=](const std::string& text, const scene::Scene& scene, const std::vector<Indicated>&) {
-            NewElement plot{Kind::plot,
-                            editing::unusedName(text, scene, Kind::plot, "plot"),
-                            {"-values", "{{" + expression + "}}"},
-                            {}};
-            if (!curve.empty())
-                plot.words.insert(plot.words.end(), {"-labels", "{{" + curve + "}}"});
-            for (const Kind kind : {Kind::body, Kind::link, Kind::joint, Kind::rope, Kind::contact})
-                for (std::size_t i = 0; editing::sourceOf(scene, {kind, i}); ++i)
-                    if (const std::string name = editing::nameOf(scene, {kind, i});
-                        !name.empty() && expression.find(name + ".") != std::string::npos)
-                        plot.behind.push_back({kind, i});
-            return std::vector{plot};
-        }};
+    return {QObject::tr("New Plot"),
+            {},
+            [=](const std::string& text, const scene::Scene& scene, const std::vector<Indicated>&) {
+                return std::vector{commands::plotOf(text, scene, expression, curve)};
+            }};
 }
 
 Recipe keptView(const render::Camera& camera, double resolution) {

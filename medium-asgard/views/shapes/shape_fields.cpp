@@ -43,28 +43,6 @@ void fill(const std::array<QLineEdit*, 3>& fields, const std::vector<double>& va
 
 } // namespace
 
-QStringList sizeNames(const scene::Part& part) {
-    const QString inside = ShapeFields::tr("Radius inside"), outside = ShapeFields::tr("outside");
-    if (std::holds_alternative<scene::TubeShape>(part.shape))
-        return {inside, outside, ShapeFields::tr("Height")};
-    if (std::holds_alternative<scene::BowlShape>(part.shape))
-        return {inside, outside};
-    switch (editing::sizesOf(part).size()) {
-    case 1:
-        return {ShapeFields::tr("Radius")};
-    case 2:
-        return {ShapeFields::tr("Radius"), ShapeFields::tr("Height")};
-    case 3:
-        return std::holds_alternative<scene::BoxShape>(part.shape)
-                   ? QStringList{ShapeFields::tr("Edge x"), ShapeFields::tr("Edge y"),
-                                 ShapeFields::tr("Edge z")}
-                   : QStringList{ShapeFields::tr("Half axis x"), ShapeFields::tr("Half axis y"),
-                                 ShapeFields::tr("Half axis z")};
-    default:
-        return {};
-    }
-}
-
 ShapeFields::ShapeFields(QWidget* parent) : QWidget(parent) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
@@ -106,13 +84,14 @@ void ShapeFields::showNumbers(const scene::Part* part, const std::optional<Vecto
     fill(place_,
          place ? std::vector<double>{place->x(), place->y(), place->z()} : std::vector<double>());
     const auto sizes = part ? editing::sizesOf(*part) : std::vector<double>();
-    const QStringList names = part ? sizeNames(*part) : QStringList();
+    const auto names = part ? editing::sizeNames(*part) : std::vector<std::string>();
     sizeCount_ = sizes.size();
     fill(sizes_, sizes);
     for (std::size_t i = 0; i < 3; ++i) {
         if (i < sizeCount_) {
-            sizeNames_[i]->setText(plain::ours(names[static_cast<qsizetype>(i)]));
-            sizes_[i]->setAccessibleName(names[static_cast<qsizetype>(i)]);
+            const QString name = QString::fromStdString(names[i]);
+            sizeNames_[i]->setText(plain::ours(name));
+            sizes_[i]->setAccessibleName(name);
         }
         sizeNames_[i]->setVisible(i < sizeCount_);
         sizes_[i]->setVisible(i < sizeCount_);

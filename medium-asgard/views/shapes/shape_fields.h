@@ -40,7 +40,4 @@ private:
     std::size_t sizeCount_ = 0;
 };
 
-// Of the numbers that editing::sizesOf() gives.
-[[nodiscard]] QStringList sizeNames(const scene::Part& part);
-
 } // namespace views

@@ -472,5 +472,27 @@ TEST_F(MainWindowTest, AnotherWindowOpensBesideWhereThereIsRoom) {
     EXPECT_GT(third.x(), screen.center().x());
 }
 
+// A figure's viewer covers no figure where the screen has room, and little of the document.
+TEST(Placing, AViewerStandsBesideItsFigure) {
+    const QRect room(8, 32, 1584, 960);
+    const QSize size(1180, 760), least(590, 380);
+    for (const QRect& figure : {QRect(60, 200, 480, 360), QRect(1000, 100, 480, 360),
+                                QRect(500, 560, 700, 400), QRect(500, 40, 700, 300)}) {
+        const QRect place = placeAround(figure, room, size, least);
+        EXPECT_FALSE(place.intersects(figure));
+        EXPECT_TRUE(room.contains(place));
+        EXPECT_GE(place.width(), least.width());
+        EXPECT_GE(place.height(), least.height());
+    }
+    // At the outer edge, as large as it is where there is room for that.
+    const QRect place = placeAround({60, 200, 300, 300}, room, size, least);
+    EXPECT_EQ(place.size(), size);
+    EXPECT_EQ(place.right(), room.right());
+    // No room: what it covers is as little as can be.
+    const QRect crowded = placeAround({300, 100, 1200, 800}, room, size, least);
+    EXPECT_TRUE(room.contains(crowded));
+    EXPECT_EQ(crowded.left(), room.left());
+}
+
 } // namespace
 } // namespace views

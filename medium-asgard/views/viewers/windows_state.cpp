@@ -73,8 +73,8 @@ QJsonObject written(GraphicalViewer& viewer, bool withDraft) {
         meters.append(
             QJsonObject{{"kind", static_cast<int>(meter.kind)},
                         {"element", QString::fromStdString(meter.element)},
-                        {"label", meter.quantity.label},
-                        {"unit", meter.quantity.unit},
+                        {"label", QString::fromStdString(meter.quantity.label)},
+                        {"unit", QString::fromStdString(meter.quantity.unit)},
                         {"expression", QString::fromStdString(meter.quantity.expression)}});
     window["meters"] = meters;
     window["view"] = viewer.display().followedView();
@@ -124,8 +124,8 @@ void restore(GraphicalViewer& viewer, const QJsonObject& as) {
              : one["kind"].toInt() == static_cast<int>(editing::Kind::link) ? editing::Kind::link
                                                                             : editing::Kind::body,
              one["element"].toString().toStdString(),
-             {one["label"].toString(), one["expression"].toString().toStdString(),
-              one["unit"].toString()}});
+             {one["label"].toString().toStdString(), one["expression"].toString().toStdString(),
+              one["unit"].toString().toStdString()}});
     }
     viewer.display().meters().set(std::move(meters));
     viewer.playback().seek(as["time"].toDouble());

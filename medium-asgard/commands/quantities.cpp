@@ -1,16 +1,14 @@
-#include "plots/quantities.h"
+#include "commands/quantities.h"
 
 #include "charts/plots.h"
 #include "editing/number_text.h"
 #include "framing/extent.h"
 #include "scene/joint_types.h"
 
-#include <QObject>
-
 #include <cmath>
 #include <optional>
 
-namespace views {
+namespace commands {
 
 using editing::Element;
 using editing::Kind;
@@ -85,25 +83,23 @@ std::string kineticEnergy(const Names& names, Inertia inertia) {
 
 std::vector<Quantity> ofBody(const scene::Scene& scene, const scene::Body& body,
                              const Names& names) {
-    const QString way = QStringLiteral("m"), speed = QStringLiteral("m/s");
+    const std::string way = "m", speed = "m/s";
     const std::string velocity = names.length("dx", "dy", "dz");
     const geometry::Vector up = render::upOf(scene);
-    const auto place = [&](const QString& label, Eigen::Index axis) {
-        return up[axis] > 0.99 ? QObject::tr("Height, %1").arg(label) : label;
+    const auto place = [&](const std::string& label, Eigen::Index axis) {
+        return up[axis] > 0.99 ? "Height, " + label : label;
     };
-    return {
-        {place(QObject::tr("&x"), 0), names.of("x"), way},
-        {place(QObject::tr("&y"), 1), names.of("y"), way},
-        {place(QObject::tr("&z"), 2), names.of("z"), way},
-        {QObject::tr("&Speed"), velocity, speed},
-        {QObject::tr("Velocity along x"), names.of("dx"), speed},
-        {QObject::tr("Velocity along y"), names.of("dy"), speed},
-        {QObject::tr("Velocity along z"), names.of("dz"), speed},
-        {QObject::tr("&Momentum"), names.of("mass") + " * " + velocity, QStringLiteral("kg m/s")},
-        {QObject::tr("&Kinetic energy"), kineticEnergy(names, inertiaOf(scene, body)),
-         QStringLiteral("J")},
-        {QObject::tr("&Angle about z"), names.of("rz"), QStringLiteral("rad"), true},
-        {QObject::tr("Angular velocity about z"), names.of("wz"), QStringLiteral("rad/s")}};
+    return {{place("&x", 0), names.of("x"), way},
+            {place("&y", 1), names.of("y"), way},
+            {place("&z", 2), names.of("z"), way},
+            {"&Speed", velocity, speed},
+            {"Velocity along x", names.of("dx"), speed},
+            {"Velocity along y", names.of("dy"), speed},
+            {"Velocity along z", names.of("dz"), speed},
+            {"&Momentum", names.of("mass") + " * " + velocity, "kg m/s"},
+            {"&Kinetic energy", kineticEnergy(names, inertiaOf(scene, body)), "J"},
+            {"&Angle about z", names.of("rz"), "rad", true},
+            {"Angular velocity about z", names.of("wz"), "rad/s"}};
 }
 
 // The angle of a pendulum from where it hangs straight down, right-handed about the axis: that of
@@ -164,37 +160,35 @@ std::vector<Quantity> ofJoint(const scene::Scene& scene, const Names& names,
     std::vector<Quantity> all;
     const std::string fromBelow = angleOfPendulum(scene, joint);
     if (!fromBelow.empty())
-        all.push_back({QObject::tr("&Angle from straight down"), fromBelow, QStringLiteral("rad"),
-                       false, "angle of " + joint.name});
+        all.push_back(
+            {"&Angle from straight down", fromBelow, "rad", false, "angle of " + joint.name});
     const auto& coordinates = scene::traitsOf(joint.type).coordinates;
     for (std::size_t i = 0; i < coordinates.size(); ++i) {
         const std::string which = scene::coordinateSuffix(joint.type, i);
-        const QString shown = which.empty() ? QString() : QString::fromStdString(" " + which);
+        const std::string shown = which.empty() ? "" : " " + which;
         const bool isAngle = coordinates[i] == scene::CoordinateKind::angle;
-        all.push_back({(!isAngle            ? QObject::tr("&Distance")
-                        : fromBelow.empty() ? QObject::tr("&Angle")
-                                            : QObject::tr("A&ngle of the joint")) +
+        all.push_back({(!isAngle            ? "&Distance"
+                        : fromBelow.empty() ? "&Angle"
+                                            : "A&ngle of the joint") +
                            shown,
-                       names.of("q" + which),
-                       isAngle ? QStringLiteral("rad") : QStringLiteral("m")});
-        all.push_back({QObject::tr("&Rate") + shown, names.of("dq" + which),
-                       isAngle ? QStringLiteral("rad/s") : QStringLiteral("m/s")});
+                       names.of("q" + which), isAngle ? "rad" : "m"});
+        all.push_back({"&Rate" + shown, names.of("dq" + which), isAngle ? "rad/s" : "m/s"});
         const scene::JointCoordinate& own = joint.coordinates[i];
         if (own.motor || own.speed || own.position)
-            all.push_back({QObject::tr("&Motor") + shown, names.of("motor" + which),
-                           isAngle ? QStringLiteral("N m") : QStringLiteral("N")});
+            all.push_back({"&Motor" + shown, names.of("motor" + which), isAngle ? "N m" : "N"});
     }
-    all.push_back({QObject::tr("&Force"), names.length("fx", "fy", "fz"), QStringLiteral("N")});
-    all.push_back({QObject::tr("C&ouple"), names.length("tx", "ty", "tz"), QStringLiteral("N m")});
+    all.push_back({"&Force", names.length("fx", "fy", "fz"), "N"});
+    all.push_back({"C&ouple", names.length("tx", "ty", "tz"), "N m"});
     return all;
 }
 
 } // namespace
 
-QString worded(const Quantity& quantity) {
-    const QString label = QString(quantity.label).remove('&');
-    const QString unit = QString::fromStdString(charts::saidAs(quantity.unit.toStdString()).unit);
-    return unit.isEmpty() ? label : QStringLiteral("%1, %2").arg(label, unit);
+std::string worded(const Quantity& quantity) {
+    std::string label = quantity.label;
+    std::erase(label, '&');
+    const std::string unit = charts::saidAs(quantity.unit).unit;
+    return unit.empty() ? label : label + ", " + unit;
 }
 
 std::vector<Quantity> quantitiesOf(const scene::Scene& scene, const Element& element) {
@@ -210,13 +204,11 @@ std::vector<Quantity> quantitiesOf(const scene::Scene& scene, const Element& ele
     case Kind::link:
         if (!scene.links[element.index].spring)
             return {};
-        return {{QObject::tr("&Length"), names.of("length"), QStringLiteral("m")},
-                {QObject::tr("&Force"), names.of("force"), QStringLiteral("N")}};
+        return {{"&Length", names.of("length"), "m"}, {"&Force", names.of("force"), "N"}};
     case Kind::rope:
-        return {{QObject::tr("&Tension"), names.of("tension"), QStringLiteral("N")}};
+        return {{"&Tension", names.of("tension"), "N"}};
     case Kind::contact:
-        return {{QObject::tr("&Normal force"), names.of("n"), QStringLiteral("N")},
-                {QObject::tr("&Slip"), names.of("slip"), QStringLiteral("m/s")}};
+        return {{"&Normal force", names.of("n"), "N"}, {"&Slip", names.of("slip"), "m/s"}};
     default:
         return {};
     }
@@ -238,4 +230,20 @@ std::vector<Measured> quantitiesOf(const scene::Scene& scene) {
     return all;
 }
 
-} // namespace views
+editing::NewElement plotOf(const std::string& text, const scene::Scene& scene,
+                           const std::string& expression, const std::string& curve) {
+    editing::NewElement plot{Kind::plot,
+                             editing::unusedName(text, scene, Kind::plot, "plot"),
+                             {"-values", "{{" + expression + "}}"},
+                             {}};
+    if (!curve.empty())
+        plot.words.insert(plot.words.end(), {"-labels", "{{" + curve + "}}"});
+    for (const Kind kind : {Kind::body, Kind::link, Kind::joint, Kind::rope, Kind::contact})
+        for (std::size_t i = 0; editing::sourceOf(scene, {kind, i}); ++i)
+            if (const std::string name = editing::nameOf(scene, {kind, i});
+                !name.empty() && expression.find(name + ".") != std::string::npos)
+                plot.behind.push_back({kind, i});
+    return plot;
+}
+
+} // namespace commands

@@ -1,5 +1,6 @@
-#include "offers/asked_value.h"
+#include "commands/asked_value.h"
 
+#include "editing/number_text.h"
 #include "element_edits/fixing.h"
 #include "gestures/handle_meaning.h"
 #include "gestures/new_point.h"
@@ -7,17 +8,17 @@
 #include "point_edits/shape_edit.h"
 #include "point_edits/shape_points.h"
 #include "point_edits/trajectory_edit.h"
-#include "shapes/shape_fields.h"
+#include "script/numbers.h"
 
 #include <algorithm>
+#include <cmath>
+#include <set>
 
-namespace views {
+namespace commands {
 
 namespace {
 
 using Values = std::vector<double>;
-
-QString words(const std::string& text) { return QString::fromStdString(text); }
 
 Values valuesOf(const std::vector<editing::Wish>& wishes) {
     Values all;
@@ -26,18 +27,20 @@ Values valuesOf(const std::vector<editing::Wish>& wishes) {
     return all;
 }
 
-QStringList namesOf(const render::Handle& handle, std::size_t count) {
+std::vector<std::string> namesOf(const scene::Scene& scene, const render::Handle& handle,
+                                 std::size_t count) {
+    if (count == 1)
+        return {gestures::quantityOf(scene, handle)};
     if (count != 4)
-        return {SceneDocument::tr("x"), SceneDocument::tr("y"), SceneDocument::tr("z")};
-    return {handle.kind == render::HandleKind::orientation ? SceneDocument::tr("w")
-                                                           : SceneDocument::tr("t"),
-            SceneDocument::tr("x"), SceneDocument::tr("y"), SceneDocument::tr("z")};
+        return {"x", "y", "z"};
+    return {handle.kind == render::HandleKind::orientation ? "w" : "t", "x", "y", "z"};
 }
 
-std::shared_ptr<editing::Mapper> mapperOf(const std::string& text, const Shown& of) {
-    return std::make_shared<editing::Mapper>(text, of.scene, [of](const std::string& name) {
-        return render::constantValue(*of.scene, of.motion.get(), name);
-    });
+std::shared_ptr<editing::Mapper> mapperOf(const gestures::Ground& of) {
+    return std::make_shared<editing::Mapper>(
+        of.text, of.scene, [scene = of.scene, motion = of.motion](const std::string& name) {
+            return render::constantValue(*scene, motion.get(), name);
+        });
 }
 
 // A point that ends one curve and begins the next moves in both, with its tangents.
@@ -78,14 +81,14 @@ void addPlaces(editing::Answer& sized, const std::string& text,
 }
 
 // "": a surface can have these, in the order of surfaceWishes().
-QString whyNoSurface(const Values& values, bool hasOwnSticking) {
+std::string whyNoSurface(const Values& values, bool hasOwnSticking) {
     const double restitution = values[0], sliding = values[1], sticking = values[2];
     if (!(restitution >= 0 && restitution <= 1))
-        return SceneDocument::tr("The restitution is a number from 0 to 1.");
+        return "The restitution is a number from 0 to 1.";
     if (!(sliding >= 0 && sticking >= 0 && values[3] >= 0))
-        return SceneDocument::tr("Friction is 0 or more.");
+        return "Friction is 0 or more.";
     if (hasOwnSticking && sticking < sliding)
-        return SceneDocument::tr("The static friction is at least the friction.");
+        return "The static friction is at least the friction.";
     return {};
 }
 
@@ -106,11 +109,38 @@ std::vector<editing::Wish> surfaceWishes(const scene::Body& body, std::size_t wh
 
 } // namespace
 
-AskedValue askedOf(SceneDocument& document, const Shown& of, const render::Handle& handle) {
+std::vector<std::string> shownNumbers(const AskedValue& asked) {
+    std::vector<std::string> shown;
+    for (std::size_t i = 0; i < asked.now.size(); ++i) {
+        const double value = asked.now[i];
+        const double resolution = editing::decimalStep(1e-13 * std::max(1.0, std::abs(value)));
+        shown.push_back(script::decimalNumber(asked.written[i])
+                            ? asked.written[i]
+                            : editing::numberText(value, resolution));
+    }
+    return shown;
+}
+
+std::optional<std::vector<double>> typedNumbers(const AskedValue& asked,
+                                                const std::vector<std::string>& fields) {
+    const std::vector<std::string> shown = shownNumbers(asked);
+    Values values = asked.now;
+    for (std::size_t i = 0; i < values.size() && i < fields.size(); ++i) {
+        if (fields[i] == shown[i])
+            continue;
+        const auto number = script::decimalNumber(fields[i]);
+        if (!number)
+            return std::nullopt;
+        values[i] = *number;
+    }
+    return values;
+}
+
+AskedValue askedOf(const gestures::Ground& of, const render::Handle& handle) {
     const scene::Scene& scene = *of.scene;
     AskedValue asked;
-    asked.text = document.text();
-    const auto mapper = mapperOf(asked.text, of);
+    asked.text = of.text;
+    const auto mapper = mapperOf(of);
     auto wishes = gestures::wishesFor(scene, handle, handle.place, 0, false);
     if (handle.kind == render::HandleKind::orientation && mapper->count(wishes.front()) == 4)
         wishes = gestures::wishesFor(scene, handle, handle.place, 0, true);
@@ -119,11 +149,10 @@ AskedValue askedOf(SceneDocument& document, const Shown& of, const render::Handl
         path = std::make_shared<editing::TrajectoryEdits>(asked.text, of.scene, handle.element);
         wishes = {path->wishOf(gestures::pointOf(*path, handle))};
     }
-    asked.title = SceneDocument::tr("%1: %2").arg(words(gestures::subjectOf(scene, handle)),
-                                                  words(gestures::quantityOf(scene, handle)));
-    asked.label = words(gestures::labelOf(scene, handle));
+    asked.title = gestures::subjectOf(scene, handle) + ": " + gestures::quantityOf(scene, handle);
+    asked.label = gestures::labelOf(scene, handle);
     asked.now = valuesOf(wishes);
-    asked.names = namesOf(handle, asked.now.size());
+    asked.names = namesOf(scene, handle, asked.now.size());
     for (const editing::Wish& wish : wishes)
         for (const std::string& one : mapper->written(wish))
             asked.written.push_back(one);
@@ -140,28 +169,27 @@ AskedValue askedOf(SceneDocument& document, const Shown& of, const render::Handl
     return asked;
 }
 
-std::optional<AskedValue> askedSize(SceneDocument& document, std::size_t body) {
-    const auto scene = document.shown().scene;
+std::optional<AskedValue> askedSize(const gestures::Ground& of, std::size_t body) {
+    const auto& scene = of.scene;
     const std::string& shape = scene->bodies[body].shape;
     const auto sized = sizedShapeOf(*scene, shape);
     if (!sized)
         return std::nullopt;
     const scene::ShapeSet& set = scene->shapeSets[sized->shapeSet];
     AskedValue asked;
-    asked.text = document.text();
-    asked.title = SceneDocument::tr("%1: size").arg(words(scene->bodies[body].name));
-    asked.label = SceneDocument::tr("Change the Size of %1").arg(words(shape));
+    asked.text = of.text;
+    asked.title = scene->bodies[body].name + ": size";
+    asked.label = "Change the Size of " + shape;
     if (sized->bodies > 1)
-        asked.note = SceneDocument::tr("All %1 bodies of the shape %2 change with it.")
-                         .arg(sized->bodies)
-                         .arg(words(shape));
+        asked.note = "All " + std::to_string(sized->bodies) + " bodies of the shape " + shape +
+                     " change with it.";
     asked.now = editing::sizesOf(set.parts.front());
-    asked.names = sizeNames(set.parts.front());
+    asked.names = editing::sizeNames(set.parts.front());
     asked.written.resize(asked.now.size());
     asked.answer = [text = asked.text, scene, which = sized->shapeSet](const Values& values) {
         if (!std::ranges::all_of(values, [](double size) { return size > 0; })) {
             editing::Answer answer;
-            answer.reason = SceneDocument::tr("A size is a number above 0.").toStdString();
+            answer.reason = "A size is a number above 0.";
             return answer;
         }
         auto draft = editing::draftOf(scene->shapeSets[which]);
@@ -174,31 +202,28 @@ std::optional<AskedValue> askedSize(SceneDocument& document, std::size_t body) {
     return asked;
 }
 
-AskedValue askedSurface(SceneDocument& document, std::size_t body) {
-    const Shown& of = document.shown();
+AskedValue askedSurface(const gestures::Ground& of, std::size_t body) {
     const scene::Body& one = of.scene->bodies[body];
-    const auto mapper = mapperOf(document.text(), of);
+    const auto mapper = mapperOf(of);
     const auto wishes = surfaceWishes(one, body);
     AskedValue asked;
-    asked.text = document.text();
-    asked.title = SceneDocument::tr("%1: surface").arg(words(one.name));
-    asked.label = SceneDocument::tr("Change the Surface of %1").arg(words(one.name));
-    asked.note = SceneDocument::tr("Two bodies that touch have the smaller restitution, the "
-                                   "geometric mean of the frictions, and the larger rolling "
-                                   "friction, which is a length.");
-    asked.names = {SceneDocument::tr("restitution"), SceneDocument::tr("friction"),
-                   one.staticFriction ? SceneDocument::tr("static friction")
-                                      : SceneDocument::tr("static friction (as friction)"),
-                   SceneDocument::tr("rolling friction")};
+    asked.text = of.text;
+    asked.title = one.name + ": surface";
+    asked.label = "Change the Surface of " + one.name;
+    asked.note = "Two bodies that touch have the smaller restitution, the "
+                 "geometric mean of the frictions, and the larger rolling "
+                 "friction, which is a length.";
+    asked.names = {"restitution", "friction",
+                   one.staticFriction ? "static friction" : "static friction (as friction)",
+                   "rolling friction"};
     asked.now = valuesOf(wishes);
     for (const editing::Wish& wish : wishes)
         asked.written.push_back(mapper->written(wish).front());
     asked.answer = [mapper, wishes, now = asked.now,
                     hasOwn = one.staticFriction.has_value()](const Values& values) {
-        if (const QString why = whyNoSurface(values, hasOwn || values[2] != now[2]);
-            !why.isEmpty()) {
+        if (std::string why = whyNoSurface(values, hasOwn || values[2] != now[2]); !why.empty()) {
             editing::Answer answer;
-            answer.reason = why.toStdString();
+            answer.reason = std::move(why);
             return answer;
         }
         auto meant = gestures::withValues(wishes, values);
@@ -208,22 +233,20 @@ AskedValue askedSurface(SceneDocument& document, std::size_t body) {
     return asked;
 }
 
-AskedValue askedFixed(SceneDocument& document, std::size_t body) {
-    const Shown& of = document.shown();
+AskedValue askedFixed(const gestures::Ground& of, std::size_t body) {
     const scene::Body& one = of.scene->bodies[body];
     AskedValue asked;
-    asked.text = document.text();
-    asked.title = SceneDocument::tr("%1: fixed (1: it never moves)").arg(words(one.name));
-    asked.label = (one.fixed ? SceneDocument::tr("Let %1 Move") : SceneDocument::tr("Fix %1"))
-                      .arg(words(one.name));
-    asked.names = {SceneDocument::tr("fixed")};
+    asked.text = of.text;
+    asked.title = one.name + ": fixed (1: it never moves)";
+    asked.label = one.fixed ? "Let " + one.name + " Move" : "Fix " + one.name;
+    asked.names = {"fixed"};
     asked.now = {one.fixed ? 1.0 : 0.0};
     editing::Wish wish;
     wish.element = {editing::Kind::body, body};
     wish.option = "-fixed";
     wish.values = wish.now = asked.now;
     wish.absent = {0};
-    const auto mapper = mapperOf(asked.text, of);
+    const auto mapper = mapperOf(of);
     asked.written = mapper->written(wish);
     const auto properties = std::make_shared<editing::Properties>(asked.text, of.scene);
     asked.answer = [mapper, properties, wish, now = asked.now](const Values& values) {
@@ -232,23 +255,37 @@ AskedValue askedFixed(SceneDocument& document, std::size_t body) {
         if (values == now)
             meant.now.clear();
         if (values.front() != 0 && values.front() != 1)
-            return editing::Answer{
-                {}, SceneDocument::tr("1 or 0, please.").toStdString(), {}, {}, {}};
+            return editing::Answer{{}, "1 or 0, please.", {}, {}, {}};
         return editing::withBounce(*properties, mapper->scene(), {wish.element},
                                    values.front() == 1, mapper->answer(meant));
     };
     return asked;
 }
 
-QString whyNotFixed(const scene::Scene& scene, std::size_t body) {
+std::vector<render::Handle> handlesOf(const scene::Scene& scene,
+                                      const simulation::MotionPointer& motion,
+                                      const editing::Element& element) {
+    render::Display all;
+    all.positionHandles = all.orientationHandles = all.velocityHandles = all.spinHandles =
+        all.forceHandles = all.torqueHandles = all.linkHandles = all.jointHandles =
+            all.lightHandles = true;
+    std::vector<render::Handle> found;
+    std::set<std::string> quantities;
+    for (const render::Handle& one :
+         render::Handles(scene, motion).at(scene.simulator.start, all).handles)
+        if (one.movable && gestures::elementOf(one) == element &&
+            quantities.insert(gestures::quantityOf(scene, one)).second)
+            found.push_back(one);
+    return found;
+}
+
+std::string whyNotFixed(const scene::Scene& scene, std::size_t body) {
     const scene::Body& one = scene.bodies[body];
     const auto held = std::ranges::find(scene.constraints, one.name, &scene::Constraint::body);
     if (one.fixed || held == scene.constraints.end())
         return {};
-    return SceneDocument::tr("%1 follows the trajectory %2 (line %3 of the text): it cannot be "
-                             "fixed as well.")
-        .arg(words(one.name), words(held->trajectory))
-        .arg(held->source.line);
+    return one.name + " follows the trajectory " + held->trajectory + " (line " +
+           std::to_string(held->source.line) + " of the text): it cannot be fixed as well.";
 }
 
-} // namespace views
+} // namespace commands

@@ -3,19 +3,18 @@
 #pragma once
 
 #include "editing/element.h"
+#include "element_edits/creation.h"
 #include "scene/scene.h"
-
-#include <QString>
 
 #include <string>
 #include <vector>
 
-namespace views {
+namespace commands {
 
 struct Quantity {
-    QString label; // "&Angle"
+    std::string label; // "&Angle": its key in a menu is behind the mark
     std::string expression;
-    QString unit = {};
+    std::string unit = {};
     bool isIntegral = false; // over the motion: known only where the scene's text reads it
     std::string name = {};   // of its curve, "angle of hinge1"; "": the expression tells it
 };
@@ -29,9 +28,13 @@ struct Measured {
     std::vector<Quantity> quantities; // not empty
 };
 // Its label and its unit, as a chart has them: "Angle about z, °".
-[[nodiscard]] QString worded(const Quantity& quantity);
+[[nodiscard]] std::string worded(const Quantity& quantity);
 
 // Of all bodies that can move, joints, springs, ropes and contacts, in this order.
 [[nodiscard]] std::vector<Measured> quantitiesOf(const scene::Scene& scene);
 
-} // namespace views
+// The plot of an expression, as a new element of the scene; `curve`: its label, "" without.
+[[nodiscard]] editing::NewElement plotOf(const std::string& text, const scene::Scene& scene,
+                                         const std::string& expression, const std::string& curve);
+
+} // namespace commands

@@ -1,0 +1,53 @@
+// The commands for the selected thing of a picture: those of a graphical viewer's menu for it, by
+// the same code (commands/).
+#pragma once
+
+#include "commands/asked_value.h"
+#include "ipc/messages.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace service {
+
+struct ThingCommand {
+    std::string key; // the thing's name follows in a menu's id
+    std::string label, group = {};
+    std::optional<bool> checked = {}; // none: it is no switch
+    bool inWindows = false;           // it opens one
+    bool operator==(const ThingCommand&) const = default;
+};
+
+inline const std::string deleteThing = "delete", duplicateThing = "duplicate", fixThing = "fixed",
+                         openThing = "open-in-editor";
+
+// `name`: body "b1", as the entries call it.
+[[nodiscard]] std::vector<ThingCommand> commandsOf(const std::shared_ptr<const scene::Scene>& scene,
+                                                   const simulation::MotionPointer& motion,
+                                                   const editing::Element& element,
+                                                   const std::string& name);
+
+// The thing that is called so; none: there is none.
+[[nodiscard]] std::optional<editing::Element> thingCalled(const scene::Scene& scene,
+                                                          const std::string& name);
+
+// The numbers that a command asks for; none: it asks for none.
+[[nodiscard]] std::optional<commands::AskedValue> askedBy(const ThingCommand& command,
+                                                          const gestures::Ground& ground,
+                                                          const editing::Element& element);
+
+// The plot that a command writes, where it writes one.
+struct NewPlot {
+    text::Edits edits;
+    std::string name;
+};
+[[nodiscard]] std::optional<NewPlot> plotBy(const ThingCommand& command,
+                                            const gestures::Ground& ground,
+                                            const editing::Element& element);
+
+// With the values that were typed; "": as they are.
+[[nodiscard]] ipc::Question questionOf(const commands::AskedValue& asked,
+                                       const std::vector<std::string>& typed);
+
+} // namespace service
