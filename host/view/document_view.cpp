@@ -9,6 +9,7 @@
 
 #include <QApplication>
 #include <QPaintEvent>
+#include <QScreen>
 #include <QScrollBar>
 #include <QWindow>
 #include <algorithm>

@@ -2,6 +2,8 @@
 // be.
 #include "service/session.h"
 
+#include <cstdlib>
+
 namespace service {
 
 // Not of every menu: of what is selected now, of a fault that is there now.

@@ -349,6 +349,34 @@ class Controls(unittest.TestCase):
             h.notify("rendition/input", rendition=1, type="key-press", key="End")
             h.heard("time/changed", where=lambda p: p["time"] == 4)
 
+    def test_bodies_that_overlap_are_moved_apart_from_the_menu(self):
+        with host() as h:
+            h.start(FLYING + "body b2 ball -init_pos {-1.8 0 0}\n")
+            h.heard("menu/changed", where=lambda p: p["menus"][0]["id"] == "close-joints")
+            h.call("menu/invoke", id="close-joints", rendition=None)
+            change = h.heard("subdocument/changed")
+            self.assertEqual(change["label"], "Move Bodies Apart")
+            self.assertTrue(change["edits"])
+
+    def test_an_exact_value_is_asked_for(self):
+        with host() as h:
+            h.start(FLYING)
+            h.create(1)
+            frame, picture = h.still()
+            red = [i // 4 for i in range(0, len(picture), 4) if picture[i + 2] > 120 and picture[i] < 60]
+            at = red[len(red) // 2]
+            for kind in ("press", "release"):
+                h.notify("rendition/input", rendition=1, type=kind, x=at % frame["width"], y=at // frame["width"], button="left")
+            menu = h.heard("menu/changed", where=lambda p: any(e["label"] == "Position\u2026" for e in p["menus"]))["menus"]
+            entry = next(e["id"] for e in menu if e["label"] == "Position\u2026")
+            question = h.call("menu/invoke", id=entry, rendition=1)["question"]
+            self.assertEqual([f["value"] for f in question["fields"]], ["-2", "0", "0"])
+            again = h.call("menu/invoke", id=entry, rendition=1, values=["far", "0", "0"])["question"]
+            self.assertIn("numbers", again["refusal"])
+            self.assertEqual(h.call("menu/invoke", id=entry, rendition=1, values=["-2.5", "0", "0"]), {})
+            edit = h.heard("subdocument/changed")["edits"][0]
+            self.assertEqual(FLYING[:edit["from"]] + edit["text"] + FLYING[edit["to"]:], FLYING.replace("{-2 0 0}", "{-2.5 0 0}"))
+
     def test_the_menu_says_what_is_switched_on(self):
         with host() as h:
             menu = {e["id"]: e for e in h.initialize()["menus"]}
