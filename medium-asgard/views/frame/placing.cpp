@@ -107,10 +107,11 @@ QRect placeAround(const QRect& figure, const QRect& room, const QSize& size, con
         if (strip->width() >= least.width() && strip->height() >= least.height() &&
             (!best || area(within(*strip)) > area(within(*best))))
             best = strip;
-    if (!best) { // it covers some of it
-        const bool isLeft = figure.center().x() > room.center().x();
+    if (!best) { // narrow, in the wider part beside it
+        const QRect& wider = left.width() > right.width() ? left : right;
         QRect place(room.topLeft(), within(room));
-        if (!isLeft)
+        place.setWidth(std::clamp(std::max(wider.width(), least.width()), 1, place.width()));
+        if (&wider == &right)
             place.moveRight(room.right());
         return place;
     }
@@ -134,8 +135,9 @@ void placeBesideFigure(QWidget& window, const QRect& figure) {
         if (!screen->geometry().contains(seen.center()))
             continue;
         const QRect room = screen->availableGeometry().adjusted(frame, title, -frame, -frame);
-        return put(window, placeAround(seen, room, window.size(),
-                                       window.minimumSizeHint().expandedTo(window.size() / 2)));
+        // It is shown already, and its frame not known yet: the place is that of its contents.
+        return window.setGeometry(placeAround(
+            seen, room, window.size(), window.minimumSizeHint().expandedTo(window.size() / 2)));
     }
 }
 

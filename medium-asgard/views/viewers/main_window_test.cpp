@@ -492,6 +492,7 @@ TEST(Placing, AViewerStandsBesideItsFigure) {
     const QRect crowded = placeAround({300, 100, 1200, 800}, room, size, least);
     EXPECT_TRUE(room.contains(crowded));
     EXPECT_EQ(crowded.left(), room.left());
+    EXPECT_EQ(crowded.width(), least.width());
 }
 
 } // namespace
