@@ -357,7 +357,7 @@ TEST(Wire, NoStringAndNoListIsLongerThanItsBound) {
             return described(decodeForHost(body, nothingAwaited));
         });
     });
-    EXPECT_EQ(fields, 54);
+    EXPECT_EQ(fields, 56);
 }
 
 TEST(Wire, AnswersKeepToTheirBounds) {
