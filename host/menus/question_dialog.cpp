@@ -52,7 +52,7 @@ QuestionDialog::QuestionDialog(media::LiveSubdocument& live, ipc::MenuInvoke cal
     show(question);
 }
 
-// What is typed stays in the fields; a question with others has its own.
+// Typed words stay in the fields, unless the next question has others.
 void QuestionDialog::show(const ipc::Question& question) {
     setWindowTitle(plain::title(QString::fromStdString(question.title)));
     setWords(*note_, question.note);

@@ -13,7 +13,7 @@ namespace editing {
 // The numbers of its option: radius, edges, radius and height, half axes; none of a polyhedron and
 // of a half space.
 [[nodiscard]] std::vector<double> sizesOf(const scene::Part& part);
-// What they are: "Radius", "Height".
+// The words for them: "Radius", "Height".
 [[nodiscard]] std::vector<std::string> sizeNames(const scene::Part& part);
 [[nodiscard]] scene::Part withSizes(scene::Part part, const std::vector<double>& sizes);
 

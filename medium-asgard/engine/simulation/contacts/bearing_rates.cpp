@@ -7,7 +7,7 @@ namespace {
 
 using physics::GapConstraint;
 using physics::GapRow;
-using Kind = physics::GapConstraint::Kind;
+using ConstraintKind = physics::GapConstraint::Kind;
 
 struct Contact { // world
     Vector normal = Vector::UnitX();
@@ -28,28 +28,28 @@ Contact contactOf(const GapConstraint& c, const BodyState& body, const BodyState
     const Vector q = support.position + support.attitude * c.supportPoint;
     const Vector edge = support.attitude * c.supportEdge;
     switch (c.kind) {
-    case Kind::onSupportPlane: {
+    case ConstraintKind::onSupportPlane: {
         const Vector normal = support.attitude * c.normal;
         return {.normal = normal,
                 .onBody = p,
                 .onSupport = p - c.radius * normal,
                 .gap = normal.dot(p - q) - c.radius};
     }
-    case Kind::onBodyPlane: {
+    case ConstraintKind::onBodyPlane: {
         const Vector normal = body.attitude * c.normal;
         return {.normal = normal,
                 .onBody = q + c.radius * normal,
                 .onSupport = q,
                 .gap = normal.dot(p - q) - c.radius};
     }
-    case Kind::roundOnLine: {
+    case ConstraintKind::roundOnLine: {
         const Vector foot = q + along(p - q, edge);
         return {.normal = (p - foot).normalized(),
                 .onBody = p,
                 .onSupport = foot,
                 .gap = (p - foot).norm() - c.radius};
     }
-    case Kind::edgeOnEdge: {
+    case ConstraintKind::edgeOnEdge: {
         const Vector own = body.attitude * c.bodyEdge;
         const Vector across = own.cross(edge).normalized();
         const Vector place = crossingOf(p, own, q, edge);
@@ -74,7 +74,7 @@ BearingRow bearingRow(const GapConstraint& constraint, const BodyRecord& record,
                       const BodyState& body, const BodyState& support) {
     BearingRow row;
     Vector turning;
-    if (constraint.kind == Kind::tilt) {
+    if (constraint.kind == ConstraintKind::tilt) {
         turning = body.attitude * constraint.bodyEdge;
         row.rates.rate = turning.dot(body.angularVelocity);
         const Vector normal = support.attitude * constraint.normal;

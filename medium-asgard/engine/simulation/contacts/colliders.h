@@ -1,13 +1,13 @@
 // The bodies of a scene, as contacts, meetings and impacts see them.
 #pragma once
 
-#include "contacts/contact_resolution.h"
 #include "motion/body_motion.h"
 #include "physics/contact_rows.h"
 #include "physics/equations_of_motion.h"
 #include "physics/joint_rows.h"
 #include "scene/contact_pairs.h"
 #include "scene/scene.h"
+#include "surfaces/contact_resolution.h"
 
 #include <utility>
 #include <vector>

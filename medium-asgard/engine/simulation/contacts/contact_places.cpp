@@ -2,8 +2,9 @@
 
 #include "contacts/contact_sides.h"
 #include "contacts/in_plane.h"
-#include "contacts/surface_pieces.h"
 #include "geometry/patch_middle.h"
+#include "surfaces/hollow_walls.h"
+#include "surfaces/surface_pieces.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "contacts/contact_set.h"
 
-#include "contacts/surface_pieces.h"
+#include "surfaces/surface_pieces.h"
 
 #include <algorithm>
 #include <unordered_map>

@@ -1,7 +1,7 @@
 #include "contacts/contact_sides.h"
 
 #include "collision/nearest_feature.h"
-#include "contacts/surface_pieces.h"
+#include "surfaces/surface_pieces.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@ namespace simulation {
 namespace {
 
 using physics::GapConstraint;
-using Kind = physics::GapConstraint::Kind;
+using ConstraintKind = physics::GapConstraint::Kind;
 
 Vector centripetal(const BodyState& state, const Vector& point) {
     const Vector& w = state.angularVelocity;
@@ -20,11 +20,11 @@ Vector accelerationAt(const Placed& placed, const Vector& point) {
 Vector normalRate(const GapConstraint& c, const Vector& normal, const BodyState& body,
                   const BodyState& support) {
     const Vector &w = body.angularVelocity, &u = support.angularVelocity;
-    if (c.kind == Kind::onSupportPlane)
+    if (c.kind == ConstraintKind::onSupportPlane)
         return u.cross(normal);
-    if (c.kind == Kind::onBodyPlane)
+    if (c.kind == ConstraintKind::onBodyPlane)
         return w.cross(normal);
-    if (c.kind != Kind::edgeOnEdge)
+    if (c.kind != ConstraintKind::edgeOnEdge)
         return Vector::Zero();
     const Vector a = body.attitude * c.bodyEdge;
     const Vector b = support.attitude * c.supportEdge;
@@ -39,11 +39,13 @@ void measureGap(Corner& corner, const Touch& touch, const Vector& bodyPoint,
                 const Vector& supportPoint, const Placed& body, const Placed& support) {
     const GapConstraint& c = corner.constraint;
     const Vector& n = touch.normal;
-    const bool onPlane = c.kind == Kind::onSupportPlane || c.kind == Kind::onBodyPlane;
+    const bool onPlane =
+        c.kind == ConstraintKind::onSupportPlane || c.kind == ConstraintKind::onBodyPlane;
     // On a plane, the material point of its owner that lies under the other's point.
-    const Vector p = c.kind == Kind::onBodyPlane ? Vector(supportPoint + c.radius * n) : bodyPoint;
+    const Vector p =
+        c.kind == ConstraintKind::onBodyPlane ? Vector(supportPoint + c.radius * n) : bodyPoint;
     const Vector q =
-        c.kind == Kind::onSupportPlane ? Vector(bodyPoint - c.radius * n) : supportPoint;
+        c.kind == ConstraintKind::onSupportPlane ? Vector(bodyPoint - c.radius * n) : supportPoint;
     const Vector speed = body.state.velocityAt(p) - support.state.velocityAt(q);
     const Vector turning = normalRate(c, n, body.state, support.state);
     corner.rate =
@@ -53,9 +55,9 @@ void measureGap(Corner& corner, const Touch& touch, const Vector& bodyPoint,
         n.dot(centripetal(body.state, p) - accelerationAt(support, q)) + 2 * turning.dot(speed);
     if (onPlane) {
         corner.extra -= c.radius * turning.squaredNorm();
-    } else if (c.kind != Kind::edgeOnEdge) {
+    } else if (c.kind != ConstraintKind::edgeOnEdge) {
         Vector across = speed - n * n.dot(speed);
-        if (c.kind == Kind::roundOnLine) {
+        if (c.kind == ConstraintKind::roundOnLine) {
             const Vector edge = support.state.attitude * c.supportEdge;
             across -= edge * edge.dot(across);
         }

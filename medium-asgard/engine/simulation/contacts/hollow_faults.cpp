@@ -2,7 +2,7 @@
 
 #include "collision/hollow_separation.h"
 #include "collision/patch.h"
-#include "contacts/posed_parts.h"
+#include "surfaces/posed_parts.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 #pragma once
 
 #include "contacts/contact_set.h"
-#include "contacts/placed.h"
+#include "surfaces/placed.h"
 
 namespace simulation {
 

@@ -12,8 +12,8 @@
 // across the plane it goes along an edge askew to it, sideways, too.
 #pragma once
 
-#include "contacts/placed.h"
 #include "physics/contact_rows.h"
+#include "surfaces/placed.h"
 
 #include <optional>
 #include <vector>

@@ -10,8 +10,8 @@
 // against the other one's edge.
 #pragma once
 
-#include "contacts/contact_resolution.h"
 #include "contacts/touching.h"
+#include "surfaces/contact_resolution.h"
 
 #include <string>
 #include <vector>

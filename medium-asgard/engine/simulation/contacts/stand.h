@@ -12,9 +12,9 @@
 // to 2 % too early.
 #pragma once
 
-#include "contacts/placed.h"
 #include "contacts/touching.h"
 #include "physics/contact_rows.h"
+#include "surfaces/placed.h"
 
 #include <cstddef>
 #include <functional>

@@ -1,7 +1,7 @@
 #include "contacts/touch_constraints.h"
 
-#include "contacts/posed_parts.h"
 #include "geometry/outline.h"
+#include "surfaces/posed_parts.h"
 
 #include <cmath>
 #include <optional>
@@ -12,16 +12,16 @@ namespace {
 
 using geometry::depthInside;
 using physics::GapConstraint;
-using Kind = physics::GapConstraint::Kind;
+using ConstraintKind = physics::GapConstraint::Kind;
 
-GapConstraint onPlane(Kind kind, const Vector& bodyPoint, const Vector& supportPoint,
+GapConstraint onPlane(ConstraintKind kind, const Vector& bodyPoint, const Vector& supportPoint,
                       const Touch& touch, const Placed& body, const Placed& support) {
     GapConstraint c;
     c.kind = kind;
     c.support = support.index;
     c.bodyPoint = intoFrame(body, bodyPoint);
     c.supportPoint = intoFrame(support, supportPoint);
-    c.normal = turnedInto(kind == Kind::onBodyPlane ? body : support, touch.normal);
+    c.normal = turnedInto(kind == ConstraintKind::onBodyPlane ? body : support, touch.normal);
     c.supportTurns = support.turns;
     c.supportRotation = support.state.attitude.toRotationMatrix();
     return c;
@@ -31,7 +31,7 @@ GapConstraint onPlane(Kind kind, const Vector& bodyPoint, const Vector& supportP
 // the directions that lie in it. They are those of the face itself, which may yet be tilted by what
 // counts as touching.
 std::vector<GapConstraint> flat(const Touch& touch, const Placed& body, const Placed& support) {
-    GapConstraint distance = onPlane(Kind::onSupportPlane, body.state.position,
+    GapConstraint distance = onPlane(ConstraintKind::onSupportPlane, body.state.position,
                                      touch.supportFace[0], touch, body, support);
     const Vector normal =
         -faceNormal(posed(body, touch.bodyPart, body.state.position), -touch.normal);
@@ -41,7 +41,7 @@ std::vector<GapConstraint> flat(const Touch& touch, const Placed& body, const Pl
     const Vector along = turnedInto(body, normal).cross(across);
     for (const auto& [axis, inPlane] : {std::pair(across, along), {along, Vector(-across)}}) {
         GapConstraint tilt = distance;
-        tilt.kind = Kind::tilt;
+        tilt.kind = ConstraintKind::tilt;
         tilt.bodyEdge = axis;
         tilt.inPlane = inPlane;
         constraints.push_back(tilt);
@@ -76,7 +76,8 @@ std::optional<GapConstraint> crossingAt(const Touch& touch, const Corner& corner
     const double across = ofBody->cross(*ofSupport).dot(touch.normal);
     if (std::abs(across) < parallel)
         return std::nullopt;
-    GapConstraint c = onPlane(Kind::edgeOnEdge, corner.point, corner.point, touch, body, support);
+    GapConstraint c =
+        onPlane(ConstraintKind::edgeOnEdge, corner.point, corner.point, touch, body, support);
     c.bodyEdge = turnedInto(body, *ofBody);
     c.supportEdge = turnedInto(support, *ofSupport);
     c.flipped = across < 0;
@@ -102,7 +103,7 @@ std::vector<GapConstraint> constraintsOf(const Touch& touch,
             return {*crossing};
     for (const std::size_t i : bearing)
         if (isSupportsEdge)
-            constraints.push_back(onPlane(Kind::onBodyPlane, touch.bodyFace[0],
+            constraints.push_back(onPlane(ConstraintKind::onBodyPlane, touch.bodyFace[0],
                                           touch.corners[i].point, touch, body, support));
         else
             constraints.push_back(touch.corners[i].constraint);

@@ -5,9 +5,10 @@
 #include "collision/patch.h"
 #include "collision/separation.h"
 #include "contacts/gap_rates.h"
-#include "contacts/posed_parts.h"
-#include "contacts/surface_pieces.h"
 #include "geometry/outline.h"
+#include "surfaces/hollow_walls.h"
+#include "surfaces/posed_parts.h"
+#include "surfaces/surface_pieces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +23,7 @@ using collision::Posed;
 using geometry::besideOutline;
 using geometry::Part;
 using physics::GapConstraint;
-using Kind = physics::GapConstraint::Kind;
+using ConstraintKind = physics::GapConstraint::Kind;
 
 bool isCurved(const Part& part) { return part.isCapsule() || (part.curved && !part.isPlane()); }
 
@@ -101,7 +102,7 @@ public:
 private:
     void addUnmodelled(const Vector& point) {
         touch.isModelled = false;
-        add(Kind::onSupportPlane, point, point, point, 0);
+        add(ConstraintKind::onSupportPlane, point, point, point, 0);
         touch.corners.back().gap = touch.gap;
     }
     // Two faces that are next to parallel, at whose corner two corners touch, are one axis. LIMIT:
@@ -159,7 +160,7 @@ private:
         touch.isModelled = false;
         for (const Vector& corner :
              collision::patchOf(first_, second_, touch.normal, tolerance_, beside_).corners)
-            add(Kind::onSupportPlane, corner, corner, corner, 0);
+            add(ConstraintKind::onSupportPlane, corner, corner, corner, 0);
     }
 
     static constexpr std::size_t enough = 16; // corners of a round patch
@@ -178,7 +179,7 @@ private:
         addWithin(support_, touch.supportPart, ofSupport_, body_, touch.bodyPart);
         for (const PiecePoint& point : crossings) {
             const Vector& at = point.at.contact;
-            add(Kind::onSupportPlane, at, at, ofSupport_[0], 0);
+            add(ConstraintKind::onSupportPlane, at, at, ofSupport_[0], 0);
             touch.corners.back().gap = point.at.gap;
             touch.corners.back().pieces = point.gap;
         }
@@ -198,8 +199,8 @@ private:
                 continue;
             const Vector under =
                 onto(isBodys ? second_ : first_, isBodys ? ofSupport_ : ofBody_, corner);
-            add(Kind::onSupportPlane, corner, isBodys ? corner : under, isBodys ? under : corner,
-                0);
+            add(ConstraintKind::onSupportPlane, corner, isBodys ? corner : under,
+                isBodys ? under : corner, 0);
         }
     }
 
@@ -216,10 +217,10 @@ private:
                 gap.body.radius > 0) {
                 const Vector on =
                     support_.state.position - origin_ + support_.state.attitude * gap.support.place;
-                add(Kind::onSupportPlane, at, point.at.place, on, gap.body.radius);
+                add(ConstraintKind::onSupportPlane, at, point.at.place, on, gap.body.radius);
             } else {
                 touch.isModelled = false;
-                add(Kind::onSupportPlane, at, at, at, 0);
+                add(ConstraintKind::onSupportPlane, at, at, at, 0);
             }
             touch.corners.back().gap = point.at.gap;
             touch.corners.back().pieces = gap;
@@ -290,8 +291,8 @@ private:
     }
 
     // Places here are relative to the origin, near both.
-    void add(Kind kind, const Vector& point, const Vector& bodyPoint, const Vector& supportPoint,
-             double radius) {
+    void add(ConstraintKind kind, const Vector& point, const Vector& bodyPoint,
+             const Vector& supportPoint, double radius) {
         Corner corner;
         corner.point = origin_ + point;
         GapConstraint& c = corner.constraint;
@@ -300,11 +301,11 @@ private:
         c.bodyPoint = intoFrame(body_, origin_ + bodyPoint);
         c.supportPoint = intoFrame(support_, origin_ + supportPoint);
         c.radius = radius;
-        c.normal = turnedInto(kind == Kind::onBodyPlane ? body_ : support_, touch.normal);
-        if (kind == Kind::roundOnLine || kind == Kind::edgeOnEdge)
+        c.normal = turnedInto(kind == ConstraintKind::onBodyPlane ? body_ : support_, touch.normal);
+        if (kind == ConstraintKind::roundOnLine || kind == ConstraintKind::edgeOnEdge)
             c.supportEdge =
                 turnedInto(support_, Vector(ofSupport_[1] - ofSupport_[0]).normalized());
-        if (kind == Kind::edgeOnEdge)
+        if (kind == ConstraintKind::edgeOnEdge)
             setCrossing(c);
         c.supportTurns = support_.turns;
         c.supportRotation = support_.state.attitude.toRotationMatrix();
@@ -341,19 +342,19 @@ private:
         const Vector centre = first_.world(0);
         const double radius = first_.part->radius;
         if (second_.part->isSphere())
-            return add(Kind::roundOnPoint, centre - radius * touch.normal, centre, second_.world(0),
-                       radius + second_.part->radius);
+            return add(ConstraintKind::roundOnPoint, centre - radius * touch.normal, centre,
+                       second_.world(0), radius + second_.part->radius);
         collision::NearestFeature feature = under(first_, second_);
         touch.normal = feature.normal;
         ofSupport_ = std::move(feature.corners);
         const Vector place = centre - radius * touch.normal;
         if (ofSupport_.size() > 2) {
-            add(Kind::onSupportPlane, place, centre, ofSupport_[0], radius);
+            add(ConstraintKind::onSupportPlane, place, centre, ofSupport_[0], radius);
         } else if (ofSupport_.size() == 2) {
             touch.isModelled = !support_.turns;
-            add(Kind::roundOnLine, place, centre, ofSupport_[0], radius);
+            add(ConstraintKind::roundOnLine, place, centre, ofSupport_[0], radius);
         } else {
-            add(Kind::roundOnPoint, place, centre, ofSupport_[0], radius);
+            add(ConstraintKind::roundOnPoint, place, centre, ofSupport_[0], radius);
         }
     }
 
@@ -366,10 +367,10 @@ private:
         ofBody_ = std::move(feature.corners);
         const Vector place = centre + radius * touch.normal;
         if (ofBody_.size() > 2) {
-            add(Kind::onBodyPlane, place, ofBody_[0], centre, radius);
+            add(ConstraintKind::onBodyPlane, place, ofBody_[0], centre, radius);
         } else {
             touch.isModelled = ofBody_.size() == 1;
-            add(Kind::roundOnPoint, place, ofBody_[0], centre, radius);
+            add(ConstraintKind::roundOnPoint, place, ofBody_[0], centre, radius);
         }
     }
 
@@ -389,16 +390,16 @@ private:
         if (onFace || byFace) {
             for (const Vector& corner : corners)
                 if (onFace)
-                    add(Kind::onSupportPlane, corner, onto(first_, ofBody_, corner), ofSupport_[0],
-                        0);
+                    add(ConstraintKind::onSupportPlane, corner, onto(first_, ofBody_, corner),
+                        ofSupport_[0], 0);
                 else
-                    add(Kind::onBodyPlane, corner, ofBody_[0], onto(second_, ofSupport_, corner),
-                        0);
+                    add(ConstraintKind::onBodyPlane, corner, ofBody_[0],
+                        onto(second_, ofSupport_, corner), 0);
         } else if (ofBody_.size() == 2 && ofSupport_.size() == 2 && corners.size() == 1) {
-            add(Kind::edgeOnEdge, corners[0], corners[0], corners[0], 0);
+            add(ConstraintKind::edgeOnEdge, corners[0], corners[0], corners[0], 0);
         } else {
             touch.isModelled = false;
-            add(Kind::onSupportPlane, corners[0], corners[0], corners[0], 0);
+            add(ConstraintKind::onSupportPlane, corners[0], corners[0], corners[0], 0);
         }
     }
 

@@ -15,10 +15,10 @@
 // the body on a sphere, and spheres on edges of a support that turns have no constraint.
 #pragma once
 
-#include "contacts/contact_resolution.h"
-#include "contacts/placed.h"
 #include "physics/resting.h"
 #include "physics/surface_gap.h"
+#include "surfaces/contact_resolution.h"
+#include "surfaces/placed.h"
 
 #include <optional>
 #include <span>

@@ -1,5 +1,6 @@
-// Where do contacts jam? Friction of what slips presses it in faster than any force pushes it away
-// (Painleve's rod): no forces keep the laws, and an impact without a collision ends the slip. The
+// The instants at which contacts jam. The friction of a slip presses a body in faster than any force
+// pushes it away (Painleve's rod): no forces keep the laws, and an impact without a collision ends
+// the slip. The
 // solver marks it in the histories of friction (solution/modes/active_set.h).
 #pragma once
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 namespace solution {
@@ -208,7 +207,7 @@ void ActiveSet::decide(double t, std::span<double> y) {
     refresh();
 }
 
-// What jams does so at one instant, whatever else happens then.
+// A jam is one of its instant, however many events that has.
 void ActiveSet::beginEvent(double t) {
     if (t != lastCross_)
         std::ranges::fill(jammed_, 0);
@@ -551,79 +550,6 @@ bool ActiveSet::stopNext(std::vector<SlowSlip>& slow, std::vector<std::size_t>& 
             stopped.push_back(slip.disc);
     std::erase_if(slow, [&](const SlowSlip& slip) { return isIn(stopped, slip.disc); });
     return stopped.size() > before;
-}
-
-bool ActiveSet::pushesIn(std::size_t disc, std::span<const std::size_t> normals) {
-    std::vector<std::size_t> rows(normals.begin(), normals.end());
-    rows.insert(rows.end(), discs()[disc].rows.begin(), discs()[disc].rows.end());
-    const auto pushed = static_cast<Eigen::Index>(rows.size());
-    for (std::size_t row = 0; row < mode_.kept.size(); ++row) // joints, which give what it takes
-        if (mode_.kept[row] == State::inside && !law(row).isBounded() && law(row).isOnSecondRates)
-            rows.push_back(row);
-    const auto joints = static_cast<Eigen::Index>(rows.size()) - pushed;
-    const auto count = static_cast<Eigen::Index>(normals.size());
-    const DiscFriction::InDisc slip = multipliers_.friction().slipOf(disc);
-    const Eigen::MatrixXd matrix = multipliers_.systemOf(rows).matrix;
-    Eigen::VectorXd forces = Eigen::VectorXd::Zero(pushed + joints);
-    forces.head(count).setConstant(1 / static_cast<double>(count));
-    forces.segment(count, slip.size()) = -discs()[disc].sliding / slip.norm() * slip;
-    if (joints > 0)
-        forces.tail(joints) =
-            matrix.bottomRightCorner(joints, joints)
-                .completeOrthogonalDecomposition()
-                .solve(-matrix.bottomLeftCorner(joints, pushed) * forces.head(pushed));
-    return (matrix * forces).head(count).sum() < 0;
-}
-
-// Painleve's rod: its friction turns it into the floor faster than any force of the floor can push
-// it away. The limit of ever stiffer contacts is an impact without a collision, which lasts until
-// nothing slips (Genot, Brogliato 1999, "New results on Painleve paradoxes"): velocities change as
-// little as stops the slip and keeps the contact closed, if the floor presses in it.
-// LIMIT: several that jam at one instant stop together; those that jam by each other's friction
-// alone do not count.
-bool ActiveSet::endJam(std::span<const std::size_t> candidates, double t, std::span<double> y,
-                       std::span<const double> rates) {
-    f_.fill(t, y);
-    multipliers_.evaluateGaps();
-    std::vector<std::size_t> slipping, pressed;
-    for (std::size_t disc = 0; disc < discs().size(); ++disc) {
-        std::vector<std::size_t> normals;
-        std::ranges::copy_if(discs()[disc].normals, std::back_inserter(normals),
-                             [&](std::size_t row) {
-                                 return isContact(row) &&
-                                        (isIn(candidates, row) || mode_.kept[row] == State::inside);
-                             });
-        if (!normals.empty() &&
-            multipliers_.friction().slipOf(disc).norm() > leastOf(discs()[disc]) &&
-            pushesIn(disc, normals)) {
-            slipping.push_back(disc);
-            pressed.insert(pressed.end(), normals.begin(), normals.end());
-        }
-    }
-    if (slipping.empty())
-        return false;
-    const Mode before = mode_;
-    for (const std::size_t row : pressed)
-        mode_.kept[row] = State::low;
-    std::vector<double> stopped(y.begin(), y.end());
-    halt(slipping, t, stopped);
-    const bool isPressed = std::ranges::all_of(
-        pressed, [this](std::size_t row) { return multipliers_.rate(row) < 0; });
-    mode_ = before;
-    if (!isPressed)
-        return false;
-    for (const std::size_t row : pressed)
-        mode_.kept[row] = State::inside;
-    std::vector<std::size_t> held(candidates.begin(), candidates.end());
-    held.insert(held.end(), pressed.begin(), pressed.end());
-    if (!settleWith({}, held, slipping, t, y, rates)) {
-        mode_ = before;
-        return false;
-    }
-    for (const std::size_t disc : slipping)
-        for (const std::size_t row : discs()[disc].rows)
-            jammed_[row] = 1;
-    return true;
 }
 
 // By the least change of velocities.

@@ -53,7 +53,7 @@ struct Mode {
     // Stops that touch without a force and without a rate: rounding may close them.
     std::vector<char> touches;
     struct Disc { // of friction
-        // Where its rows are at a bound: the direction in which it began to slip, as long as the
+        // The direction in which it began to slip, while its rows are at a bound; as long as the
         // speed under which that direction counts.
         std::array<double, 3> slip{};
         std::array<double, 2> centre{}; // of its normal forces there (complementarity/laws.h)

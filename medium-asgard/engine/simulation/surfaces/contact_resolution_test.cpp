@@ -1,5 +1,5 @@
 // The thresholds of contact in their order, from rounding to accuracy.
-#include "contacts/contact_resolution.h"
+#include "surfaces/contact_resolution.h"
 
 #include "collision/contact.h"
 

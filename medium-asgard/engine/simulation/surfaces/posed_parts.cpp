@@ -1,4 +1,4 @@
-#include "contacts/posed_parts.h"
+#include "surfaces/posed_parts.h"
 
 namespace simulation {
 

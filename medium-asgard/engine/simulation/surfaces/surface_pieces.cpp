@@ -1,11 +1,11 @@
-#include "contacts/surface_pieces.h"
+#include "surfaces/surface_pieces.h"
 
 #include "collision/contact_points.h"
 #include "collision/patch.h"
-#include "contacts/contact_resolution.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace simulation {
 namespace {
@@ -87,26 +87,17 @@ public:
           tolerance_(tolerance), ofBody_(poseOf(body)), ofSupport_(poseOf(support)) {}
 
     PieceTouch find(const Vector& normal) {
-        PieceTouch nearest{.normal = normal, .points = {}, .isModelled = true};
-        const auto isNearer = [&] {
-            return !found_.points.empty() &&
-                   (nearest.points.empty() ||
-                    (found_.isModelled &&
-                     lowestGap(found_) < lowestGap(nearest) - beyond * tolerance_));
-        };
-        // Of what lies across the border of a face something else may lie on the other's face.
-        bool isAcross = true;
-        for (const bool isBodys : {false, true}) {
-            const auto face = isBodys ? faceTowards(body_, bodyPart_, -normal)
-                                      : faceTowards(support_, supportPart_, normal);
-            if (!face || !isAcross)
-                continue;
-            found_ = {.normal = normal, .points = {}, .isModelled = true};
-            isAcross = onFace(*face, isBodys);
-            if (isNearer())
-                nearest = found_;
+        const PieceTouch none{.normal = normal, .points = {}, .isModelled = true};
+        found_ = none;
+        const auto under = faceTowards(support_, supportPart_, normal);
+        const bool isAcross = !under || onFace(*under, false);
+        const auto over = faceTowards(body_, bodyPart_, -normal);
+        if (isAcross && over) { // a part that juts out may bear on the other's face
+            const PieceTouch onSupport = std::exchange(found_, none);
+            onFace(*over, true);
+            if (!onSupport.points.empty() && !isLower(found_, onSupport))
+                found_ = onSupport;
         }
-        found_ = std::move(nearest);
         if (found_.points.empty()) {
             found_ = {.normal = normal, .points = {}, .isModelled = true};
             onPieces();
@@ -171,8 +162,8 @@ private:
         off -= piece.axis * piece.axis.dot(off);
         piece.foot = off.normalized();
     }
-    // Two circles with their feet where they cross: twice, or not at all where one only grazes the
-    // other.
+    // Two circles with their feet at each of their two crossings. Circles that only graze each
+    // other have none.
     static std::vector<std::pair<SurfacePiece, SurfacePiece>>
     feetOnSpheres(SurfacePiece first, const physics::SurfacePose& ofFirst, SurfacePiece second,
                   const physics::SurfacePose& ofSecond) {
@@ -191,13 +182,16 @@ private:
     }
     void keep(const PiecePoint& point) { found_.points.push_back(point); }
 
-    static double lowestGap(const PieceTouch& touch) {
-        return std::ranges::min_element(touch.points, {},
-                                        [](const PiecePoint& point) { return point.at.gap; })
-            ->at.gap;
+    [[nodiscard]] bool isLower(const PieceTouch& touch, const PieceTouch& other) const {
+        const auto gapOf = [](const PieceTouch& of) {
+            return std::ranges::min(of.points, {}, [](const PiecePoint& p) { return p.at.gap; })
+                .at.gap;
+        };
+        return touch.isModelled && !touch.points.empty() &&
+               gapOf(touch) < gapOf(other) - beyond * tolerance_;
     }
 
-    // Something of it is across the border, or nothing on it.
+    // True: a piece of the other part lies across the border, or none on the face.
     bool onFace(const FlatFace& face, bool isBodys) {
         const Placed &owner = isBodys ? body_ : support_, &round = isBodys ? support_ : body_;
         found_.normal = toWorld(owner, face.plane.axis) * (isBodys ? -1 : 1);
@@ -288,7 +282,7 @@ private:
         if (isIn && depthIn(face, at) >= -tolerance_ && isThere(point))
             keep(point);
     }
-    // The feet were found, near where the parts touch.
+    // A crossing was found, near where the parts touch.
     [[nodiscard]] bool isThere(const PiecePoint& point) const {
         return !point.gap.isCrossing() ||
                (point.at.gap <= tolerance_ && point.at.gap >= -farthest * tolerance_ &&
@@ -544,113 +538,7 @@ private:
     PieceTouch found_;
 };
 
-// The piece of a hollow part that a ball touches, by its centre in the part's frame.
-SurfacePiece wallOf(const Curved& curved, const Vector& centre, const Vector& centroid) {
-    using Piece = geometry::HollowNearest::Piece;
-    const geometry::HollowNearest nearest = geometry::nearestOf(curved, centre);
-    const Vector middle = curved.center - centroid;
-    const Vector end = middle + nearest.end * curved.half() * curved.axis();
-    const auto round = [&](double radius) {
-        const bool isTube = curved.kind == Curved::Kind::tube;
-        return SurfacePiece{.kind = isTube ? Kind::line : Kind::point,
-                            .place = middle,
-                            .axis = curved.axis(),
-                            .radius = radius};
-    };
-    const auto circle = [&](double radius) {
-        return SurfacePiece{
-            .kind = Kind::circle, .place = end, .axis = curved.axis(), .radius = radius};
-    };
-    switch (nearest.piece) {
-    case Piece::hollow:
-        return round(-curved.inner);
-    case Piece::rim:
-        return circle(curved.inner);
-    case Piece::end:
-        return {.kind = Kind::plane, .place = end, .axis = nearest.end * curved.axis()};
-    case Piece::edge:
-        return circle(curved.radius());
-    case Piece::outside:
-        break;
-    }
-    return round(curved.radius());
-}
-
-// A vertex of the one, with its radius, and the piece of the hollow part that is nearest to it.
-PiecePoint pointAtWall(const Placed& body, std::size_t bodyPart, const Placed& support,
-                       std::size_t supportPart, std::size_t vertex) {
-    const bool isBodys = !partOf(body, bodyPart).isHollow(); // the vertex
-    const Placed &owner = isBodys ? body : support, &other = isBodys ? support : body;
-    const Part& ball = partOf(owner, isBodys ? bodyPart : supportPart);
-    const Part& wall = partOf(other, isBodys ? supportPart : bodyPart);
-    const SurfacePiece round =
-        pointAt(ball.core.vertices[vertex] - owner.record->centroid, ball.radius);
-    const Vector centre =
-        other.state.attitude.conjugate() *
-        Vector(owner.state.position - other.state.position + toWorld(owner, round.place));
-    const SurfacePiece piece =
-        wallOf(*wall.curved, centre + other.record->centroid, other.record->centroid);
-    const SurfaceGap gap =
-        isBodys ? SurfaceGap{round, piece, false} : SurfaceGap{piece, round, false};
-    const physics::SurfacePose at{Vector::Zero(), body.state.attitude.toRotationMatrix()};
-    const physics::SurfacePose under{support.state.position - body.state.position,
-                                     support.state.attitude.toRotationMatrix()};
-    return {gap, physics::nearest(gap, at, under)};
-}
-
 } // namespace
-
-double depthIn(const FlatFace& face, const Vector& point) {
-    if (face.isEndless())
-        return HUGE_VAL;
-    const Vector off = point - face.plane.place;
-    if (face.outline.empty())
-        return face.radius - (off - face.plane.axis * face.plane.axis.dot(off)).norm();
-    double least = HUGE_VAL;
-    for (std::size_t i = 0; i < face.outline.size(); ++i) {
-        const Vector& from = face.outline[i];
-        const Vector edge = face.outline[(i + 1) % face.outline.size()] - from;
-        least = std::min(least, face.plane.axis.cross(edge).normalized().dot(point - from));
-    }
-    return least;
-}
-
-std::optional<FlatFace> faceTowards(const Placed& owner, std::size_t part,
-                                    const Vector& direction) {
-    const Part& of = partOf(owner, part);
-    const Vector& centroid = owner.record->centroid;
-    const Vector local = owner.state.attitude.conjugate() * direction;
-    const auto isAlong = [&](const Vector& normal) {
-        return (normal - local).norm() <= resolution::sameNormal;
-    };
-    FlatFace face;
-    face.plane.kind = Kind::plane;
-    if (of.isPolyhedron()) {
-        for (const geometry::Face& each : of.core.faces) {
-            if (!isAlong(each.normal))
-                continue;
-            face.plane.axis = each.normal;
-            for (const std::size_t vertex : each.vertices)
-                face.outline.emplace_back(of.core.vertices[vertex] - centroid);
-            face.plane.place = face.outline[0];
-            return face;
-        }
-        return std::nullopt;
-    }
-    if (!of.curved || of.curved->kind == Curved::Kind::ellipsoid)
-        return std::nullopt;
-    const double sign = of.isPlane() ? 1 : of.curved->axis().dot(local) > 0 ? 1 : -1;
-    face.plane.axis = sign * of.curved->axis();
-    const bool isTip = (of.curved->kind == Curved::Kind::cone && sign > 0) ||
-                       (of.curved->kind == Curved::Kind::bowl && sign < 0);
-    if (isTip || !isAlong(face.plane.axis))
-        return std::nullopt;
-    face.radius = of.isPlane() ? 0 : of.curved->radius();
-    face.plane.place = of.curved->center - centroid;
-    if (!of.isPlane())
-        face.plane.place += of.curved->half() * face.plane.axis;
-    return face;
-}
 
 std::vector<SurfacePiece> extremesOf(const Placed& owner, std::size_t part) {
     const Part& of = partOf(owner, part);
@@ -682,12 +570,6 @@ std::vector<SurfacePiece> extremesOf(const Placed& owner, std::size_t part) {
         break;
     }
     return pieces;
-}
-
-PieceTouch vertexAtWall(const Placed& body, std::size_t bodyPart, const Placed& support,
-                        std::size_t supportPart, std::size_t vertex) {
-    const PiecePoint point = pointAtWall(body, bodyPart, support, supportPart, vertex);
-    return {.normal = point.at.normal, .points = {point}, .isModelled = true};
 }
 
 PieceTouch pieceTouch(const Placed& body, std::size_t bodyPart, const Placed& support,

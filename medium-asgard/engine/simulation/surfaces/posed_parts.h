@@ -2,7 +2,7 @@
 #pragma once
 
 #include "collision/posed.h"
-#include "contacts/placed.h"
+#include "surfaces/placed.h"
 
 namespace simulation {
 

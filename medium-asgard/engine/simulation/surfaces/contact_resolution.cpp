@@ -1,4 +1,4 @@
-#include "contacts/contact_resolution.h"
+#include "surfaces/contact_resolution.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,37 +2,25 @@
 //
 //     on a flat face   what of the other is furthest: both rims of a cylinder that lies, both ends
 //                      of a capsule, apex and rim of a cone, one rim, a tip, a sphere, an ellipsoid
-//     a hollow part    a sphere, the end of a capsule or a vertex touches one of its pieces, inside
-//                      of it (geometry/hollow.h); a sphere outside, too
 //     a flat round end an edge or a side up to where it crosses the rim, each vertex within
 //     else             the pieces that bear along the normal: sphere on a side, a rim or a cone,
 //                      side, rim or edge across each other, and the rim of a side that would
 //                      cross beyond its end; side by side, both ends of the common stretch
 //
 // A piece of a polyhedron is touched as long as the other's place is in its cell, so is one of a
-// curved part. What lies on a face has none: there other pieces land.
+// curved part. Hollow parts: hollow_walls.h. What lies on a face has none: there other pieces land.
 //
 // LIMIT: pairs without a formula have no contact that lasts: a cone's side on what is no face, an
 // ellipsoid on what is no face, a rim along an edge or a rim.
 #pragma once
 
-#include "contacts/placed.h"
-#include "physics/contact_rows.h"
+#include "surfaces/flat_faces.h"
+#include "surfaces/piece_touch.h"
 
-#include <optional>
 #include <vector>
 
 namespace simulation {
 
-struct PiecePoint {
-    physics::SurfaceGap gap;
-    physics::NearestSurfaces at; // from the body's centre of mass, along the world's axes
-};
-struct PieceTouch {
-    Vector normal = Vector::UnitX(); // from the support to the body
-    std::vector<PiecePoint> points;
-    bool isModelled = true; // each of the points
-};
 // Along the normal of their separation; `tolerance` along it.
 [[nodiscard]] PieceTouch pieceTouch(const Placed& body, std::size_t bodyPart, const Placed& support,
                                     std::size_t supportPart, const Vector& normal,
@@ -44,24 +32,6 @@ struct PieceTouch {
                                                          const Placed& support,
                                                          std::size_t supportPart,
                                                          const Vector& normal, double tolerance);
-
-// A sphere, an end of a capsule or a vertex, by its number, and a hollow part.
-[[nodiscard]] PieceTouch vertexAtWall(const Placed& body, std::size_t bodyPart,
-                                      const Placed& support, std::size_t supportPart,
-                                      std::size_t vertex);
-
-// The flat face of a part that looks along a direction of the world, within tolerances.
-struct FlatFace {
-    physics::SurfacePiece plane;
-    std::vector<Vector> outline; // in the body's frame; of a round end none
-    double radius = 0;           // of a round end
-    [[nodiscard]] bool isEndless() const { return outline.empty() && !(radius > 0); }
-};
-[[nodiscard]] std::optional<FlatFace> faceTowards(const Placed& owner, std::size_t part,
-                                                  const Vector& direction);
-
-// How far a point of the owner's frame lies inside the face's border; without border: endless.
-[[nodiscard]] double depthIn(const FlatFace& face, const Vector& point);
 
 // Of a part the pieces of which one lies lowest on each plane; none of a polyhedron.
 [[nodiscard]] std::vector<physics::SurfacePiece> extremesOf(const Placed& owner, std::size_t part);
