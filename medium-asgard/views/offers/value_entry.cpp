@@ -1,5 +1,6 @@
 #include "offers/value_entry.h"
 
+#include "editing/number_text.h"
 #include "offers/edit_preview.h"
 #include "offers/offer_list.h"
 #include "plain/plain.h"
