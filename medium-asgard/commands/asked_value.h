@@ -28,8 +28,8 @@ struct AskedValue {
 // The numbers as fields show them: as they are written, or without the last digits, which are the
 // rounding's.
 [[nodiscard]] std::vector<std::string> shownNumbers(const AskedValue& asked);
-// The numbers typed over them. A field that nobody changed keeps its number to the last bit. None: a
-// field has no number.
+// The numbers typed over them. A field that nobody changed keeps its number to the last bit. None:
+// a field has no number.
 [[nodiscard]] std::optional<std::vector<double>>
 typedNumbers(const AskedValue& asked, const std::vector<std::string>& fields);
 
