@@ -90,6 +90,22 @@ std::optional<std::size_t> handleAt(const render::HandleSet& set, const Sight& s
     return nearest;
 }
 
+std::optional<render::HandleName> crowdAt(const render::HandleSet& set,
+                                          const Eigen::Vector2d& pixels, double reach) {
+    std::optional<render::HandleName> nearest;
+    double least = std::numeric_limits<double>::infinity();
+    for (const render::Crowd& crowd : set.crowds) {
+        const double distance = (crowd.middle - pixels).norm();
+        if (crowd.isOpen && distance <= crowd.reach + reach)
+            return crowd.largest;
+        if (distance <= crowd.reach && distance < least) {
+            least = distance;
+            nearest = crowd.largest;
+        }
+    }
+    return nearest;
+}
+
 std::optional<render::Handle> jointAt(const render::Drawing& drawing, const Sight& sight,
                                       const Eigen::Vector2d& pixels, double reach) {
     if (!drawing.display.joints || drawing.scene->joints.empty())

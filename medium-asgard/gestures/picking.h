@@ -47,6 +47,10 @@ struct Line { // from the eye
 [[nodiscard]] std::optional<std::size_t> handleAt(const render::HandleSet& set, const Sight& sight,
                                                   const Eigen::Vector2d& pixels, double reach);
 
+// The crowd of handles there: the one that is open up to `reach` around it.
+[[nodiscard]] std::optional<render::HandleName>
+crowdAt(const render::HandleSet& set, const Eigen::Vector2d& pixels, double reach);
+
 // The joint whose sign is there: the handle of its point, which need not be shown.
 [[nodiscard]] std::optional<render::Handle> jointAt(const render::Drawing& drawing,
                                                     const Sight& sight,

@@ -15,10 +15,6 @@ namespace {
 
 const render::HandleSet nothing;
 
-bool same(const render::Handle& a, const render::Handle& b) {
-    return a.kind == b.kind && a.element == b.element && a.part == b.part;
-}
-
 } // namespace
 
 std::shared_ptr<const render::HandleSet>
@@ -32,8 +28,9 @@ HandleEditing::handles(const std::shared_ptr<const scene::Scene>& scene,
     auto set = std::make_shared<render::HandleSet>(
         prepared_->handles.at(drawing.time, drawing.display, drawing.camera, size));
     if (const gestures::HandleDrag* drag = hand_.drag()) {
-        const auto held = std::ranges::find_if(
-            set->handles, [&](const render::Handle& one) { return same(one, drag->handle()); });
+        const auto held = std::ranges::find_if(set->handles, [&](const render::Handle& one) {
+            return one.name() == drag->handle().name();
+        });
         if (held != set->handles.end() && drag->answer().possible()) {
             held->base = held->isArrow() ? held->base : drag->place();
             held->place = drag->place();

@@ -1,6 +1,8 @@
 // Drags of handles and throws in the document's picture.
 #include "service/handle_editing_testing.h"
 
+#include "handles/handle_layout.h"
+
 namespace service {
 namespace {
 
@@ -29,6 +31,42 @@ TEST_F(HandleEditingTest, ADragIsOneChangeOfItsNumbersAndTheHostHasItWhenItEnds)
     EXPECT_THAT(text(), testing::EndsWith("} ;# left\n"));
     EXPECT_FALSE(session->subdocument().previewing());
     EXPECT_NEAR(scene().bodies[0].initialPosition.x(), -0.9, 1e-9);
+}
+
+// In a document's picture as in a viewer: the pointer opens what is folded, and what came out is
+// dragged.
+TEST_F(HandleEditingTest, HandlesThatAreFoldedComeOutUnderThePointer) {
+    std::string text = ball + "body b1 ball -init_pos {0.5 0 0}\n";
+    for (int i = 1; i <= 9; ++i)
+        text += "force -body b1 -x 0 -y 0 -z 0\n";
+    open(text, {"force-handles"});
+    const auto folded = [&] { return std::ranges::count(handles.handles, true, &Handle::folded); };
+    ASSERT_GT(folded(), 0);
+    ASSERT_THAT(handles.crowds, SizeIs(1));
+    const auto isDark = [](std::byte one) { return one == std::byte(0); };
+    EXPECT_FALSE(std::ranges::all_of(frame, isDark)); // the number beside it
+    const Eigen::Vector2d middle = handles.crowds[0].middle;
+    const double reach = handles.crowds[0].reach;
+    move(middle);
+    settle();
+    EXPECT_EQ(folded(), 0);
+    EXPECT_TRUE(std::ranges::all_of(frame, isDark));
+    const Handle last = handles.handles.back();
+    const Eigen::Vector2d stand = render::standOf(last, camera, size);
+    EXPECT_GT((stand - middle).norm(), reach);
+    move(stand);
+    settle();
+    EXPECT_EQ(folded(), 0); // it stays open around the pointer
+    press(stand);
+    move(stand + Eigen::Vector2d(30, 0));
+    settle();
+    release(stand + Eigen::Vector2d(30, 0));
+    ASSERT_THAT(asked, SizeIs(1));
+    const auto& change = std::get<ipc::SubdocumentChanged>(asked[0].call);
+    EXPECT_GE(change.edits.at(0).range.from, text.rfind("force")); // the last one's
+    move({5, 5});
+    settle();
+    EXPECT_GT(folded(), 0);
 }
 
 // A text that the host accepts is shown already.

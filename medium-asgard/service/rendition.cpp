@@ -31,7 +31,7 @@ constexpr bool render::Display::*displaySwitches[] = {&render::Display::wirefram
                                                       &render::Display::frictionCones};
 
 bool same(const render::Display& a, const render::Display& b) {
-    return a.background == b.background &&
+    return a.background == b.background && a.opened == b.opened &&
            std::ranges::all_of(displaySwitches, [&](auto which) { return a.*which == b.*which; });
 }
 

@@ -202,6 +202,7 @@ private:
     bool edit(Rendition& rendition, const ipc::Input& input); // false: it is for the view
     // The same of what no modifier makes a drag of handles: clicks, and drags of what is selected.
     bool choose(Rendition& rendition, const ipc::Input& input, const HandleEditing::Pointer& at);
+    void openCrowd(Rendition& rendition, const Eigen::Vector2d& pixels); // under the pointer
     bool hold(Rendition& rendition, const ipc::Input& input, std::optional<std::size_t> body,
               const HandleEditing::Pointer& pointer);
     [[nodiscard]] HandleEditing::Picture pictureOf(Rendition& rendition);

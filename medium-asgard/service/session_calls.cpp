@@ -243,10 +243,12 @@ void Session::hear(const ipc::RenditionInput& call) {
     Rendition& rendition = found->second;
     if (rendition.presentation() != Presentation::picture)
         return inputToSheet(rendition, call);
-    if (call.type == ipc::InputType::focusIn)
+    if (call.type == ipc::InputType::focusIn) {
         tellHint(rendition);
-    else if (call.type == ipc::InputType::focusOut)
+    } else if (call.type == ipc::InputType::focusOut) {
         gesture_.selection.clear();
+        rendition.display.opened.reset();
+    }
     if (edit(rendition, call))
         return;
     const bool before = rendition.beingTurned();

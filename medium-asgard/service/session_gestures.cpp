@@ -56,9 +56,22 @@ bool Session::edit(Rendition& rendition, const ipc::Input& input) {
             keepWays(ground(), std::move(refused->label), std::move(refused->ways), true);
         return input.type != InputType::wheel;
     }
+    if (input.type == InputType::move || input.type == InputType::release)
+        openCrowd(rendition, pixels);
     return choose(rendition, input, pointer) ||
            (input.type == InputType::press && with(ipc::Modifier::shift) &&
             hold(rendition, input, std::nullopt, pointer));
+}
+
+void Session::openCrowd(Rendition& rendition, const Eigen::Vector2d& pixels) {
+    if (!subdocument_.scene() || rendition.beingTurned() ||
+        !render::showsHandles(rendition.display))
+        return;
+    const HandleEditing::Picture picture = pictureOf(rendition);
+    const auto handles =
+        gesture_.handles.handles(subdocument_.scene(), picture.drawing, picture.size);
+    rendition.display.opened =
+        gestures::crowdAt(*handles, pixels, gestures::handleReach * picture.scale);
 }
 
 HandleEditing::Picture Session::pictureOf(Rendition& rendition) {

@@ -2,7 +2,9 @@
 // (pictures.h), charts and texts here.
 #include "service/session.h"
 
+#include "handles/handle_layout.h"
 #include "ipc/base64.h"
+#include "service/handle_labels.h"
 #include "terminal/terminal.h"
 
 #include <algorithm>
@@ -131,10 +133,14 @@ void Session::draw(ipc::Integer id, Rendition& rendition, const Look& look) {
             gesture_.handles.handles(subdocument_.scene(), wish.drawing, frame.into.size);
     auto frames =
         gesture_.selection.frames(wish.drawing, {look.camera, frame.into.size}, rendition.scale());
-    if (!frames.empty())
-        wish.over = [frames = std::move(frames), scale = rendition.scale(),
+    const bool hasLabels = wish.drawing.handles && !render::labelled(*wish.drawing.handles).empty();
+    if (!frames.empty() || hasLabels)
+        wish.over = [frames = std::move(frames), handles = wish.drawing.handles,
+                     camera = look.camera, scale = rendition.scale(),
                      isDark = render::isDark(look.display.background)](const render::Image& into) {
             drawFrames(frames, scale, isDark, into);
+            if (handles)
+                drawLabels(*handles, {camera, into.size}, scale, isDark, into);
         };
     pictures_.draw(&rendition, std::move(wish), [this, id, frame](Pictures::Drawn drawn) mutable {
         finish(id, frame, std::move(drawn));
@@ -209,6 +215,7 @@ render::Drawing Session::printed(const ipc::RenditionSnapshot& call, double time
         seen->second.see(*scene, subdocument_.motion(), subdocument_.viewGeneration());
         drawing.camera = seen->second.camera(time);
         drawing.display = seen->second.display;
+        drawing.display.opened.reset();
     } else {
         drawing.camera = render::cameraOf(*scene, subdocument_.motion(), "", time, size);
         drawing.display = shown_.display;

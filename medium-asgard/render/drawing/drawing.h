@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -42,6 +43,7 @@ struct Display : ShownHandles {
     bool joints = true;          // their signs (joint_signs.h)
     // Bodies that are left out, with their trails and handles, by their names; null: none.
     std::shared_ptr<const std::set<std::string>> hidden = nullptr;
+    std::optional<HandleName> opened = {}; // the largest of the crowd that is open
     scene::Color background{1, 1, 1};
     int samples = 4; // multisampling; clamped to what there is; 1 while it moves fast
 };

@@ -39,6 +39,13 @@ enum class HandleKind : std::uint8_t {
     trajectoryPoint,
 };
 
+// A handle in any set of its scene's.
+struct HandleName {
+    HandleKind kind = HandleKind::position;
+    std::size_t element = 0, part = 0;
+    bool operator==(const HandleName&) const = default;
+};
+
 struct Handle {
     HandleKind kind = HandleKind::position;
     std::size_t element = 0; // in the scene's list of what it belongs to
@@ -54,7 +61,8 @@ struct Handle {
     double clear = 0;       // world: how far its own body reaches about it, which does not hide it
     Eigen::Vector2d aside = Eigen::Vector2d::Zero(); // pixels: where it stands beside its place
     bool cut = false;                                // its arrow is shortened
-    bool folded = false; // of a crowd: it is neither drawn nor taken, until one comes nearer
+    bool folded = false; // of a crowd that is not open: it is neither drawn nor taken
+    [[nodiscard]] HandleName name() const { return {kind, element, part}; }
     [[nodiscard]] bool isArrow() const { return base != place; }
     // Of a trajectory's point: the head of an arrow, and no place of a path.
     [[nodiscard]] bool isValue() const { return perUnit != 1 || isArrow(); }
@@ -74,9 +82,18 @@ struct HandleLine {
     std::vector<Vector> points;
 };
 
+// Handles that cover each other, some of which are folded unless the display opens it.
+struct Crowd {
+    HandleName largest;                               // by it one tells it from others
+    Eigen::Vector2d middle = Eigen::Vector2d::Zero(); // pixels
+    double reach = 0;                                 // pixels: of what is shown of it
+    bool isOpen = false;
+};
+
 struct HandleSet {
     std::vector<Handle> handles;
     std::vector<HandleLine> lines;
+    std::vector<Crowd> crowds = {};
 };
 
 } // namespace render

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <string>
+#include <utility>
 
 namespace render {
 
@@ -79,45 +81,118 @@ void keepInside(HandleSet& set, const Camera& camera, Size size) {
     }
 }
 
-void spread(HandleSet& set, const Camera& camera, Size size) {
+namespace {
+
+// Places around a point, ring by ring; the first ring is divided evenly.
+class Rings {
+public:
+    Rings(Pixels middle, double ring, std::size_t count, double apart)
+        : middle_(std::move(middle)), ring_(ring), count_(count), apart_(apart) {}
+
+    // The next one that is free; none: they would be further away than `furthest`.
+    template <class IsFree> std::optional<Pixels> next(const IsFree& isFree, double furthest) {
+        while (ring_ < furthest) {
+            if (index_ == count_) {
+                index_ = 0;
+                ring_ += apart_;
+                count_ = static_cast<std::size_t>(2 * M_PI * ring_ / apart_);
+            }
+            const double angle =
+                -M_PI / 4 + 2 * M_PI * static_cast<double>(index_++) / static_cast<double>(count_);
+            const Pixels place = middle_ + ring_ * Pixels(std::cos(angle), std::sin(angle));
+            if (isFree(place))
+                return place;
+        }
+        return std::nullopt;
+    }
+
+private:
+    Pixels middle_;
+    double ring_;
+    std::size_t count_, index_ = 0;
+    double apart_;
+};
+
+} // namespace
+
+void spread(HandleSet& set, const Camera& camera, Size size,
+            const std::optional<HandleName>& opened) {
     const double stroke = strokeOf(size);
-    std::vector<std::size_t> movable;
+    std::vector<Handle*> movable;
     std::vector<Pixels> places;
     std::vector<double> radii;
-    for (std::size_t i = 0; i < set.handles.size(); ++i) {
-        if (!set.handles[i].movable)
+    for (Handle& handle : set.handles) {
+        if (!handle.movable)
             continue;
-        movable.push_back(i);
-        places.push_back(toPixels(camera, size, set.handles[i].place));
-        radii.push_back(stroke * radiusOf(set.handles[i].kind));
+        movable.push_back(&handle);
+        places.push_back(toPixels(camera, size, handle.place));
+        radii.push_back(stroke * radiusOf(handle.kind));
     }
-    constexpr std::size_t most = 6;
-    for (std::vector<std::size_t>& group : crowds(places, radii)) {
+    std::vector<std::vector<std::size_t>> groups = crowds(places, radii);
+    for (std::vector<std::size_t>& group : groups)
         std::ranges::stable_sort(group, std::greater(), [&](std::size_t i) { return radii[i]; });
+    const auto opens = [&](const auto& group) { return movable[group[0]]->name() == opened; };
+    // The last keeps clear of all others.
+    std::ranges::stable_partition(groups, std::not_fn(opens));
+    constexpr std::size_t most = 6;
+    const Box picture(Pixels(0, 0), Pixels(size.width, size.height));
+    std::vector<Pixels> stands = places;
+    for (const std::vector<std::size_t>& group : groups) {
+        const Pixels& middle = places[group[0]];
         const std::size_t around = std::min(group.size() - 1, most);
-        const double away = radii[group[0]] + radii[group[1]] + 4 * stroke;
         // Wide enough for all of them side by side.
         const double ring =
-            std::max(away, (radii[group[1]] + 1.5 * stroke) /
-                               std::sin(M_PI / std::max<double>(static_cast<double>(around), 2)));
-        for (std::size_t k = 0; k < around; ++k) {
-            const double angle =
-                -M_PI / 4 + 2 * M_PI * static_cast<double>(k) / static_cast<double>(around);
-            const std::size_t index = group[k + 1];
-            set.handles[movable[index]].aside =
-                places[group[0]] - places[index] + ring * Pixels(std::cos(angle), std::sin(angle));
-        }
+            std::max(radii[group[0]] + radii[group[1]] + 4 * stroke,
+                     (radii[group[1]] + 1.5 * stroke) /
+                         std::sin(M_PI / std::max<double>(static_cast<double>(around), 2)));
+        const double apart = 2 * radii[group[1]] + 3 * stroke;
+        const auto inside = [&](const Pixels& place) { return picture.contains(place); };
+        const auto clear = [&](const Pixels& place) {
+            for (std::size_t i = 0; i < stands.size(); ++i)
+                if (!movable[i]->folded && (stands[i] - place).norm() < 0.8 * apart)
+                    return false;
+            return inside(place);
+        };
+        Rings rings(middle, ring, around, apart);
+        Crowd crowd{movable[group[0]]->name(), middle, ring, opens(group)};
         std::size_t folded = 0;
+        const auto move = [&](std::size_t index, const std::optional<Pixels>& stand) {
+            stands[index] = stand.value_or(middle + ring * Pixels(M_SQRT1_2, -M_SQRT1_2));
+            movable[index]->aside = stands[index] - places[index];
+            crowd.reach = std::max(crowd.reach, (stands[index] - middle).norm());
+        };
+        for (std::size_t k = 1; k <= around; ++k)
+            move(group[k], rings.next(inside, picture.diagonal().norm()));
         for (std::size_t k = around + 1; k < group.size(); ++k) {
-            Handle& handle = set.handles[movable[group[k]]];
-            handle.folded = handle.kind != HandleKind::trajectoryPoint &&
-                            (places[group[k]] - places[group[0]]).norm() < ring;
-            folded += handle.folded ? 1 : 0;
+            Handle& handle = *movable[group[k]];
+            if (handle.kind == HandleKind::trajectoryPoint ||
+                (places[group[k]] - middle).norm() >= ring)
+                continue;
+            handle.folded = true; // it hinders none of the places
+            ++folded;
+            const auto stand =
+                crowd.isOpen ? rings.next(clear, picture.diagonal().norm()) : std::nullopt;
+            if (!stand)
+                continue;
+            handle.folded = false;
+            move(group[k], stand);
         }
-        Handle& largest = set.handles[movable[group[0]]];
-        if (folded > 0 && largest.label.empty())
+        if (folded == 0)
+            continue;
+        set.crowds.push_back(crowd);
+        Handle& largest = *movable[group[0]];
+        if (!crowd.isOpen && largest.label.empty())
             largest.label = "+" + std::to_string(folded);
     }
+}
+
+std::vector<const Handle*> labelled(const HandleSet& set) {
+    std::vector<const Handle*> all;
+    for (const Handle& handle : set.handles)
+        if (!handle.label.empty() && !handle.folded &&
+            (handle.kind != HandleKind::spin || handle.isArrow()))
+            all.push_back(&handle);
+    return all;
 }
 
 std::vector<Box> placedLabels(std::span<const LabelWish> wishes, const Box& picture, double gap) {

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,9 +18,14 @@ namespace render {
 void keepInside(HandleSet& set, const Camera& camera, Size size);
 
 // Handles that would cover each other: the largest stays, six stand around it, and what else lies
-// beneath them is folded: a number beside the largest tells how many there are. Points of paths
-// stay where they are.
-void spread(HandleSet& set, const Camera& camera, Size size);
+// beneath them is folded: a number beside the largest tells how many there are. Of the crowd that
+// is opened these stand around the six, ring by ring, where they cover no others. Points of paths
+// stay where they are. Handles stand in the picture while there is room.
+void spread(HandleSet& set, const Camera& camera, Size size,
+            const std::optional<HandleName>& opened = std::nullopt);
+
+// The handles that have a label to be shown; none of a spin of 0, whose handle lies on its body.
+[[nodiscard]] std::vector<const Handle*> labelled(const HandleSet& set);
 
 // Labels beside their points: for each the rectangle of its size, at one of eight places about its
 // point, where it covers the least of the labels before it, of all points, and of what lies

@@ -61,6 +61,67 @@ TEST(HandleLayout, OfALargeCrowdAFewAreSeenUntilOneComesNearer) {
     EXPECT_EQ(seen(0.01, HandleKind::trajectoryPoint), 20); // a path is one
 }
 
+double nearest(const HandleSet& set, const Camera& camera, Size size) {
+    double least = 1e9;
+    for (const Handle& one : set.handles)
+        for (const Handle& other : set.handles)
+            if (&one != &other && !one.folded && !other.folded)
+                least = std::min(
+                    least, (standOf(one, camera, size) - standOf(other, camera, size)).norm());
+    return least;
+}
+
+// Those that are seen stay where they are; the others come out around them.
+TEST(HandleLayout, ACrowdThatIsOpenShowsAllOfIt) {
+    const Size size{640, 480};
+    const Camera camera;
+    HandleSet folded = handlesAt(std::vector(25, Vector(0.1, 0.2, 0)), HandleKind::velocity);
+    folded.handles.push_back({HandleKind::position, 9, 0, {0.1, 0.2, 0}, {0.1, 0.2, 0}});
+    // Another one, where the second ring would be.
+    folded.handles.push_back({HandleKind::velocity, 30, 0, {0.25, 0.2, 0}, {0.25, 0.2, 0}});
+    HandleSet open = folded;
+    spread(folded, camera, size);
+    ASSERT_EQ(folded.crowds.size(), 1U);
+    EXPECT_FALSE(folded.crowds[0].isOpen);
+    EXPECT_EQ(folded.handles[25].label, "+19");
+    EXPECT_EQ(folded.crowds[0].largest, folded.handles[25].name());
+
+    spread(open, camera, size, folded.crowds[0].largest);
+    ASSERT_EQ(open.crowds.size(), 1U);
+    EXPECT_TRUE(open.crowds[0].isOpen);
+    EXPECT_GT(open.crowds[0].reach, folded.crowds[0].reach);
+    EXPECT_EQ(open.handles[25].label, "");
+    EXPECT_EQ(std::ranges::count(open.handles, true, &Handle::folded), 0);
+    EXPECT_GT(nearest(open, camera, size), 8);
+    for (std::size_t i = 0; i < open.handles.size(); ++i) {
+        if (!folded.handles[i].folded) {
+            EXPECT_EQ(open.handles[i].aside, folded.handles[i].aside) << i;
+        }
+        EXPECT_LE((standOf(open.handles[i], camera, size) - open.crowds[0].middle).norm(),
+                  i == 26 ? 1e9 : open.crowds[0].reach + 1e-9);
+    }
+    // Of another crowd, or one that is gone, nothing is open.
+    HandleSet other = handlesAt(std::vector(25, Vector(0.1, 0.2, 0)), HandleKind::velocity);
+    spread(other, camera, size, HandleName{HandleKind::position, 9, 0});
+    EXPECT_EQ(std::ranges::count(other.handles, true, &Handle::folded), 18);
+}
+
+TEST(HandleLayout, ACrowdAtTheRimStandsInThePicture) {
+    const Size size{640, 480};
+    const Camera camera;
+    const Vector corner = toWorld(camera, size, {4, 4}, 0);
+    HandleSet set = handlesAt(std::vector(25, corner), HandleKind::velocity);
+    spread(set, camera, size, set.handles[0].name());
+    for (const Handle& one : set.handles) {
+        const Pixels stand = standOf(one, camera, size);
+        EXPECT_FALSE(one.folded);
+        EXPECT_GE(stand.minCoeff(), 0);
+        EXPECT_LE(stand.x(), 640);
+        EXPECT_LE(stand.y(), 480);
+    }
+    EXPECT_GT(nearest(set, camera, size), 8);
+}
+
 TEST(HandleLayout, HeadsOutsideThePictureAreBroughtInside) {
     const Size size{640, 480};
     Camera camera;

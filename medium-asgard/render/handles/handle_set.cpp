@@ -425,7 +425,7 @@ HandleSet Handles::at(double time, const Display& display, const Camera& camera,
     if (display.trajectories)
         addTrajectories(set, time, display);
     keepInside(set, camera, size);
-    spread(set, camera, size);
+    spread(set, camera, size, display.opened);
     return set;
 }
 
