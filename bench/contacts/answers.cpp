@@ -2,8 +2,11 @@
 
 #include "integrators.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
+#include <tuple>
 
 namespace bench::contacts {
 namespace {
@@ -191,6 +194,105 @@ std::vector<std::vector<Place>> SliderCrank::places(const std::vector<double>& t
     for (const auto& state : along(f, {Real(angle)}, 0.002L, times)) {
         const auto at = pose(state[0]).at;
         all.emplace_back(at.begin(), at.end());
+    }
+    return all;
+}
+
+namespace {
+
+Real dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1]; }
+
+} // namespace
+
+// Of both coordinates, and the directions in which they move the hub and the trunk.
+struct Walker::Mass {
+    Vector leg, trunk;
+    Matrix matrix;
+};
+
+Walker::Mass Walker::mass(Real legAngle, Real trunkAngle) const {
+    Mass found;
+    found.leg = {-(leg * std::cos(legAngle) + foot), -leg * std::sin(legAngle)};
+    found.trunk = {hang * std::cos(trunkAngle), hang * std::sin(trunkAngle)};
+    const Real wheel = wheelMass * (Real(2) / 5 * foot * foot + Real(leg) * leg),
+               box = Real(trunkMass) * trunk * trunk / 6, all = Real(wheelMass) + trunkMass;
+    found.matrix = {wheel + all * dot(found.leg, found.leg),
+                    trunkMass * dot(found.leg, found.trunk),
+                    box + trunkMass * dot(found.trunk, found.trunk)};
+    return found;
+}
+
+Walker::Pair Walker::accelerations(const std::vector<Real>& state) const {
+    const auto [a, b, legRate, trunkRate] = std::tuple{state[0], state[1], state[2], state[3]};
+    const Mass m = mass(a, b);
+    const Vector legTurns = {leg * std::sin(a) * legRate * legRate,
+                             -leg * std::cos(a) * legRate * legRate},
+                 trunkTurns = {-hang * std::sin(b) * trunkRate * trunkRate,
+                               hang * std::cos(b) * trunkRate * trunkRate};
+    Vector ofTrunk, ofAll; // forces, without the accelerations of the coordinates
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Real weight = i == 1 ? Real(standardGravity) : 0;
+        ofTrunk[i] = trunkMass * (legTurns[i] + trunkTurns[i] + weight);
+        ofAll[i] = ofTrunk[i] + wheelMass * (legTurns[i] + weight);
+    }
+    return inverse(m.matrix) * Vector{-couple - dot(m.leg, ofAll), couple - dot(m.trunk, ofTrunk)};
+}
+
+// The impulse of the new foot changes neither the momentum about it of all nor the trunk's about
+// the hub.
+std::vector<Real> Walker::landed(const std::vector<Real>& state) const {
+    const Real next = state[0] + 2 * std::numbers::pi_v<Real> / legs;
+    const Mass before = mass(state[0], state[1]), after = mass(next, state[1]);
+    const Real wheel = wheelMass * (Real(2) / 5 * foot * foot + Real(leg) * leg),
+               box = Real(trunkMass) * trunk * trunk / 6;
+    Vector ofTrunk, ofAll;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Real hub = before.leg[i] * state[2];
+        ofTrunk[i] = trunkMass * (hub + before.trunk[i] * state[3]);
+        ofAll[i] = ofTrunk[i] + wheelMass * hub;
+    }
+    const Vector rates = inverse(after.matrix) * Vector{wheel * state[2] + dot(after.leg, ofAll),
+                                                        box * state[3] + dot(after.trunk, ofTrunk)};
+    return {next, state[1], rates[0], rates[1]};
+}
+
+std::vector<std::vector<Place>> Walker::places(const std::vector<double>& times) const {
+    const auto f = [&](const std::vector<Real>& y, std::vector<Real>& slope) {
+        const Pair rates = accelerations(y);
+        slope = {y[2], y[3], rates[0], rates[1]};
+    };
+    constexpr Real longest = 0.01L;
+    const Real lands = -std::numbers::pi_v<Real> / legs;
+    std::vector<Real> y = {0, 0, rate, 0};
+    Real now = 0, stands = 0; // `stands`: where the hub is with this leg straight down
+    std::vector<std::vector<Place>> all;
+    const auto hub = [&] { return stands - foot * y[0] - leg * std::sin(y[0]); };
+    for (const double time : times) {
+        while (now < time) {
+            Real h = std::min(longest, time - now);
+            std::vector<Real> end = y;
+            extrapolate(f, h, end);
+            const bool ends = end[0] <= lands;
+            // Newton's method for the instant of landing.
+            for (int round = 0; ends && round < 20 && std::abs(end[0] - lands) > 1e-18L; ++round) {
+                h -= (end[0] - lands) / end[2];
+                end = y;
+                extrapolate(f, h, end);
+            }
+            y = end;
+            now += h;
+            if (ends) {
+                const Real at = hub();
+                y = landed(y);
+                stands += at - hub();
+            }
+        }
+        const Real x = hub(), height = foot + leg * std::cos(y[0]);
+        const auto place = [](Real px, Real py) {
+            return Place{static_cast<double>(px), static_cast<double>(py), 0};
+        };
+        all.push_back(
+            {place(x, height), place(x + hang * std::sin(y[1]), height - hang * std::cos(y[1]))});
     }
     return all;
 }

@@ -32,4 +32,29 @@ struct SliderCrank {
     [[nodiscard]] std::vector<std::vector<Place>> places(const std::vector<double>& times) const;
 };
 
+// A machine that walks on level ground along +x: a wheel of legs that end in round feet, and a
+// trunk that hangs at its hub, with a motor of a constant couple between them. It starts upright on
+// one leg, which `rate` turns over.
+//   The foot on the ground rolls, all others are in the air; the next one lands without a rebound
+//   and without slip, and the old one leaves the ground then. Unknowns are the angle a of the leg
+//   from straight down and b of the trunk. The hub's velocity is A a', the trunk's A a' + B b' with
+//     A = -(leg cos a + foot, leg sin a)     B = hang (cos b, sin b)
+struct Walker {
+    int legs = 8;
+    double leg = 0.5, foot = 0.05; // from the hub to a foot's centre, and the foot's radius
+    double track = 0.3;            // from the plane to the feet of either side
+    double wheelMass = 2, trunkMass = 8;
+    double trunk = 0.3, hang = 0.3; // the trunk's edge, and from the hub to its centre
+    double couple = 8, rate = -2.5;
+
+    [[nodiscard]] std::vector<std::vector<Place>> places(const std::vector<double>& times) const;
+
+private:
+    using Pair = std::array<long double, 2>;
+    struct Mass;
+    [[nodiscard]] Mass mass(long double legAngle, long double trunkAngle) const;
+    [[nodiscard]] Pair accelerations(const std::vector<long double>& state) const;
+    [[nodiscard]] std::vector<long double> landed(const std::vector<long double>& state) const;
+};
+
 } // namespace bench::contacts

@@ -30,7 +30,7 @@ public:
                     vector({-std::sin(scene.slope), std::cos(scene.slope), 0}), scalar(0)),
                 {.name = "floor", .mass = 0});
         for (const Body& body : scene.bodies)
-            add(shapeOf(body), body);
+            addBody(body);
         for (const Joint& joint : scene.joints)
             join(joint);
     }
@@ -45,8 +45,12 @@ public:
 
     void advance(double span) override {
         const long steps = stepsIn(span, h_);
-        for (long i = 0; i < steps; ++i)
+        for (long i = 0; i < steps; ++i) {
+            for (const Joint& joint : scene_.joints)
+                if (joint.couple != 0)
+                    turn(joint);
             world_.stepSimulation(scalar(span / static_cast<double>(steps)), 0);
+        }
         count(steps);
     }
     [[nodiscard]] Place centre(std::size_t body) const override {
@@ -55,10 +59,24 @@ public:
     }
 
 private:
-    static std::unique_ptr<btCollisionShape> shapeOf(const Body& body) {
+    // The engine forgets it after each step.
+    void turn(const Joint& joint) {
+        const btVector3 couple = vector({0, 0, joint.couple});
+        of(joint.body1).applyTorque(couple);
+        if (joint.body2 >= 0)
+            of(joint.body2).applyTorque(-couple);
+    }
+    void addBody(const Body& body) {
+        if (body.shape == Body::Shape::box)
+            return add(std::make_unique<btBoxShape>(vector(body.size) / 2), body);
+        auto ball = std::make_unique<btSphereShape>(scalar(body.size[0]));
         if (body.shape == Body::Shape::ball)
-            return std::make_unique<btSphereShape>(scalar(body.size[0]));
-        return std::make_unique<btBoxShape>(vector(body.size) / 2);
+            return add(std::move(ball), body);
+        auto all = std::make_unique<btCompoundShape>();
+        for (const Place& at : body.balls())
+            all->addChildShape(btTransform(btQuaternion::getIdentity(), vector(at)), ball.get());
+        shapes_.push_back(std::move(ball));
+        add(std::move(all), body);
     }
     void add(std::unique_ptr<btCollisionShape> shape, const Body& body) {
         btVector3 inertia(0, 0, 0);

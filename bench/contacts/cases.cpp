@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 namespace bench::contacts {
@@ -198,28 +199,87 @@ Case car() {
     return scene;
 }
 
+Case walkingMachine() {
+    const Walker model;
+    Case scene = withFloor("walking machine", 0, 1);
+    const double height = model.leg + model.foot, edge = model.trunk;
+    scene.bodies = {{.name = "legs",
+                     .shape = Shape::feet,
+                     .size = {model.foot, model.leg, model.track},
+                     .feet = model.legs,
+                     .mass = model.wheelMass,
+                     .at = {0, height, 0},
+                     .velocity = {-height * model.rate, 0, 0},
+                     .spin = model.rate},
+                    {.name = "trunk",
+                     .size = {edge, edge, edge},
+                     .mass = model.trunkMass,
+                     .at = {0, height - model.hang, 0},
+                     .velocity = {-height * model.rate, 0, 0}}};
+    scene.joints = {{.body1 = 1, .body2 = 0, .at = scene.bodies[0].at, .couple = model.couple}};
+    scene.times = timesTo(2, 10);
+    scene.right = model.places(scene.times);
+    return scene;
+}
+
+// A wall of 100 boxes, each over the gap between two below: all begin to fall at once, a gap above
+// each other. What lands stays, since it stands on what has landed before.
+Case boxesThatFall() {
+    Case scene = withFloor("100 boxes", 0, 0.5);
+    constexpr double gap = 0.05, spacing = 1.1;
+    for (int row = 0, count = 16; scene.bodies.size() < 100; ++row, --count)
+        for (int i = 0; i < count; ++i)
+            scene.bodies.push_back(
+                {.name = "b" + std::to_string(scene.bodies.size()),
+                 .size = {1, 1, 1},
+                 .at = {spacing * (i - 0.5 * (count - 1)), 0.5 + row + gap * (row + 1), 0}});
+    scene.times = timesTo(1, 10);
+    for (const double time : scene.times) {
+        scene.right.push_back(centres(scene.bodies));
+        for (Place& place : scene.right.back())
+            place[1] = std::max(std::floor(place[1]) + 0.5, place[1] - g * time * time / 2);
+    }
+    return scene;
+}
+
 } // namespace
 
+std::vector<Place> Body::balls() const {
+    if (shape == Shape::box)
+        return {};
+    if (shape == Shape::ball)
+        return {{0, 0, 0}};
+    std::vector<Place> centres;
+    for (const double side : {-size[2], size[2]})
+        for (int i = 0; i < feet; ++i) { // the first one straight below
+            const double angle = (2.0 * i / feet - 0.5) * std::numbers::pi;
+            centres.push_back({size[1] * std::cos(angle), size[1] * std::sin(angle), side});
+        }
+    return centres;
+}
+
 Place Body::inertia() const {
-    if (shape == Shape::ball) {
-        const double all = 0.4 * mass * size[0] * size[0];
-        return {all, all, all};
+    const double ball = 0.4 * size[0] * size[0];
+    if (shape == Shape::ball)
+        return {mass * ball, mass * ball, mass * ball};
+    if (shape == Shape::feet) {
+        const double ring = size[1] * size[1], across = size[2] * size[2];
+        const double tilting = mass * (ball + ring / 2 + across);
+        return {tilting, tilting, mass * (ball + ring)};
     }
     const auto of = [&](double a, double b) { return mass / 12 * (a * a + b * b); };
     return {of(size[1], size[2]), of(size[0], size[2]), of(size[0], size[1])};
 }
 
 std::vector<Case> allCases(bool few) {
-    std::vector<Case> all = {blockOnSlope(false),
-                             blockOnSlope(true),
-                             ballThatRolls(),
-                             boxOnBox(),
-                             boxThatTips(),
-                             sliderCrank(),
-                             car()};
+    std::vector<Case> all = {
+        blockOnSlope(false), blockOnSlope(true), ballThatRolls(), boxOnBox(),
+        boxThatTips(),       sliderCrank(),      car(),           walkingMachine()};
     for (const int count : {1, 2, 5, 10, 20, 50, 100, 200})
         if (!few || count == 2)
             all.push_back(stack(count));
+    if (!few)
+        all.push_back(boxesThatFall());
     for (const int count : {2, 5, 20, 50, 200})
         if (!few || count == 2)
             all.push_back(chain(count));

@@ -16,10 +16,13 @@ using Place = std::array<double, 3>;
 inline constexpr double standardGravity = 9.81;
 
 struct Body {
-    enum class Shape { box, ball };
+    enum class Shape { box, ball, feet };
     std::string name;
     Shape shape = Shape::box;
-    Place size{}; // edges of a box; a ball has its radius first
+    // Edges of a box; a ball has its radius first. `feet` are two rings of balls, without what
+    // joins them: the balls' radius, the rings', and how far they are from the plane z = 0.
+    Place size{};
+    int feet = 0; // in a ring
     double mass = 1;
     Place at{};       // the centre
     double angle = 0; // about z
@@ -27,6 +30,8 @@ struct Body {
     double spin = 0; // about z
 
     [[nodiscard]] Place inertia() const; // principal, of a uniform density
+    // The centres, in the body's frame, of the balls of radius size[0] that it is; none: a box.
+    [[nodiscard]] std::vector<Place> balls() const;
 };
 
 struct Joint {
@@ -34,6 +39,7 @@ struct Joint {
     Type type = Type::hinge;
     int body1 = 0, body2 = -1; // -1: the world
     Place at{};
+    double couple = 0; // of a motor, on body1 about z; body2 has the reaction
 };
 
 struct Case {
@@ -46,7 +52,7 @@ struct Case {
     std::vector<std::vector<Place>> right; // for each sample, the centres of all bodies
 };
 
-// Every case; `few` leaves out the long stacks and chains.
+// Every case; `few` leaves out the long stacks and chains, and the many boxes.
 [[nodiscard]] std::vector<Case> allCases(bool few);
 
 // The largest distance, in m, of a centre from its right place; of what is not a number, that.

@@ -57,8 +57,12 @@ public:
     void advance(double span) override {
         const long steps = stepsIn(span, h_);
         world_->setTimeStep(span / static_cast<double>(steps));
-        for (long i = 0; i < steps; ++i)
-            world_->step();
+        for (long i = 0; i < steps; ++i) {
+            for (std::size_t b = 0; b < bodies_.size(); ++b)
+                if (const auto joint = treeJoint(scene_, b); joint && scene_.joints[*joint].couple)
+                    bodies_[b]->getParentJoint()->setForce(0, scene_.joints[*joint].couple);
+            world_->step(); // forgets it
+        }
         count(steps);
     }
     [[nodiscard]] Place centre(std::size_t body) const override {
@@ -67,9 +71,10 @@ public:
     }
 
 private:
-    void shape(dynamics::BodyNode* node, const dynamics::ShapePtr& shape) {
+    void shape(dynamics::BodyNode* node, const dynamics::ShapePtr& shape, const Place& at = {}) {
         auto* shown =
             node->createShapeNodeWith<dynamics::CollisionAspect, dynamics::DynamicsAspect>(shape);
+        shown->setRelativeTranslation(vector(at));
         shown->getDynamicsAspect()->setFrictionCoeff(scene_.friction);
         shown->getDynamicsAspect()->setRestitutionCoeff(0);
     }
@@ -128,9 +133,10 @@ private:
                        : hang<dynamics::RevoluteJoint>(skeleton, parent, index, joint, properties,
                                                        Eigen::Vector3d::UnitZ());
         }
-        if (scene_.collide && body.shape == Body::Shape::ball)
-            shape(node, std::make_shared<dynamics::SphereShape>(body.size[0]));
-        else if (scene_.collide)
+        if (scene_.collide)
+            for (const Place& at : body.balls())
+                shape(node, std::make_shared<dynamics::SphereShape>(body.size[0]), at);
+        if (scene_.collide && body.shape == Body::Shape::box)
             shape(node, std::make_shared<dynamics::BoxShape>(vector(body.size)));
         bodies_.push_back(node);
     }

@@ -59,9 +59,11 @@ std::string bodyText(const Case& scene, std::size_t index, const Place& from, do
     const Place inertia = body.inertia();
     text += "<inertial pos=\"0 0 0\"" + attribute("mass", {body.mass}) +
             attribute("diaginertia", {inertia[0], inertia[1], inertia[2]}) + "/>";
-    if (scene.collide && body.shape == Body::Shape::ball)
-        text += "<geom type=\"sphere\"" + attribute("size", {body.size[0]}) + "/>";
-    else if (scene.collide)
+    if (scene.collide)
+        for (const Place& at : body.balls())
+            text += "<geom type=\"sphere\"" + attribute("size", {body.size[0]}) +
+                    attribute("pos", {at[0], at[1], at[2]}) + "/>";
+    if (scene.collide && body.shape == Body::Shape::box)
         text += "<geom type=\"box\"" +
                 attribute("size", {body.size[0] / 2, body.size[1] / 2, body.size[2] / 2}) + "/>";
     for (std::size_t b = 0; b < scene.bodies.size(); ++b)
@@ -131,8 +133,9 @@ public:
             const Body& body = scene.bodies[b];
             ids_.push_back(mj_name2id(model_.get(), mjOBJ_BODY, body.name.c_str()));
             mjtNum* rate = data_->qvel + model_->body_dofadr[ids_.back()];
-            if (treeJoint(scene, b)) {
+            if (const auto joint = treeJoint(scene, b)) {
                 rate[0] = treeRate(scene, b);
+                data_->qfrc_applied[model_->body_dofadr[ids_.back()]] = scene.joints[*joint].couple;
                 continue;
             }
             for (std::size_t a = 0; a < 3; ++a)

@@ -36,6 +36,8 @@ public:
         for (long i = 0; i < steps; ++i) {
             if (scene_.collide)
                 dSpaceCollide(space_, this, meet);
+            for (const auto& [joint, couple] : motors_)
+                dJointAddHingeTorque(joint, couple);
             if (fast_)
                 dWorldQuickStep(world_, span / static_cast<double>(steps));
             else
@@ -67,22 +69,24 @@ private:
     void add(const Body& body) {
         const dBodyID id = dBodyCreate(world_);
         dMass mass;
-        if (body.shape == Body::Shape::ball)
-            dMassSetSphereTotal(&mass, body.mass, body.size[0]);
-        else
-            dMassSetBoxTotal(&mass, body.mass, body.size[0], body.size[1], body.size[2]);
+        const Place inertia = body.inertia();
+        dMassSetParameters(&mass, body.mass, 0, 0, 0, inertia[0], inertia[1], inertia[2], 0, 0, 0);
         dBodySetMass(id, &mass);
         dBodySetPosition(id, body.at[0], body.at[1], body.at[2]);
         const dQuaternion turn = {std::cos(body.angle / 2), 0, 0, std::sin(body.angle / 2)};
         dBodySetQuaternion(id, turn);
         dBodySetLinearVel(id, body.velocity[0], body.velocity[1], body.velocity[2]);
         dBodySetAngularVel(id, 0, 0, body.spin);
-        if (scene_.collide)
-            dGeomSetBody(body.shape == Body::Shape::ball
-                             ? dCreateSphere(space_, body.size[0])
-                             : dCreateBox(space_, body.size[0], body.size[1], body.size[2]),
-                         id);
         bodies_.push_back(id);
+        if (!scene_.collide)
+            return;
+        if (body.shape == Body::Shape::box)
+            dGeomSetBody(dCreateBox(space_, body.size[0], body.size[1], body.size[2]), id);
+        for (const Place& at : body.balls()) {
+            const dGeomID ball = dCreateSphere(space_, body.size[0]);
+            dGeomSetBody(ball, id);
+            dGeomSetOffsetPosition(ball, at[0], at[1], at[2]);
+        }
     }
     void join(const Joint& joint) {
         const bool slides = joint.type == Joint::Type::slider;
@@ -95,6 +99,8 @@ private:
         } else {
             dJointSetHingeAnchor(id, joint.at[0], joint.at[1], joint.at[2]);
             dJointSetHingeAxis(id, 0, 0, 1);
+            if (joint.couple != 0)
+                motors_.emplace_back(id, joint.couple);
         }
     }
 
@@ -105,6 +111,7 @@ private:
     dSpaceID space_ = dHashSpaceCreate(nullptr);
     dJointGroupID contacts_ = dJointGroupCreate(0);
     std::vector<dBodyID> bodies_;
+    std::vector<std::pair<dJointID, double>> motors_;
 };
 
 Build with(bool fast) {

@@ -1,15 +1,14 @@
 #include "scene_text.h"
 
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 
 namespace bench::contacts {
 namespace {
 
 std::string number(double value) {
     char text[40];
-    std::snprintf(text, sizeof text, "%.17g", value);
-    return text;
+    return {text, std::to_chars(text, text + sizeof text, value).ptr}; // the shortest that is exact
 }
 
 std::string list(const Place& place) {
@@ -18,10 +17,19 @@ std::string list(const Place& place) {
 
 bool any(const Place& place) { return place[0] != 0 || place[1] != 0 || place[2] != 0; }
 
+std::string partsOf(const Body& body) {
+    if (body.shape == Body::Shape::box)
+        return "-sub {-box " + list(body.size) + "}";
+    std::string parts;
+    for (const Place& at : body.balls())
+        parts += std::string(parts.empty() ? "" : " ") + "-sub {" +
+                 (any(at) ? "-pos " + list(at) + " " : "") + "-sphere " + number(body.size[0]) +
+                 "}";
+    return parts;
+}
+
 std::string bodyText(const Case& scene, const Body& body) {
-    const std::string form = body.shape == Body::Shape::ball ? "-sphere " + number(body.size[0])
-                                                             : "-box " + list(body.size);
-    std::string text = "shape_set " + body.name + "_shape -desc {-sub {" + form + "}}\n";
+    std::string text = "shape_set " + body.name + "_shape -desc {" + partsOf(body) + "}\n";
     text += "body " + body.name + " " + body.name + "_shape -mass " + number(body.mass);
     text += " -init_pos " + list(body.at);
     if (body.angle != 0)
@@ -55,6 +63,8 @@ std::string jointText(const Case& scene, const Joint& joint, std::size_t index) 
     text += " -body1 " + body.name + " -offset1 " + list(inBody(body, joint.at));
     if (joint.body2 >= 0)
         text += " -body2 " + scene.bodies[static_cast<std::size_t>(joint.body2)].name;
+    if (joint.couple != 0)
+        text += " -motor " + number(joint.couple);
     return text + "\n";
 }
 

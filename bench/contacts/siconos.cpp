@@ -90,10 +90,10 @@ private:
         added->setAllowSelfCollide(false);
         added->setFExtPtr(vector({0, -body.mass * scene_.gravity, 0}));
         const auto contactors = std::make_shared<SiconosContactorSet>();
-        if (body.shape == Body::Shape::ball)
+        for (const Place& at : body.balls())
             contactors->append(std::make_shared<SiconosContactor>(
-                still(std::make_shared<SiconosSphere>(body.size[0]))));
-        else
+                still(std::make_shared<SiconosSphere>(body.size[0])), poseOf(at, 0)));
+        if (body.shape == Body::Shape::box)
             contactors->append(std::make_shared<SiconosContactor>(
                 still(std::make_shared<SiconosBox>(body.size[0], body.size[1], body.size[2]))));
         if (scene_.collide)
@@ -122,6 +122,11 @@ private:
         const auto interaction = std::make_shared<Interaction>(
             std::make_shared<EqualityConditionNSL>(relation->numberOfConstraints()), relation);
         system_->link(interaction, one, other);
+        if (joint.couple == 0)
+            return;
+        one->setMExtPtr(vector({0, 0, joint.couple}));
+        if (other)
+            other->setMExtPtr(vector({0, 0, -joint.couple}));
     }
     void findContacts() {
         SiconosBulletOptions options;

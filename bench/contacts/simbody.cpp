@@ -81,12 +81,13 @@ private:
         const Place inertia = body.inertia();
         SimTK::Body::Rigid rigid(SimTK::MassProperties(
             body.mass, Vec3(0), SimTK::Inertia(inertia[0], inertia[1], inertia[2])));
-        if (scene_.collide && body.shape == Body::Shape::ball)
-            rigid.addContactSurface(
-                SimTK::Transform(),
-                SimTK::ContactSurface(SimTK::ContactGeometry::Sphere(body.size[0]), surface_));
+        if (scene_.collide)
+            for (const Place& at : body.balls())
+                rigid.addContactSurface(
+                    SimTK::Transform(vector(at)),
+                    SimTK::ContactSurface(SimTK::ContactGeometry::Sphere(body.size[0]), surface_));
         // A chassis touches nothing; only a free box can.
-        else if (scene_.collide && scene_.joints.empty())
+        if (scene_.collide && body.shape == Body::Shape::box && scene_.joints.empty())
             rigid.addContactSurface(
                 SimTK::Transform(),
                 SimTK::ContactSurface(SimTK::ContactGeometry::Brick(vector(body.size) / 2),
@@ -110,6 +111,9 @@ private:
             bodies_.push_back(MobilizedBody::Slider(parent, there, rigid, here));
         else
             bodies_.push_back(MobilizedBody::Pin(parent, there, rigid, here));
+        if (joint.couple != 0)
+            const SimTK::Force::MobilityConstantForce motor(forces_, bodies_.back(), 0,
+                                                            joint.couple);
     }
     void start() {
         system_.realizeTopology();
