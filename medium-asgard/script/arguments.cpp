@@ -230,7 +230,7 @@ std::string countWord(std::size_t count) {
 } // namespace
 
 std::optional<double> Arguments::numberIn(std::string_view option, const Value& value, Sign sign,
-                                          std::string_view wants) {
+                                          std::string_view wants, std::string otherwise) {
     const auto number = decimalNumber(value.text);
     if (isBeyondRange(value.text))
         wrong(option, value.range, wants,
@@ -239,7 +239,7 @@ std::optional<double> Arguments::numberIn(std::string_view option, const Value& 
         wrong(option, value.range, wants, notANumber(value.text),
               value.text.find(',') != std::string::npos
                   ? "blanks stand between numbers, no commas: {1 0 0}"
-                  : "");
+                  : std::move(otherwise));
     else if (!fits(*number, sign))
         wrong(option, value.range, wants, "not " + value.text);
     else
@@ -289,9 +289,10 @@ std::optional<geometry::Vector> Arguments::vectorIn(std::string_view option, con
     return geometry::Vector((*numbers)[0], (*numbers)[1], (*numbers)[2]);
 }
 
-std::optional<double> Arguments::number(std::string_view option, Sign sign) {
+std::optional<double> Arguments::number(std::string_view option, Sign sign, std::string otherwise) {
     const Value* value = wanted(option, wantsFor(sign));
-    return value ? numberIn(option, *value, sign, wantsFor(sign)) : std::nullopt;
+    return value ? numberIn(option, *value, sign, wantsFor(sign), std::move(otherwise))
+                 : std::nullopt;
 }
 
 std::optional<int> Arguments::integer(std::string_view option) {

@@ -68,7 +68,9 @@ public:
 
     // The value of an option that is there; reports one that has none.
     const Value* wanted(std::string_view option, std::string_view wants);
-    std::optional<double> number(std::string_view option, Sign sign = Sign::any);
+    // `otherwise`: suggested for a text that is no number.
+    std::optional<double> number(std::string_view option, Sign sign = Sign::any,
+                                 std::string otherwise = "");
     std::optional<int> integer(std::string_view option);
     std::optional<bool> flag(std::string_view option);
     std::optional<geometry::Vector> vector(std::string_view option);
@@ -89,7 +91,7 @@ public:
 
     // The same for values inside lists.
     std::optional<double> numberIn(std::string_view option, const Value& value, Sign sign,
-                                   std::string_view wants);
+                                   std::string_view wants, std::string otherwise = "");
     std::optional<std::vector<double>> numbersIn(std::string_view option, const Value& value,
                                                  std::string_view wants);
     std::optional<geometry::Vector> vectorIn(std::string_view option, const Value& value,

@@ -72,6 +72,17 @@ Range placeOf(const scene::Source& source, std::string_view option) {
     return source.command;
 }
 
+// How strong a spring, a damper or a brake is. One that changes is a motor: -strength * opposes.
+double strengthOf(Arguments& arguments, const std::string& option, const std::string& suffix,
+                  const std::string& opposes) {
+    const Value* value = arguments.find(option + suffix);
+    std::string motor;
+    if (value && !value->text.empty())
+        motor = "one that changes is a motor: -motor" + suffix + " {-(" + value->text + ")*" +
+                opposes + "}";
+    return arguments.number(option + suffix, Sign::notNegative, std::move(motor)).value_or(0);
+}
+
 } // namespace
 
 std::optional<scene::Expression>
@@ -220,10 +231,11 @@ JointCoordinate SceneMaker::jointCoordinate(Arguments& arguments, const Joint& j
     });
     jointLimits(arguments, suffix, traits.startsAtZero, made);
     jointDrive(arguments, suffix, made);
-    made.stiffness = arguments.number("-stiffness" + suffix, Sign::notNegative).value_or(0);
+    const std::string q = joint.name + ".q" + suffix, dq = joint.name + ".dq" + suffix;
+    made.stiffness = strengthOf(arguments, "-stiffness", suffix, q);
     made.rest = arguments.number("-rest" + suffix).value_or(0);
-    made.damping = arguments.number("-damping" + suffix, Sign::notNegative).value_or(0);
-    made.friction = arguments.number("-friction" + suffix, Sign::notNegative).value_or(0);
+    made.damping = strengthOf(arguments, "-damping", suffix, dq);
+    made.friction = strengthOf(arguments, "-friction", suffix, "sign(" + dq + ")");
     if (arguments.attempted("-rest" + suffix) && !arguments.attempted("-stiffness" + suffix))
         faults_.error(arguments.optionRange("-rest" + suffix),
                       "-rest" + suffix + " is where the spring of -stiffness" + suffix +
