@@ -29,7 +29,7 @@ int checkCommand(script::Reader& reader, const CheckArguments& arguments) {
         return failure;
     for (const scene::Diagnostic& doubt : simulation::doubtsAbout(scene.reading.scene))
         terminal::say(placed(scene, doubt));
-    for (const std::string& sentence : simulation::overlapSentences(scene.reading.scene)) {
+    for (const std::string& sentence : simulation::startSentences(scene.reading.scene)) {
         scene::Diagnostic said = simulation::faultOf(scene.reading.scene, sentence);
         said.severity = scene::Severity::warning;
         terminal::say(placed(scene, said));

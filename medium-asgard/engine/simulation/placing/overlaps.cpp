@@ -67,18 +67,24 @@ std::vector<Pose> Overlaps::startPoses() const {
     return poses;
 }
 
+std::pair<collision::Posed, collision::Posed>
+Overlaps::posed(const Parts& parts, const std::vector<Pose>& poses) const {
+    const auto [a, i, b, j] = parts;
+    const Vector origin = poses[b].position;
+    const auto of = [&](const Part& part, std::size_t body) {
+        const Pose frame = frameOf(equations_.bodies[body], poses[body]);
+        return collision::Posed{&part, frame.attitude.toRotationMatrix(), frame.position - origin};
+    };
+    return {of(shapes_[a].parts[i], a), of(shapes_[b].parts[j], b)};
+}
+
 void Overlaps::look(const Parts& parts, const std::vector<Pose>& poses, Depth depth,
                     std::vector<PartGap>& found) {
     const auto [a, i, b, j] = parts;
     const Part &first = shapes_[a].parts[i], &second = shapes_[b].parts[j];
     if (first.isPlane() && second.isPlane())
         return;
-    const Vector origin = poses[b].position;
-    const auto posed = [&](const Part& part, std::size_t body) {
-        const Pose frame = frameOf(equations_.bodies[body], poses[body]);
-        return collision::Posed{&part, frame.attitude.toRotationMatrix(), frame.position - origin};
-    };
-    const collision::Posed one = posed(first, a), other = posed(second, b);
+    const auto [one, other] = posed(parts, poses);
     collision::WarmStart warm;
     const collision::Separation apart = collision::separate(one, other, warm);
     const double size = std::min(sizeOf(first), sizeOf(second));
@@ -95,7 +101,7 @@ void Overlaps::look(const Parts& parts, const std::vector<Pose>& poses, Depth de
         places = collision::contactPoints(one, other, std::abs(apart.gap)).points;
     const std::size_t step = 1 + places.size() / mostPlaces;
     for (std::size_t k = 0; k < places.size(); k += step)
-        found.push_back({a, b, apart.gap, apart.normal, origin + places[k]});
+        found.push_back({a, b, apart.gap, apart.normal, poses[b].position + places[k]});
 }
 
 std::vector<PartGap> Overlaps::at(const std::vector<Pose>& poses, Depth depth) {
@@ -116,6 +122,45 @@ std::vector<PartGap> Overlaps::at(const std::vector<Pose>& poses, Depth depth) {
                     for (std::size_t j = 0; j < shapes_[b].parts.size(); ++j)
                         if (const Parts parts{a, i, b, j}; !before.contains(parts))
                             look(parts, poses, depth, found);
+        tree.put(b, box);
+    }
+    return found;
+}
+
+std::vector<PartGap> Overlaps::narrowGaps(const std::vector<Pose>& poses,
+                                          const Asked& isAsked) const {
+    std::vector<PartGap> found;
+    const auto look = [&](std::size_t a, std::size_t b) {
+        for (std::size_t i = 0; i < shapes_[a].parts.size(); ++i)
+            for (std::size_t j = 0; j < shapes_[b].parts.size(); ++j) {
+                const Part &first = shapes_[a].parts[i], &second = shapes_[b].parts[j];
+                if (first.isPlane() && second.isPlane())
+                    continue;
+                const auto [one, other] = posed({a, i, b, j}, poses);
+                collision::WarmStart warm;
+                const collision::Separation apart = collision::separate(one, other, warm);
+                const double size = std::min(sizeOf(first), sizeOf(second));
+                if (apart.gap <= touches * size || apart.gap > little * size)
+                    continue;
+                const auto places = collision::contactPoints(one, other, apart.gap).points;
+                const Vector at = apart.touch      ? *apart.touch
+                                  : places.empty() ? Vector(Vector::Zero())
+                                                   : places.front();
+                found.push_back({a, b, apart.gap, apart.normal, poses[b].position + at});
+            }
+    };
+    collision::BoxTree tree(poses.size());
+    std::vector<std::size_t> near;
+    for (std::size_t b = 0; b < poses.size(); ++b) {
+        geometry::Box box = boxOf(shapes_[b], frameOf(equations_.bodies[b], poses[b]));
+        const Vector margin = Vector::Constant(little * box.diagonal().norm());
+        box = geometry::Box(box.min() - margin, box.max() + margin);
+        near.clear();
+        tree.overlapping(box, near);
+        std::ranges::sort(near);
+        for (const std::size_t a : near)
+            if (mayMeet_(a, b) && isAsked(a, b))
+                look(a, b);
         tree.put(b, box);
     }
     return found;

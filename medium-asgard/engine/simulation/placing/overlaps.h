@@ -9,12 +9,15 @@
 #pragma once
 
 #include "collision/broad_phase.h"
+#include "collision/separation.h"
 #include "meetings/may_meet.h"
 #include "physics/assembly.h"
 #include "physics/equations_of_motion.h"
 
+#include <functional>
 #include <set>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace simulation {
@@ -31,11 +34,19 @@ public:
     // several places.
     [[nodiscard]] std::vector<physics::PartGap> at(const std::vector<geometry::Pose>& poses,
                                                    Depth depth);
+    // Of bodies that are asked for and do not touch: where they are apart by at most 1e-3 of the
+    // smaller part, at one place of each pair of parts.
+    using Asked = std::function<bool(std::size_t first, std::size_t second)>;
+    [[nodiscard]] std::vector<physics::PartGap> narrowGaps(const std::vector<geometry::Pose>& poses,
+                                                           const Asked& isAsked) const;
     // Their poses at the start, those of bodies that trajectories hold included.
     [[nodiscard]] std::vector<geometry::Pose> startPoses() const;
 
 private:
     using Parts = std::tuple<std::size_t, std::size_t, std::size_t, std::size_t>;
+    // Both parts as they stand, about the second body's centre of mass.
+    [[nodiscard]] std::pair<collision::Posed, collision::Posed>
+    posed(const Parts& parts, const std::vector<geometry::Pose>& poses) const;
     void look(const Parts& parts, const std::vector<geometry::Pose>& poses, Depth depth,
               std::vector<physics::PartGap>& found);
 

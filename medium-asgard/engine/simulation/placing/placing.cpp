@@ -2,6 +2,7 @@
 
 #include "placing/overlaps.h"
 #include "scene/connections.h"
+#include "scene/contact_pairs.h"
 #include "scene/shape_of.h"
 
 #include <algorithm>
@@ -200,7 +201,7 @@ std::string overlapSentence(const scene::Scene& scene, const collision::Pair& bo
            (stands(first) && stands(second) ? "." : "; " + physics::partAdvice() + ".");
 }
 
-std::vector<std::string> overlapSentences(const scene::Scene& scene) {
+std::vector<std::string> startSentences(const scene::Scene& scene) {
     std::vector<std::string> sentences;
     const auto shapes = scene.simulator.collisions ? shapesOf(scene) : std::nullopt;
     const physics::EquationsOfMotion equations(scene, {}, nullptr,
@@ -216,6 +217,53 @@ std::vector<std::string> overlapSentences(const scene::Scene& scene) {
             moved.pose.position - scene.bodies[moved.body].initialPosition;
     for (const auto& [bodies, depth] : depthsOf(overlaps.at(poses, Overlaps::Depth::any)))
         sentences.push_back(overlapSentence(scene, bodies, depth, Begin::throughEachOther));
+    std::ranges::copy(hopSentences(scene, equations, *shapes), std::back_inserter(sentences));
+    return sentences;
+}
+
+std::vector<std::string> hopSentences(const scene::Scene& scene,
+                                      const physics::EquationsOfMotion& equations,
+                                      const std::vector<geometry::Shape>& shapes) {
+    const scene::ContactPairs laws(scene);
+    const std::vector<char> isLoose = looseOf(scene, equations);
+    std::vector<Vector> pulls(scene.bodies.size(), Vector::Zero());
+    for (const scene::Force& force : scene.forces)
+        if (const auto* weight = std::get_if<scene::GravitationalForce>(&force.kind))
+            for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+                if (scene.bodies[b].name == force.body && isLoose[b])
+                    pulls[b] += weight->acceleration;
+    const auto isPulled = [&](std::size_t body) { return !pulls[body].isZero(0); };
+    const Overlaps overlaps(scene, equations, shapes);
+    const Poses poses = overlaps.startPoses();
+    const auto speedOf = [&](std::size_t body, const Vector& at) -> Vector {
+        const scene::Body& said = scene.bodies[body];
+        if (said.fixed)
+            return Vector::Zero();
+        return said.initialVelocity + said.initialAngularVelocity.cross(at - poses[body].position);
+    };
+    std::map<collision::Pair, double> hops;
+    for (const physics::PartGap& of :
+         overlaps.narrowGaps(poses, [&](std::size_t first, std::size_t second) {
+             return (isPulled(first) || isPulled(second)) && laws.restitutionOf(first, second) == 1;
+         })) {
+        constexpr double still = 1e-9; // of their speeds
+        const Vector one = speedOf(of.first, of.at), other = speedOf(of.second, of.at);
+        const bool isDrawn = of.normal.dot(pulls[of.first] - pulls[of.second]) < 0;
+        if (isDrawn && std::abs(of.normal.dot(one - other)) <= still * (one.norm() + other.norm()))
+            hops[isPulled(of.first) ? collision::Pair(of.first, of.second)
+                                    : collision::Pair(of.second, of.first)] = of.gap;
+    }
+    std::vector<std::string> sentences;
+    for (const auto& [bodies, gap] : hops) {
+        char by[40];
+        std::snprintf(by, sizeof by, "%.3g", gap);
+        const std::string& name = scene.bodies[bodies.first].name;
+        sentences.push_back("Bodies \"" + name + "\" and \"" + scene.bodies[bodies.second].name +
+                            "\" are " + by +
+                            " apart at the start, and bounce without loss: they hop for ever; "
+                            "with -restitution 0 body \"" +
+                            name + "\" rests.");
+    }
     return sentences;
 }
 

@@ -25,8 +25,14 @@ namespace simulation {
 enum class Begin { movedApart, throughEachOther };
 [[nodiscard]] std::string overlapSentence(const scene::Scene& scene, const collision::Pair& bodies,
                                           double depth, Begin begin);
-// Those of a scene, one for each pair of bodies, by its deepest parts.
-[[nodiscard]] std::vector<std::string> overlapSentences(const scene::Scene& scene);
+// Those of a scene, one for each pair of bodies, by its deepest parts; and that bodies hop.
+[[nodiscard]] std::vector<std::string> startSentences(const scene::Scene& scene);
+
+// Of each free body that its weight pulls onto another one, from rest at a narrow gap, and that
+// bounces there without loss. It hops for ever, unseen, and every hop is computed.
+[[nodiscard]] std::vector<std::string> hopSentences(const scene::Scene& scene,
+                                                    const physics::EquationsOfMotion& equations,
+                                                    const std::vector<geometry::Shape>& shapes);
 
 // Bodies that overlap others by little (overlaps.h), where they touch them. They are moved by the
 // least way and not turned, again where that makes a new overlap, each heap by itself, so that what

@@ -116,10 +116,36 @@ TEST(Placing, ABallTouchesASlopeAtTheOrigin) {
         b.scene.bodies.back().fixed = true;
         b.scene.bodies.back().initialAttitude = geometry::fromRotationVector({0, 0, tilt});
         b.ball("ball", {-0.0999 * std::sin(tilt), 0.0999 * std::cos(tilt), 0});
-        const auto told = overlapSentences(b.scene);
+        const auto told = startSentences(b.scene);
         ASSERT_EQ(told.size(), 1u) << tilt;
         EXPECT_THAT(told[0], ::testing::HasSubstr("begin moved apart")) << tilt;
     }
+}
+
+// Rounded upwards, and the restitution forgotten.
+TEST(Placing, ABodyThatWouldHopForEverIsTold) {
+    SceneBuilder b(1);
+    b.floor();
+    b.box("box", {0, 0.50001, 0}, {1, 1, 1}).initialVelocity = {1, 0, 0};
+    EXPECT_TRUE(startSentences(b.scene).empty()) << "nothing pulls it";
+    b.weight("box");
+    const auto told = startSentences(b.scene);
+    ASSERT_EQ(told.size(), 1u);
+    EXPECT_THAT(told[0], ::testing::HasSubstr("\"box\" and \"floor\" are 1e-05 apart"));
+    b.scene.bodies.back().initialVelocity = {0, 1, 0};
+    EXPECT_TRUE(startSentences(b.scene).empty()) << "it is thrown up";
+    b.scene.bodies.back().initialVelocity = {0, 0, 0};
+    b.scene.bodies.back().restitution = 0.9;
+    EXPECT_TRUE(startSentences(b.scene).empty()) << "it comes to rest";
+}
+
+TEST(Placing, ABallBesideAnotherOneDoesNotHop) {
+    SceneBuilder b(0.1);
+    b.ball("left", {0, 0, 0});
+    b.ball("right", {0.20001, 0, 0});
+    b.weight("left");
+    b.weight("right");
+    EXPECT_TRUE(startSentences(b.scene).empty());
 }
 
 TEST(Placing, BodiesThatTrajectoriesHoldStay) {
@@ -137,7 +163,7 @@ TEST(Placing, ALargeHeapTakesNoTime) {
     for (int i = 0; i < 20; ++i)
         for (int k = 0; k < 20; ++k)
             b.ball("ball" + std::to_string(20 * i + k), {0.19999 * i, 0.09999 + 0.19999 * k, 0});
-    const auto told = overlapSentences(b.scene);
+    const auto told = startSentences(b.scene);
     EXPECT_FALSE(told.empty());
 }
 
@@ -164,7 +190,7 @@ TEST(Placing, OverlapsAreToldWithoutAMotion) {
     b.box("low", {0, 0.4, 0}, {1, 1, 1});
     b.box("near", {3, 0.4999, 0}, {1, 1, 1});
     b.box("rounded", {6, 0.4999999, 0}, {1, 1, 1});
-    const auto told = overlapSentences(b.scene);
+    const auto told = startSentences(b.scene);
     ASSERT_EQ(told.size(), 2u);
     EXPECT_THAT(told[1], ::testing::StartsWith(
                              "Bodies \"low\" and \"floor\" overlap by 0.1 at the start, and pass"));

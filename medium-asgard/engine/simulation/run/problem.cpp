@@ -113,6 +113,9 @@ posed(const scene::Scene& original, const Options& options,
             return equations.faults;
         std::ranges::copy(begun.notes, std::back_inserter(equations.notes));
     }
+    if (scene.simulator.collisions)
+        std::ranges::copy(hopSentences(scene, equations, shapes),
+                          std::back_inserter(equations.notes));
     auto bodies = std::make_shared<const std::vector<BodyRecord>>(recordsOf(equations));
     auto problem = std::make_shared<Problem>(Problem{.scene = std::move(scene),
                                                      .equations = std::move(equations),
