@@ -44,6 +44,9 @@ public:
     void dense(std::span<Coefficients> columns) override;
     [[nodiscard]] bool proceed(std::span<const double> y) override;
     [[nodiscard]] double stabilityUsed() const override { return stabilityUsed_; }
+    [[nodiscard]] double stabilityLimit() const override {
+        return tableau_.stabilityLimit > 0 ? tableau_.stabilityLimit : Method::stabilityLimit();
+    }
 
 private:
     friend class AlikeSteps; // which makes its steps beside those of others

@@ -20,6 +20,7 @@
 #include "integrators/system.h"
 
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -77,6 +78,10 @@ public:
     // Of the last accepted step: h |lambda| over the largest that the method takes stably; 0 for
     // methods without such a limit. Explicit methods estimate |lambda| from their last stages.
     [[nodiscard]] virtual double stabilityUsed() const { return 0; }
+    // The largest h |lambda| that the method takes stably, on the negative real axis.
+    [[nodiscard]] virtual double stabilityLimit() const {
+        return std::numeric_limits<double>::infinity();
+    }
     [[nodiscard]] const MethodCounts& counts() const { return counts_; }
 
 protected:

@@ -41,11 +41,10 @@ void MethodChoice::change(bool implicit) {
     trial_ = implicit;
     tried_ = true;
     steps_ = 0;
-    bySpectrum_ = 0;
     stability_ = before_ = progress_ = cost_ = 0;
 }
 
-bool MethodChoice::changesAfter(const Method& method, double h, double crossing) {
+bool MethodChoice::changesAfter(const Method& method, double h, double crossing, double known) {
     ++steps_;
     const double cost = costOf(method);
     const double forget = trial_ ? 1 : memory;
@@ -55,12 +54,12 @@ bool MethodChoice::changesAfter(const Method& method, double h, double crossing)
     if (trial_ && steps_ == warmUp)
         progress_ = cost_ = 0;
     if (!implicit_) {
-        stability_ = memory * stability_ + (1 - memory) * method.stabilityUsed();
-        isShort_ = isLikely(h, crossing);
-        const std::size_t enough = isShort_ || tried_ ? evidence_ : std::max(evidence_, unlikely);
-        const double stability = std::max<double>(stability_, bySpectrum_);
-        const bool stiff = stability > bound && steps_ >= enough;
-        const bool perhaps = stability > suspicious && steps_ >= 4 * enough;
+        const double used = std::max(method.stabilityUsed(), h * known / method.stabilityLimit());
+        stability_ = memory * stability_ + (1 - memory) * used;
+        const bool isShort = isLikely(h, crossing);
+        const std::size_t enough = isShort || tried_ ? evidence_ : std::max(evidence_, unlikely);
+        const bool stiff = stability_ > bound && steps_ >= enough;
+        const bool perhaps = stability_ > suspicious && steps_ >= 4 * enough;
         if (!stiff && !perhaps)
             return false;
         explicitRate_ = progress_ / cost_;
@@ -76,26 +75,13 @@ bool MethodChoice::changesAfter(const Method& method, double h, double crossing)
     return true;
 }
 
-bool MethodChoice::wantsSpectralRadius(bool mayGoBeyond) const {
-    return (implicit_ ? !trial_ : isShort_ && mayGoBeyond) && steps_ > 0 &&
-           steps_ % spectralInterval == 0;
-}
-
-bool MethodChoice::isStiffAtFirst(double spectralRadius, double h) {
-    if (h * spectralRadius <= bound * explicitLimit)
-        return false;
-    explicitRate_ = 0;
-    change(true);
-    return true;
+bool MethodChoice::wantsSpectralRadius() const {
+    return implicit_ && !trial_ && steps_ > 0 && steps_ % spectralInterval == 0;
 }
 
 bool MethodChoice::changesFor(double spectralRadius, double h) {
     constexpr double worthwhile = 6;
     const double used = h * spectralRadius / explicitLimit;
-    if (!implicit_) {
-        bySpectrum_ = static_cast<float>(used);
-        return false;
-    }
     stability_ = stability_ == 0 ? used : 0.5 * (stability_ + used);
     if (steps_ < 2 * spectralInterval || stability_ >= worthwhile)
         return false;

@@ -29,24 +29,21 @@ public:
     [[nodiscard]] bool operator==(const MethodChoice&) const = default;
 
     // After each accepted step of length h, of a motion that crosses its extent in `crossing` at
-    // its fastest; true: go on with the other method.
-    [[nodiscard]] bool changesAfter(const Method& method, double h, double crossing);
+    // its fastest, and of which some |lambda| is known where it began; true: go on with the other
+    // method.
+    [[nodiscard]] bool changesAfter(const Method& method, double h, double crossing,
+                                    double known = 0);
     // A new method begins to count its work.
     void begin() { before_ = 0; }
-    // Now and then |lambda| must be told: to an implicit method, and to an explicit one with short
-    // steps whose stages may go beyond the stiffness. They do so where a contact slips slowly: its
-    // friction turns about there, and is no larger.
-    [[nodiscard]] bool wantsSpectralRadius(bool mayGoBeyond) const;
+    // Now and then |lambda| must be told to an implicit method.
+    [[nodiscard]] bool wantsSpectralRadius() const;
     [[nodiscard]] bool changesFor(double spectralRadius, double h);
-    // Of an explicit method whose first step has the length h: it begins with the other one.
-    [[nodiscard]] bool isStiffAtFirst(double spectralRadius, double h);
 
 private:
     void change(bool implicit);
     [[nodiscard]] double costOf(const Method& method) const;
 
-    bool implicit_ = false, trial_ = false, tried_ = false, isShort_ = false;
-    float bySpectrum_ = 0; // stability that explicit steps use by |lambda|, where it was told
+    bool implicit_ = false, trial_ = false, tried_ = false;
     std::size_t evidence_ = 20, steps_ = 0; // steps since the last change
     double stability_ = 0;                  // mean of what explicit steps used, or of h / limit
     double before_ = 0;                     // cost at the last step

@@ -80,10 +80,7 @@ std::optional<Ending> Integration::beginMethod() {
             ? *options.firstStep
             : method_->firstStep(std::min(context_.limit() - context_.time(), longestFirst()));
     proposed = proposed > 0 && !options.fixedStep ? std::min(proposed, first) : first;
-    if (mayChange_ && !method_->implicit() && equations.slipsSlowly() &&
-        context_.memory.now.choice.isStiffAtFirst(equations.fastestTurn(context_.time(), y),
-                                                  proposed))
-        return changeMethod();
+    findTurn();
     strides_ = mayStride();
     return std::nullopt;
 }
@@ -109,7 +106,15 @@ StepModel::Afterwards Integration::goOn(std::span<const double> y) {
     }
     if (auto ending = reconsider())
         return *ending;
+    findTurn();
     return {};
+}
+
+void Integration::findTurn() {
+    ComponentEquations& equations = context_.equations();
+    turn_ = 0;
+    if (!method_->implicit() && !context_.options.fixedStep && equations.slipsSlowly())
+        turn_ = equations.fastestTurn(context_.time(), context_.states());
 }
 
 std::optional<Ending> Integration::reconsider() {
@@ -117,9 +122,8 @@ std::optional<Ending> Integration::reconsider() {
         return std::nullopt;
     MethodChoice& choice = context_.memory.now.choice;
     const bool wasTrial = choice.isTrial();
-    if (choice.changesAfter(*method_, lastLength_, context_.control().crossing()) ||
-        (choice.wantsSpectralRadius(context_.equations().slips()) &&
-         choice.changesFor(spectralRadius(), lastLength_)))
+    if (choice.changesAfter(*method_, lastLength_, context_.control().crossing(), turn_) ||
+        (choice.wantsSpectralRadius() && choice.changesFor(spectralRadius(), lastLength_)))
         return changeMethod();
     if (wasTrial && !choice.isTrial()) // it was won
         context_.memory.keep(context_.time());
@@ -164,8 +168,13 @@ double Integration::spectralRadius() {
 // ---------------------------------------------------------------------------------------------
 // Steps
 
+// The stages of an explicit step beyond what is stable do not see how friction turns a slow slip
+// about: it is no larger there, and no error shows.
 double Integration::longest() const {
-    return context_.oversight.longest(context_.time(), context_.equations(), method_->implicit());
+    constexpr double stable = 0.9;
+    const double watched =
+        context_.oversight.longest(context_.time(), context_.equations(), method_->implicit());
+    return turn_ > 0 ? std::min(watched, stable * method_->stabilityLimit() / turn_) : watched;
 }
 
 Proposal Integration::propose() {

@@ -54,6 +54,7 @@ private:
     [[nodiscard]] std::unique_ptr<Method> chosenMethod() const;
     [[nodiscard]] std::optional<Ending> beginMethod();
     [[nodiscard]] double longestFirst() const;
+    void findTurn();
     [[nodiscard]] double longest() const;
     [[nodiscard]] bool mayStride() const;
     [[nodiscard]] Proposal review(double to);
@@ -73,6 +74,7 @@ private:
     bool mayChange_ = false;         // the method, by cost
     bool strides_ = false;           // as long as it has this method
     double lastLength_ = 0;          // of the step proposed last
+    double turn_ = 0;                // how fast friction turns slow slips about where it begins
     std::optional<Violation> found_; // the switch that ends the step proposed last
     std::vector<Coefficients> columns_;
     std::vector<double> y_;
