@@ -321,7 +321,7 @@ CASES = [
     ("a can that is hit from under another one", can_hit_from_under_another(), {"evaluations": 5500, "pair_tests": 500}),
     # Redundant forces that just held: each step found that they did not.
     ("a disc that leans on a loose box", dropped("box -mass 1 -init_pos {0 0.05 0} -init_rot {0 0.432 0}", "disc -mass 0.7 -init_pos "
-     "{0.095 0.460 -0.055} -init_rot {-0.308 -1.394 1.380} -init_dpos {-0.03 0 0.00}", 0.6, 0), {"steps": 2200}),
+     "{0.095 0.460 -0.055} -init_rot {-0.308 -1.394 1.380} -init_dpos {-0.03 0 0.00}", 0.6, 0), {"steps": 3200}),
     # Velocities of 1e-34 hit each other without end.
     ("a wall that stands", pile(5, 0.1), {"steps": 200, "collisions": 20}),
 ]

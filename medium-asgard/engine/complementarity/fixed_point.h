@@ -1,7 +1,7 @@
 // The x with x = f(x), of which f(x) is known for one x after the other.
 //
 // The next x is the one at which f(x) - x would be least if it were linear between the last ones
-// (Anderson, Journal of the ACM 12, 1965).
+// (Anderson, Journal of the ACM 12, 1965). Weights say how much each of its numbers counts there.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,7 +19,7 @@ public:
 
     [[nodiscard]] const Vector& at() const { return at_; }
     // From f(at()).
-    void moveFrom(const Vector& value) {
+    void moveFrom(const Vector& value, const Vector& weights) {
         constexpr double longest = 10; // times the step to f(x)
         const Vector step = value - at_;
         if (lastStep_.size() > 0) {
@@ -33,7 +33,8 @@ public:
         at_ = value;
         if (steps_.cols() == 0)
             return;
-        const Vector parts = Eigen::ColPivHouseholderQR<Columns>(steps_).solve(step);
+        const Vector parts = Eigen::ColPivHouseholderQR<Columns>(weights.asDiagonal() * steps_)
+                                 .solve(weights.cwiseProduct(step));
         const Vector less = (moves_ + steps_) * parts;
         if (less.norm() < longest * step.norm())
             at_ -= less;

@@ -312,13 +312,17 @@ public:
 
     // Of the laws with levers, one after the other, at these forces.
     [[nodiscard]] Vector centresOf(const Vector& forces) const {
-        std::vector<double> centres;
-        for (const Law& law : laws_)
-            if (law.levers.size() > 0) {
-                const Vector centre = centreOf(law, forces);
-                centres.insert(centres.end(), centre.begin(), centre.end());
-            }
-        return Eigen::Map<const Vector>(centres.data(), static_cast<Index>(centres.size()));
+        return eachLever([&](const Law& law) { return centreOf(law, forces); });
+    }
+    // How much each of these counts: as its normal forces do beside the largest. The centre of
+    // forces that are next to 0 may be anywhere.
+    [[nodiscard]] Vector weightsOf(const Vector& forces) const {
+        const Vector pressed = eachLever([&](const Law& law) {
+            const double sum = forces.segment(law.normal, law.normals).sum();
+            return Vector(Vector::Constant(law.rows - 1, std::abs(sum)));
+        });
+        const double most = pressed.size() > 0 ? pressed.maxCoeff() : 0;
+        return most > 0 ? Vector(pressed / most) : Vector(Vector::Ones(pressed.size()));
     }
 
     [[nodiscard]] std::optional<Answer> solve(const Vector& centres, const Answer& guess,
@@ -356,6 +360,15 @@ private:
                 visit(law, Vector(Vector::Zero(law.rows - 1)));
             first += count;
         }
+    }
+    template <class Numbers> [[nodiscard]] Vector eachLever(const Numbers& numbers) const {
+        std::vector<double> all;
+        for (const Law& law : laws_)
+            if (law.levers.size() > 0) {
+                const Vector of = numbers(law);
+                all.insert(all.end(), of.begin(), of.end());
+            }
+        return Eigen::Map<const Vector>(all.data(), static_cast<Index>(all.size()));
     }
     template <class Visit> void eachDisc(const Vector& centres, const Visit& visit) const {
         each(centres, Law::Kind::disc, visit);
@@ -465,13 +478,20 @@ public:
             if (least_ <= kept || (least_ <= close && !isOn))
                 return best_;
             if (!isOver_)
-                centres_.moveFrom(at.centresOf(last_.forces));
+                move(at);
         }
         isOver_ = isOver_ || rounds_ == mostRounds;
         return isOver_ && least_ <= close ? std::optional(best_) : std::nullopt;
     }
 
 private:
+    // What is hardly pressed keeps its centre.
+    void move(const AtCentres& at) {
+        constexpr double hardly = 1e-9; // beside what is pressed most
+        const Vector weights = at.weightsOf(last_.forces), now = at.centresOf(last_.forces);
+        centres_.moveFrom((weights.array() > hardly).select(now, centres_.at()), weights);
+    }
+
     static constexpr int mostRounds = 60;
     FixedPoint centres_;
     Answer last_, best_;
