@@ -49,23 +49,51 @@ Vector leastSolution(const Matrix& a, const Vector& right) {
     return Eigen::CompleteOrthogonalDecomposition<Matrix>(a).solve(right);
 }
 
-// Unknown: the forces of the laws inside and at edges, then for each edge s times its radius.
+// The force of a disc at the centre of its normal forces, with what that follows from.
+struct AtCentre {
+    AtCentre(const Law& disc, const Vector& forces)
+        : centre(centreOf(disc, forces)),
+          force(forcesAt(centre, forces.segment(disc.first, disc.rows))),
+          byRows(Matrix::Identity(disc.rows, disc.rows)),
+          moves(Matrix::Zero(disc.rows - 1, disc.normal < 0 ? 0 : disc.normals)),
+          byNormals(Matrix::Zero(disc.rows, moves.cols())) {
+        const Index last = disc.rows - 1;
+        byRows.row(last).head(last) = -centre.transpose();
+        if (disc.levers.size() == 0)
+            return;
+        const double pressed = forces.segment(disc.normal, disc.normals).sum();
+        if (pressed > 0)
+            moves = (disc.levers.colwise() - centre) / pressed;
+        byNormals.row(last) = -forces.segment(disc.first, last).transpose() * moves;
+    }
+
+    Vector centre, force;
+    Matrix byRows;    // changes of the force with the rows of the disc
+    Matrix moves;     // changes of the centre with each normal force
+    Matrix byNormals; // changes of the force with each normal force
+};
+
+// Unknown: the forces of the laws inside, at edges and of slips, then for each edge s times its
+// radius.
 class Equations {
 public:
     Equations(const Matrix& a, const Vector& b, const Laws& laws, const States& states,
               const Vector& near, Aim aim)
-        : aim_(aim), a_(a), b_(b), laws_(laws), states_(states), forces_(near) {
+        : aim_(aim), a_(a), b_(b), laws_(laws), states_(states), forces_(near),
+          placeOf_(static_cast<std::size_t>(b.size()), -1) {
         for (std::size_t k = 0; k < laws.size(); ++k)
             place(k);
+        for (std::size_t i = 0; i < rows_.size(); ++i)
+            placeOf_[static_cast<std::size_t>(rows_[i])] = static_cast<Index>(i);
         unknowns_ = static_cast<Index>(rows_.size() + edges_.size());
-        if (edges_.empty() && aim == Aim::shortest) // linear: wherever it begins
+        if (edges_.empty() && slips_.empty() && aim == Aim::shortest) // linear: from anywhere
             forces_(rows_).setZero();
         const Vector rates = a_ * forces_ + b_;
         for (const std::size_t k : edges_) {
-            const auto force = forces_.segment(laws[k].first, laws[k].rows);
-            const double length = std::max(force.norm(), 1e-300);
-            slips_.push_back(
-                std::max(0.0, -rates.segment(laws[k].first, laws[k].rows).dot(force) / length));
+            const AtCentre at(laws[k], forces_);
+            const Vector rate = ratesAt(at.centre, rates.segment(laws[k].first, laws[k].rows));
+            const double length = std::max(at.force.norm(), 1e-300);
+            speeds_.push_back(std::max(0.0, -rate.dot(at.force) / length));
         }
     }
 
@@ -101,13 +129,13 @@ private:
         const Law& law = laws_[k];
         if (states_[k] == State::inside || (states_[k] == State::edge && !isClosed(law))) {
             if (states_[k] == State::edge)
-                edges_.push_back(k);
+                (law.kind == Law::Kind::slip ? slips_ : edges_).push_back(k);
             for (Index i = 0; i < law.rows; ++i)
                 rows_.push_back(law.first + i);
-        } else if (law.kind == Law::Kind::disc) {
-            forces_.segment(law.first, law.rows).setZero();
-        } else {
+        } else if (law.kind == Law::Kind::interval) {
             forces_[law.first] = states_[k] == State::low ? law.low : law.high;
+        } else {
+            forces_.segment(law.first, law.rows).setZero();
         }
     }
 
@@ -131,51 +159,75 @@ private:
         wrong.head(forces) = rates(rows_);
         now.head(forces) = forces_(rows_);
         for (std::size_t e = 0; e < edges_.size(); ++e)
-            addEdge(e, forces + static_cast<Index>(e), change, wrong, now);
+            addEdge(e, forces + static_cast<Index>(e), rates, change, wrong, now);
+        for (const std::size_t k : slips_)
+            addSlip(laws_[k], change, wrong);
         const Vector to = aim_ == Aim::shortest
                               ? leastSolution(change, Vector(change * now - wrong))
                               : Vector(now - leastSolution(change, wrong));
         forces_(rows_) = to.head(forces);
         for (std::size_t e = 0; e < edges_.size(); ++e)
-            slips_[e] = to[forces + static_cast<Index>(e)];
+            speeds_[e] = to[forces + static_cast<Index>(e)];
         const double size = std::max(to.cwiseAbs().maxCoeff(), 1e-300);
         return (to - now).cwiseAbs().maxCoeff() / size;
     }
 
-    // In its rows w + slip f/r = 0, and in that of the slip (|f|^2/r - r)/2 = 0.
-    void addEdge(std::size_t e, Index last, Matrix& change, Vector& wrong, Vector& now) const {
+    // At the centre: in its rows w + slip f/r = 0, and in that of the slip (|f|^2/r - r)/2 = 0.
+    void addEdge(std::size_t e, Index last, const Vector& rates, Matrix& change, Vector& wrong,
+                 Vector& now) const {
         const Law& law = laws_[edges_[e]];
+        const AtCentre at(law, forces_);
         const double radius = std::max(radiusOf(law, forces_), 1e-300);
-        const double slip = slips_[e] / radius;
-        now[last] = slips_[e];
-        double square = 0;
-        for (Index i = 0; i < law.rows; ++i) {
-            const Index at = placeOf(law.first + i);
-            const double force = forces_[law.first + i];
-            wrong[at] += slip * force;
-            change(at, at) += slip;
-            change(at, last) = force / radius;
-            change(last, at) = force / radius;
-            square += force * force;
+        const double slip = speeds_[e] / radius;
+        const Index first = placeOf(law.first), turn = law.first + law.rows - 1;
+        const double square = at.force.squaredNorm();
+        now[last] = speeds_[e];
+        for (Index i = 0; i + 1 < law.rows && law.levers.size() > 0; ++i) {
+            wrong[first + i] += at.centre[i] * rates[turn];
+            change.row(first + i).head(static_cast<Index>(rows_.size())) +=
+                at.centre[i] * a_(turn, rows_);
         }
+        wrong.segment(first, law.rows) += slip * at.force;
+        change.block(first, first, law.rows, law.rows) += slip * at.byRows;
+        change.col(last).segment(first, law.rows) = at.force / radius;
+        change.row(last).segment(first, law.rows) = at.force.transpose() / radius * at.byRows;
         wrong[last] = (square / radius - radius) / 2;
         const double grows = law.coefficient; // the radius, with the normal force
-        for (Index n = 0; law.normal >= 0 && n < law.normals; ++n) {
-            const Index normal = placeOf(law.normal + n);
-            if (normal < 0)
-                continue;
-            change(last, normal) -= (square / (radius * radius) + 1) / 2 * grows;
-            for (Index i = 0; i < law.rows; ++i) {
-                const Index at = placeOf(law.first + i);
-                change(at, normal) -= slip / radius * grows * forces_[law.first + i];
-            }
-        }
+        eachNormal(law, [&](Index n, Index normal) {
+            change(last, normal) += at.force.dot(at.byNormals.col(n)) / radius -
+                                    (square / (radius * radius) + 1) / 2 * grows;
+            auto rows = change.col(normal).segment(first, law.rows);
+            rows += slip * (at.byNormals.col(n) - grows / radius * at.force);
+            rows.head(law.rows - 1) += rates[turn] * at.moves.col(n);
+        });
     }
 
-    [[nodiscard]] Index placeOf(Index row) const {
-        const auto found = std::ranges::find(rows_, row);
-        return found == rows_.end() ? -1 : found - rows_.begin();
+    // At the centre  f + r d = 0  with the direction d there.
+    void addSlip(const Law& law, Matrix& change, Vector& wrong) const {
+        const AtCentre at(law, forces_);
+        const double radius = radiusOf(law, forces_), stiff = a_.diagonal().maxCoeff();
+        const Vector velocity = ratesAt(at.centre, law.velocity) + law.beside;
+        const double speed = std::max(velocity.norm(), 1e-300);
+        const Vector direction = velocity / speed;
+        const Index first = placeOf(law.first);
+        wrong.segment(first, law.rows) = stiff * (at.force + radius * direction);
+        change.middleRows(first, law.rows).setZero();
+        change.block(first, first, law.rows, law.rows) = stiff * at.byRows;
+        eachNormal(law, [&](Index n, Index normal) {
+            Vector moved = Vector::Zero(law.rows); // of the velocity
+            moved.head(law.rows - 1) = law.velocity[law.rows - 1] * at.moves.col(n);
+            const Vector turned = (moved - direction.dot(moved) * direction) / speed;
+            change.col(normal).segment(first, law.rows) =
+                stiff * (at.byNormals.col(n) + law.coefficient * direction + radius * turned);
+        });
     }
+
+    template <class Visit> void eachNormal(const Law& law, const Visit& visit) const {
+        for (Index n = 0; law.normal >= 0 && n < law.normals; ++n)
+            if (const Index normal = placeOf(law.normal + n); normal >= 0)
+                visit(n, normal);
+    }
+    [[nodiscard]] Index placeOf(Index row) const { return placeOf_[static_cast<std::size_t>(row)]; }
 
     Aim aim_;
     const Matrix& a_;
@@ -183,9 +235,9 @@ private:
     const Laws& laws_;
     const States& states_;
     Vector forces_;
-    std::vector<Index> rows_;
-    std::vector<std::size_t> edges_;
-    std::vector<double> slips_; // of each edge: the speed, or acceleration, against its force
+    std::vector<Index> rows_, placeOf_; // and the place of each row among them; -1: none
+    std::vector<std::size_t> edges_, slips_;
+    std::vector<double> speeds_; // of each edge: the speed, or acceleration, against its force
     Index unknowns_ = 0;
 };
 
@@ -224,9 +276,12 @@ States improved(const Laws& laws, const Answer& answer) {
     States states = answer.states;
     for (std::size_t k = 0; k < laws.size(); ++k) {
         const Law& law = laws[k];
+        if (law.kind == Law::Kind::slip)
+            continue;
         if (law.kind == Law::Kind::disc) {
-            const auto force = answer.forces.segment(law.first, law.rows);
-            const auto rate = answer.rates.segment(law.first, law.rows);
+            const Vector centre = centreOf(law, answer.forces);
+            const Vector force = forcesAt(centre, answer.forces.segment(law.first, law.rows));
+            const Vector rate = ratesAt(centre, answer.rates.segment(law.first, law.rows));
             if (states[k] == State::inside && force.norm() > radiusOf(law, answer.forces))
                 states[k] = State::edge;
             else if (states[k] == State::edge && rate.dot(force) > 0)

@@ -2,8 +2,9 @@
 //
 // Once it is known of each law whether its force is inside, at a bound or at the edge, the laws are
 // equations: rates inside are 0, and at the edge of a disc  w + s f = 0, |f| = r  with an unknown
-// s >= 0 (Alart and Curnier, 1991, for the edge). They are linear but for the edges; Newton's
-// method solves them. Of many solutions one takes the shortest, or the nearest.
+// s >= 0 (Alart and Curnier, 1991, for the edge). Those of discs hold at the centre of their normal
+// forces, which moves with these, and so does the direction of a slip. Newton's method solves them.
+// Of many solutions one takes the shortest, or the nearest.
 #pragma once
 
 #include "complementarity/laws.h"

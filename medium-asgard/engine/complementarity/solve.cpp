@@ -17,6 +17,7 @@ namespace {
 
 constexpr double kept = 1e-11;  // a violation under this is rounding
 constexpr double nearly = 1e-8; // under this it may be, where no answer keeps the laws better
+constexpr double hardly = 1e-9; // under this none is looked for by the slower ways
 constexpr std::size_t fewLaws = 6;
 
 std::vector<State> possibleStates(const Law& law) {
@@ -52,11 +53,19 @@ public:
         return near(states, forces, Aim::nearest);
     }
 
+    // As near(), or what all but keeps the laws.
+    std::optional<Answer> around(const Answer& guess) {
+        auto answer = near(guess.states, guess.forces);
+        return answer ? answer : nearest_;
+    }
+
     std::optional<Answer> fromNothing() {
         const Approach inside = approach(a_, b_, laws_);
         work_.steps = inside.steps;
         if (auto answer = near(inside.states, inside.forces))
             return answer;
+        if (nearestFault_ <= hardly)
+            return nearest_;
         if (const auto corner = byPivots(a_, b_, laws_)) {
             if (auto answer = near(corner->states, corner->forces))
                 return answer;
@@ -468,15 +477,15 @@ public:
             if (!answer)
                 break;
             last_ = *answer;
-            const double faulty = violation(a, b, laws, last_);
-            const bool isOn = faulty < 0.5 * least_;
-            if (faulty < least_) {
-                best_ = last_;
-                least_ = faulty;
-                inVain = 0;
-            }
-            if (least_ <= kept || (least_ <= close && !isOn))
+            const double before = least_;
+            take(last_, violation(a, b, laws, last_));
+            if (least_ > kept && !isOver_)
+                if (const auto there = Search(a, b, laws, counts).around(last_))
+                    take(*there, violation(a, b, laws, *there));
+            if (least_ <= kept || (least_ <= close && least_ >= 0.5 * before))
                 return best_;
+            if (least_ < before)
+                inVain = 0;
             if (!isOver_)
                 move(at);
         }
@@ -485,6 +494,12 @@ public:
     }
 
 private:
+    void take(const Answer& answer, double faulty) {
+        if (faulty >= least_)
+            return;
+        best_ = answer;
+        least_ = faulty;
+    }
     // What is hardly pressed keeps its centre.
     void move(const AtCentres& at) {
         constexpr double hardly = 1e-9; // beside what is pressed most
@@ -498,6 +513,79 @@ private:
     double least_ = unbounded;
     int rounds_ = 0;
     bool isOver_ = false; // it can find no more
+};
+
+// The forces without friction are known, and lead to those with it while it grows: each part of it
+// begins at the forces of the one before.
+class ByMoreFriction {
+public:
+    ByMoreFriction(const Matrix& a, const Vector& b, const Laws& laws, Work& counts)
+        : a_(a), b_(b), laws_(laws), counts_(counts) {}
+
+    std::optional<Answer> solve() const {
+        constexpr double first = 0.25, least = 1e-4, longer = 1.5, shorter = 0.4;
+        Answer last = without();
+        double part = 0;
+        for (double step = first; step > least;) {
+            const double next = std::min(1.0, part + step);
+            const Laws laws = with(next);
+            const Answer from = part > 0 ? last : slipping(laws, last);
+            auto found = Search(a_, b_, laws, counts_).around(from);
+            step *= found ? longer : shorter;
+            if (!found)
+                continue;
+            last = std::move(*found);
+            part = next;
+            if (part == 1)
+                return last;
+        }
+        return std::nullopt;
+    }
+
+private:
+    [[nodiscard]] Answer without() const {
+        constexpr double none = 1e-9; // of the largest force
+        Answer answer{withoutDiscs(a_, b_, laws_), {}, {}};
+        answer.rates = a_ * answer.forces + b_;
+        const double some = none * answer.forces.cwiseAbs().maxCoeff();
+        for (const Law& law : laws_) {
+            const double force = answer.forces[law.first];
+            answer.states.push_back(law.kind != Law::Kind::interval ? State::edge
+                                    : force <= law.low + some       ? State::low
+                                    : force >= law.high - some      ? State::high
+                                                                    : State::inside);
+        }
+        return answer;
+    }
+    [[nodiscard]] Laws with(double part) const {
+        Laws laws = laws_;
+        for (Law& law : laws) {
+            law.coefficient *= part;
+            law.radius *= part;
+        }
+        return laws;
+    }
+    // Each disc has its force against the rate there.
+    [[nodiscard]] static Answer slipping(const Laws& laws, Answer answer) {
+        for (const Law& law : laws) {
+            if (law.kind == Law::Kind::interval)
+                continue;
+            const Vector centre = centreOf(law, answer.forces);
+            const Vector way =
+                law.kind == Law::Kind::slip
+                    ? directionAt(centre, law)
+                    : Vector(
+                          ratesAt(centre, answer.rates.segment(law.first, law.rows)).normalized());
+            answer.forces.segment(law.first, law.rows) =
+                forcesFrom(centre, -radiusOf(law, answer.forces) * way);
+        }
+        return answer;
+    }
+
+    const Matrix& a_;
+    const Vector& b_;
+    const Laws& laws_;
+    Work& counts_;
 };
 
 } // namespace
@@ -521,10 +609,14 @@ std::optional<Answer> solve(const Matrix& a, const Vector& b, const Laws& laws, 
     for (const double part : {1.0, 0.0, -1.0, 0.5})
         if (part == 1 || !start.isZero(0))
             ways.emplace_back(part * start, guess);
-    for (const int patience : {few, many})
-        for (FromCentres& way : ways)
-            if (auto found = way.solve(patience, at, a, b, laws, counts))
-                return found;
+    for (FromCentres& way : ways)
+        if (auto found = way.solve(few, at, a, b, laws, counts))
+            return found;
+    if (auto found = ByMoreFriction(a, b, laws, counts).solve())
+        return found;
+    for (FromCentres& way : ways)
+        if (auto found = way.solve(many, at, a, b, laws, counts))
+            return found;
     return std::nullopt;
 }
 

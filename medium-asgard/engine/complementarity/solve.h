@@ -6,11 +6,13 @@
 // what held goes on holding where it can; then those to which an interior point method leads, those
 // of pivots where each disc has one row that moves, fast slips put into the columns of their normal
 // forces, a pull to the last answer that fades, and sweeps; of few laws at last all states. Discs
-// and slips with levers are solved at the centres of the last answer, until it keeps the laws at
-// its own.
+// and slips with levers are solved at the centres of the last answer; where that answer leads,
+// Newton's method looks for one that keeps the laws at its own centres. Where neither comes to an
+// end, friction grows from none to its own.
 //
 // Of answers that all but keep the laws (1e-8) the nearest counts where there is no better one:
-// faces that lie on each other with a tilt leave as much.
+// faces that lie on each other with a tilt leave as much. Under 1e-9 no slow way looks for a better
+// one.
 //
 // LIMIT: of more laws than those tried one by one, a problem whose sweeps do not converge counts as
 // one without solution.

@@ -159,6 +159,8 @@ private:
     // No forces of these keep the laws: what slips among them may jam. True: it did.
     [[nodiscard]] bool endJam(std::span<const std::size_t> candidates, double t,
                               std::span<double> y, std::span<const double> rates);
+    [[nodiscard]] bool stopSlips(bool isAlone, std::span<const std::size_t> candidates, double t,
+                                 std::span<double> y, std::span<const double> rates);
     [[nodiscard]] bool mayHold(std::size_t disc, std::span<const std::size_t> fallen,
                                double fastest) const;
     // `slipping`: discs that slip, though they have no velocity yet.

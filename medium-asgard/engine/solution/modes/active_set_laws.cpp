@@ -326,10 +326,22 @@ bool ActiveSet::pushesIn(std::size_t disc, std::span<const std::size_t> normals)
 // it away. The limit of ever stiffer contacts is an impact without a collision, which lasts until
 // nothing slips (Genot, Brogliato 1999, "New results on Painleve paradoxes"): velocities change as
 // little as stops the slip and keeps the contact closed, if the floor presses in it.
-// LIMIT: several that jam at one instant stop together; those that jam by each other's friction
-// alone do not count.
+// Bodies may jam by each other's friction, as a tower on a corner of its lowest block: then all
+// that slip stop. LIMIT: several that jam at one instant stop together.
 bool ActiveSet::endJam(std::span<const std::size_t> candidates, double t, std::span<double> y,
                        std::span<const double> rates) {
+    const std::vector<double> moving(y.begin(), y.end());
+    for (const bool isAlone : {true, false}) {
+        std::ranges::copy(moving, y.begin());
+        if (stopSlips(isAlone, candidates, t, y, rates))
+            return true;
+    }
+    return false;
+}
+
+// All, or those alone whose own friction pushes them in.
+bool ActiveSet::stopSlips(bool isAlone, std::span<const std::size_t> candidates, double t,
+                          std::span<double> y, std::span<const double> rates) {
     f_.fill(t, y);
     multipliers_.evaluateGaps();
     std::vector<std::size_t> slipping, pressed;
@@ -342,7 +354,7 @@ bool ActiveSet::endJam(std::span<const std::size_t> candidates, double t, std::s
                              });
         if (!normals.empty() &&
             multipliers_.friction().slipOf(disc).norm() > leastOf(discs()[disc]) &&
-            pushesIn(disc, normals)) {
+            (!isAlone || pushesIn(disc, normals))) {
             slipping.push_back(disc);
             pressed.insert(pressed.end(), normals.begin(), normals.end());
         }
