@@ -159,7 +159,13 @@ private:
     // No forces of these keep the laws: what slips among them may jam. True: it did.
     [[nodiscard]] bool endJam(std::span<const std::size_t> candidates, double t,
                               std::span<double> y, std::span<const double> rates);
-    [[nodiscard]] bool stopSlips(bool isAlone, std::span<const std::size_t> candidates, double t,
+    struct PressedSlip {
+        std::size_t disc = 0;
+        double speed = 0;
+        std::vector<std::size_t> normals; // that are closed
+    };
+    [[nodiscard]] bool stopSlips(std::span<const PressedSlip> slips,
+                                 std::span<const std::size_t> candidates, double t,
                                  std::span<double> y, std::span<const double> rates);
     [[nodiscard]] bool mayHold(std::size_t disc, std::span<const std::size_t> fallen,
                                double fastest) const;

@@ -326,48 +326,62 @@ bool ActiveSet::pushesIn(std::size_t disc, std::span<const std::size_t> normals)
 // it away. The limit of ever stiffer contacts is an impact without a collision, which lasts until
 // nothing slips (Genot, Brogliato 1999, "New results on Painleve paradoxes"): velocities change as
 // little as stops the slip and keeps the contact closed, if the floor presses in it.
-// Bodies may jam by each other's friction, as a tower on a corner of its lowest block: then all
-// that slip stop. LIMIT: several that jam at one instant stop together.
+// Bodies may jam by each other's friction, as a tower on a corner of its lowest block: then the
+// slowest slip stops that can, or all do.
+// LIMIT: several that jam at one instant stop together.
 bool ActiveSet::endJam(std::span<const std::size_t> candidates, double t, std::span<double> y,
                        std::span<const double> rates) {
-    const std::vector<double> moving(y.begin(), y.end());
-    for (const bool isAlone : {true, false}) {
-        std::ranges::copy(moving, y.begin());
-        if (stopSlips(isAlone, candidates, t, y, rates))
-            return true;
-    }
-    return false;
-}
-
-// All, or those alone whose own friction pushes them in.
-bool ActiveSet::stopSlips(bool isAlone, std::span<const std::size_t> candidates, double t,
-                          std::span<double> y, std::span<const double> rates) {
     f_.fill(t, y);
     multipliers_.evaluateGaps();
-    std::vector<std::size_t> slipping, pressed;
+    std::vector<PressedSlip> alone, all;
     for (std::size_t disc = 0; disc < discs().size(); ++disc) {
-        std::vector<std::size_t> normals;
-        std::ranges::copy_if(discs()[disc].normals, std::back_inserter(normals),
+        PressedSlip slip{
+            .disc = disc, .speed = multipliers_.friction().slipOf(disc).norm(), .normals = {}};
+        std::ranges::copy_if(discs()[disc].normals, std::back_inserter(slip.normals),
                              [&](std::size_t row) {
                                  return isContact(row) &&
                                         (isIn(candidates, row) || mode_.kept[row] == State::inside);
                              });
-        if (!normals.empty() &&
-            multipliers_.friction().slipOf(disc).norm() > leastOf(discs()[disc]) &&
-            (!isAlone || pushesIn(disc, normals))) {
-            slipping.push_back(disc);
-            pressed.insert(pressed.end(), normals.begin(), normals.end());
-        }
+        if (slip.normals.empty() || !(slip.speed > leastOf(discs()[disc])))
+            continue;
+        if (pushesIn(disc, slip.normals))
+            alone.push_back(slip);
+        all.push_back(std::move(slip));
     }
-    if (slipping.empty())
-        return false;
+    const std::vector<double> moving(y.begin(), y.end());
+    const auto stops = [&](std::span<const PressedSlip> slips) {
+        std::ranges::copy(moving, y.begin());
+        return !slips.empty() && stopSlips(slips, candidates, t, y, rates);
+    };
+    if (stops(alone))
+        return true;
+    std::ranges::stable_sort(all, {}, &PressedSlip::speed);
+    for (std::size_t k = 0; k < all.size(); ++k)
+        if (stops(std::span(all).subspan(k, 1)))
+            return true;
+    return stops(all);
+}
+
+bool ActiveSet::stopSlips(std::span<const PressedSlip> slips,
+                          std::span<const std::size_t> candidates, double t, std::span<double> y,
+                          std::span<const double> rates) {
+    std::vector<std::size_t> slipping, pressed;
+    for (const PressedSlip& slip : slips) {
+        slipping.push_back(slip.disc);
+        pressed.insert(pressed.end(), slip.normals.begin(), slip.normals.end());
+    }
     const Mode before = mode_;
     for (const std::size_t row : pressed)
         mode_.kept[row] = State::low;
     std::vector<double> stopped(y.begin(), y.end());
     halt(slipping, t, stopped);
-    const bool isPressed = std::ranges::all_of(
-        pressed, [this](std::size_t row) { return multipliers_.rate(row) < 0; });
+    // A patch whose corners are pressed unevenly turns.
+    const bool isPressed = std::ranges::all_of(slips, [this](const PressedSlip& slip) {
+        double sum = 0;
+        for (const std::size_t row : slip.normals)
+            sum += multipliers_.rate(row);
+        return sum < 0;
+    });
     mode_ = before;
     if (!isPressed)
         return false;
