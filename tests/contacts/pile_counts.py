@@ -86,6 +86,16 @@ def dominoes_askew(count, finish):
     return "\n".join(lines) + "\n"
 
 
+def pyramid(finish):
+    """Six blocks in a pyramid with the friction of a new scene, and a ball that flies at the second row."""
+    lines = [f"simulator -finish {finish!r} -accuracy 1e-2", "shape_set floor -desc {-sub {-plane}}", "shape_set block -desc {-sub {-box {1 1 1}}}",
+             "shape_set ball -desc {-sub {-sphere 0.5}}", "body floor floor -fixed 1 -friction 0.3 -restitution 0"]
+    places = [(0.5 + row, 1.05 * (k - (2 - row) / 2)) for row in range(3) for k in range(3 - row)]
+    lines += [f"body b{n} block -friction 0.3 -restitution 0 -init_pos {{0 {y!r} {z!r}}}" for n, (y, z) in enumerate(places)]
+    lines += ["body b6 ball -friction 0.3 -restitution 0 -init_pos {-3 1.2 0.1} -init_dpos {10 0 0}"]
+    return "\n".join(lines + [f"force -body b{n} -gravitational {{0 -9.81 0}}" for n in range(7)]) + "\n"
+
+
 def row_of_dominoes(count, finish):
     """A row on a table, of which the first stands on its edge, tilted beyond its balance."""
     lines = [f"simulator -finish {finish!r}", "shape_set stone -desc {-sub {-box {0.06 0.4 0.2}}}", "shape_set table -desc {-sub {-box {8 0.1 0.8}}}",
@@ -276,6 +286,8 @@ CASES = [
     ("three dominoes that a ball hits", dominoes(3, 1), {"steps": 1300, "collisions": 250}),
     # Of two faces next to parallel the one had the other's normal: its far corner let go each 3e-8 s without end.
     ("two dominoes that a ball hits askew", dominoes_askew(2, 0.82), {"steps": 1500, "evaluations": 25000, "collisions": 400}),
+    # Blows whose many impulses were not found stopped it at 0.2 s, or took five seconds each.
+    ("a pyramid that a ball hits", pyramid(0.21), {"steps": 450, "evaluations": 9000, "collisions": 120}),
     # What lay on a stone sank by its resolution without having been open, and hit it for that, each 5 us without end.
     ("three dominoes that a fast ball hits", dominoes(3, 2), {"steps": 900, "collisions": 250}),
     ("three dominoes that a slow ball hits", dominoes(3, 0.5), {"steps": 1000, "collisions": 100}),

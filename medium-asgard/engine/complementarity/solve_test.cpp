@@ -1,6 +1,7 @@
 #include "complementarity/by_few.h"
 #include "complementarity/solve.h"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
@@ -361,6 +362,74 @@ TEST(Solve, RandomHeapsKeepTheirLaws) {
     EXPECT_EQ(found, tried);
     EXPECT_LE(steps, 30 * tried);
     EXPECT_LE(tries, 3 * tried);
+}
+
+// Cubes on each other, each pair by four corners and a face of friction, pushed and turned at
+// random; the lowest face slips.
+Heap randomTower(std::mt19937_64& random, Index cubes, double friction) {
+    std::normal_distribution<double> normal;
+    constexpr Index corners = 4, rows = corners + 3; // of a face, the last one turns
+    Matrix j = Matrix::Zero(rows * cubes, 6 * cubes);
+    Heap heap;
+    for (Index cube = 0; cube < cubes; ++cube) {
+        Matrix levers(2, corners);
+        const Index first = rows * cube;
+        const auto put = [&](Index row, const Eigen::Vector3d& way, const Eigen::Vector3d& place) {
+            for (const Index side : {0, 1}) { // the upper cube, and the one below
+                const Index of = cube - side;
+                if (of < 0)
+                    continue;
+                const Eigen::Vector3d arm = place + Eigen::Vector3d(0, side == 0 ? -0.5 : 0.5, 0);
+                j.row(row).segment(6 * of, 3) += (side == 0 ? 1 : -1) * way;
+                j.row(row).segment(6 * of + 3, 3) += (side == 0 ? 1 : -1) * arm.cross(way);
+            }
+        };
+        for (Index c = 0; c < corners; ++c) {
+            const double x = (c % 2 == 0 ? -0.5 : 0.5), z = (c < 2 ? -0.5 : 0.5);
+            put(first + c, Eigen::Vector3d::UnitY(), {x, 0, z});
+            addUnilateral(heap.laws);
+            levers.col(c) << z, -x;
+        }
+        put(first + corners, Eigen::Vector3d::UnitX(), Eigen::Vector3d::Zero());
+        put(first + corners + 1, Eigen::Vector3d::UnitZ(), Eigen::Vector3d::Zero());
+        for (const Index side : {0, 1})
+            if (cube - side >= 0)
+                j(first + corners + 2, 6 * (cube - side) + 4) = side == 0 ? 1 : -1;
+        addFriction(heap.laws, 3, first, friction, corners);
+        heap.laws.back().levers = levers;
+    }
+    heap.laws[corners].kind = Law::Kind::slip;
+    heap.laws[corners].velocity = Vector::NullaryExpr(3, [&]() { return normal(random); });
+    heap.laws[corners].beside = Vector::Zero(3);
+    Vector inverse(6 * cubes), free(6 * cubes);
+    for (Index cube = 0; cube < cubes; ++cube) {
+        inverse.segment(6 * cube, 3).setConstant(1);
+        inverse.segment(6 * cube + 3, 3).setConstant(6);
+        for (Index i = 0; i < 6; ++i)
+            free[6 * cube + i] = 2 * normal(random) - (i == 1 ? 10 : 0);
+    }
+    heap.a = j * inverse.asDiagonal() * j.transpose();
+    heap.b = j * free;
+    return heap;
+}
+
+TEST(Solve, RandomTowersThatSlipKeepTheirLaws) {
+    std::mt19937_64 random(3);
+    int found = 0, rounds = 0, tried = 0;
+    for (const double friction : {0.1, 0.3, 0.6})
+        for (int k = 0; k < 20; ++k) {
+            const Heap tower = randomTower(random, 2 + k % 4, friction);
+            Work work;
+            const auto answer = solve(tower.a, tower.b, tower.laws, {}, &work);
+            ++tried;
+            rounds += work.rounds;
+            if (!answer)
+                continue;
+            ++found;
+            EXPECT_LE(violation(tower.a, tower.b, tower.laws, *answer), 1e-8);
+        }
+    EXPECT_EQ(found, tried);
+    EXPECT_LE(rounds, 2 * tried); // without Newton's method at moving centres: 453
 }
 
 // Three slabs stand on an edge; one foot slides, and the rates of the others are rounding.
