@@ -133,7 +133,7 @@ void spread(HandleSet& set, const Camera& camera, Size size,
         std::ranges::stable_sort(group, std::greater(), [&](std::size_t i) { return radii[i]; });
     const auto opens = [&](const auto& group) { return movable[group[0]]->name() == opened; };
     // The last keeps clear of all others.
-    std::ranges::stable_partition(groups, std::not_fn(opens));
+    std::stable_partition(groups.begin(), groups.end(), std::not_fn(opens));
     constexpr std::size_t most = 6;
     const Box picture(Pixels(0, 0), Pixels(size.width, size.height));
     std::vector<Pixels> stands = places;
