@@ -500,7 +500,7 @@ private:
         best_ = answer;
         least_ = faulty;
     }
-    // What is hardly pressed keeps its centre.
+    // A face that is hardly pressed keeps its centre.
     void move(const AtCentres& at) {
         constexpr double hardly = 1e-9; // beside what is pressed most
         const Vector weights = at.weightsOf(last_.forces), now = at.centresOf(last_.forces);
