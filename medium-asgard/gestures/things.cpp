@@ -14,14 +14,18 @@ using editing::Kind;
 std::vector<Thing> thingsAt(const render::Drawing& drawing, const render::HandleSet& handles,
                             const Sight& sight, const Eigen::Vector2d& pixels, double reach) {
     std::vector<Thing> things;
-    const auto add = [&](const Element& element, std::optional<render::Handle> handle = {}) {
-        if (std::ranges::find(things, element, &Thing::element) == things.end())
-            things.push_back({element, std::move(handle)});
+    const auto add = [&](const Element& element, const render::Handle* handle = nullptr) {
+        if (std::ranges::find(things, element, &Thing::element) != things.end())
+            return;
+        Thing& thing = things.emplace_back();
+        thing.element = element;
+        if (handle)
+            thing.handle = *handle;
     };
     if (const auto index = handleAt(handles, sight, pixels, reach))
-        add(elementOf(handles.handles[*index]), handles.handles[*index]);
+        add(elementOf(handles.handles[*index]), &handles.handles[*index]);
     if (const auto sign = jointAt(drawing, sight, pixels, reach))
-        add(elementOf(*sign), *sign);
+        add(elementOf(*sign), &*sign);
     for (const Picked& picked : bodiesAt(drawing, sight, pixels))
         add({Kind::body, picked.body});
     if (drawing.display.trajectories)
