@@ -4,9 +4,11 @@
 #include "picture/scene_display.h"
 
 #include <QPainter>
+#include <QPainterPath>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace views {
 
@@ -44,6 +46,7 @@ Meters::Meters(SceneDocument& document, SceneDisplay& display)
 }
 
 void Meters::set(std::vector<Meter> meters) {
+    held_.reset();
     meters_ = std::move(meters);
     if (meters_.size() > mostMeters)
         meters_.resize(mostMeters);
@@ -161,26 +164,147 @@ std::optional<QPointF> Meters::placeOf(const Meter& meter) const {
         sight.pixels(render::poseOf(scene, drawing.motion.get(), index, drawing.time).position));
 }
 
-// Those of one thing stand below each other, at its right.
-void Meters::paint(QPainter& painter) const {
-    std::map<std::string, int> lines;
-    QColor paper = display_.palette().color(QPalette::Base);
-    paper.setAlpha(215);
-    for (const Meter& meter : meters_) {
+// Those of one thing stand below each other, at its right; all of each is in the picture.
+std::vector<Meters::Box> Meters::boxes() const {
+    std::map<std::string, double> below;
+    std::vector<Box> all;
+    const QFontMetricsF font(display_.font());
+    const double height = font.height() + 2;
+    for (std::size_t i = 0; i < meters_.size(); ++i) {
+        const Meter& meter = meters_[i];
         const auto place = placeOf(meter);
         if (!place)
             continue;
         const QString words = this->words(meter, display_.drawn().time);
-        const double height = painter.fontMetrics().height() + 2;
-        const QPointF corner = *place + QPointF(16, -height / 2 + height * lines[meter.element]++);
-        const QRectF box(corner,
-                         QSizeF(painter.fontMetrics().horizontalAdvance(words) + 12, height));
+        const double width = font.horizontalAdvance(words) + 12;
+        const QSizeF size = meter.isChart ? QSizeF(std::max(width, 13 * height), 6 * height)
+                                          : QSizeF(width, height);
+        QRectF rect(*place + QPointF(16, -height / 2 + below[meter.element]) + meter.aside, size);
+        if (meter.aside.isNull())
+            below[meter.element] += size.height();
+        const auto inside = [](double at, double length, double room) {
+            return std::clamp(at, 0.0, std::max(0.0, room - length));
+        };
+        if (!meter.aside.isNull() || QRectF(display_.rect()).contains(*place))
+            rect.moveTo(inside(rect.x(), rect.width(), display_.width()),
+                        inside(rect.y(), rect.height(), display_.height()));
+        all.push_back({i, *place, rect, words});
+    }
+    return all;
+}
+
+void Meters::paint(QPainter& painter) const {
+    const QColor ink = display_.palette().color(QPalette::Text);
+    QColor paper = display_.palette().color(QPalette::Base);
+    paper.setAlpha(215);
+    for (const Box& box : boxes()) {
+        const Meter& meter = meters_[box.meter];
+        if (!meter.aside.isNull()) { // a line tells of what it is
+            QColor faint = ink;
+            faint.setAlpha(110);
+            painter.setPen(QPen(faint, 1));
+            const QPointF nearest(std::clamp(box.place.x(), box.rect.left(), box.rect.right()),
+                                  std::clamp(box.place.y(), box.rect.top(), box.rect.bottom()));
+            painter.drawLine(box.place, nearest);
+        }
         painter.setPen(Qt::NoPen);
         painter.setBrush(paper);
-        painter.drawRoundedRect(box, 3, 3);
-        painter.setPen(display_.palette().color(QPalette::Text));
-        painter.drawText(box, Qt::AlignCenter, words);
+        painter.drawRoundedRect(box.rect, 3, 3);
+        painter.setPen(ink);
+        if (meter.isChart)
+            paintChart(painter, box);
+        else
+            painter.drawText(box.rect, Qt::AlignCenter, box.words);
     }
+}
+
+void Meters::paintChart(QPainter& painter, const Box& box) const {
+    const QFontMetricsF font(painter.font());
+    painter.drawText(box.rect.adjusted(6, 1, -6, 0), Qt::AlignLeft | Qt::AlignTop, box.words);
+    const QRectF room = box.rect.adjusted(8, font.height() + 6, -8, -6);
+    const auto found = sampled_.find(meters_[box.meter].quantity.expression);
+    if (found == sampled_.end() || found->second.times.size() < 2 || found->second.curves.empty())
+        return;
+    const charts::Plot& plot = found->second;
+    const auto& values = plot.curves.front().values;
+    const charts::Range range = charts::rangeOf(plot);
+    const double from = plot.times.front(), length = std::max(plot.times.back() - from, 1e-12);
+    const double height = range.high - range.low;
+    const auto x = [&](double time) { return room.left() + room.width() * (time - from) / length; };
+    const auto y = [&](double value) {
+        const double share = height > 0 ? (value - range.low) / height : 0.5;
+        return room.bottom() - room.height() * share;
+    };
+    QPainterPath curve;
+    bool isBegun = false;
+    for (std::size_t i = 0; i < std::min(values.size(), plot.times.size()); ++i) {
+        const bool isThere = std::isfinite(values[i]);
+        const QPointF point(x(plot.times[i]), isThere ? y(values[i]) : 0);
+        if (isThere)
+            isBegun ? curve.lineTo(point) : curve.moveTo(point);
+        isBegun = isThere;
+    }
+    const QColor ink = painter.pen().color();
+    QColor faint = ink;
+    faint.setAlpha(70);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(faint, 1));
+    painter.drawRect(room);
+    if (range.low < 0 && range.high > 0)
+        painter.drawLine(QPointF(room.left(), y(0)), QPointF(room.right(), y(0)));
+    painter.setPen(QPen(display_.palette().color(QPalette::Highlight), 1.5));
+    painter.drawPath(curve);
+    const double now = std::clamp(x(display_.drawn().time), room.left(), room.right());
+    painter.setPen(QPen(ink, 1));
+    painter.drawLine(QPointF(now, room.top()), QPointF(now, room.bottom()));
+}
+
+// --- the pointer -------------------------------------------------------------------------------
+
+std::optional<std::size_t> Meters::at(const QPointF& position) const {
+    std::optional<std::size_t> last; // is on top
+    if (!meters_.empty())
+        for (const Box& box : boxes())
+            if (box.rect.contains(position))
+                last = box.meter;
+    return last;
+}
+
+bool Meters::press(const QPointF& position) {
+    const auto meter = at(position);
+    if (meter)
+        held_ = Held{*meter, position, meters_[*meter].aside};
+    return meter.has_value();
+}
+
+bool Meters::move(const QPointF& position) {
+    if (!held_)
+        return false;
+    if (held_->meter < meters_.size()) {
+        meters_[held_->meter].aside = held_->aside + position - held_->from;
+        Q_EMIT changed();
+    }
+    return true;
+}
+
+bool Meters::release() { return std::exchange(held_, std::nullopt).has_value(); }
+
+bool Meters::cancel() {
+    const auto held = std::exchange(held_, std::nullopt);
+    if (held && held->meter < meters_.size()) {
+        meters_[held->meter].aside = held->aside;
+        Q_EMIT changed();
+    }
+    return held.has_value();
+}
+
+bool Meters::doubleClick(const QPointF& position) {
+    const auto meter = at(position);
+    if (!meter)
+        return false;
+    meters_[*meter].isChart = !meters_[*meter].isChart;
+    Q_EMIT changed();
+    return true;
 }
 
 } // namespace views

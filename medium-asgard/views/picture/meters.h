@@ -2,7 +2,8 @@
 // the scene.
 //
 // They are sampled over the motion on a thread of their own, as charts are, and read between two
-// samples: three digits of them are shown.
+// samples: three digits of them are shown. A double click makes one a small chart against time, and
+// again a number; a drag puts it elsewhere beside its body, which it follows.
 #pragma once
 
 #include "charts/plot_sampler.h"
@@ -10,12 +11,14 @@
 #include "workbench/scene_document.h"
 
 #include <QObject>
+#include <QPointF>
+#include <QRectF>
 
 #include <map>
+#include <optional>
 #include <vector>
 
 class QPainter;
-class QPointF;
 
 namespace views {
 
@@ -25,6 +28,8 @@ struct Meter {
     editing::Kind kind = editing::Kind::body;
     std::string element; // its name
     commands::Quantity quantity;
+    QPointF aside = {};   // where it was dragged, from the place that it has by itself
+    bool isChart = false; // against time, with a line at the moment
 };
 
 class Meters : public QObject {
@@ -39,6 +44,15 @@ public:
     // "Speed 1.25" of each that is known at that time; "…" while it is computed.
     [[nodiscard]] QString words(const Meter& meter, double time) const;
     void paint(QPainter& painter) const;
+    [[nodiscard]] std::optional<std::size_t> at(const QPointF& position) const; // in the display
+
+    // Of the left button. False: none is there, or none is held.
+    bool press(const QPointF& position);
+    bool move(const QPointF& position);
+    bool release();
+    bool doubleClick(const QPointF& position);
+    bool cancel(); // it is where it was
+    [[nodiscard]] bool holds() const { return held_.has_value(); }
 
 Q_SIGNALS:
     void changed();
@@ -49,10 +63,23 @@ private:
     void take(std::vector<charts::Plot> plots);
     // In the display; none: it is gone or hidden.
     [[nodiscard]] std::optional<QPointF> placeOf(const Meter& meter) const;
+    struct Box {
+        std::size_t meter = 0;
+        QPointF place; // of its body
+        QRectF rect;
+        QString words;
+    };
+    [[nodiscard]] std::vector<Box> boxes() const; // as they are painted, one over the other
+    void paintChart(QPainter& painter, const Box& box) const;
 
     SceneDocument& document_;
     SceneDisplay& display_;
     std::vector<Meter> meters_;
+    struct Held {
+        std::size_t meter;
+        QPointF from, aside; // of the pointer and the meter, when it was taken
+    };
+    std::optional<Held> held_;
     std::map<std::string, charts::Plot> sampled_; // by the expression
     charts::PlotSampler sampler_;                 // the first to go
 };

@@ -41,6 +41,54 @@ TEST_F(MetersTest, AValueStandsBesideItsBodyAtEachTime) {
     EXPECT_EQ(editor.document().text(), flying);
 }
 
+// It follows its body from where it was put.
+TEST_F(MetersTest, ADragPutsItElsewhereAndADoubleClickMakesItAChart) {
+    SceneDisplay& display = editor.openGraphicalViewer()->display();
+    display.lookAlong(geometry::Vector::UnitZ());
+    Meters& meters = display.meters();
+    meters.toggle(body, {"&x", "b.x"});
+    ASSERT_TRUE(waitFor([&] { return meters.words(meters.all().front(), 0) == "x 1 m"; }));
+    display.grab();
+    const QPointF there = display.fromPixels(display.sight().pixels({1, 5, 0})) + QPointF(24, 0);
+    ASSERT_TRUE(meters.at(there));
+    const auto send = [&](QEvent::Type type, const QPointF& at, Qt::MouseButtons held) {
+        const bool isMove = type == QEvent::MouseMove;
+        QMouseEvent event(type, at, display.mapToGlobal(at), isMove ? Qt::NoButton : Qt::LeftButton,
+                          held, Qt::NoModifier);
+        QCoreApplication::sendEvent(&display, &event);
+    };
+    const render::Camera camera = display.camera();
+    const QPointF away(-90, 60);
+    send(QEvent::MouseButtonPress, there, Qt::LeftButton);
+    send(QEvent::MouseMove, there + away / 2, Qt::LeftButton);
+    send(QEvent::MouseMove, there + away, Qt::LeftButton);
+    send(QEvent::MouseButtonRelease, there + away, Qt::NoButton);
+    EXPECT_EQ(display.camera(), camera);
+    EXPECT_TRUE(editor.document().selected().empty());
+    EXPECT_FALSE(meters.at(there));
+    EXPECT_TRUE(meters.at(there + away));
+    EXPECT_EQ(meters.all().front().aside, away);
+    EXPECT_EQ(editor.document().text(), flying);
+
+    const QImage number = display.grab().toImage();
+    send(QEvent::MouseButtonDblClick, there + away, Qt::LeftButton);
+    EXPECT_TRUE(meters.all().front().isChart);
+    EXPECT_TRUE(meters.at(there + away + QPointF(0, 50))); // it is larger
+    EXPECT_NE(display.grab().toImage(), number);
+    // Escape while it is held: it is where it was.
+    send(QEvent::MouseButtonPress, there + away, Qt::LeftButton);
+    send(QEvent::MouseMove, there, Qt::LeftButton);
+    EXPECT_NE(meters.all().front().aside, away);
+    QKeyEvent escape(QEvent::KeyPress, Qt::Key_Escape, Qt::NoModifier);
+    QCoreApplication::sendEvent(&display, &escape);
+    EXPECT_EQ(meters.all().front().aside, away);
+    // Dragged out of the picture it stays at its edge.
+    send(QEvent::MouseButtonPress, there + away, Qt::LeftButton);
+    send(QEvent::MouseMove, QPointF(-4000, -4000), Qt::LeftButton);
+    send(QEvent::MouseButtonRelease, QPointF(-4000, -4000), Qt::NoButton);
+    EXPECT_TRUE(meters.at({4, 4}));
+}
+
 TEST_F(MetersTest, AnAngleHasItsUnit) {
     Meters& meters = editor.openGraphicalViewer()->display().meters();
     const auto all = quantitiesOf(*editor.document().shown().scene, body);
@@ -140,7 +188,12 @@ TEST_F(MetersTest, ARenamedBodyStaysHiddenAndKeepsItsValues) {
 }
 
 TEST_F(MetersTest, AViewerThatOpensAgainHasThem) {
-    editor.openGraphicalViewer()->display().meters().toggle(body, {"Speed", "abs(b.dx)"});
+    Meters& before = editor.openGraphicalViewer()->display().meters();
+    before.toggle(body, {"Speed", "abs(b.dx)"});
+    std::vector<Meter> moved = before.all();
+    moved[0].aside = {30, -20};
+    moved[0].isChart = true;
+    before.set(moved);
     editor.restoreWindows(editor.windowsState(), {});
     const auto& again = editor.graphicalViewers().back()->display().meters().all();
     ASSERT_EQ(again.size(), 1U);

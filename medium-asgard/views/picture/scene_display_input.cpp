@@ -38,6 +38,9 @@ void SceneDisplay::mousePressEvent(QMouseEvent* event) {
     if (!button)
         event->ignore();
     else if (clickTriad(*event)) {
+    } else if (*button == Button::left && event->modifiers() == Qt::NoModifier &&
+               !control_.active() && !creating_.active() && !editing_.dragging() &&
+               meters_.press(event->position())) {
     } else if (creating_.active() && *button == Button::left) {
         pressView(*button, event->position());
     } else if (editing_.dragging() || !selecting_.press(*event)) {
@@ -51,7 +54,7 @@ void SceneDisplay::pressView(Button button, const QPointF& position) {
 }
 
 void SceneDisplay::mouseMoveEvent(QMouseEvent* event) {
-    if (throwing_.move(*event) || selecting_.move(*event))
+    if (meters_.move(event->position()) || throwing_.move(*event) || selecting_.move(*event))
         return;
     if (!control_.active() && !editing_.dragging()) {
         pointing_.moveTo(event->position(), event->modifiers());
@@ -108,7 +111,9 @@ void SceneDisplay::moveView(QMouseEvent& event) {
 }
 
 void SceneDisplay::mouseReleaseEvent(QMouseEvent* event) {
-    if (throwing_.release(*event)) {
+    if (event->button() == Qt::LeftButton && meters_.release()) {
+        // It stays where it is.
+    } else if (throwing_.release(*event)) {
         // The body is let go.
     } else if (creating_.active() && event->button() == Qt::LeftButton) {
         if (isNear(event->position(), press_.at))
@@ -133,6 +138,9 @@ void SceneDisplay::leaveEvent(QEvent* event) {
 }
 
 void SceneDisplay::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (!creating_.active() && event->button() == Qt::LeftButton &&
+        meters_.doubleClick(event->position()))
+        return;
     if (creating_.active() || !editing_.doubleClick(*event))
         mousePressEvent(event);
 }
@@ -165,8 +173,8 @@ void SceneDisplay::keyPressEvent(QKeyEvent* event) {
     bringUpToDate();
     pointing_.setKeys(event->modifiers() |
                       (event->key() == Qt::Key_Shift ? Qt::ShiftModifier : Qt::NoModifier));
-    if (event->key() == Qt::Key_Escape &&
-        (throwing_.cancel() || selecting_.cancel() || creating_.forgetMeasured()))
+    if (event->key() == Qt::Key_Escape && (meters_.cancel() || throwing_.cancel() ||
+                                           selecting_.cancel() || creating_.forgetMeasured()))
         return;
     if (creating_.key(*event) || editing_.keyPress(*event))
         return;
@@ -251,6 +259,7 @@ void SceneDisplay::keyReleaseEvent(QKeyEvent* event) {
 
 void SceneDisplay::focusOutEvent(QFocusEvent* event) {
     editing_.finish();
+    meters_.release();
     selecting_.cancel();
     update();
     QWidget::focusOutEvent(event);

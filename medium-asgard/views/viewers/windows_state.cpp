@@ -75,6 +75,9 @@ QJsonObject written(GraphicalViewer& viewer, bool withDraft) {
                         {"element", QString::fromStdString(meter.element)},
                         {"label", QString::fromStdString(meter.quantity.label)},
                         {"unit", QString::fromStdString(meter.quantity.unit)},
+                        {"right", meter.aside.x()},
+                        {"down", meter.aside.y()},
+                        {"chart", meter.isChart},
                         {"expression", QString::fromStdString(meter.quantity.expression)}});
     window["meters"] = meters;
     window["view"] = viewer.display().followedView();
@@ -120,12 +123,13 @@ void restore(GraphicalViewer& viewer, const QJsonObject& as) {
     for (const auto& each : as["meters"].toArray()) {
         const QJsonObject one = each.toObject();
         meters.push_back(
-            {one["kind"].toInt() == static_cast<int>(editing::Kind::joint)  ? editing::Kind::joint
-             : one["kind"].toInt() == static_cast<int>(editing::Kind::link) ? editing::Kind::link
-                                                                            : editing::Kind::body,
+            {static_cast<editing::Kind>(
+                 std::clamp(one["kind"].toInt(), 0, static_cast<int>(editing::Kind::plot))),
              one["element"].toString().toStdString(),
              {one["label"].toString().toStdString(), one["expression"].toString().toStdString(),
-              one["unit"].toString().toStdString()}});
+              one["unit"].toString().toStdString()},
+             {one["right"].toDouble(), one["down"].toDouble()},
+             one["chart"].toBool()});
     }
     viewer.display().meters().set(std::move(meters));
     viewer.playback().seek(as["time"].toDouble());
