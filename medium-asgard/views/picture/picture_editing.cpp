@@ -241,7 +241,7 @@ void PictureEditing::offerOthers(const gestures::HandleDrag& drag) {
 // --- keys ------------------------------------------------------------------------------------
 
 void PictureEditing::mark(const render::Handle& handle) {
-    mark_ = {handle.kind, handle.element, handle.part};
+    mark_ = handle.name();
     const editing::Element element = gestures::elementOf(handle);
     if (std::ranges::find(document_.selected(), element) == document_.selected().end())
         document_.select({element});
@@ -278,8 +278,7 @@ void PictureEditing::followSelection() {
 std::optional<render::Handle> PictureEditing::marked() const {
     if (mark_)
         for (const render::Handle& handle : display_.handles().handles)
-            if (handle.kind == mark_->kind && handle.element == mark_->element &&
-                handle.part == mark_->part)
+            if (handle.name() == mark_)
                 return handle;
     // A body is there without its handle.
     return mark_ && mark_->kind == render::HandleKind::position ? positionOf(mark_->element)
@@ -303,8 +302,7 @@ void PictureEditing::markNext(int step) {
     for (const render::Handle& handle : display_.handles().handles) {
         if (!handle.movable)
             continue;
-        if (now && handle.kind == now->kind && handle.element == now->element &&
-            handle.part == now->part)
+        if (now && handle.name() == now->name())
             at = all.size();
         all.push_back(handle);
     }
@@ -320,6 +318,9 @@ void PictureEditing::markNext(int step) {
     const render::Handle& next =
         all[now ? (at + count + static_cast<std::size_t>(step + static_cast<int>(count))) % count
                 : 0];
+    if (next.folded)
+        display_.openCrowd(
+            gestures::crowdAt(display_.handles(), display_.sight().pixels(next.place), 0));
     choose(next.kind, next.element, next.part);
 }
 
@@ -401,17 +402,17 @@ void PictureEditing::markElement(const editing::Element& element) {
     mark_.reset();
     const auto& scene = *document_.shown().scene;
     if (element.kind == Kind::body)
-        mark_ = {HandleKind::position, element.index, 0};
+        mark_ = render::HandleName{HandleKind::position, element.index, 0};
     else if (element.kind == Kind::force)
-        mark_ = {HandleKind::forceHead, element.index, 0};
+        mark_ = render::HandleName{HandleKind::forceHead, element.index, 0};
     else if (element.kind == Kind::link)
-        mark_ = {HandleKind::linkEnd, element.index, 0};
+        mark_ = render::HandleName{HandleKind::linkEnd, element.index, 0};
     else if (element.kind == Kind::joint)
-        mark_ = {HandleKind::jointPoint, element.index, 0};
+        mark_ = render::HandleName{HandleKind::jointPoint, element.index, 0};
     else if (element.kind == Kind::light)
-        mark_ = {HandleKind::lightPlace, element.index, 0};
+        mark_ = render::HandleName{HandleKind::lightPlace, element.index, 0};
     else if (element.kind == Kind::trajectory)
-        mark_ = {HandleKind::trajectoryPoint, element.index, 0};
+        mark_ = render::HandleName{HandleKind::trajectoryPoint, element.index, 0};
     if (element.kind == Kind::force && element.index < scene.forces.size() &&
         scene.forces[element.index].couple)
         mark_->kind = HandleKind::torqueHead;

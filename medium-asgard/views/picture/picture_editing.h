@@ -112,11 +112,6 @@ private:
     void paintAlong(QPainter& painter) const;
     void paintWords(QPainter& painter, const QString& words, bool possible) const;
 
-    struct Mark { // a handle by what it belongs to
-        render::HandleKind kind;
-        std::size_t element, part;
-    };
-
     SceneDocument& document_;
     SceneDisplay& display_;
     gestures::Hand hand_;
@@ -126,7 +121,7 @@ private:
     int since_ = 0; // the revision that a drag began at
     QTimer rest_;   // of the pointer, while what it pulls comes nearer still
     Qt::MouseButton button_ = Qt::NoButton;
-    std::optional<Mark> mark_;
+    std::optional<render::HandleName> mark_;
     std::vector<editing::Element> before_; // what was selected when the button went down
     QPointer<ValueEntry> entry_;
 };

@@ -52,18 +52,15 @@ void PictureEditing::paintLabels(QPainter& painter) const {
     font.setPointSizeF(font.pointSizeF() * 0.9);
     painter.setFont(font);
     const gestures::Sight sight = display_.sight();
-    std::vector<const render::Handle*> labelled;
+    const auto labelled = render::labelled(display_.drawnHandles());
     std::vector<render::LabelWish> wishes;
-    for (const render::Handle& handle : display_.drawnHandles().handles) {
-        if (handle.label.empty() || (handle.kind == render::HandleKind::spin && !handle.isArrow()))
-            continue;
-        const QPointF at = display_.fromPixels(render::standOf(handle, sight.camera, sight.size));
+    for (const render::Handle* handle : labelled) {
+        const QPointF at = display_.fromPixels(render::standOf(*handle, sight.camera, sight.size));
         const QSizeF size = painter
                                 .boundingRect(QRectF(0, 0, 1, 1), Qt::AlignLeft | Qt::TextDontClip,
-                                              QString::fromStdString(handle.label))
+                                              QString::fromStdString(handle->label))
                                 .size() +
                             QSizeF(6, 2);
-        labelled.push_back(&handle);
         wishes.push_back({{at.x(), at.y()}, {size.width(), size.height()}});
     }
     const Eigen::AlignedBox2d picture(Eigen::Vector2d(0, 0),

@@ -31,7 +31,18 @@ void Pointing::moveTo(const QPointF& position, Qt::KeyboardModifiers keys) {
 
 void Pointing::leave() {
     position_.reset();
+    openCrowd();
     look();
+}
+
+// A drag out of the crowd goes on wherever the pointer is.
+void Pointing::openCrowd() {
+    if (display_.editing().dragging())
+        return;
+    display_.openCrowd(
+        position_ ? gestures::crowdAt(display_.knownHandles(), display_.inPixels(*position_),
+                                      gestures::handleReach * display_.devicePixelRatioF())
+                  : std::nullopt);
 }
 
 // While the motion plays this comes more often than the pointer would have to rest.
@@ -75,6 +86,7 @@ void Pointing::look() {
 }
 
 void Pointing::rest() {
+    openCrowd();
     look();
     // LIMIT: in a crowd bodies are not named by pointing: finding one takes longer than a movement.
     constexpr std::size_t crowd = 2000;
@@ -104,7 +116,8 @@ void Pointing::rest() {
             subject_ = QString::fromStdString(drawing.scene->trajectories[*path].name);
     }
     showCursor();
-    if (body_ || path_ || display_.gizmo().at(*position_) || display_.faultSigns().at(*position_))
+    if (body_ || path_ || display_.gizmo().at(*position_) || display_.faultSigns().at(*position_) ||
+        display_.meters().at(*position_))
         Q_EMIT changed();
 }
 
@@ -112,6 +125,8 @@ void Pointing::showCursor() {
     const bool shifted = keys_ & Qt::ShiftModifier;
     if (display_.creating().active())
         display_.setCursor(Qt::CrossCursor);
+    else if (position_ && display_.meters().at(*position_))
+        display_.setCursor(display_.meters().holds() ? Qt::ClosedHandCursor : Qt::OpenHandCursor);
     else if ((shifted && (handle_ || isGrasped_)) ||
              (isDragged_ && (!whyNot_ || whyNot_->isEmpty())))
         display_.setCursor(Qt::SizeAllCursor);
@@ -145,6 +160,10 @@ QString Pointing::hint() const {
     const QString menu = tr("right button: menu");
     if (const QString end = position_ ? display_.triadEndAt(*position_) : QString(); !end.isEmpty())
         return tr("A click looks along %1").arg(end);
+    if (const auto meter = position_ ? display_.meters().at(*position_) : std::nullopt)
+        return display_.meters().all()[*meter].isChart
+                   ? tr("Drag moves this chart  ·  double click: the number alone")
+                   : tr("Drag moves this value  ·  double click: a chart of it");
     if (const auto part = position_ ? display_.gizmo().at(*position_) : std::nullopt)
         return (part->isRing    ? tr("Drag turns it about %1, to whole degrees")
                 : part->isPlane ? tr("Drag moves it across %1")

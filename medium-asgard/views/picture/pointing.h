@@ -42,6 +42,7 @@ Q_SIGNALS:
 private:
     void look();
     void rest();
+    void openCrowd(); // under the pointer
     void showCursor();
     [[nodiscard]] QString heldHint() const;
 

@@ -1,5 +1,7 @@
 // What pointing says, at the window's foot and in the picture.
 #include "frame/hint_line.h"
+#include "gestures/picking.h"
+#include "handles/handle_layout.h"
 #include "viewers/editor.h"
 #include "views/test_workshop.h"
 
@@ -52,6 +54,43 @@ protected:
     GraphicalViewer* viewer = nullptr;
     QPoint head, empty;
 };
+
+const std::string laden = thrown + [] {
+    std::string forces;
+    for (int i = 0; i < 6; ++i)
+        forces += "force -body ball -x 0 -y 5 -z 0\n";
+    return forces;
+}();
+
+// Six forces act at one point of the ball: all have their foot there.
+TEST_F(PointingTest, HandlesThatAreFoldedComeOutUnderThePointer) {
+    editor.document().setText(laden, "Edit");
+    ASSERT_TRUE(settle(editor.document()));
+    viewer->findChild<StatusPanel*>()->show(&render::Display::forceHandles);
+    viewer->findChild<StatusPanel*>()->show(&render::Display::positionHandles);
+    viewer->findChild<StatusPanel*>()->show(&render::Display::spinHandles);
+    const auto folded = [&] {
+        display().grab();
+        return std::ranges::count(display().handles().handles, true, &render::Handle::folded);
+    };
+    const auto before = folded();
+    ASSERT_GT(before, 0);
+    ASSERT_FALSE(display().handles().crowds.empty());
+    const render::Crowd crowd = display().handles().crowds.front();
+    const QPoint middle = display().fromPixels(crowd.middle).toPoint();
+    pointAt(middle);
+    EXPECT_TRUE(waitFor([&] { return folded() == 0; }));
+    // Each of them is taken now.
+    for (const render::Handle& handle : display().handles().handles) {
+        const auto found = gestures::handleAt(
+            display().handles(), display().sight(),
+            render::standOf(handle, display().sight().camera, display().sight().size), 14);
+        ASSERT_TRUE(found);
+        EXPECT_EQ(display().handles().handles[*found].name(), handle.name());
+    }
+    pointAt(empty);
+    EXPECT_TRUE(waitFor([&] { return folded() == before; }));
+}
 
 TEST_F(PointingTest, AHandleSaysWhatMovesIt) {
     pointAt(head);

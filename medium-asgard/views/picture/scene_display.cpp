@@ -119,8 +119,17 @@ void SceneDisplay::setTime(double time, bool moving) {
 
 void SceneDisplay::setDisplay(const render::Display& display) {
     auto hidden = display_.hidden;
+    const auto opened = display_.opened;
     display_ = display;
     display_.hidden = std::move(hidden);
+    display_.opened = opened;
+    redraw(false);
+}
+
+void SceneDisplay::openCrowd(const std::optional<render::HandleName>& largest) {
+    if (largest == display_.opened)
+        return;
+    display_.opened = largest;
     redraw(false);
 }
 

@@ -42,12 +42,14 @@ public:
     void setTime(double time, bool moving);
     [[nodiscard]] double time() const { return time_; }
 
-    void setDisplay(const render::Display& display); // but for what is hidden
+    void setDisplay(const render::Display& display); // but for what is hidden and opened
     // Bodies that this picture does not show; the scene is as it was.
     void setHidden(std::set<std::string> names);
     [[nodiscard]] const std::set<std::string>& hidden() const;
     void hide(const std::vector<editing::Element>& elements); // the bodies of them
     [[nodiscard]] const render::Display& display() const { return display_; }
+    // The crowd of handles by its largest: those that were folded stand around it; none: of none.
+    void openCrowd(const std::optional<render::HandleName>& largest);
 
     [[nodiscard]] const render::Camera& camera() const { return control_.camera(); }
     void setCamera(const render::Camera& camera); // the user's own from now on
