@@ -36,6 +36,7 @@ inline constexpr Count mostParameters{1000};
 inline constexpr Count mostExpressions{1000, false, longestExpression}; // and their values
 inline constexpr Count mostOffers{1000, true};                          // of values
 inline constexpr Count mostFields{100}, mostWays{100, true};            // of a question
+inline constexpr Count mostChangedLines{100, true}; // that its values would make
 inline constexpr Count mostFieldValues{100, false, longestInput};
 inline constexpr Count mostValueFaults{1000, false, longestSentence};
 inline constexpr Count mostCapabilities{100, false, longestName};

@@ -113,12 +113,19 @@ template <class V> void describe(V& v, Way& m) {
     v.field("id", m.id, longestName);
     v.field("label", m.label, longestLabel);
 }
+template <class V> void describe(V& v, ChangedLine& m) {
+    v.field("line", m.line, natural);
+    v.field("before", m.before, longestSentence);
+    v.field("after", m.after, longestSentence);
+}
 template <class V> void describe(V& v, Question& m) {
     v.field("title", m.title, longestLabel);
     v.option("note", m.note, longestSentence);
     v.field("fields", m.fields, mostFields);
     v.option("refusal", m.refusal, longestSentence);
     v.option("ways", m.ways, mostWays);
+    v.option("tries", m.tries);
+    v.option("changes", m.changes, mostChangedLines);
 }
 template <class V> void describe(V& v, Invoked& m) { v.option("question", m.question); }
 template <class V> void describe(V& v, Revised& m) { v.field("revision", m.revision, natural); }
@@ -209,6 +216,7 @@ template <class V> void describe(V& v, MenuInvoke& m) {
     v.field("id", m.id, longestName);
     v.field("rendition", m.rendition, natural);
     v.option("values", m.values, mostFieldValues);
+    v.option("trial", m.isTrial);
     v.option("figure", m.figure);
 }
 template <class V> void describe(V&, TimePlay&) {}

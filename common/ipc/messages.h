@@ -140,6 +140,10 @@ struct Evaluated {
 struct AskedField { // of a question: its value as it is now, to be typed anew
     std::string label, value;
 };
+struct ChangedLine {  // of the subdocument's text, without what it shares with its surroundings
+    Integer line = 0; // from 1
+    std::string before, after;
+};
 struct Way { // another one than that which was refused
     std::string id, label;
 };
@@ -150,6 +154,8 @@ struct Question {
     std::vector<AskedField> fields;
     std::string refusal;   // why the values that came with it cannot be; "": none came
     std::vector<Way> ways; // instead
+    bool tries = false;    // it may be invoked to try values
+    std::vector<ChangedLine> changes = {}; // that these values would make
 };
 struct Invoked {
     std::optional<Question> question; // none: it is done
@@ -276,6 +282,7 @@ struct MenuInvoke {
     std::string id;
     std::optional<Integer> rendition;
     std::vector<std::string> values = {};  // of the fields of its question
+    bool isTrial = false;                  // nothing is done: the question says what would be
     std::optional<ScreenArea> figure = {}; // where its user sees it; none: nobody knows
 };
 struct TimePlay {

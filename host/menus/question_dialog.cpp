@@ -1,6 +1,7 @@
 #include "menus/question_dialog.h"
 
 #include "plain/plain.h"
+#include "text/difference.h"
 
 #include <QDialogButtonBox>
 #include <QFormLayout>
@@ -8,6 +9,8 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QVBoxLayout>
+
+#include <utility>
 
 namespace menus {
 
@@ -29,12 +32,37 @@ void setWords(QLabel& label, const std::string& words) {
     label.setVisible(!words.empty());
 }
 
+QString marked(const std::string& line, const std::string& other) {
+    const text::Edit edit = text::difference(other, line);
+    const auto escaped = [](const std::string& s) {
+        return QString::fromStdString(s).toHtmlEscaped();
+    };
+    const std::size_t from = edit.range.from, length = edit.text.size();
+    return escaped(line.substr(0, from)) + "<b>" + escaped(line.substr(from, length)) + "</b>" +
+           escaped(line.substr(from + length));
+}
+
+// Each line as it is and as it would be; a line that is new alone.
+QString worded(const std::vector<ipc::ChangedLine>& changes) {
+    QString shown;
+    for (const ipc::ChangedLine& one : changes) {
+        if (!one.before.empty())
+            shown += QStringLiteral("<div><code><s>%1</s></code></div>")
+                         .arg(marked(one.before, one.after));
+        shown += QStringLiteral("<div><code>%1</code></div>").arg(marked(one.after, one.before));
+    }
+    return shown.isEmpty()
+               ? shown
+               : QuestionDialog::tr("Line %1 of its text:").arg(changes[0].line) + shown;
+}
+
 } // namespace
 
 QuestionDialog::QuestionDialog(media::LiveSubdocument& live, ipc::MenuInvoke call,
                                const ipc::Question& question, QWidget* parent)
     : QDialog(parent), live_(&live), call_(std::move(call)), note_(sentence("questionNote")),
-      form_(new QFormLayout), refusal_(sentence("questionRefusal")), ways_(new QVBoxLayout),
+      form_(new QFormLayout), refusal_(sentence("questionRefusal")), changes_(plain::markupLabel()),
+      ways_(new QVBoxLayout),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel)) {
     setObjectName("questionDialog");
     setAttribute(Qt::WA_DeleteOnClose);
@@ -42,6 +70,10 @@ QuestionDialog::QuestionDialog(media::LiveSubdocument& live, ipc::MenuInvoke cal
     column->addLayout(form_);
     column->addWidget(note_);
     column->addWidget(refusal_);
+    changes_->setObjectName("questionChanges");
+    changes_->setWordWrap(true);
+    changes_->setMinimumWidth(leastWidth);
+    column->addWidget(changes_);
     column->addLayout(ways_);
     column->addWidget(buttons_);
     column->setSizeConstraint(QLayout::SetFixedSize);
@@ -65,6 +97,7 @@ void QuestionDialog::show(const ipc::Question& question) {
             auto* field = new QLineEdit(QString::fromStdString(one.value));
             field->setObjectName(QStringLiteral("answer%1").arg(fields_.size() + 1));
             field->setAccessibleName(label);
+            connect(field, &QLineEdit::textEdited, this, &QuestionDialog::tryTyped);
             form_->addRow(plain::label(label), field);
             fields_.push_back(field);
         }
@@ -74,6 +107,9 @@ void QuestionDialog::show(const ipc::Question& question) {
         }
     }
     setWords(*refusal_, question.refusal);
+    tries_ = question.tries;
+    changes_->setText(worded(question.changes));
+    changes_->setVisible(!question.changes.empty());
     while (QLayoutItem* item = ways_->takeAt(0)) {
         delete item->widget();
         delete item;
@@ -90,18 +126,36 @@ void QuestionDialog::show(const ipc::Question& question) {
     }
 }
 
-void QuestionDialog::accept() {
-    if (fields_.empty()) // there is nothing to send
-        return reject();
+ipc::MenuInvoke QuestionDialog::typed() const {
     ipc::MenuInvoke call = call_;
     for (const QLineEdit* field : fields_)
         call.values.push_back(field->text().toStdString());
+    return call;
+}
+
+void QuestionDialog::tryTyped() {
+    if (!tries_)
+        return;
+    ipc::MenuInvoke call = typed();
+    call.isTrial = true;
     send(call);
 }
 
+void QuestionDialog::accept() {
+    if (fields_.empty()) // there is nothing to send
+        return reject();
+    send(typed());
+}
+
+// One after the other; of those that wait the last, but no trial in place of what is to be done.
 void QuestionDialog::send(const ipc::MenuInvoke& call) {
-    if (!live_ || waits_)
+    if (!live_)
         return;
+    if (waits_) {
+        if (!call.isTrial || !next_ || next_->isTrial)
+            next_ = call;
+        return;
+    }
     waits_ = true;
     live_->answer(call, [self = QPointer(this)](const media::Outcome<ipc::Invoked>& outcome) {
         if (!self)
@@ -109,10 +163,12 @@ void QuestionDialog::send(const ipc::MenuInvoke& call) {
         self->waits_ = false;
         if (const auto* error = std::get_if<ipc::Error>(&outcome))
             setWords(*self->refusal_, error->message);
-        else if (const auto& next = std::get<ipc::Invoked>(outcome).question)
-            self->show(*next);
+        else if (const auto& question = std::get<ipc::Invoked>(outcome).question)
+            self->show(*question);
         else
-            self->done(QDialog::Accepted);
+            return self->done(QDialog::Accepted);
+        if (const auto next = std::exchange(self->next_, std::nullopt))
+            self->send(*next);
     });
 }
 

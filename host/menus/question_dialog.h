@@ -1,11 +1,15 @@
 // A medium's question about one of its commands: fields with values to type anew, and, where they
 // cannot be, why and what can be done instead. It stays open until the medium takes the answer.
+// A medium that tries values says while they are typed which lines of its text they would change.
 #pragma once
 
 #include "media/live_subdocument.h"
 
 #include <QDialog>
 #include <QPointer>
+
+#include <optional>
+#include <vector>
 
 class QDialogButtonBox;
 class QFormLayout;
@@ -28,6 +32,8 @@ public:
 private:
     void show(const ipc::Question& question);
     void send(const ipc::MenuInvoke& call);
+    [[nodiscard]] ipc::MenuInvoke typed() const;
+    void tryTyped();
 
     QPointer<media::LiveSubdocument> live_;
     ipc::MenuInvoke call_;
@@ -35,9 +41,12 @@ private:
     QFormLayout* form_;
     std::vector<QLineEdit*> fields_;
     QLabel* refusal_;
+    QLabel* changes_;
     QVBoxLayout* ways_;
     QDialogButtonBox* buttons_;
-    bool waits_ = false; // for an answer
+    bool tries_ = false;                  // the medium does
+    bool waits_ = false;                  // for an answer
+    std::optional<ipc::MenuInvoke> next_; // to be sent when that is there
 };
 
 } // namespace menus

@@ -131,8 +131,20 @@ TEST_F(PlayingTest, ACommandOfAMediumAsks) {
     ASSERT_TRUE(waitFor([&] { return refusal->isVisible(); }));
     EXPECT_EQ(refusal->text(), "From 1 to 9, please.");
     EXPECT_EQ(field->text(), "12"); // to be mended
-    field->setText("7");
-    QTest::keyClick(field, Qt::Key_Return);
+    // While it is typed, the dialog shows the line that it makes; nothing is done yet.
+    auto* changes = dialog->findChild<QLabel*>("questionChanges");
+    EXPECT_FALSE(changes->isVisible());
+    field->selectAll();
+    QTest::keyClicks(field, "7");
+    ASSERT_TRUE(waitFor([&] { return changes->isVisible(); }));
+    EXPECT_TRUE(changes->text().contains("<b>chosen 7</b>")) << changes->text().toStdString();
+    EXPECT_FALSE(refusal->isVisible());
+    EXPECT_EQ(text().find("chosen"), std::string::npos);
+    QTest::keyClicks(field, "7");
+    ASSERT_TRUE(waitFor([&] { return refusal->isVisible(); }));
+    EXPECT_FALSE(changes->isVisible());
+    QTest::keyClick(field, Qt::Key_Backspace);
+    QTest::keyClick(field, Qt::Key_Return); // also before the trial is answered
     ASSERT_TRUE(waitFor([&] { return dialog.isNull(); }));
     EXPECT_TRUE(waitFor([&] { return text().ends_with("chosen 7"); }));
     dialog = ask();

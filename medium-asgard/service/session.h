@@ -212,12 +212,16 @@ private:
 
     // --- session_things.cpp: what is done with the selected thing, and what is offered
     Reply<ipc::Invoked> invokeOfTheMoment(const ipc::MenuInvoke& call);
+    struct Typed { // into the fields of a question
+        std::vector<std::string> values = {};
+        bool isTrial = false; // nothing is to be done
+    };
     Reply<ipc::Invoked> doNow(const ThingCommand& command, const std::string& name,
-                              const std::vector<std::string>& values);
+                              const Typed& typed);
     Reply<ipc::Invoked> doWith(const ThingCommand& command, const editing::Element& element,
-                               const std::vector<std::string>& values);
+                               const Typed& typed);
     Reply<ipc::Invoked> answerAsked(const gestures::Ground& on, const commands::AskedValue& asked,
-                                    const std::vector<std::string>& values);
+                                    const Typed& typed);
     Reply<ipc::Invoked> fix(const gestures::Ground& on, std::size_t body);
     Reply<ipc::Invoked> takeWay(std::size_t number);
     void keepWays(const gestures::Ground& on, std::string label, std::vector<editing::Offer> offers,

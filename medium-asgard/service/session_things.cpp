@@ -19,10 +19,10 @@ auto Session::invokeOfTheMoment(const ipc::MenuInvoke& call) -> Reply<ipc::Invok
     if (const auto commands = selection.commands(subdocument_.motion()))
         for (const ThingCommand& one : *commands)
             if (call.id == idOf(one, selection.name()))
-                return doNow(one, selection.name(), call.values);
+                return doNow(one, selection.name(), {call.values, call.isTrial});
     if (const auto asked = gesture_.asked;
         asked && !call.values.empty() && call.id == idOf(asked->command, asked->name))
-        return doNow(asked->command, asked->name, call.values);
+        return doNow(asked->command, asked->name, {call.values, call.isTrial});
     return ipc::Error{ipc::ErrorCode::invalidParameters,
                       "there is no menu entry \"" + call.id + "\""};
 }
@@ -40,9 +40,9 @@ void Session::tellUser(const std::string& sentence) {
     gesture_.handles.tell(sentence); // "": what was said before is over
 }
 
-auto Session::doNow(const ThingCommand& command, const std::string& name,
-                    const std::vector<std::string>& values) -> Reply<ipc::Invoked> {
-    if (command.key == deleteThing || command.key == duplicateThing) {
+auto Session::doNow(const ThingCommand& command, const std::string& name, const Typed& typed)
+    -> Reply<ipc::Invoked> {
+    if (!typed.isTrial && (command.key == deleteThing || command.key == duplicateThing)) {
         changeSelected(command.key == deleteThing);
         return ipc::Invoked{};
     }
@@ -53,13 +53,18 @@ auto Session::doNow(const ThingCommand& command, const std::string& name,
     if (!element)
         return notPossible("There is no " + name + " any more.");
     gesture_.asked = {command, name};
-    return doWith(command, *element, values);
+    return doWith(command, *element, typed);
 }
 
 auto Session::doWith(const ThingCommand& command, const editing::Element& element,
-                     const std::vector<std::string>& values) -> Reply<ipc::Invoked> {
+                     const Typed& typed) -> Reply<ipc::Invoked> {
     const gestures::Ground on = ground();
-    holdViews();
+    if (!typed.isTrial)
+        holdViews();
+    if (const auto asked = askedBy(command, on, element))
+        return answerAsked(on, *asked, typed);
+    if (typed.isTrial)
+        return notPossible("That is not asked any more.");
     if (command.key == fixThing)
         return fix(on, element.index);
     if (const auto plot = plotBy(command, on, element)) {
@@ -68,28 +73,29 @@ auto Session::doWith(const ThingCommand& command, const editing::Element& elemen
                  ": a figure that is shown as its charts has it (Figure, Show As).");
         return ipc::Invoked{};
     }
-    if (const auto asked = askedBy(command, on, element))
-        return answerAsked(on, *asked, values);
     return notPossible("That is not there any more.");
 }
 
 auto Session::answerAsked(const gestures::Ground& on, const commands::AskedValue& asked,
-                          const std::vector<std::string>& values) -> Reply<ipc::Invoked> {
-    ipc::Question question = questionOf(asked, values);
-    if (values.empty()) { // can it be changed at all?
+                          const Typed& typed) -> Reply<ipc::Invoked> {
+    ipc::Question question = questionOf(asked, typed.values);
+    if (typed.values.empty()) { // can it be changed at all?
         question.refusal = asked.answer(asked.now).reason;
         return ipc::Invoked{std::move(question)};
     }
-    const auto wanted = commands::typedNumbers(asked, values);
+    const auto wanted = commands::typedNumbers(asked, typed.values);
     if (!wanted) {
         question.refusal = "Decimal numbers, please.";
         return ipc::Invoked{std::move(question)};
     }
-    if (*wanted == asked.now)
-        return ipc::Invoked{};
-    editing::Answer answer = asked.answer(*wanted);
+    editing::Answer answer = *wanted == asked.now ? editing::Answer() : asked.answer(*wanted);
+    if (answer.possible() && typed.isTrial) {
+        question.changes = changesOf(on.text, answer.edits);
+        return ipc::Invoked{std::move(question)};
+    }
     if (answer.possible()) {
-        on.finish(text::applied(on.text, answer.edits), asked.label);
+        if (!answer.edits.empty())
+            on.finish(text::applied(on.text, answer.edits), asked.label);
         return ipc::Invoked{};
     }
     question.refusal = answer.reason;
@@ -103,7 +109,7 @@ auto Session::fix(const gestures::Ground& on, std::size_t body) -> Reply<ipc::In
     if (std::string why = commands::whyNotFixed(*on.scene, body); !why.empty())
         return notPossible(std::move(why));
     const commands::AskedValue asked = commands::askedFixed(on, body);
-    return answerAsked(on, asked, {asked.now.front() == 0 ? "1" : "0"});
+    return answerAsked(on, asked, {{asked.now.front() == 0 ? "1" : "0"}});
 }
 
 // --- ways ---------------------------------------------------------------------------------------

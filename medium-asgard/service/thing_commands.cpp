@@ -1,6 +1,7 @@
 #include "service/thing_commands.h"
 
 #include "commands/quantities.h"
+#include "element_edits/preview.h"
 #include "gestures/handle_meaning.h"
 #include "script/numbers.h"
 
@@ -90,7 +91,7 @@ std::optional<NewPlot> plotBy(const ThingCommand& command, const gestures::Groun
 }
 
 ipc::Question questionOf(const commands::AskedValue& asked, const std::vector<std::string>& typed) {
-    ipc::Question question{asked.title, asked.note, {}, {}, {}};
+    ipc::Question question{asked.title, asked.note, {}, {}, {}, true};
     const std::vector<std::string> shown = commands::shownNumbers(asked);
     for (std::size_t i = 0; i < shown.size(); ++i) {
         const std::string& written = asked.written[i];
@@ -99,6 +100,15 @@ ipc::Question questionOf(const commands::AskedValue& asked, const std::vector<st
                                    i < typed.size() ? typed[i] : shown[i]});
     }
     return question;
+}
+
+std::vector<ipc::ChangedLine> changesOf(const std::string& text, const text::Edits& edits) {
+    constexpr std::size_t most = 20; // of lines that one reads
+    std::vector<ipc::ChangedLine> changes;
+    for (const editing::LineChange& one : editing::changedLines(text, edits))
+        if (changes.size() < most)
+            changes.push_back({one.line, one.before, one.after});
+    return changes;
 }
 
 } // namespace service

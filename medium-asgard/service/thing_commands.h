@@ -50,4 +50,8 @@ struct NewPlot {
 [[nodiscard]] ipc::Question questionOf(const commands::AskedValue& asked,
                                        const std::vector<std::string>& typed);
 
+// The lines of the text that the edits would change; LIMIT: the first 20.
+[[nodiscard]] std::vector<ipc::ChangedLine> changesOf(const std::string& text,
+                                                      const text::Edits& edits);
+
 } // namespace service

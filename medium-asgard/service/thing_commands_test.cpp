@@ -22,16 +22,18 @@ protected:
     }
     // By its label; the question that it is answered with.
     std::optional<ipc::Question> invoke(const std::string& label,
-                                        const std::vector<std::string>& values = {}) {
+                                        const std::vector<std::string>& values = {},
+                                        bool isTrial = false) {
         const ipc::MenuEntry* entry = entryOf(label);
         EXPECT_NE(entry, nullptr) << label;
-        return entry ? invokeById(entry->id, values) : std::nullopt;
+        return entry ? invokeById(entry->id, values, isTrial) : std::nullopt;
     }
     std::optional<ipc::Question> invokeById(const std::string& id,
-                                            const std::vector<std::string>& values = {}) {
+                                            const std::vector<std::string>& values = {},
+                                            bool isTrial = false) {
         std::optional<ipc::Question> question;
         refusal.clear();
-        host.request(ipc::MenuInvoke{id, 1, values},
+        host.request(ipc::MenuInvoke{id, 1, values, isTrial},
                      [&](const ipc::Outcome<ipc::Invoked>& outcome) {
                          if (const auto* error = std::get_if<ipc::Error>(&outcome))
                              refusal = error->message;
@@ -69,6 +71,32 @@ TEST_F(ThingCommandsTest, AnExactValueIsAskedForAndWritesItsNumberOnly) {
     ASSERT_TRUE(refused);
     EXPECT_EQ(refused->refusal, "Decimal numbers, please.");
     EXPECT_EQ(refused->fields[0].value, "fast");
+    EXPECT_THAT(asked, IsEmpty());
+}
+
+// As a graphical viewer's entry does, a question shows the line before and after.
+TEST_F(ThingCommandsTest, ValuesThatAreTriedShowTheLineThatTheyChange) {
+    open(moving, {});
+    select({-1, 0, 0});
+    const std::string before = text();
+    ASSERT_TRUE(invoke("Position\u2026")->tries);
+    const auto tried = invoke("Position\u2026", {"-1.25", "0", "0"}, true);
+    ASSERT_TRUE(tried);
+    EXPECT_EQ(tried->refusal, "");
+    ASSERT_EQ(tried->changes.size(), 1U);
+    EXPECT_EQ(tried->changes[0].line, 3);
+    EXPECT_THAT(tried->changes[0].before, HasSubstr("-init_pos {-1   0 0}"));
+    EXPECT_THAT(tried->changes[0].after, HasSubstr("-init_pos {-1.25   0 0}"));
+    EXPECT_THAT(asked, IsEmpty());
+    EXPECT_EQ(text(), before);
+    EXPECT_FALSE(session->subdocument().previewing());
+    EXPECT_THAT(invoke("Position\u2026", {"-1", "0", "0"}, true)->changes, IsEmpty());
+    EXPECT_EQ(invoke("Position\u2026", {"-", "0", "0"}, true)->refusal, "Decimal numbers, please.");
+    // Nothing else is done for a trial.
+    EXPECT_FALSE(invoke("Fixed", {"1"}, true));
+    EXPECT_NE(refusal, "");
+    EXPECT_FALSE(invoke("Delete body \"b1\"", {"1"}, true));
+    EXPECT_NE(refusal, "");
     EXPECT_THAT(asked, IsEmpty());
 }
 

@@ -342,12 +342,16 @@ class Medium:
             menus.append({"id": "update-drafts", "label": "Update", "enabled": True})
         return menus
 
-    def asked(self, value):
-        question = {"title": "How many", "note": "At most 9.", "fields": [{"label": "number", "value": value or "1"}]}
+    def asked(self, value, trial=False):
+        question = {"title": "How many", "note": "At most 9.", "fields": [{"label": "number", "value": value or "1"}],
+                    "tries": True}
         if value is None:
             return {"question": question}
         if not (value.isdigit() and 1 <= int(value) <= 9):
             return {"question": dict(question, refusal="From 1 to 9, please.", ways=[{"id": "five", "label": "Take 5"}])}
+        if trial:
+            line = self.text.count("\n") + 2
+            return {"question": dict(question, changes=[{"line": line, "before": "", "after": "chosen " + value}])}
         end = len(self.text.encode())
         send({"id": 3, "method": "subdocument/changed", "params": {"base": self.revision, "label": "Choose", "edits": [
             {"from": end, "to": end, "text": "\nchosen " + value}]}})
@@ -403,7 +407,7 @@ class Medium:
             if p["id"] == "crash":
                 self.behave(["crash"])
             if p["id"] in ("ask", "five"):
-                return self.asked("5" if p["id"] == "five" else p.get("values", [None])[0])
+                return self.asked("5" if p["id"] == "five" else p.get("values", [None])[0], p.get("trial", False))
             if p["id"] not in [entry["id"] for entry in self.menus()]:
                 raise Impossible("there is no such command")
             if p["id"] == "play":
