@@ -3,6 +3,7 @@
 #include "solution/awakening.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace solution {
 
@@ -37,7 +38,8 @@ std::set<std::size_t> Replacement::changedBy(const Event& event, const Changes& 
             candidates.insert(candidates.end(), network_.set->quaternions[*four].begin(),
                               network_.set->quaternions[*four].end());
     const auto isWoken = [&](std::size_t u) { return std::ranges::binary_search(woken, u); };
-    std::erase_if(candidates, [&](std::size_t u) { return network_.isUnread(u); });
+    std::erase_if(candidates,
+                  [&](std::size_t u) { return network_.isUnread(u) || changed.contains(u); });
     const Reads reads = readsOf(*network_.set, network_.set.index(), candidates, event.time, {});
     for (std::size_t i = 0; i < candidates.size(); ++i)
         if (std::ranges::any_of(reads[i], isWoken))
@@ -63,7 +65,8 @@ Replacement::Region Replacement::regionOf(const Event& event, const std::set<std
         if (!network_.zero.contains(u))
             awake.push_back(u);
     }
-    for (const std::vector<std::size_t>& read : readsNow(awake))
+    Reads readByAwake = readsNow(awake);
+    for (const std::vector<std::size_t>& read : readByAwake)
         std::ranges::for_each(read, include);
     Region region{.groups = {groups.begin(), groups.end()},
                   .components = {},
@@ -84,7 +87,12 @@ Replacement::Region Replacement::regionOf(const Event& event, const std::set<std
             region.unknowns.insert(region.unknowns.end(), own.begin(), own.end());
         }
     std::ranges::sort(region.unknowns);
-    Reads reads = readsNow(region.unknowns);
+    std::vector<std::size_t> rest;
+    std::ranges::set_difference(region.unknowns, awake, std::back_inserter(rest));
+    Reads readByRest = readsNow(rest), reads;
+    auto ofAwake = readByAwake.begin(), ofRest = readByRest.begin();
+    for (const std::size_t u : region.unknowns)
+        reads.push_back(std::move(std::ranges::binary_search(awake, u) ? *ofAwake++ : *ofRest++));
     for (std::vector<std::size_t>& places : reads)
         for (std::size_t& read : places)
             read = static_cast<std::size_t>(std::ranges::lower_bound(region.unknowns, read) -

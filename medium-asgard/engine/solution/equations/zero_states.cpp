@@ -156,17 +156,13 @@ struct ZeroStates::Readers {
 template <class Visit> void ZeroStates::eachReader(std::uint32_t node, const Visit& visit) const {
     for (const std::uint32_t reader : readers_->nodes.of(node))
         visit(reader);
-    if (const auto late = lateReaders_.find(node); late != lateReaders_.end())
-        for (const std::uint32_t reader : late->second)
-            visit(reader);
+    lateReaders_.each(node, visit);
 }
 
 template <class Visit> void ZeroStates::eachUnknown(std::uint32_t node, const Visit& visit) const {
     for (const std::uint32_t u : readers_->unknowns.of(node))
         visit(u);
-    if (const auto late = lateUnknowns_.find(node); late != lateUnknowns_.end())
-        for (const std::uint32_t u : late->second)
-            visit(u);
+    lateUnknowns_.each(node, visit);
 }
 
 // Every node is 0 until something shows that it is not.
@@ -235,7 +231,7 @@ void ZeroStates::grow(const Graph& graph, std::uint32_t until) {
         if (graph.op(Node{n}) != Op::symbol)
             nodeZero_[n] = vanishes(graph, Node{n}, nodeZero_);
         for (const Node argument : graph.arguments(Node{n}))
-            lateReaders_[argument.index].push_back(n);
+            lateReaders_.add(argument.index, n);
     }
 }
 
@@ -247,7 +243,7 @@ void ZeroStates::learn(const expression::Unknown& unknown, double from, std::siz
         bool isKnown = false;
         eachUnknown(node, [&](std::uint32_t known) { isKnown = isKnown || known == number; });
         if (!isKnown)
-            lateUnknowns_[node].push_back(number);
+            lateUnknowns_.add(node, number);
     });
 }
 

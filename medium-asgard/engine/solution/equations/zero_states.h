@@ -18,12 +18,35 @@
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 namespace solution {
 
 class ZeroStates {
+    // Lists of numbers, one for each key, which grow; all in one table.
+    class GrowingLists {
+    public:
+        void add(std::uint32_t key, std::uint32_t number) {
+            if (key >= newest_.size())
+                newest_.resize(std::size_t{key} + 1, 0);
+            links_.push_back({.number = number, .before = newest_[key]});
+            newest_[key] = static_cast<std::uint32_t>(links_.size());
+        }
+        // The newest first.
+        template <class Visit> void each(std::uint32_t key, const Visit& visit) const {
+            for (std::uint32_t at = key < newest_.size() ? newest_[key] : 0; at != 0;
+                 at = links_[at - 1].before)
+                visit(links_[at - 1].number);
+        }
+
+    private:
+        struct Link {
+            std::uint32_t number, before;
+        };
+        std::vector<std::uint32_t> newest_; // by key: how many links there were with it; 0: none
+        std::vector<Link> links_;
+    };
+
 public:
     ZeroStates() = default; // none
     ZeroStates(const expression::EquationSet& set, double from, std::span<const double> values);
@@ -74,7 +97,7 @@ private:
     // The readers of a node, and the unknowns that have it as a rate or value: of the equations
     // that there were at first, which copies share, and of those that came later.
     std::shared_ptr<const Readers> readers_;
-    std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> lateReaders_, lateUnknowns_;
+    GrowingLists lateReaders_, lateUnknowns_;
 };
 
 } // namespace solution
