@@ -103,20 +103,16 @@ std::vector<Quantity> ofBody(const scene::Scene& scene, const scene::Body& body,
 }
 
 // The angle of a pendulum from where it hangs straight down, right-handed about the axis: that of
-// the way from its point to the body's centre of mass. `across`: the direction in which a small
-// positive angle leads.
-std::string angleFromBelow(const std::string& body, const geometry::Vector& point,
-                           const geometry::Vector& up, const geometry::Vector& across) {
+// the way from the joint's point to the body's centre of mass, wherever the joint is moved.
+// `across`: the direction in which a small positive angle leads.
+std::string angleFromBelow(const scene::Joint& joint, const geometry::Vector& up,
+                           const geometry::Vector& across) {
     const auto along = [&](const geometry::Vector& direction) { // an axis of the world, either way
         Eigen::Index axis = 0;
         direction.cwiseAbs().maxCoeff(&axis);
-        const std::string place = body + "." + "xyz"[axis];
-        const double start = point[axis];
-        const std::string from = editing::numberText(start, 0);
-        return direction[axis] > 0 ? (start == 0  ? place
-                                      : start < 0 ? place + " + " + editing::numberText(-start, 0)
-                                                  : place + " - " + from)
-                                   : (start == 0 ? "-" + place : from + " - " + place);
+        const std::string letter(1, "xyz"[axis]);
+        const std::string body = joint.body1 + "." + letter, point = joint.name + ".p" + letter;
+        return direction[axis] > 0 ? body + " - " + point : point + " - " + body;
     };
     return "atan2(" + along(across) + ", " + along(-up) + ")";
 }
@@ -144,7 +140,7 @@ std::string angleOfPendulum(const scene::Scene& scene, const scene::Joint& joint
         // About z as a rule; where that is upwards, about x.
         const geometry::Vector axis =
             std::abs(up.z()) < 0.5 ? geometry::Vector::UnitZ() : geometry::Vector::UnitX();
-        return angleFromBelow(joint.body1, *joint.offset2, up, axis.cross(-up));
+        return angleFromBelow(joint, up, axis.cross(-up));
     }
     if (joint.type != scene::JointType::hinge || !joint.offset1)
         return {};
@@ -152,7 +148,7 @@ std::string angleOfPendulum(const scene::Scene& scene, const scene::Joint& joint
     const auto axis = worldAxis(pose.attitude * joint.axis);
     if (!axis || std::abs(axis->dot(up)) > 0.5)
         return {};
-    return angleFromBelow(joint.body1, pose.toWorld(*joint.offset1), up, axis->cross(-up));
+    return angleFromBelow(joint, up, axis->cross(-up));
 }
 
 std::vector<Quantity> ofJoint(const scene::Scene& scene, const Names& names,

@@ -158,7 +158,7 @@ class FirstTasks(unittest.TestCase):
         self.author.press("newPlot", "Return")
         self.newcomer.actions += 1
         plot = self.author.says(r"^plot \S+ -values \{\{(.*)\}\} -labels \{\{angle of hinge1\}\}").group(1)
-        self.assertRegex(plot, r"^atan2\(body1\.x, .*body1\.y\)$")
+        self.assertRegex(plot, r"^atan2\(body1\.x - hinge1\.px, hinge1\.py - body1\.y\)$")
         self.author.look("graph")
         self.newcomer.play(MOST)
 

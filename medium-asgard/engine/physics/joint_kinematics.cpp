@@ -13,8 +13,8 @@ JetVector JointKinematics::apart(const JointFrame& frame, const Along& along) {
     return points_.apart(frame.ends[0], frame.ends[1], along);
 }
 
-NodeVector JointKinematics::pointOf(std::size_t joint) {
-    return points_.placeOf(frames_[joint].ends[0]);
+NodeVector JointKinematics::pointOf(std::size_t joint, std::size_t end) {
+    return points_.placeOf(frames_[joint].ends[end]);
 }
 
 JetVector JointKinematics::turning(const JointFrame& frame, const Along& along) {

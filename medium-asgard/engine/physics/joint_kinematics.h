@@ -18,7 +18,8 @@ public:
 
     // All that are 0, as lengths.
     [[nodiscard]] std::vector<Jet> conditions(std::size_t joint, const Along& along);
-    [[nodiscard]] NodeVector pointOf(std::size_t joint); // of its first end, in the world
+    // In the world, as its first body carries it (0), or the second or the ground (1).
+    [[nodiscard]] NodeVector pointOf(std::size_t joint, std::size_t end);
     // As expressions read it: with -from.
     [[nodiscard]] Jet coordinate(std::size_t joint, std::size_t k, const Along& along);
     // How far it has gone since the start; of a distance and a ball, which have no -from, the same.

@@ -33,6 +33,7 @@ void JointReader::nameJoint(std::size_t joint) {
                                   frames_.moving(joint).front());
     }
     nodes.force = nodes.couple = constant(g_, Vector::Zero());
+    nodes.point = kinematics_.pointOf(joint, 1);
     nodes_.push_back(std::move(nodes));
 }
 
@@ -74,7 +75,7 @@ void JointReader::addForce(std::size_t joint, std::span<const Contribution> cont
     const auto& [first, second] = frames_[joint].ends;
     const bool isFirst = first.body && !bodies_[*first.body].isFixed;
     const JointEnd& end = isFirst ? first : second;
-    const NodeVector point = kinematics_.pointOf(joint);
+    const NodeVector point = kinematics_.pointOf(joint, 0);
     JointNodes& nodes = nodes_[joint];
     for (const Contribution& c : contributions) {
         if (c.body != *end.body)

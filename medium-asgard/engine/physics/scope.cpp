@@ -168,6 +168,9 @@ Node Scope::bodyPoint(Graph& g, const scene::BodyName& name,
 Node Scope::jointQuantity(const scene::JointName& name) const {
     using enum scene::JointQuantity;
     const JointNodes& nodes = joints_[name.joint];
+    const auto after = [&](scene::JointQuantity first) {
+        return static_cast<std::size_t>(name.quantity) - static_cast<std::size_t>(first);
+    };
     switch (name.quantity) {
     case q:
         return nodes.q[name.coordinate];
@@ -178,13 +181,17 @@ Node Scope::jointQuantity(const scene::JointName& name) const {
     case fx:
     case fy:
     case fz:
-        return nodes.force[static_cast<std::size_t>(name.quantity) - static_cast<std::size_t>(fx)];
+        return nodes.force[after(fx)];
     case tx:
     case ty:
     case tz:
+        return nodes.couple[after(tx)];
+    case px:
+    case py:
+    case pz:
         break;
     }
-    return nodes.couple[static_cast<std::size_t>(name.quantity) - static_cast<std::size_t>(tx)];
+    return nodes.point[after(px)];
 }
 
 // While nothing touches there is no centre of pressure: 0/0.

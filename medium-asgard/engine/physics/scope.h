@@ -31,10 +31,10 @@ struct SceneNodes {
 };
 
 // The nodes of a joint's names (scene/names.h). Forces are what it does to its first body, in world
-// axes, about its point.
+// axes, about its point; `point`: as the second body, or the ground, carries it.
 struct JointNodes {
     std::vector<Node> q, dq, motor; // by coordinate
-    NodeVector force, couple;
+    NodeVector force, couple, point;
 };
 
 // A rope's names; tension of each span between wheels or ends.

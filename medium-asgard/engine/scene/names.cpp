@@ -87,8 +87,8 @@ std::vector<std::string> jointQuantityNames(JointType type) {
         if (traits.hasDrives)
             names.push_back("motor" + suffix);
     }
-    for (const char* force : {"fx", "fy", "fz", "tx", "ty", "tz"})
-        names.emplace_back(force);
+    for (const char* ofAll : {"fx", "fy", "fz", "tx", "ty", "tz", "px", "py", "pz"})
+        names.emplace_back(ofAll);
     return names;
 }
 
@@ -251,16 +251,16 @@ Named Names::findOfJoint(std::string_view name, std::size_t joint, std::string_v
         return NameFault{"a " + std::string(traits.name) + " joint has no quantity " +
                              quoted(quantity),
                          "there are" + listOf(known)};
-    const std::size_t each = traits.hasDrives ? 3 : 2, ofForce = each * traits.coordinates.size();
-    const bool isForce = *index >= ofForce;
+    const std::size_t each = traits.hasDrives ? 3 : 2, ofAll = each * traits.coordinates.size();
+    const bool isOfAll = *index >= ofAll; // of no coordinate
     const auto found = static_cast<JointQuantity>(
-        isForce ? static_cast<std::size_t>(JointQuantity::fx) + *index - ofForce : *index % each);
-    if (found >= JointQuantity::motor && reading != Reading::quantities &&
-        reading != Reading::release)
+        isOfAll ? static_cast<std::size_t>(JointQuantity::fx) + *index - ofAll : *index % each);
+    const bool isForce = found >= JointQuantity::motor && found < JointQuantity::px;
+    if (isForce && reading != Reading::quantities && reading != Reading::release)
         return NameFault{std::string(name) + onlyShown, ""};
     if (found == JointQuantity::dq && reading == Reading::positions)
         return NameFault{onlyPositions, ""};
-    return JointName{joint, found, isForce ? 0 : *index / each};
+    return JointName{joint, found, isOfAll ? 0 : *index / each};
 }
 
 Named Names::findOfSpring(std::string_view name, std::size_t link, std::string_view quantity,

@@ -63,8 +63,9 @@ enum class SpringQuantity { length, force };
 // How many spans between wheels or ends a rope has: each has a tension of its own.
 [[nodiscard]] std::size_t spansOf(const Rope& rope);
 
-// fx to tz: what the joint does to body 1, in world axes, at its point; motor: along a coordinate.
-enum class JointQuantity { q, dq, motor, fx, fy, fz, tx, ty, tz };
+// fx to tz: what the joint does to body 1, in world axes, at its point; motor: along a coordinate;
+// px to pz: the place of its point, as body 2 or the ground carries it.
+enum class JointQuantity { q, dq, motor, fx, fy, fz, tx, ty, tz, px, py, pz };
 
 // The names that a joint of that type has after its dot: "q", "dq", "motor", or "q1", ..., "fx",
 // ...

@@ -86,9 +86,9 @@ TEST(Names, OfJointsDependOnTheirType) {
     EXPECT_EQ(diagnosis("pin.dq", Reading::positions),
               "[pin.dq] positions may be read here, and no velocities");
     EXPECT_EQ(diagnosis("tube.q"), "[tube.q] a cylindrical joint has no quantity \"q\" | there are "
-                                   "q1 dq1 motor1 q2 dq2 motor2 fx fy fz tx ty tz");
+                                   "q1 dq1 motor1 q2 dq2 motor2 fx fy fz tx ty tz px py pz");
     EXPECT_EQ(diagnosis("weld.q"), "[weld.q] a fixed joint has no quantity \"q\" | there are fx fy "
-                                   "fz tx ty tz");
+                                   "fz tx ty tz px py pz");
     EXPECT_EQ(diagnosis("pin"), "[pin] \"pin\" is a joint, and an expression reads numbers | "
                                 "write pin.q, or another of its quantities");
     for (const std::string name : {"pin.motor", "pin.fx", "weld.tz"})
@@ -111,6 +111,9 @@ TEST(Names, SayWhichCoordinateIsMeant) {
     EXPECT_EQ(found("tube.motor1").coordinate, 0u);
     EXPECT_EQ(found("tube.ty").quantity, JointQuantity::ty);
     EXPECT_EQ(found("weld.fz").quantity, JointQuantity::fz);
+    EXPECT_EQ(found("tube.px").quantity, JointQuantity::px);
+    EXPECT_EQ(found("weld.pz").quantity, JointQuantity::pz);
+    EXPECT_EQ(diagnosis("weld.pz - pin.px"), "right"); // also where forces are not read
 }
 
 TEST(Names, OfSpringsAreTheirLengthAndForce) {

@@ -44,6 +44,8 @@ Dimension ofJoint(JointQuantity q, bool isAngle) {
         return isAngle ? spin : velocity;
     if (q == JointQuantity::motor)
         return isAngle ? torque : force;
+    if (q >= JointQuantity::px)
+        return length;
     return q >= JointQuantity::tx ? torque : force;
 }
 

@@ -41,14 +41,14 @@ TEST_F(PlotsTest, TheDialogOffersTheQuantitiesOfTheScene) {
     ASSERT_EQ(list->topLevelItemCount(), 2); // a fixed body has none
     EXPECT_EQ(list->topLevelItem(1)->child(0)->text(0), "Angle from straight down, °");
     list->setCurrentItem(list->topLevelItem(1)->child(0));
-    EXPECT_EQ(whole.expression(), "atan2(b.x, 4 - b.y)");
+    EXPECT_EQ(whole.expression(), "atan2(b.x - pin.px, pin.py - b.y)");
     EXPECT_EQ(whole.name(), "angle of pin");
     list->setCurrentItem(list->topLevelItem(1)->child(1));
     EXPECT_EQ(whole.expression(), "pin.q");
     EXPECT_EQ(whole.name(), "");
     const PlotDialog about(editor.document().shown().scene, nullptr,
                            editing::Element{editing::Kind::joint, 0});
-    EXPECT_EQ(about.expression(), "atan2(b.x, 4 - b.y)");
+    EXPECT_EQ(about.expression(), "atan2(b.x - pin.px, pin.py - b.y)");
 }
 
 TEST_F(PlotsTest, EachQuantityHasItsUnit) {
@@ -78,7 +78,27 @@ TEST_F(PlotsTest, ARodThatHangsFromAPointHasAnAngle) {
         quantitiesOf(*editor.document().shown().scene, editing::Element{editing::Kind::joint, 0});
     const auto angle = std::ranges::find(all, "rad", &Quantity::unit);
     ASSERT_NE(angle, all.end());
-    EXPECT_EQ(angle->expression, "atan2(b.x, 3 - b.y)");
+    EXPECT_EQ(angle->expression, "atan2(b.x - rod.px, rod.py - b.y)");
+}
+
+// The same plot counts from below the hinge wherever that is moved.
+TEST_F(PlotsTest, APendulumsPlotFollowsItsHinge) {
+    const auto atStart = [&](const std::string& hinge) {
+        show("simulator -finish 0.1\nshape_set s -desc {-sub {-sphere 0.1}}\n"
+             "body b s -init_pos {1 2 0}\n"
+             "joint pin -type hinge -body1 b -offset1 {" +
+             hinge +
+             "}\nforce -body b -gravitational {0 -9.81 0}\n"
+             "plot p -values {{atan2(b.x - pin.px, pin.py - b.y)}}\n");
+        const Shown& shown = editor.document().shown();
+        simulation::ReadableScene readable(*shown.scene);
+        const auto plot =
+            charts::sampled(readable, *shown.scene, shown.scene->plots[0], shown.motion);
+        return plot->curves[0].values.front(); // degrees
+    };
+    EXPECT_NEAR(atStart("-1 1 0"), 45, 1e-9);
+    EXPECT_NEAR(atStart("0 1 0"), 0, 1e-9);
+    EXPECT_NEAR(atStart("1 1 0"), -45, 1e-9);
 }
 
 // Whatever it was pulled to before the joint was made: 0 is where it hangs, and to the right of an
@@ -94,17 +114,17 @@ TEST_F(PlotsTest, APendulumsAngleIsFromStraightDown) {
     };
     const Quantity own = angle("joint pin -type hinge -body1 b -offset1 {-0.6 0.8 0}");
     EXPECT_EQ(own.label, "&Angle from straight down");
-    EXPECT_EQ(own.expression, "atan2(b.x, 3 - b.y)");
+    EXPECT_EQ(own.expression, "atan2(b.x - pin.px, pin.py - b.y)");
     EXPECT_EQ(own.name, "angle of pin");
     EXPECT_EQ(worded(own), "Angle from straight down, °");
     EXPECT_EQ(angle("joint pin -type hinge -body1 b -body2 wall -offset1 {-0.6 -0.8 0}").expression,
-              "atan2(b.x, 1.4 - b.y)");
+              "atan2(b.x - pin.px, pin.py - b.y)");
     EXPECT_EQ(
         angle("joint pin -type hinge -body1 b -offset1 {-0.6 0.8 0} -axis {0 0 -1}").expression,
-        "atan2(-b.x, 3 - b.y)");
+        "atan2(pin.px - b.x, pin.py - b.y)");
     EXPECT_EQ(angle("joint pin -type hinge -body1 b -offset1 {0 0 0.8} -axis {0 1 0}", "0 0 -9.81")
                   .expression,
-              "atan2(0.6 - b.x, 0.8 - b.z)");
+              "atan2(pin.px - b.x, pin.pz - b.z)");
     // A turntable hangs nowhere, nor does what turns about its middle.
     EXPECT_EQ(angle("joint pin -type hinge -body1 b -offset1 {1 0 0} -axis {0 1 0}").expression,
               "pin.q");

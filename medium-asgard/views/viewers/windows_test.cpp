@@ -515,8 +515,8 @@ TEST_F(WindowsTest, AJointIsChartedByOneClick) {
     ASSERT_EQ(charts->actions().size(), 5);
     charts->actions()[0]->trigger();
     ASSERT_TRUE(settle(editor.document()));
-    EXPECT_EQ(text(), pendulum + "\nplot plot1 -values {{atan2(bob.x, -bob.y)}} -labels {{angle of "
-                                 "pivot}}\n");
+    EXPECT_EQ(text(), pendulum + "\nplot plot1 -values {{atan2(bob.x - pivot.px, pivot.py - "
+                                 "bob.y)}} -labels {{angle of pivot}}\n");
     charts->actions()[3]->trigger();
     ASSERT_TRUE(settle(editor.document()));
     EXPECT_THAT(text(), HasSubstr("{{hypot(pivot.fx, pivot.fy, pivot.fz)}}"));
