@@ -64,6 +64,28 @@ TEST(ComponentModel, IsFoundAgainInEquationsThatWereMadeAnew) {
     EXPECT_EQ(first->components[3].bound->model, second->components[5].bound->model);
 }
 
+TEST(ComponentModels, ForgetThoseThatNobodyHasAndThatWereAskedForLongAgo) {
+    const auto keyOf = [](std::uint32_t constants) { // y0' = the first of these constants
+        ComponentModel::Key key{1, 0, 0, 0};
+        key.insert(key.end(), constants, key::constant);
+        key.insert(key.end(), {key::outputs, 0});
+        return key;
+    };
+    ComponentModels models(100); // words
+    const auto had = models.of(keyOf(20));
+    for (std::uint32_t constants = 21; constants < 23; ++constants)
+        (void)models.of(keyOf(constants));
+    EXPECT_EQ(models.size(), 3u);
+    (void)models.of(keyOf(21));
+    (void)models.of(keyOf(23)); // too many: the 22 were asked for before the 21
+    EXPECT_EQ(models.made(), 4u);
+    EXPECT_EQ(models.of(keyOf(20)), had);
+    EXPECT_EQ(models.made(), 4u);
+    (void)models.of(keyOf(22));
+    EXPECT_EQ(models.made(), 5u);
+    EXPECT_LE(models.size(), 3u);
+}
+
 TEST(ComponentModel, FoldsNumbersThatA0LeavesTogether) {
     const auto all = prepared(equationsOf({{"x", "(3+y)*(5+y)*x", 1}, {"y", "y*t", 0}}));
     ASSERT_EQ(all->components.size(), 1u);

@@ -14,8 +14,11 @@
 // hops: bodies that are pushed together for long come to rest on each other, which is not
 // modelled.
 //
-// LIMIT: the depth grows by its first part each time, to 3000 times that at most: 1.2e-5 of the
-// smaller radius near the origin, and more where places are coarse.
+// Balls on joints are moved onto these at the ends of steps, and may overlap by more than the depth
+// at once: then the depth grows to that overlap.
+//
+// LIMIT: else the depth grows by its first part each time, to 3000 times that at most: 1.2e-5 of
+// the smaller radius near the origin, and more where places are coarse.
 #pragma once
 
 #include "collision/broad_phase.h"

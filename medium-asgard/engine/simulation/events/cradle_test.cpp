@@ -139,6 +139,40 @@ TEST(Cradle, ARowOnStiffLinksIsWithinTheAccuracyOrToldNotToBe) {
         }
 }
 
+// On rods with hinges, which keep their places but for the errors of steps. The balls in the middle
+// of the row stay there.
+TEST(Cradle, PendulumsOnHingesGoOnForManySwings) {
+    for (const std::size_t drawn : {1u, 2u, 3u})
+        for (const double accuracy : {1e-2, 1e-3, 1e-4, 1e-6}) {
+            SceneBuilder b(10, accuracy);
+            for (std::size_t i = 0; i < 5; ++i) {
+                const std::string name = "b" + std::to_string(i);
+                const double x = 2 * radius * static_cast<double>(i), angle = i < drawn ? -0.4 : 0;
+                b.ball(name, {x + length * std::sin(angle), -length * std::cos(angle), 0}, radius)
+                    .initialAttitude =
+                    geometry::Quaternion(std::cos(angle / 2), 0, 0, std::sin(angle / 2));
+                b.weight(name);
+                scene::Joint hinge;
+                hinge.name = "h" + std::to_string(i);
+                hinge.type = scene::JointType::hinge;
+                hinge.body1 = name;
+                hinge.offset1 = Vector(0, length, 0);
+                hinge.axis = Vector::UnitZ();
+                b.scene.joints.push_back(hinge);
+            }
+            const Result result = simulate(b.scene);
+            double worst = 0;
+            for (std::size_t i = 0; i < 5; ++i) {
+                ASSERT_FALSE(result.motion->stop(i)) << result.motion->stop(i)->sentence;
+                const bool isInside = i >= drawn && i + drawn < 5;
+                for (double t = 0; t < 10 && isInside; t += 0.1)
+                    worst = std::max(worst, std::abs(result.motion->at(i, t).position.x() -
+                                                     2 * radius * static_cast<double>(i)));
+            }
+            EXPECT_LT(worst, accuracy) << drawn;
+        }
+}
+
 TEST(Cradle, PendulumsGoOnForManySwings) {
     const Result result = simulate(pendulums(10, 1e-3).scene);
     for (std::size_t i = 0; i < 5; ++i)

@@ -8,9 +8,10 @@ namespace {
 
 struct Closeness {                   // of two balls
     double radius = 0, rounding = 0; // the smaller one; of places
-    double rate = 0, push = 0;       // the first two derivatives of the gap
-    double turning = 0;              // what of the push is their going past each other
-    double accelerations = 0;        // that enter
+    double gap = 0;
+    double rate = 0, push = 0; // the first two derivatives of the gap
+    double turning = 0;        // what of the push is their going past each other
+    double accelerations = 0;  // that enter
 };
 
 Closeness closenessOf(const Instant& at, const Pair& pair) {
@@ -24,6 +25,7 @@ Closeness closenessOf(const Instant& at, const Pair& pair) {
     const double turning = (speed - rate * normal).squaredNorm() / (a.radius + b.radius);
     return {.radius = std::min(a.radius, b.radius),
             .rounding = resolution::ofMotion * (one.position.norm() + other.position.norm()),
+            .gap = (one.position - other.position).norm() - a.radius - b.radius,
             .rate = rate,
             .push = normal.dot(first - second) + turning,
             .turning = turning,
@@ -54,10 +56,15 @@ Alongside goAlongside(const Instant& at, const Found& hit, SideBySide& balls) {
     if (at.world.restitutionOf(hit.pair) < 1 && isPressed)
         return Alongside::no;
     constexpr double low = 1.0 / 16; // of that depth: a hop is none
-    if (known > 0 && !hit.pressing && !(square < -2 * near.push * low * least))
+    // The end of a step has moved them deeper, onto their joints as a rule: no way of theirs.
+    const bool isMoved = known > 0 && -near.gap > at.contactTolerance(hit.pair);
+    const bool isStill = near.rate >= -resolution::noRate * near.radius;
+    if (known > 0 && !isMoved && !isStill && !hit.pressing &&
+        !(square < -2 * near.push * low * least))
         return balls.hop(hit.pair, at.time) ? Alongside::no : Alongside::tooOften;
     const SideBySide::Now now{.time = at.time, .rate = near.rate, .push = -near.push};
-    return balls.sink(hit.pair, least, now) ? Alongside::yes : Alongside::tooOften;
+    const double deeper = isMoved ? least - near.gap - known : least;
+    return balls.sink(hit.pair, deeper, now) ? Alongside::yes : Alongside::tooOften;
 }
 
 } // namespace simulation

@@ -499,11 +499,15 @@ std::size_t ComponentModels::Hash::operator()(const ComponentModel::Key& key) co
 
 std::shared_ptr<const ComponentModel> ComponentModels::of(const ComponentModel::Key& key) {
     const std::scoped_lock lock(mutex_);
-    auto& model = models_[key];
-    if (!model) {
-        model = std::make_shared<const ComponentModel>(key);
-        ++made_;
-    }
+    Known& known = models_[key];
+    known.asked = ++asked_;
+    if (known.model)
+        return known.model;
+    auto model = known.model = std::make_shared<const ComponentModel>(key);
+    ++made_;
+    words_ += key.size();
+    if (words_ > room_)
+        forgetUnused();
     return model;
 }
 
@@ -518,8 +522,17 @@ std::size_t ComponentModels::made() const {
 }
 
 void ComponentModels::forgetUnused() {
-    const std::scoped_lock lock(mutex_);
-    std::erase_if(models_, [](const auto& entry) { return entry.second.use_count() == 1; });
+    std::vector<std::pair<std::size_t, const ComponentModel::Key*>> unused; // by when
+    for (const auto& [key, known] : models_)
+        if (known.model.use_count() == 1)
+            unused.emplace_back(known.asked, &key);
+    std::ranges::sort(unused, {}, &std::pair<std::size_t, const ComponentModel::Key*>::first);
+    for (const auto& [asked, key] : unused) {
+        if (2 * words_ <= room_)
+            return;
+        words_ -= key->size();
+        models_.erase(models_.find(*key));
+    }
 }
 
 } // namespace solution

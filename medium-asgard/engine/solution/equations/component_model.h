@@ -220,21 +220,33 @@ private:
     mutable Derivatives derivatives_;
 };
 
-// Models by content. Any thread may ask; two that ask for the same get the same.
+// Models by content. Any thread may ask; two that ask for the same get the same. A row of dominoes
+// asks for a hundred models in each second of its motion: those that no component has any more are
+// kept while all keys together have `room` words, and then the half of them that was asked for
+// last. A model takes some 300 bytes for each word of its key, with its code and derivatives.
 class ComponentModels {
 public:
+    static constexpr std::size_t usualRoom = 400'000; // some 120 MB
+    explicit ComponentModels(std::size_t room = usualRoom) : room_(room) {}
+
     [[nodiscard]] std::shared_ptr<const ComponentModel> of(const ComponentModel::Key& key);
     [[nodiscard]] std::size_t size() const;
     [[nodiscard]] std::size_t made() const; // since the start, those that were forgotten too
-    void forgetUnused();
 
 private:
+    void forgetUnused();
+
     struct Hash {
         std::size_t operator()(const ComponentModel::Key& key) const;
     };
+    struct Known {
+        std::shared_ptr<const ComponentModel> model;
+        std::size_t asked = 0; // when last, of all that was asked
+    };
     mutable std::mutex mutex_;
-    std::unordered_map<ComponentModel::Key, std::shared_ptr<const ComponentModel>, Hash> models_;
-    std::size_t made_ = 0;
+    std::unordered_map<ComponentModel::Key, Known, Hash> models_;
+    std::size_t room_, words_ = 0; // of all keys
+    std::size_t asked_ = 0, made_ = 0;
 };
 
 // Words of a key: counts of states, of held values and of multipliers, 1 or 0 for each state
