@@ -590,13 +590,15 @@ private:
 
 } // namespace
 
-std::optional<Answer> solve(const Matrix& a, const Vector& b, const Laws& laws, const Answer& guess,
-                            Work* work) {
+std::optional<Answer> solve(const Matrix& a, const Vector& given, const Laws& laws,
+                            const Answer& guess, Work* work) {
     Work counted;
     Work& counts = work != nullptr ? *work : counted;
     counts = {};
-    if (b.size() == 0)
+    if (given.size() == 0)
         return Answer{};
+    constexpr double none = 1e-40; // no body moves so slowly: what is left of a motion that fades
+    const Vector b = (given.array().abs() > none).select(given, 0);
     if (!haveCentres(laws))
         return solveAtMiddles(a, b, laws, guess, counts);
     const AtCentres at(a, b, laws);

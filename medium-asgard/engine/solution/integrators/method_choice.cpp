@@ -12,6 +12,7 @@ constexpr std::size_t trialSteps = 12, warmUp = 4;
 constexpr double worthIt = 1.3;
 constexpr double implicitStep = 10, shortTime = 1.0 / 250;
 constexpr std::size_t unlikely = 500;
+constexpr std::size_t asMuch = 320;   // steps cost more than a trial
 constexpr double explicitLimit = 6.1; // of dop853 on the real axis
 constexpr std::size_t spectralInterval = 16;
 
@@ -58,7 +59,8 @@ bool MethodChoice::changesAfter(const Method& method, double h, double crossing,
         stability_ = memory * stability_ + (1 - memory) * used;
         const bool isShort = isLikely(h, crossing);
         const std::size_t enough = isShort || tried_ ? evidence_ : std::max(evidence_, unlikely);
-        const bool stiff = stability_ > bound && steps_ >= enough;
+        const bool stiff =
+            stability_ > bound && steps_ >= (isShort ? std::min(enough, asMuch) : enough);
         const bool perhaps = stability_ > suspicious && steps_ >= 4 * enough;
         if (!stiff && !perhaps)
             return false;
