@@ -456,5 +456,40 @@ TEST(Solve, RatesThatAreRoundingHinderNoAnswer) {
     EXPECT_LE(answer->forces.cwiseAbs().maxCoeff(), 1e-10);
 }
 
+// A cloth on a slider that a motor draws over a table, and that nothing presses down: its rates are
+// what is left of a motion that fades.
+TEST(Solve, RatesThatFadeAskForNoForces) {
+    Matrix rows = Matrix::Zero(13, 6); // by ways and turns of the cloth
+    const double arm = 0.8944, side = 0.4472, thick = 0.003577;
+    rows.topLeftCorner(6, 6).setIdentity(); // the slider's
+    for (Index corner = 0; corner < 4; ++corner)
+        rows.row(6 + corner) << 0, 1, 0, corner % 3 == 0 ? -arm : arm, 0, corner < 2 ? -side : side;
+    rows.row(10) << 1, 0, 0, thick, 0, 0;
+    rows.row(11) << 0, 0, 1, 0, 0, -thick;
+    rows.row(12) << 0, 0, 0, 0, -0.53061, 0;
+    const Vector mobility = (Vector(6) << 10 / 3., 10 / 3., 10 / 3., 12.5, 10, 50).finished();
+    const Matrix a = rows * mobility.asDiagonal() * rows.transpose();
+    Laws laws;
+    for (Index row = 0; row < 10; ++row)
+        laws.push_back({.first = row, .low = row < 6 ? -unbounded : 0});
+    Law slip{.kind = Law::Kind::slip,
+             .first = 10,
+             .rows = 3,
+             .coefficient = 0.4,
+             .normal = 6,
+             .normals = 4,
+             .levers = Matrix(2, 4),
+             .velocity = Eigen::Vector3d(2, -3e-36, 6e-35),
+             .beside = Eigen::Vector3d(2.8e-32, 1.4e-66, 8.3e-67)};
+    slip.levers << 0.8428, 0.8428, -0.8428, -0.8428, 1.6857, -1.6857, -1.6857, 1.6857;
+    laws.push_back(slip);
+    const Vector b = (Vector(13) << 0, 0, 5.5201e-72, 1.1254e-66, 7.3144e-67, 0, 2.6106e-68,
+                      2.6115e-68, 2.6074e-68, 2.6064e-68, -1.2343e-69, -1.3083e-69, 8.9573e-67)
+                         .finished();
+    const auto answer = solve(a, b, laws);
+    ASSERT_TRUE(answer);
+    EXPECT_LE(answer->forces.cwiseAbs().maxCoeff(), 1e-30);
+}
+
 } // namespace
 } // namespace complementarity

@@ -144,12 +144,19 @@ bool HeldConditions::factorise(std::span<const double> values) {
     way_ = Way::sparse;
     if (plan_.isSparse && eliminate(values))
         return true;
+    return factoriseDense(values, plan_.hasFaces ? noPivotOfFaces : noPivot);
+}
+
+bool HeldConditions::factoriseClosely(std::span<const double> values) {
+    return factoriseDense(values, noPivot);
+}
+
+bool HeldConditions::factoriseDense(std::span<const double> values, double none) {
     way_ = Way::dense;
     putMatrix(values);
     if (!dense_.matrix.allFinite())
         return false;
     dense_.lu.compute(dense_.matrix);
-    const double none = plan_.hasFaces ? noPivotOfFaces : noPivot;
     for (Eigen::Index i = 0; i < dense_.matrix.rows(); ++i)
         if (!(std::abs(dense_.lu.matrixLU()(i, i)) > none))
             way_ = Way::least;

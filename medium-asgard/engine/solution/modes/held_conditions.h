@@ -37,6 +37,9 @@ public:
     // `values`: of Conditions::matrix. False: they are not finite. Without a heap allocation where
     // the same conditions hold as before.
     [[nodiscard]] bool factorise(std::span<const double> values);
+    // The same matrix once more, of which less counts as redundant: where conditions that are next
+    // to redundant keep more than rounding.
+    [[nodiscard]] bool factoriseClosely(std::span<const double> values);
     [[nodiscard]] const std::vector<std::size_t>& rows() const { return plan_.rows; }
     // Of conditions with these rates the m that keep them; 0 of others than those that hold. Of
     // several the one next to `wanted`, one for each condition; empty: the shortest. Distance and
@@ -77,6 +80,7 @@ private:
     void makePlan();
     [[nodiscard]] bool eliminate(std::span<const double> values);
     void findKernel(std::span<const double> values);
+    [[nodiscard]] bool factoriseDense(std::span<const double> values, double none);
     void putMatrix(std::span<const double> values);
     [[nodiscard]] Eigen::VectorXd leastSolution(const Eigen::VectorXd& wanted) const;
 

@@ -49,3 +49,35 @@ TEST(HeldConditions, ChangeForcesInProportionToTheSquaresOfTheirRooms) {
     EXPECT_NEAR(m[1], 3.81 - 1e-6 + part, 1e-11);
     EXPECT_NEAR(m[2], 1e-6 + 1e-6 * part, 1e-13);
 }
+
+// Four corners of a face, one of which is tilted so little that the others keep it, but for what
+// the tilt has of a rate.
+TEST(HeldConditions, AreKeptCloselyWhereATiltHasARateOfItsOwn) {
+    const std::string rate = "a+b+c+d-9.81";
+    const auto set = setOf({{"dy", rate}, {"a", rate}, {"b", rate}, {"c", rate}, {"d", rate}});
+    expression::Graph& graph = set->graph;
+    for (std::size_t i = 1; i < set->unknowns.size(); ++i) {
+        expression::Condition corner{std::nullopt, expression::testing::parsed(graph, "dy")};
+        corner.low = 0;
+        corner.leaving = 1;
+        corner.patch = set->unknowns[1].symbol;
+        set->unknowns[i].phases[0].condition = corner;
+    }
+    const PreparedEquations prepared = solution::testing::prepared(set);
+    const auto& bound = *prepared.components.at(0).bound;
+    const Mode mode(*bound.model);
+    HeldConditions held(*bound.model, bound, mode);
+    Eigen::Matrix4d rows; // by the ways and turns of a body, and by what the tilt moves
+    rows << 1, 1, 1, 0, 1, -1, 1, 0, 1, -1, -1, 0, 1, 1, -1, 1e-4;
+    const Eigen::Matrix4d matrix = rows * rows.transpose();
+    const Eigen::Vector4d rates = rows * Eigen::Vector4d(-9.81, 1, 2, 3);
+    const std::span<const double> values(matrix.data(), 16);
+    ASSERT_TRUE(held.factorise(values));
+    Eigen::VectorXd forces = rates;
+    held.solve(forces);
+    EXPECT_GT((matrix * forces + rates).cwiseAbs().maxCoeff(), 1e-5);
+    ASSERT_TRUE(held.factoriseClosely(values));
+    forces = rates;
+    held.solve(forces);
+    EXPECT_LT((matrix * forces + rates).cwiseAbs().maxCoeff(), 1e-9);
+}

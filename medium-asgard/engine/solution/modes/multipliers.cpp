@@ -68,21 +68,29 @@ void Multipliers::findApart() {
 }
 
 // What is left of rates after the velocities that were just solved for, where it is more than a
-// resolution in the unit of time and than rounding of the velocities.
-void Multipliers::findContradictory(std::span<const double> y) {
+// resolution in the unit of time and than rounding of the velocities. Conditions that are next to
+// redundant multiply rounding: rates that are none before are no contradiction. False: these
+// velocities are worse than those of before.
+bool Multipliers::findContradictory(std::span<const double> y) {
     constexpr double rounding = 1e-9;
     if (held_.isRegular() || held_.rows().empty())
-        return;
+        return true;
     double fastest = 0;
     for (const ComponentModel::Entry& push : model_.conditions().pushes)
         fastest = std::max(fastest, std::abs(y[push.row]));
     const Eigen::VectorXd left = held_.left();
+    bool areNone = true;
     for (std::size_t i = 0; i < held_.rows().size(); ++i) {
         const std::size_t row = held_.rows()[i];
         const double most = std::max(f_.bound()->laws[row].resolution, rounding * fastest);
+        areNone = areNone && std::abs(rate(row)) <= most;
         if (std::abs(left[indexOf(i)] / held_.scale(i)) > most)
             contradictory_.push_back(row);
     }
+    const bool isWorse = areNone && !contradictory_.empty();
+    if (isWorse)
+        contradictory_.clear();
+    return !isWorse;
 }
 
 // To second rates, of what stands at a bound.
@@ -102,16 +110,25 @@ bool Multipliers::solve() {
     addBounds();
     if (!factorise())
         return false;
-    const std::span<const double> entries =
-        std::span(second_).first(model_.conditions().matrix.size());
+    const Eigen::VectorXd rest = rest_;
+    if (solveHeld())
+        return true;
+    if (held_.isRegular() || !held_.factoriseClosely(matrix()))
+        return false;
+    contradictory_.clear();
+    rest_ = rest;
+    return solveHeld();
+}
+
+bool Multipliers::solveHeld() {
     slips_.find(f_.bound()->discs.size());
     bool areBalanced = true;
     if (!slips_.empty()) {
         evaluateGaps();
         found_ = rest_;
         held_.solve(found_, mode_.share.forces);
-        areBalanced = slips_.solve(entries, held_, found_);
-        slips_.addTo(rest_, entries);
+        areBalanced = slips_.solve(matrix(), held_, found_);
+        slips_.addTo(rest_, matrix());
     }
     found_ = rest_;
     held_.solve(found_, mode_.share.forces);
@@ -300,9 +317,7 @@ double Multipliers::largestGap() const {
     return largest;
 }
 
-bool Multipliers::factorise() {
-    return held_.factorise(std::span(second_).first(model_.conditions().matrix.size()));
-}
+bool Multipliers::factorise() { return held_.factorise(matrix()); }
 
 bool Multipliers::factoriseMoves() {
     const ComponentModel::Conditions& conditions = model_.conditions();
@@ -376,8 +391,7 @@ void Multipliers::project(double t, std::span<double> y) {
         return;
     found_ = Eigen::Map<const Eigen::VectorXd>(gaps_.data() + size(), indexOf(size()));
     held_.solve(found_);
-    findContradictory(y);
-    if (found_.allFinite())
+    if (findContradictory(y) && found_.allFinite())
         move(model_.conditions().pushes, 0, found_, y);
 }
 

@@ -112,13 +112,17 @@ private:
         return mode_.kept[row] == complementarity::State::inside;
     }
     void evaluate();
+    [[nodiscard]] std::span<const double> matrix() const { // once evaluated
+        return std::span(second_).first(model_.conditions().matrix.size());
+    }
     [[nodiscard]] bool factorise();
+    [[nodiscard]] bool solveHeld();
     [[nodiscard]] bool factoriseMoves();
     [[nodiscard]] double bound(std::size_t row) const;
     void addBounds();
     [[nodiscard]] bool isSolved();
     void findApart();
-    void findContradictory(std::span<const double> y);
+    [[nodiscard]] bool findContradictory(std::span<const double> y);
     void move(std::span<const ComponentModel::Entry> entries, std::size_t first,
               const Eigen::VectorXd& by, std::span<double> y) const;
     void evaluateMoves();
