@@ -1,6 +1,7 @@
 #include "picture/meters.h"
 
 #include "framing/joint_places.h"
+#include "painting/pointer.h"
 #include "picture/scene_display.h"
 
 #include <QPainter>
@@ -29,6 +30,16 @@ double valueAt(const charts::Plot& plot, double time) {
     const double from = plot.times[after - 1], to = plot.times[after];
     const double share = to > from ? (time - from) / (to - from) : 1;
     return values[after - 1] + share * (values[after] - values[after - 1]);
+}
+
+// All of it, as far as it fits.
+QRectF inside(QRectF rect, const QSizeF& room) {
+    const auto at = [](double wish, double length, double all) {
+        return std::clamp(wish, 0.0, std::max(0.0, all - length));
+    };
+    rect.moveTo(at(rect.x(), rect.width(), room.width()),
+                at(rect.y(), rect.height(), room.height()));
+    return rect;
 }
 
 } // namespace
@@ -179,16 +190,15 @@ std::vector<Meters::Box> Meters::boxes() const {
         const double width = font.horizontalAdvance(words) + 12;
         const QSizeF size = meter.isChart ? QSizeF(std::max(width, 13 * height), 6 * height)
                                           : QSizeF(width, height);
-        QRectF rect(*place + QPointF(16, -height / 2 + below[meter.element]) + meter.aside, size);
-        if (meter.aside.isNull())
+        const QPointF beside = *place + QPointF(16, -height / 2);
+        QRectF rect(beside + meter.aside, size);
+        if (meter.aside.isNull()) {
+            rect.translate(0, below[meter.element]);
             below[meter.element] += size.height();
-        const auto inside = [](double at, double length, double room) {
-            return std::clamp(at, 0.0, std::max(0.0, room - length));
-        };
+        }
         if (!meter.aside.isNull() || QRectF(display_.rect()).contains(*place))
-            rect.moveTo(inside(rect.x(), rect.width(), display_.width()),
-                        inside(rect.y(), rect.height(), display_.height()));
-        all.push_back({i, *place, rect, words});
+            rect = inside(rect, display_.size());
+        all.push_back({i, *place, beside, rect, words});
     }
     return all;
 }
@@ -261,29 +271,40 @@ void Meters::paintChart(QPainter& painter, const Box& box) const {
 
 // --- the pointer -------------------------------------------------------------------------------
 
-std::optional<std::size_t> Meters::at(const QPointF& position) const {
-    std::optional<std::size_t> last; // is on top
+std::optional<Meters::Box> Meters::boxAt(const QPointF& position) const {
+    std::optional<Box> last;
     if (!meters_.empty())
         for (const Box& box : boxes())
             if (box.rect.contains(position))
-                last = box.meter;
+                last = box;
     return last;
 }
 
-bool Meters::press(const QPointF& position) {
-    const auto meter = at(position);
-    if (meter)
-        held_ = Held{*meter, position, meters_[*meter].aside};
-    return meter.has_value();
+std::optional<std::size_t> Meters::at(const QPointF& position) const {
+    const auto box = boxAt(position);
+    return box ? std::optional(box->meter) : std::nullopt;
 }
 
+bool Meters::press(const QPointF& position) {
+    const auto box = boxAt(position);
+    if (box)
+        held_ = Held{box->meter, position, position - box->rect.topLeft(),
+                     meters_[box->meter].aside, false};
+    return box.has_value();
+}
+
+// It stays under the pointer as far as the picture reaches, and is where it is seen.
 bool Meters::move(const QPointF& position) {
     if (!held_)
         return false;
-    if (held_->meter < meters_.size()) {
-        meters_[held_->meter].aside = held_->aside + position - held_->from;
-        Q_EMIT changed();
-    }
+    held_->isDrag = held_->isDrag || !isNear(position, held_->from);
+    if (held_->isDrag)
+        for (const Box& box : boxes())
+            if (box.meter == held_->meter) {
+                const QRectF wish(position - held_->grip, box.rect.size());
+                meters_[box.meter].aside = inside(wish, display_.size()).topLeft() - box.beside;
+                Q_EMIT changed();
+            }
     return true;
 }
 
@@ -299,10 +320,10 @@ bool Meters::cancel() {
 }
 
 bool Meters::doubleClick(const QPointF& position) {
-    const auto meter = at(position);
-    if (!meter)
+    const auto box = boxAt(position);
+    if (!box)
         return false;
-    meters_[*meter].isChart = !meters_[*meter].isChart;
+    meters_[box->meter].isChart = !meters_[box->meter].isChart;
     Q_EMIT changed();
     return true;
 }

@@ -28,7 +28,7 @@ struct Meter {
     editing::Kind kind = editing::Kind::body;
     std::string element; // its name
     commands::Quantity quantity;
-    QPointF aside = {};   // where it was dragged, from the place that it has by itself
+    QPointF aside = {};   // from the first place beside its body; 0: nobody has dragged it
     bool isChart = false; // against time, with a line at the moment
 };
 
@@ -65,11 +65,13 @@ private:
     [[nodiscard]] std::optional<QPointF> placeOf(const Meter& meter) const;
     struct Box {
         std::size_t meter = 0;
-        QPointF place; // of its body
+        QPointF place;  // of its body
+        QPointF beside; // the first place at its right
         QRectF rect;
         QString words;
     };
     [[nodiscard]] std::vector<Box> boxes() const; // as they are painted, one over the other
+    [[nodiscard]] std::optional<Box> boxAt(const QPointF& position) const; // the one on top
     void paintChart(QPainter& painter, const Box& box) const;
 
     SceneDocument& document_;
@@ -77,7 +79,10 @@ private:
     std::vector<Meter> meters_;
     struct Held {
         std::size_t meter;
-        QPointF from, aside; // of the pointer and the meter, when it was taken
+        QPointF from;  // of the pointer, when it was taken
+        QPointF grip;  // from the corner of the box to the pointer
+        QPointF aside; // when it was taken
+        bool isDrag;   // the pointer has left that place
     };
     std::optional<Held> held_;
     std::map<std::string, charts::Plot> sampled_; // by the expression

@@ -49,7 +49,10 @@ TEST_F(MetersTest, ADragPutsItElsewhereAndADoubleClickMakesItAChart) {
     meters.toggle(body, {"&x", "b.x"});
     ASSERT_TRUE(waitFor([&] { return meters.words(meters.all().front(), 0) == "x 1 m"; }));
     display.grab();
-    const QPointF there = display.fromPixels(display.sight().pixels({1, 5, 0})) + QPointF(24, 0);
+    const auto beside = [&] {
+        return display.fromPixels(display.sight().pixels({1, 5, 0})) + QPointF(24, 0);
+    };
+    const QPointF there = beside();
     ASSERT_TRUE(meters.at(there));
     const auto send = [&](QEvent::Type type, const QPointF& at, Qt::MouseButtons held) {
         const bool isMove = type == QEvent::MouseMove;
@@ -58,7 +61,7 @@ TEST_F(MetersTest, ADragPutsItElsewhereAndADoubleClickMakesItAChart) {
         QCoreApplication::sendEvent(&display, &event);
     };
     const render::Camera camera = display.camera();
-    const QPointF away(-90, 60);
+    const QPointF away(90, 60);
     send(QEvent::MouseButtonPress, there, Qt::LeftButton);
     send(QEvent::MouseMove, there + away / 2, Qt::LeftButton);
     send(QEvent::MouseMove, there + away, Qt::LeftButton);
@@ -87,6 +90,59 @@ TEST_F(MetersTest, ADragPutsItElsewhereAndADoubleClickMakesItAChart) {
     send(QEvent::MouseMove, QPointF(-4000, -4000), Qt::LeftButton);
     send(QEvent::MouseButtonRelease, QPointF(-4000, -4000), Qt::NoButton);
     EXPECT_TRUE(meters.at({4, 4}));
+    // From there it comes back with the pointer, and it follows its body.
+    send(QEvent::MouseButtonPress, {4, 4}, Qt::LeftButton);
+    send(QEvent::MouseMove, {104, 44}, Qt::LeftButton);
+    send(QEvent::MouseButtonRelease, {104, 44}, Qt::NoButton);
+    EXPECT_TRUE(meters.at({104, 44}));
+    EXPECT_FALSE(meters.at({98, 44}));
+    render::Camera moved = camera;
+    moved.position.x() += 0.1;
+    const QPointF before = beside();
+    display.setCamera(moved);
+    display.grab();
+    const QPointF followed = QPointF(104, 44) + beside() - before;
+    EXPECT_GT(followed.x(), 110);
+    EXPECT_TRUE(meters.at(followed));
+    EXPECT_FALSE(meters.at(followed - QPointF(6, 0)));
+}
+
+// A press that hardly moves is a click.
+TEST_F(MetersTest, AClickLeavesItBesideItsBody) {
+    SceneDisplay& display = editor.openGraphicalViewer()->display();
+    Meters& meters = display.meters();
+    meters.toggle(body, {"&x", "b.x"});
+    display.grab();
+    const QPointF there = display.fromPixels(display.sight().pixels({1, 5, 0})) + QPointF(24, 0);
+    EXPECT_TRUE(meters.press(there));
+    EXPECT_TRUE(meters.move(there + QPointF(1, 1)));
+    EXPECT_TRUE(meters.release());
+    EXPECT_TRUE(meters.all().front().aside.isNull());
+}
+
+// The others close up behind one that is dragged away, and it stays where it was put.
+TEST_F(MetersTest, ThoseOfOneBodyStandBelowEachOther) {
+    SceneDisplay& display = editor.openGraphicalViewer()->display();
+    Meters& meters = display.meters();
+    for (const char* one : {"b.x", "b.y", "b.z"})
+        meters.toggle(body, {one, one});
+    display.grab();
+    const QPointF first = display.fromPixels(display.sight().pixels({1, 5, 0})) + QPointF(24, 0);
+    const QPointF line(0, QFontMetricsF(display.font()).height() + 2);
+    EXPECT_TRUE(meters.at(first + 2 * line));
+    const auto drag = [&](const QPointF& from, const QPointF& to) {
+        EXPECT_TRUE(meters.press(from));
+        meters.move(to);
+        meters.release();
+    };
+    drag(first + line, first + QPointF(120, 80));
+    EXPECT_TRUE(meters.at(first + line));
+    EXPECT_FALSE(meters.at(first + 2 * line));
+    const QPointF aside = meters.all()[1].aside;
+    drag(first, first + QPointF(120, -80));
+    EXPECT_FALSE(meters.at(first + line));
+    EXPECT_TRUE(meters.at(first + QPointF(120, 80)));
+    EXPECT_EQ(meters.all()[1].aside, aside);
 }
 
 TEST_F(MetersTest, AnAngleHasItsUnit) {

@@ -154,7 +154,7 @@ bool SceneDisplay::event(QEvent* event) {
         return true;
     }
     if (event->type() == QEvent::ShortcutOverride &&
-        (editing_.dragging() || selecting_.hasBand() ||
+        (editing_.dragging() || selecting_.hasBand() || meters_.holds() ||
          creating_.uses(static_cast<const QKeyEvent&>(*event)))) {
         event->accept();
         return true;
