@@ -195,10 +195,7 @@ bool Sheet::takeRoom(const Eigen::Vector2d& pixels, const Eigen::Vector2d& aside
     const Eigen::Vector2d middle = pixels + Eigen::Vector2d(aside.x() - 0.5 * width, -aside.y());
     const Eigen::Vector2d half(0.5 * width + 0.35 * height, 0.7 * height);
     const Eigen::AlignedBox2d room(middle - half, middle + half);
-    if (std::ranges::any_of(taken_, [&](const auto& one) { return one.intersects(room); }))
-        return false;
-    taken_.push_back(room);
-    return true;
+    return render::takeRoom(taken_, room, frame_.size());
 }
 
 // Numbers along one axis, on the other or, where that is out of sight, on a line near the middle.
@@ -258,6 +255,16 @@ void Sheet::draw() {
 }
 
 } // namespace
+
+bool takeRoom(TakenRoom& taken, const Eigen::AlignedBox2d& room, Size picture) {
+    const Eigen::AlignedBox2d all(Eigen::Vector2d(0, 0),
+                                  Eigen::Vector2d(picture.width, picture.height));
+    if (!all.contains(room) ||
+        std::ranges::any_of(taken, [&](const auto& one) { return one.intersects(room); }))
+        return false;
+    taken.push_back(room);
+    return true;
+}
 
 Vector beforeGround(const GroundPlane& ground, const Frame& frame, const Vector& place,
                     std::span<const Eigen::Vector2d> corners) {

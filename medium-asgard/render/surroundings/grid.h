@@ -56,6 +56,8 @@ struct GridRows {
 
 // The room that numbers have taken in a picture, pixels: no other one is written over them.
 using TakenRoom = std::vector<Eigen::AlignedBox2d>;
+// It is for this number alone then; false: others have it, or the picture ends in it.
+[[nodiscard]] bool takeRoom(TakenRoom& taken, const Eigen::AlignedBox2d& room, Size picture);
 
 struct GridLook {
     std::optional<Eigen::Vector3f> floor; // the colour of the floor that it lies on; none: there

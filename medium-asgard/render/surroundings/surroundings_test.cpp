@@ -74,6 +74,20 @@ TEST(Ground, IsARoundHeightThatSmallChangesLeaveAlone) {
     EXPECT_EQ(groundHeight(extent), 0);
 }
 
+// Nor is it cut by the picture's edge.
+TEST(Grid, NoNumberIsWrittenOverAnother) {
+    const auto room = [](double x, double y) {
+        return Eigen::AlignedBox2d(Pixels(x, y), Pixels(x + 20, y + 10));
+    };
+    TakenRoom taken;
+    EXPECT_TRUE(takeRoom(taken, room(30, 30), {200, 100}));
+    EXPECT_FALSE(takeRoom(taken, room(45, 35), {200, 100}));
+    EXPECT_TRUE(takeRoom(taken, room(60, 30), {200, 100}));
+    for (const auto& [x, y] : {std::pair(-1, 60), {60, -1}, {181, 60}, {60, 91}})
+        EXPECT_FALSE(takeRoom(taken, room(x, y), {200, 100})) << x << ' ' << y;
+    EXPECT_EQ(taken.size(), 2U);
+}
+
 // A number stands upright below its line, where a floor that is seen from above is nearer.
 TEST(Grid, NoNumberIsBehindTheGround) {
     const Size size{640, 480};
