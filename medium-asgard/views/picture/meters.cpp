@@ -1,5 +1,6 @@
 #include "picture/meters.h"
 
+#include "framing/body_places.h"
 #include "framing/joint_places.h"
 #include "painting/pointer.h"
 #include "picture/scene_display.h"
@@ -135,7 +136,7 @@ QString Meters::words(const Meter& meter, double time) const {
     return QStringLiteral("%1 %2 %3").arg(label, number, unit).trimmed();
 }
 
-std::optional<QPointF> Meters::placeOf(const Meter& meter) const {
+std::optional<Meters::Place> Meters::placeOf(const Meter& meter) const {
     const render::Drawing drawing = display_.drawn();
     const scene::Scene& scene = *drawing.scene;
     const gestures::Sight sight = display_.sight();
@@ -148,7 +149,7 @@ std::optional<QPointF> Meters::placeOf(const Meter& meter) const {
         if (joint == scene.joints.end())
             return std::nullopt;
         const auto at = render::JointPlaces(scene, drawing.motion.get()).at(*joint, drawing.time);
-        return at ? std::optional(display_.fromPixels(sight.pixels(at->ends[0].point)))
+        return at ? std::optional(Place{display_.fromPixels(sight.pixels(at->ends[0].point))})
                   : std::nullopt;
     }
     if (meter.kind == editing::Kind::link) {
@@ -171,8 +172,16 @@ std::optional<QPointF> Meters::placeOf(const Meter& meter) const {
     if (found == scene.bodies.end() || render::isHidden(drawing.display, *found))
         return std::nullopt;
     const auto index = static_cast<std::size_t>(found - scene.bodies.begin());
-    return display_.fromPixels(
-        sight.pixels(render::poseOf(scene, drawing.motion.get(), index, drawing.time).position));
+    const geometry::Pose pose = render::poseOf(scene, drawing.motion.get(), index, drawing.time);
+    Place place{display_.fromPixels(sight.pixels(pose.position))};
+    constexpr double farthest = 60; // pixels: a value on a large body is near its middle
+    for (const render::Ball& ball : render::outlineOf(scene, *found)) {
+        const geometry::Vector at = pose.toWorld(ball.center);
+        const double pixel = sight.pixelLength(at) * display_.devicePixelRatioF();
+        const double right = display_.fromPixels(sight.pixels(at)).x() + ball.radius / pixel;
+        place.reach = std::clamp(right - place.at.x(), place.reach, farthest);
+    }
+    return place;
 }
 
 // Those of one thing stand below each other, at its right; all of each is in the picture.
@@ -190,15 +199,15 @@ std::vector<Meters::Box> Meters::boxes() const {
         const double width = font.horizontalAdvance(words) + 12;
         const QSizeF size = meter.isChart ? QSizeF(std::max(width, 13 * height), 6 * height)
                                           : QSizeF(width, height);
-        const QPointF beside = *place + QPointF(16, -height / 2);
+        const QPointF beside = place->at + QPointF(place->reach + 6, 7);
         QRectF rect(beside + meter.aside, size);
         if (meter.aside.isNull()) {
             rect.translate(0, below[meter.element]);
             below[meter.element] += size.height();
         }
-        if (!meter.aside.isNull() || QRectF(display_.rect()).contains(*place))
+        if (!meter.aside.isNull() || QRectF(display_.rect()).contains(place->at))
             rect = inside(rect, display_.size());
-        all.push_back({i, *place, beside, rect, words});
+        all.push_back({i, place->at, beside, rect, words});
     }
     return all;
 }
@@ -231,13 +240,16 @@ void Meters::paint(QPainter& painter) const {
 void Meters::paintChart(QPainter& painter, const Box& box) const {
     const QFontMetricsF font(painter.font());
     painter.drawText(box.rect.adjusted(6, 1, -6, 0), Qt::AlignLeft | Qt::AlignTop, box.words);
-    const QRectF room = box.rect.adjusted(8, font.height() + 6, -8, -6);
     const auto found = sampled_.find(meters_[box.meter].quantity.expression);
     if (found == sampled_.end() || found->second.times.size() < 2 || found->second.curves.empty())
         return;
     const charts::Plot& plot = found->second;
     const auto& values = plot.curves.front().values;
     const charts::Range range = charts::rangeOf(plot);
+    const auto number = [](double value) { return QString::number(value, 'g', 3); };
+    const QString low = number(range.low), high = number(range.high);
+    const double beside = std::max(font.horizontalAdvance(low), font.horizontalAdvance(high));
+    const QRectF room = box.rect.adjusted(10 + beside, font.height() + 6, -8, -6);
     const double from = plot.times.front(), length = std::max(plot.times.back() - from, 1e-12);
     const double height = range.high - range.low;
     const auto x = [&](double time) { return room.left() + room.width() * (time - from) / length; };
@@ -260,6 +272,13 @@ void Meters::paintChart(QPainter& painter, const Box& box) const {
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(faint, 1));
     painter.drawRect(room);
+    const QRectF numbers(box.rect.left() + 4, room.top(), 3 + beside, room.height());
+    faint.setAlpha(170);
+    painter.setPen(faint);
+    painter.drawText(numbers.adjusted(0, -2, 0, 2), Qt::AlignRight | Qt::AlignTop, high);
+    painter.drawText(numbers.adjusted(0, -2, 0, 2), Qt::AlignRight | Qt::AlignBottom, low);
+    faint.setAlpha(70);
+    painter.setPen(faint);
     if (range.low < 0 && range.high > 0)
         painter.drawLine(QPointF(room.left(), y(0)), QPointF(room.right(), y(0)));
     painter.setPen(QPen(display_.palette().color(QPalette::Highlight), 1.5));

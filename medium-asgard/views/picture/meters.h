@@ -62,11 +62,15 @@ private:
     void rename(const std::vector<editing::Renamed>& renamed);
     void take(std::vector<charts::Plot> plots);
     // In the display; none: it is gone or hidden.
-    [[nodiscard]] std::optional<QPointF> placeOf(const Meter& meter) const;
+    struct Place {
+        QPointF at;        // of its body or joint
+        double reach = 10; // how far that is seen to the right
+    };
+    [[nodiscard]] std::optional<Place> placeOf(const Meter& meter) const;
     struct Box {
         std::size_t meter = 0;
         QPointF place;  // of its body
-        QPointF beside; // the first place at its right
+        QPointF beside; // the first place at its right, below the arrow of a selected one
         QRectF rect;
         QString words;
     };

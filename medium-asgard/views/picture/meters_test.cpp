@@ -20,6 +20,12 @@ protected:
         editor.document().setText(flying, "Edit");
         ASSERT_TRUE(settle(editor.document()));
     }
+    // On the first value at the right of the ball at the start.
+    static QPointF besideBody(const SceneDisplay& display) {
+        const QPointF middle = display.fromPixels(display.sight().pixels({1, 5, 0}));
+        const double radius = 0.5 / display.sight().pixelLength({1, 5, 0});
+        return middle + QPointF(std::min(radius, 60.0) + 10, 12);
+    }
     Editor editor{engineWorkshop()};
     const editing::Element body{editing::Kind::body, 0};
 };
@@ -49,9 +55,7 @@ TEST_F(MetersTest, ADragPutsItElsewhereAndADoubleClickMakesItAChart) {
     meters.toggle(body, {"&x", "b.x"});
     ASSERT_TRUE(waitFor([&] { return meters.words(meters.all().front(), 0) == "x 1 m"; }));
     display.grab();
-    const auto beside = [&] {
-        return display.fromPixels(display.sight().pixels({1, 5, 0})) + QPointF(24, 0);
-    };
+    const auto beside = [&] { return besideBody(display); };
     const QPointF there = beside();
     ASSERT_TRUE(meters.at(there));
     const auto send = [&](QEvent::Type type, const QPointF& at, Qt::MouseButtons held) {
@@ -113,11 +117,32 @@ TEST_F(MetersTest, AClickLeavesItBesideItsBody) {
     Meters& meters = display.meters();
     meters.toggle(body, {"&x", "b.x"});
     display.grab();
-    const QPointF there = display.fromPixels(display.sight().pixels({1, 5, 0})) + QPointF(24, 0);
+    const QPointF there = besideBody(display);
     EXPECT_TRUE(meters.press(there));
     EXPECT_TRUE(meters.move(there + QPointF(1, 1)));
     EXPECT_TRUE(meters.release());
     EXPECT_TRUE(meters.all().front().aside.isNull());
+}
+
+// The arrow of a body that is selected is not the value's, and the hint tells what lies there.
+TEST_F(MetersTest, ItLeavesTheArrowsFreeAndTheHintGoesWithThePointer) {
+    SceneDisplay& display = editor.openGraphicalViewer()->display();
+    Meters& meters = display.meters();
+    meters.toggle(body, {"&x", "b.x"});
+    editor.document().select({body});
+    display.grab();
+    const auto arrow = display.gizmo().arrow(0);
+    ASSERT_TRUE(arrow);
+    EXPECT_FALSE(meters.at(arrow->center()));
+    EXPECT_FALSE(meters.at(display.fromPixels(display.sight().pixels({1, 5, 0}))));
+
+    QString hint;
+    QObject::connect(&display.pointing(), &Pointing::changed, &display,
+                     [&] { hint = display.pointing().hint(); });
+    display.pointing().moveTo(besideBody(display), Qt::NoModifier);
+    EXPECT_TRUE(waitFor([&] { return hint.startsWith("Drag moves this value"); }));
+    display.pointing().moveTo({5, 200}, Qt::NoModifier);
+    EXPECT_TRUE(waitFor([&] { return !hint.startsWith("Drag moves this value"); }));
 }
 
 // The others close up behind one that is dragged away, and it stays where it was put.
@@ -127,7 +152,7 @@ TEST_F(MetersTest, ThoseOfOneBodyStandBelowEachOther) {
     for (const char* one : {"b.x", "b.y", "b.z"})
         meters.toggle(body, {one, one});
     display.grab();
-    const QPointF first = display.fromPixels(display.sight().pixels({1, 5, 0})) + QPointF(24, 0);
+    const QPointF first = besideBody(display);
     const QPointF line(0, QFontMetricsF(display.font()).height() + 2);
     EXPECT_TRUE(meters.at(first + 2 * line));
     const auto drag = [&](const QPointF& from, const QPointF& to) {

@@ -59,9 +59,9 @@ void Pointing::setKeys(Qt::KeyboardModifiers keys) {
 // Handles are few and told apart by their place; they light up at once.
 void Pointing::look() {
     const auto before = std::pair(subject_, words_);
-    const bool wasBody = body_ || path_;
+    const bool wasThere = body_ || path_ || isOver_;
     handle_.reset();
-    body_ = path_ = isGrasped_ = isDragged_ = false;
+    body_ = path_ = isOver_ = isGrasped_ = isDragged_ = false;
     whyNot_.reset();
     subject_.clear();
     words_.clear();
@@ -81,7 +81,7 @@ void Pointing::look() {
                                         gestures::valuesOf(wishes));
     }
     showCursor();
-    if (before != std::pair(subject_, words_) || wasBody)
+    if (before != std::pair(subject_, words_) || wasThere)
         Q_EMIT changed();
 }
 
@@ -116,8 +116,9 @@ void Pointing::rest() {
             subject_ = QString::fromStdString(drawing.scene->trajectories[*path].name);
     }
     showCursor();
-    if (body_ || path_ || display_.gizmo().at(*position_) || display_.faultSigns().at(*position_) ||
-        display_.meters().at(*position_))
+    isOver_ = display_.gizmo().at(*position_) || display_.faultSigns().at(*position_) ||
+              display_.meters().at(*position_);
+    if (body_ || path_ || isOver_)
         Q_EMIT changed();
 }
 
@@ -125,7 +126,7 @@ void Pointing::showCursor() {
     const bool shifted = keys_ & Qt::ShiftModifier;
     if (display_.creating().active())
         display_.setCursor(Qt::CrossCursor);
-    else if (position_ && display_.meters().at(*position_))
+    else if (position_ && !display_.gizmo().at(*position_) && display_.meters().at(*position_))
         display_.setCursor(display_.meters().holds() ? Qt::ClosedHandCursor : Qt::OpenHandCursor);
     else if ((shifted && (handle_ || isGrasped_)) ||
              (isDragged_ && (!whyNot_ || whyNot_->isEmpty())))
@@ -160,15 +161,15 @@ QString Pointing::hint() const {
     const QString menu = tr("right button: menu");
     if (const QString end = position_ ? display_.triadEndAt(*position_) : QString(); !end.isEmpty())
         return tr("A click looks along %1").arg(end);
-    if (const auto meter = position_ ? display_.meters().at(*position_) : std::nullopt)
-        return display_.meters().all()[*meter].isChart
-                   ? tr("Drag moves this chart  ·  double click: the number alone")
-                   : tr("Drag moves this value  ·  double click: a chart of it");
     if (const auto part = position_ ? display_.gizmo().at(*position_) : std::nullopt)
         return (part->isRing    ? tr("Drag turns it about %1, to whole degrees")
                 : part->isPlane ? tr("Drag moves it across %1")
                                 : tr("Drag moves it along %1"))
             .arg(QLatin1Char("xyz"[part->axis]));
+    if (const auto meter = position_ ? display_.meters().at(*position_) : std::nullopt)
+        return display_.meters().all()[*meter].isChart
+                   ? tr("Drag moves this chart  ·  double click: the number alone")
+                   : tr("Drag moves this value  ·  double click: a chart of it");
     if (const auto sign = position_ ? display_.faultSigns().at(*position_) : std::nullopt)
         return tr("%1  ·  Ctrl+F9: all faults")
             .arg(QString(sign->words).replace("; ", QString::fromUtf8("  ·  ")));

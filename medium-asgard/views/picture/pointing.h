@@ -54,6 +54,7 @@ private:
     QString subject_; // "the velocity of b1", "b1"
     QString words_;
     bool body_ = false, path_ = false;
+    bool isOver_ = false;           // what is painted over the picture
     bool isGrasped_ = false;        // a drag with Shift takes the body
     bool isDragged_ = false;        // one without it does
     std::optional<QString> whyNot_; // Throwing::whyNot(), of a body that is dragged

@@ -40,7 +40,7 @@ void SceneDisplay::mousePressEvent(QMouseEvent* event) {
     else if (clickTriad(*event)) {
     } else if (*button == Button::left && event->modifiers() == Qt::NoModifier &&
                !control_.active() && !creating_.active() && !editing_.dragging() &&
-               meters_.press(event->position())) {
+               !gizmo_.at(event->position()) && meters_.press(event->position())) {
     } else if (creating_.active() && *button == Button::left) {
         pressView(*button, event->position());
     } else if (editing_.dragging() || !selecting_.press(*event)) {
@@ -138,7 +138,7 @@ void SceneDisplay::leaveEvent(QEvent* event) {
 }
 
 void SceneDisplay::mouseDoubleClickEvent(QMouseEvent* event) {
-    if (!creating_.active() && event->button() == Qt::LeftButton &&
+    if (!creating_.active() && event->button() == Qt::LeftButton && !gizmo_.at(event->position()) &&
         meters_.doubleClick(event->position()))
         return;
     if (creating_.active() || !editing_.doubleClick(*event))
@@ -154,7 +154,7 @@ bool SceneDisplay::event(QEvent* event) {
         return true;
     }
     if (event->type() == QEvent::ShortcutOverride &&
-        (editing_.dragging() || selecting_.hasBand() || meters_.holds() ||
+        (editing_.dragging() || selecting_.hasBand() || meters_.holds() || throwing_.active() ||
          creating_.uses(static_cast<const QKeyEvent&>(*event)))) {
         event->accept();
         return true;

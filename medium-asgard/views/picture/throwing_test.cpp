@@ -53,6 +53,26 @@ TEST_F(SelectingTest, ABodyIsThrownWhileTheMotionPlaysAndPutWhileItRests) {
     }
 }
 
+TEST_F(SelectingTest, EscapeLetsABodyInTheHandGo) {
+    editor.document().select({leftOne});
+    viewer->playback().seek(0.5);
+    display().grab();
+    const std::string before = editor.document().text();
+    const QPoint from = at({-3, 0, 0}) + QPoint(5, 5);
+    QTest::mousePress(&display(), Qt::LeftButton, {}, from);
+    for (int i = 1; i <= 3; ++i) {
+        const QPointF to = from + QPoint(10 * i, 0);
+        QMouseEvent move(QEvent::MouseMove, to, display().mapToGlobal(to), Qt::NoButton,
+                         Qt::LeftButton, {});
+        QApplication::sendEvent(&display(), &move);
+    }
+    ASSERT_TRUE(display().throwing().active());
+    QTest::keyClick(&display(), Qt::Key_Escape);
+    EXPECT_FALSE(display().throwing().active());
+    EXPECT_EQ(viewer->playback().time(), 0.5);
+    EXPECT_EQ(editor.document().text(), before);
+}
+
 // As at the start; with the keys, too.
 TEST_F(SelectingTest, AllThatAreSelectedArePutElsewhereTogether) {
     editor.document().select({nearOne, leftOne});
