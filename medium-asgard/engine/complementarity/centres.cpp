@@ -1,0 +1,329 @@
+#include "complementarity/centres.h"
+
+#include "complementarity/convex.h"
+#include "complementarity/fixed_point.h"
+#include "complementarity/newton.h"
+#include "complementarity/search.h"
+
+#include <algorithm>
+
+namespace complementarity {
+
+namespace {
+
+// The same problem with the rows of discs at centres that are held. There the forces of slips are
+// multiples of their normal forces, whose columns they join.
+class AtCentres {
+public:
+    AtCentres(const Matrix& a, const Vector& b, const Laws& laws) : a_(a), b_(b), laws_(laws) {
+        std::vector<Index> placeOf(static_cast<std::size_t>(b.size()), -1);
+        for (const Law& law : laws)
+            for (Index i = 0; i < law.rows && law.kind != Law::Kind::slip; ++i) {
+                placeOf[static_cast<std::size_t>(law.first + i)] = static_cast<Index>(rows_.size());
+                rows_.push_back(law.first + i);
+            }
+        for (const Law& law : laws)
+            if (law.kind != Law::Kind::slip) {
+                others_.push_back(law);
+                others_.back().levers.resize(0, 0);
+                others_.back().first = placeOf[static_cast<std::size_t>(law.first)];
+                if (law.normal >= 0)
+                    others_.back().normal = placeOf[static_cast<std::size_t>(law.normal)];
+            }
+    }
+
+    // Of the laws with levers, one after the other, at these forces.
+    [[nodiscard]] Vector centresOf(const Vector& forces) const {
+        return eachLever([&](const Law& law) { return centreOf(law, forces); });
+    }
+    // How much each of these counts: as its normal forces do beside the largest. The centre of
+    // forces that are next to 0 may be anywhere.
+    [[nodiscard]] Vector weightsOf(const Vector& forces) const {
+        const Vector pressed = eachLever([&](const Law& law) {
+            const double sum = forces.segment(law.normal, law.normals).sum();
+            return Vector(Vector::Constant(law.rows - 1, std::abs(sum)));
+        });
+        const double most = pressed.size() > 0 ? pressed.maxCoeff() : 0;
+        return most > 0 ? Vector(pressed / most) : Vector(Vector::Ones(pressed.size()));
+    }
+
+    [[nodiscard]] std::optional<Answer> solve(const Vector& centres, const Answer& guess,
+                                              Work& counts) const {
+        Matrix a = a_;
+        Vector b = b_;
+        eachSlip(centres, [&](const Law& law, const Vector& centre) { join(law, centre, a, b); });
+        eachDisc(centres, [&](const Law& law, const Vector& centre) {
+            const Index last = law.first + law.rows - 1;
+            a.middleRows(law.first, law.rows - 1) += centre * a.row(last).eval();
+            b.segment(law.first, law.rows - 1) += b[last] * centre;
+        });
+        eachDisc(centres, [&](const Law& law, const Vector& centre) {
+            const Index last = law.first + law.rows - 1;
+            a.middleCols(law.first, law.rows - 1) += a.col(last).eval() * centre.transpose();
+        });
+        std::optional<Answer> found = Answer{};
+        if (!rows_.empty())
+            found =
+                solveAtMiddles(a(rows_, rows_), b(rows_), others_, guessAt(centres, guess), counts);
+        if (found)
+            found = whole(centres, *found);
+        return found;
+    }
+
+private:
+    template <class Visit>
+    void each(const Vector& centres, Law::Kind kind, const Visit& visit) const {
+        Index first = 0;
+        for (const Law& law : laws_) {
+            const Index count = law.levers.size() > 0 ? law.rows - 1 : 0;
+            if (law.kind == kind && count > 0)
+                visit(law, Vector(centres.segment(first, count)));
+            else if (law.kind == kind)
+                visit(law, Vector(Vector::Zero(law.rows - 1)));
+            first += count;
+        }
+    }
+    template <class Numbers> [[nodiscard]] Vector eachLever(const Numbers& numbers) const {
+        std::vector<double> all;
+        for (const Law& law : laws_)
+            if (law.levers.size() > 0) {
+                const Vector of = numbers(law);
+                all.insert(all.end(), of.begin(), of.end());
+            }
+        return Eigen::Map<const Vector>(all.data(), static_cast<Index>(all.size()));
+    }
+    template <class Visit> void eachDisc(const Vector& centres, const Visit& visit) const {
+        each(centres, Law::Kind::disc, visit);
+    }
+    template <class Visit> void eachSlip(const Vector& centres, const Visit& visit) const {
+        each(centres, Law::Kind::slip, visit);
+    }
+
+    // The force of a slip for each unit of its radius.
+    [[nodiscard]] static Vector unitForce(const Law& slip, const Vector& centre) {
+        return forcesFrom(centre, -directionAt(centre, slip));
+    }
+    void join(const Law& slip, const Vector& centre, Matrix& a, Vector& b) const {
+        const auto columns = a_.middleCols(slip.first, slip.rows);
+        b += slip.radius * columns * unitForce(slip, centre);
+        for (Index n = 0; slip.normal >= 0 && n < slip.normals; ++n) { // each at its own point
+            const Vector at = slip.levers.size() > 0 ? Vector(slip.levers.col(n)) : centre;
+            const Vector force = forcesFrom(at, -directionAt(centre, slip));
+            a.col(slip.normal + n) += slip.coefficient * columns * force;
+        }
+    }
+
+    // Of the other laws, there.
+    [[nodiscard]] Answer guessAt(const Vector& centres, const Answer& guess) const {
+        Answer at;
+        if (guess.forces.size() != b_.size() || guess.states.size() != laws_.size())
+            return at;
+        Vector forces = guess.forces;
+        eachDisc(centres, [&](const Law& law, const Vector& centre) {
+            forces.segment(law.first, law.rows) =
+                forcesAt(centre, forces.segment(law.first, law.rows));
+        });
+        at.forces = forces(rows_);
+        for (std::size_t k = 0; k < laws_.size(); ++k)
+            if (laws_[k].kind != Law::Kind::slip)
+                at.states.push_back(guess.states[k]);
+        return at;
+    }
+    [[nodiscard]] Answer whole(const Vector& centres, const Answer& others) const {
+        Answer answer{Vector::Zero(b_.size()), {}, {}};
+        answer.forces(rows_) = others.forces;
+        auto state = others.states.begin();
+        for (const Law& law : laws_)
+            answer.states.push_back(law.kind == Law::Kind::slip ? State::edge : *state++);
+        eachDisc(centres, [&](const Law& law, const Vector& centre) {
+            answer.forces.segment(law.first, law.rows) =
+                forcesFrom(centre, answer.forces.segment(law.first, law.rows));
+        });
+        eachSlip(centres, [&](const Law& law, const Vector& centre) {
+            answer.forces.segment(law.first, law.rows) =
+                radiusOf(law, answer.forces) * unitForce(law, centre);
+        });
+        answer.rates = a_ * answer.forces + b_;
+        return answer;
+    }
+
+    const Matrix& a_;
+    const Vector& b_;
+    const Laws& laws_;
+    std::vector<Index> rows_; // of others than slips
+    Laws others_;
+};
+
+// The forces that the other laws have alone: none where those are not convex.
+Vector withoutDiscs(const Matrix& a, const Vector& b, const Laws& laws) {
+    Vector forces = Vector::Zero(b.size());
+    std::vector<Index> rows;
+    Laws others;
+    for (const Law& law : laws)
+        if (law.kind == Law::Kind::interval) {
+            others.push_back(law);
+            others.back().first = static_cast<Index>(rows.size());
+            rows.push_back(law.first);
+        }
+    const Matrix among = a(rows, rows);
+    if (!isConvex(among, others))
+        return forces;
+    if (const auto answer = solveConvex(among, b(rows), others))
+        forces(rows) = answer->forces;
+    return forces;
+}
+
+// From centre to centre, beginning with these.
+class FromCentres {
+public:
+    FromCentres(const Vector& start, const Answer& guess) : centres_(start), last_(guess) {}
+
+    // Until the best round is so many rounds ago.
+    std::optional<Answer> solve(int patience, const AtCentres& at, const Matrix& a, const Vector& b,
+                                const Laws& laws, Work& counts) {
+        constexpr double close = 1e-7; // a violation that goes on no further down: rounding is left
+        for (int inVain = 0; inVain < patience && rounds_ < mostRounds && !isOver_; ++inVain) {
+            ++rounds_;
+            ++counts.rounds;
+            const auto answer = at.solve(centres_.at(), last_, counts);
+            isOver_ = !answer || centres_.at().size() == 0;
+            if (!answer)
+                break;
+            last_ = *answer;
+            const double before = least_;
+            take(last_, violation(a, b, laws, last_));
+            if (least_ > kept && !isOver_)
+                if (const auto there = around(a, b, laws, last_, counts))
+                    take(*there, violation(a, b, laws, *there));
+            if (least_ <= kept || (least_ <= close && least_ >= 0.5 * before))
+                return best_;
+            if (least_ < before)
+                inVain = 0;
+            if (!isOver_)
+                move(at);
+        }
+        isOver_ = isOver_ || rounds_ == mostRounds;
+        return isOver_ && least_ <= close ? std::optional(best_) : std::nullopt;
+    }
+
+private:
+    void take(const Answer& answer, double faulty) {
+        if (faulty >= least_)
+            return;
+        best_ = answer;
+        least_ = faulty;
+    }
+    // A face that is hardly pressed keeps its centre.
+    void move(const AtCentres& at) {
+        constexpr double hardly = 1e-9; // beside what is pressed most
+        const Vector weights = at.weightsOf(last_.forces), now = at.centresOf(last_.forces);
+        centres_.moveFrom((weights.array() > hardly).select(now, centres_.at()), weights);
+    }
+
+    static constexpr int mostRounds = 60;
+    FixedPoint centres_;
+    Answer last_, best_;
+    double least_ = unbounded;
+    int rounds_ = 0;
+    bool isOver_ = false; // it can find no more
+};
+
+// The forces without friction are known, and lead to those with it while it grows: each part of it
+// begins at the forces of the one before.
+class ByMoreFriction {
+public:
+    ByMoreFriction(const Matrix& a, const Vector& b, const Laws& laws, Work& counts)
+        : a_(a), b_(b), laws_(laws), counts_(counts) {}
+
+    std::optional<Answer> solve() const {
+        constexpr double first = 0.25, least = 1e-4, longer = 1.5, shorter = 0.4;
+        Answer last = without();
+        double part = 0;
+        for (double step = first; step > least;) {
+            const double next = std::min(1.0, part + step);
+            const Laws laws = with(next);
+            const Answer from = part > 0 ? last : slipping(laws, last);
+            auto found = around(a_, b_, laws, from, counts_);
+            step *= found ? longer : shorter;
+            if (!found)
+                continue;
+            last = std::move(*found);
+            part = next;
+            if (part == 1)
+                return last;
+        }
+        return std::nullopt;
+    }
+
+private:
+    [[nodiscard]] Answer without() const {
+        constexpr double none = 1e-9; // of the largest force
+        Answer answer{withoutDiscs(a_, b_, laws_), {}, {}};
+        answer.rates = a_ * answer.forces + b_;
+        const double some = none * answer.forces.cwiseAbs().maxCoeff();
+        for (const Law& law : laws_) {
+            const double force = answer.forces[law.first];
+            answer.states.push_back(law.kind != Law::Kind::interval ? State::edge
+                                    : force <= law.low + some       ? State::low
+                                    : force >= law.high - some      ? State::high
+                                                                    : State::inside);
+        }
+        return answer;
+    }
+    [[nodiscard]] Laws with(double part) const {
+        Laws laws = laws_;
+        for (Law& law : laws) {
+            law.coefficient *= part;
+            law.radius *= part;
+        }
+        return laws;
+    }
+    // Each disc has its force against the rate there.
+    [[nodiscard]] static Answer slipping(const Laws& laws, Answer answer) {
+        for (const Law& law : laws) {
+            if (law.kind == Law::Kind::interval)
+                continue;
+            const Vector centre = centreOf(law, answer.forces);
+            const Vector way =
+                law.kind == Law::Kind::slip
+                    ? directionAt(centre, law)
+                    : Vector(
+                          ratesAt(centre, answer.rates.segment(law.first, law.rows)).normalized());
+            answer.forces.segment(law.first, law.rows) =
+                forcesFrom(centre, -radiusOf(law, answer.forces) * way);
+        }
+        return answer;
+    }
+
+    const Matrix& a_;
+    const Vector& b_;
+    const Laws& laws_;
+    Work& counts_;
+};
+
+} // namespace
+
+std::optional<Answer> solveFromCentres(const Matrix& a, const Vector& b, const Laws& laws,
+                                       const Answer& guess, Work& counts) {
+    const AtCentres at(a, b, laws);
+    const bool hasGuess = guess.forces.size() == b.size();
+    const Vector start = at.centresOf(hasGuess ? guess.forces : withoutDiscs(a, b, laws));
+    // The centres that forces without friction have may lie far from all answers. One start may
+    // wander where another is there in a few rounds: first each has few of them.
+    constexpr int few = 8, many = 60;
+    std::vector<FromCentres> ways;
+    for (const double part : {1.0, 0.0, -1.0, 0.5})
+        if (part == 1 || !start.isZero(0))
+            ways.emplace_back(part * start, guess);
+    for (FromCentres& way : ways)
+        if (auto found = way.solve(few, at, a, b, laws, counts))
+            return found;
+    if (auto found = ByMoreFriction(a, b, laws, counts).solve())
+        return found;
+    for (FromCentres& way : ways)
+        if (auto found = way.solve(many, at, a, b, laws, counts))
+            return found;
+    return std::nullopt;
+}
+
+} // namespace complementarity

@@ -1,0 +1,15 @@
+// Laws of faces that press at several points: friction acts at the centre of the normal forces, and
+// the forces of a slip follow them there. The search holds the centres, solves, and moves them to
+// the answer's (fixed_point.h), from several starts; where no start leads to an end, friction grows
+// from none to its own.
+#pragma once
+
+#include "complementarity/solve.h"
+
+namespace complementarity {
+
+[[nodiscard]] std::optional<Answer> solveFromCentres(const Matrix& a, const Vector& b,
+                                                     const Laws& laws, const Answer& guess,
+                                                     Work& work);
+
+} // namespace complementarity
