@@ -340,6 +340,13 @@ case("pillar_turns", "# zero: b.qx\nsimulator -finish 0.05\n" + ground(mu) + "sh
      [(t, 20, value, name) for t, s in turned.items() for value, name in
       ((s[0], "b.x"), (s[1], "b.z"), (math.sin(s[2] / 2), "b.qy"), (s[3], "b.dx"), (s[4], "b.dz"), (s[5], "b.wy"))])
 
+# A can that spins on its end: friction brakes it with the couple mu m g 2 R / 3 of a round face, and then it stands.
+mu, w, radius = 0.1, 10, 0.2
+braking = mu * G * 2 * radius / 3 / (radius ** 2 / 2)
+case("can_spins", "# zero: b.y-0.2\nsimulator -finish 2\n" + ground(mu) + f"shape_set can -desc {{-sub {{-cylinder {{{radius} 0.4}}}}}}\n"
+     f"body b can -init_pos {{0 0.2 0}} -init_drot {{0 {w} 0}} -restitution 0 -friction {mu}\n" + gravity("b"),
+     [(t, 5, max(0, w - braking * t), "b.wy") for t in (0.3, 1, 1.5, 2)] + [(2, 1, 0, "b.x")])
+
 # Rest is rest for 1,000 s: stacks of ten whose masses grow to 1000 times or shrink so, and two of a ratio of a million.
 for name, masses in (("stack_heavy_above", [10 ** (i / 3) for i in range(10)]), ("stack_heavy_below", [10 ** (3 - i / 3) for i in range(10)]),
                      ("million_above", [1, 1e6, 1]), ("million_below", [1e6, 1, 1e6])):

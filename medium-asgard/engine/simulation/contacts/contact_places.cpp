@@ -446,7 +446,7 @@ LastingContact contactOf(const Touch& touch, const Placed& body, const Placed& s
     const geometry::PatchMiddle middle = geometry::middleOf(corners, touch.normal);
     if (!found.rolls && corners.size() > 1)
         place.centre = withoutRounding(localOf(body, middle.centre), touch.size);
-    place.friction.reach = middle.reach;
+    place.friction.reach = isWhole && touch.round.reach > 0 ? touch.round.reach : middle.reach;
     if (touch.round.isPatch && isWhole && !limits.plane && !limits.isOfBlow)
         found.stand = standOf(touch, body, support, limits, place.points);
     if (limits.plane)

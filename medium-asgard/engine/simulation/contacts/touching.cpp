@@ -1,5 +1,7 @@
 #include "contacts/touching.h"
 
+#include "geometry/patch_middle.h"
+
 #include "collision/hollow_separation.h"
 #include "collision/nearest_feature.h"
 #include "collision/patch.h"
@@ -231,6 +233,7 @@ private:
     // the world, as those of a scene in a plane do.
     void thinOut() {
         const std::size_t step = touch.corners.size() / enough;
+        touch.round.reach = reachOfRound();
         std::vector<Corner> kept;
         const auto first = std::ranges::max_element(
             touch.corners, {}, [](const Corner& corner) { return corner.point.x(); });
@@ -239,6 +242,20 @@ private:
             kept.push_back(touch.corners[(start + i) % touch.corners.size()]);
         touch.corners = std::move(kept);
         touch.round.isPatch = true;
+    }
+
+    // Two thirds of the radius where its corners lie on a circle.
+    [[nodiscard]] double reachOfRound() const {
+        constexpr double rounding = 1e-9;
+        std::vector<Vector> corners;
+        for (const Corner& corner : touch.corners)
+            corners.push_back(corner.point);
+        const geometry::PatchMiddle middle = geometry::middleOf(corners, touch.normal);
+        const double radius = (corners[0] - middle.centre).norm();
+        const bool isCircle = std::ranges::all_of(corners, [&](const Vector& corner) {
+            return std::abs((corner - middle.centre).norm() - radius) <= rounding * radius;
+        });
+        return isCircle ? 2 * radius / 3 : middle.reach;
     }
 
     // Of a polyhedron, that in whose cell the sphere's centre lies; the normal away from it.

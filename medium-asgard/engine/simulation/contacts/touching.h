@@ -52,6 +52,7 @@ struct Touch { // of one pair of parts
         bool isOnEdge = false; // ... on an edge or a vertex
         bool isCurved = false; // one of the two is a capsule, cylinder, cone or ellipsoid
         bool isPatch = false;  // ... whose end lies on a face, many corners go round its rim
+        double reach = 0; // of such a patch, the mean distance from its middle; 0: of its corners
     };
     Roundness round;
     bool hasPieces = false;            // of what is curved: each corner has its pieces
