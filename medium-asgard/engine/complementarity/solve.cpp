@@ -13,7 +13,7 @@ std::optional<Answer> solve(const Matrix& a, const Vector& given, const Laws& la
     if (given.size() == 0)
         return Answer{};
     constexpr double none = 1e-40; // no body moves so slowly: what is left of a motion that fades
-    const Vector b = (given.array().abs() > none).select(given, 0);
+    const Vector b = (given.array().abs() <= none).select(0, given);
     if (!haveCentres(laws))
         return solveAtMiddles(a, b, laws, guess, counts);
     return solveFromCentres(a, b, laws, guess, counts);

@@ -21,10 +21,10 @@ double SideBySide::depth(const Pair& pair) const {
     return found == pairs_.end() ? 0 : found->second.depth;
 }
 
-bool SideBySide::sink(const Pair& pair, double least, const Now& now) {
+bool SideBySide::sink(const Pair& pair, double deeper, double way, const Now& now) {
     State& state = pairs_[pair];
-    state.depth += least;
-    state.way = least;
+    state.depth += deeper;
+    state.way = way;
     state.push = now.push;
     state.since = now.time;
     return goesOn(state.sinks.add(now.time, ofHops));

@@ -40,7 +40,7 @@ public:
         double push = 0;           // what presses them together, as an acceleration
     };
     // From now on they do, or they reached their depth without speed. False: too often.
-    [[nodiscard]] bool sink(const Pair& pair, double least, const Now& now);
+    [[nodiscard]] bool sink(const Pair& pair, double deeper, double way, const Now& now);
     // They hit again while they do. False: too often.
     [[nodiscard]] bool hop(const Pair& pair, double time);
     // The speed that their push can have given them on the last part of that depth.

@@ -246,14 +246,15 @@ private:
 
     // Two thirds of the radius where its corners lie on a circle.
     [[nodiscard]] double reachOfRound() const {
-        constexpr double rounding = 1e-9;
+        constexpr double ofRadius = 1e-9;
         std::vector<Vector> corners;
         for (const Corner& corner : touch.corners)
             corners.push_back(corner.point);
         const geometry::PatchMiddle middle = geometry::middleOf(corners, touch.normal);
         const double radius = (corners[0] - middle.centre).norm();
+        const double rounding = ofRadius * radius + resolution::ofPlaces * middle.centre.norm();
         const bool isCircle = std::ranges::all_of(corners, [&](const Vector& corner) {
-            return std::abs((corner - middle.centre).norm() - radius) <= rounding * radius;
+            return std::abs((corner - middle.centre).norm() - radius) <= rounding;
         });
         return isCircle ? 2 * radius / 3 : middle.reach;
     }

@@ -58,13 +58,14 @@ Alongside goAlongside(const Instant& at, const Found& hit, SideBySide& balls) {
     constexpr double low = 1.0 / 16; // of that depth: a hop is none
     // The end of a step has moved them deeper, onto their joints as a rule: no way of theirs.
     const bool isMoved = known > 0 && -near.gap > at.contactTolerance(hit.pair);
+    // No blow has anything to do at such a rate, and the next hit would be at once.
     const bool isStill = near.rate >= -resolution::noRate * near.radius;
     if (known > 0 && !isMoved && !isStill && !hit.pressing &&
         !(square < -2 * near.push * low * least))
         return balls.hop(hit.pair, at.time) ? Alongside::no : Alongside::tooOften;
     const SideBySide::Now now{.time = at.time, .rate = near.rate, .push = -near.push};
     const double deeper = isMoved ? least - near.gap - known : least;
-    return balls.sink(hit.pair, deeper, now) ? Alongside::yes : Alongside::tooOften;
+    return balls.sink(hit.pair, deeper, least, now) ? Alongside::yes : Alongside::tooOften;
 }
 
 } // namespace simulation

@@ -13,8 +13,8 @@
 // real and complex factors, 12 for an iteration's solves (measured with machine code).
 // An implicit method that has settled is left when its steps fall below six times what the explicit
 // one could take, by the spectral radius of the Jacobian. Each change back doubles the evidence
-// that the next trial needs; but 320 short steps that are bound by stability cost more than a
-// trial, and always lead to one.
+// that the next trial needs, up to 320 where steps are short: then they have cost more than a
+// trial.
 #pragma once
 
 #include "integrators/method.h"
