@@ -64,12 +64,13 @@ public:
             if (nearest_) // the laws themselves err by as much: no other way finds a better one
                 return nearest_;
         }
-        if (auto answer = alongSlips(inside.forces))
-            return answer;
-        if (auto answer = bySmallerSteps(inside))
-            return answer;
-        if (auto answer = bySweeps())
-            return answer;
+        using Way = std::optional<Answer> (Search::*)(const Approach&);
+        for (const Way way : {&Search::alongSlips, &Search::bySmallerSteps, &Search::bySweeps}) {
+            if (auto answer = (this->*way)(inside))
+                return answer;
+            if (nearestFault_ <= hardly)
+                break;
+        }
         return nearest_;
     }
 
@@ -145,14 +146,15 @@ private:
     // Friction of what slips so fast that the forces hardly turn the slip is known but for its
     // normal force: it goes into the columns of that, and the slips are out of sight of the rest,
     // whose rates may be millions of times smaller. Then the slips are turned, and all is again.
-    std::optional<Answer> alongSlips(const Vector& estimate) {
-        constexpr int most = 20;
-        const std::vector<std::size_t> fast = fastDiscs(estimate);
+    std::optional<Answer> alongSlips(const Approach& from) {
+        constexpr int most = 20, patience = 3; // rounds, and those since the best one
+        const std::vector<std::size_t> fast = fastDiscs(from.forces);
         if (fast.empty())
             return std::nullopt;
         Laws laws = laws_;
-        Answer answer{estimate, a_ * estimate + b_, {}};
-        for (int round = 0; round < most; ++round) {
+        Answer answer{from.forces, a_ * from.forces + b_, {}};
+        double least = unbounded;
+        for (int round = 0, inVain = 0; round < most && inVain < patience; ++round, ++inVain) {
             for (const std::size_t k : fast) {
                 laws[k].kind = Law::Kind::slip;
                 laws[k].velocity = answer.rates.segment(laws[k].first, laws[k].rows);
@@ -163,8 +165,16 @@ private:
             work_.steps += work.steps;
             work_.sweeps += work.sweeps;
             work_.tries += work.tries;
-            if (!next || violation(a_, b_, laws_, *next) <= kept)
+            if (!next)
+                break;
+            const double faulty = violation(a_, b_, laws_, *next);
+            if (faulty <= kept)
                 return next;
+            keep(*next, faulty);
+            if (faulty < 0.5 * least) {
+                least = faulty;
+                inVain = 0;
+            }
             answer = std::move(*next);
         }
         return std::nullopt;
@@ -184,7 +194,7 @@ private:
 
     // A little on the diagonal leads redundant laws to short forces. Where the states do not tell
     // the forces, as with many bodies at the limit of sticking, the sweeps' own do, if they settle.
-    std::optional<Answer> bySweeps() {
+    std::optional<Answer> bySweeps(const Approach& /*from*/) {
         constexpr int most = 4096;
         const Matrix firm = a_ + 1e-10 * Matrix(a_.diagonal().asDiagonal());
         Vector forces = Vector::Zero(b_.size());
@@ -192,14 +202,19 @@ private:
             const double change = sweepOn(firm, next, forces);
             if (auto answer = near(statesOf(firm, b_, laws_, forces), forces))
                 return answer;
-            if (!(change > 1e-15 * forces.cwiseAbs().maxCoeff()))
+            if (nearestFault_ <= hardly || !(change > 1e-15 * forces.cwiseAbs().maxCoeff()))
                 break;
         }
-        for (int next = work_.sweeps + 16; work_.sweeps < most && forces.allFinite(); next *= 2) {
+        const auto isWanted = [&] {
+            return nearestFault_ > hardly && work_.sweeps < most && forces.allFinite();
+        };
+        for (int next = work_.sweeps + 16; isWanted(); next *= 2) {
             sweepOn(a_, next, forces);
             const Answer swept{forces, a_ * forces + b_, statesOf(a_, b_, laws_, forces)};
-            if (violation(a_, b_, laws_, swept) <= kept)
+            const double faulty = violation(a_, b_, laws_, swept);
+            if (faulty <= kept)
                 return swept;
+            keep(swept, faulty);
         }
         return std::nullopt;
     }
