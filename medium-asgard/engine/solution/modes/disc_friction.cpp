@@ -68,6 +68,14 @@ DiscFriction::Change DiscFriction::changeBy(std::size_t k, std::span<const doubl
     return change;
 }
 
+DiscFriction::Change DiscFriction::changeByOne(std::size_t k, std::size_t normal) const {
+    Change change = noChange(k);
+    change.pressed = 1;
+    if (disc(k).hasLevers)
+        change.moment = leversOf(k, normal);
+    return change;
+}
+
 DiscFriction::Centre DiscFriction::centreOf(std::size_t k, std::span<const double> forces) const {
     const Change all = changeBy(k, forces);
     return all.pressed > 0 ? Centre(all.moment / all.pressed) : noChange(k).moment;
@@ -130,8 +138,7 @@ double DiscFriction::leewayOf(std::size_t k, std::span<const double> forces) con
 
 // The friction of each normal force at its own point: its couples go through 0 with the forces.
 DiscFriction::InDisc DiscFriction::forceAgainst(std::size_t k, const InDisc& way,
-                                                std::span<const double> forces) const {
-    const Change all = changeBy(k, forces);
+                                                const Change& all) const {
     const InDisc direction = way.normalized();
     InDisc force = all.pressed * direction;
     force[force.size() - 1] += all.moment.dot(direction.head(all.moment.size()));
@@ -139,12 +146,7 @@ DiscFriction::InDisc DiscFriction::forceAgainst(std::size_t k, const InDisc& way
 }
 
 DiscFriction::InDisc DiscFriction::forceOf(std::size_t k, std::span<const double> forces) const {
-    return forceAgainst(k, wayOf(k, centreOf(k, forces)), forces);
-}
-
-DiscFriction::InDisc DiscFriction::forceInMode(std::size_t k,
-                                               std::span<const double> forces) const {
-    return forceAgainst(k, wayOf(k, centreIn(k)), forces);
+    return forceAgainst(k, wayOf(k, centreOf(k, forces)), changeBy(k, forces));
 }
 
 void DiscFriction::addGaps(std::size_t k, std::span<const double> forces,

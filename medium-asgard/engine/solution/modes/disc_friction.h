@@ -52,16 +52,21 @@ public:
     // Of one that slips, the velocity of its rows that gives its direction, and what this has
     // besides at every centre: the direction in which it began, less and less as it grows.
     [[nodiscard]] std::pair<InDisc, InDisc> velocityOf(std::size_t disc) const;
-    // Of one that slips, by these normal forces; and how that changes with what it follows from.
-    [[nodiscard]] InDisc forceOf(std::size_t disc, std::span<const double> forces) const;
-    // With the direction at the centre of the mode: linear in the normal forces.
-    [[nodiscard]] InDisc forceInMode(std::size_t disc, std::span<const double> forces) const;
+    // That velocity at the centre of the mode.
+    [[nodiscard]] InDisc wayInMode(std::size_t disc) const { return wayOf(disc, centreIn(disc)); }
+
+    // The force of a disc follows from these, and changes with them.
     struct Change {
         double pressed = 0; // of the sum of normal forces
         InDisc slip = {};   // of the velocities of the rows
         Centre moment = {}; // of the sum of normal forces times their levers
     };
+    // By these normal forces, and by a unit of one of them.
     [[nodiscard]] Change changeBy(std::size_t disc, std::span<const double> forces) const;
+    [[nodiscard]] Change changeByOne(std::size_t disc, std::size_t normal) const;
+    // Of one that slips, by these normal forces; and against a velocity: linear in what presses.
+    [[nodiscard]] InDisc forceOf(std::size_t disc, std::span<const double> forces) const;
+    [[nodiscard]] InDisc forceAgainst(std::size_t disc, const InDisc& way, const Change& all) const;
     // Adds what these changes of gaps, of their rates and of levers bring.
     void addGaps(std::size_t disc, std::span<const double> forces, std::span<const double> gaps,
                  Change& change) const;
@@ -84,8 +89,6 @@ private:
     [[nodiscard]] Centre centreIn(std::size_t disc) const; // the mode
     [[nodiscard]] Change noChange(std::size_t disc) const;
     [[nodiscard]] double pressedBy(std::size_t disc, std::span<const double> forces) const;
-    [[nodiscard]] InDisc forceAgainst(std::size_t disc, const InDisc& way,
-                                      std::span<const double> forces) const;
     // The force is against it.
     [[nodiscard]] InDisc wayOf(std::size_t disc, const Centre& centre) const;
     // -1 behind the turn of a slip that comes back, within 45 degrees of its way, so that its

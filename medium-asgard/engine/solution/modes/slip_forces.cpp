@@ -47,15 +47,27 @@ bool SlipForces::solve(std::span<const double> entries, HeldConditions& held,
     return improve(without);
 }
 
+// Of the slopes of a disc's forces: `force` says what it has by a change.
+template <class Force>
+void SlipForces::takeOff(std::size_t disc, Eigen::Index first, const Force& force) {
+    const auto& normals = friction_.disc(disc).normals;
+    for (std::size_t n = 0; n < normals.size(); ++n) {
+        const DiscFriction::InDisc one = force(friction_.changeByOne(disc, n));
+        slopes_.middleRows(first, one.size()) -=
+            one * responses_.row(static_cast<Eigen::Index>(normals[n]));
+    }
+}
+
 void SlipForces::beginInMode(const Eigen::VectorXd& without) {
     slopes_.setIdentity(rows_, rows_);
     forces_.resize(rows_);
     each([&](std::size_t disc, Eigen::Index first) {
-        const DiscFriction::InDisc force = friction_.forceInMode(disc, spanOf(without));
-        forces_.segment(first, force.size()) = force;
-        for (Eigen::Index i = 0; i < rows_; ++i)
-            slopes_.col(i).segment(first, force.size()) -=
-                friction_.forceInMode(disc, spanOf(responses_.col(i)));
+        const DiscFriction::InDisc way = friction_.wayInMode(disc);
+        const auto force = [&](const DiscFriction::Change& all) {
+            return friction_.forceAgainst(disc, way, all);
+        };
+        forces_.segment(first, way.size()) = force(friction_.changeBy(disc, spanOf(without)));
+        takeOff(disc, first, force);
     });
     lu_.compute(slopes_);
     forces_ = lu_.solve(forces_);
@@ -102,11 +114,9 @@ void SlipForces::linearise(std::span<const double> multipliers) {
     slopes_.setIdentity(rows_, rows_);
     each([&](std::size_t disc, Eigen::Index first) {
         const DiscFriction::Slope slope = friction_.slopeOf(disc, multipliers);
-        for (Eigen::Index i = 0; i < rows_; ++i) {
-            const DiscFriction::Change by = friction_.changeBy(disc, spanOf(responses_.col(i)));
-            const DiscFriction::InDisc change = friction_.changeOf(disc, slope, by);
-            slopes_.col(i).segment(first, change.size()) -= change;
-        }
+        takeOff(disc, first, [&](const DiscFriction::Change& by) {
+            return friction_.changeOf(disc, slope, by);
+        });
     });
     lu_.compute(slopes_);
 }
