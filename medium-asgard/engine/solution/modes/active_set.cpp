@@ -122,6 +122,14 @@ bool ActiveSet::isOffPlace(std::size_t watch) {
     return std::abs(watchOfPlaces(watch)) > ofResolution * law(watches_[watch].row).resolution;
 }
 
+bool ActiveSet::parts(std::size_t watch) {
+    const auto [row, kind] = watches_[watch];
+    if (kind != Kind::gap)
+        return false;
+    multipliers_.evaluateGaps();
+    return multipliers_.rate(row) > rateOf * law(row).resolution;
+}
+
 double ActiveSet::watchOfPlaces(std::size_t watch) {
     multipliers_.evaluateGaps();
     return valueOf(watches_[watch]);

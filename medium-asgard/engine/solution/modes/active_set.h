@@ -62,6 +62,8 @@ public:
     [[nodiscard]] bool isOfPlaces(std::size_t watch) const;
     // That watch is not 0 at the point of the functions.
     [[nodiscard]] bool isOffPlace(std::size_t watch);
+    // At the point of the functions a gap that this watch takes to close grows.
+    [[nodiscard]] bool parts(std::size_t watch);
     // The set that follows from the values alone, where some may touch and approach.
     void decide(double t, std::span<double> y);
     // The set after these watches fell; y with what blows give. False: no forces keep the laws.

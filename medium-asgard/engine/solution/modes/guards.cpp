@@ -88,9 +88,13 @@ bool Guards::leadsInside(const Watch& watch, std::span<const double> rates) {
 }
 
 bool Guards::contradicts(const Violation& violation, double t, std::span<const double> y) {
-    if (unknownsOf(violation).empty()) // no polynomial of this component is in them
+    const std::vector<std::size_t> active = activeOf(violation);
+    if (active.empty() && unknownsOf(violation).empty()) // no polynomial of this component is in it
         return false;
     f_.fill(t, y);
+    if (!active.empty())
+        return active.size() == violation.watches.size() &&
+               std::ranges::all_of(active, [this](std::size_t k) { return active_.parts(k); });
     const std::vector<double> rates = field_.here();
     return std::ranges::all_of(violation.watches, [&](std::size_t k) {
         return k < watches_.size() && leadsInside(watches_[k], rates);

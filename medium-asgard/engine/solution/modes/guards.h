@@ -36,8 +36,8 @@ public:
     // One of them, where it follows from places and velocities alone: no forces are solved for.
     [[nodiscard]] std::optional<double> watchOfPlaces(std::size_t k, double t,
                                                       std::span<const double> y);
-    // At its time the rates lead away from all its surfaces, to the sides that hold: only an error
-    // of polynomials crosses them, where a guard is smaller than that.
+    // At its time the rates lead away from all its surfaces, to the sides that hold, or open all
+    // its contacts: only an error of polynomials crosses them, where a guard is smaller than that.
     [[nodiscard]] bool contradicts(const Violation& violation, double t, std::span<const double> y);
     // There the rates lead away from the one surface of the violation, to the side that holds, and
     // its guard is no more than what rounding leaves of a difference: the motion, which started on
