@@ -122,12 +122,16 @@ bool ActiveSet::isOffPlace(std::size_t watch) {
     return std::abs(watchOfPlaces(watch)) > ofResolution * law(watches_[watch].row).resolution;
 }
 
-bool ActiveSet::parts(std::size_t watch) {
+bool ActiveSet::grazes(std::size_t watch) {
     const auto [row, kind] = watches_[watch];
     if (kind != Kind::gap)
         return false;
     multipliers_.evaluateGaps();
-    return multipliers_.rate(row) > rateOf * law(row).resolution;
+    const double gap = multipliers_.gap(row), resolution = law(row).resolution;
+    if (!(gap > -resolution && multipliers_.rate(row) > rateOf * resolution))
+        return false;
+    opened_[row] = std::min(opened_[row], 2 * gap);
+    return true;
 }
 
 double ActiveSet::watchOfPlaces(std::size_t watch) {

@@ -62,8 +62,10 @@ public:
     [[nodiscard]] bool isOfPlaces(std::size_t watch) const;
     // That watch is not 0 at the point of the functions.
     [[nodiscard]] bool isOffPlace(std::size_t watch);
-    // At the point of the functions a gap that this watch takes to close grows.
-    [[nodiscard]] bool parts(std::size_t watch);
+    // At the point of the functions a gap grows that this watch takes to close, and is no more than
+    // contacts are placed to: only an error of polynomials has crossed it. From then on it closes
+    // beyond twice that gap.
+    [[nodiscard]] bool grazes(std::size_t watch);
     // The set that follows from the values alone, where some may touch and approach.
     void decide(double t, std::span<double> y);
     // The set after these watches fell; y with what blows give. False: no forces keep the laws.
@@ -191,7 +193,7 @@ private:
     std::vector<std::size_t> bounded_; // multipliers
     std::vector<Watch> watches_;
     bool hasContacts_ = false;
-    std::vector<double> opened_; // by multiplier: the gap at which a stop opened, at most 0
+    std::vector<double> opened_; // by multiplier: the gap that counts as open, at most 0
     std::vector<char> jammed_;   // by multiplier
     double largest_ = 0;         // of the multipliers, where watches are asked
     Slow slow_;

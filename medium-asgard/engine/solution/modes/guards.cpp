@@ -88,13 +88,9 @@ bool Guards::leadsInside(const Watch& watch, std::span<const double> rates) {
 }
 
 bool Guards::contradicts(const Violation& violation, double t, std::span<const double> y) {
-    const std::vector<std::size_t> active = activeOf(violation);
-    if (active.empty() && unknownsOf(violation).empty()) // no polynomial of this component is in it
+    if (unknownsOf(violation).empty()) // no polynomial of this component is in them
         return false;
     f_.fill(t, y);
-    if (!active.empty())
-        return active.size() == violation.watches.size() &&
-               std::ranges::all_of(active, [this](std::size_t k) { return active_.parts(k); });
     const std::vector<double> rates = field_.here();
     return std::ranges::all_of(violation.watches, [&](std::size_t k) {
         return k < watches_.size() && leadsInside(watches_[k], rates);
@@ -102,7 +98,13 @@ bool Guards::contradicts(const Violation& violation, double t, std::span<const d
 }
 
 bool Guards::grazesByRounding(const Violation& violation, double t, std::span<const double> y) {
-    if (violation.watches.size() != 1 || violation.watches[0] >= watches_.size())
+    if (violation.watches.size() != 1)
+        return false;
+    if (const auto active = activeOf(violation); !active.empty()) {
+        f_.fill(t, y);
+        return active_.grazes(active[0]);
+    }
+    if (violation.watches[0] >= watches_.size())
         return false;
     const Watch& watch = watches_[violation.watches[0]];
     if (mode_.isGrazed[watch.surface] != 0 || mode_.wasPassed[watch.surface] != 0)

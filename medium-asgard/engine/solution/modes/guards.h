@@ -36,14 +36,14 @@ public:
     // One of them, where it follows from places and velocities alone: no forces are solved for.
     [[nodiscard]] std::optional<double> watchOfPlaces(std::size_t k, double t,
                                                       std::span<const double> y);
-    // At its time the rates lead away from all its surfaces, to the sides that hold, or open all
-    // its contacts: only an error of polynomials crosses them, where a guard is smaller than that.
+    // At its time the rates lead away from all its surfaces, to the sides that hold: only an error
+    // of polynomials crosses them, where a guard is smaller than that.
     [[nodiscard]] bool contradicts(const Violation& violation, double t, std::span<const double> y);
     // There the rates lead away from the one surface of the violation, to the side that holds, and
     // its guard is no more than what rounding leaves of a difference: the motion, which started on
     // the surface, has just left it, and goes on where it is. From then on crossings back count
-    // beyond ModelFunctions::standing only. A surface that was passed is not grazed so: swings that
-    // become ever shorter would never end.
+    // beyond ModelFunctions::standing only, and of a contact beyond its gap there. A surface that
+    // was passed is not grazed so: swings that become ever shorter would never end.
     [[nodiscard]] bool grazesByRounding(const Violation& violation, double t,
                                         std::span<const double> y);
     [[nodiscard]] std::vector<std::size_t> surfacesOf(const Violation& violation) const;
