@@ -358,10 +358,14 @@ void ActiveSet::addClosing(std::vector<std::size_t>& fallen, double t) const {
     };
     if (std::ranges::none_of(fallen, closes))
         return;
-    for (std::size_t k = 0; k < watches_.size(); ++k)
-        if (closes(k) && !isIn(fallen, k) &&
-            valueOf(watches_[k]) <= -multipliers_.rate(watches_[k].row) * shortest(t))
+    for (std::size_t k = 0; k < watches_.size(); ++k) {
+        if (!closes(k) || isIn(fallen, k))
+            continue;
+        const std::size_t row = watches_[k].row;
+        const double rate = multipliers_.rate(row), none = noLength * law(row).resolution;
+        if (rate < 0 && valueOf(watches_[k]) <= none - rate * shortest(t))
             fallen.push_back(k);
+    }
 }
 
 // A stop whose rebound would be lower than its resolution takes the blow without one, and a stop
