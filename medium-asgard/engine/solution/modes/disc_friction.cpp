@@ -68,14 +68,6 @@ DiscFriction::Change DiscFriction::changeBy(std::size_t k, std::span<const doubl
     return change;
 }
 
-DiscFriction::Change DiscFriction::changeByOne(std::size_t k, std::size_t normal) const {
-    Change change = noChange(k);
-    change.pressed = 1;
-    if (disc(k).hasLevers)
-        change.moment = leversOf(k, normal);
-    return change;
-}
-
 DiscFriction::Centre DiscFriction::centreOf(std::size_t k, std::span<const double> forces) const {
     const Change all = changeBy(k, forces);
     return all.pressed > 0 ? Centre(all.moment / all.pressed) : noChange(k).moment;

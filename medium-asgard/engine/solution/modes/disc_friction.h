@@ -61,9 +61,8 @@ public:
         InDisc slip = {};   // of the velocities of the rows
         Centre moment = {}; // of the sum of normal forces times their levers
     };
-    // By these normal forces, and by a unit of one of them.
+    // By these normal forces.
     [[nodiscard]] Change changeBy(std::size_t disc, std::span<const double> forces) const;
-    [[nodiscard]] Change changeByOne(std::size_t disc, std::size_t normal) const;
     // Of one that slips, by these normal forces; and against a velocity: linear in what presses.
     [[nodiscard]] InDisc forceOf(std::size_t disc, std::span<const double> forces) const;
     [[nodiscard]] InDisc forceAgainst(std::size_t disc, const InDisc& way, const Change& all) const;

@@ -50,11 +50,9 @@ bool SlipForces::solve(std::span<const double> entries, HeldConditions& held,
 // Of the slopes of a disc's forces: `force` says what it has by a change.
 template <class Force>
 void SlipForces::takeOff(std::size_t disc, Eigen::Index first, const Force& force) {
-    const auto& normals = friction_.disc(disc).normals;
-    for (std::size_t n = 0; n < normals.size(); ++n) {
-        const DiscFriction::InDisc one = force(friction_.changeByOne(disc, n));
-        slopes_.middleRows(first, one.size()) -=
-            one * responses_.row(static_cast<Eigen::Index>(normals[n]));
+    for (Eigen::Index i = 0; i < rows_; ++i) {
+        const DiscFriction::InDisc by = force(friction_.changeBy(disc, spanOf(responses_.col(i))));
+        slopes_.col(i).segment(first, by.size()) -= by;
     }
 }
 
