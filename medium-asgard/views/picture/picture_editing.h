@@ -11,8 +11,8 @@
 #pragma once
 
 #include "gestures/hand.h"
+#include "labels/said.h"
 #include "offers/value_entry.h"
-#include "picture/said.h"
 
 #include <QObject>
 #include <QPointer>
@@ -108,7 +108,6 @@ private:
     void markNext(int step);
     bool dragKey(QKeyEvent& event);
     void offerOthers(const gestures::HandleDrag& drag);
-    void paintLabels(QPainter& painter) const;
     void paintAlong(QPainter& painter) const;
     void paintWords(QPainter& painter, const QString& words, bool possible) const;
 

@@ -2,18 +2,13 @@
 #include "gestures/handle_meaning.h"
 #include "gestures/things.h"
 #include "handles/handle_layout.h"
+#include "labels/handle_labels.h"
 #include "picture/picture_editing.h"
 #include "picture/scene_display.h"
 
 #include <QPainter>
 
 namespace views {
-
-namespace {
-
-QColor toColor(const scene::Color& c) { return QColor::fromRgbF(c.red, c.green, c.blue); }
-
-} // namespace
 
 QString PictureEditing::words() const { return QString::fromStdString(hand_.words()); }
 
@@ -44,41 +39,6 @@ void PictureEditing::paintSelection(QPainter& painter) const {
         if (!frame.isEmpty())
             painter.drawRoundedRect(
                 QRectF(display_.fromPixels(frame.min()), display_.fromPixels(frame.max())), 5, 5);
-    }
-}
-
-void PictureEditing::paintLabels(QPainter& painter) const {
-    QFont font = painter.font();
-    font.setPointSizeF(font.pointSizeF() * 0.9);
-    painter.setFont(font);
-    const gestures::Sight sight = display_.sight();
-    const auto labelled = render::labelled(display_.drawnHandles());
-    std::vector<render::LabelWish> wishes;
-    for (const render::Handle* handle : labelled) {
-        const QPointF at = display_.fromPixels(render::standOf(*handle, sight.camera, sight.size));
-        const QSizeF size = painter
-                                .boundingRect(QRectF(0, 0, 1, 1), Qt::AlignLeft | Qt::TextDontClip,
-                                              QString::fromStdString(handle->label))
-                                .size() +
-                            QSizeF(6, 2);
-        wishes.push_back({{at.x(), at.y()}, {size.width(), size.height()}});
-    }
-    const Eigen::AlignedBox2d picture(Eigen::Vector2d(0, 0),
-                                      Eigen::Vector2d(display_.width(), display_.height()));
-    const auto boxes = render::placedLabels(wishes, picture, 7);
-    QColor paper = display_.palette().color(QPalette::Base);
-    const bool dark = paper.lightness() < 128;
-    paper.setAlpha(200);
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-        const QRectF box(QPointF(boxes[i].min().x(), boxes[i].min().y()),
-                         QPointF(boxes[i].max().x(), boxes[i].max().y()));
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(paper);
-        painter.drawRoundedRect(box, 3, 3);
-        const QColor ink = toColor(render::colorOf(labelled[i]->kind));
-        painter.setPen(dark ? ink.lighter(140) : ink.darker(160));
-        painter.drawText(box, Qt::AlignCenter | Qt::TextDontClip,
-                         QString::fromStdString(labelled[i]->label));
     }
 }
 
@@ -119,7 +79,7 @@ void PictureEditing::paintAlong(QPainter& painter) const {
 void PictureEditing::paint(QPainter& painter) const {
     painter.setRenderHint(QPainter::Antialiasing);
     paintSelection(painter);
-    paintLabels(painter);
+    paintLabels(painter, display_);
     const auto answer = hand_.answer();
     const bool possible = !answer || answer->possible();
     const gestures::HandleDrag* drag = hand_.drag();

@@ -9,13 +9,13 @@
 
 #include "framing/extent.h"
 #include "gestures/picking.h"
+#include "labels/centroids.h"
+#include "labels/fault_signs.h"
+#include "labels/meters.h"
 #include "painting/window_picture.h"
-#include "picture/centroids.h"
 #include "picture/creating.h"
 #include "picture/element_menu.h"
-#include "picture/fault_signs.h"
 #include "picture/gizmo.h"
-#include "picture/meters.h"
 #include "picture/picture_editing.h"
 #include "picture/pointing.h"
 #include "picture/selecting.h"
@@ -32,7 +32,7 @@
 
 namespace views {
 
-class SceneDisplay : public QWidget {
+class SceneDisplay : public QWidget, public SeenPicture {
     Q_OBJECT
 public:
     // Shows the document's scene.
@@ -88,7 +88,7 @@ public:
     [[nodiscard]] double arrowLength(bool couple);
     [[nodiscard]] double massOf(std::size_t body) const; // 1 while it is not known
     // Of mass, now; its shape's origin where it has no mass.
-    [[nodiscard]] geometry::Vector centerOf(std::size_t body) const;
+    [[nodiscard]] geometry::Vector centerOf(std::size_t body) const override;
     [[nodiscard]] geometry::Vector centroidOf(std::size_t body) const; // in the body's frame
     [[nodiscard]] QString words() const { return editing_.words(); }
     // The handles that the display shows of the scene at this time; as of the last picture, where a
@@ -103,22 +103,25 @@ public:
         return picture_.last() && picture_.last()->of.shown.scene == document_.shown().scene;
     }
     // The things to see in the picture as it is.
-    [[nodiscard]] const render::HandleSet& drawnHandles() const;
+    [[nodiscard]] const render::HandleSet& drawnHandles() const override;
     // The same, as far as it is of the scene that is shown.
     [[nodiscard]] const render::HandleSet& knownHandles() const;
     [[nodiscard]] render::Drawing drawing() const;
     // The same as the picture shows it, whose time and motion may be older ones where a picture
     // takes long: what is painted over it, and what one clicks in it.
-    [[nodiscard]] render::Drawing drawn() const;
+    [[nodiscard]] render::Drawing drawn() const override;
     // Where the grid of the scene that is shown lies; none: none is seen.
     [[nodiscard]] std::optional<render::GroundPlane> ground() const;
     // The direction of the triad's end there, as words: "x", "against y"; "": none is there.
     [[nodiscard]] QString triadEndAt(const QPointF& position) const;
-    [[nodiscard]] gestures::Sight sight() const { return {control_.camera(), pixelSize()}; }
+    [[nodiscard]] QWidget& widget() override { return *this; }
+    [[nodiscard]] gestures::Sight sight() const override {
+        return {control_.camera(), pixelSize()};
+    }
     [[nodiscard]] Eigen::Vector2d inPixels(const QPointF& position) const {
         return picture_.inPixels(position);
     }
-    [[nodiscard]] QPointF fromPixels(const Eigen::Vector2d& pixels) const {
+    [[nodiscard]] QPointF fromPixels(const Eigen::Vector2d& pixels) const override {
         return picture_.fromPixels(pixels);
     }
     // The place of a point of the world, in the widget.

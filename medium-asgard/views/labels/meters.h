@@ -8,6 +8,7 @@
 
 #include "charts/plot_sampler.h"
 #include "commands/quantities.h"
+#include "labels/seen_picture.h"
 #include "workbench/scene_document.h"
 
 #include <QObject>
@@ -22,8 +23,6 @@ class QPainter;
 
 namespace views {
 
-class SceneDisplay;
-
 struct Meter {
     editing::Kind kind = editing::Kind::body;
     std::string element; // its name
@@ -35,7 +34,7 @@ struct Meter {
 class Meters : public QObject {
     Q_OBJECT
 public:
-    Meters(SceneDocument& document, SceneDisplay& display);
+    Meters(SceneDocument& document, SeenPicture& picture);
 
     [[nodiscard]] const std::vector<Meter>& all() const { return meters_; }
     void set(std::vector<Meter> meters);
@@ -44,7 +43,7 @@ public:
     // "Speed 1.25" of each that is known at that time; "…" while it is computed.
     [[nodiscard]] QString words(const Meter& meter, double time) const;
     void paint(QPainter& painter) const;
-    [[nodiscard]] std::optional<std::size_t> at(const QPointF& position) const; // in the display
+    [[nodiscard]] std::optional<std::size_t> at(const QPointF& position) const; // in the widget
 
     // Of the left button. False: none is there, or none is held.
     bool press(const QPointF& position);
@@ -61,7 +60,7 @@ private:
     void ask();
     void rename(const std::vector<editing::Renamed>& renamed);
     void take(std::vector<charts::Plot> plots);
-    // In the display; none: it is gone or hidden.
+    // In the widget; none: it is gone or hidden.
     struct Place {
         QPointF at;        // of its body or joint
         double reach = 10; // how far that is seen to the right
@@ -79,7 +78,7 @@ private:
     void paintChart(QPainter& painter, const Box& box) const;
 
     SceneDocument& document_;
-    SceneDisplay& display_;
+    SeenPicture& picture_;
     std::vector<Meter> meters_;
     struct Held {
         std::size_t meter;

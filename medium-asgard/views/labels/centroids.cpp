@@ -1,4 +1,4 @@
-#include "picture/centroids.h"
+#include "labels/centroids.h"
 
 #include "physics/mass.h"
 

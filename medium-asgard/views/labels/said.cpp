@@ -1,4 +1,4 @@
-#include "picture/said.h"
+#include "labels/said.h"
 
 #include <utility>
 

@@ -1,8 +1,7 @@
-#include "picture/fault_signs.h"
+#include "labels/fault_signs.h"
 
 #include "editing/changes.h"
 #include "framing/joint_places.h"
-#include "picture/scene_display.h"
 
 #include <QLineF>
 #include <QPainter>
@@ -37,12 +36,12 @@ std::optional<std::size_t> otherBodyIn(const std::string& words, const scene::Sc
 
 } // namespace
 
-FaultSigns::FaultSigns(SceneDocument& document, SceneDisplay& display)
-    : document_(document), display_(display) {
+FaultSigns::FaultSigns(SceneDocument& document, SeenPicture& picture)
+    : document_(document), picture_(picture) {
     for (const auto signal : {&SceneDocument::sceneChanged, &SceneDocument::diagnosticsChanged})
-        QObject::connect(&document_, signal, &display_, [this] {
+        QObject::connect(&document_, signal, &picture_.widget(), [this] {
             faults_.reset();
-            display_.update();
+            picture_.widget().update();
         });
 }
 
@@ -71,8 +70,9 @@ const std::vector<FaultSigns::Fault>& FaultSigns::faults() const {
 
 std::optional<geometry::Vector> FaultSigns::placeOfBody(std::size_t body) const {
     const scene::Scene& scene = *document_.shown().scene;
-    return body < scene.bodies.size() && !render::isHidden(display_.display(), scene.bodies[body])
-               ? std::optional(display_.centerOf(body))
+    return body < scene.bodies.size() &&
+                   !render::isHidden(picture_.drawn().display, scene.bodies[body])
+               ? std::optional(picture_.centerOf(body))
                : std::nullopt;
 }
 
@@ -99,7 +99,7 @@ std::optional<geometry::Vector> FaultSigns::placeOf(const Fault& fault) const {
     }
     if (element.index >= scene.joints.size())
         return std::nullopt;
-    const render::Drawing drawn = display_.drawn();
+    const render::Drawing drawn = picture_.drawn();
     const auto place =
         render::JointPlaces(scene, drawn.motion.get()).at(scene.joints[element.index], drawn.time);
     return place ? std::optional(place->ends[0].point) : std::nullopt;
@@ -109,9 +109,9 @@ std::vector<FaultSigns::Sign> FaultSigns::signs() const {
     std::vector<Sign> signs;
     for (const Fault& fault : faults()) {
         const auto place = placeOf(fault);
-        if (!place || display_.sight().depth(*place) >= render::eyeOf(display_.camera()))
+        if (!place || picture_.sight().depth(*place) >= render::eyeOf(picture_.sight().camera))
             continue;
-        const QPointF at = display_.fromPixels(display_.sight().pixels(*place)) - QPointF(0, above);
+        const QPointF at = picture_.fromPixels(picture_.sight().pixels(*place)) - QPointF(0, above);
         const auto same = std::ranges::find_if(
             signs, [&](const Sign& other) { return QLineF(other.place, at).length() < near; });
         if (same == signs.end()) {

@@ -1,9 +1,8 @@
-#include "picture/meters.h"
+#include "labels/meters.h"
 
 #include "framing/body_places.h"
 #include "framing/joint_places.h"
 #include "painting/pointer.h"
-#include "picture/scene_display.h"
 
 #include <QPainter>
 #include <QPainterPath>
@@ -45,8 +44,8 @@ QRectF inside(QRectF rect, const QSizeF& room) {
 
 } // namespace
 
-Meters::Meters(SceneDocument& document, SceneDisplay& display)
-    : document_(document), display_(display),
+Meters::Meters(SceneDocument& document, SeenPicture& picture)
+    : document_(document), picture_(picture),
       sampler_(
           [this](const charts::PlotSampler::Wish&, std::vector<charts::Plot> plots) {
               QMetaObject::invokeMethod(
@@ -137,9 +136,9 @@ QString Meters::words(const Meter& meter, double time) const {
 }
 
 std::optional<Meters::Place> Meters::placeOf(const Meter& meter) const {
-    const render::Drawing drawing = display_.drawn();
+    const render::Drawing drawing = picture_.drawn();
     const scene::Scene& scene = *drawing.scene;
-    const gestures::Sight sight = display_.sight();
+    const gestures::Sight sight = picture_.sight();
     const auto named = [&](const auto& all) {
         return std::ranges::find(all, meter.element, [](const auto& one) { return one.name; });
     };
@@ -149,7 +148,7 @@ std::optional<Meters::Place> Meters::placeOf(const Meter& meter) const {
         if (joint == scene.joints.end())
             return std::nullopt;
         const auto at = render::JointPlaces(scene, drawing.motion.get()).at(*joint, drawing.time);
-        return at ? std::optional(Place{display_.fromPixels(sight.pixels(at->ends[0].point))})
+        return at ? std::optional(Place{picture_.fromPixels(sight.pixels(at->ends[0].point))})
                   : std::nullopt;
     }
     if (meter.kind == editing::Kind::link) {
@@ -173,12 +172,12 @@ std::optional<Meters::Place> Meters::placeOf(const Meter& meter) const {
         return std::nullopt;
     const auto index = static_cast<std::size_t>(found - scene.bodies.begin());
     const geometry::Pose pose = render::poseOf(scene, drawing.motion.get(), index, drawing.time);
-    Place place{display_.fromPixels(sight.pixels(pose.position))};
+    Place place{picture_.fromPixels(sight.pixels(pose.position))};
     constexpr double farthest = 60; // pixels: a value on a large body is near its middle
     for (const render::Ball& ball : render::outlineOf(scene, *found)) {
         const geometry::Vector at = pose.toWorld(ball.center);
-        const double pixel = sight.pixelLength(at) * display_.devicePixelRatioF();
-        const double right = display_.fromPixels(sight.pixels(at)).x() + ball.radius / pixel;
+        const double pixel = sight.pixelLength(at) * picture_.widget().devicePixelRatioF();
+        const double right = picture_.fromPixels(sight.pixels(at)).x() + ball.radius / pixel;
         place.reach = std::clamp(right - place.at.x(), place.reach, farthest);
     }
     return place;
@@ -188,14 +187,14 @@ std::optional<Meters::Place> Meters::placeOf(const Meter& meter) const {
 std::vector<Meters::Box> Meters::boxes() const {
     std::map<std::string, double> below;
     std::vector<Box> all;
-    const QFontMetricsF font(display_.font());
+    const QFontMetricsF font(picture_.widget().font());
     const double height = font.height() + 2;
     for (std::size_t i = 0; i < meters_.size(); ++i) {
         const Meter& meter = meters_[i];
         const auto place = placeOf(meter);
         if (!place)
             continue;
-        const QString words = this->words(meter, display_.drawn().time);
+        const QString words = this->words(meter, picture_.drawn().time);
         const double width = font.horizontalAdvance(words) + 12;
         const QSizeF size = meter.isChart ? QSizeF(std::max(width, 13 * height), 6 * height)
                                           : QSizeF(width, height);
@@ -205,16 +204,16 @@ std::vector<Meters::Box> Meters::boxes() const {
             rect.translate(0, below[meter.element]);
             below[meter.element] += size.height();
         }
-        if (!meter.aside.isNull() || QRectF(display_.rect()).contains(place->at))
-            rect = inside(rect, display_.size());
+        if (!meter.aside.isNull() || QRectF(picture_.widget().rect()).contains(place->at))
+            rect = inside(rect, picture_.widget().size());
         all.push_back({i, place->at, beside, rect, words});
     }
     return all;
 }
 
 void Meters::paint(QPainter& painter) const {
-    const QColor ink = display_.palette().color(QPalette::Text);
-    QColor paper = display_.palette().color(QPalette::Base);
+    const QColor ink = picture_.widget().palette().color(QPalette::Text);
+    QColor paper = picture_.widget().palette().color(QPalette::Base);
     paper.setAlpha(215);
     for (const Box& box : boxes()) {
         const Meter& meter = meters_[box.meter];
@@ -281,9 +280,9 @@ void Meters::paintChart(QPainter& painter, const Box& box) const {
     painter.setPen(faint);
     if (range.low < 0 && range.high > 0)
         painter.drawLine(QPointF(room.left(), y(0)), QPointF(room.right(), y(0)));
-    painter.setPen(QPen(display_.palette().color(QPalette::Highlight), 1.5));
+    painter.setPen(QPen(picture_.widget().palette().color(QPalette::Highlight), 1.5));
     painter.drawPath(curve);
-    const double now = std::clamp(x(display_.drawn().time), room.left(), room.right());
+    const double now = std::clamp(x(picture_.drawn().time), room.left(), room.right());
     painter.setPen(QPen(ink, 1));
     painter.drawLine(QPointF(now, room.top()), QPointF(now, room.bottom()));
 }
@@ -321,7 +320,8 @@ bool Meters::move(const QPointF& position) {
         for (const Box& box : boxes())
             if (box.meter == held_->meter) {
                 const QRectF wish(position - held_->grip, box.rect.size());
-                meters_[box.meter].aside = inside(wish, display_.size()).topLeft() - box.beside;
+                meters_[box.meter].aside =
+                    inside(wish, picture_.widget().size()).topLeft() - box.beside;
                 Q_EMIT changed();
             }
     return true;

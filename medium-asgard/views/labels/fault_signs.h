@@ -1,8 +1,8 @@
 // Triangles at the bodies and joints that faults of the text are about; of two bodies that overlap,
-// where they do. Faults of the motion, which
-// have a time, are on the bar of times.
+// where they do. Faults of the motion, which have a time, are on the bar of times.
 #pragma once
 
+#include "labels/seen_picture.h"
 #include "workbench/scene_document.h"
 
 #include <QPointF>
@@ -15,11 +15,9 @@ class QPainter;
 
 namespace views {
 
-class SceneDisplay;
-
 class FaultSigns {
 public:
-    FaultSigns(SceneDocument& document, SceneDisplay& display);
+    FaultSigns(SceneDocument& document, SeenPicture& picture);
 
     struct Sign {
         QPointF place; // the middle of the triangle
@@ -43,7 +41,7 @@ private:
     [[nodiscard]] double reachOf(std::size_t body) const;
 
     SceneDocument& document_;
-    SceneDisplay& display_;
+    SeenPicture& picture_;
     mutable std::optional<std::vector<Fault>> faults_; // of the text; none: to be found anew
 };
 
