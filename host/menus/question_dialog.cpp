@@ -51,9 +51,7 @@ QString worded(const std::vector<ipc::ChangedLine>& changes) {
                          .arg(marked(one.before, one.after));
         shown += QStringLiteral("<div><code>%1</code></div>").arg(marked(one.after, one.before));
     }
-    return shown.isEmpty()
-               ? shown
-               : QuestionDialog::tr("Line %1 of its text:").arg(changes[0].line) + shown;
+    return shown.isEmpty() ? shown : QuestionDialog::whichLines(changes) + shown;
 }
 
 } // namespace
@@ -82,6 +80,18 @@ QuestionDialog::QuestionDialog(media::LiveSubdocument& live, ipc::MenuInvoke cal
     connect(&live, &media::LiveSubdocument::processGone, this, &QuestionDialog::reject);
     connect(&live, &QObject::destroyed, this, &QuestionDialog::reject);
     show(question);
+}
+
+QString QuestionDialog::whichLines(const std::vector<ipc::ChangedLine>& changes) {
+    QStringList lines;
+    for (const ipc::ChangedLine& one : changes)
+        if (const QString line = QString::number(one.line); !lines.contains(line))
+            lines << line;
+    if (lines.isEmpty())
+        return {};
+    const QString last = lines.takeLast();
+    return lines.isEmpty() ? tr("Line %1 of its text:").arg(last)
+                           : tr("Lines %1 and %2 of its text:").arg(lines.join(", "), last);
 }
 
 // Typed words stay in the fields, unless the next question has others.

@@ -29,6 +29,9 @@ public:
 
     void accept() override; // the values go to the medium
 
+    // "Lines 3, 7 and 9 of its text:"; "" of none.
+    [[nodiscard]] static QString whichLines(const std::vector<ipc::ChangedLine>& changes);
+
 private:
     void show(const ipc::Question& question);
     void send(const ipc::MenuInvoke& call);
