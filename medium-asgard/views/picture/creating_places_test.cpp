@@ -35,6 +35,20 @@ TEST_F(CreatingTest, OnAFloorPlacesAreAsRoundAsOnTheGrid) {
     EXPECT_EQ(place.y(), 0.5);
 }
 
+// Where the middle of a board's lower side would be seen through it.
+TEST_F(CreatingTest, OnAThinBoardABodyStandsOnItsUpperSide) {
+    open(
+        "shape_set top -desc {-sub {-pos {0 0.5 0} -box {1 0.05 0.6}}}\nbody table top -fixed 1\n");
+    display().lookAlong(Vector(0, 0.8, 1));
+    display().grab();
+    display().creating().start(newBody(BasicShape::sphere));
+    click({0, 0.475, 0});
+    done();
+    const auto& ball = std::get<scene::SphereShape>(scene().shapeSets.back().parts[0].shape);
+    EXPECT_NEAR(scene().bodies.back().initialPosition.y(), 0.525 + ball.radius, 1e-9);
+    EXPECT_TRUE(editor.document().diagnostics().empty()) << text(); // they do not overlap
+}
+
 TEST_F(CreatingTest, AJointOnTheGroundStandsAtARoundPlace) {
     open("shape_set ball -desc {-sub {-sphere 0.5}}\nbody b ball\nbody c ball -init_pos {4 0 0}\n");
     const auto make = [&](const Vector& place) {

@@ -202,7 +202,10 @@ Indicated Indicating::restingOn(BegunRecipe& begun, const gestures::Picked& pick
         found.attitude = pose.attitude;
     Vector place = picked.point;
     const gestures::Snapped meant = snapping().at(place);
-    if (meant.isExact && meant.to.starts_with("the middle of a face")) {
+    // The middle of another face, as of the lower one of a thin board, is none of this surface.
+    const double off = std::abs((meant.place - place).dot(up));
+    if (meant.isExact && meant.to.starts_with("the middle of a face") &&
+        off < 0.1 * found.resolution) {
         place = meant.place;
         found.at = meant.to;
     } else {
