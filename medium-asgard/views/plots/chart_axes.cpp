@@ -39,6 +39,15 @@ void paintNames(QPainter& painter, const ChartAxes& axes, const QPalette& palett
 
 } // namespace
 
+double stepOfValues(const ChartAxes& axes, double lineHeight) {
+    const double height = axes.high - axes.low, wide = 30;
+    const double step = charts::roundStep(height * wide / axes.area.height());
+    constexpr std::size_t fewest = 3; // that tell how large a value is
+    return charts::multiplesOf(step, axes.low, axes.high).size() >= fewest
+               ? step
+               : charts::roundStep(height * std::min(wide, lineHeight) / axes.area.height());
+}
+
 void paintAxes(QPainter& painter, const ChartAxes& axes, const QPalette& palette) {
     const QRectF& a = axes.area;
     const QFontMetricsF metrics(painter.font());
@@ -62,7 +71,7 @@ void paintAxes(QPainter& painter, const ChartAxes& axes, const QPalette& palette
         const QString label = QString::number(time, 'g', 6);
         write({x - metrics.horizontalAdvance(label) / 2, a.bottom() + 4 + metrics.ascent()}, label);
     }
-    const double step = charts::roundStep(height * 30 / a.height());
+    const double step = stepOfValues(axes, metrics.height());
     // Values that differ in their last digits only are written by what they are above a round one.
     constexpr int widest = 8; // digits
     const double size = std::max(std::abs(axes.low), std::abs(axes.high));

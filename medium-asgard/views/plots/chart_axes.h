@@ -20,6 +20,10 @@ struct ChartAxes {
     }
 };
 
+// From one number beside the axis of values to the next: three of them at least, where lines of
+// letters that high leave the room.
+[[nodiscard]] double stepOfValues(const ChartAxes& axes, double lineHeight);
+
 void paintAxes(QPainter& painter, const ChartAxes& axes, const QPalette& palette);
 
 } // namespace views

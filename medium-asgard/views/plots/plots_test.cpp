@@ -1,5 +1,6 @@
 // What a `plot` says is to be seen, and follows the motion.
 #include "commands/quantities.h"
+#include "plots/chart_axes.h"
 #include "plots/plot_dialog.h"
 #include "plots/plots_panel.h"
 #include "scene/units.h"
@@ -138,6 +139,17 @@ TEST_F(PlotsTest, APendulumsAngleIsFromStraightDown) {
     const charts::Plot plot =
         charts::named(*editor.document().shown().scene, editor.document().shown().scene->plots[0]);
     EXPECT_EQ(plot.values, "angle of pin, °");
+}
+
+// A chart that is flat, as one below a picture, tells how far a pendulum swings, not its middle
+// alone.
+TEST_F(PlotsTest, AFlatChartHasThreeNumbersAtLeast) {
+    const ChartAxes flat{{0, 0, 460, 70}, 0, 10, -26.8, 26.8};
+    EXPECT_EQ(stepOfValues(flat, 14), 20);
+    const ChartAxes high{{0, 0, 460, 300}, 0, 10, -26.8, 26.8};
+    EXPECT_EQ(stepOfValues(high, 14), 10);
+    const ChartAxes tiny{{0, 0, 460, 20}, 0, 10, -26.8, 26.8};
+    EXPECT_EQ(stepOfValues(tiny, 14), 50); // the numbers would overlap
 }
 
 TEST_F(PlotsTest, TheRightButtonOnAChartAsksForItsMenu) {
