@@ -191,8 +191,12 @@ std::vector<Node> ContactRows::landingsOf(const ContactPlace& place) {
                           : gap.body.kind == Kind::plane  ? at(place.body, gap.body.place)
                                                           : meeting.contact;
     for (const ContactPlace::Landing& landing : place.landings) {
+        const auto push = [&](Node lowest) {
+            const Node room = amountOf(landing.room);
+            heights.push_back(landing.isBeneath ? g_.subtract(room, lowest) : g_.add(lowest, room));
+        };
         if (landing.gap) {
-            heights.push_back(g_.add(meetingOf(place, *landing.gap).gap, amountOf(landing.room)));
+            push(meetingOf(place, *landing.gap).gap);
             continue;
         }
         const NodeVector up =
@@ -200,8 +204,7 @@ std::vector<Node> ContactRows::landingsOf(const ContactPlace& place) {
         const Node reach =
             surfaces::lowest(landing.piece, poseOf(landing.body), terms(up)).reach.node;
         const Node height = dot(g_, up, subtract(g_, at(landing.body, landing.piece.place), on));
-        const Node lowest = g_.subtract(height, reach), room = amountOf(landing.room);
-        heights.push_back(landing.isBeneath ? g_.subtract(room, lowest) : g_.add(lowest, room));
+        push(g_.subtract(height, reach));
     }
     return heights;
 }

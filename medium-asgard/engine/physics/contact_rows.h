@@ -74,7 +74,7 @@ struct ContactPlace {
         bool isAbove = true; // of the body, else below, of the support
         bool isBeneath = false;
         double room = 0;
-        std::optional<SurfaceGap> gap = {}; // in a hollow: that of the piece itself
+        std::optional<SurfaceGap> gap = {}; // that of the piece itself; none: over the plane
     };
     std::vector<Landing> landings;
 

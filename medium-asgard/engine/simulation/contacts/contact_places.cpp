@@ -245,7 +245,9 @@ private:
             vertices.insert(of.core.neighbours[at].begin(), of.core.neighbours[at].end());
         }
         for (const std::size_t vertex : vertices)
-            addVertex(owner, Vector(of.core.vertices[vertex] - owner.record->centroid), above);
+            if (addVertex(owner, Vector(of.core.vertices[vertex] - owner.record->centroid), above))
+                for (const std::size_t next : of.core.neighbours[vertex])
+                    addCrossings(owner, of.core.vertices[vertex], of.core.vertices[next], above);
     }
     void addExtremes(const Placed& owner, std::size_t part, bool above) {
         for (const SurfacePiece& piece : extremesOf(owner, part)) {
@@ -266,19 +268,67 @@ private:
             above ? SurfaceGap{piece, face->plane, false} : SurfaceGap{face->plane, piece, false};
         return depthIn(*face, localOf(other, nearestOf(gap, body_, support_).contact)) >= 0;
     }
-    void addVertex(const Placed& owner, const Vector& vertex, bool above) {
+    // It is beneath the other's face, beside it.
+    bool addVertex(const Placed& owner, const Vector& vertex, bool above) {
         const Vector at = owner.state.position + owner.state.attitude * vertex;
         for (const ContactPoint& point : place_.points) {
             Vector off = nearestOf(point.gap, body_, support_).contact - at;
             if (plane_)
                 off[plane_->axis] = 0;
             if (isThere(off))
-                return; // it is that point
+                return false; // it is that point
         }
         const bool isCorner = std::ranges::any_of(
             touch_.corners, [&](const Corner& corner) { return isThere(corner.point - at); });
-        if (isCorner || !isOnEdge(at))
-            addPiece(owner, {.kind = Kind::point, .place = vertex}, above, !isCorner);
+        return (isCorner || !isOnEdge(at)) &&
+               addPiece(owner, {.kind = Kind::point, .place = vertex}, above, !isCorner);
+    }
+    // An edge whose end is beneath the other's face, beside it, lands where it crosses the border.
+    void addCrossings(const Placed& owner, const Vector& from, const Vector& to, bool above) {
+        constexpr double parallel = 1e-6; // sine of the angle
+        const Placed& other = above ? support_ : body_;
+        const auto face = otherFace(above);
+        const auto inWorld = [](const Placed& of, const Vector& point) {
+            return Vector(of.state.position + of.state.attitude * point);
+        };
+        const Vector& centroid = owner.record->centroid;
+        const std::pair edge{Vector(from - centroid), Vector(to - centroid)};
+        const Vector start = inWorld(owner, edge.first), way = inWorld(owner, edge.second) - start;
+        for (std::size_t i = 0; face && i < face->outline.size(); ++i) {
+            const std::pair border{face->outline[i], face->outline[(i + 1) % face->outline.size()]};
+            const Vector on = inWorld(other, border.first),
+                         along = inWorld(other, border.second) - on;
+            const double across = way.cross(along).dot(touch_.normal);
+            if (std::abs(across) <= parallel * way.norm() * along.norm())
+                continue;
+            const double ofEdge = (on - start).cross(along).dot(touch_.normal) / across,
+                         ofBorder = (on - start).cross(way).dot(touch_.normal) / across;
+            if (std::min(ofEdge, ofBorder) < 0 || std::max(ofEdge, ofBorder) > 1)
+                continue;
+            const SurfacePiece first = lineOf(edge), second = lineOf(border);
+            const bool isFlipped = above ? across < 0 : across > 0;
+            addLanding(owner, first, above,
+                       above ? SurfaceGap{first, second, isFlipped}
+                             : SurfaceGap{second, first, isFlipped});
+        }
+    }
+    [[nodiscard]] static SurfacePiece lineOf(const std::pair<Vector, Vector>& ends) {
+        return {.kind = Kind::line,
+                .place = ends.first,
+                .axis = (ends.second - ends.first).normalized()};
+    }
+    void addLanding(const Placed& owner, const SurfacePiece& piece, bool above,
+                    const SurfaceGap& gap) {
+        const physics::NearestSurfaces nearest = nearestOf(gap, body_, support_);
+        for (const ContactPoint& point : place_.points)
+            if (isThere(nearestOf(point.gap, body_, support_).contact - nearest.contact))
+                return;
+        const double slack = sideSlack * touch_.size;
+        place_.landings.push_back({.body = owner.index,
+                                   .piece = piece,
+                                   .isAbove = above,
+                                   .room = nearest.gap < slack ? slack - nearest.gap : 0,
+                                   .gap = gap});
     }
     // A touch may be off by this along its normal; a corner above another is not that one.
     static constexpr double touching = 1e-4; // of the parts' size
@@ -313,11 +363,29 @@ private:
         const Vector up = above ? nearest.normal : Vector(-nearest.normal);
         return up.dot(at - on) - physics::reachBelow(piece, owner.state.attitude.conjugate() * up);
     }
-    // mayBeBeneath: it is beside the other's face. What has crossed the border of the face there
-    // goes on beneath its plane.
-    void addPiece(const Placed& owner, const SurfacePiece& piece, bool above,
+    [[nodiscard]] std::optional<FlatFace> otherFace(bool above) const {
+        return above ? faceMostTowards(support_, touch_.supportPart, touch_.normal)
+                     : faceMostTowards(body_, touch_.bodyPart, -touch_.normal);
+    }
+    // The plane of two edges that cross turns much where one of them tilts a little, and lowers far
+    // from them: there a piece is over the other's face itself.
+    [[nodiscard]] std::optional<SurfaceGap> overOtherFace(const SurfacePiece& piece,
+                                                          bool above) const {
+        if (place_.points[0].gap.isOnPlane())
+            return std::nullopt;
+        const auto face = otherFace(above);
+        if (!face)
+            return std::nullopt;
+        return above ? SurfaceGap{piece, face->plane, false}
+                     : SurfaceGap{face->plane, piece, false};
+    }
+    // True: it is beneath. mayBeBeneath: it is beside the other's face. What has crossed the border
+    // of the face there goes on beneath its plane.
+    bool addPiece(const Placed& owner, const SurfacePiece& piece, bool above,
                   bool mayBeBeneath = false) {
-        const double height = heightOf(owner, piece, above);
+        const std::optional<SurfaceGap> gap = overOtherFace(piece, above);
+        const double height =
+            gap ? nearestOf(*gap, body_, support_).gap : heightOf(owner, piece, above);
         const double slack = sideSlack * touch_.size;
         const bool isBeneath = mayBeBeneath && height < 0;
         const double room = isBeneath ? slack : height < slack ? slack - height : 0;
@@ -325,7 +393,9 @@ private:
                                    .piece = piece,
                                    .isAbove = above,
                                    .isBeneath = isBeneath,
-                                   .room = room});
+                                   .room = room,
+                                   .gap = gap});
+        return isBeneath;
     }
 
     const Touch& touch_;

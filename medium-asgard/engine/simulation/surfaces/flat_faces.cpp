@@ -25,6 +25,31 @@ double depthIn(const FlatFace& face, const Vector& point) {
     return least;
 }
 
+namespace {
+
+FlatFace faceOf(const geometry::Face& face, const Part& part, const Vector& centroid) {
+    FlatFace found;
+    found.plane.kind = physics::SurfacePiece::Kind::plane;
+    found.plane.axis = face.normal;
+    for (const std::size_t vertex : face.vertices)
+        found.outline.emplace_back(part.core.vertices[vertex] - centroid);
+    found.plane.place = found.outline[0];
+    return found;
+}
+
+} // namespace
+
+std::optional<FlatFace> faceMostTowards(const Placed& owner, std::size_t part,
+                                        const Vector& direction) {
+    const Part& of = owner.shape->parts[part];
+    if (!of.isPolyhedron())
+        return std::nullopt;
+    const Vector local = owner.state.attitude.conjugate() * direction;
+    const auto most = std::ranges::max_element(
+        of.core.faces, {}, [&](const geometry::Face& face) { return face.normal.dot(local); });
+    return faceOf(*most, of, owner.record->centroid);
+}
+
 std::optional<FlatFace> faceTowards(const Placed& owner, std::size_t part,
                                     const Vector& direction) {
     const Part& of = owner.shape->parts[part];
@@ -36,15 +61,9 @@ std::optional<FlatFace> faceTowards(const Placed& owner, std::size_t part,
     FlatFace face;
     face.plane.kind = physics::SurfacePiece::Kind::plane;
     if (of.isPolyhedron()) {
-        for (const geometry::Face& each : of.core.faces) {
-            if (!isAlong(each.normal))
-                continue;
-            face.plane.axis = each.normal;
-            for (const std::size_t vertex : each.vertices)
-                face.outline.emplace_back(of.core.vertices[vertex] - centroid);
-            face.plane.place = face.outline[0];
-            return face;
-        }
+        for (const geometry::Face& each : of.core.faces)
+            if (isAlong(each.normal))
+                return faceOf(each, of, centroid);
         return std::nullopt;
     }
     if (!of.curved || of.curved->kind == Curved::Kind::ellipsoid)

@@ -19,6 +19,10 @@ struct FlatFace {
 [[nodiscard]] std::optional<FlatFace> faceTowards(const Placed& owner, std::size_t part,
                                                   const Vector& direction);
 
+// Of a polyhedron the face whose normal comes next to a direction of the world, however far.
+[[nodiscard]] std::optional<FlatFace> faceMostTowards(const Placed& owner, std::size_t part,
+                                                      const Vector& direction);
+
 // How far a point of the owner's frame lies inside the face's border; without border: endless.
 [[nodiscard]] double depthIn(const FlatFace& face, const Vector& point);
 
