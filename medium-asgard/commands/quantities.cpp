@@ -98,7 +98,7 @@ std::vector<Quantity> ofBody(const scene::Scene& scene, const scene::Body& body,
             {"Velocity along z", names.of("dz"), speed},
             {"&Momentum", names.of("mass") + " * " + velocity, "kg m/s"},
             {"&Kinetic energy", kineticEnergy(names, inertiaOf(scene, body)), "J"},
-            {"&Angle about z", names.of("rz"), "rad", true},
+            {"&Angle about z", names.of("rz"), "rad"},
             {"Angular velocity about z", names.of("wz"), "rad/s"}};
 }
 
@@ -156,8 +156,7 @@ std::vector<Quantity> ofJoint(const scene::Scene& scene, const Names& names,
     std::vector<Quantity> all;
     const std::string fromBelow = angleOfPendulum(scene, joint);
     if (!fromBelow.empty())
-        all.push_back(
-            {"&Angle from straight down", fromBelow, "rad", false, "angle of " + joint.name});
+        all.push_back({"&Angle from straight down", fromBelow, "rad", "angle of " + joint.name});
     const auto& coordinates = scene::traitsOf(joint.type).coordinates;
     for (std::size_t i = 0; i < coordinates.size(); ++i) {
         const std::string which = scene::coordinateSuffix(joint.type, i);

@@ -15,8 +15,7 @@ struct Quantity {
     std::string label; // "&Angle": its key in a menu is behind the mark
     std::string expression;
     std::string unit = {};
-    bool isIntegral = false; // over the motion: known only where the scene's text reads it
-    std::string name = {};   // of its curve, "angle of hinge1"; "": the expression tells it
+    std::string name = {}; // of its curve, "angle of hinge1"; "": the expression tells it
 };
 
 // None of an element without a name, or of which nothing changes.

@@ -118,7 +118,9 @@ void write(Writer& w, const scene::View& v) {
 void write(Writer& w, const scene::Parameter& p) {
     w.add(p.name, p.value, p.minimum, p.maximum, p.label, p.unit);
 }
-void write(Writer& w, const scene::Plot& p) { w.add(p.name, p.values, p.labels, p.title); }
+void write(Writer& w, const scene::Plot& p) {
+    w.add(p.name, p.values, p.labels, p.title, p.beside);
+}
 
 template <class List> std::string written(const List& list, std::size_t index) {
     Writer writer;

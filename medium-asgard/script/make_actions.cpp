@@ -260,7 +260,7 @@ void SceneMaker::plot(Call& call) {
     if (plot.name.empty())
         return;
     Arguments arguments(faults_, call, "plot " + quoted(plot.name), 2,
-                        {"-values", "-labels", "-title"});
+                        {"-values", "-labels", "-title", "-beside"});
     constexpr std::string_view wants = "a list of expressions";
     if (const Value* values = arguments.find("-values")) {
         for (const Value& value :
@@ -288,6 +288,7 @@ void SceneMaker::plot(Call& call) {
         arguments.text("-labels");
     }
     plot.title = arguments.text("-title").value_or("");
+    plot.beside = arguments.flag("-beside").value_or(false);
     plot.source = call.source;
     made_.scene.plots.push_back(std::move(plot));
 }

@@ -43,6 +43,14 @@ TEST(Body, CountsTurnsThatAnExpressionReads) {
     EXPECT_TRUE(scene.bodies[2].countsTurns);
 }
 
+TEST(Plot, StandsBesideWhatItIsOfWhereTheTextSaysSo) {
+    const Scene scene = read("body a s\nplot p -values {a.x} -beside 1\nplot q -values {a.y}\n"
+                             "plot r -values {a.z} -beside 0");
+    EXPECT_TRUE(scene.plots.at(0).beside);
+    EXPECT_FALSE(scene.plots.at(1).beside);
+    EXPECT_FALSE(scene.plots.at(2).beside);
+}
+
 TEST(Body, TakesARotationVectorOrAQuaternion) {
     const Scene scene = read("body a s -init_rot {0 0 1.5}\nbody b s -init_rot {3 0 0 4}\n"
                              "body c s -init_rot {0 0 0}\nbody d s -init_rot {1e200 0 0 1e200}");

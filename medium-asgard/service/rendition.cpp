@@ -59,7 +59,8 @@ bool covers(const Look& shown, const Look& wanted) {
     return shown.generation == wanted.generation && shown.time == wanted.time &&
            shown.camera == wanted.camera && same(shown.display, wanted.display) &&
            shown.handles == wanted.handles && shown.selection == wanted.selection &&
-           shown.row == wanted.row && shown.display.samples >= wanted.display.samples;
+           shown.values == wanted.values && shown.row == wanted.row &&
+           shown.display.samples >= wanted.display.samples;
 }
 
 void Rendition::shape(const ipc::RenditionGeometry& geometry,

@@ -27,6 +27,7 @@ struct Look {
     render::Display display;
     unsigned handles = 0;   // generation of what a gesture makes of them
     unsigned selection = 0; // of what is selected
+    unsigned values = 0;    // of those beside bodies: generation of their plots
     std::size_t row = 0;    // of a text: the first that is seen
 };
 // A picture of one look is as good as one of the other, or better: it may have more samples.

@@ -5,6 +5,7 @@
 #include "handles/handle_layout.h"
 #include "ipc/base64.h"
 #include "service/handle_labels.h"
+#include "service/values_beside.h"
 #include "terminal/terminal.h"
 
 #include <algorithm>
@@ -49,6 +50,7 @@ Look Session::lookOf(Rendition& rendition) const {
     look.camera = rendition.camera(shown_.time);
     look.handles = render::showsHandles(look.display) ? gesture_.handles.generation() : 0;
     look.selection = gesture_.selection.generation();
+    look.values = sheets_.lookOf(Presentation::picture, shown_.time, 0).generation;
     return look;
 }
 
@@ -134,11 +136,14 @@ void Session::draw(ipc::Integer id, Rendition& rendition, const Look& look) {
     auto frames =
         gesture_.selection.frames(wish.drawing, {look.camera, frame.into.size}, rendition.scale());
     const bool hasLabels = wish.drawing.handles && !render::labelled(*wish.drawing.handles).empty();
-    if (!frames.empty() || hasLabels)
-        wish.over = [frames = std::move(frames), handles = wish.drawing.handles,
-                     camera = look.camera, scale = rendition.scale(),
+    auto values = valuesBeside(wish.drawing, frame.into.size, rendition.scale(), sheets_.sampled());
+    if (!frames.empty() || hasLabels || !values.empty())
+        wish.over = [frames = std::move(frames), values = std::move(values),
+                     handles = wish.drawing.handles, camera = look.camera,
+                     scale = rendition.scale(),
                      isDark = render::isDark(look.display.background)](const render::Image& into) {
             drawFrames(frames, scale, isDark, into);
+            drawValues(values, scale, isDark, into);
             if (handles)
                 drawLabels(*handles, {camera, into.size}, scale, isDark, into);
         };
@@ -256,14 +261,19 @@ std::optional<ipc::Error> Session::take(const ipc::Id& id, const ipc::RenditionS
         channel_.answer(id, taken);
         return std::nullopt;
     }
-    pictures_.draw(this, {subdocument_.scene(), printed(call, taken.time, image.size), image, slot},
-                   [this, id, taken](Pictures::Drawn drawn) mutable {
-                       if (!drawn.isFine)
-                           return channel_.refuse(id, notPossible(lostState));
-                       if (!drawn.packed.empty())
-                           taken.pixels = std::move(drawn.packed);
-                       channel_.answer(id, taken);
-                   });
+    Pictures::Wish wish{subdocument_.scene(), printed(call, taken.time, image.size), image, slot};
+    if (auto values = valuesBeside(wish.drawing, image.size, call.scale, sheets_.sampled());
+        !values.empty())
+        wish.over = [values = std::move(values), scale = call.scale,
+                     isDark = render::isDark(wish.drawing.display.background)](
+                        const render::Image& into) { drawValues(values, scale, isDark, into); };
+    pictures_.draw(this, std::move(wish), [this, id, taken](Pictures::Drawn drawn) mutable {
+        if (!drawn.isFine)
+            return channel_.refuse(id, notPossible(lostState));
+        if (!drawn.packed.empty())
+            taken.pixels = std::move(drawn.packed);
+        channel_.answer(id, taken);
+    });
     return std::nullopt;
 }
 

@@ -48,7 +48,8 @@ private:
 };
 
 // Texts: "faulty" makes no scene, "p" has a parameter p, all but "empty" have one body. "pushed" is
-// the pushed ball, and moves as it should; "falls down" and "falls back" are that ball with a
+// the pushed ball, and moves as it should; "charted" has a plot of its way, "measured" has that
+// beside it, too; "falls down" and "falls back" are that ball with a
 // weight along -y and -z. A motion of 10 s is computed up to what allow() said, and ends there when
 // `ends`.
 class World {
@@ -77,10 +78,12 @@ public:
 private:
     script::ReadResult read(const std::string& text, const ParameterValues& parameters) {
         script::ReadResult result;
-        if (text == "pushed") {
+        if (text == "pushed" || text == "charted" || text == "measured") {
             result.usable = true;
             result.scene = pushedBallScene(parameters.empty() ? 1 : parameters.at("p"));
             result.scene.simulator.finish = 10;
+            if (text != "pushed")
+                result.scene.plots.push_back({"way", {"b.x"}, {"Way"}, "", text == "measured", {}});
             return result;
         }
         if (text.starts_with("falls")) {

@@ -73,6 +73,12 @@ auto Session::doWith(const ThingCommand& command, const editing::Element& elemen
                  ": a figure that is shown as its charts has it (Figure, Show As).");
         return ipc::Invoked{};
     }
+    if (const auto changed = besideBy(command, on, element)) {
+        if (!changed->answer.possible())
+            return notPossible(changed->answer.reason);
+        on.finish(text::applied(on.text, changed->answer.edits), changed->label);
+        return ipc::Invoked{};
+    }
     return notPossible("That is not there any more.");
 }
 

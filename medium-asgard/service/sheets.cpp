@@ -14,6 +14,13 @@ constexpr double widest = 480, narrowest = 120, chartHeight = 200; // 1/96 inch
 constexpr double tallest = 16'384;                                 // that the protocol allows
 constexpr std::size_t mostPlots = 20;                              // drawn; what is left is counted
 
+// Does it show values of the scene's plots?
+bool hasPlots(Presentation presentation, const scene::Scene& scene) {
+    return presentation == Presentation::chart ||
+           (presentation == Presentation::picture &&
+            std::ranges::any_of(scene.plots, &scene::Plot::beside));
+}
+
 } // namespace
 
 ipc::Presentations presentations() {
@@ -35,11 +42,11 @@ Sheets::Sheets(const Subdocument& of)
                    [this](const charts::PlotSampler::Wish& wish, std::vector<charts::Plot> plots) {
                        {
                            const std::lock_guard lock(mutex_);
-                           came_ = {std::move(plots), wish.scene->plots.size(), wish.number};
+                           came_ = {{wish.scene, std::move(plots)}, wish.number};
                        }
                        of_.wake();
                    },
-                   mostPlots) {}
+                   meters::most) {}
 
 ipc::PreferredSize Sheets::preferredSize(Presentation presentation, double availableWidth,
                                          std::optional<double> availableHeight) const {
@@ -59,6 +66,8 @@ ipc::PreferredSize Sheets::preferredSize(Presentation presentation, double avail
 SheetLook Sheets::lookOf(Presentation presentation, double time, std::size_t row) const {
     if (presentation == Presentation::text)
         return {of_.textGeneration(), 0, row};
+    if (!of_.scene() || !hasPlots(presentation, *of_.scene()))
+        return {0, time, 0};
     return {shown_.generation.value_or(0), time, 0};
 }
 
@@ -118,32 +127,32 @@ void Sheets::collect() {
 }
 
 bool Sheets::upToDate(Presentation presentation) {
-    if (presentation != Presentation::chart || !of_.scene())
+    if (!of_.scene() || !hasPlots(presentation, *of_.scene()))
         return true;
     collect();
     return shown_.generation == of_.generation();
 }
 
 bool Sheets::drawable(Presentation presentation) {
-    return upToDate(presentation) || shown_.generation;
+    return upToDate(presentation) || presentation != Presentation::chart || shown_.generation;
 }
 
 void Sheets::drawCharts(charts::Canvas& canvas, double width, double height, double time) const {
     if (!shown_.generation)
         return;
-    if (shown_.total == 0) {
+    const std::vector<charts::Plot>& plots = shown_.of.plots;
+    if (plots.empty()) {
         canvas.ink({}, 0.7);
         canvas.text(width / 2, height / 2, "This scene has no plots.", 12,
                     charts::Canvas::Anchor::middle);
         return;
     }
-    const std::vector<charts::Plot>& plots = shown_.plots;
-    for (std::size_t i = 0; i < plots.size(); ++i)
-        charts::draw(canvas, plots[i], areaOf(i, plots.size(), width, height), time);
-    if (shown_.total > plots.size()) {
+    const std::size_t drawn = std::min(plots.size(), mostPlots);
+    for (std::size_t i = 0; i < drawn; ++i)
+        charts::draw(canvas, plots[i], areaOf(i, drawn, width, height), time);
+    if (const std::size_t total = shown_.of.scene->plots.size(); total > drawn) {
         canvas.ink({}, 0.7);
-        canvas.text(width - 4, height - 4,
-                    std::to_string(shown_.total - plots.size()) + " more plots", 11,
+        canvas.text(width - 4, height - 4, std::to_string(total - drawn) + " more plots", 11,
                     charts::Canvas::Anchor::end);
     }
 }

@@ -1,10 +1,12 @@
 // The presentations of a scene that are no picture of its bodies: its text, and charts of its
-// plots. The plots are sampled beside the thread that answers the host; meanwhile those of before
-// are shown. The subdocument's descriptor becomes readable when they are there.
+// plots. A picture has the values of its plots, too, where they stand beside bodies. The plots are
+// sampled beside the thread that answers the host; meanwhile those of before are shown. The
+// subdocument's descriptor becomes readable when they are there.
 #pragma once
 
 #include "charts/plot_sampler.h"
 #include "ipc/messages.h"
+#include "meters/meters.h"
 #include "render/renderer.h"
 #include "service/subdocument.h"
 
@@ -25,7 +27,7 @@ enum class Presentation { picture, text, chart };
 
 // What decides how a sheet looks.
 struct SheetLook {
-    unsigned generation = 0; // of its text, or of the scene and its motion
+    unsigned generation = 0; // of its text; of the scene and motion whose plots it has, 0: of none
     double time = 0;         // of charts
     std::size_t row = 0;     // of texts: the first that is seen
 };
@@ -41,6 +43,8 @@ public:
     [[nodiscard]] bool upToDate(Presentation presentation);
     // There is something to draw, perhaps of an older motion.
     [[nodiscard]] bool drawable(Presentation presentation);
+    // Those that came last: for the values beside the bodies of a picture.
+    [[nodiscard]] const meters::Sampled& sampled() const { return shown_.of; }
     // `row`: where the reader has moved the text to.
     [[nodiscard]] SheetLook lookOf(Presentation presentation, double time, std::size_t row) const;
     // `scale`: device pixels to 1/96 inch.
@@ -61,8 +65,7 @@ private:
     [[nodiscard]] std::set<std::size_t> faultyLines() const;
 
     struct Sampled {
-        std::vector<charts::Plot> plots;    // the first of them
-        std::size_t total = 0;              // plots of their scene
+        meters::Sampled of;
         std::optional<unsigned> generation; // of the subdocument
     };
     const Subdocument& of_;

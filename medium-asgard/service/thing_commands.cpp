@@ -1,6 +1,6 @@
 #include "service/thing_commands.h"
 
-#include "commands/quantities.h"
+#include "commands/beside.h"
 #include "element_edits/preview.h"
 #include "gestures/handle_meaning.h"
 #include "script/numbers.h"
@@ -13,7 +13,8 @@ namespace {
 
 using editing::Kind;
 
-const std::string exactKey = "exact ", plotKey = "plot ", sizeKey = "size", surfaceKey = "surface";
+const std::string exactKey = "exact ", plotKey = "plot ", besideKey = "beside ", sizeKey = "size",
+                  surfaceKey = "surface";
 
 std::string capital(std::string words) {
     if (!words.empty() && words.front() >= 'a' && words.front() <= 'z')
@@ -43,8 +44,12 @@ std::vector<ThingCommand> commandsOf(const std::shared_ptr<const scene::Scene>& 
                                      const editing::Element& element, const std::string& name) {
     std::vector<ThingCommand> all;
     addValues(all, scene, motion, element);
-    for (const commands::Quantity& one : commands::quantitiesOf(*scene, element))
+    const auto quantities = commands::quantitiesOf(*scene, element);
+    for (const commands::Quantity& one : quantities)
         all.push_back({plotKey + commands::worded(one), commands::worded(one), "New Plot of"});
+    for (const commands::Quantity& one : quantities)
+        all.push_back({besideKey + commands::worded(one), commands::worded(one), "Show Beside It",
+                       commands::isBeside(*scene, one)});
     if (element.kind == Kind::body)
         all.push_back({fixThing, "Fixed", {}, scene->bodies[element.index].fixed});
     all.push_back({duplicateThing, "Duplicate " + name});
@@ -88,6 +93,15 @@ std::optional<NewPlot> plotBy(const ThingCommand& command, const gestures::Groun
     const editing::NewElement plot =
         commands::plotOf(ground.text, *ground.scene, one->expression, one->name);
     return NewPlot{editing::created(ground.text, *ground.scene, {plot}), plot.name};
+}
+
+std::optional<Changed> besideBy(const ThingCommand& command, const gestures::Ground& ground,
+                                const editing::Element& element) {
+    for (const commands::Quantity& one : commands::quantitiesOf(*ground.scene, element))
+        if (command.key == besideKey + commands::worded(one))
+            return Changed{commands::withBeside(ground.text, ground.scene, one),
+                           commands::labelOfBeside(*ground.scene, one)};
+    return std::nullopt;
 }
 
 ipc::Question questionOf(const commands::AskedValue& asked, const std::vector<std::string>& typed) {

@@ -46,6 +46,15 @@ struct NewPlot {
                                             const gestures::Ground& ground,
                                             const editing::Element& element);
 
+// The change of a command that shows a value beside the thing, or does not show it any more.
+struct Changed {
+    editing::Answer answer;
+    std::string label; // of the step of undo
+};
+[[nodiscard]] std::optional<Changed> besideBy(const ThingCommand& command,
+                                              const gestures::Ground& ground,
+                                              const editing::Element& element);
+
 // With the values that were typed; "": as they are.
 [[nodiscard]] ipc::Question questionOf(const commands::AskedValue& asked,
                                        const std::vector<std::string>& typed);

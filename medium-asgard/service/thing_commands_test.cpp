@@ -190,6 +190,25 @@ TEST_F(ThingCommandsTest, APlotOfItIsWritten) {
     EXPECT_THAT(saidLast, HasSubstr("Show As"));
 }
 
+TEST_F(ThingCommandsTest, AValueIsShownBesideIt) {
+    open(moving, {});
+    select({-1, 0, 0});
+    const auto beside = [&]() -> const ipc::MenuEntry& {
+        return *std::ranges::find_if(menus, [](const ipc::MenuEntry& entry) {
+            return entry.group == "Show Beside It" && entry.label == "Speed, m/s";
+        });
+    };
+    EXPECT_FALSE(beside().checked);
+    invokeById(beside().id);
+    accepted("Show Speed Beside It");
+    ASSERT_EQ(scene().plots.size(), 1U);
+    EXPECT_TRUE(scene().plots[0].beside);
+    EXPECT_TRUE(beside().checked);
+    invokeById(beside().id);
+    accepted("Do Not Show Speed Beside It");
+    EXPECT_TRUE(scene().plots.empty());
+}
+
 TEST_F(ThingCommandsTest, BodiesThatOverlapAreMovedApart) {
     open(ball + "body b1 ball\nbody b2 ball -init_pos {0.5 0 0}\n", {});
     ASSERT_NE(entryOf("Move Bodies Apart"), nullptr);
@@ -222,8 +241,8 @@ TEST_F(ThingCommandsTest, TheMenuIsShort) {
     int rows = 0;
     for (const ipc::MenuEntry& entry : menus)
         rows += entry.group.empty() || groups.insert(entry.group).second ? 1 : 0;
-    EXPECT_LE(rows, 18);
-    EXPECT_EQ(groups.size(), 5U);
+    EXPECT_LE(rows, 19);
+    EXPECT_EQ(groups.size(), 6U);
     std::set<std::string> ids;
     for (const ipc::MenuEntry& entry : menus)
         EXPECT_TRUE(ids.insert(entry.id).second) << entry.id;

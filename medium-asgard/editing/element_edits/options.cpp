@@ -238,6 +238,8 @@ constexpr OptionHint plotOptions[] = {
     {"-values", expressions, "expressions that are drawn against time", "", "Expressions"},
     {"-labels", list, "what they are called", ""},
     {"-title", text, "what stands above", ""},
+    {"-beside", flag, "pictures have the values, too, beside what they are of", "0",
+     "Beside it in pictures"},
 };
 
 constexpr std::array commands = {

@@ -374,6 +374,7 @@ struct Plot {
     std::vector<Expression> values;
     std::vector<std::string> labels;
     std::string title;
+    bool beside = false; // pictures have its values, too, beside what they are of
     Source source;
 };
 

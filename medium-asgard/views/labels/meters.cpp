@@ -1,7 +1,6 @@
 #include "labels/meters.h"
 
-#include "framing/body_places.h"
-#include "framing/joint_places.h"
+#include "commands/beside.h"
 #include "painting/pointer.h"
 
 #include <QPainter>
@@ -15,198 +14,111 @@ namespace views {
 
 namespace {
 
-constexpr std::size_t mostMeters = 60;
-
-// Between two samples; NaN where there is none.
-double valueAt(const charts::Plot& plot, double time) {
-    if (plot.curves.empty() || plot.curves.front().values.size() != plot.times.size() ||
-        plot.times.empty() || time > plot.times.back())
-        return std::nan("");
-    const auto& values = plot.curves.front().values;
-    const auto after =
-        static_cast<std::size_t>(std::ranges::lower_bound(plot.times, time) - plot.times.begin());
-    if (after == 0)
-        return values.front();
-    const double from = plot.times[after - 1], to = plot.times[after];
-    const double share = to > from ? (time - from) / (to - from) : 1;
-    return values[after - 1] + share * (values[after] - values[after - 1]);
-}
-
-// All of it, as far as it fits.
-QRectF inside(QRectF rect, const QSizeF& room) {
-    const auto at = [](double wish, double length, double all) {
-        return std::clamp(wish, 0.0, std::max(0.0, all - length));
-    };
-    rect.moveTo(at(rect.x(), rect.width(), room.width()),
-                at(rect.y(), rect.height(), room.height()));
-    return rect;
-}
+Eigen::Vector2d vector(const QPointF& point) { return {point.x(), point.y()}; }
+Eigen::Vector2d vector(const QSizeF& size) { return {size.width(), size.height()}; }
+QPointF point(const Eigen::Vector2d& vector) { return {vector.x(), vector.y()}; }
+QRectF rect(const Eigen::AlignedBox2d& box) { return {point(box.min()), point(box.max())}; }
 
 } // namespace
 
 Meters::Meters(SceneDocument& document, SeenPicture& picture)
     : document_(document), picture_(picture),
       sampler_(
-          [this](const charts::PlotSampler::Wish&, std::vector<charts::Plot> plots) {
-              QMetaObject::invokeMethod(
-                  this, [this, plots = std::move(plots)] { take(plots); }, Qt::QueuedConnection);
+          [this](const charts::PlotSampler::Wish& of, std::vector<charts::Plot> plots) {
+              auto take = [this, sampled = meters::Sampled{of.scene, std::move(plots)}] {
+                  sampled_ = sampled;
+                  Q_EMIT changed();
+              };
+              QMetaObject::invokeMethod(this, std::move(take), Qt::QueuedConnection);
           },
-          mostMeters) {
+          meters::most) {
     connect(&document_, &SceneDocument::elementsRenamed, this, &Meters::rename);
+    connect(&document_, &SceneDocument::sceneChanged, this, [this] {
+        held_.reset();
+        ask();
+        Q_EMIT changed();
+    });
     connect(&document_, &SceneDocument::motionChanged, this, &Meters::ask);
 }
 
-void Meters::set(std::vector<Meter> meters) {
+std::vector<Meter> Meters::all() const {
+    const scene::Scene& scene = *document_.shown().scene;
+    std::vector<Meter> all;
+    for (meters::Meter& of : meters::metersOf(scene)) {
+        MeterName name{scene.plots[of.plot].name, of.value};
+        const auto look = looks_.find(name);
+        all.push_back(
+            {std::move(of), std::move(name), look == looks_.end() ? MeterLook() : look->second});
+    }
+    return all;
+}
+
+void Meters::setLooks(MeterLooks looks) {
     held_.reset();
-    meters_ = std::move(meters);
-    if (meters_.size() > mostMeters)
-        meters_.resize(mostMeters);
-    ask();
+    looks_ = std::move(looks);
     Q_EMIT changed();
 }
 
 void Meters::rename(const std::vector<editing::Renamed>& renamed) {
-    std::vector<Meter> meters = meters_;
-    for (Meter& meter : meters)
-        for (const editing::Renamed& one : renamed) {
-            if (meter.kind != one.element.kind || meter.element != one.before)
-                continue;
-            const auto all = commands::quantitiesOf(*document_.shown().scene, one.element);
-            const auto same =
-                std::ranges::find(all, meter.quantity.label, &commands::Quantity::label);
-            meter.element = one.now;
-            if (same != all.end())
-                meter.quantity = *same;
-        }
-    set(std::move(meters));
+    MeterLooks looks;
+    for (auto& [name, look] : looks_) {
+        MeterName now = name;
+        for (const editing::Renamed& one : renamed)
+            if (one.element.kind == editing::Kind::plot && name.plot == one.before)
+                now.plot = one.now;
+        looks.emplace(now, look);
+    }
+    looks_ = std::move(looks);
 }
 
-bool Meters::has(const commands::Quantity& quantity) const {
-    return std::ranges::any_of(
-        meters_, [&](const Meter& one) { return one.quantity.expression == quantity.expression; });
+QString Meters::toggle(const commands::Quantity& quantity) {
+    if (QString why = document_.whyNotCurrent(); !why.isEmpty())
+        return why;
+    const auto& scene = document_.shown().scene;
+    const editing::Answer answer = commands::withBeside(document_.text(), scene, quantity);
+    if (answer.possible())
+        document_.setText(text::applied(document_.text(), answer.edits),
+                          QString::fromStdString(commands::labelOfBeside(*scene, quantity)));
+    return QString::fromStdString(answer.reason);
 }
 
-void Meters::toggle(const editing::Element& element, const commands::Quantity& quantity) {
-    std::vector<Meter> meters = meters_;
-    const auto gone = std::erase_if(
-        meters, [&](const Meter& one) { return one.quantity.expression == quantity.expression; });
-    if (gone == 0)
-        meters.push_back(
-            {element.kind, editing::nameOf(*document_.shown().scene, element), quantity});
-    set(std::move(meters));
-}
-
-// A copy of the scene has them as its plots.
 void Meters::ask() {
-    if (meters_.empty() || !document_.shown().motion)
-        return;
-    auto scene = std::make_shared<scene::Scene>(*document_.shown().scene);
-    scene->plots.clear();
-    for (const Meter& meter : meters_) {
-        scene::Plot& plot = scene->plots.emplace_back();
-        plot.name = meter.quantity.expression;
-        plot.values = {meter.quantity.expression};
-    }
-    sampler_.sample({std::move(scene), document_.shown().motion});
+    const Shown& shown = document_.shown();
+    if (shown.motion && !meters::metersOf(*shown.scene).empty())
+        sampler_.sample({shown.scene, shown.motion});
 }
 
-void Meters::take(std::vector<charts::Plot> plots) {
-    sampled_.clear();
-    for (charts::Plot& plot : plots) {
-        std::string expression = plot.title;
-        sampled_.emplace(std::move(expression), std::move(plot));
-    }
-    Q_EMIT changed();
+const charts::Plot* Meters::sampledOf(const Meter& meter) const {
+    return sampled_.of(document_.shown().scene->plots[meter.of.plot]);
 }
 
 QString Meters::words(const Meter& meter, double time) const {
-    const QString label = QString::fromStdString(meter.quantity.label).remove('&');
-    const auto found = sampled_.find(meter.quantity.expression);
-    if (found == sampled_.end())
-        return label + QStringLiteral(" …");
-    const double value = valueAt(found->second, time);
-    if (!std::isfinite(value))
-        return label + QStringLiteral(" –");
-    const charts::Range range = charts::rangeOf(found->second);
-    const double noise = 1e-9 * std::max(std::abs(range.low), std::abs(range.high));
-    const QString number = QString::number(std::abs(value) <= noise ? 0 : value, 'g', 3);
-    const auto& curves = found->second.curves;
-    const QString unit = curves.empty() ? QString() : QString::fromStdString(curves.front().unit);
-    return QStringLiteral("%1 %2 %3").arg(label, number, unit).trimmed();
+    return QString::fromStdString(meters::wordsOf(meter.of, sampledOf(meter), time));
 }
 
-std::optional<Meters::Place> Meters::placeOf(const Meter& meter) const {
-    const render::Drawing drawing = picture_.drawn();
-    const scene::Scene& scene = *drawing.scene;
-    const gestures::Sight sight = picture_.sight();
-    const auto named = [&](const auto& all) {
-        return std::ranges::find(all, meter.element, [](const auto& one) { return one.name; });
-    };
-    std::string body = meter.element;
-    if (meter.kind == editing::Kind::joint) {
-        const auto joint = named(scene.joints);
-        if (joint == scene.joints.end())
-            return std::nullopt;
-        const auto at = render::JointPlaces(scene, drawing.motion.get()).at(*joint, drawing.time);
-        return at ? std::optional(Place{picture_.fromPixels(sight.pixels(at->ends[0].point))})
-                  : std::nullopt;
-    }
-    if (meter.kind == editing::Kind::link) {
-        const auto link = named(scene.links);
-        body = link == scene.links.end() ? std::string() : link->first.body;
-    }
-    if (meter.kind == editing::Kind::rope)
-        if (const auto rope = named(scene.ropes); rope != scene.ropes.end()) {
-            const auto held = std::ranges::find_if(
-                rope->points, [](const scene::Rope::Point& one) { return one.body.has_value(); });
-            body = held == rope->points.end() ? std::string() : *held->body;
-        }
-    if (meter.kind == editing::Kind::contact)
-        if (const auto contact = named(scene.contacts); contact != scene.contacts.end()) {
-            const auto first = std::ranges::find(scene.bodies, contact->body1, &scene::Body::name);
-            const bool isFixed = first != scene.bodies.end() && first->fixed;
-            body = isFixed ? contact->body2 : contact->body1;
-        }
-    const auto found = std::ranges::find(scene.bodies, body, &scene::Body::name);
-    if (found == scene.bodies.end() || render::isHidden(drawing.display, *found))
-        return std::nullopt;
-    const auto index = static_cast<std::size_t>(found - scene.bodies.begin());
-    const geometry::Pose pose = render::poseOf(scene, drawing.motion.get(), index, drawing.time);
-    Place place{picture_.fromPixels(sight.pixels(pose.position))};
-    constexpr double farthest = 60; // pixels: a value on a large body is near its middle
-    for (const render::Ball& ball : render::outlineOf(scene, *found)) {
-        const geometry::Vector at = pose.toWorld(ball.center);
-        const double pixel = sight.pixelLength(at) * picture_.widget().devicePixelRatioF();
-        const double right = picture_.fromPixels(sight.pixels(at)).x() + ball.radius / pixel;
-        place.reach = std::clamp(right - place.at.x(), place.reach, farthest);
-    }
-    return place;
-}
-
-// Those of one thing stand below each other, at its right; all of each is in the picture.
 std::vector<Meters::Box> Meters::boxes() const {
-    std::map<std::string, double> below;
-    std::vector<Box> all;
-    const QFontMetricsF font(picture_.widget().font());
+    const render::Drawing drawn = picture_.drawn();
+    const gestures::Sight sight = picture_.sight();
+    const QWidget& widget = picture_.widget();
+    const QFontMetricsF font(widget.font());
     const double height = font.height() + 2;
-    for (std::size_t i = 0; i < meters_.size(); ++i) {
-        const Meter& meter = meters_[i];
-        const auto place = placeOf(meter);
+    std::vector<Box> all;
+    std::vector<meters::Wish> wishes;
+    for (Meter& meter : this->all()) {
+        const auto place = meters::placeOf(drawn, sight, meter.of.of, widget.devicePixelRatioF());
         if (!place)
             continue;
-        const QString words = this->words(meter, picture_.drawn().time);
+        const QString words = this->words(meter, drawn.time);
         const double width = font.horizontalAdvance(words) + 12;
-        const QSizeF size = meter.isChart ? QSizeF(std::max(width, 13 * height), 6 * height)
-                                          : QSizeF(width, height);
-        const QPointF beside = place->at + QPointF(place->reach + 6, 7);
-        QRectF rect(beside + meter.aside, size);
-        if (meter.aside.isNull()) {
-            rect.translate(0, below[meter.element]);
-            below[meter.element] += size.height();
-        }
-        if (!meter.aside.isNull() || QRectF(picture_.widget().rect()).contains(place->at))
-            rect = inside(rect, picture_.widget().size());
-        all.push_back({i, place->at, beside, rect, words});
+        const QSizeF size = meter.look.isChart ? QSizeF(std::max(width, 13 * height), 6 * height)
+                                               : QSizeF(width, height);
+        wishes.push_back({meter.of.of, *place, vector(size), vector(meter.look.aside)});
+        all.push_back({std::move(meter), point(place->at), {}, {}, words});
+    }
+    const auto boxes = meters::boxesFor(wishes, vector(QSizeF(widget.size())));
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        all[i].beside = point(boxes[i].beside);
+        all[i].rect = rect(boxes[i].rect);
     }
     return all;
 }
@@ -216,8 +128,7 @@ void Meters::paint(QPainter& painter) const {
     QColor paper = picture_.widget().palette().color(QPalette::Base);
     paper.setAlpha(215);
     for (const Box& box : boxes()) {
-        const Meter& meter = meters_[box.meter];
-        if (!meter.aside.isNull()) { // a line tells of what it is
+        if (!box.meter.look.aside.isNull()) { // a line tells of what it is
             QColor faint = ink;
             faint.setAlpha(110);
             painter.setPen(QPen(faint, 1));
@@ -229,7 +140,7 @@ void Meters::paint(QPainter& painter) const {
         painter.setBrush(paper);
         painter.drawRoundedRect(box.rect, 3, 3);
         painter.setPen(ink);
-        if (meter.isChart)
+        if (box.meter.look.isChart)
             paintChart(painter, box);
         else
             painter.drawText(box.rect, Qt::AlignCenter, box.words);
@@ -239,10 +150,12 @@ void Meters::paint(QPainter& painter) const {
 void Meters::paintChart(QPainter& painter, const Box& box) const {
     const QFontMetricsF font(painter.font());
     painter.drawText(box.rect.adjusted(6, 1, -6, 0), Qt::AlignLeft | Qt::AlignTop, box.words);
-    const auto found = sampled_.find(meters_[box.meter].quantity.expression);
-    if (found == sampled_.end() || found->second.times.size() < 2 || found->second.curves.empty())
+    const charts::Plot* sampled = sampledOf(box.meter);
+    const std::size_t which = box.meter.of.value;
+    if (!sampled || sampled->times.size() < 2 || which >= sampled->curves.size())
         return;
-    const charts::Plot& plot = found->second;
+    const charts::Plot plot{
+        .title = {}, .times = sampled->times, .curves = {sampled->curves[which]}};
     const auto& values = plot.curves.front().values;
     const charts::Range range = charts::rangeOf(plot);
     const auto number = [](double value) { return QString::number(value, 'g', 3); };
@@ -291,23 +204,22 @@ void Meters::paintChart(QPainter& painter, const Box& box) const {
 
 std::optional<Meters::Box> Meters::boxAt(const QPointF& position) const {
     std::optional<Box> last;
-    if (!meters_.empty())
-        for (const Box& box : boxes())
-            if (box.rect.contains(position))
-                last = box;
+    for (Box& box : boxes())
+        if (box.rect.contains(position))
+            last = std::move(box);
     return last;
 }
 
-std::optional<std::size_t> Meters::at(const QPointF& position) const {
-    const auto box = boxAt(position);
-    return box ? std::optional(box->meter) : std::nullopt;
+std::optional<Meter> Meters::at(const QPointF& position) const {
+    auto box = boxAt(position);
+    return box ? std::optional(std::move(box->meter)) : std::nullopt;
 }
 
 bool Meters::press(const QPointF& position) {
     const auto box = boxAt(position);
     if (box)
-        held_ = Held{box->meter, position, position - box->rect.topLeft(),
-                     meters_[box->meter].aside, false};
+        held_ = Held{box->meter.name, position, position - box->rect.topLeft(),
+                     box->meter.look.aside, false};
     return box.has_value();
 }
 
@@ -318,10 +230,13 @@ bool Meters::move(const QPointF& position) {
     held_->isDrag = held_->isDrag || !isNear(position, held_->from);
     if (held_->isDrag)
         for (const Box& box : boxes())
-            if (box.meter == held_->meter) {
-                const QRectF wish(position - held_->grip, box.rect.size());
-                meters_[box.meter].aside =
-                    inside(wish, picture_.widget().size()).topLeft() - box.beside;
+            if (box.meter.name == held_->meter) {
+                const QPointF corner = position - held_->grip;
+                const Eigen::AlignedBox2d wish(vector(corner),
+                                               vector(corner) + vector(box.rect.size()));
+                const QSizeF picture = picture_.widget().size();
+                looks_[held_->meter].aside =
+                    point(meters::inside(wish, vector(picture)).min()) - box.beside;
                 Q_EMIT changed();
             }
     return true;
@@ -331,8 +246,8 @@ bool Meters::release() { return std::exchange(held_, std::nullopt).has_value(); 
 
 bool Meters::cancel() {
     const auto held = std::exchange(held_, std::nullopt);
-    if (held && held->meter < meters_.size()) {
-        meters_[held->meter].aside = held->aside;
+    if (held) {
+        looks_[held->meter].aside = held->aside;
         Q_EMIT changed();
     }
     return held.has_value();
@@ -342,7 +257,7 @@ bool Meters::doubleClick(const QPointF& position) {
     const auto box = boxAt(position);
     if (!box)
         return false;
-    meters_[box->meter].isChart = !meters_[box->meter].isChart;
+    looks_[box->meter.name].isChart = !box->meter.look.isChart;
     Q_EMIT changed();
     return true;
 }

@@ -1,14 +1,16 @@
-// Values beside their bodies and joints while the motion plays: a state of one picture, no part of
-// the scene.
+// Values beside their bodies and joints while the motion plays: those of the scene's plots with
+// `-beside 1`, which documents show, too (meters/meters.h).
 //
 // They are sampled over the motion on a thread of their own, as charts are, and read between two
-// samples: three digits of them are shown. A double click makes one a small chart against time, and
-// again a number; a drag puts it elsewhere beside its body, which it follows.
+// samples. A double click makes one a small chart against time, and again a number; a drag puts it
+// elsewhere beside its body, which it follows: that is a state of one picture, no part of the
+// scene.
 #pragma once
 
 #include "charts/plot_sampler.h"
 #include "commands/quantities.h"
 #include "labels/seen_picture.h"
+#include "meters/meters.h"
 #include "workbench/scene_document.h"
 
 #include <QObject>
@@ -23,12 +25,21 @@ class QPainter;
 
 namespace views {
 
-struct Meter {
-    editing::Kind kind = editing::Kind::body;
-    std::string element; // its name
-    commands::Quantity quantity;
+struct MeterName {
+    std::string plot;
+    std::size_t value = 0; // of the plot
+    auto operator<=>(const MeterName&) const = default;
+};
+struct MeterLook {        // in one picture
     QPointF aside = {};   // from the first place beside its body; 0: nobody has dragged it
     bool isChart = false; // against time, with a line at the moment
+};
+using MeterLooks = std::map<MeterName, MeterLook>;
+
+struct Meter {
+    meters::Meter of; // the scene that is shown
+    MeterName name;
+    MeterLook look;
 };
 
 class Meters : public QObject {
@@ -36,14 +47,16 @@ class Meters : public QObject {
 public:
     Meters(SceneDocument& document, SeenPicture& picture);
 
-    [[nodiscard]] const std::vector<Meter>& all() const { return meters_; }
-    void set(std::vector<Meter> meters);
-    [[nodiscard]] bool has(const commands::Quantity& quantity) const;
-    void toggle(const editing::Element& element, const commands::Quantity& quantity);
-    // "Speed 1.25" of each that is known at that time; "…" while it is computed.
+    [[nodiscard]] std::vector<Meter> all() const;
+    // Of those that are not there, too: they may come back.
+    [[nodiscard]] const MeterLooks& looks() const { return looks_; }
+    void setLooks(MeterLooks looks);
+    // In the text: it is there, or not any more. "" or why not.
+    QString toggle(const commands::Quantity& quantity);
+    // "Speed 1.25 m/s" at that time; "…" while it is computed.
     [[nodiscard]] QString words(const Meter& meter, double time) const;
     void paint(QPainter& painter) const;
-    [[nodiscard]] std::optional<std::size_t> at(const QPointF& position) const; // in the widget
+    [[nodiscard]] std::optional<Meter> at(const QPointF& position) const; // in the widget
 
     // Of the left button. False: none is there, or none is held.
     bool press(const QPointF& position);
@@ -59,15 +72,9 @@ Q_SIGNALS:
 private:
     void ask();
     void rename(const std::vector<editing::Renamed>& renamed);
-    void take(std::vector<charts::Plot> plots);
-    // In the widget; none: it is gone or hidden.
-    struct Place {
-        QPointF at;        // of its body or joint
-        double reach = 10; // how far that is seen to the right
-    };
-    [[nodiscard]] std::optional<Place> placeOf(const Meter& meter) const;
+    [[nodiscard]] const charts::Plot* sampledOf(const Meter& meter) const;
     struct Box {
-        std::size_t meter = 0;
+        Meter meter;
         QPointF place;  // of its body
         QPointF beside; // the first place at its right, below the arrow of a selected one
         QRectF rect;
@@ -79,17 +86,17 @@ private:
 
     SceneDocument& document_;
     SeenPicture& picture_;
-    std::vector<Meter> meters_;
+    MeterLooks looks_;
     struct Held {
-        std::size_t meter;
+        MeterName meter;
         QPointF from;  // of the pointer, when it was taken
         QPointF grip;  // from the corner of the box to the pointer
         QPointF aside; // when it was taken
         bool isDrag;   // the pointer has left that place
     };
     std::optional<Held> held_;
-    std::map<std::string, charts::Plot> sampled_; // by the expression
-    charts::PlotSampler sampler_;                 // the first to go
+    meters::Sampled sampled_;
+    charts::PlotSampler sampler_; // the first to go
 };
 
 } // namespace views

@@ -26,6 +26,10 @@ protected:
         const double radius = 0.5 / display.sight().pixelLength({1, 5, 0});
         return middle + QPointF(std::min(radius, 60.0) + 10, 12);
     }
+    void toggle(Meters& meters, const Quantity& quantity) {
+        EXPECT_EQ(meters.toggle(quantity), QString());
+        ASSERT_TRUE(settle(editor.document()));
+    }
     Editor editor{engineWorkshop()};
     const editing::Element body{editing::Kind::body, 0};
 };
@@ -34,17 +38,33 @@ TEST_F(MetersTest, AValueStandsBesideItsBodyAtEachTime) {
     SceneDisplay& display = editor.openGraphicalViewer()->display();
     Meters& meters = display.meters();
     const Quantity x{"&x", "b.x"};
-    meters.toggle(body, x);
+    toggle(meters, x);
+    EXPECT_EQ(editor.document().text(),
+              flying + "\nplot plot1 -values {{b.x}} -labels {{x}} -beside 1\n");
     ASSERT_EQ(meters.all().size(), 1U);
     const Meter meter = meters.all().front();
     EXPECT_TRUE(waitFor([&] { return meters.words(meter, 0) == "x 1 m"; }));
     EXPECT_EQ(meters.words(meter, 1.2345), "x 4.7 m");
     EXPECT_EQ(meters.words(meter, 5), QStringLiteral("x –"));
     const QImage with = display.grab().toImage();
-    meters.toggle(body, x);
+    toggle(meters, x);
     EXPECT_TRUE(meters.all().empty());
     EXPECT_NE(display.grab().toImage(), with);
-    EXPECT_EQ(editor.document().text(), flying);
+    EXPECT_EQ(editor.document().text(), flying + "\n");
+}
+
+// The chart of an author is his: it stays when its value goes.
+TEST_F(MetersTest, AChartThatIsThereGetsTheOptionAndLosesItAgain) {
+    const std::string charted = flying + "plot way -values {b.x} -title Way\n";
+    editor.document().setText(charted, "Edit");
+    ASSERT_TRUE(settle(editor.document()));
+    Meters& meters = editor.openGraphicalViewer()->display().meters();
+    EXPECT_TRUE(meters.all().empty());
+    toggle(meters, {"&x", "b.x"});
+    EXPECT_EQ(meters.all().size(), 1U);
+    EXPECT_EQ(editor.document().text(), flying + "plot way -values {b.x} -title Way -beside 1\n");
+    toggle(meters, {"&x", "b.x"});
+    EXPECT_EQ(editor.document().text(), charted);
 }
 
 // It follows its body from where it was put.
@@ -52,7 +72,7 @@ TEST_F(MetersTest, ADragPutsItElsewhereAndADoubleClickMakesItAChart) {
     SceneDisplay& display = editor.openGraphicalViewer()->display();
     display.lookAlong(geometry::Vector::UnitZ());
     Meters& meters = display.meters();
-    meters.toggle(body, {"&x", "b.x"});
+    toggle(meters, {"&x", "b.x"});
     ASSERT_TRUE(waitFor([&] { return meters.words(meters.all().front(), 0) == "x 1 m"; }));
     display.grab();
     const auto beside = [&] { return besideBody(display); };
@@ -65,6 +85,7 @@ TEST_F(MetersTest, ADragPutsItElsewhereAndADoubleClickMakesItAChart) {
         QCoreApplication::sendEvent(&display, &event);
     };
     const render::Camera camera = display.camera();
+    const std::string text = editor.document().text();
     const QPointF away(90, 60);
     send(QEvent::MouseButtonPress, there, Qt::LeftButton);
     send(QEvent::MouseMove, there + away / 2, Qt::LeftButton);
@@ -74,21 +95,21 @@ TEST_F(MetersTest, ADragPutsItElsewhereAndADoubleClickMakesItAChart) {
     EXPECT_TRUE(editor.document().selected().empty());
     EXPECT_FALSE(meters.at(there));
     EXPECT_TRUE(meters.at(there + away));
-    EXPECT_EQ(meters.all().front().aside, away);
-    EXPECT_EQ(editor.document().text(), flying);
+    EXPECT_EQ(meters.all().front().look.aside, away);
+    EXPECT_EQ(editor.document().text(), text);
 
     const QImage number = display.grab().toImage();
     send(QEvent::MouseButtonDblClick, there + away, Qt::LeftButton);
-    EXPECT_TRUE(meters.all().front().isChart);
+    EXPECT_TRUE(meters.all().front().look.isChart);
     EXPECT_TRUE(meters.at(there + away + QPointF(0, 50))); // it is larger
     EXPECT_NE(display.grab().toImage(), number);
     // Escape while it is held: it is where it was.
     send(QEvent::MouseButtonPress, there + away, Qt::LeftButton);
     send(QEvent::MouseMove, there, Qt::LeftButton);
-    EXPECT_NE(meters.all().front().aside, away);
+    EXPECT_NE(meters.all().front().look.aside, away);
     QKeyEvent escape(QEvent::KeyPress, Qt::Key_Escape, Qt::NoModifier);
     QCoreApplication::sendEvent(&display, &escape);
-    EXPECT_EQ(meters.all().front().aside, away);
+    EXPECT_EQ(meters.all().front().look.aside, away);
     // Dragged out of the picture it stays at its edge.
     send(QEvent::MouseButtonPress, there + away, Qt::LeftButton);
     send(QEvent::MouseMove, QPointF(-4000, -4000), Qt::LeftButton);
@@ -115,20 +136,20 @@ TEST_F(MetersTest, ADragPutsItElsewhereAndADoubleClickMakesItAChart) {
 TEST_F(MetersTest, AClickLeavesItBesideItsBody) {
     SceneDisplay& display = editor.openGraphicalViewer()->display();
     Meters& meters = display.meters();
-    meters.toggle(body, {"&x", "b.x"});
+    toggle(meters, {"&x", "b.x"});
     display.grab();
     const QPointF there = besideBody(display);
     EXPECT_TRUE(meters.press(there));
     EXPECT_TRUE(meters.move(there + QPointF(1, 1)));
     EXPECT_TRUE(meters.release());
-    EXPECT_TRUE(meters.all().front().aside.isNull());
+    EXPECT_TRUE(meters.all().front().look.aside.isNull());
 }
 
 // The arrow of a body that is selected is not the value's, and the hint tells what lies there.
 TEST_F(MetersTest, ItLeavesTheArrowsFreeAndTheHintGoesWithThePointer) {
     SceneDisplay& display = editor.openGraphicalViewer()->display();
     Meters& meters = display.meters();
-    meters.toggle(body, {"&x", "b.x"});
+    toggle(meters, {"&x", "b.x"});
     editor.document().select({body});
     display.grab();
     const auto arrow = display.gizmo().arrow(0);
@@ -150,7 +171,7 @@ TEST_F(MetersTest, ThoseOfOneBodyStandBelowEachOther) {
     SceneDisplay& display = editor.openGraphicalViewer()->display();
     Meters& meters = display.meters();
     for (const char* one : {"b.x", "b.y", "b.z"})
-        meters.toggle(body, {one, one});
+        toggle(meters, {one, one});
     display.grab();
     const QPointF first = besideBody(display);
     const QPointF line(0, QFontMetricsF(display.font()).height() + 2);
@@ -163,11 +184,11 @@ TEST_F(MetersTest, ThoseOfOneBodyStandBelowEachOther) {
     drag(first + line, first + QPointF(120, 80));
     EXPECT_TRUE(meters.at(first + line));
     EXPECT_FALSE(meters.at(first + 2 * line));
-    const QPointF aside = meters.all()[1].aside;
+    const QPointF aside = meters.all()[1].look.aside;
     drag(first, first + QPointF(120, -80));
     EXPECT_FALSE(meters.at(first + line));
     EXPECT_TRUE(meters.at(first + QPointF(120, 80)));
-    EXPECT_EQ(meters.all()[1].aside, aside);
+    EXPECT_EQ(meters.all()[1].look.aside, aside);
 }
 
 TEST_F(MetersTest, AnAngleHasItsUnit) {
@@ -175,7 +196,7 @@ TEST_F(MetersTest, AnAngleHasItsUnit) {
     const auto all = quantitiesOf(*editor.document().shown().scene, body);
     const auto angle = std::ranges::find(all, "b.wz", &Quantity::expression);
     ASSERT_NE(angle, all.end());
-    meters.toggle(body, *angle);
+    toggle(meters, *angle);
     const auto words = [&] { return meters.words(meters.all().front(), 0); };
     ASSERT_TRUE(waitFor([&] { return !words().contains(u'…'); }));
     EXPECT_EQ(words().toStdString(), "Angular velocity about z 1 rad/s");
@@ -197,15 +218,17 @@ TEST_F(MetersTest, KineticEnergyCountsTheTurningToo) {
         const auto energy = std::ranges::find(all, "J", &Quantity::unit);
         ASSERT_NE(energy, all.end());
         Meters& meters = editor.openGraphicalViewer()->display().meters();
-        const Quantity whole{"whole", "scene.energy", "J"};
-        meters.toggle(body, *energy);
-        meters.toggle(body, whole);
+        const Quantity whole{"whole", "scene.energy + 0*b.x"};
+        toggle(meters, *energy);
+        toggle(meters, whole);
         const auto words = [&](std::size_t which) {
             return meters.words(meters.all()[which], 0.7);
         };
         ASSERT_TRUE(waitFor([&] { return !words(0).contains(u'…') && !words(1).contains(u'…'); }));
         EXPECT_TRUE(words(0).endsWith(" J")) << words(0).toStdString();
-        EXPECT_EQ(words(0).remove("Kinetic energy"), words(1).remove("whole")) << one;
+        EXPECT_EQ(words(0).remove("Kinetic energy").remove(" J"),
+                  words(1).remove("whole").remove(" J"))
+            << one;
     }
 }
 
@@ -236,29 +259,30 @@ TEST_F(MetersTest, ValuesOfRopesAndContactsAreSeen) {
         const editing::Element element{kind, 0};
         const auto all = quantitiesOf(*editor.document().shown().scene, element);
         ASSERT_FALSE(all.empty());
-        display.meters().toggle(element, all.front());
+        toggle(display.meters(), all.front());
         EXPECT_NE(display.grab().toImage(), without);
     }
 }
 
-// A name is not what a picture shows: whatever is renamed is as hidden, and as watched, as before.
+// A name is not what a picture shows: whatever is renamed is as hidden, and its values are where
+// they were put.
 TEST_F(MetersTest, ARenamedBodyStaysHiddenAndKeepsItsValues) {
     SceneDisplay& display = editor.openGraphicalViewer()->display();
     const Quantity x = quantitiesOf(*editor.document().shown().scene, body).front();
-    display.meters().toggle(body, x);
+    toggle(display.meters(), x);
+    display.meters().setLooks({{{"plot1", 0}, {{30, 20}, false}}});
     display.setHidden({"b"});
     editor.document().select({body});
-    const auto rename = [&](const std::string& from, const std::string& to) {
-        std::string text = editor.document().text();
-        text.replace(text.find("body " + from + " "), 6 + from.size(), "body " + to + " ");
-        editor.document().setText(text, "Edit");
-        EXPECT_TRUE(settle(editor.document()));
-    };
-    rename("b", "stone");
+    std::string text = editor.document().text();
+    text.replace(text.find("body b "), 7, "body stone ");
+    text.replace(text.find("b.x"), 3, "stone.x");
+    text.replace(text.find("plot1"), 5, "way");
+    editor.document().setText(text, "Edit");
+    EXPECT_TRUE(settle(editor.document()));
     EXPECT_EQ(display.hidden(), std::set<std::string>{"stone"});
     ASSERT_EQ(display.meters().all().size(), 1U);
-    EXPECT_EQ(display.meters().all()[0].element, "stone");
-    EXPECT_EQ(display.meters().all()[0].quantity.expression, "stone.x");
+    EXPECT_EQ(display.meters().all()[0].name, (MeterName{"way", 0}));
+    EXPECT_EQ(display.meters().all()[0].look.aside, QPointF(30, 20));
     EXPECT_EQ(editor.document().selected(), std::vector{body});
     editor.document().undo();
     ASSERT_TRUE(settle(editor.document()));
@@ -270,16 +294,13 @@ TEST_F(MetersTest, ARenamedBodyStaysHiddenAndKeepsItsValues) {
 
 TEST_F(MetersTest, AViewerThatOpensAgainHasThem) {
     Meters& before = editor.openGraphicalViewer()->display().meters();
-    before.toggle(body, {"Speed", "abs(b.dx)"});
-    std::vector<Meter> moved = before.all();
-    moved[0].aside = {30, -20};
-    moved[0].isChart = true;
-    before.set(moved);
+    toggle(before, {"Speed", "abs(b.dx)"});
+    before.setLooks({{before.all()[0].name, {{30, -20}, true}}});
     editor.restoreWindows(editor.windowsState(), {});
-    const auto& again = editor.graphicalViewers().back()->display().meters().all();
+    const auto again = editor.graphicalViewers().back()->display().meters().all();
     ASSERT_EQ(again.size(), 1U);
-    EXPECT_EQ(again[0].element, "b");
-    EXPECT_EQ(again[0].quantity.expression, "abs(b.dx)");
+    EXPECT_EQ(again[0].look.aside, QPointF(30, -20));
+    EXPECT_TRUE(again[0].look.isChart);
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 #include "picture/element_menu.h"
 
-#include "commands/quantities.h"
+#include "commands/beside.h"
 #include "gestures/handle_meaning.h"
 #include "picture/create_menu.h"
 #include "picture/scene_display.h"
@@ -170,13 +170,13 @@ void Building::charts() {
                          [&display, expression = one.expression, name = one.name] {
                              display.creating().start(newPlot(expression, name));
                          });
-        if (one.isIntegral)
-            continue;
         QAction* meter = beside->addAction(
-            plain::ours(QString::fromStdString(one.label)), &display_,
-            [&display, element = *place_.element, one] { display.meters().toggle(element, one); });
+            plain::ours(QString::fromStdString(one.label)), &display_, [&display, one] {
+                if (const QString why = display.meters().toggle(one); !why.isEmpty())
+                    display.editing().say(why);
+            });
         meter->setCheckable(true);
-        meter->setChecked(display.meters().has(one));
+        meter->setChecked(commands::isBeside(scene(), one));
     }
 }
 

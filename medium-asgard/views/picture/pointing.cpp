@@ -167,9 +167,8 @@ QString Pointing::hint() const {
                                 : tr("Drag moves it along %1"))
             .arg(QLatin1Char("xyz"[part->axis]));
     if (const auto meter = position_ ? display_.meters().at(*position_) : std::nullopt)
-        return display_.meters().all()[*meter].isChart
-                   ? tr("Drag moves this chart  ·  double click: the number alone")
-                   : tr("Drag moves this value  ·  double click: a chart of it");
+        return meter->look.isChart ? tr("Drag moves this chart  ·  double click: the number alone")
+                                   : tr("Drag moves this value  ·  double click: a chart of it");
     if (const auto sign = position_ ? display_.faultSigns().at(*position_) : std::nullopt)
         return tr("%1  ·  Ctrl+F9: all faults")
             .arg(QString(sign->words).replace("; ", QString::fromUtf8("  ·  ")));

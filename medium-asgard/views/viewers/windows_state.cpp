@@ -69,16 +69,12 @@ QJsonObject written(GraphicalViewer& viewer, bool withDraft) {
     window["hidden"] = hidden;
     window["shown"] = QJsonArray::fromStringList(viewer.switches().shown());
     QJsonArray meters;
-    for (const Meter& meter : viewer.display().meters().all())
-        meters.append(
-            QJsonObject{{"kind", static_cast<int>(meter.kind)},
-                        {"element", QString::fromStdString(meter.element)},
-                        {"label", QString::fromStdString(meter.quantity.label)},
-                        {"unit", QString::fromStdString(meter.quantity.unit)},
-                        {"right", meter.aside.x()},
-                        {"down", meter.aside.y()},
-                        {"chart", meter.isChart},
-                        {"expression", QString::fromStdString(meter.quantity.expression)}});
+    for (const auto& [name, look] : viewer.display().meters().looks())
+        meters.append(QJsonObject{{"plot", QString::fromStdString(name.plot)},
+                                  {"value", static_cast<qint64>(name.value)},
+                                  {"right", look.aside.x()},
+                                  {"down", look.aside.y()},
+                                  {"chart", look.isChart}});
     window["meters"] = meters;
     window["view"] = viewer.display().followedView();
     window["panes"] = QString::fromLatin1(viewer.panes().arrangement().toBase64());
@@ -119,19 +115,14 @@ void restore(GraphicalViewer& viewer, const QJsonObject& as) {
     viewer.display().setHidden(std::move(hidden));
     if (as.contains("shown"))
         viewer.switches().setShown(as["shown"].toVariant().toStringList());
-    std::vector<Meter> meters;
+    MeterLooks meters;
     for (const auto& each : as["meters"].toArray()) {
         const QJsonObject one = each.toObject();
-        meters.push_back(
-            {static_cast<editing::Kind>(
-                 std::clamp(one["kind"].toInt(), 0, static_cast<int>(editing::Kind::plot))),
-             one["element"].toString().toStdString(),
-             {one["label"].toString().toStdString(), one["expression"].toString().toStdString(),
-              one["unit"].toString().toStdString()},
-             {one["right"].toDouble(), one["down"].toDouble()},
-             one["chart"].toBool()});
+        const auto value = static_cast<std::size_t>(std::max<qint64>(0, one["value"].toInteger()));
+        meters[{one["plot"].toString().toStdString(), value}] = {
+            {one["right"].toDouble(), one["down"].toDouble()}, one["chart"].toBool()};
     }
-    viewer.display().meters().set(std::move(meters));
+    viewer.display().meters().setLooks(std::move(meters));
     viewer.playback().seek(as["time"].toDouble());
     if (const QString panes = as["panes"].toString(); !panes.isEmpty())
         viewer.arrange(QByteArray::fromBase64(panes.toLatin1()));
