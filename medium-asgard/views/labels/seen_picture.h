@@ -1,7 +1,7 @@
 // The picture that labels stand in: all that they know of it.
 //
-// What is seen may be older than what the document has, where a picture takes long; labels stand on
-// what is seen.
+// A picture that takes long shows an older scene than the document has: labels stand on the one
+// that is seen.
 #pragma once
 
 #include "gestures/picking.h"

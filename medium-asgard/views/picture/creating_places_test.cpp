@@ -35,7 +35,7 @@ TEST_F(CreatingTest, OnAFloorPlacesAreAsRoundAsOnTheGrid) {
     EXPECT_EQ(place.y(), 0.5);
 }
 
-// Where the middle of a board's lower side would be seen through it.
+// A click there could mean the middle of the board's lower side, seen through it.
 TEST_F(CreatingTest, OnAThinBoardABodyStandsOnItsUpperSide) {
     open(
         "shape_set top -desc {-sub {-pos {0 0.5 0} -box {1 0.05 0.6}}}\nbody table top -fixed 1\n");

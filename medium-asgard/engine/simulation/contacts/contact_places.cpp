@@ -54,6 +54,12 @@ physics::NearestSurfaces nearestOf(const SurfaceGap& gap, const Placed& body,
     return physics::nearest(gap, poseOf(body), poseOf(support));
 }
 
+// In their owner's frame.
+SurfacePiece lineBetween(const std::pair<Vector, Vector>& ends) {
+    return {
+        .kind = Kind::line, .place = ends.first, .axis = (ends.second - ends.first).normalized()};
+}
+
 class Polyhedra { // in touch
 public:
     // `beside`: features that overlap by less do not overlap.
@@ -137,13 +143,9 @@ private:
             return std::nullopt;
         const std::pair first{own(body_, a.first), own(body_, a.second)};
         const std::pair second{own(support_, b.first), own(support_, b.second)};
-        const auto line = [](const auto& ends) {
-            return SurfacePiece{.kind = Kind::line,
-                                .place = ends.first,
-                                .axis = (ends.second - ends.first).normalized()};
-        };
         ContactPoint point;
-        point.gap = {.body = line(first), .support = line(second), .isFlipped = across < 0};
+        point.gap = {
+            .body = lineBetween(first), .support = lineBetween(second), .isFlipped = across < 0};
         // The lines cross elsewhere than the outlines of faces that lie on each other with a tilt.
         const Vector place = nearestOf(point.gap, body_, support_).contact;
         Sides ofFirst(body_.index, localOf(body_, place), touch_.size, beside_);
@@ -268,7 +270,7 @@ private:
             above ? SurfaceGap{piece, face->plane, false} : SurfaceGap{face->plane, piece, false};
         return depthIn(*face, localOf(other, nearestOf(gap, body_, support_).contact)) >= 0;
     }
-    // It is beneath the other's face, beside it.
+    // True: it is beneath the other's face, beside it.
     bool addVertex(const Placed& owner, const Vector& vertex, bool above) {
         const Vector at = owner.state.position + owner.state.attitude * vertex;
         for (const ContactPoint& point : place_.points) {
@@ -305,29 +307,28 @@ private:
                          ofBorder = (on - start).cross(way).dot(touch_.normal) / across;
             if (std::min(ofEdge, ofBorder) < 0 || std::max(ofEdge, ofBorder) > 1)
                 continue;
-            const SurfacePiece first = lineOf(edge), second = lineOf(border);
+            const SurfacePiece first = lineBetween(edge), second = lineBetween(border);
             const bool isFlipped = above ? across < 0 : across > 0;
             addLanding(owner, first, above,
                        above ? SurfaceGap{first, second, isFlipped}
                              : SurfaceGap{second, first, isFlipped});
         }
     }
-    [[nodiscard]] static SurfacePiece lineOf(const std::pair<Vector, Vector>& ends) {
-        return {.kind = Kind::line,
-                .place = ends.first,
-                .axis = (ends.second - ends.first).normalized()};
+    // A piece that lies on the face already may sink by the slack before it lands.
+    [[nodiscard]] double roomAt(double height) const {
+        return std::max(0.0, sideSlack * touch_.size - height);
     }
+    // Of a crossing, unless the contact is there already.
     void addLanding(const Placed& owner, const SurfacePiece& piece, bool above,
                     const SurfaceGap& gap) {
         const physics::NearestSurfaces nearest = nearestOf(gap, body_, support_);
         for (const ContactPoint& point : place_.points)
             if (isThere(nearestOf(point.gap, body_, support_).contact - nearest.contact))
                 return;
-        const double slack = sideSlack * touch_.size;
         place_.landings.push_back({.body = owner.index,
                                    .piece = piece,
                                    .isAbove = above,
-                                   .room = nearest.gap < slack ? slack - nearest.gap : 0,
+                                   .room = roomAt(nearest.gap),
                                    .gap = gap});
     }
     // A touch may be off by this along its normal; a corner above another is not that one.
@@ -386,9 +387,8 @@ private:
         const std::optional<SurfaceGap> gap = overOtherFace(piece, above);
         const double height =
             gap ? nearestOf(*gap, body_, support_).gap : heightOf(owner, piece, above);
-        const double slack = sideSlack * touch_.size;
         const bool isBeneath = mayBeBeneath && height < 0;
-        const double room = isBeneath ? slack : height < slack ? slack - height : 0;
+        const double room = isBeneath ? sideSlack * touch_.size : roomAt(height);
         place_.landings.push_back({.body = owner.index,
                                    .piece = piece,
                                    .isAbove = above,

@@ -62,9 +62,9 @@ public:
     [[nodiscard]] bool isOfPlaces(std::size_t watch) const;
     // That watch is not 0 at the point of the functions.
     [[nodiscard]] bool isOffPlace(std::size_t watch);
-    // At the point of the functions a gap grows that this watch takes to close, and is no more than
-    // contacts are placed to: only an error of polynomials has crossed it. From then on it closes
-    // beyond twice that gap.
+    // The gap of this watch grows at the point of the functions, and is within the resolution of
+    // its contact: only an error of polynomials has crossed it. From then on twice that gap counts
+    // as open.
     [[nodiscard]] bool grazes(std::size_t watch);
     // The set that follows from the values alone, where some may touch and approach.
     void decide(double t, std::span<double> y);

@@ -47,9 +47,10 @@ bool SlipForces::solve(std::span<const double> entries, HeldConditions& held,
     return improve(without);
 }
 
-// Of the slopes of a disc's forces: `force` says what it has by a change.
+// Of Newton's matrix the rows of a disc: its own forces less those that follow from all others.
+// `force`: that of the disc by a change of what it follows from.
 template <class Force>
-void SlipForces::takeOff(std::size_t disc, Eigen::Index first, const Force& force) {
+void SlipForces::setSlopes(std::size_t disc, Eigen::Index first, const Force& force) {
     for (Eigen::Index i = 0; i < rows_; ++i) {
         const DiscFriction::InDisc by = force(friction_.changeBy(disc, spanOf(responses_.col(i))));
         slopes_.col(i).segment(first, by.size()) -= by;
@@ -65,7 +66,7 @@ void SlipForces::beginInMode(const Eigen::VectorXd& without) {
             return friction_.forceAgainst(disc, way, all);
         };
         forces_.segment(first, way.size()) = force(friction_.changeBy(disc, spanOf(without)));
-        takeOff(disc, first, force);
+        setSlopes(disc, first, force);
     });
     lu_.compute(slopes_);
     forces_ = lu_.solve(forces_);
@@ -112,7 +113,7 @@ void SlipForces::linearise(std::span<const double> multipliers) {
     slopes_.setIdentity(rows_, rows_);
     each([&](std::size_t disc, Eigen::Index first) {
         const DiscFriction::Slope slope = friction_.slopeOf(disc, multipliers);
-        takeOff(disc, first, [&](const DiscFriction::Change& by) {
+        setSlopes(disc, first, [&](const DiscFriction::Change& by) {
             return friction_.changeOf(disc, slope, by);
         });
     });

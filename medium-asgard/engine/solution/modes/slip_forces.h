@@ -50,7 +50,7 @@ public:
 
 private:
     template <class Visit> void each(const Visit& visit) const;
-    template <class Force> void takeOff(std::size_t disc, Eigen::Index first, const Force& force);
+    template <class Force> void setSlopes(std::size_t disc, Eigen::Index first, const Force& force);
     void beginInMode(const Eigen::VectorXd& without);
     [[nodiscard]] bool improve(const Eigen::VectorXd& without);
     [[nodiscard]] Eigen::VectorXd errors(const Eigen::VectorXd& multipliers) const;
