@@ -23,7 +23,7 @@
 #pragma once
 
 #include "physics/contact_readings.h"
-#include "physics/resting.h"
+#include "physics/equations_of_motion.h"
 #include "physics/surface_nearest.h"
 
 #include <map>

@@ -1,6 +1,7 @@
 #include "physics/equations_of_motion.h"
 
 #include "physics/body_phases.h"
+#include "physics/carried_points.h"
 #include "physics/contact_readings.h"
 #include "physics/forces.h"
 #include "physics/joints.h"
@@ -258,6 +259,20 @@ EquationsOfMotion::EquationsOfMotion(const scene::Scene& scene,
     breakpoints.assign(times.begin(), times.end());
     if (!faults.empty())
         scope.reset();
+}
+
+Held unyieldingAt(const EquationsOfMotion& equations, std::size_t body, double time) {
+    constexpr double rounding = 1e-12; // of the radius, in the centre of mass
+    const BodyMotion& motion = equations.bodies[body];
+    Held held = motion.heldAt(time);
+    if (motion.mass.centroid.norm() <= rounding * motion.mass.radius)
+        return held;
+    for (std::size_t i = 0; i < 3; ++i) { // else its velocity is held, that of the centre
+        const expression::Unknown& place = equations.set.unknowns[motion.unknown(x) + i];
+        held.attitude =
+            held.attitude || (held.position[i] && phaseAt(place, time).given.has_value());
+    }
+    return held;
 }
 
 } // namespace physics

@@ -288,5 +288,16 @@ TEST(Trajectories, OfAnyDegreePassThroughTheirEndsAndKeepInsideTheirPolygon) {
     }
 }
 
+// A hold beside the centre of mass is no hinge.
+TEST(Holds, WhatIsHeldBesideItsCentreTurnsByNoBlow) {
+    scene::Scene scene = heldBall(scene::Held::position);
+    EXPECT_FALSE(unyieldingAt(EquationsOfMotion(scene), 0, 3).attitude);
+    scene.shapeSets[0].parts[0].position = {0.1, 0, 0};
+    EXPECT_TRUE(unyieldingAt(EquationsOfMotion(scene), 0, 3).attitude);
+    EXPECT_FALSE(unyieldingAt(EquationsOfMotion(scene), 0, 5).attitude); // it is away
+    scene.constraints[0].held = scene::Held::velocity;                   // that of the centre
+    EXPECT_FALSE(unyieldingAt(EquationsOfMotion(scene), 0, 3).attitude);
+}
+
 } // namespace
 } // namespace physics

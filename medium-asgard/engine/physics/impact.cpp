@@ -52,17 +52,6 @@ Response responseAt(const std::vector<ImpactBody>& bodies, std::size_t body, con
     return r;
 }
 
-// Forces that push and never pull; empty when none keep the contacts from being pushed in.
-std::vector<double> pushesOf(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
-    complementarity::Laws laws;
-    for (Eigen::Index i = 0; i < b.size(); ++i)
-        complementarity::addUnilateral(laws);
-    const auto answer = complementarity::solveConvex(a, b, laws);
-    if (!answer)
-        return {};
-    return {answer->forces.data(), answer->forces.data() + b.size()};
-}
-
 // Joints answer an impulse that has the effect c on their conditions by -(J W J')^+ c.
 class JointResponse {
 public:
@@ -490,35 +479,6 @@ ImpactResult resolveImpact(std::vector<ImpactBody> bodies, std::span<const Impac
     }
     result.jammed = rounds == most;
     result.settled = solveTogether(round, contacts, yielding, true, result);
-    return result;
-}
-
-RestingForces restingForces(const ImpactBody& body, const Vector& freeAcceleration,
-                            const Vector& freeAngularAcceleration,
-                            std::span<const RestingContact> contacts) {
-    const auto n = static_cast<Eigen::Index>(contacts.size());
-    Eigen::MatrixXd turning(n, 3), normals(n, 3);
-    Eigen::VectorXd free(n);
-    for (Eigen::Index i = 0; i < n; ++i) {
-        const RestingContact& c = contacts[static_cast<std::size_t>(i)];
-        normals.row(i) = c.normal;
-        turning.row(i) = (c.point - body.centre).cross(c.normal);
-        free[i] = c.normal.dot(freeAcceleration) + turning.row(i).dot(freeAngularAcceleration) +
-                  c.extraAcceleration;
-    }
-    const Eigen::MatrixXd moving = normals * body.moves.asDiagonal();
-    const Eigen::MatrixXd mobility = body.inverseMass * moving * moving.transpose() +
-                                     turning * body.inverseInertia * turning.transpose();
-    RestingForces result;
-    result.normalForces = pushesOf(mobility, free);
-    if (result.normalForces.empty())
-        result.normalForces.assign(contacts.size(), 0);
-    const Eigen::Map<const Eigen::VectorXd> forces(result.normalForces.data(), n);
-    result.acceleration = freeAcceleration + body.inverseMass * moving.transpose() * forces;
-    result.angularAcceleration =
-        freeAngularAcceleration + body.inverseInertia * (turning.transpose() * forces);
-    const Eigen::VectorXd gaps = mobility * forces + free;
-    result.gapAccelerations.assign(gaps.data(), gaps.data() + n);
     return result;
 }
 

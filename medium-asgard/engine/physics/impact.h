@@ -103,27 +103,4 @@ struct ImpactResult {
                                          std::span<const ImpactContact> contacts,
                                          std::span<const ImpactRow> joints = {});
 
-// Rest and sliding: one body on contacts with bodies of infinite mass.
-//
-// The smallest forces f >= 0 along the normals that keep it from being pushed in: with the normal
-// accelerations a_i(f) = a_i + A f,   f >= 0, a(f) >= 0, f . a(f) = 0.
-struct RestingContact {
-    Vector point = Vector::Zero();
-    Vector normal = Vector::UnitX(); // from the support to the body
-    // Acceleration of the contact's gap that is not the body's: the support's own, and the terms in
-    // velocities (turning of the normal, centripetal). Positive opens.
-    double extraAcceleration = 0;
-};
-
-struct RestingForces {
-    std::vector<double> normalForces;     // one per contact; 0: it opens
-    std::vector<double> gapAccelerations; // >= 0 up to round-off
-    Vector acceleration = Vector::Zero(); // of the centre of mass, with the forces
-    Vector angularAcceleration = Vector::Zero();
-};
-
-[[nodiscard]] RestingForces restingForces(const ImpactBody& body, const Vector& freeAcceleration,
-                                          const Vector& freeAngularAcceleration,
-                                          std::span<const RestingContact> contacts);
-
 } // namespace physics

@@ -365,21 +365,6 @@ TEST(Impact, EndsWhenLossyBouncingWouldNot) {
     EXPECT_LE(result.impulses.size(), 60U); // 20 rounds and four for each body
 }
 
-TEST(RestingForces, OfATableAreSharedEvenlyByItsFourFeet) {
-    ImpactBody table;
-    table.inverseMass = 0.5;
-    table.inverseInertia = Matrix::Identity();
-    std::vector<RestingContact> feet;
-    for (double x : {-1.0, 1.0})
-        for (double z : {-1.0, 1.0})
-            feet.push_back({{x, -1, z}, {0, 1, 0}, 0});
-    const auto forces = restingForces(table, {3, -10, 0}, {0, 0, 0}, feet);
-    for (double f : forces.normalForces)
-        EXPECT_NEAR(f, 5, 1e-12);
-    EXPECT_LT((forces.acceleration - Vector(3, 0, 0)).norm(), 1e-12); // slides without friction
-    EXPECT_LT(forces.angularAcceleration.norm(), 1e-12);
-}
-
 // A bar that lies with one end on the floor is hit at the other: that end is thrown up first, and
 // presses the resting one down, which then bounces; whatever an integration left that one of speed.
 TEST(Impact, WhatRestsTakesPartAfterTheBlow) {
@@ -423,41 +408,6 @@ TEST(Impact, WhatIsPressedTogetherMovesAsOne) {
     for (const ImpactBody& body : result.bodies)
         EXPECT_NEAR(body.velocity.x(), 0.25e-3, 1e-17);
     EXPECT_EQ(result.impulses.size(), contacts.size());
-}
-
-TEST(RestingForces, NeverPull) {
-    ImpactBody body;
-    body.inverseMass = 1;
-    body.inverseInertia = Matrix::Identity();
-    const std::vector<RestingContact> one{{{0, -1, 0}, {0, 1, 0}, 0}};
-    EXPECT_EQ(restingForces(body, {0, 2, 0}, {0, 0, 0}, one).normalForces[0], 0);
-    // Weight beyond the edge: the inner foot opens, the body tips over the outer one.
-    const std::vector<RestingContact> two{{{-2, -1, 0}, {0, 1, 0}, 0}, {{-1, -1, 0}, {0, 1, 0}, 0}};
-    const auto tips = restingForces(body, {0, -10, 0}, {0, 0, 0}, two);
-    EXPECT_EQ(tips.normalForces[0], 0);
-    EXPECT_NEAR(tips.normalForces[1], 5, 1e-12); // a = -10 + f, alpha = -f: -10 + f + f = 0
-    EXPECT_GT(tips.gapAccelerations[0], 0);
-}
-
-TEST(RestingForces, OfWhatIsHeldSidewaysCarryAllOfItsWeight) { // on a slope
-    ImpactBody body;
-    body.inverseMass = 1;
-    body.moves = {0, 1, 0};
-    const std::vector<RestingContact> slope{{{-0.6, -0.8, 0}, {0.6, 0.8, 0}, 0}};
-    const auto forces = restingForces(body, {0, -10, 0}, {0, 0, 0}, slope);
-    EXPECT_NEAR(forces.normalForces[0], 10 / 0.8, 1e-12);
-    EXPECT_LT(forces.acceleration.norm(), 1e-12);
-}
-
-TEST(RestingForces, BalanceAWedge) { // two planes at 45 degrees
-    ImpactBody ball;
-    ball.inverseMass = 1;
-    const double s = std::sqrt(0.5);
-    const std::vector<RestingContact> sides{{{-s, -s, 0}, {s, s, 0}, 0},
-                                            {{s, -s, 0}, {-s, s, 0}, 0}};
-    const auto forces = restingForces(ball, {0, -10, 0}, {0, 0, 0}, sides);
-    EXPECT_NEAR(forces.normalForces[0], 10 * s, 1e-12);
-    EXPECT_LT(forces.acceleration.norm(), 1e-12);
 }
 
 // A rod of 3 kg, 0.25 kg m2, on a hinge half a metre above its centre, and a ball of 1 kg that hits

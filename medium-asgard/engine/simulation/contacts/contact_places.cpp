@@ -186,9 +186,9 @@ private:
 };
 
 // A sphere of one of the two, by what keeps it at its distance.
-SurfaceGap roundGap(const Touch& touch, const physics::GapConstraint& of, const Placed& body,
+SurfaceGap roundGap(const Touch& touch, const Corner::Features& of, const Placed& body,
                     const Placed& support) {
-    using Of = physics::GapConstraint::Kind;
+    using Of = Corner::Features::Kind;
     SurfaceGap gap;
     gap.body.place = of.bodyPoint;
     gap.support.place = of.supportPoint;
@@ -200,9 +200,9 @@ SurfaceGap roundGap(const Touch& touch, const physics::GapConstraint& of, const 
     } else if (of.kind == Of::onBodyPlane) {
         gap.body.kind = Kind::plane;
         gap.body.axis = -of.normal;
-    } else if (of.kind == Of::roundOnLine) {
+    } else if (of.kind == Of::onLine) {
         gap.support.kind = Kind::line;
-        gap.support.axis = of.supportEdge;
+        gap.support.axis = of.edge;
     }
     return gap;
 }
@@ -458,7 +458,7 @@ std::optional<ContactPoint> pointAt(const Touch& touch, const Corner& corner, co
     }
     if (!touch.round.isBall)
         return Polyhedra(touch, body, support, limits.gap * touch.size).pointAt(corner);
-    point.gap = roundGap(touch, corner.constraint, body, support);
+    point.gap = roundGap(touch, corner.features, body, support);
     point.sides = sidesOfRound(touch, body, support);
     return point;
 }

@@ -37,12 +37,14 @@ std::set<std::size_t> ContactSet::island(std::set<std::size_t> bodies) const {
     return bodies;
 }
 
-void ContactSet::addSupports(std::map<std::size_t, std::vector<std::size_t>>& supports) const {
+std::map<std::size_t, std::vector<std::size_t>> ContactSet::supports() const {
+    std::map<std::size_t, std::vector<std::size_t>> supports;
     for (const Contact& contact : contacts_) {
         auto& known = supports[contact.of.place.body];
         if (std::ranges::find(known, contact.of.place.support) == known.end())
             known.push_back(contact.of.place.support);
     }
+    return supports;
 }
 
 std::vector<ContactSet::Parts> ContactSet::parts() const {

@@ -50,7 +50,7 @@ public:
         });
     }
     // By body on whom it lies or leans.
-    void addSupports(std::map<std::size_t, std::vector<std::size_t>>& supports) const;
+    [[nodiscard]] std::map<std::size_t, std::vector<std::size_t>> supports() const;
 
     struct Parts { // of two bodies in contact, since when
         std::size_t body = 0, bodyPart = 0, support = 0, supportPart = 0;

@@ -42,6 +42,12 @@ void Sides::moveAlong(const Vector& normal, double shift) {
     shift_ = shift;
 }
 
+double Sides::roomFor(double inside) const {
+    if (inside < 0)
+        return std::max(slack_ - 2 * inside, beside_ + slack_);
+    return inside > slack_ ? std::min(border_, slack_) : slack_;
+}
+
 void Sides::add(const Vector& inward, const Vector& on) {
     const double now = inward.dot(place_ - on);
     sides.push_back({.body = body_,
@@ -226,9 +232,10 @@ std::vector<ContactPoint::Side> sidesOfRound(const Touch& touch, const Placed& b
     const collision::Posed posed{.part = &polyhedron,
                                  .rotation = geometry::Matrix::Identity(),
                                  .offset = -flat.record->centroid};
-    const double border = resolution::ofPlaces * touch.size;
-    const collision::NearestFeature feature = collision::nearestFeature(posed, centre, border);
+    const collision::NearestFeature feature =
+        collision::nearestFeature(posed, centre, touch.round.border);
     Sides sides(flat.index, centre, touch.size);
+    sides.endAtBorders(2 * touch.round.border);
     if (feature.corners.size() > 2) {
         sides.addOutline(feature.corners, feature.normal);
         return sides.sides;

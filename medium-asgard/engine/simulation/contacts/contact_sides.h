@@ -9,7 +9,7 @@
 #include "contacts/touching.h"
 #include "physics/contact_rows.h"
 
-#include <algorithm>
+#include <limits>
 #include <vector>
 
 namespace simulation {
@@ -31,6 +31,9 @@ public:
     Sides(std::size_t body, const Vector& place, double size, double beside = 0)
         : body_(body), place_(place), slack_(sideSlack * size), beside_(beside) {}
 
+    // A place that is within its borders by more than the slack ends this far beyond them, which
+    // rounding needs: it comes to a border but once.
+    void endAtBorders(double rounding) { border_ = rounding; }
     // From here on a point that lies `shift` beside the place, along the contact's normal `normal`
     // (in this frame).
     void moveAlong(const Vector& normal, double shift);
@@ -47,12 +50,11 @@ public:
 private:
     std::size_t body_;
     Vector place_;
-    [[nodiscard]] double roomFor(double inside) const {
-        return inside < 0 ? std::max(slack_ - 2 * inside, beside_ + slack_) : slack_;
-    }
+    [[nodiscard]] double roomFor(double inside) const;
 
     double slack_, beside_;
     double shift_ = 0;
+    double border_ = std::numeric_limits<double>::infinity();
 };
 
 // A sphere on a polyhedron.

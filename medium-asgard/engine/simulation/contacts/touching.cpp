@@ -6,7 +6,6 @@
 #include "collision/nearest_feature.h"
 #include "collision/patch.h"
 #include "collision/separation.h"
-#include "contacts/gap_rates.h"
 #include "geometry/outline.h"
 #include "surfaces/hollow_walls.h"
 #include "surfaces/posed_parts.h"
@@ -24,8 +23,7 @@ namespace {
 using collision::Posed;
 using geometry::besideOutline;
 using geometry::Part;
-using physics::GapConstraint;
-using ConstraintKind = physics::GapConstraint::Kind;
+using FeatureKind = Corner::Features::Kind;
 
 bool isCurved(const Part& part) { return part.isCapsule() || (part.curved && !part.isPlane()); }
 
@@ -39,7 +37,7 @@ double sizeOf(const Part& part) {
 class Pairing {
 public:
     Pairing(const Placed& body, std::size_t bodyPart, const Placed& support,
-            std::size_t supportPart, double tolerance, std::span<const PartsInTouch> resting)
+            std::size_t supportPart, double tolerance)
         : body_(body), support_(support), origin_(body.state.position),
           first_(posed(body, bodyPart, origin_)), second_(posed(support, supportPart, origin_)) {
         touch.support = support.index;
@@ -49,10 +47,7 @@ public:
         touch.round.isCurved = isCurved(*first_.part) || isCurved(*second_.part);
         hasPlane_ = first_.part->isPlane() || second_.part->isPlane();
         touch.size = std::min(sizeOf(*first_.part), sizeOf(*second_.part));
-        const PartsInTouch parts{support.index, bodyPart, supportPart};
-        const bool isResting = std::ranges::find(resting, parts) != resting.end();
-        beside_ = tolerance * touch.size;
-        tolerance_ = beside_ * (isResting ? resolution::drifting : 1);
+        tolerance_ = tolerance * touch.size;
     }
 
     bool find() {
@@ -104,7 +99,7 @@ public:
 private:
     void addUnmodelled(const Vector& point) {
         touch.isModelled = false;
-        add(ConstraintKind::onSupportPlane, point, point, point, 0);
+        add(FeatureKind::onSupportPlane, point, point, point, 0);
         touch.corners.back().gap = touch.gap;
     }
     // Two faces that are next to parallel, at whose corner two corners touch, are one axis. LIMIT:
@@ -112,7 +107,8 @@ private:
     void addOthers() {
         constexpr double another = 0.995; // cosine
         std::vector<Vector> known{touch.normal};
-        for (const collision::Separation& axis : collision::axesOfTouch(first_, second_, beside_)) {
+        for (const collision::Separation& axis :
+             collision::axesOfTouch(first_, second_, tolerance_)) {
             const Vector& normal = axis.normal;
             const bool isNew = std::ranges::none_of(
                 known, [&](const Vector& k) { return k.dot(normal) > another; });
@@ -161,8 +157,8 @@ private:
         touch.corners.clear();
         touch.isModelled = false;
         for (const Vector& corner :
-             collision::patchOf(first_, second_, touch.normal, tolerance_, beside_).corners)
-            add(ConstraintKind::onSupportPlane, corner, corner, corner, 0);
+             collision::patchOf(first_, second_, touch.normal, tolerance_, tolerance_).corners)
+            add(FeatureKind::onSupportPlane, corner, corner, corner, 0);
     }
 
     static constexpr std::size_t enough = 16; // corners of a round patch
@@ -181,7 +177,7 @@ private:
         addWithin(support_, touch.supportPart, ofSupport_, body_, touch.bodyPart);
         for (const PiecePoint& point : crossings) {
             const Vector& at = point.at.contact;
-            add(ConstraintKind::onSupportPlane, at, at, ofSupport_[0], 0);
+            add(FeatureKind::onSupportPlane, at, at, ofSupport_[0], 0);
             touch.corners.back().gap = point.at.gap;
             touch.corners.back().pieces = point.gap;
         }
@@ -201,7 +197,7 @@ private:
                 continue;
             const Vector under =
                 onto(isBodys ? second_ : first_, isBodys ? ofSupport_ : ofBody_, corner);
-            add(ConstraintKind::onSupportPlane, corner, isBodys ? corner : under,
+            add(FeatureKind::onSupportPlane, corner, isBodys ? corner : under,
                 isBodys ? under : corner, 0);
         }
     }
@@ -219,10 +215,10 @@ private:
                 gap.body.radius > 0) {
                 const Vector on =
                     support_.state.position - origin_ + support_.state.attitude * gap.support.place;
-                add(ConstraintKind::onSupportPlane, at, point.at.place, on, gap.body.radius);
+                add(FeatureKind::onSupportPlane, at, point.at.place, on, gap.body.radius);
             } else {
                 touch.isModelled = false;
-                add(ConstraintKind::onSupportPlane, at, at, at, 0);
+                add(FeatureKind::onSupportPlane, at, at, at, 0);
             }
             touch.corners.back().gap = point.at.gap;
             touch.corners.back().pieces = gap;
@@ -265,10 +261,10 @@ private:
         const double coordinates = origin_.cwiseAbs().maxCoeff() +
                                    polyhedron.offset.cwiseAbs().maxCoeff() +
                                    (hasPlane_ ? 0 : sizeOf(*polyhedron.part));
+        touch.round.border = resolution::ofPlaces * coordinates;
         collision::NearestFeature feature =
-            collision::nearestFeature(polyhedron, place, resolution::ofPlaces * coordinates);
+            collision::nearestFeature(polyhedron, place, touch.round.border);
         touch.gap = feature.distance - centre.part->radius;
-        touch.round.isOnEdge = feature.corners.size() < 3;
         return feature;
     }
 
@@ -302,40 +298,31 @@ private:
                 : besideFace(ofSupport, true, same) <= besideFace(ofBody, false, same);
         const double gap = isSupports ? alongSupport : alongBody;
         const Vector& normal = isSupports ? ofSupport : ofBody;
-        if (gap >= touch.gap - beside_ && besideFace(normal, isSupports, tolerance_) <= beside_) {
+        if (gap >= touch.gap - tolerance_ &&
+            besideFace(normal, isSupports, tolerance_) <= tolerance_) {
             touch.normal = normal;
             touch.gap = gap;
         }
     }
 
     // Places here are relative to the origin, near both.
-    void add(ConstraintKind kind, const Vector& point, const Vector& bodyPoint,
+    void add(FeatureKind kind, const Vector& point, const Vector& bodyPoint,
              const Vector& supportPoint, double radius) {
         Corner corner;
         corner.point = origin_ + point;
-        GapConstraint& c = corner.constraint;
-        c.kind = kind;
-        c.support = support_.index;
-        c.bodyPoint = intoFrame(body_, origin_ + bodyPoint);
-        c.supportPoint = intoFrame(support_, origin_ + supportPoint);
-        c.radius = radius;
-        c.normal = turnedInto(kind == ConstraintKind::onBodyPlane ? body_ : support_, touch.normal);
-        if (kind == ConstraintKind::roundOnLine || kind == ConstraintKind::edgeOnEdge)
-            c.supportEdge =
-                turnedInto(support_, Vector(ofSupport_[1] - ofSupport_[0]).normalized());
-        if (kind == ConstraintKind::edgeOnEdge)
-            setCrossing(c);
-        c.supportTurns = support_.turns;
-        c.supportRotation = support_.state.attitude.toRotationMatrix();
-        measureGap(corner, touch, origin_ + bodyPoint, origin_ + supportPoint, body_, support_);
+        Corner::Features& of = corner.features;
+        of.kind = kind;
+        of.bodyPoint = intoFrame(body_, origin_ + bodyPoint);
+        of.supportPoint = intoFrame(support_, origin_ + supportPoint);
+        of.normal = turnedInto(kind == FeatureKind::onBodyPlane ? body_ : support_, touch.normal);
+        if (kind == FeatureKind::onLine)
+            of.edge = turnedInto(support_, Vector(ofSupport_[1] - ofSupport_[0]).normalized());
+        const bool isOnPlane =
+            kind == FeatureKind::onSupportPlane || kind == FeatureKind::onBodyPlane;
+        corner.gap = isOnPlane ? touch.normal.dot(bodyPoint - supportPoint) - radius : touch.gap;
+        corner.rate = touch.normal.dot(body_.state.velocityAt(corner.point) -
+                                       support_.state.velocityAt(corner.point));
         touch.corners.push_back(corner);
-    }
-
-    void setCrossing(GapConstraint& c) {
-        c.bodyEdge = turnedInto(body_, Vector(ofBody_[1] - ofBody_[0]).normalized());
-        const Vector across =
-            (body_.state.attitude * c.bodyEdge).cross(support_.state.attitude * c.supportEdge);
-        c.flipped = across.dot(touch.normal) < 0;
     }
 
     // A corner of a patch lies halfway between the surfaces: the point of a feature that is over or
@@ -360,19 +347,18 @@ private:
         const Vector centre = first_.world(0);
         const double radius = first_.part->radius;
         if (second_.part->isSphere())
-            return add(ConstraintKind::roundOnPoint, centre - radius * touch.normal, centre,
+            return add(FeatureKind::onPoint, centre - radius * touch.normal, centre,
                        second_.world(0), radius + second_.part->radius);
         collision::NearestFeature feature = under(first_, second_);
         touch.normal = feature.normal;
         ofSupport_ = std::move(feature.corners);
         const Vector place = centre - radius * touch.normal;
         if (ofSupport_.size() > 2) {
-            add(ConstraintKind::onSupportPlane, place, centre, ofSupport_[0], radius);
+            add(FeatureKind::onSupportPlane, place, centre, ofSupport_[0], radius);
         } else if (ofSupport_.size() == 2) {
-            touch.isModelled = !support_.turns;
-            add(ConstraintKind::roundOnLine, place, centre, ofSupport_[0], radius);
+            add(FeatureKind::onLine, place, centre, ofSupport_[0], radius);
         } else {
-            add(ConstraintKind::roundOnPoint, place, centre, ofSupport_[0], radius);
+            add(FeatureKind::onPoint, place, centre, ofSupport_[0], radius);
         }
     }
 
@@ -385,10 +371,9 @@ private:
         ofBody_ = std::move(feature.corners);
         const Vector place = centre + radius * touch.normal;
         if (ofBody_.size() > 2) {
-            add(ConstraintKind::onBodyPlane, place, ofBody_[0], centre, radius);
+            add(FeatureKind::onBodyPlane, place, ofBody_[0], centre, radius);
         } else {
-            touch.isModelled = ofBody_.size() == 1;
-            add(ConstraintKind::roundOnPoint, place, ofBody_[0], centre, radius);
+            add(FeatureKind::onPoint, place, ofBody_[0], centre, radius);
         }
     }
 
@@ -402,22 +387,22 @@ private:
     void addPatch() {
         const bool onFace = ofSupport_.size() > 2, byFace = ofBody_.size() > 2;
         const auto corners =
-            collision::patchOf(first_, second_, touch.normal, tolerance_, beside_).corners;
+            collision::patchOf(first_, second_, touch.normal, tolerance_, tolerance_).corners;
         touch.isFlat = onFace && byFace && corners.size() > 2;
         keepFaces();
         if (onFace || byFace) {
             for (const Vector& corner : corners)
                 if (onFace)
-                    add(ConstraintKind::onSupportPlane, corner, onto(first_, ofBody_, corner),
+                    add(FeatureKind::onSupportPlane, corner, onto(first_, ofBody_, corner),
                         ofSupport_[0], 0);
                 else
-                    add(ConstraintKind::onBodyPlane, corner, ofBody_[0],
+                    add(FeatureKind::onBodyPlane, corner, ofBody_[0],
                         onto(second_, ofSupport_, corner), 0);
         } else if (ofBody_.size() == 2 && ofSupport_.size() == 2 && corners.size() == 1) {
-            add(ConstraintKind::edgeOnEdge, corners[0], corners[0], corners[0], 0);
+            add(FeatureKind::onPoint, corners[0], corners[0], corners[0], 0);
         } else {
             touch.isModelled = false;
-            add(ConstraintKind::onSupportPlane, corners[0], corners[0], corners[0], 0);
+            add(FeatureKind::onSupportPlane, corners[0], corners[0], corners[0], 0);
         }
     }
 
@@ -426,7 +411,7 @@ private:
     const Placed& support_;
     Vector origin_;
     Posed first_, second_;
-    double tolerance_ = 0, beside_ = 0;
+    double tolerance_ = 0;
     bool hasPlane_ = false;
     std::vector<Vector> ofBody_, ofSupport_;
 };
@@ -456,14 +441,13 @@ const Touch* Touch::lasting(double speed) const {
     return found == nullptr ? this : found;
 }
 
-std::vector<Touch> touchesOf(const Placed& body, const Placed& support, double tolerance,
-                             std::span<const PartsInTouch> resting) {
+std::vector<Touch> touchesOf(const Placed& body, const Placed& support, double tolerance) {
     std::vector<Touch> touches;
     for (std::size_t i = 0; i < body.shape->parts.size(); ++i)
         for (std::size_t j = 0; j < support.shape->parts.size(); ++j) {
             if (body.shape->parts[i].isPlane() && support.shape->parts[j].isPlane())
                 continue; // each is everywhere
-            Pairing pairing(body, i, support, j, tolerance, resting);
+            Pairing pairing(body, i, support, j, tolerance);
             if (pairing.isHollow())
                 if (std::vector<Touch> found = pairing.atWall(); !found.empty()) {
                     std::ranges::move(found, std::back_inserter(touches));

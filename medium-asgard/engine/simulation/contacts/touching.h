@@ -1,21 +1,17 @@
 // Where does a body touch a support, and how does each gap there change?
 //
 // For a body at rest the question is another than for a hit: the shapes touch for long, within a
-// tolerance that is the integration's and not rounding's, and it counts which features bear.
-// For each corner of the patch in which two parts touch: the constraint that keeps its gap
-// (physics/resting.h), and how that gap changes (gap_rates.h).
+// tolerance that is the integration's and not rounding's, and it counts which features bear. The
+// patch in which two parts touch has corners: of each its gap and how fast that changes.
 //
 // A sphere touches the feature in whose cell its centre lies (collision/nearest_feature.h).
 // Where edges or vertices touch, the parts may touch along several axes at once, and stay apart as
 // long as they do along one of them (collision/contact.h). Then each is told.
 //
 // Of what is curved each corner has the pieces of the surfaces that touch there (surface_pieces.h).
-// LIMIT: of these, capsules on flat faces and round ends that lie flat have constraints; contacts
-// as rows (contact_set.h) have all. LIMIT: vertices and parallel edges on each other, an edge of
-// the body on a sphere, and spheres on edges of a support that turns have no constraint.
+// LIMIT: vertices, or parallel edges, that touch each other have no contact that lasts.
 #pragma once
 
-#include "physics/resting.h"
 #include "physics/surface_gap.h"
 #include "surfaces/contact_resolution.h"
 #include "surfaces/placed.h"
@@ -34,9 +30,22 @@ namespace simulation {
 struct Corner {
     Vector point = Vector::Zero(); // world
     double gap = 0;
-    double rate = 0;  // of the gap; negative: they approach
-    double extra = 0; // of the gap's acceleration
-    physics::GapConstraint constraint;
+    double rate = 0; // of the gap; negative: they approach
+    // What touches there, of spheres: each in the frame of the body that it belongs to, points from
+    // its centre of mass.
+    struct Features {
+        enum class Kind {
+            onSupportPlane, // a point of the body (a sphere's centre) on a plane of the support
+            onBodyPlane,    // a point of the support on a plane of the body
+            onLine,         // a sphere's centre on an edge of the support
+            onPoint         // ... on a point of it (its own sphere's centre, a vertex)
+        };
+        Kind kind = Kind::onSupportPlane;
+        Vector bodyPoint = Vector::Zero(), supportPoint = Vector::Zero();
+        Vector normal = Vector::UnitX(); // from the support to the body, of the plane's owner
+        Vector edge = Vector::Zero();    // onLine
+    };
+    Features features;
     std::optional<physics::SurfaceGap> pieces; // of what is curved
 };
 
@@ -49,7 +58,7 @@ struct Touch { // of one pair of parts
     bool isModelled = true;
     struct Roundness {
         bool isBall = false;   // one of the two is a sphere
-        bool isOnEdge = false; // ... on an edge or a vertex
+        double border = 0;     // so far beyond the border of a face, by rounding, is on the face
         bool isCurved = false; // one of the two is a capsule, cylinder, cone or ellipsoid
         bool isPatch = false;  // ... whose end lies on a face, many corners go round its rim
         double reach = 0; // of such a patch, the mean distance from its middle; 0: of its corners
@@ -70,16 +79,9 @@ struct Touch { // of one pair of parts
     [[nodiscard]] const Touch* lasting(double speed) const;
 };
 
-struct PartsInTouch {
-    std::size_t support = 0, bodyPart = 0, supportPart = 0;
-    auto operator<=>(const PartsInTouch&) const = default;
-};
-
 // The touch of all pairs of parts whose gap is below `tolerance` of their size, however deep they
-// overlap up to ten times that. Of those that rest on each other already, corners count up to four
-// times as far: a drift by the integration's error is put back (rest.h), and opens nothing.
+// overlap up to ten times that.
 [[nodiscard]] std::vector<Touch> touchesOf(const Placed& body, const Placed& support,
-                                           double tolerance,
-                                           std::span<const PartsInTouch> resting = {});
+                                           double tolerance);
 
 } // namespace simulation

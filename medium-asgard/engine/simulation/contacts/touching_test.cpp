@@ -3,7 +3,6 @@
 
 #include "contacts/colliders.h"
 #include "contacts/contact_places.h"
-#include "contacts/rest.h"
 #include "run/problem.h"
 #include "simulation/testing.h"
 
@@ -42,22 +41,10 @@ protected:
         made.record = &world->records[body];
         made.shape = &world->moving[body].shape();
         made.state = {.position = position, .velocity = velocity};
-        made.turns = body != 0;
         return made;
     }
     [[nodiscard]] std::vector<Touch> touches(const Placed& body) const {
         return touchesOf(body, placed(0, world->records[0].start.position), tolerance);
-    }
-    [[nodiscard]] Rest rest(const Placed& body, const Vector& acceleration) const {
-        RestQuestion question;
-        question.body = body;
-        question.mobility = {.inverseMass = 1, .inverseInertia = geometry::Matrix::Identity()};
-        question.mobility.centre = body.state.position;
-        question.mobility.velocity = body.state.velocity;
-        question.free = {.linear = acceleration};
-        question.supports = {placed(0, world->records[0].start.position)};
-        question.supportMobility = {{}};
-        return restOf(question, world->resolution[1], {"floor", "body"});
     }
     std::shared_ptr<Problem> problem;
     std::optional<Colliders> world;
@@ -74,7 +61,6 @@ TEST_F(Touching, ABoxThatLiesFlatTouchesWithFourCorners) {
     for (const Corner& corner : found[0].corners) {
         EXPECT_NEAR(corner.gap, 0, 1e-15);
         EXPECT_NEAR(corner.rate, -0.25, 1e-15); // sliding along changes no gap
-        EXPECT_NEAR(corner.extra, 0, 1e-15);
         EXPECT_NEAR(std::abs(corner.point.x()), 1, 1e-15);
     }
     EXPECT_NEAR(found[0].rate(), -0.25, 1e-15);
@@ -86,27 +72,23 @@ TEST_F(Touching, NothingThatIsFartherThanTheTolerance) {
     EXPECT_EQ(touches(placed(1, {0, 0.5 - 1e-8, 0})).size(), 1u); // it overlaps by an error
 }
 
-// A corner of a box that turns about it goes round: its gap accelerates towards the axis.
-TEST_F(Touching, ATurningBoxHasCentripetalCorners) {
+TEST_F(Touching, ATurningBoxHasCornersThatRiseAndSink) {
     boxOnFloor();
     Placed box = placed(1, {0, 0.5, 0});
     box.state.angularVelocity = {0, 0, 2};
     for (const Touch& touch : touches(box))
         for (const Corner& corner : touch.corners) {
             EXPECT_NEAR(corner.rate, 2 * corner.point.x(), 1e-14);
-            EXPECT_NEAR(corner.extra, 2 * 2 * 0.5, 1e-14); // w^2 r, upwards
         }
 }
 
-// Of a ball on a ball: |u|^2 / R, u the speed across the normal and R the sum of the radii.
-TEST_F(Touching, ABallThatPassesAnotherParts) {
+TEST_F(Touching, ABallThatPassesAnotherNeitherPartsNorApproaches) {
     ballOnBall();
     const auto found = touches(placed(1, {0, 2, 0}, {3, 0, 0}));
     ASSERT_EQ(found.size(), 1u);
     EXPECT_TRUE(found[0].round.isBall);
     ASSERT_EQ(found[0].corners.size(), 1u);
     EXPECT_NEAR(found[0].corners[0].rate, 0, 1e-15);
-    EXPECT_NEAR(found[0].corners[0].extra, 9.0 / 2, 1e-14);
 }
 
 // The edge of a box goes up at one end and down at the other, under a ball at its middle.
@@ -145,28 +127,6 @@ TEST_F(Touching, OfTwoFacesThatUnderWhichTheOtherLies) {
         ASSERT_EQ(found.size(), 1u);
         EXPECT_LT(std::abs(found[0].normal.x()), 1e-12) << "the lower box's face, which is level";
     }
-}
-
-TEST_F(Touching, ABoxBearsOnAFloorThatItIsPressedOnto) {
-    boxOnFloor();
-    const Rest down = rest(placed(1, {0, 0.5, 0}), {0, -g, 0});
-    EXPECT_EQ(down.state, Rest::State::bearing);
-    ASSERT_EQ(down.footings.size(), 1u);
-    EXPECT_EQ(down.footings[0].support, 0u);
-    EXPECT_EQ(down.footings[0].constraints.size(), 3u); // one distance, two turns
-    EXPECT_TRUE(down.bearsLike(rest(placed(1, {3, 0.5, 1}), {0, -g, 0})));
-    EXPECT_EQ(rest(placed(1, {0, 0.5, 0}), {0, 1, 0}).state, Rest::State::free);
-    EXPECT_EQ(rest(placed(1, {0, 0.5, 0}, {0, 1, 0}), {0, -g, 0}).state, Rest::State::free);
-}
-
-// Faster than that its way curves less than the ball below it.
-TEST_F(Touching, ABallLeavesABallWhereItIsTooFast) {
-    ballOnBall();
-    const double most = std::sqrt(g * 2);
-    EXPECT_EQ(rest(placed(1, {0, 2, 0}, {0.999 * most, 0, 0}), {0, -g, 0}).state,
-              Rest::State::bearing);
-    EXPECT_EQ(rest(placed(1, {0, 2, 0}, {1.001 * most, 0, 0}), {0, -g, 0}).state,
-              Rest::State::free);
 }
 
 // A box on its edge, which juts out beyond the side of the box below: the edge is carried by its

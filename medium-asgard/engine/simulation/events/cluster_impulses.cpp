@@ -146,8 +146,8 @@ physics::ImpactResult resolve(ImpactCluster& cluster, const std::vector<ImpactBo
 }
 
 bool cannotPart(const Instant& instant, const Pair& pair) {
-    if (instant.resting.isFree(pair.first, instant.time) ||
-        instant.resting.isFree(pair.second, instant.time))
+    if (instant.mobility.isFree(pair.first, instant.time) ||
+        instant.mobility.isFree(pair.second, instant.time))
         return false;
     const ImpactCluster cluster = clusterAt(instant, pair);
     const auto bodies = bodiesOf(instant, cluster);

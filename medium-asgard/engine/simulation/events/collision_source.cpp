@@ -13,7 +13,8 @@ CollisionSource::CollisionSource(const Collision& of, double start, double finis
                                  std::function<bool()> cancelled)
     : world_(of.scene, of.equations, of.shapes, start, std::move(resolution)), finish_(finish),
       cancelled_(std::move(cancelled)), readers_(of.equations, world_.records, start),
-      resting_(world_, finish), search_(world_, resting_), releases_(of.scene, of.equations, start),
+      contacts_(world_), mobility_(world_, contacts_, finish),
+      search_(world_, contacts_, mobility_), releases_(of.scene, of.equations, start),
       flights_(world_, search_, readers_, record_), counts_(world_.records.size(), start),
       walls_(world_) {}
 
@@ -30,23 +31,15 @@ std::optional<solution::Event> CollisionSource::next(const Histories& histories,
             search_.release(releases_.take(histories, *released), *released);
             continue;
         }
-        std::optional<RestingBodies::Change> change;
-        if (resting_.isAnyResting())
-            change = resting_.firstChange(histories, std::min(next.time, until), until, search_);
         // A contact that holds to the finish holds at the finish.
         std::optional<ContactSet::Change> ended;
-        if (!resting_.contacts().empty())
-            ended = resting_.contacts().firstChange(histories, std::min(next.time, until));
-        const double horizon = std::min(
-            {next.time, until, ended ? ended->time : until, change ? change->time : until});
+        if (!contacts_.empty())
+            ended = contacts_.firstChange(histories, std::min(next.time, until));
+        const double horizon = std::min({next.time, until, ended ? ended->time : until});
         if (auto event = crossWall(histories, horizon))
             return announced(std::move(*event));
-        if (ended && ended->time < finish_ && !(change && change->time < ended->time) &&
-            !(next.isHit && next.time <= ended->time))
+        if (ended && ended->time < finish_ && !(next.isHit && next.time <= ended->time))
             return announced(renewContacts(at(histories, ended->time), ended->bodies));
-        const bool changes = change && change->time < finish_;
-        if (changes && !(next.isHit && next.time <= change->time))
-            return announced(stir(at(histories, change->time), change->body));
         if (next.isHit ? next.time > until : next.time >= until)
             return std::nullopt;
         if (!next.isHit) {
@@ -67,8 +60,7 @@ std::optional<solution::Event> CollisionSource::next(const Histories& histories,
 
 // The body stands where its motion has ended.
 void CollisionSource::stand(const Histories& histories, std::size_t body, double time) {
-    resting_.forget(body);
-    resting_.contacts().forget(body);
+    contacts_.forget(body);
     const double end = search_.endOf(histories, body).value_or(time);
     const BodyState last = stateOf(world_.records[body], histories, end);
     world_.moving[body].standAt({last.position, last.attitude});
@@ -80,7 +72,6 @@ std::optional<solution::Event> CollisionSource::renew(const Histories& histories
     search_.renew(histories, renewal_);
     if (renewal_.ended)
         stand(histories, renewal_.body, now.time);
-    lookAtJoined(now.time);
     std::optional<Event> lost;
     for (const auto& [pair, depth] : search_.takeOverlaps()) {
         if (const auto sentence = unmodelledOf(now, pair); sentence && !lost)
@@ -99,32 +90,23 @@ std::optional<solution::Event> CollisionSource::renew(const Histories& histories
 
 // Since either was last taken hold of or let go: in an impact, or in a contact that lasted.
 bool CollisionSource::hasMet(const Instant& now, const Pair& pair) const {
-    const double since = std::max(resting_.lastPhase(pair.first, now.time),
-                                  resting_.lastPhase(pair.second, now.time));
+    const double since = std::max(mobility_.lastPhase(pair.first, now.time),
+                                  mobility_.lastPhase(pair.second, now.time));
     return (now.givesWay(pair.first) || now.givesWay(pair.second)) &&
            (record_.haveMet(pair, since) || contactLog().hasHad(pair, since));
 }
 
-// Resting bodies look at who came near them.
-void CollisionSource::lookAtJoined(double time) {
-    for (const std::size_t joined : renewal_.joined)
-        for (const std::size_t body : {renewal_.body, joined})
-            if (resting_.isResting(body))
-                resting_.lookAgain(std::span(&body, 1), time);
-}
-
 void CollisionSource::lengthen(double finish) {
     finish_ = finish;
-    resting_.lengthen(finish);
+    mobility_.lengthen(finish);
 }
 
 // A body that is in contact with a hollow one comes to lie across its wall.
 std::optional<solution::Event> CollisionSource::crossWall(const Histories& histories,
                                                           double until) {
-    const auto crossing =
-        walls_.first(resting_.contacts(), until, [&](std::size_t body, double time) {
-            return at(histories, time).placed(body);
-        });
+    const auto crossing = walls_.first(contacts_, until, [&](std::size_t body, double time) {
+        return at(histories, time).placed(body);
+    });
     if (!crossing)
         return std::nullopt;
     return end(at(histories, crossing->time), crossing->bodies,
@@ -135,11 +117,10 @@ std::optional<solution::Event> CollisionSource::crossWall(const Histories& histo
 // them no longer holds.
 void CollisionSource::cut(const Event& event) {
     std::vector<std::size_t> cut = readers_.cutBy(event);
-    if (!resting_.contacts().empty()) {
-        const auto together = resting_.contacts().island({cut.begin(), cut.end()});
+    if (!contacts_.empty()) {
+        const auto together = contacts_.island({cut.begin(), cut.end()});
         cut.assign(together.begin(), together.end());
     }
-    resting_.lookAgain(cut, event.time);
     walls_.cut(event.time);
     releases_.cut(event.time);
     for (const std::size_t body : cut)
@@ -154,8 +135,7 @@ solution::Event CollisionSource::announced(Event event) {
 
 // A blow reads which contacts hold, and how near and how fast all is, from places and velocities.
 bool CollisionSource::isOffConditions(const Histories& histories, const Found& hit) {
-    if (!turns_ ||
-        !(resting_.contacts().isIn(hit.pair.first) || resting_.contacts().isIn(hit.pair.second)))
+    if (!turns_ || !(contacts_.isIn(hit.pair.first) || contacts_.isIn(hit.pair.second)))
         return false;
     const std::vector<std::size_t> unknowns = at(histories, hit.time).unknownsOf(hit.pair);
     const auto end = turns_->approach(hit.time, unknowns);
@@ -164,15 +144,12 @@ bool CollisionSource::isOffConditions(const Histories& histories, const Found& h
     return end.has_value();
 }
 
-void CollisionSource::apply(const Histories& histories, const Event& event,
+void CollisionSource::apply(const Histories& /*histories*/, const Event& event,
                             solution::EquationsInForce& equations, solution::Changes& changes) {
     changes.jumps = outcome_.jumps;
     changes.ends = outcome_.ends;
-    for (const Outcome::Resting& resting : outcome_.rests)
-        resting_.write(histories, resting.body, event.time, resting.state, resting.rest,
-                       equations.changing(), changes);
     if (outcome_.isContactsNew)
-        resting_.contacts().write(event.time, equations, changes);
+        contacts_.write(event.time, equations, changes);
 }
 
 } // namespace simulation

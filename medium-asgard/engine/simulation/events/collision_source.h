@@ -5,7 +5,7 @@
 //
 //     next(known):
 //         until the front reaches `known`: the earliest of
-//             the support of a resting body changes: an event of its own (resting_bodies.h)
+//             a contact that lasts ends: an event of its own (contact_set.h)
 //             two bodies meet: gather all that touches at that instant, solve the impact;
 //                 some impulse: that is the event; else the search goes on from there
 //             the window of a body ends: its next one is searched
@@ -70,9 +70,9 @@ public:
     [[nodiscard]] const CollisionRecord& record() const { return record_; }
     // By body that rests or slides where the search stands: on what.
     [[nodiscard]] std::map<std::size_t, std::vector<std::size_t>> supports() const {
-        return resting_.supports();
+        return contacts_.supports();
     }
-    [[nodiscard]] const ContactLog& contactLog() const { return resting_.contacts().log(); }
+    [[nodiscard]] const ContactLog& contactLog() const { return contacts_.log(); }
     [[nodiscard]] std::size_t pairTests() const { return search_.pairTests(); }
     // Pairs of bodies, the lesser first, that came near each other; in order.
     [[nodiscard]] std::vector<Pair> candidates() { return search_.pairs(); }
@@ -82,7 +82,7 @@ private:
     using Histories = solution::Histories;
 
     [[nodiscard]] Instant at(const Histories& histories, double time) const {
-        return {world_, resting_, search_, histories, time};
+        return {world_, contacts_, mobility_, search_, histories, time};
     }
     [[nodiscard]] Event announced(Event event);
     void cut(const Event& event);
@@ -93,7 +93,6 @@ private:
     [[nodiscard]] std::optional<Event> renew(const Histories& histories);
     [[nodiscard]] bool hasMet(const Instant& instant, const Pair& pair) const;
     void stand(const Histories& histories, std::size_t body, double time);
-    void lookAtJoined(double time);
 
     // The outcome of a hit: an event to be announced, or none, and the search goes on from there;
     // or all is done.
@@ -109,24 +108,18 @@ private:
     // Both are held, and no impulse at their contact parts them.
     void passThrough(const Instant& instant, const Pair& pair);
     [[nodiscard]] std::optional<Event> press(const Instant& instant, const Pair& pair);
-    [[nodiscard]] Event stir(const Instant& instant, std::size_t body);
     // Contacts of these bodies that last from now on; forced: though they be the same as before.
     void settle(const Instant& instant, std::span<const std::size_t> bodies,
-                const RestingBodies::States& states, Event& event, bool isForced = false);
-    // False: its contacts cannot be those of one body.
-    [[nodiscard]] bool settleAlone(const Instant& instant, std::size_t body,
-                                   const RestingBodies::States& states, Event& event);
+                const ChangedStates& states, Event& event, bool isForced = false);
     // `entering`: speeds before the blow; `plane`: in which points lie.
     [[nodiscard]] std::vector<LastingContact>
-    contactsBetween(const Instant& instant, const Pair& pair, const RestingBodies::States& states,
+    contactsBetween(const Instant& instant, const Pair& pair, const ChangedStates& states,
                     double entering, const std::optional<MotionPlane>& plane) const;
     [[nodiscard]] std::vector<std::size_t> together(std::set<std::size_t> bodies,
                                                     std::span<const LastingContact> found) const;
     [[nodiscard]] std::vector<LastingContact> contactsOf(const Instant& instant,
                                                          std::span<const std::size_t> bodies,
-                                                         const RestingBodies::States& states) const;
-    [[nodiscard]] bool needsRows(const Instant& instant, std::size_t body,
-                                 const RestingBodies::States& states) const;
+                                                         const ChangedStates& states) const;
     // Of a pair with a hollow part: what of it is not modelled, and why not.
     [[nodiscard]] std::optional<std::string> unmodelledOf(const Instant& instant,
                                                           const Pair& pair) const;
@@ -148,7 +141,8 @@ private:
     double finish_;
     std::function<bool()> cancelled_; // then next() answers early, and nobody reads it
     BodyReaders readers_;
-    RestingBodies resting_;
+    ContactSet contacts_;
+    Mobility mobility_;
     EncounterSearch search_;
     EncounterSearch::Renewal renewal_;
     Releases releases_;

@@ -20,21 +20,6 @@ using solution::Event;
 
 namespace {
 
-// A ball that lets go has no speed along the normals of what bore it, but for what the integration
-// errs in it; with that it might hit what it leaves.
-RestingBodies::States leaving(const Instant& at, std::size_t body, const Rest& rest) {
-    if (!rest.footings.empty() || !at.world.isBall(body))
-        return {};
-    const BodyState now = at.stateOf(body), bearing = at.bearingState(body);
-    const double radius = at.world.records[body].radius;
-    const double change = (bearing.velocity - now.velocity).norm() +
-                          (bearing.angularVelocity - now.angularVelocity).norm() * radius;
-    const double speed = now.velocity.norm() + now.angularVelocity.norm() * radius;
-    if (change > at.world.resolution[body].gap * speed)
-        return {};
-    return {{body, bearing}};
-}
-
 // Nothing approaches: rates at which a gap does not change are rounding.
 bool isStill(const Instant& at, const ImpactCluster& cluster,
              std::span<const physics::ImpactBody> bodies) {
@@ -100,10 +85,10 @@ CollisionSource::Handled CollisionSource::handle(const Histories& histories, con
         return std::move(*handled);
     if (auto event = meet(now, pair))
         return {std::move(event)};
-    if (auto event = press(now, pair))
-        return {std::move(event)};
     if (cannotPart(now, pair))
         passThrough(now, pair);
+    else if (auto event = press(now, pair))
+        return {std::move(event)};
     return {};
 }
 
@@ -128,7 +113,6 @@ std::optional<CollisionSource::Handled> CollisionSource::meetInFlight(const Inst
     if (hit->event)
         return Handled{.event = std::move(hit->event), .isDone = false};
     search_.goOn(pair, at.time, renewal_);
-    lookAtJoined(at.time);
     return Handled{.event = {}, .isDone = true};
 }
 
@@ -159,11 +143,9 @@ Event CollisionSource::end(const Instant& at, const Pair& pair, const std::strin
 // Their motion ends, with that of all in contact with them: nothing changes any more in how they
 // bear.
 void CollisionSource::forget(const Instant& at, const Pair& pair) {
-    for (const std::size_t body : resting_.contacts().island({pair.first, pair.second}))
-        if (at.canGiveWay(body)) {
-            resting_.forget(body);
-            resting_.contacts().forget(body);
-        }
+    for (const std::size_t body : contacts_.island({pair.first, pair.second}))
+        if (at.canGiveWay(body))
+            contacts_.forget(body);
 }
 
 std::optional<Event> CollisionSource::meet(const Instant& at, const Pair& pair) {
@@ -184,12 +166,12 @@ std::optional<Event> CollisionSource::meet(const Instant& at, const Pair& pair) 
     keepImpulses(at, cluster, result, last.settling);
     Event event{.time = at.time, .touched = {}, .tag = 0};
     outcome_ = {};
-    RestingBodies::States after;
+    ChangedStates after;
     for (std::size_t i = 0; i < cluster.bodies.size(); ++i) {
         const std::size_t body = cluster.bodies[i];
         if (world_.isFixed(body))
             continue;
-        after[body] = at.bearingState(body);
+        after[body] = at.stateOf(body);
         after[body].velocity = result.bodies[i].velocity;
         after[body].angularVelocity = result.bodies[i].angularVelocity;
         if (before[i].velocity != result.bodies[i].velocity ||
@@ -203,9 +185,8 @@ std::optional<Event> CollisionSource::meet(const Instant& at, const Pair& pair) 
     });
     std::vector<std::size_t> settling;
     for (const auto& [body, state] : after) {
-        const bool mayLeavePlane =
-            !cluster.plane && resting_.contacts().isAnyInPlane(std::array{body});
-        if (at.canGiveWay(body) && (isPlastic || resting_.isResting(body) || mayLeavePlane))
+        const bool mayLeavePlane = !cluster.plane && contacts_.isAnyInPlane(std::array{body});
+        if (at.canGiveWay(body) && (isPlastic || contacts_.isIn(body) || mayLeavePlane))
             settling.push_back(body);
     }
     settle(at, settling, after, event, true);
@@ -220,56 +201,18 @@ void CollisionSource::refuse(const Instant& at, const Pair& pair, const std::str
     forget(at, pair);
 }
 
-// Friction, a support that gives way, a joint, what rolls on a side or a rim, or a body between
-// several planes, as a ladder: one equation for each body does not do. A body that has met one that
-// gives way may come to lie on it, or under it.
-bool CollisionSource::needsRows(const Instant& at, std::size_t body,
-                                const RestingBodies::States& states) const {
-    if (resting_.contacts().isIn(body))
-        return true;
-    const bool hasCompany = std::ranges::any_of(search_.partners(body), [&](std::size_t other) {
-        return at.canGiveWay(other) && record_.haveMet(std::minmax(body, other), world_.start);
-    });
-    const Placed placed = at.placed(body, states);
-    std::optional<Vector> normal; // of what it touches along one axis
-    for (const std::size_t other : search_.partners(body)) {
-        const physics::ContactFriction friction = world_.frictionOf(body, other);
-        const bool isAsked = hasCompany || friction.sticking > 0 || friction.rolling > 0 ||
-                             at.canGiveWay(other) || resting_.contacts().isIn(other) ||
-                             world_.joints.isJoined(body) || world_.pairs.isNamed(body, other);
-        if (resting_.hopForEver(body, other, at.time))
-            continue;
-        const auto touches =
-            touchesOf(placed, at.placed(other, states), world_.resolution[body].gap);
-        for (const Touch& touch : touches) {
-            if (isAsked || touch.round.isCurved)
-                return true;
-            const Touch* lasting = touch.lasting(
-                std::max(resolution::rattled * speedOf(placed),
-                         resolution::noRate * world_.smallerRadius(std::minmax(body, other))));
-            if (lasting == nullptr)
-                continue;
-            if (!lasting->isModelled || (normal && !isOneNormal(*normal, lasting->normal)))
-                return true;
-            normal = lasting->normal;
-        }
-    }
-    return false;
-}
-
 std::vector<LastingContact>
-CollisionSource::contactsBetween(const Instant& at, const Pair& pair,
-                                 const RestingBodies::States& states, double entering,
-                                 const std::optional<MotionPlane>& plane) const {
+CollisionSource::contactsBetween(const Instant& at, const Pair& pair, const ChangedStates& states,
+                                 double entering, const std::optional<MotionPlane>& plane) const {
     const auto [first, second] = world_.bodyAndSupport(pair);
     const Placed a = at.placed(first, states), b = at.placed(second, states);
     const TouchLimits limits{
         .gap = std::min(world_.resolution[first].gap, world_.resolution[second].gap),
         .slow = std::max(resolution::rattled * std::max({entering, speedOf(a), speedOf(b)}),
                          resolution::noRate * world_.smallerRadius(pair)),
-        .wereInContact = resting_.contacts().areIn(first, second),
+        .wereInContact = contacts_.areIn(first, second),
         .isStart = at.time == world_.start,
-        .stands = resting_.contacts().standsOf(at.histories, first, second, at.time),
+        .stands = contacts_.standsOf(at.histories, first, second, at.time),
         .plane = plane};
     std::vector<LastingContact> found = lastingContacts(a, b, limits);
     for (LastingContact& contact : found) {
@@ -287,7 +230,7 @@ CollisionSource::contactsBetween(const Instant& at, const Pair& pair,
 std::vector<std::size_t> CollisionSource::together(std::set<std::size_t> bodies,
                                                    std::span<const LastingContact> found) const {
     for (std::size_t before = 0; before != bodies.size();) {
-        bodies = resting_.contacts().island(std::move(bodies));
+        bodies = contacts_.island(std::move(bodies));
         before = bodies.size();
         for (const LastingContact& contact : found)
             for (const auto& [one, other] : {std::pair(contact.place.body, contact.place.support),
@@ -301,7 +244,7 @@ std::vector<std::size_t> CollisionSource::together(std::set<std::size_t> bodies,
 // Points are in a plane where all that hangs together moves in it.
 std::vector<LastingContact> CollisionSource::contactsOf(const Instant& at,
                                                         std::span<const std::size_t> bodies,
-                                                        const RestingBodies::States& states) const {
+                                                        const ChangedStates& states) const {
     double entering = 0; // what a blow leaves of it is rounding, also of bodies that it has stopped
     for (const auto& [body, after] : states)
         entering = std::max(entering, speedOf(at.placed(body)));
@@ -314,7 +257,7 @@ std::vector<LastingContact> CollisionSource::contactsOf(const Instant& at,
     for (const std::size_t body : bodies)
         for (const std::size_t other : search_.partners(body)) {
             const Pair pair = std::minmax(body, other);
-            if (!seen.insert(pair).second || resting_.hopForEver(body, other, at.time))
+            if (!seen.insert(pair).second || mobility_.hopForEver(body, other, at.time))
                 continue;
             planes[pair] = at.planeOf(std::array{pair.first, pair.second}, states);
             add(contactsBetween(at, pair, states, entering, planes[pair]));
@@ -333,47 +276,37 @@ std::vector<LastingContact> CollisionSource::contactsOf(const Instant& at,
 }
 
 void CollisionSource::settle(const Instant& at, std::span<const std::size_t> bodies,
-                             const RestingBodies::States& states, Event& event, bool isForced) {
+                             const ChangedStates& states, Event& event, bool isForced) {
+    std::vector<LastingContact> contacts = contactsOf(at, bodies, states);
     std::vector<std::size_t> together;
     for (const std::size_t body : bodies)
-        if (needsRows(at, body, states))
-            together.push_back(body);
-    for (const std::size_t body : bodies)
-        if (std::ranges::find(together, body) == together.end() &&
-            !settleAlone(at, body, states, event))
+        if (contacts_.isIn(body) ||
+            std::ranges::any_of(contacts, [&](const LastingContact& contact) {
+                return contact.place.body == body || contact.place.support == body;
+            }))
             together.push_back(body);
     if (together.empty())
         return;
-    std::vector<LastingContact> contacts = contactsOf(at, together, states);
     if (std::ranges::any_of(contacts, [](const auto& contact) { return !contact.isInPlane; }))
         if (const auto all = this->together({together.begin(), together.end()}, contacts);
-            all.size() > together.size() && resting_.contacts().isAnyInPlane(all)) {
+            all.size() > together.size() && contacts_.isAnyInPlane(all)) {
             together = all; // contacts that were in a plane are no longer
             contacts = contactsOf(at, together, states);
         }
     for (const LastingContact& contact : contacts)
-        for (const std::size_t body : {contact.place.body, contact.place.support}) {
-            if (!contact.isModelled) {
-                const Pair pair{contact.place.body, contact.place.support};
-                const bool isRim = world_.isHollow(pair.first) || world_.isHollow(pair.second);
-                return refuse(at, pair,
-                              isRim ? sentences::onRim(world_, pair)
-                                    : sentences::onlyEdges(world_, pair),
-                              event);
-            }
-            if (resting_.restsAlone(body))
-                together.push_back(body);
+        if (!contact.isModelled) {
+            const Pair pair{contact.place.body, contact.place.support};
+            const bool isRim = world_.isHollow(pair.first) || world_.isHollow(pair.second);
+            return refuse(
+                at, pair,
+                isRim ? sentences::onRim(world_, pair) : sentences::onlyEdges(world_, pair), event);
         }
-    const bool didRest = std::ranges::any_of(
-        together, [this](std::size_t body) { return resting_.restsAlone(body); });
-    if (!isForced && !didRest && resting_.contacts().isLike(together, contacts))
+    if (!isForced && contacts_.isLike(together, contacts))
         return;
-    for (const std::size_t body : together)
-        resting_.forget(body);
-    resting_.contacts().set(together, std::move(contacts), at.time,
-                            [&](std::size_t body) { return resting_.nextPhase(body, at.time); });
+    contacts_.set(together, std::move(contacts), at.time,
+                  [&](std::size_t body) { return mobility_.nextPhase(body, at.time); });
     outcome_.isContactsNew = true;
-    for (const std::size_t body : resting_.contacts().concerned())
+    for (const std::size_t body : contacts_.concerned())
         for (std::size_t i = 0; i < physics::bodyUnknowns && !world_.isFixed(body); ++i)
             event.touched.push_back(world_.records[body].firstUnknown + i);
 }
@@ -395,31 +328,6 @@ Event CollisionSource::renewContacts(const Instant& at, const Pair& pair) {
     return event;
 }
 
-// The body rests on all that it touches now and does not part from.
-bool CollisionSource::settleAlone(const Instant& at, std::size_t body,
-                                  const RestingBodies::States& states, Event& event) {
-    const Rest rest = at.restOf(body, states);
-    const bool isUnmodelled = rest.state == Rest::State::unmodelled;
-    if (isUnmodelled && !at.canGiveWay(rest.partner) && !world_.joints.isJoined(body)) {
-        refuse(at, {body, rest.partner}, rest.sentence, event);
-        return true;
-    }
-    if (isUnmodelled || (!rest.footings.empty() && world_.joints.isJoined(body)))
-        return false;
-    const bool isNothingNew = rest.footings.empty() && !resting_.isResting(body);
-    if (isNothingNew || rest.state == Rest::State::approaching)
-        return true;
-    for (const Footing& footing : rest.footings)
-        noteUnturned(at, footing.support);
-    resting_.set(body, at.time, rest);
-    const auto state = states.find(body);
-    outcome_.rests.push_back(
-        {body, state != states.end() ? state->second : at.stateOf(body), rest});
-    for (std::size_t i = 0; i < physics::bodyUnknowns; ++i)
-        event.touched.push_back(world_.records[body].firstUnknown + i);
-    return true;
-}
-
 // Pushed together without approaching, with all that touches them: of a stack or of four wheels
 // none is found to carry all before the others are known.
 std::optional<Event> CollisionSource::press(const Instant& at, const Pair& pair) {
@@ -431,22 +339,6 @@ std::optional<Event> CollisionSource::press(const Instant& at, const Pair& pair)
             settling.push_back(body);
     settle(at, settling, {}, event);
     return event.touched.empty() ? std::nullopt : std::optional(event);
-}
-
-// The supports of a body are no longer what they were.
-Event CollisionSource::stir(const Instant& at, std::size_t body) {
-    Event event{.time = at.time, .touched = {}, .tag = 0};
-    outcome_ = {};
-    const Rest rest = at.restOf(body);
-    if (at.givesWay(body) && counts_.opens(body, at.time))
-        return end(at, {body, body}, sentences::opensAgain(world_, body));
-    if (counts_.isRestless(body, at.time))
-        return end(at, {body, body}, sentences::restless(world_, body));
-    if (rest.state == Rest::State::approaching)
-        if (auto met = meet(at, std::minmax(body, rest.partner)))
-            return *met;
-    settle(at, std::span(&body, 1), leaving(at, body, rest), event);
-    return event;
 }
 
 void CollisionSource::keepImpulses(const Instant& at, const ImpactCluster& cluster,
@@ -492,8 +384,8 @@ void CollisionSource::noteJam(const Instant& at, const ImpactCluster& cluster,
 
 // A body that would turn if its hold were a hinge.
 void CollisionSource::noteUnturned(const Instant& at, std::size_t body) {
-    if (!world_.isFixed(body) && resting_.turnsFreely(body, at.time) &&
-        resting_.heldOf(body, at.time).attitude)
+    if (!world_.isFixed(body) && mobility_.turnsFreely(body, at.time) &&
+        mobility_.heldOf(body, at.time).attitude)
         record_.addNote({body, body}, at.time, sentences::noHinge(world_, body));
 }
 

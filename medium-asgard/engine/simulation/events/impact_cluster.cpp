@@ -19,7 +19,7 @@ double ballRadius(const MovingBody& body) {
 
 struct NearCorner { // that bears, or lands on what bears it already
     Vector point, normal;
-    double gap = 0, solved = 0; // where what bears does so exactly, and as solved
+    double gap = 0;
     bool bears = false;
 };
 
@@ -27,11 +27,9 @@ struct NearCorner { // that bears, or lands on what bears it already
 std::vector<NearCorner> cornersNear(const Instant& at, const Pair& pair, bool isHit) {
     const auto& [body, support] = pair;
     const double gap = at.world.resolution[body].gap;
-    const BodyState solved = at.stateOf(body), bearing = at.bearingState(body);
     const double speed = at.speedOf(pair), tolerance = at.contactTolerance(pair);
     std::vector<NearCorner> corners;
-    for (const Touch& whole :
-         touchesOf(at.placed(body, {{body, bearing}}), at.placed(support), 2 * gap)) {
+    for (const Touch& whole : touchesOf(at.placed(body), at.placed(support), 2 * gap)) {
         const Touch* lasting =
             whole.lasting(std::max(collision::approachThreshold * speed,
                                    resolution::noRate * at.world.smallerRadius(pair)));
@@ -39,13 +37,9 @@ std::vector<NearCorner> cornersNear(const Instant& at, const Pair& pair, bool is
             continue;
         const Touch& touch = isHit ? whole : *lasting;
         for (const Corner& corner : touch.corners) {
-            const Vector arm =
-                bearing.attitude.conjugate() * Vector(corner.point - bearing.position);
-            const Vector there = solved.position + solved.attitude * arm;
             corners.push_back({.point = corner.point,
                                .normal = touch.normal,
                                .gap = corner.gap,
-                               .solved = corner.gap + touch.normal.dot(there - corner.point),
                                .bears = std::abs(corner.gap) <= tolerance &&
                                         std::abs(corner.rate) <= gap * speed});
         }
@@ -54,23 +48,21 @@ std::vector<NearCorner> cornersNear(const Instant& at, const Pair& pair, bool is
 }
 
 // Contact points that are active, or hit at this instant. A point that is near and approaches hits
-// by itself a little later: that is another motion. The search found the hit at the solved places;
-// other points as near, such as both ends of an edge that lands, are compared with active contacts
-// put back to a gap of 0. A point that has sunk in by an error of the integration counts.
+// by itself a little later: that is another motion. Points as near as that which hits, such as both
+// ends of an edge that lands, hit with it. One that has sunk in by an error of the integration
+// counts.
 std::vector<NearCorner> cornersAt(const Instant& at, const Pair& pair, bool isHit) {
     const double tolerance = at.contactTolerance(pair);
     std::vector<NearCorner> corners = cornersNear(at, pair, isHit);
-    double nearest = infinity, level = infinity; // of what hits: as solved, and exactly
+    double nearest = infinity; // of what hits
     bool isAnyTouching = false;
     for (const NearCorner& corner : corners)
-        if (std::abs(corner.gap) <= tolerance) {
+        if (std::abs(corner.gap) <= tolerance)
             isAnyTouching = true;
-        } else if (corner.solved < nearest) {
-            nearest = corner.solved;
-            level = corner.gap;
-        }
+        else
+            nearest = std::min(nearest, corner.gap);
     const bool isReached = nearest <= 2 * tolerance || (isHit && !isAnyTouching);
-    const double farthest = isReached ? std::max(tolerance, level + tolerance) : tolerance;
+    const double farthest = isReached ? std::max(tolerance, nearest + tolerance) : tolerance;
     std::erase_if(corners, [&](const NearCorner& corner) { return corner.gap > farthest; });
     return corners;
 }
@@ -81,7 +73,7 @@ public:
               const std::optional<MotionPlane>& plane)
         : at_(at), a_(pair.first), b_(pair.second), cluster_(cluster),
           friction_(at.world.frictionOf(a_, b_)) {
-        const ContactSet& lasting = at.resting.contacts();
+        const ContactSet& lasting = at.contacts;
         if (friction_.sliding > 0 || (at.canGiveWay(a_) && at.canGiveWay(b_)) || lasting.isIn(a_) ||
             lasting.isIn(b_))
             arePoints_ = true;
@@ -96,16 +88,13 @@ public:
     void add(bool isHit) {
         const auto contacts = collision::contactsAt(at_.world.moving[a_], at_.world.moving[b_],
                                                     at_.time, at_.contactTolerance({a_, b_}),
-                                                    at_.resting.slack(a_, b_, at_.time));
+                                                    at_.mobility.slack(a_, b_, at_.time));
         // A body that rests turns about what it rests on: each corner counts. So it does where gaps
         // have the integration's errors, not rounding's.
-        const bool isAlone =
-            at_.resting.hasFooting(a_, b_) && !at_.resting.contacts().areIn(a_, b_);
-        const bool isUnsure =
-            isAlone || (contacts.empty() && isHit && !at_.resting.contacts().areIn(a_, b_));
+        const bool isUnsure = contacts.empty() && isHit && !at_.contacts.areIn(a_, b_);
         if (isUnsure && freedom(a_) != freedom(b_))
             return addCorners(isHit);
-        const ContactSet& lasting = at_.resting.contacts();
+        const ContactSet& lasting = at_.contacts;
         if (arePoints_ && (!contacts.empty() || lasting.areIn(a_, b_)))
             findPoints();
         if (lasting.areIn(a_, b_))
@@ -118,7 +107,7 @@ public:
 private:
     // How freely it moves; the freer one may rest on the other.
     [[nodiscard]] int freedom(std::size_t body) const {
-        return at_.resting.isFree(body, at_.time) ? 2 : at_.canGiveWay(body) ? 1 : 0;
+        return at_.mobility.isFree(body, at_.time) ? 2 : at_.canGiveWay(body) ? 1 : 0;
     }
     std::size_t indexOf(std::size_t body) {
         const auto place = std::ranges::find(cluster_.bodies, body);
@@ -266,7 +255,7 @@ ImpactCluster clusterAt(const Instant& instant, const Pair& hit) {
     const physics::JointRows::Motion motion{
         .stateOf =
             [&](std::size_t body) {
-                const BodyState state = instant.bearingState(body);
+                const BodyState state = instant.stateOf(body);
                 return physics::BodyValues{state.position, state.velocity, state.attitude,
                                            state.angularVelocity};
             },

@@ -8,15 +8,15 @@
 namespace simulation {
 
 physics::ImpactBody Instant::impactBody(std::size_t body) const {
-    BodyState state = bearingState(body);
+    BodyState state = stateOf(body);
     if (world.isBall(body) && !state.angularVelocity.allFinite())
         state.angularVelocity.setZero(); // its blows go through its centre
-    return resting.impactBody(body, time, state);
+    return mobility.impactBody(body, time, state);
 }
 
 bool Instant::areFreeBalls(const Pair& pair) const {
     const auto isFree = [&](std::size_t body) {
-        return search.isFollowed(body) || resting.isFree(body, time);
+        return search.isFollowed(body) || mobility.isFree(body, time);
     };
     return world.isBall(pair.first) && world.isBall(pair.second) && isFree(pair.first) &&
            isFree(pair.second);
@@ -55,7 +55,7 @@ bool runsAlong(const Colliders& world, std::size_t body, int axis) {
 } // namespace
 
 std::optional<MotionPlane> Instant::planeOf(std::span<const std::size_t> bodies,
-                                            const RestingBodies::States& changed) const {
+                                            const ChangedStates& changed) const {
     using namespace physics;
     constexpr double ofSpeeds = 1e-9; // that enter a blow
     double rounding = 0;

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "contacts/colliders.h"
-#include "contacts/resting_bodies.h"
+#include "contacts/contact_set.h"
+#include "contacts/mobility.h"
 #include "meetings/encounter_search.h"
 
 #include <algorithm>
@@ -13,7 +14,8 @@ namespace simulation {
 
 struct Instant {
     const Colliders& world;
-    const RestingBodies& resting;
+    const ContactSet& contacts;
+    const Mobility& mobility;
     const EncounterSearch& search;
     const solution::Histories& histories;
     double time = 0;
@@ -24,32 +26,28 @@ struct Instant {
     [[nodiscard]] Acceleration accelerationOf(std::size_t body) const {
         return simulation::accelerationOf(world.records[body], histories, time);
     }
-    [[nodiscard]] Placed placed(std::size_t body, const RestingBodies::States& changed = {}) const {
-        return resting.placed(histories, body, time, changed);
-    }
-    [[nodiscard]] Rest restOf(std::size_t body, const RestingBodies::States& changed = {}) const {
-        return resting.restAt(histories, body, time, search.partners(body), changed);
-    }
-    // Where it bears, without what the integration errs there.
-    [[nodiscard]] BodyState bearingState(std::size_t body) const {
-        return resting.bearingState(histories, body, time);
+    [[nodiscard]] Placed placed(std::size_t body, const ChangedStates& changed = {}) const {
+        return mobility.placed(histories, body, time, changed);
     }
     [[nodiscard]] physics::ImpactBody impactBody(std::size_t body) const;
 
     // Blows can change how it moves; givesWay() is known at once of what flies.
-    [[nodiscard]] bool canGiveWay(std::size_t body) const { return resting.canGiveWay(body, time); }
+    [[nodiscard]] bool canGiveWay(std::size_t body) const {
+        return mobility.canGiveWay(body, time);
+    }
     [[nodiscard]] bool givesWay(std::size_t body) const {
         return search.isFollowed(body) || canGiveWay(body);
     }
     [[nodiscard]] bool areFreeBalls(const Pair& pair) const;
     // When a trajectory next takes hold of one of them, bends or lets go.
     [[nodiscard]] double nextPhase(const Pair& pair) const {
-        return std::min(resting.nextPhase(pair.first, time), resting.nextPhase(pair.second, time));
+        return std::min(mobility.nextPhase(pair.first, time),
+                        mobility.nextPhase(pair.second, time));
     }
 
     // In which these move, also as a blow has changed them, and nothing drives them out of it.
-    [[nodiscard]] std::optional<MotionPlane>
-    planeOf(std::span<const std::size_t> bodies, const RestingBodies::States& changed = {}) const;
+    [[nodiscard]] std::optional<MotionPlane> planeOf(std::span<const std::size_t> bodies,
+                                                     const ChangedStates& changed = {}) const;
     // The speeds that enter.
     [[nodiscard]] double speedOf(const Pair& pair) const;
     // Nearer than this they touch at an impact: it is as far off as coordinates and times are

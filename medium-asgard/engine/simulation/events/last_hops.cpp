@@ -103,7 +103,7 @@ Hop hopOf(const Instant& at, const ImpactCluster& cluster, const ImpactContact& 
         return {};
     const double radius = at.world.smallerRadius(cluster.pairOf(contact));
     const double slack =
-        at.resting.slack(cluster.bodies[contact.first], cluster.bodies[contact.second], at.time);
+        at.mobility.slack(cluster.bodies[contact.first], cluster.bodies[contact.second], at.time);
     lowest = lastHopHeight(lowest, radius, reach, slack);
     const double parting = -contact.restitution * approach;
     // However closely they bend around each other there, it may be low.

@@ -21,12 +21,6 @@ bool MeetingCounts::meets(std::size_t body, std::size_t other, bool turnsBack, d
     met.isGivenWay = met.isGivenWay || turnsBack;
     met.isWithSeveral = met.isWithSeveral || (met.partner && other != met.partner);
     met.partner = other;
-    return count(met, time);
-}
-
-bool MeetingCounts::opens(std::size_t body, double time) { return count(meetings_[body], time); }
-
-bool MeetingCounts::count(Meetings& met, double time) {
     const AccumulationLaw& law = met.isGivenWay ? ofTurnings : ofMeetings;
     const Verdict verdict = met.monitor.add(time - start_, law);
     if (met.monitor.isAtMark(law)) {
@@ -42,7 +36,7 @@ bool MeetingCounts::isRestless(std::size_t body, double time) {
 
 bool meetsWithoutEnd(const Instant& at, const Pair& pair, MeetingCounts& counts) {
     const auto turnsBack = [&](std::size_t body) { // who only turns does not
-        const auto held = at.resting.heldOf(body, at.time).position;
+        const auto held = at.mobility.heldOf(body, at.time).position;
         return at.givesWay(body) && std::ranges::count(held, true) < 3;
     };
     const auto hasNoEnd = [&](std::size_t body, std::size_t other) {

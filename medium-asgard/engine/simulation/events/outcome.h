@@ -1,7 +1,7 @@
 // What an event changes, from the moment at which it is announced until the solver asks for it.
 #pragma once
 
-#include "contacts/resting_bodies.h"
+#include "motion/body_motion.h"
 #include "solution/event_source.h"
 
 #include <vector>
@@ -9,14 +9,8 @@
 namespace simulation {
 
 struct Outcome {
-    struct Resting {
-        std::size_t body;
-        BodyState state;
-        Rest rest;
-    };
     std::vector<solution::Changes::Jump> jumps;
     std::vector<solution::Changes::End> ends;
-    std::vector<Resting> rests;
     bool isContactsNew = false; // contacts that last are others
 
     // Of the body's unknowns those that are not the same, in the event, too; of the attitude all or

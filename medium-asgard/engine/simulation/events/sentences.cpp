@@ -77,11 +77,6 @@ std::string missed(const Colliders& world, const Pair& pair) {
                                  "another accuracy may find it";
 }
 
-std::string opensAgain(const Colliders& world, std::size_t body) {
-    return "body " + quoted(world, body) +
-           " comes to rest and opens again and again in ever shorter time";
-}
-
 std::string restless(const Colliders& world, std::size_t body) {
     return "body " + quoted(world, body) +
            " lifts off its support and comes back again and again within next to no time: no "

@@ -25,7 +25,6 @@ namespace simulation::sentences {
 [[nodiscard]] std::string meetsEnded(const Colliders& world, std::size_t body, std::size_t ended,
                                      double time);
 [[nodiscard]] std::string missed(const Colliders& world, const Pair& pair);
-[[nodiscard]] std::string opensAgain(const Colliders& world, std::size_t body);
 [[nodiscard]] std::string restless(const Colliders& world, std::size_t body);
 
 [[nodiscard]] std::string unsolved(const Colliders& world, const Pair& pair);

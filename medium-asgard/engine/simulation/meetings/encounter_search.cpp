@@ -26,8 +26,9 @@ std::vector<collision::StandingPart> standingOf(const MovingBody& body, const Bo
 
 } // namespace
 
-EncounterSearch::EncounterSearch(const Colliders& world, const RestingBodies& resting)
-    : world_(world), resting_(resting), standing_(world.records.size()),
+EncounterSearch::EncounterSearch(const Colliders& world, const ContactSet& contacts,
+                                 const Mobility& mobility)
+    : world_(world), contacts_(contacts), mobility_(mobility), standing_(world.records.size()),
       near_(world.scene, world.records, resolution::searchedGap), windows_(world.records.size()),
       ends_(world.records.size()), unclear_(world.records.size()), hits_(world.records.size()) {
     for (std::size_t b = 0; b < world.records.size(); ++b) {
@@ -145,15 +146,15 @@ double EncounterSearch::gapOfBalls(const Pair& pair, double time) const {
 
 void EncounterSearch::searchGenerally(const Pair& pair, Interval during) {
     collision::PartFilter footing;
-    if (resting_.hasFooting(pair.first, pair.second))
+    if (contacts_.areIn(pair.first, pair.second))
         footing = [&](std::size_t i, std::size_t j) {
-            return resting_.isFooting(pair.first, i, pair.second, j);
+            return contacts_.areIn(pair.first, i, pair.second, j);
         };
     if (depth(pair) > 0)
         sideBySide_.look(pair, gapOfBalls(pair, during.from));
     const collision::Encounter encounter = collision::timeOfImpact(
         world_.moving[pair.first], world_.moving[pair.second], during, footing,
-        resting_.slack(pair.first, pair.second, during.from), depth(pair));
+        mobility_.slack(pair.first, pair.second, during.from), depth(pair));
     if (encounter.overlap > 0)
         overlaps_.push_back({pair, encounter.overlap});
     if (encounter.hit)

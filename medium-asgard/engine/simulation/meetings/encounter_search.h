@@ -29,7 +29,8 @@
 #pragma once
 
 #include "collision/time_of_impact.h"
-#include "contacts/resting_bodies.h"
+#include "contacts/contact_set.h"
+#include "contacts/mobility.h"
 #include "contacts/side_by_side.h"
 #include "flights/flight_meetings.h"
 #include "meetings/earliest.h"
@@ -45,15 +46,15 @@
 
 namespace simulation {
 
-class EncounterSearch final : public Neighbours {
+class EncounterSearch {
 public:
     struct Next {
         double time = 0;
         bool isHit = false; // else a window ends
     };
 
-    // Both must outlive this.
-    EncounterSearch(const Colliders& world, const RestingBodies& resting);
+    // All must outlive this.
+    EncounterSearch(const Colliders& world, const ContactSet& contacts, const Mobility& mobility);
 
     // The next thing to be done; it is done by takeHit() or renew().
     [[nodiscard]] Next next();
@@ -86,7 +87,7 @@ public:
     // They let each other pass until then.
     void letPass(const Pair& pair, double until) { near_.mayMeet.letPass(pair, until); }
 
-    [[nodiscard]] std::vector<std::size_t> partners(std::size_t body) const override {
+    [[nodiscard]] std::vector<std::size_t> partners(std::size_t body) const {
         return near_.all(body);
     }
     // The same, in no order.
@@ -103,7 +104,6 @@ public:
     [[nodiscard]] bool hasAnyEnded(const Pair& pair) const {
         return hasEnded(pair.first) || hasEnded(pair.second);
     }
-    [[nodiscard]] double windowEnd(std::size_t body) const override { return windows_[body].until; }
 
     // The flight of a free ball in its present window; none: not a ball, or no flight.
     [[nodiscard]] const collision::BallFlight* flight(std::size_t body) const {
@@ -163,7 +163,8 @@ private:
     [[nodiscard]] bool keep(const Pair& pair, const collision::FlightMeeting& met);
 
     const Colliders& world_;
-    const RestingBodies& resting_;
+    const ContactSet& contacts_;
+    const Mobility& mobility_;
     std::vector<bool> isFreeBall_;
     std::vector<std::vector<collision::StandingPart>> standing_;
 

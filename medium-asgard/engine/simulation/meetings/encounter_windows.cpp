@@ -73,7 +73,7 @@ bool EncounterSearch::isOver(const Histories& histories, std::size_t body, doubl
 
 bool EncounterSearch::openFlight(const Histories& histories, std::size_t body,
                                  Window& window) const {
-    if (!isFreeBall_[body] || resting_.isResting(body))
+    if (!isFreeBall_[body] || contacts_.isIn(body))
         return false;
     const std::size_t first = world_.records[body].firstUnknown;
     double origin = -infinity, end = infinity;
@@ -297,7 +297,7 @@ void EncounterSearch::findPartners(std::size_t body, const geometry::Box& leaf, 
         if (windows_[ball].isFlight)
             boxFlight(ball);
     });
-    if (resting_.isAnyResting())
+    if (!contacts_.empty())
         renewal.joined.insert(renewal.joined.end(), joined.begin(), joined.end());
 }
 

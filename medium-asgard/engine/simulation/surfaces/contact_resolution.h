@@ -9,9 +9,8 @@
 //
 // A threshold of one scale is never finer than what the scale before it blurs: a contact at rest is
 // seen at `gap`, which no impact leaves open (touchingGap of collision/contact.h, 1e-10); a hop is
-// left out at `hopHeight`, which the search for impacts finds (leastHop); an active contact is put
-// back at half its gap, and holds up to `drifting` times it. contact_resolution_test.cpp has these
-// relations.
+// left out at `hopHeight`, which the search for impacts finds (leastHop).
+// contact_resolution_test.cpp has these relations.
 #pragma once
 
 #include <limits>
@@ -28,21 +27,16 @@ inline constexpr double deep = 400 * epsilon;   // of the radius: a ball that ha
 inline constexpr double ofMotion = 1e-13;       // of coordinates: what a solved motion has lost
 inline constexpr double leastHop = 2e-9;        // of the smaller radius: lower hops may be missed
 inline constexpr double atRest = 1e-9;          // of the speeds that enter: relative rest
-inline constexpr double rattled = 3e-8;   // of the speeds that enter a blow: what it leaves of less
-                                          // is rest
-inline constexpr double noRate = 1e-12;   // of the size, in the unit of time: of gaps, none
-inline constexpr double isNoLoad = 1e-12; // of the accelerations that enter
+inline constexpr double rattled = 3e-8; // of the speeds that enter a blow: what it leaves of less
+                                        // is rest
+inline constexpr double noRate = 1e-12; // of the size, in the unit of time: of gaps, none
 
-// --- directions and places that count as the same ----------------------------------------------
+// --- directions that count as the same --------------------------------------------------------
 
 inline constexpr double sameNormal = 1e-4; // difference of unit normals
-inline constexpr double samePlace = 1e-4;  // of the parts' size
-inline constexpr double landed = 1e-10;    // of the parts' size: a gap that approaches is closed
 
 // --- loads, of the accelerations that enter ------------------------------------------------------
 
-inline constexpr double stillBearing = 1e-7; // a gap stays closed
-inline constexpr double unmoved = 1e-9;      // a support that is held in part does not give way
 // Between bodies that both give way a push is rounding's, and so none, if it gives less than that
 // part of the accelerations that enter, or than so many radii per second squared, where the forces
 // themselves are next to 0.
@@ -52,8 +46,6 @@ inline constexpr double weakPush = 1e-6, leastPush = 1e-12;
 
 inline constexpr double gapPart = 1e-2, hopPart = 1e-3; // of the accuracy
 inline constexpr double leastGap = 1e-8, mostGap = 1e-6;
-inline constexpr double drifting = 4;    // gaps: so far a contact that is active already counts
-inline constexpr double putBackAt = 0.5; // gaps
 inline constexpr double searchedGap = 4 * mostGap; // boxes hold what comes so near
 
 // --- tolerance -----------------------------------------------------------------------------------

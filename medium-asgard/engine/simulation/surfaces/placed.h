@@ -13,8 +13,6 @@ struct Placed {
     const BodyRecord* record = nullptr;
     const geometry::Shape* shape = nullptr;
     BodyState state;
-    Acceleration acceleration; // of a support
-    bool turns = true;         // a support that may change its attitude
 };
 
 } // namespace simulation

@@ -36,10 +36,13 @@ ComponentModel::ComponentModel(Key key) : key_(std::move(key)) {
     readKey();
     findStructure();
     function_ = expression::Function(expression::Tape(graph_, symbols_.all, outputs_));
+    FoundDirections directions;
     if (dividesByLength(graph_))
-        findDirections();
+        directions = foundDirections();
+    if (!directions.all.empty())
+        deriveDirections(directions);
     if (symbols_.multipliers > 0)
-        deriveConditions();
+        deriveConditions(directions);
 }
 
 void ComponentModel::readKey() {
@@ -312,7 +315,7 @@ ComponentModel::Derived ComponentModel::derive(Graph& graph, std::span<const Nod
 // ---------------------------------------------------------------------------------------------
 // Conditions
 
-void ComponentModel::deriveConditions() {
+void ComponentModel::deriveConditions(const FoundDirections& directions) {
     Graph graph = graph_;
     const std::size_t count = symbols_.multipliers;
     const std::span<const Node> multipliers = std::span(symbols_.all).last(count);
@@ -370,6 +373,10 @@ void ComponentModel::deriveConditions() {
             }
     }
     conditions_.second = derive(graph, system);
+    if (!directions.all.empty()) {
+        const auto [nodes, symbols] = withSymbols(graph, directions, system);
+        directions_.second = derive(graph, nodes, symbols);
+    }
     conditions_.ties = derive(graph, ties);
     gaps.insert(gaps.end(), rates.begin(), rates.end());
     gaps.insert(gaps.end(), besideNodes_.begin(), besideNodes_.end());
@@ -395,15 +402,14 @@ bool ComponentModel::actsOnItself(const Direction& direction) const {
 }
 
 // Two lengths of the same parts are one; parts that others have too are in none but the first.
-void ComponentModel::findDirections() {
+ComponentModel::FoundDirections ComponentModel::foundDirections() const {
     Graph graph = graph_;
     const auto isNumber = [&](Node n) {
         const auto place = placeOf(n);
         return graph.op(n) == Op::constant ||
                (place && *place >= variables() && *place < variables() + constants());
     };
-    std::vector<Direction> found;
-    std::vector<std::pair<Node, std::size_t>> lengths; // and of which direction
+    FoundDirections found;
     for (const Node length : lengthsDividedBy(graph, outputs_)) {
         const auto direction = directionOf(graph, length, isNumber);
         if (!direction || !actsOnItself(*direction))
@@ -416,31 +422,27 @@ void ComponentModel::findDirections() {
             return all ? std::ranges::all_of(direction->parts, isIn)
                        : std::ranges::any_of(direction->parts, isIn);
         };
-        const auto shares =
-            std::ranges::find_if(found, [&](const Direction& other) { return has(other, false); });
-        if (shares == found.end()) {
-            lengths.emplace_back(length, found.size());
-            found.push_back(*direction);
+        const auto shares = std::ranges::find_if(
+            found.all, [&](const Direction& other) { return has(other, false); });
+        if (shares == found.all.end()) {
+            found.lengths.emplace_back(length, found.all.size());
+            found.all.push_back(*direction);
         } else if (has(*shares, true) && shares->parts.size() == direction->parts.size()) {
-            lengths.emplace_back(length, static_cast<std::size_t>(shares - found.begin()));
+            found.lengths.emplace_back(length,
+                                       static_cast<std::size_t>(shares - found.all.begin()));
         }
     }
-    if (!found.empty())
-        deriveDirections(graph, found, lengths);
+    return found;
 }
 
-void ComponentModel::deriveDirections(Graph& graph, const std::vector<Direction>& found,
-                                      const std::vector<std::pair<Node, std::size_t>>& lengths) {
-    std::vector<Node> parts, weights, symbols;
+std::pair<std::vector<Node>, std::vector<Node>>
+ComponentModel::withSymbols(Graph& graph, const FoundDirections& found,
+                            std::span<const Node> nodes) const {
+    std::vector<Node> symbols;
     std::unordered_map<std::uint32_t, Node> replacements;
-    for (const Direction& direction : found) {
-        directions_.ranges.push_back({parts.size(), direction.parts.size()});
-        directions_.lengths.push_back(direction.length);
+    for (const Direction& direction : found.all)
         for (const Direction::Part& part : direction.parts) {
-            symbols.push_back(graph.symbol("a" + std::to_string(parts.size())));
-            parts.push_back(part.node);
-            weights.push_back(part.weight ? *part.weight : graph.constant(1));
-            directions_.gradients.push_back(gradientOf(part.node));
+            symbols.push_back(graph.symbol("a" + std::to_string(symbols.size())));
             replacements.emplace(part.node.index, symbols.back());
             if (graph.op(part.node) == Op::subtract) {
                 const std::vector<Node> terms(graph.arguments(part.node).begin(),
@@ -449,16 +451,31 @@ void ComponentModel::deriveDirections(Graph& graph, const std::vector<Direction>
                                      graph.negate(symbols.back()));
             }
         }
-    }
-    directions_.parts = parts.size();
-    for (std::size_t d = 0; d < found.size(); ++d)
+    const std::size_t parts = symbols.size();
+    for (std::size_t d = 0; d < found.all.size(); ++d)
         symbols.push_back(graph.symbol("l" + std::to_string(d)));
     std::vector<Node> divided;
-    for (const auto& [length, direction] : lengths) {
+    for (const auto& [length, direction] : found.lengths) {
         divided.push_back(length);
-        replacements.emplace(length.index, symbols[parts.size() + direction]);
+        replacements.emplace(length.index, symbols[parts + direction]);
     }
-    const std::vector<Node> outputs = withDirections(graph, outputs_, divided, replacements);
+    return {withDirections(graph, nodes, divided, replacements), symbols};
+}
+
+void ComponentModel::deriveDirections(const FoundDirections& found) {
+    Graph graph = graph_;
+    std::vector<Node> parts, weights;
+    for (const Direction& direction : found.all) {
+        directions_.ranges.push_back({parts.size(), direction.parts.size()});
+        directions_.lengths.push_back(direction.length);
+        for (const Direction::Part& part : direction.parts) {
+            parts.push_back(part.node);
+            weights.push_back(part.weight ? *part.weight : graph.constant(1));
+            directions_.gradients.push_back(gradientOf(part.node));
+        }
+    }
+    directions_.parts = parts.size();
+    const auto [outputs, symbols] = withSymbols(graph, found, outputs_);
     directions_.outputs = derive(graph, outputs, symbols);
     std::vector<Node> measures = parts;
     measures.insert(measures.end(), weights.begin(), weights.end());

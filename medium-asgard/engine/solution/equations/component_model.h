@@ -130,8 +130,8 @@ public:
         std::size_t parts = 0;
         Derived measures; // parts, then the weights of their squares, then lengths
         // Outputs with symbols in place of parts, and then of lengths, where these are divided by.
-        // The symbols stand behind all others.
-        Derived outputs;
+        // The symbols stand behind all others. Then what Conditions::second has, likewise.
+        Derived outputs, second;
         std::vector<Gradient> gradients; // of each part
     };
     [[nodiscard]] const Directions& directions() const { return directions_; }
@@ -157,6 +157,10 @@ public:
         Derived moves; // entries of pushes, then of shifts
     };
     [[nodiscard]] const Conditions& conditions() const { return conditions_; }
+    // g'' of one, a node of graph().
+    [[nodiscard]] expression::Node secondRate(std::size_t multiplier) const {
+        return conditionNodes_[3 * multiplier + 2];
+    }
 
     // The equations as text, one per line: y0' = ..., then held values h0 = ...
     [[nodiscard]] std::string print() const;
@@ -172,13 +176,20 @@ private:
     [[nodiscard]] Gradient gradientOf(expression::Node node) const;
     [[nodiscard]] Derived derive(expression::Graph& graph, std::span<const expression::Node> nodes,
                                  std::span<const expression::Node> more = {}) const;
-    void deriveConditions();
+    struct FoundDirections {
+        std::vector<Direction> all;
+        std::vector<std::pair<expression::Node, std::size_t>> lengths; // and of which direction
+    };
+    void deriveConditions(const FoundDirections& directions);
     [[nodiscard]] std::span<const expression::Node> constantSymbols() const {
         return std::span(symbols_.all).subspan(variables(), constants());
     }
-    void findDirections();
-    void deriveDirections(expression::Graph& graph, const std::vector<Direction>& found,
-                          const std::vector<std::pair<expression::Node, std::size_t>>& lengths);
+    [[nodiscard]] FoundDirections foundDirections() const;
+    void deriveDirections(const FoundDirections& found);
+    // The nodes with symbols in place of directions; and these symbols.
+    [[nodiscard]] std::pair<std::vector<expression::Node>, std::vector<expression::Node>>
+    withSymbols(expression::Graph& graph, const FoundDirections& found,
+                std::span<const expression::Node> nodes) const;
     [[nodiscard]] bool actsOnItself(const Direction& direction) const;
 
     Key key_;

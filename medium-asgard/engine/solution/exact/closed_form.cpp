@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
+#include <unordered_set>
 
 namespace solution {
 
@@ -91,8 +92,13 @@ Maybe wholePower(const Polynomial& a, double exponent) {
 // Evaluates nodes as polynomials of r = (t - t0) / scale.
 class Evaluation {
 public:
-    Evaluation(ComponentEquations& equations, double t, bool linear = false)
-        : graph_(equations.graph()), equations_(equations), t_(t), linear_(linear) {
+    // States are integrals of their rates, or read linearly as multipliers are, or nothing that
+    // may be read.
+    enum class Kind { integrals, linear, ofMultipliers };
+
+    // `y`: the states' values at t, for integrals.
+    Evaluation(ComponentEquations& equations, double t, Kind kind, std::span<const double> y = {})
+        : graph_(equations.graph()), equations_(equations), y_(y), t_(t), kind_(kind) {
         Inputs& inputs = equations.inputs();
         for (std::size_t i = 0; i < inputs.unknowns().size(); ++i) {
             const Piece& piece = inputs.at(i, t);
@@ -113,8 +119,11 @@ public:
                 for (const Node argument : needed(n))
                     if (!done_.contains(argument.index))
                         stack.push_back(argument);
-            if (stack.size() > size)
+            if (stack.size() > size) {
+                if (isIntegral(n) && !begun_.insert(n.index).second)
+                    return std::nullopt; // its rate depends on it
                 continue;
+            }
             stack.pop_back();
             if (done_.contains(n.index))
                 continue;
@@ -131,6 +140,8 @@ private:
     std::vector<Node> needed(Node n) {
         const auto arguments = graph_.arguments(n);
         const Op op = graph_.op(n);
+        if (isIntegral(n))
+            return {equations_.outputs()[*equations_.functions().stateOf(n)]};
         const auto decision = equations_.functions().decisionOf(n);
         if (decision && *decision != expression::noBranch) {
             if (op == Op::abs)
@@ -146,6 +157,11 @@ private:
             return {arguments[condition->second.c[0] != 0 ? 1 : 2]};
         }
         return {arguments.begin(), arguments.end()};
+    }
+
+    [[nodiscard]] bool isIntegral(Node n) const {
+        return kind_ == Kind::integrals && graph_.op(n) == Op::symbol &&
+               equations_.functions().stateOf(n).has_value();
     }
 
     static bool takesFirst(Op op, Decision decision) {
@@ -188,12 +204,35 @@ private:
     }
 
     Maybe state(Node n) const {
+        if (const auto multiplier = equations_.functions().multiplierOf(n)) {
+            if (kind_ == Kind::ofMultipliers)
+                return linear(*multiplier, equations_.multipliers().size());
+            return Polynomial::constant(equations_.multiplierValues()[*multiplier]);
+        }
         const auto place = equations_.functions().stateOf(n);
-        if (!linear_ || !place)
-            return std::nullopt;
+        if (kind_ == Kind::linear && place)
+            return linear(*place, equations_.states().size());
+        if (kind_ == Kind::integrals && place)
+            return integral(*place);
+        return std::nullopt;
+    }
+
+    static Polynomial linear(std::size_t place, std::size_t count) {
         Polynomial p;
-        p.states.assign(equations_.states().size(), 0.0);
-        p.states[*place] = 1;
+        p.states.assign(count, 0.0);
+        p.states[place] = 1;
+        return p;
+    }
+
+    [[nodiscard]] Maybe integral(std::size_t place) const {
+        const Polynomial& rate = done_.at(equations_.outputs()[place].index);
+        if (rate.degree == maximumDegree)
+            return std::nullopt;
+        Polynomial p = Polynomial::constant(y_[place]);
+        for (std::size_t k = 0; k <= rate.degree; ++k)
+            p.c[k + 1] = rate.c[k] * scale_ / static_cast<double>(k + 1);
+        p.degree = rate.degree + 1;
+        p.trim();
         return p;
     }
 
@@ -259,18 +298,41 @@ private:
 
     const expression::Graph& graph_;
     ComponentEquations& equations_;
+    std::span<const double> y_;
     double t_, until_ = infinity, scale_ = 1;
-    bool linear_; // states may be read, linearly
+    Kind kind_;
     std::unordered_map<std::uint32_t, Polynomial> done_;
+    std::unordered_set<std::uint32_t> begun_; // integrals
 };
+
+// The forces that keep the conditions at t do so for good; then they are the equations'
+// multipliers.
+bool areForcesConstant(ComponentEquations& equations, double t, std::span<const double> y) {
+    if (equations.multipliers().empty())
+        return true;
+    if (equations.slips())
+        return false;
+    Evaluation evaluation(equations, t, Evaluation::Kind::ofMultipliers);
+    for (std::size_t row = 0; row < equations.multipliers().size(); ++row) {
+        if (equations.model().conditions().isTie[row] != 0)
+            return false;
+        if (equations.mode().kept[row] != complementarity::State::inside)
+            continue;
+        const Maybe second = evaluation.of(equations.model().secondRate(row));
+        if (!second || second->degree > 0)
+            return false;
+    }
+    std::vector<double> rates(y.size());
+    return equations.rates(t, y, rates);
+}
 
 } // namespace
 
 std::optional<ClosedForm> closedForm(ComponentEquations& equations, double t,
                                      std::span<const double> y) {
-    if (!equations.multipliers().empty())
+    if (!areForcesConstant(equations, t, y))
         return std::nullopt;
-    Evaluation evaluation(equations, t);
+    Evaluation evaluation(equations, t, Evaluation::Kind::integrals, y);
     ClosedForm result{evaluation.scale(), evaluation.until(), {}};
     const auto outputs = equations.outputs();
     for (std::size_t i = 0; i < outputs.size(); ++i) {
@@ -293,7 +355,7 @@ std::optional<ClosedForm> closedForm(ComponentEquations& equations, double t,
 std::optional<LinearForm> linearForm(ComponentEquations& equations, double t) {
     if (equations.watches() > 0 || !equations.held().empty() || !equations.multipliers().empty())
         return std::nullopt;
-    Evaluation evaluation(equations, t, true);
+    Evaluation evaluation(equations, t, Evaluation::Kind::linear);
     LinearForm result{evaluation.until(), {}};
     for (const Node output : equations.outputs()) {
         const Maybe p = evaluation.of(output);

@@ -185,6 +185,8 @@ private:
     [[nodiscard]] bool settle(std::span<const std::size_t> fallen, double fastest, double t,
                               std::span<const double> y);
     void addLaw(Rows& rows, std::size_t disc, std::span<const std::size_t> normals);
+    // As the mode holds what switches.
+    [[nodiscard]] Multipliers::System systemOf(std::span<const std::size_t> rows);
     [[nodiscard]] bool solveLaws(const Rows& rows);
 
     ModelFunctions& f_;

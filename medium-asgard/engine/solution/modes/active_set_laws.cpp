@@ -249,8 +249,23 @@ void holdWithin(const Eigen::MatrixXd& a, const Eigen::VectorXd& b, const Laws& 
 
 } // namespace
 
+// What switches pushes as the weights say with which it is held: on neither side of its surface.
+Multipliers::System ActiveSet::systemOf(std::span<const std::size_t> rows) {
+    Multipliers::System below = multipliers_.systemOf(rows);
+    if (mode_.sliding.empty() || f_.weights().size() != mode_.sliding.size())
+        return below;
+    Eigen::VectorXd rest = below.rest;
+    for (std::size_t j = 0; j < mode_.sliding.size(); ++j) {
+        mode_.setSide(mode_.sliding[j], +1);
+        rest += f_.weights()[j] * (multipliers_.systemOf(rows).rest - below.rest);
+        mode_.setSide(mode_.sliding[j], -1);
+    }
+    below.rest = rest;
+    return below;
+}
+
 bool ActiveSet::solveLaws(const Rows& rows) {
-    const auto [a, b] = multipliers_.systemOf(rows.rows);
+    const auto [a, b] = systemOf(rows.rows);
     Answer rest; // the guess: all that may rest does
     if (!rows.discs.empty()) {
         rest.forces.setZero(b.size());

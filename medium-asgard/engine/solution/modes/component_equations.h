@@ -156,6 +156,10 @@ public:
     // Directions.
     [[nodiscard]] bool hasDirections() const { return !model().directions().ranges.empty(); }
     [[nodiscard]] StickSlip& stickSlip() { return stick_; }
+    // Those whose vector is 0, but for rounding.
+    [[nodiscard]] std::vector<std::size_t> directionsAtRest(double t, std::span<const double> y) {
+        return field_.directionsAtRest(t, y);
+    }
     // As StickSlip::rest(), with the guards of the mode that it leaves.
     [[nodiscard]] bool rest(std::span<const std::size_t> directions, double t, std::span<double> y);
 

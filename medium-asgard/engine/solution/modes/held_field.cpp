@@ -10,8 +10,7 @@ namespace solution {
 
 HeldField::HeldField(ModelFunctions& functions, Mode& mode)
     : f_(functions), model_(*mode.model), mode_(mode), multipliers_(functions, mode),
-      values_(model_.outputs().size()), base_(values_.size()), other_(values_.size()),
-      units_(model_.directions().parts) {}
+      values_(model_.outputs().size()) {}
 
 // A state that lies on a surface of its own is moved off it, to its side, by next to nothing: what
 // is written v/abs(v) is then the sign that it means, and v abs(v) is still 0.
@@ -20,14 +19,14 @@ void HeldField::outputs(std::span<double> out) {
     if (!mode_.decisions.empty())
         for (const auto& [surface, state] : model_.ownGuards())
             if (f_.in()[1 + state] == 0 && mode_.sides[surface] != Mode::onSurface) {
-                f_.in()[1 + state] = mode_.sides[surface] * nextToNothing;
+                f_.in()[1 + state] = mode_.sides[surface] * ModelFunctions::nextToNothing;
                 isMoved = true;
             }
     evaluateOutputs(out);
     if (!isMoved)
         return;
     for (const auto& [surface, state] : model_.ownGuards())
-        if (std::abs(f_.in()[1 + state]) == nextToNothing)
+        if (std::abs(f_.in()[1 + state]) == ModelFunctions::nextToNothing)
             f_.in()[1 + state] = 0;
     for (double& rate : out)
         if (std::abs(rate) <= vanishing)
@@ -77,13 +76,12 @@ bool HeldField::weigh() {
     const std::size_t count = mode_.sliding.size();
     for (const std::size_t s : mode_.sliding)
         mode_.setSide(s, -1);
-    outputs(base_);
+    outputsAndForces(base_);
     if (fields_.size() < count)
         fields_.resize(count);
     for (std::size_t j = 0; j < count; ++j) {
         mode_.setSide(mode_.sliding[j], +1);
-        fields_[j].resize(values_.size());
-        outputs(fields_[j]);
+        outputsAndForces(fields_[j]);
         mode_.setSide(mode_.sliding[j], -1);
     }
     // Where neither side moves off the surface, any weight will do.
@@ -111,16 +109,34 @@ bool HeldField::weigh() {
     return mix({w.data(), count});
 }
 
+void HeldField::outputsAndForces(std::vector<double>& out) {
+    out.resize(values_.size() + multipliers_.size());
+    outputs(std::span(out).first(values_.size()));
+    std::ranges::copy(multipliers_.values(),
+                      out.begin() + static_cast<std::ptrdiff_t>(values_.size()));
+}
+
+void HeldField::mixFields(std::span<const double> weights) {
+    const auto at = [&](std::size_t n) {
+        double value = base_[n];
+        for (std::size_t j = 0; j < weights.size(); ++j)
+            value += weights[j] * (fields_[j][n] - base_[n]);
+        return value;
+    };
+    for (std::size_t n = 0; n < values_.size(); ++n)
+        values_[n] = at(n);
+    const std::span<double> forces = std::span(f_.in()).last(multipliers_.size());
+    for (std::size_t row = 0; row < forces.size(); ++row)
+        forces[row] = at(values_.size() + row);
+}
+
 // The fields of all surfaces by these weights.
 bool HeldField::mix(std::span<const double> weights) {
-    values_ = base_;
-    for (std::size_t j = 0; j < weights.size(); ++j)
-        for (std::size_t n = 0; n < values_.size(); ++n)
-            values_[n] += weights[j] * (fields_[j][n] - base_[n]);
+    mixFields(weights);
     for (const std::size_t s : mode_.sliding)
         if (const auto state = model_.gradient(s).state)
             values_[*state] = 0;
-    weights_.assign(weights.begin(), weights.end());
+    f_.weights().assign(weights.begin(), weights.end());
     return true;
 }
 

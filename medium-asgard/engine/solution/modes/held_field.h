@@ -53,8 +53,10 @@ public:
     [[nodiscard]] const Multipliers& multipliers() const { return multipliers_; }
 
     // Of weigh(): of each surface that is slid upon, and for parts of unit vectors that are held.
-    [[nodiscard]] std::vector<double>& weights() { return weights_; }
-    [[nodiscard]] std::vector<double>& units() { return units_; }
+    [[nodiscard]] std::vector<double>& weights() { return f_.weights(); }
+    [[nodiscard]] std::vector<double>& units() { return f_.units(); }
+    // Directions whose vector is 0, but for rounding, and is not held there.
+    [[nodiscard]] std::vector<std::size_t> directionsAtRest(double t, std::span<const double> y);
     // Of the square of a unit vector, over what can be.
     [[nodiscard]] double excess(std::size_t direction) const;
     // Of a direction that sets off: the rate of its vector, and that without friction.
@@ -86,14 +88,15 @@ public:
     [[nodiscard]] const ComponentModel::Gradient& gradientOf(const Column& column) const;
 
 private:
-    // The distance of a move off a surface, or off a length of 0, for its direction; its square is
-    // still a number.
-    static constexpr double nextToNothing = 1e-150;
     // Less is what next to nothing makes of a rate of 0: in proportion to it, to its square or to
     // its cube root.
     static constexpr double vanishing = 1e-40;
 
     void evaluateOutputs(std::span<double> out);
+    // outputs(), and behind them the multipliers.
+    void outputsAndForces(std::vector<double>& out);
+    // values() and the multipliers, by these weights of fields beside that of the base.
+    void mixFields(std::span<const double> weights);
     [[nodiscard]] bool mix(std::span<const double> weights);
     void setColumn(const Column& column, bool isSet);
     [[nodiscard]] double rateOf(const Column& column, std::span<const double> rates);
@@ -106,12 +109,10 @@ private:
     Multipliers multipliers_;
     bool isContradictory_ = false;
     std::vector<double> values_;
-    std::vector<double> base_, other_;        // fields on one side of surfaces
+    std::vector<double> base_;                // fields on one side of surfaces, with multipliers
     std::vector<std::vector<double>> fields_; // on the other side of each
-    std::vector<double> weights_, units_;
     std::optional<std::size_t> given_; // of what sticks, a direction whose units are not solved for
     double growth_ = 0, pull_ = 0;
-    std::vector<double> inHeld_; // symbols with those of directions
 };
 
 // The shortest of several solutions.

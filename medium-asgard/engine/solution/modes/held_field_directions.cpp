@@ -65,22 +65,7 @@ void HeldField::evaluateOutputs(std::span<double> out) {
             model_.function().evaluate(f_.in(), out, f_.scratch(), mode_.decisions);
         return;
     }
-    f_.measure();
-    const ComponentModel::Directions& directions = model_.directions();
-    const auto parts = f_.measures().begin(),
-               lengths = parts + 2 * std::ptrdiff_t(directions.parts);
-    inHeld_ = f_.in();
-    inHeld_.insert(inHeld_.end(), parts, parts + std::ptrdiff_t(directions.parts));
-    inHeld_.insert(inHeld_.end(), lengths, f_.measures().end());
-    for (const std::size_t d : mode_.sticking) {
-        const auto [first, count] = directions.ranges[d];
-        const double length =
-            d == mode_.leaving ? std::max(f_.vectorOf(d).norm(), nextToNothing) : nextToNothing;
-        inHeld_[f_.in().size() + directions.parts + d] = length;
-        for (std::size_t p = first; p < first + count; ++p)
-            inHeld_[f_.in().size() + p] = length * units_[p] / f_.scaleOf(p);
-    }
-    f_.evaluate(directions.outputs, inHeld_, out);
+    f_.evaluate(model_.directions().outputs, f_.inHeld(), out);
 }
 
 // What is not given is solved for.
@@ -103,7 +88,7 @@ const ComponentModel::Gradient& HeldField::gradientOf(const Column& column) cons
 
 void HeldField::setColumn(const Column& column, bool isSet) {
     if (column.isPart)
-        units_[column.which] = isSet ? 1 : 0;
+        f_.units()[column.which] = isSet ? 1 : 0;
     else
         mode_.setSide(column.which, isSet ? +1 : -1);
 }
@@ -125,7 +110,7 @@ bool HeldField::weighWithDirections() {
     pull_ = response->rate.norm();
     const auto first = model_.directions().ranges[*mode_.leaving].first;
     for (Eigen::Index i = 0; i < departure->direction.size(); ++i)
-        units_[first + static_cast<std::size_t>(i)] = departure->direction(i);
+        f_.units()[first + static_cast<std::size_t>(i)] = departure->direction(i);
     return solveWithDirections();
 }
 
@@ -135,43 +120,60 @@ bool HeldField::solveWithDirections() {
     const std::vector<Column> all = columns();
     for (const Column& column : all)
         setColumn(column, false);
-    outputs(base_);
+    outputsAndForces(base_);
     const auto m = static_cast<Eigen::Index>(all.size());
     Eigen::MatrixXd change(m, m);
     Eigen::VectorXd wanted(m), w(m);
-    std::vector<std::vector<double>> fields;
-    for (const Column& column : all) {
-        setColumn(column, true);
-        outputs(other_);
-        setColumn(column, false);
-        fields.push_back(other_);
+    if (fields_.size() < all.size())
+        fields_.resize(all.size());
+    for (std::size_t j = 0; j < all.size(); ++j) {
+        setColumn(all[j], true);
+        outputsAndForces(fields_[j]);
+        setColumn(all[j], false);
     }
     for (Eigen::Index i = 0; i < m; ++i) {
         const Column& row = all[static_cast<std::size_t>(i)];
         wanted(i) = -rateOf(row, base_);
         for (Eigen::Index j = 0; j < m; ++j)
-            change(i, j) = rateOf(row, fields[static_cast<std::size_t>(j)]) + wanted(i);
+            change(i, j) = rateOf(row, fields_[static_cast<std::size_t>(j)]) + wanted(i);
         w(i) = row.isPart ? 0 : 0.5;
     }
     if (m > 0 && change.allFinite() && wanted.allFinite())
         w += leastSolution(change, wanted - change * w);
     if (!w.allFinite() || !((change * w - wanted).norm() <= 1e-9 * wanted.norm()))
         return false;
-    values_ = base_;
-    weights_.clear();
+    mixFields({w.data(), all.size()});
+    f_.weights().clear();
     for (std::size_t j = 0; j < all.size(); ++j) {
         const double weight = w(static_cast<Eigen::Index>(j));
-        for (std::size_t n = 0; n < values_.size(); ++n)
-            values_[n] += weight * (fields[j][n] - base_[n]);
         if (all[j].isPart)
-            units_[all[j].which] = weight;
+            f_.units()[all[j].which] = weight;
         else
-            weights_.push_back(weight);
+            f_.weights().push_back(weight);
     }
     for (const Column& column : all)
         if (const auto state = gradientOf(column).state)
             values_[*state] = 0;
     return true;
+}
+
+std::vector<std::size_t> HeldField::directionsAtRest(double t, std::span<const double> y) {
+    std::vector<std::size_t> found;
+    f_.fill(t, y);
+    const std::vector<double> still(size());
+    const ComponentModel::Directions& directions = model_.directions();
+    for (std::size_t d = 0; d < directions.ranges.size(); ++d) {
+        bool isAtRest = std::ranges::find(mode_.sticking, d) == mode_.sticking.end();
+        const auto [first, count] = directions.ranges[d];
+        for (std::size_t p = first; isAtRest && p < first + count; ++p) {
+            const GuardSlope slope = f_.slopeOf(directions.gradients[p].derivatives, still);
+            isAtRest = directions.gradients[p].state ? slope.value == 0
+                                                     : std::abs(slope.value) <= slope.near;
+        }
+        if (isAtRest)
+            found.push_back(d);
+    }
+    return found;
 }
 
 // Of the square of what stands for it, over what can be.
@@ -182,7 +184,7 @@ double HeldField::excess(std::size_t direction) const {
     if (direction == mode_.leaving)
         return -1;
     for (std::size_t p = first; p < first + count; ++p)
-        square += units_[p] * units_[p];
+        square += f_.units()[p] * f_.units()[p];
     return square - (1 + rounding);
 }
 
@@ -191,13 +193,13 @@ std::optional<HeldField::Response> HeldField::responseOf(std::size_t direction) 
     const auto [first, count] = model_.directions().ranges[direction];
     const auto n = static_cast<Eigen::Index>(count);
     Response response{Eigen::VectorXd(n), Eigen::MatrixXd(n, n), {}};
-    const std::vector<double> before = units_;
+    const std::vector<double> before = f_.units();
     given_ = direction;
     bool isPossible = true;
     std::vector<double> base;
     for (Eigen::Index j = -1; j < n; ++j) {
         for (Eigen::Index i = 0; i < n; ++i)
-            units_[first + static_cast<std::size_t>(i)] = i == j ? 1 : 0;
+            f_.units()[first + static_cast<std::size_t>(i)] = i == j ? 1 : 0;
         isPossible = isPossible && weigh();
         std::vector<double> field = values_;
         for (Eigen::Index i = 0; i < n; ++i) {
@@ -216,7 +218,7 @@ std::optional<HeldField::Response> HeldField::responseOf(std::size_t direction) 
             response.fields.push_back(std::move(field));
     }
     given_.reset();
-    units_ = before;
+    f_.units() = before;
     if (!isPossible || !response.rate.allFinite() || !response.change.allFinite())
         return std::nullopt;
     return response;

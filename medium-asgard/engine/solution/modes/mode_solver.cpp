@@ -47,7 +47,7 @@ void ModeSolver::decide(double t, std::span<double> y) {
     mode_.release();
     standing_.clear();
     if (model_.surfaces().empty()) {
-        active_.decide(t, y);
+        decideContacts(t, y);
         guards_.refresh();
         return;
     }
@@ -74,8 +74,18 @@ void ModeSolver::decide(double t, std::span<double> y) {
     if (!settleWeights(t, y))
         mode_.sliding.clear();
     project(t, y);
-    active_.decide(t, y);
+    decideContacts(t, y);
     guards_.refresh();
+}
+
+// Directions that have none push nothing as yet.
+void ModeSolver::decideContacts(double t, std::span<double> y) {
+    if (!model_.directions().ranges.empty()) {
+        mode_.sticking = field_.directionsAtRest(t, y);
+        std::ranges::fill(field_.units(), 0);
+    }
+    active_.decide(t, y);
+    mode_.sticking.clear();
 }
 
 // On its side or, at its root, moving there: a guard that has switches of its own may have been put

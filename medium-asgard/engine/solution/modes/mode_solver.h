@@ -108,6 +108,7 @@ private:
     [[nodiscard]] bool isSolved(std::span<const std::size_t> surfaces, Solution asked);
     [[nodiscard]] bool solveCorner();
     [[nodiscard]] bool settleWeights(double t, std::span<const double> y);
+    void decideContacts(double t, std::span<double> y);
     void project(double t, std::span<double> y);
 
     ModelFunctions& f_;

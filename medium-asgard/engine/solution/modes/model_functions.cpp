@@ -19,6 +19,7 @@ ModelFunctions::ModelFunctions(std::shared_ptr<const BoundModel> bound, const Hi
     : bound_(std::move(bound)), model_(modelOf(*bound_)), mode_(mode),
       inputs_(histories, bound_->inputs), in_(model_.symbols().size()),
       guards_(model_.function().decisions()) {
+    held_.units.resize(model_.directions().parts);
     std::ranges::copy(bound_->constants,
                       in_.begin() + static_cast<std::ptrdiff_t>(model_.variables()));
 }
@@ -138,6 +139,24 @@ Eigen::VectorXd ModelFunctions::vectorOf(std::size_t direction) const {
     return vector;
 }
 
+std::span<const double> ModelFunctions::inHeld() {
+    measure();
+    const ComponentModel::Directions& directions = model_.directions();
+    const auto parts = measures_.begin(), lengths = parts + 2 * std::ptrdiff_t(directions.parts);
+    held_.in = in_;
+    held_.in.insert(held_.in.end(), parts, parts + std::ptrdiff_t(directions.parts));
+    held_.in.insert(held_.in.end(), lengths, measures_.end());
+    for (const std::size_t d : mode_.sticking) {
+        const auto [first, count] = directions.ranges[d];
+        const double length =
+            d == mode_.leaving ? std::max(vectorOf(d).norm(), nextToNothing) : nextToNothing;
+        held_.in[in_.size() + directions.parts + d] = length;
+        for (std::size_t p = first; p < first + count; ++p)
+            held_.in[in_.size() + p] = length * held_.units[p] / scaleOf(p);
+    }
+    return held_.in;
+}
+
 void ModelFunctions::peakCauses(const ComponentModel::PeakFunctions& peaks, double t,
                                 std::span<const double> y, std::span<const double> rates,
                                 std::span<double> out) {
@@ -182,6 +201,14 @@ std::optional<double> ModelFunctions::constantOf(Node symbol) const {
     if (!place || *place < model_.variables() || *place >= model_.variables() + model_.constants())
         return std::nullopt;
     return in_[*place];
+}
+
+std::optional<std::size_t> ModelFunctions::multiplierOf(Node symbol) const {
+    const auto place = model_.placeOf(symbol);
+    const std::size_t first = model_.variables() + model_.constants();
+    if (!place || *place < first)
+        return std::nullopt;
+    return *place - first;
 }
 
 } // namespace solution

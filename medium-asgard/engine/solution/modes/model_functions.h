@@ -30,6 +30,9 @@ struct GuardSlope {
 class ModelFunctions {
 public:
     static constexpr double standing = 1e-12; // on a surface, by the value of its guard
+    // The distance of a move off a surface, or off a length of 0, for its direction; its square is
+    // still a number.
+    static constexpr double nextToNothing = 1e-150;
 
     // `mode` outlives them, and is the one in force whenever they are asked.
     ModelFunctions(std::shared_ptr<const BoundModel> bound, const Histories& histories,
@@ -71,6 +74,12 @@ public:
     [[nodiscard]] const std::vector<double>& measures() const { return measures_; }
     [[nodiscard]] double scaleOf(std::size_t part) const;
     [[nodiscard]] Eigen::VectorXd vectorOf(std::size_t direction) const;
+    // What the mode holds (held_field.h): the weight of each surface that is slid upon; and by
+    // part, what stands for a/|a| where a is held at 0.
+    [[nodiscard]] std::vector<double>& weights() { return held_.weights; }
+    [[nodiscard]] std::vector<double>& units() { return held_.units; }
+    // The values of in() and of the symbols of directions, where the mode holds some.
+    [[nodiscard]] std::span<const double> inHeld();
 
     // The model's peaks (equations/peaks.h): causes and their rates where states have these, and
     // heights.
@@ -79,10 +88,12 @@ public:
     void peakHeights(double t, std::span<const double> y, std::span<double> out);
 
     [[nodiscard]] std::optional<expression::Decision> decisionOf(expression::Node switching) const;
-    // The value of a symbol other than time or a state: an input, or a constant of this component.
+    // The value of a symbol other than time or a state: an input, a constant of this component, or
+    // a multiplier.
     [[nodiscard]] std::optional<std::size_t> stateOf(expression::Node symbol) const;
     [[nodiscard]] std::optional<std::size_t> inputOf(expression::Node symbol) const;
     [[nodiscard]] std::optional<double> constantOf(expression::Node symbol) const;
+    [[nodiscard]] std::optional<std::size_t> multiplierOf(expression::Node symbol) const;
 
 private:
     std::shared_ptr<const BoundModel> bound_;
@@ -94,6 +105,11 @@ private:
     std::vector<double> inMoving_;         // symbols, and rates of states and inputs
     std::vector<double> partial_, change_; // of slopes
     std::vector<double> measures_;
+    struct Held {
+        std::vector<double> weights, units;
+        std::vector<double> in; // symbols, with those of directions
+    };
+    Held held_;
     std::vector<expression::Decision> derivedDecisions_;
     expression::Function::Code code_; // of a plain model, once there is any
 };

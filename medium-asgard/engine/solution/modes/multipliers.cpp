@@ -19,7 +19,10 @@ void Multipliers::evaluate() {
     const ComponentModel::Conditions& conditions = model_.conditions();
     const std::size_t entries = conditions.matrix.size();
     second_.resize(entries + size());
-    f_.evaluate(conditions.second, second_);
+    if (mode_.sticking.empty())
+        f_.evaluate(conditions.second, second_);
+    else
+        f_.evaluate(model_.directions().second, f_.inHeld(), second_);
     rest_ = Eigen::Map<const Eigen::VectorXd>(second_.data() + entries, indexOf(size()));
 }
 

@@ -152,25 +152,6 @@ std::vector<StickSlip::Approach> StickSlip::approaches(double t, std::span<const
     return found;
 }
 
-std::vector<std::size_t> StickSlip::directionsAtRest(double t, std::span<const double> y) {
-    std::vector<std::size_t> found;
-    f_.fill(t, y);
-    const std::vector<double> still(field_.size());
-    const ComponentModel::Directions& directions = model_.directions();
-    for (std::size_t d = 0; d < directions.ranges.size(); ++d) {
-        bool isAtRest = std::ranges::find(mode_.sticking, d) == mode_.sticking.end();
-        const auto [first, count] = directions.ranges[d];
-        for (std::size_t p = first; isAtRest && p < first + count; ++p) {
-            const GuardSlope slope = f_.slopeOf(directions.gradients[p].derivatives, still);
-            isAtRest = directions.gradients[p].state ? slope.value == 0
-                                                     : std::abs(slope.value) <= slope.near;
-        }
-        if (isAtRest)
-            found.push_back(d);
-    }
-    return found;
-}
-
 bool StickSlip::rest(std::span<const std::size_t> directions, double t, std::span<double> y) {
     const Mode before = mode_;
     f_.fill(t, y);

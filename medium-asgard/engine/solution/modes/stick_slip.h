@@ -32,8 +32,6 @@ public:
     };
     // Of vectors that fall.
     [[nodiscard]] std::vector<Approach> approaches(double t, std::span<const double> y);
-    // Those whose vector is 0, but for rounding.
-    [[nodiscard]] std::vector<std::size_t> directionsAtRest(double t, std::span<const double> y);
     // Puts their vectors to 0, where they stay as long as they can; a vector that cannot leaves at
     // once, by a hundredth of the reach. False: nothing holds them there, and nothing was done.
     [[nodiscard]] bool rest(std::span<const std::size_t> directions, double t, std::span<double> y);

@@ -261,7 +261,7 @@ void Component::endWhereApart(const std::vector<std::size_t>& apart) {
 
 void Component::decideRest(std::vector<double>& y) {
     takeReach(context_, y);
-    const auto directions = equations_->stickSlip().directionsAtRest(progress_.time, y);
+    const auto directions = equations_->directionsAtRest(progress_.time, y);
     std::vector<double> rested = y;
     if (!directions.empty() && equations_->rest(directions, progress_.time, rested))
         y = rested;
