@@ -304,6 +304,27 @@ TEST(ShapeLibraryTest, EveryShapeIsOneThatTheLanguageTakes) {
     }
 }
 
+// Its number for a height is that of the floor below it, and of its top, 1 above.
+TEST(ShapeLibraryTest, ATableStandsAtItsOrigin) {
+    Eigen::AlignedBox3d box;
+    for (const scene::Part& part : libraryShape("Table").parts) {
+        const Vector half = std::get<scene::BoxShape>(part.shape).edges / 2;
+        box.extend(Eigen::AlignedBox3d(part.position - half, part.position + half));
+    }
+    EXPECT_NEAR(box.min().y(), 0, 1e-12);
+    EXPECT_NEAR(box.max().y(), 1, 1e-12);
+}
+
+TEST(ShapeLibraryTest, EverydayThingsComeFirst) {
+    const auto place = [](const std::string& name) {
+        return &libraryShape(name) - shapeLibrary().data();
+    };
+    for (const char* everyday :
+         {"Ball", "Cube", "Floor", "Table", "Plate", "Rod", "Wheel", "Wedge"})
+        for (const char* rare : {"T-handle", "Egg", "Tetrahedron", "Icosahedron"})
+            EXPECT_LT(place(everyday), place(rare)) << everyday << ", " << rare;
+}
+
 // Its points do not lie in one plane.
 bool isSolid(const DraftPart& one) {
     const auto* hull = std::get_if<scene::HullShape>(&one.part.shape);

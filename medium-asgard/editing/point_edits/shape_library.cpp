@@ -60,6 +60,15 @@ Part icosahedron() {
     return hull(points);
 }
 
+// It stands at its origin, and its top is 1 above.
+std::vector<Part> table() {
+    std::vector<Part> parts{at(box({2, 0.1, 1.2}), {0, 0.95, 0})};
+    for (const double z : {-0.5, 0.5})
+        for (const double x : {-0.9, 0.9})
+            parts.push_back(at(box({0.1, 0.9, 0.1}), {x, 0.45, z}));
+    return parts;
+}
+
 } // namespace
 
 Part sphere(double radius) {
@@ -129,25 +138,11 @@ const std::vector<LibraryShape>& shapeLibrary() {
     static const std::vector<LibraryShape> library = {
         {"Ball", {sphere(0.5)}},
         {"Cube", {box({1, 1, 1})}},
-        {"Rod", {box({4, 0.3, 0.3})}},
-        {"Plate", {box({4, 0.2, 4})}},
-        {"Cylinder", {cylinder(0.5, 1)}},
-        {"Disc", {cylinder(1, 0.2)}},
-        {"Wheel", {turned(cylinder(0.5, 0.2), {std::numbers::pi / 2, 0, 0})}}, // about z
-        {"Capsule", {capsule(0.3, 1)}},
-        {"Cone", {cone(0.5, 1)}},
-        {"Egg", {ellipsoid({0.4, 0.6, 0.4})}},
-        {"Tube", {tube(0.45, 0.5, 1)}},
-        {"Hoop", {turned(tube(0.9, 1, 0.3), {std::numbers::pi / 2, 0, 0})}}, // about z
-        {"Bowl", {bowl(0.9, 1)}},
         {"Floor", {plane()}, true},
-        {"Tetrahedron", {tetrahedron(1)}},
-        {"Octahedron",
-         {hull({{0.7, 0, 0}, {-0.7, 0, 0}, {0, 0.7, 0}, {0, -0.7, 0}, {0, 0, 0.7}, {0, 0, -0.7}})}},
-        {"Dodecahedron", {dodecahedron()}},
-        {"Icosahedron", {icosahedron()}},
-        {"Pyramid",
-         {hull({{0.5, 0, 0.5}, {0.5, 0, -0.5}, {-0.5, 0, -0.5}, {-0.5, 0, 0.5}, {0, 1, 0}})}},
+        {"Table", table(), true},
+        {"Plate", {box({4, 0.2, 4})}},
+        {"Rod", {box({4, 0.3, 0.3})}},
+        {"Wheel", {turned(cylinder(0.5, 0.2), {std::numbers::pi / 2, 0, 0})}}, // about z
         {"Wedge",
          {hull({{-0.5, 0, -0.5},
                 {-0.5, 0, 0.5},
@@ -155,15 +150,25 @@ const std::vector<LibraryShape>& shapeLibrary() {
                 {0.5, 0, 0.5},
                 {0.5, 0.5, -0.5},
                 {0.5, 0.5, 0.5}})}},
+        {"Cylinder", {cylinder(0.5, 1)}},
+        {"Disc", {cylinder(1, 0.2)}},
+        {"Hoop", {turned(tube(0.9, 1, 0.3), {std::numbers::pi / 2, 0, 0})}}, // about z
+        {"Tube", {tube(0.45, 0.5, 1)}},
+        {"Bowl", {bowl(0.9, 1)}},
+        {"Capsule", {capsule(0.3, 1)}},
+        {"Cone", {cone(0.5, 1)}},
+        {"Egg", {ellipsoid({0.4, 0.6, 0.4})}},
         {"Dumbbell",
          {at(sphere(0.4), {-1, 0, 0}), at(box({2, 0.2, 0.2}), {0, 0, 0}),
           at(sphere(0.4), {1, 0, 0})}},
         {"T-handle", {box({2, 0.3, 0.3}), at(box({0.3, 1, 0.3}), {0, -0.65, 0})}},
-        {"Table",
-         {at(box({2, 0.1, 1.2}), {0, 1, 0}), at(box({0.1, 1, 0.1}), {-0.9, 0.45, -0.5}),
-          at(box({0.1, 1, 0.1}), {0.9, 0.45, -0.5}), at(box({0.1, 1, 0.1}), {-0.9, 0.45, 0.5}),
-          at(box({0.1, 1, 0.1}), {0.9, 0.45, 0.5})},
-         true},
+        {"Pyramid",
+         {hull({{0.5, 0, 0.5}, {0.5, 0, -0.5}, {-0.5, 0, -0.5}, {-0.5, 0, 0.5}, {0, 1, 0}})}},
+        {"Tetrahedron", {tetrahedron(1)}},
+        {"Octahedron",
+         {hull({{0.7, 0, 0}, {-0.7, 0, 0}, {0, 0.7, 0}, {0, -0.7, 0}, {0, 0, 0.7}, {0, 0, -0.7}})}},
+        {"Dodecahedron", {dodecahedron()}},
+        {"Icosahedron", {icosahedron()}},
     };
     return library;
 }

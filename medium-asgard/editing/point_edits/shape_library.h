@@ -27,6 +27,7 @@ struct LibraryShape {
 [[nodiscard]] scene::Part bowl(double inner, double outer);
 [[nodiscard]] scene::Part tetrahedron(double size);
 
+// Everyday things first.
 [[nodiscard]] const std::vector<LibraryShape>& shapeLibrary();
 // One that there is.
 [[nodiscard]] const LibraryShape& libraryShape(const std::string& name);
