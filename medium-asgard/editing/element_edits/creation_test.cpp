@@ -151,6 +151,9 @@ INSTANTIATE_TEST_SUITE_P(
         Taken{"Plots", "body a s\nbody b s\nplot p -values {a.x b.x}\nplot q -values {b.x}\n",
               "body b s\nplot q -values {b.x}\n"},
         Taken{"LastOnALine", "set x 1; body a s", "set x 1; "},
+        Taken{"AGroupOfItsOwn", "\nbody a s\n\nbody b s\n", "\nbody b s\n"},
+        Taken{"TheLastGroup", "set x 1\r\n\r\nbody a s\r\nforce -body a -y 1\r\n", "set x 1\r\n"},
+        Taken{"BehindAComment", "\n# a\nbody a s\n\nbody b s\n", "\n# a\n\nbody b s\n"},
         Taken{"TwoOnALine", "body a s; body b s; # both\n", "body b s; # both\n"},
         Taken{"Continued", "body a \\\n  s \\\n  -mass 1\nbody b s\n", "body b s\n"},
         Taken{"Braces", "if {1} {body a s}\nbody b s\n", "if {1} {}\nbody b s\n"},
@@ -182,6 +185,16 @@ TEST(Deletion, OfAParameterThatTheScriptReadsIsRefused) {
     const std::string text = "parameter h -value 1\n" + shapes + "body a s -init_pos \"0 $h 0\"\n";
     EXPECT_EQ(deletionOf(text, *readScene(text), {{Kind::parameter, 0}}).reason,
               "Parameter \"h\" is read as $h in line 3.");
+}
+
+// A group of its own is set off by an empty line, which does not stay behind.
+TEST(Deletion, OfWhatWasMadeGivesTheTextOfBefore) {
+    for (const std::string& text :
+         {shapes + "body a s\n", shapes + "\nbody a s\n\n# end\n", shapes + "body a s\r\n"}) {
+        const std::string made = withNew(text, weightOn("a", 0));
+        const Deletion deletion = deletionOf(made, *readScene(made), {{Kind::force, 0}});
+        EXPECT_EQ(text::applied(made, deletion.edits), text);
+    }
 }
 
 TEST(Preview, ShowsTheLinesThatChange) {

@@ -170,6 +170,37 @@ int lineOf(const std::string& text, std::size_t offset) {
                    text.begin(), text.begin() + static_cast<std::ptrdiff_t>(offset), '\n'));
 }
 
+// Where an empty line begins that ends there; none: none does.
+std::optional<std::size_t> emptyLineBefore(std::string_view text, std::size_t end) {
+    if (end == 0 || text[end - 1] != '\n')
+        return std::nullopt;
+    const std::size_t from = end > 1 && text[end - 2] == '\r' ? end - 2 : end - 1;
+    const bool isEmpty = from == 0 || text[from - 1] == '\n';
+    return isEmpty && !isContinued(text, from == 0 ? 0 : from - 1) ? std::optional(from)
+                                                                   : std::nullopt;
+}
+
+// A group of lines that goes as a whole takes the empty line with it by which it was set off
+// (creation.cpp); what remains between two others is one.
+std::vector<scene::Range> withEmptyLines(std::string_view text, std::vector<scene::Range> ranges) {
+    std::ranges::sort(ranges, {}, &scene::Range::from);
+    std::vector<scene::Range> groups;
+    for (const scene::Range& range : ranges)
+        if (!groups.empty() && groups.back().to == range.from)
+            groups.back().to = range.to;
+        else
+            groups.push_back(range);
+    for (scene::Range& group : groups) {
+        const bool isWholeLines = group.to == text.size() || text[group.to - 1] == '\n';
+        const std::string_view rest = text.substr(group.to);
+        const bool endsGroup = rest.empty() || rest.starts_with('\n') || rest.starts_with("\r\n");
+        const auto empty = emptyLineBefore(text, group.from);
+        if (isWholeLines && endsGroup && empty)
+            group.from = *empty;
+    }
+    return groups;
+}
+
 } // namespace
 
 std::vector<Element> dependents(const scene::Scene& scene, const Element& element) {
@@ -226,8 +257,7 @@ Deletion deletionOf(const std::string& text, const scene::Scene& scene,
                 deletion.along.push_back(user);
             }
     }
-    std::ranges::sort(ranges, {}, &scene::Range::from);
-    for (const scene::Range& range : ranges)
+    for (const scene::Range& range : withEmptyLines(text, std::move(ranges)))
         deletion.edits.push_back({{range.from, range.to}, ""});
     return deletion;
 }

@@ -2,9 +2,9 @@
 //
 // A body takes the forces, links, joints and constraints that name it along, and every element
 // whose expression reads it; a joint its gears and what reads it; a shape set its bodies; a
-// trajectory and a parameter what uses them. An
-// element that a loop, a procedure called twice or a computed command makes cannot be taken out
-// alone: then nothing is, and the reason names the command and its place.
+// trajectory and a parameter what uses them. Lines that go as a whole group take the empty line
+// before it along. An element that a loop, a procedure called twice or a computed command makes
+// cannot be taken out alone: then nothing is, and the reason names the command and its place.
 #pragma once
 
 #include "editing/element.h"

@@ -50,7 +50,7 @@ TEST_F(MetersTest, AValueStandsBesideItsBodyAtEachTime) {
     toggle(meters, x);
     EXPECT_TRUE(meters.all().empty());
     EXPECT_NE(display.grab().toImage(), with);
-    EXPECT_EQ(editor.document().text(), flying + "\n");
+    EXPECT_EQ(editor.document().text(), flying);
 }
 
 // The chart of an author is his: it stays when its value goes.
