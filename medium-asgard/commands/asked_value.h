@@ -35,7 +35,7 @@ typedNumbers(const AskedValue& asked, const std::vector<std::string>& fields);
 
 // Each is asked of the scene that was read from the text; nothing is previewed or finished.
 [[nodiscard]] AskedValue askedOf(const gestures::Ground& of, const render::Handle& handle);
-// Of a body whose shape is one sphere (its radius) or one box (its edges); none: of another.
+// Of a body whose shape is one part that has sizes (point_edits/shape_points.h); none: of another.
 [[nodiscard]] std::optional<AskedValue> askedSize(const gestures::Ground& of, std::size_t body);
 // How it bounces, slides and rolls: restitution, friction while it slides and while it sticks, and
 // rolling friction.

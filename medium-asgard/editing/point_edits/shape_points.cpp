@@ -3,6 +3,8 @@
 #include "geometry/hull.h"
 #include "geometry/pose.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 
@@ -54,6 +56,14 @@ Part withCorner(Part part, BoxShape box, std::size_t index, const Vector& place)
     return part;
 }
 
+// Along the axes of the part.
+Vector extentsOf(const HullShape& hull) {
+    Eigen::AlignedBox3d box;
+    for (const Vector& p : hull.points)
+        box.extend(p);
+    return box.sizes();
+}
+
 struct Sizes {
     std::vector<double> operator()(const SphereShape& sphere) const { return {sphere.radius}; }
     std::vector<double> operator()(const BoxShape& box) const { return listed(box.edges); }
@@ -61,7 +71,7 @@ struct Sizes {
     std::vector<double> operator()(const CylinderShape& c) const { return {c.radius, c.height}; }
     std::vector<double> operator()(const ConeShape& c) const { return {c.radius, c.height}; }
     std::vector<double> operator()(const CapsuleShape& c) const { return {c.radius, c.height}; }
-    std::vector<double> operator()(const HullShape&) const { return {}; }
+    std::vector<double> operator()(const HullShape& h) const { return listed(extentsOf(h)); }
     std::vector<double> operator()(const PlaneShape&) const { return {}; }
     std::vector<double> operator()(const TubeShape& t) const {
         return {t.inner, t.outer, t.height};
@@ -78,7 +88,11 @@ struct Resize {
     void operator()(CylinderShape& c) const { c = {sizes.at(0), sizes.at(1)}; }
     void operator()(ConeShape& c) const { c = {sizes.at(0), sizes.at(1)}; }
     void operator()(CapsuleShape& c) const { c = {sizes.at(0), sizes.at(1)}; }
-    void operator()(HullShape&) const {}
+    void operator()(HullShape& hull) const {
+        const Vector before = extentsOf(hull), now(sizes.data());
+        for (Vector& p : hull.points)
+            p = p.cwiseProduct(now).cwiseQuotient(before); // so that 0.3 of 0.6 is 2.5 of 5
+    }
     void operator()(PlaneShape&) const {}
     void operator()(TubeShape& t) const { t = {inner(), outer(), sizes.at(2)}; }
     void operator()(BowlShape& b) const { b = {inner(), outer()}; }
@@ -140,6 +154,8 @@ std::vector<std::string> sizeNames(const Part& part) {
         return {"Radius inside", "outside", "Height"};
     if (std::holds_alternative<BowlShape>(part.shape))
         return {"Radius inside", "outside"};
+    if (std::holds_alternative<HullShape>(part.shape))
+        return {"Size x", "Size y", "Size z"};
     switch (sizesOf(part).size()) {
     case 1:
         return {"Radius"};

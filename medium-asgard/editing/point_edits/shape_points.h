@@ -10,8 +10,8 @@
 
 namespace editing {
 
-// The numbers of its option: radius, edges, radius and height, half axes; none of a polyhedron and
-// of a half space.
+// The numbers of its option: radius, edges, radius and height, half axes; of a polyhedron how far
+// it reaches along its axes, which stretch it about its origin; none of a half space.
 [[nodiscard]] std::vector<double> sizesOf(const scene::Part& part);
 // The words for them: "Radius", "Height".
 [[nodiscard]] std::vector<std::string> sizeNames(const scene::Part& part);

@@ -211,6 +211,19 @@ TEST_F(PropertiesTest, SeveralOfOneShapeShareItsSize) {
     EXPECT_TRUE(field("size1").isHidden());
 }
 
+// A slope for a car, from the library's wedge.
+TEST_F(PropertiesTest, APolyhedronIsStretchedByItsSize) {
+    open("shape_set s -desc {-sub {-points {{-0.3 0 -0.3} {-0.3 0 0.3} {0.3 0 -0.3} {0.3 0 0.3} "
+         "{0.3 0.3 -0.3} {0.3 0.3 0.3}}}}\nbody a s\n",
+         {{Kind::body, 0}});
+    EXPECT_EQ(field("size1").text(), "0.6");
+    EXPECT_EQ(field("size2").text(), "0.3");
+    EXPECT_EQ(field("size2").accessibleName(), "Size y");
+    type("size1", "5");
+    EXPECT_THAT(document.text(), HasSubstr("{-2.5 0 -0.3} {-2.5 0 0.3} {2.5 0 -0.3} {2.5 0 0.3} "
+                                           "{2.5 0.3 -0.3} {2.5 0.3 0.3}"));
+}
+
 TEST_F(PropertiesTest, AShapeOfTwoPartsHasNoRowForItsSize) {
     open("shape_set s -desc {-sub {-sphere 0.5} -sub {-pos {1 0 0} -sphere 0.5}}\nbody a s\n",
          {{Kind::body, 0}});
