@@ -102,7 +102,7 @@ void fillBodies(QMenu* menu, SceneDocument& document, SceneDisplay& display) {
 
 void askForPlot(SceneDocument& document, SceneDisplay& display) {
     const auto& selected = document.selected();
-    PlotDialog dialog(document.shown().scene, &display,
+    PlotDialog dialog(document.shown(), &display,
                       selected.empty() ? std::nullopt : std::optional(selected.front()));
     if (dialog.exec() == QDialog::Accepted)
         display.creating().start(

@@ -13,10 +13,16 @@ namespace views {
 
 namespace {
 
-// As much of it as there is room for: the unit, which comes last, rather than the words.
+// As much of it as there is room for: rather the unit, which comes last, than all of the words.
 QString fitting(const QString& name, double room, const QFontMetricsF& metrics) {
     const qsizetype comma = name.lastIndexOf(QStringLiteral(", "));
-    return metrics.horizontalAdvance(name) <= room || comma < 0 ? name : name.mid(comma + 2);
+    if (metrics.horizontalAdvance(name) <= room || comma < 0)
+        return name;
+    const QString unit = name.mid(comma);
+    const QString words = metrics.elidedText(name.left(comma), Qt::ElideRight,
+                                             room - metrics.horizontalAdvance(unit));
+    constexpr qsizetype fewest = 4; // signs that say anything
+    return words.size() < fewest ? name.mid(comma + 2) : words + unit;
 }
 
 void paintNames(QPainter& painter, const ChartAxes& axes, const QPalette& palette) {
@@ -29,15 +35,26 @@ void paintNames(QPainter& painter, const ChartAxes& axes, const QPalette& palett
     painter.drawText(QPointF(a.center().x() - metrics.horizontalAdvance(across) / 2,
                              a.bottom() + 4 + 2 * metrics.ascent() + 2),
                      across);
-    const QString up = fitting(axes.up, a.height(), metrics);
+    const AxisName up = nameOfValues(axes, metrics);
     painter.save();
-    painter.translate(2 + metrics.ascent(), a.center().y());
+    painter.translate(2 + metrics.ascent(), up.middle);
     painter.rotate(-90);
-    painter.drawText(QPointF(-metrics.horizontalAdvance(up) / 2, 0), up);
+    painter.drawText(QPointF(-metrics.horizontalAdvance(up.words) / 2, 0), up.words);
     painter.restore();
 }
 
 } // namespace
+
+// Beside the numbers nothing else stands, from the chart's upper edge to the lower one.
+AxisName nameOfValues(const ChartAxes& axes, const QFontMetricsF& metrics) {
+    constexpr double margin = 2;
+    const double whole = std::max(axes.height, axes.area.bottom());
+    AxisName name{fitting(axes.up, whole - 2 * margin, metrics), axes.area.center().y()};
+    const double half = metrics.horizontalAdvance(name.words) / 2 + margin;
+    name.middle =
+        std::clamp(name.middle, std::min(half, whole / 2), std::max(whole - half, whole / 2));
+    return name;
+}
 
 double stepOfValues(const ChartAxes& axes, double lineHeight) {
     const double height = axes.high - axes.low, wide = 30;

@@ -4,6 +4,7 @@
 #include <QRectF>
 #include <QString>
 
+class QFontMetricsF;
 class QPainter;
 class QPalette;
 
@@ -13,6 +14,7 @@ struct ChartAxes {
     QRectF area; // pixels
     double from = 0, to = 1, low = 0, high = 1;
     QString across = {}, up = {}; // what they say: "time, s", "x of b1, m"; "": nothing
+    double height = 0;            // of the chart: the name of the axis of values may use all of it
 
     [[nodiscard]] QPointF place(double time, double value) const {
         return {area.left() + (time - from) / (to - from) * area.width(),
@@ -23,6 +25,14 @@ struct ChartAxes {
 // From one number beside the axis of values to the next: three of them at least, where lines of
 // letters that high leave the room.
 [[nodiscard]] double stepOfValues(const ChartAxes& axes, double lineHeight);
+
+// The name of the axis of values as far as there is room for it, the middle of the axis as its own
+// where it can be: "x of b1, m", "x o…, m", "m".
+struct AxisName {
+    QString words;
+    double middle = 0; // down from the chart's upper edge
+};
+[[nodiscard]] AxisName nameOfValues(const ChartAxes& axes, const QFontMetricsF& metrics);
 
 void paintAxes(QPainter& painter, const ChartAxes& axes, const QPalette& palette);
 

@@ -70,7 +70,8 @@ ChartAxes PlotChart::axes() const {
             range_.low,
             range_.high,
             QString::fromLatin1(charts::timeAxis),
-            QString::fromStdString(plot_.values)};
+            QString::fromStdString(plot_.values),
+            static_cast<double>(height())};
 }
 
 QPointF PlotChart::placeOf(double time, double value) const { return axes().place(time, value); }

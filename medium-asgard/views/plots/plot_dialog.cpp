@@ -1,6 +1,6 @@
 #include "plots/plot_dialog.h"
 
-#include "commands/quantities.h"
+#include "commands/proposal.h"
 #include "plain/plain.h"
 #include "scene/names.h"
 
@@ -69,15 +69,15 @@ QString faultOfPlotted(const scene::Scene& scene, const QString& expression) {
     return words;
 }
 
-PlotDialog::PlotDialog(std::shared_ptr<const scene::Scene> scene, QWidget* parent,
+PlotDialog::PlotDialog(const Shown& shown, QWidget* parent,
                        const std::optional<editing::Element>& about)
-    : QDialog(parent), scene_(std::move(scene)), field_(new QLineEdit), fault_(plain::label()) {
+    : QDialog(parent), scene_(shown.scene), field_(new QLineEdit), fault_(plain::label()) {
     setObjectName("newPlot");
     field_->setObjectName("expression");
     setWindowTitle(tr("New Plot"));
     auto* column = new QVBoxLayout(this);
     field_->setText(QStringLiteral("t"));
-    QTreeWidget* list = makeList(about);
+    QTreeWidget* list = makeList(shown.motion.get(), about);
     auto* lists = plain::label(tr("&Quantity, against time:"));
     lists->setBuddy(list);
     auto* asks = plain::label(tr("&Expression:"));
@@ -105,7 +105,8 @@ PlotDialog::PlotDialog(std::shared_ptr<const scene::Scene> scene, QWidget* paren
 }
 
 // The quantities below their elements; the one that is chosen stands in the field.
-QTreeWidget* PlotDialog::makeList(const std::optional<editing::Element>& about) {
+QTreeWidget* PlotDialog::makeList(const simulation::Motion* motion,
+                                  const std::optional<editing::Element>& about) {
     auto* list = new QTreeWidget;
     list->setObjectName("quantities");
     list->setHeaderHidden(true);
@@ -119,8 +120,9 @@ QTreeWidget* PlotDialog::makeList(const std::optional<editing::Element>& about) 
             accept();
     });
     const auto all = commands::quantitiesOf(*scene_);
-    QTreeWidgetItem* proposed = nullptr;
-    for (const commands::Measured& one : all) {
+    const auto proposal = commands::proposalOf(*scene_, motion, all, about);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const commands::Measured& one = all[i];
         auto* element = new QTreeWidgetItem(
             list, {QString::fromStdString(editing::describe(*scene_, one.element))});
         for (const commands::Quantity& quantity : one.quantities)
@@ -128,16 +130,13 @@ QTreeWidget* PlotDialog::makeList(const std::optional<editing::Element>& about) 
                                            QString::fromStdString(quantity.expression)}))
                 ->setData(0, Qt::UserRole, QString::fromStdString(quantity.name));
         constexpr std::size_t few = 6; // elements: their quantities are seen at once
-        element->setExpanded(all.size() <= few || one.element == about);
-        if (one.element == about)
-            proposed = element->child(0);
-        else if (!proposed) // of a body its height, as a rule
-            proposed = element->child(one.element.kind == editing::Kind::body ? 1 : 0);
+        element->setExpanded(all.size() <= few || one.element == about || i == proposal->measured);
     }
     list->resizeColumnToContents(0);
     list->setMinimumHeight(14 * list->fontMetrics().height());
-    if (proposed)
-        list->setCurrentItem(proposed);
+    if (proposal)
+        list->setCurrentItem(list->topLevelItem(static_cast<int>(proposal->measured))
+                                 ->child(static_cast<int>(proposal->quantity)));
     return list;
 }
 

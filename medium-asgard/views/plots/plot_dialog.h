@@ -3,7 +3,7 @@
 #pragma once
 
 #include "editing/element.h"
-#include "scene/scene.h"
+#include "workbench/scene_document.h"
 
 #include <QDialog>
 
@@ -21,8 +21,8 @@ namespace views {
 class PlotDialog : public QDialog {
     Q_OBJECT
 public:
-    // `about`: its first quantity is proposed.
-    PlotDialog(std::shared_ptr<const scene::Scene> scene, QWidget* parent,
+    // `about`: what is selected; of that a quantity is proposed (commands/proposal.h).
+    PlotDialog(const Shown& shown, QWidget* parent,
                const std::optional<editing::Element>& about = std::nullopt);
 
     [[nodiscard]] QString expression() const;
@@ -30,7 +30,8 @@ public:
     void accept() override;             // only what can be charted
 
 private:
-    QTreeWidget* makeList(const std::optional<editing::Element>& about);
+    QTreeWidget* makeList(const simulation::Motion* motion,
+                          const std::optional<editing::Element>& about);
 
     std::shared_ptr<const scene::Scene> scene_;
     QLineEdit* field_;

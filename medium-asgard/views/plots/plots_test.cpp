@@ -36,8 +36,8 @@ protected:
 TEST_F(PlotsTest, TheDialogOffersTheQuantitiesOfTheScene) {
     show("shape_set s -desc {-sub {-sphere 0.5}}\nbody floor s -fixed 1\n"
          "body b s -init_pos {0 3 0}\njoint pin -type hinge -body1 b -offset1 {0 1 0}\n");
-    PlotDialog whole(editor.document().shown().scene, nullptr);
-    EXPECT_EQ(whole.expression(), "b.y");
+    PlotDialog whole(editor.document().shown(), nullptr);
+    EXPECT_EQ(whole.expression(), "atan2(b.x - pin.px, pin.py - b.y)"); // b can do nothing else
     auto* list = whole.findChild<QTreeWidget*>("quantities");
     ASSERT_EQ(list->topLevelItemCount(), 2); // a fixed body has none
     EXPECT_EQ(list->topLevelItem(1)->child(0)->text(0), "Angle from straight down, °");
@@ -47,9 +47,32 @@ TEST_F(PlotsTest, TheDialogOffersTheQuantitiesOfTheScene) {
     list->setCurrentItem(list->topLevelItem(1)->child(1));
     EXPECT_EQ(whole.expression(), "pin.q");
     EXPECT_EQ(whole.name(), "");
-    const PlotDialog about(editor.document().shown().scene, nullptr,
+    const PlotDialog about(editor.document().shown(), nullptr,
                            editing::Element{editing::Kind::joint, 0});
     EXPECT_EQ(about.expression(), "atan2(b.x - pin.px, pin.py - b.y)");
+}
+
+TEST_F(PlotsTest, TheDialogProposesWhatMoves) {
+    using editing::Kind;
+    const std::string two = "simulator -finish 1\nshape_set s -desc {-sub {-sphere 0.1}}\n"
+                            "body a s -init_pos {0 3 0} -init_dpos {0 0 9}\n"
+                            "body b s -init_pos {5 3 0}\n";
+    show(two + "force -body b -gravitational {0 -9.81 0}\n"
+               "body c s -init_pos {9 3 0}\njoint rail -type slider -body1 c -axis {1 0 0}\n"
+               "body d s -init_pos {9 1 0}\njoint arm -type hinge -body1 d -body2 c\n"
+               "gear g -joint1 rail -joint2 arm -ratio 2\n");
+    const auto proposed = [&](std::optional<editing::Element> about) {
+        return PlotDialog(editor.document().shown(), nullptr, about).expression().toStdString();
+    };
+    EXPECT_EQ(proposed({}), "a.z");
+    EXPECT_EQ(proposed({{Kind::body, 0}}), "a.z");
+    EXPECT_EQ(proposed({{Kind::body, 1}}), "b.y");
+    EXPECT_EQ(proposed({{Kind::force, 0}}), "b.y");
+    EXPECT_EQ(proposed({{Kind::body, 2}}), "rail.q"); // c moves by it alone
+    EXPECT_EQ(proposed({{Kind::joint, 0}}), "rail.q");
+    EXPECT_EQ(proposed({{Kind::gear, 0}}), "rail.q");
+    EXPECT_EQ(proposed({{Kind::body, 3}}), "d.y"); // it rests
+    EXPECT_EQ(proposed({{Kind::shapeSet, 0}}), "a.z");
 }
 
 TEST_F(PlotsTest, EachQuantityHasItsUnit) {
@@ -150,6 +173,26 @@ TEST_F(PlotsTest, AFlatChartHasThreeNumbersAtLeast) {
     EXPECT_EQ(stepOfValues(high, 14), 10);
     const ChartAxes tiny{{0, 0, 460, 20}, 0, 10, -26.8, 26.8};
     EXPECT_EQ(stepOfValues(tiny, 14), 50); // the numbers would overlap
+}
+
+// "°" alone does not tell of what.
+TEST_F(PlotsTest, TheNameOfAFlatChartsAxisUsesTheWholeHeight) {
+    const QFontMetricsF metrics{QFont()};
+    const QString name = QStringLiteral("angle of hinge1, °");
+    const double length = metrics.horizontalAdvance(name);
+    const auto named = [&](double height) {
+        return nameOfValues({{64, 30, 460, height - 66}, 0, 10, -27, 27, {}, name, height},
+                            metrics);
+    };
+    EXPECT_EQ(named(400).words, name);
+    EXPECT_EQ(named(400).middle, 30 + 334.0 / 2);
+    EXPECT_EQ(named(length + 10).words, name); // the axis is shorter than it
+    EXPECT_GE(named(length + 10).middle, length / 2);
+    EXPECT_LE(named(length + 10).middle, length / 2 + 10);
+    const AxisName shorter = named(length - 20);
+    EXPECT_TRUE(shorter.words.startsWith("angle")) << shorter.words.toStdString();
+    EXPECT_TRUE(shorter.words.endsWith(QStringLiteral("…, °"))) << shorter.words.toStdString();
+    EXPECT_EQ(named(35).words, QStringLiteral("°"));
 }
 
 TEST_F(PlotsTest, TheRightButtonOnAChartAsksForItsMenu) {

@@ -350,7 +350,7 @@ TEST_F(WindowsTest, ThePanelStaysAsItIsWhileASliderIsDragged) {
 
 TEST_F(WindowsTest, APlotOfNothingIsRefusedWhereItIsAskedFor) {
     open(flooring);
-    PlotDialog dialog(editor.document().shown().scene, viewer);
+    PlotDialog dialog(editor.document().shown(), viewer);
     auto* field = dialog.findChild<QLineEdit*>();
     EXPECT_EQ(field->text(), "floor.y");
     for (const auto& [typed, why] :
