@@ -3,6 +3,7 @@
 #include "batch/picture_file.h"
 #include "batch/waiting.h"
 #include "framing/view.h"
+#include "lettering/values_beside.h"
 #include "script/svg_colors.h"
 #include "simulation/simulation.h"
 
@@ -110,6 +111,18 @@ std::optional<std::string> unknownView(const scene::Scene& scene, const std::str
     return "no view named \"" + name + "\" (views here: " + (names.empty() ? "none" : names) + ")";
 }
 
+// For the values that stand beside bodies; no plots where there are none.
+meters::Sampled sampledOf(const scene::Scene& scene, const simulation::MotionPointer& motion) {
+    const std::vector<meters::Meter> all = meters::metersOf(scene);
+    if (all.empty())
+        return {};
+    meters::Sampled sampled{{std::shared_ptr<const void>(), &scene}, {}}; // it outlives this
+    simulation::ReadableScene readable(scene);
+    for (std::size_t i = 0; i <= all.back().plot; ++i)
+        sampled.plots.push_back(*charts::sampled(readable, scene, scene.plots[i], motion));
+    return sampled;
+}
+
 int drawAll(const SceneText& scene, const simulation::MotionPointer& motion,
             const RenderArguments& arguments, Target target, render::Size size,
             const std::vector<double>& times) {
@@ -121,6 +134,7 @@ int drawAll(const SceneText& scene, const simulation::MotionPointer& motion,
         return refuseFor("pictures are at most " + std::to_string(renderer.maximumSize()) +
                              " pixels wide and high here",
                          failure);
+    const meters::Sampled sampled = sampledOf(scene.reading.scene, motion);
     const render::SceneView view(scene.reading.scene, motion, arguments.view, size);
     const auto stride = 4 * static_cast<std::size_t>(size.width);
     std::vector<std::byte> pixels(stride * static_cast<std::size_t>(size.height));
@@ -133,8 +147,11 @@ int drawAll(const SceneText& scene, const simulation::MotionPointer& motion,
         drawing.time = times[i];
         drawing.camera = view.at(times[i]);
         const std::string file = fileName(arguments.output, target.folder, i);
-        std::string why = "the graphics driver lost its state";
-        if (!renderer.draw(drawing, image) || !writePicture(file, target.format, image, why))
+        if (!renderer.draw(drawing, image))
+            return refuseFor(file + ": the graphics driver lost its state", failure);
+        lettering::drawValues(lettering::valuesBeside(drawing, size, 1, sampled), 1,
+                              render::isDark(drawing.display.background), image);
+        if (std::string why; !writePicture(file, target.format, image, why))
             return refuseFor(file + ": " + why, failure);
     }
     return success;

@@ -1,6 +1,6 @@
-#include "service/lettering.h"
+#include "lettering/lettering.h"
 
-namespace service {
+namespace lettering {
 
 Lettering::Lettering(const render::Image& into, double scale, bool isDark)
     : surface_(cairo_image_surface_create_for_data(
@@ -39,4 +39,4 @@ void Lettering::write(const std::string& words, const Eigen::AlignedBox2d& box,
     cairo_show_text(cairo_, words.c_str());
 }
 
-} // namespace service
+} // namespace lettering

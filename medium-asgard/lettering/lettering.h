@@ -7,7 +7,7 @@
 
 #include <string>
 
-namespace service {
+namespace lettering {
 
 class Lettering {
 public:
@@ -29,4 +29,4 @@ private:
     double paper_; // its grey
 };
 
-} // namespace service
+} // namespace lettering

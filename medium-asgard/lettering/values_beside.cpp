@@ -1,8 +1,8 @@
-#include "service/values_beside.h"
+#include "lettering/values_beside.h"
 
-#include "service/lettering.h"
+#include "lettering/lettering.h"
 
-namespace service {
+namespace lettering {
 
 std::vector<ValueBeside> valuesBeside(const render::Drawing& drawing, const render::Size& size,
                                       double scale, const meters::Sampled& sampled) {
@@ -34,4 +34,4 @@ void drawValues(const std::vector<ValueBeside>& values, double scale, bool isDar
                       {grey, grey, grey});
 }
 
-} // namespace service
+} // namespace lettering

@@ -1,5 +1,5 @@
-// The values beside the bodies of a document's picture, those of plots with `-beside 1`. They stand
-// as in a graphical viewer (meters/meters.h), but nobody drags them.
+// The values beside the bodies of a picture without a window, those of plots with `-beside 1`. They
+// stand as in a graphical viewer (meters/meters.h), but nobody drags them.
 #pragma once
 
 #include "meters/meters.h"
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace service {
+namespace lettering {
 
 struct ValueBeside {
     std::string words;
@@ -22,4 +22,4 @@ struct ValueBeside {
 void drawValues(const std::vector<ValueBeside>& values, double scale, bool isDark,
                 const render::Image& into);
 
-} // namespace service
+} // namespace lettering

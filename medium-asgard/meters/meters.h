@@ -46,6 +46,9 @@ struct Sampled {
 struct Place {
     Eigen::Vector2d at; // of its body or joint
     double reach = 10;  // how far that is seen to the right
+    static constexpr double gap = 7;
+    // The first place at its right, below the arrow of a selected one.
+    [[nodiscard]] Eigen::Vector2d beside() const { return at + Eigen::Vector2d(reach + gap, gap); }
 };
 // None: it is gone, or hidden.
 [[nodiscard]] std::optional<Place> placeOf(const render::Drawing& drawing,
@@ -59,11 +62,11 @@ struct Wish {
     Eigen::Vector2d aside = Eigen::Vector2d::Zero(); // from its first place; 0: not moved
 };
 struct Box {
-    Eigen::Vector2d beside; // the first place at its right, below the arrow of a selected one
+    Eigen::Vector2d beside; // the first place of its thing
     Eigen::AlignedBox2d rect;
 };
-// Those of one thing stand below each other, at its right; all of each is in the picture where its
-// thing is.
+// Those of one thing stand below each other, at its right where they cover no others, else about it
+// (handles/handle_layout.h); all of each is in the picture where its thing is.
 [[nodiscard]] std::vector<Box> boxesFor(const std::vector<Wish>& wishes,
                                         const Eigen::Vector2d& picture);
 

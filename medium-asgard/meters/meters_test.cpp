@@ -85,10 +85,27 @@ TEST(Meters, ThoseOfOneThingStandBelowEachOtherInThePicture) {
     const auto at = [&](std::size_t i) {
         return std::pair(boxes[i].rect.min().x(), boxes[i].rect.min().y());
     };
-    EXPECT_EQ(at(0), std::pair(66.0, 27.0));
-    EXPECT_EQ(at(1), std::pair(160.0, 90.0)); // all of it is seen
-    EXPECT_EQ(at(2), std::pair(66.0, 37.0));
-    EXPECT_EQ(at(3), std::pair(96.0, 67.0)); // where it was put
+    EXPECT_EQ(at(0), std::pair(67.0, 27.0));
+    EXPECT_EQ(at(1), std::pair(138.0, 90.0)); // all of it is seen, and its body
+    EXPECT_EQ(at(2), std::pair(67.0, 37.0));
+    EXPECT_EQ(at(3), std::pair(97.0, 67.0)); // where it was put
+}
+
+// A pile of bodies and the joint between them.
+TEST(Meters, ThoseOfSeveralThingsAvoidEachOther) {
+    std::vector<Wish> wishes;
+    for (std::size_t i = 0; i < 4; ++i)
+        for (int values = 0; values < 2; ++values)
+            wishes.push_back({{editing::Kind::body, i},
+                              {{150.0 + 3 * static_cast<double>(i), 100}, 12},
+                              {60, 14}});
+    wishes.push_back({{editing::Kind::joint, 0}, {{152, 104}, 10}, {60, 14}});
+    wishes.push_back({{editing::Kind::joint, 1}, {{152, 104}, 10}, {60, 14}, {4, 4}}); // put there
+    const auto boxes = boxesFor(wishes, {300, 200});
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            EXPECT_LE(boxes[i].rect.intersection(boxes[j].rect).sizes().minCoeff(), 0)
+                << i << ' ' << j;
 }
 
 TEST(Meters, APlaceFollowsTheBody) {

@@ -1,6 +1,7 @@
 // The places of values in a picture.
 #include "framing/body_places.h"
 #include "framing/joint_places.h"
+#include "handles/handle_layout.h"
 #include "meters/meters.h"
 
 #include <algorithm>
@@ -67,21 +68,62 @@ Eigen::AlignedBox2d inside(const Eigen::AlignedBox2d& rect, const Eigen::Vector2
     return {corner, Eigen::Vector2d(corner + rect.sizes())};
 }
 
-std::vector<Box> boxesFor(const std::vector<Wish>& wishes, const Eigen::Vector2d& picture) {
-    std::map<std::pair<Kind, std::size_t>, double> below;
-    std::vector<Box> all;
-    const Eigen::AlignedBox2d whole(Eigen::Vector2d(0, 0), picture);
-    for (const Wish& wish : wishes) {
-        const Eigen::Vector2d beside = wish.place.at + Eigen::Vector2d(wish.place.reach + 6, 7);
-        Eigen::AlignedBox2d rect(beside + wish.aside, beside + wish.aside + wish.size);
-        if (wish.aside.isZero(0)) {
-            double& lower = below[{wish.of.kind, wish.of.index}];
-            rect.translate(Eigen::Vector2d(0, lower));
-            lower += wish.size.y();
+namespace {
+
+// Values that stand below each other: those of one thing, or one that was put somewhere.
+struct Column {
+    std::vector<std::size_t> values;
+    render::LabelWish wish;
+};
+
+std::vector<Column> columnsOf(const std::vector<Wish>& wishes, const Eigen::Vector2d& picture) {
+    std::map<std::pair<Kind, std::size_t>, std::size_t> ofThing;
+    std::vector<Column> columns;
+    for (std::size_t i = 0; i < wishes.size(); ++i) {
+        const Wish& wish = wishes[i];
+        const render::LabelWish alone{wish.place.at, wish.size, Place::gap, wish.place.reach, true};
+        if (!wish.aside.isZero(0)) {
+            const Eigen::Vector2d corner = wish.place.beside() + wish.aside;
+            columns.push_back({{i}, alone});
+            columns.back().wish.put = inside({corner, corner + wish.size}, picture);
+            continue;
         }
-        if (!wish.aside.isZero(0) || whole.contains(wish.place.at))
-            rect = inside(rect, picture);
-        all.push_back({beside, rect});
+        const auto [found, isNew] =
+            ofThing.try_emplace({wish.of.kind, wish.of.index}, columns.size());
+        if (isNew) {
+            columns.push_back({{i}, alone});
+            continue;
+        }
+        Column& column = columns[found->second];
+        column.values.push_back(i);
+        Eigen::Vector2d& size = column.wish.size;
+        size = {std::max(size.x(), wish.size.x()), size.y() + wish.size.y()};
+    }
+    return columns;
+}
+
+} // namespace
+
+std::vector<Box> boxesFor(const std::vector<Wish>& wishes, const Eigen::Vector2d& picture) {
+    const Eigen::AlignedBox2d whole(Eigen::Vector2d(0, 0), picture);
+    const std::vector<Column> columns = columnsOf(wishes, picture);
+    std::vector<render::LabelWish> asked;
+    for (const Column& column : columns)
+        asked.push_back(column.wish);
+    const auto placed = render::placedLabels(asked, whole);
+    std::vector<Box> all(wishes.size());
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        const render::LabelWish& wish = columns[i].wish;
+        const Eigen::AlignedBox2d room =
+            whole.contains(wish.point) ? inside(placed[i], picture) : placed[i];
+        const bool isLeft = room.center().x() < wish.point.x();
+        double top = room.min().y();
+        for (const std::size_t value : columns[i].values) {
+            const Eigen::Vector2d& size = wishes[value].size;
+            const Eigen::Vector2d corner(isLeft ? room.max().x() - size.x() : room.min().x(), top);
+            all[value] = {wishes[value].place.beside(), {corner, corner + size}};
+            top += size.y();
+        }
     }
     return all;
 }

@@ -1,7 +1,7 @@
 #include "service/handle_labels.h"
 
 #include "handles/handle_layout.h"
-#include "service/lettering.h"
+#include "lettering/lettering.h"
 
 #include <vector>
 
@@ -12,15 +12,15 @@ void drawLabels(const render::HandleSet& handles, const gestures::Sight& sight, 
     const std::vector<const render::Handle*> all = render::labelled(handles);
     if (all.empty())
         return;
-    Lettering letters(into, scale, isDark);
+    lettering::Lettering letters(into, scale, isDark);
     std::vector<render::LabelWish> wishes;
     wishes.reserve(all.size());
     for (const render::Handle* handle : all)
-        wishes.push_back(
-            {render::standOf(*handle, sight.camera, sight.size), letters.sizeOf(handle->label)});
+        wishes.push_back({render::standOf(*handle, sight.camera, sight.size),
+                          letters.sizeOf(handle->label), 7 * scale});
     const Eigen::AlignedBox2d picture(Eigen::Vector2d(0, 0),
                                       Eigen::Vector2d(into.size.width, into.size.height));
-    const auto boxes = render::placedLabels(wishes, picture, 7 * scale);
+    const auto boxes = render::placedLabels(wishes, picture);
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         const double ink = isDark ? 1.3 : 0.65;
         const scene::Color& color = render::colorOf(all[i]->kind);

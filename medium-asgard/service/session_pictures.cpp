@@ -4,8 +4,8 @@
 
 #include "handles/handle_layout.h"
 #include "ipc/base64.h"
+#include "lettering/values_beside.h"
 #include "service/handle_labels.h"
-#include "service/values_beside.h"
 #include "terminal/terminal.h"
 
 #include <algorithm>
@@ -136,14 +136,15 @@ void Session::draw(ipc::Integer id, Rendition& rendition, const Look& look) {
     auto frames =
         gesture_.selection.frames(wish.drawing, {look.camera, frame.into.size}, rendition.scale());
     const bool hasLabels = wish.drawing.handles && !render::labelled(*wish.drawing.handles).empty();
-    auto values = valuesBeside(wish.drawing, frame.into.size, rendition.scale(), sheets_.sampled());
+    auto values = lettering::valuesBeside(wish.drawing, frame.into.size, rendition.scale(),
+                                          sheets_.sampled());
     if (!frames.empty() || hasLabels || !values.empty())
         wish.over = [frames = std::move(frames), values = std::move(values),
                      handles = wish.drawing.handles, camera = look.camera,
                      scale = rendition.scale(),
                      isDark = render::isDark(look.display.background)](const render::Image& into) {
             drawFrames(frames, scale, isDark, into);
-            drawValues(values, scale, isDark, into);
+            lettering::drawValues(values, scale, isDark, into);
             if (handles)
                 drawLabels(*handles, {camera, into.size}, scale, isDark, into);
         };
@@ -262,11 +263,14 @@ std::optional<ipc::Error> Session::take(const ipc::Id& id, const ipc::RenditionS
         return std::nullopt;
     }
     Pictures::Wish wish{subdocument_.scene(), printed(call, taken.time, image.size), image, slot};
-    if (auto values = valuesBeside(wish.drawing, image.size, call.scale, sheets_.sampled());
+    if (auto values =
+            lettering::valuesBeside(wish.drawing, image.size, call.scale, sheets_.sampled());
         !values.empty())
-        wish.over = [values = std::move(values), scale = call.scale,
-                     isDark = render::isDark(wish.drawing.display.background)](
-                        const render::Image& into) { drawValues(values, scale, isDark, into); };
+        wish.over =
+            [values = std::move(values), scale = call.scale,
+             isDark = render::isDark(wish.drawing.display.background)](const render::Image& into) {
+                lettering::drawValues(values, scale, isDark, into);
+            };
     pictures_.draw(this, std::move(wish), [this, id, taken](Pictures::Drawn drawn) mutable {
         if (!drawn.isFine)
             return channel_.refuse(id, notPossible(lostState));

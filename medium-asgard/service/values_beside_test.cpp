@@ -1,5 +1,5 @@
 // The values of plots with `-beside 1` are in a document's pictures, moving and printed.
-#include "service/values_beside.h"
+#include "lettering/values_beside.h"
 
 #include "ipc/base64.h"
 #include "service/session_testing.h"

@@ -348,6 +348,20 @@ class Commands(unittest.TestCase):
         pictures = {read_png(os.path.join(self.folder, "film", n)) for n in names}
         self.assertGreater(len(pictures), 1)
 
+    def test_render_paints_the_values_beside_bodies(self):
+        def picture(option, time):
+            scene = self.file("told.al", FLYING + f"plot way -values {{{{ball.x}}}} -labels {{Way}}{option}\n")
+            ran = self.run_asgard("render", scene, "--time", time, "--output", "told.png")
+            self.assertEqual((ran.returncode, ran.stderr), (0, ""))
+            return read_png(os.path.join(self.folder, "told.png"))[2]
+
+        without, there = picture("", "0"), picture(" -beside 1", "0")
+        changed = sum(one != other for one, other in zip(without, there))
+        self.assertGreater(changed, 300)
+        self.assertLess(changed, len(without) / 20)
+        self.assertEqual(there, picture(" -beside 1", "0"))
+        self.assertNotEqual(picture(" -beside 1", "1"), picture("", "1"))
+
     def test_what_render_refuses(self):
         for code, arguments in ((1, ("--time", "3", "--output", "a.png")), (1, ("--view", "v", "--output", "a.png")),
                                 (2, ("--output", "a.mp4")), (2, ("--output", "a.pdf")), (2, ("--size", "0x4", "--output", "a.png")),

@@ -195,31 +195,57 @@ std::vector<const Handle*> labelled(const HandleSet& set) {
     return all;
 }
 
-std::vector<Box> placedLabels(std::span<const LabelWish> wishes, const Box& picture, double gap) {
-    std::vector<Box> placed;
+namespace {
+
+// About its point, the first place first, straight up and down last; then those farther away.
+std::vector<Box> placesOf(const LabelWish& wish) {
+    constexpr std::array<std::array<double, 2>, 8> sides{
+        {{1, -1}, {1, 0}, {1, 1}, {-1, -1}, {-1, 0}, {-1, 1}, {0, -1}, {0, 1}}};
+    const Pixels half = wish.size / 2;
+    std::vector<Box> places;
+    for (const double ring : {0, 1, 2})
+        for (const auto& [across, down] : sides) {
+            const Pixels side(across, wish.isBelow ? -down : down);
+            const Pixels apart(wish.reach + wish.gap, wish.gap + (across == 0 ? wish.reach : 0));
+            const Pixels middle = wish.point + side.cwiseProduct(half + apart + ring * wish.size);
+            places.emplace_back(Pixels(middle - half), Pixels(middle + half));
+        }
+    return places;
+}
+
+} // namespace
+
+std::vector<Box> placedLabels(std::span<const LabelWish> wishes, const Box& picture) {
+    std::vector<Box> taken, points, placed;
     for (const LabelWish& wish : wishes) {
-        const Pixels half = wish.size / 2;
-        Box best;
+        points.emplace_back(Pixels(wish.point.array() - wish.gap),
+                            Pixels(wish.point.array() + wish.gap));
+        if (wish.put)
+            taken.push_back(*wish.put);
+    }
+    const auto covered = [](const Box& box, const std::vector<Box>& others) {
+        double sum = 0;
+        for (const Box& other : others)
+            sum += overlap(box, other);
+        return sum;
+    };
+    for (const LabelWish& wish : wishes) {
+        const std::vector<Box> places = placesOf(wish);
+        Box best = wish.put.value_or(places.front());
         double least = std::numeric_limits<double>::infinity();
-        // Upper right first, then clockwise but for straight up and down last.
-        constexpr std::array<std::array<double, 2>, 8> sides{
-            {{1, -1}, {1, 0}, {1, 1}, {-1, -1}, {-1, 0}, {-1, 1}, {0, -1}, {0, 1}}};
-        for (std::size_t i = 0; i < sides.size(); ++i) {
-            const Pixels side(sides[i][0], sides[i][1]);
-            const Pixels middle = wish.point + side.cwiseProduct(half + Pixels(gap, gap));
-            const Box box(Pixels(middle - half), Pixels(middle + half));
-            double cost = 1e-3 * static_cast<double>(i) * wish.size.prod();
-            for (const Box& other : placed)
-                cost += 3 * overlap(box, other);
-            for (const LabelWish& other : wishes)
-                cost += overlap(
-                    box, Box(Pixels(other.point.array() - gap), Pixels(other.point.array() + gap)));
-            cost += 2 * (wish.size.prod() - overlap(box, picture));
+        const bool isFree = !wish.put && picture.contains(wish.point);
+        for (std::size_t i = 0; isFree && i < places.size(); ++i) {
+            const double area = wish.size.prod();
+            const double cost = 1e-3 * static_cast<double>(i) * area +
+                                3 * covered(places[i], taken) + covered(places[i], points) +
+                                2 * (area - overlap(places[i], picture));
             if (cost < least) {
                 least = cost;
-                best = box;
+                best = places[i];
             }
         }
+        if (!wish.put)
+            taken.push_back(best);
         placed.push_back(best);
     }
     return placed;

@@ -28,12 +28,17 @@ void spread(HandleSet& set, const Camera& camera, Size size,
 [[nodiscard]] std::vector<const Handle*> labelled(const HandleSet& set);
 
 // Labels beside their points: for each the rectangle of its size, at one of eight places about its
-// point, where it covers the least of the labels before it, of all points, and of what lies
-// outside the picture. Pixels, origin top left.
+// point or, where these are full, one or two labels farther away, where it covers the least of the
+// labels before it, of all points, and of what lies outside the picture. One whose point is outside
+// stands at the first place. Pixels, origin top left.
 struct LabelWish {
     Eigen::Vector2d point, size;
+    double gap = 7;       // between it and its point
+    double reach = 0;     // of what lies about the point and is to be seen, too
+    bool isBelow = false; // its first place is to the lower right, not to the upper right
+    std::optional<Eigen::AlignedBox2d> put = {}; // somebody put it there: the others avoid it
 };
-[[nodiscard]] std::vector<Eigen::AlignedBox2d>
-placedLabels(std::span<const LabelWish> wishes, const Eigen::AlignedBox2d& picture, double gap);
+[[nodiscard]] std::vector<Eigen::AlignedBox2d> placedLabels(std::span<const LabelWish> wishes,
+                                                            const Eigen::AlignedBox2d& picture);
 
 } // namespace render

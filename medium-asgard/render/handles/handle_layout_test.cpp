@@ -158,15 +158,29 @@ TEST(HandleLayout, LabelsAvoidEachOther) {
     std::vector<LabelWish> wishes;
     for (const Pixels& point :
          {Pixels(200, 150), Pixels(204, 152), Pixels(206, 148), Pixels(396, 4), Pixels(3, 297)})
-        wishes.push_back({point, {50, 14}});
-    const auto boxes = placedLabels(wishes, picture, 6);
+        wishes.push_back({point, {50, 14}, 6});
+    const auto boxes = placedLabels(wishes, picture);
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         EXPECT_TRUE(picture.contains(boxes[i])) << i;
         EXPECT_LT(boxes[i].squaredExteriorDistance(wishes[i].point), 20 * 20);
         for (std::size_t j = 0; j < i; ++j)
             EXPECT_TRUE(boxes[i].intersection(boxes[j]).isEmpty()) << i << ' ' << j;
     }
-    EXPECT_TRUE(placedLabels({}, picture, 6).empty());
+    EXPECT_TRUE(placedLabels({}, picture).empty());
+}
+
+TEST(HandleLayout, LabelsAvoidOneThatSomebodyPutThereAndLeaveWhatTheyAreOfInSight) {
+    const Eigen::AlignedBox2d picture(Pixels(0, 0), Pixels(400, 300));
+    LabelWish wish{{200, 150}, {50, 14}, 6, 30, true};
+    auto boxes = placedLabels(std::vector{wish}, picture);
+    EXPECT_EQ(boxes[0].min(), Pixels(236, 156)); // to the lower right
+    LabelWish put{{20, 20}, {50, 14}};
+    put.put.emplace(Pixels(240, 120), Pixels(290, 180));
+    boxes = placedLabels(std::vector{wish, put}, picture);
+    EXPECT_EQ(boxes[1].min(), Pixels(240, 120));
+    EXPECT_EQ(boxes[0].max().x(), 164); // on the other side
+    wish.point = {-20, 150};
+    EXPECT_EQ(placedLabels(std::vector{wish}, picture)[0].min(), Pixels(16, 156)); // it follows
 }
 
 } // namespace

@@ -31,7 +31,7 @@ void paintLabels(QPainter& painter, SeenPicture& picture) {
     const Eigen::AlignedBox2d room(
         Eigen::Vector2d(0, 0),
         Eigen::Vector2d(picture.widget().width(), picture.widget().height()));
-    const auto boxes = render::placedLabels(wishes, room, 7);
+    const auto boxes = render::placedLabels(wishes, room);
     QColor paper = picture.widget().palette().color(QPalette::Base);
     const bool dark = paper.lightness() < 128;
     paper.setAlpha(200);
