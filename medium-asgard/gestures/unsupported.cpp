@@ -99,4 +99,19 @@ std::vector<std::size_t> unsupported(const scene::Scene& scene) {
     return found;
 }
 
+bool nothingMoves(const scene::Scene& scene) {
+    const auto rests = [](const scene::Body& body) {
+        return body.fixed ||
+               (body.initialVelocity.isZero() && body.initialAngularVelocity.isZero());
+    };
+    const auto isDriven = [](const scene::Joint& joint) {
+        return std::ranges::any_of(joint.coordinates, [](const scene::JointCoordinate& one) {
+            return one.motor || one.speed || one.position || one.stiffness != 0;
+        });
+    };
+    return !std::ranges::all_of(scene.bodies, &scene::Body::fixed) && scene.forces.empty() &&
+           scene.links.empty() && scene.ropes.empty() && scene.constraints.empty() &&
+           std::ranges::all_of(scene.bodies, rests) && std::ranges::none_of(scene.joints, isDriven);
+}
+
 } // namespace gestures

@@ -1,4 +1,4 @@
-// (scene, names of the bodies that fall through the grid)
+// (scene, names of the bodies that fall through the grid; whether nothing moves any)
 #include "gestures/unsupported.h"
 
 #include "script/reader.h"
@@ -11,15 +11,20 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-std::vector<std::string> fallingIn(const std::string& text) {
+scene::Scene readIn(const std::string& text) {
     static script::Reader reader;
-    const script::ReadResult read = reader.read("shape_set box -desc {-sub {-box {1 1 1}}}\n"
-                                                "shape_set plane -desc {-sub {-plane}}\n" +
-                                                text);
+    script::ReadResult read = reader.read("shape_set box -desc {-sub {-box {1 1 1}}}\n"
+                                          "shape_set plane -desc {-sub {-plane}}\n" +
+                                          text);
     EXPECT_TRUE(read.usable) << text;
+    return std::move(read.scene);
+}
+
+std::vector<std::string> fallingIn(const std::string& text) {
+    const scene::Scene scene = readIn(text);
     std::vector<std::string> names;
-    for (const std::size_t body : unsupported(read.scene))
-        names.push_back(read.scene.bodies[body].name);
+    for (const std::size_t body : unsupported(scene))
+        names.push_back(scene.bodies[body].name);
     return names;
 }
 
@@ -45,6 +50,21 @@ TEST(Unsupported, AFloorATableOrAJointHoldsIt) {
     EXPECT_THAT(fallingIn(onGrid + weight + "joint j -type hinge -body1 a\n"), IsEmpty());
     EXPECT_THAT(fallingIn(onGrid + weight + "body b box -init_pos {9 0.5 0} -fixed 1\n"),
                 ElementsAre("a"));
+}
+
+TEST(NothingMoves, UntilAForceASpeedOrADriveMovesABody) {
+    const std::string joined = onGrid + "joint j -type hinge -body1 a\n";
+    EXPECT_TRUE(nothingMoves(readIn(onGrid)));
+    EXPECT_TRUE(nothingMoves(readIn(joined)));
+    EXPECT_TRUE(nothingMoves(readIn(onGrid + "body b box -init_pos {9 0.5 0} -fixed 1\n")));
+    EXPECT_FALSE(nothingMoves(readIn("")));
+    EXPECT_FALSE(nothingMoves(readIn("body b box -fixed 1\n"))); // none could
+    EXPECT_FALSE(nothingMoves(readIn(onGrid + weight)));
+    EXPECT_FALSE(
+        nothingMoves(readIn(onGrid + "body b box -init_drot {0 0 1} -init_pos {5 0 0}\n")));
+    EXPECT_FALSE(nothingMoves(readIn(onGrid + "spring s -body1 a -x 0 -y 3 -z 0 -stiffness 20\n")));
+    EXPECT_FALSE(
+        nothingMoves(readIn(onGrid + "joint j -type hinge -body1 a -speed 1 -max_motor 9\n")));
 }
 
 } // namespace

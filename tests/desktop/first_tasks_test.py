@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """First tasks of a newcomer, from an empty scene, with no more than 40 actions each: a car rolls down a slope; planets
-go round a sun; a ball rolls off a table; a pendulum has a graph; a stack falls; a ball is thrown while the motion plays.
+go round a sun; a ball rolls off a table; a ball falls and bounces; a pendulum has a graph; a stack falls; a ball is
+thrown while the motion plays.
 What an action is: person.py.
 
 usage: first_tasks_test.py PATH-TO-ASGARD [unittest arguments]       ASGARD_SCREENSHOTS=FOLDER keeps what was seen
@@ -137,6 +138,27 @@ class FirstTasks(unittest.TestCase):
         for row in on:
             self.assertLess(abs(row[2] - rows[0][2]), 1e-3)  # it stays on the table
         self.assertLess(rows[-1][2], rows[0][2] - 1)  # and falls beyond its edge
+
+    def test_a_ball_falls_and_bounces(self):
+        self.newcomer.create("Body", "New Sphere")
+        self.newcomer.click(0, 0, 0)
+        radius = float(self.author.says(r"^body body1 ball1 -init_pos \{\S+ (\S+) ").group(1))
+        self.newcomer.accept("addGravity")
+        self.author.says(r"^force -body body1 -gravitational \{0 -9.81 0\}")
+        self.newcomer.accept("addFloor")
+        self.author.says(r"^body \S+ floor1 .*-fixed 1")
+        self.newcomer.click(0, radius, 0)
+        self.newcomer.enter("-init_pos2", "2")
+        self.author.says(r"^body body1 .*-init_pos \{\S+ 2 ")
+        self.author.look("high")
+        self.newcomer.play(12)
+
+        rows = self.author.motion(5, "body1.y")
+        heights = [row[1] for row in rows]
+        self.assertAlmostEqual(min(heights), radius, delta=0.2)
+        self.assertGreater(min(heights), radius - 1e-3)
+        self.assertGreater(max(heights[8:]), radius + 0.3)  # it bounced
+        self.assertAlmostEqual(heights[-1], radius, delta=0.05)
 
     def test_a_pendulum_has_a_graph(self):
         self.author.press("graphicalViewer1", "3")  # along z

@@ -344,6 +344,11 @@ class Newcomer:
         self.author.choose(entry)
         self.actions += 2
 
+    def accept(self, offer):
+        """The button of what the picture offers."""
+        self.author.clickOn(self.viewer, offer)
+        self.actions += 1
+
     def click(self, *place, key=None):
         if key:
             self.author.screen.do("keydown", key)

@@ -45,32 +45,23 @@ bool lasts(const QElapsedTimer& since, int milliseconds) {
 } // namespace
 
 MotionNotice::MotionNotice(SceneDocument& document, Playback& playback, QWidget& picture)
-    : QFrame(&picture), document_(document), playback_(playback), words_(plain::label()),
-      stop_(new QToolButton), compute_(new QToolButton), floor_(new QToolButton) {
+    : QFrame(&picture), document_(document), playback_(playback), words_(plain::label()) {
     setObjectName("motionNotice");
     setAutoFillBackground(true);
     words_->setWordWrap(true);
     words_->setAccessibleName(tr("State of the motion"));
-    stop_->setObjectName("stopComputing");
-    stop_->setText(tr("Stop"));
-    stop_->setToolTip(tr("Ends computing, and keeps the motion that there is (Escape)"));
-    compute_->setObjectName("compute");
-    compute_->setText(tr("Compute"));
-    compute_->setToolTip(tr("Computes the motion of the scene as it is (F5)"));
-    floor_->setObjectName("addFloor");
-    floor_->setText(tr("Add a Floor"));
-    floor_->setToolTip(
-        tr("A fixed plane below all bodies, as Create > Body > New Floor Below All"));
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(8, 4, 8, 4);
     row->addWidget(words_, 1);
-    for (QToolButton* button : {stop_, compute_, floor_}) {
-        button->setFocusPolicy(Qt::NoFocus); // the keys stay with the picture
-        row->addWidget(button);
-    }
-    connect(stop_, &QToolButton::clicked, this, &MotionNotice::stopWanted);
-    connect(floor_, &QToolButton::clicked, this, &MotionNotice::floorWanted);
-    connect(compute_, &QToolButton::clicked, &document_, &SceneDocument::recompute);
+    makeButton(Offer::stop, "stopComputing", tr("Stop"),
+               tr("Ends computing, and keeps the motion that there is (Escape)"));
+    makeButton(Offer::compute, "compute", tr("Compute"),
+               tr("Computes the motion of the scene as it is (F5)"));
+    makeButton(Offer::floor, "addFloor", tr("Add a Floor"),
+               tr("A fixed plane below all bodies, as Create > Body > New Floor Below All"));
+    makeButton(Offer::gravity, "addGravity", tr("Add Gravity"),
+               tr("A weight for each body, also for those that come later, as Create > Force > "
+                  "Gravity for All Bodies"));
     tick_.setInterval(250);
     connect(&tick_, &QTimer::timeout, this, &MotionNotice::follow);
     connect(&document_, &SceneDocument::textChanged, this, [this] { worksSince_.invalidate(); });
@@ -83,6 +74,38 @@ MotionNotice::MotionNotice(SceneDocument& document, Playback& playback, QWidget&
     picture.installEventFilter(this);
     hide();
     follow();
+}
+
+void MotionNotice::makeButton(Offer offer, const QString& name, const QString& words,
+                              const QString& tip) {
+    auto* button = new QToolButton;
+    button->setObjectName(name);
+    button->setText(plain::ours(words));
+    button->setToolTip(plain::tip(tip));
+    button->setFocusPolicy(Qt::NoFocus); // the keys stay with the picture
+    connect(button, &QToolButton::clicked, this, [this, offer] { take(offer); });
+    layout()->addWidget(button);
+    buttons_.push_back({offer, button});
+}
+
+QToolButton* MotionNotice::buttonOf(Offer offer) const {
+    const auto found = std::ranges::find(buttons_, offer, &Button::offer);
+    return found == buttons_.end() ? nullptr : found->widget;
+}
+
+void MotionNotice::take(Offer offer) {
+    switch (offer) {
+    case Offer::stop:
+        return Q_EMIT stopWanted();
+    case Offer::compute:
+        return document_.recompute();
+    case Offer::floor:
+        return Q_EMIT floorWanted();
+    case Offer::gravity:
+        return Q_EMIT gravityWanted();
+    case Offer::none:
+        return;
+    }
 }
 
 QString MotionNotice::words() const { return isHidden() ? QString() : words_->text(); }
@@ -126,14 +149,16 @@ QString MotionNotice::unread() const {
 
 MotionNotice::Said MotionNotice::said() {
     Said said = saidOfMotion();
-    return said.words.isEmpty() ? saidOfFalls() : said;
+    return said.words.isEmpty() ? saidOfForces() : said;
 }
 
-// The grid holds nothing.
-MotionNotice::Said MotionNotice::saidOfFalls() {
+// Nothing falls of itself, and the grid holds nothing.
+MotionNotice::Said MotionNotice::saidOfForces() {
     if (!document_.sceneIsCurrent())
         return {};
     const auto& scene = document_.shown().scene;
+    if (gestures::nothingMoves(*scene))
+        return {tr("Nothing moves: no force acts."), false, Offer::gravity};
     if (falls_.first != scene)
         falls_ = {scene, gestures::unsupported(*scene)};
     const auto& bodies = falls_.second;
@@ -143,35 +168,35 @@ MotionNotice::Said MotionNotice::saidOfFalls() {
     const QString who = bodies.size() == 1
                             ? tr("%1 falls").arg(first)
                             : tr("%1 and %2 more fall").arg(first).arg(bodies.size() - 1);
-    return {tr("The grid holds nothing: %1 through it.").arg(who), false, false, false, true};
+    return {tr("The grid holds nothing: %1 through it.").arg(who), false, Offer::floor};
 }
 
 MotionNotice::Said MotionNotice::saidOfMotion() const {
     const bool works = document_.work() != Work::none;
     const auto& motion = document_.shown().motion;
     if (!works && !document_.sceneIsCurrent() && document_.hasErrors())
-        return {unread(), true, false, false};
+        return {unread(), true};
     if (works && lasts(worksSince_, untilProgress))
-        return {progress(), false, true, false};
+        return {progress(), false, Offer::stop};
     if (motion && lasts(staleSince_, untilStale))
         return works ? Said{tr("Stale motion: computing…")}
                      : Said{tr("Stale motion: Play or F5 computes that of the scene as it is."),
-                            false, false, true};
+                            false, Offer::compute};
     if (works)
         return {};
     if (document_.computingWasStopped())
         return {tr("Computing was stopped at t = %1. Play or F5 computes it again.")
                     .arg(timeText(playback_.computed(), playback_.finish() - playback_.start())),
-                false, false, true};
+                false, Offer::compute};
     if (!motion || playback_.time() < playback_.finish())
         return {};
     if (const auto stop = firstStop(*motion))
-        return {QString::fromStdString(stop->sentence), true, false, false};
+        return {QString::fromStdString(stop->sentence), true};
     const auto& faults = document_.diagnostics();
     const auto error =
         std::ranges::find(faults, scene::Severity::error, &scene::Diagnostic::severity);
     if (motion->computed() < motion->finish() && error != faults.end())
-        return {QString::fromStdString(error->message), true, false, false};
+        return {QString::fromStdString(error->message), true};
     return {};
 }
 
@@ -188,9 +213,7 @@ void MotionNotice::follow() {
 
 void MotionNotice::show(const Said& said) {
     setVisible(!said.words.isEmpty());
-    if (said.words.isEmpty() ||
-        (said.words == words_->text() && said.mayStop == stop_->isVisibleTo(this) &&
-         said.mayFloor == floor_->isVisibleTo(this)))
+    if (said == std::exchange(shown_, said) || said.words.isEmpty())
         return;
     const bool dark = parentWidget()->palette().color(QPalette::Base).lightness() < 128;
     QColor paper = said.isFault ? QColor(255, 222, 216) : QColor(255, 236, 190);
@@ -204,9 +227,8 @@ void MotionNotice::show(const Said& said) {
     colors.setColor(QPalette::WindowText, ink);
     setPalette(colors);
     words_->setText(said.words);
-    stop_->setVisible(said.mayStop);
-    compute_->setVisible(said.mayCompute);
-    floor_->setVisible(said.mayFloor);
+    for (const Button& button : buttons_)
+        button.widget->setVisible(button.offer == said.offer);
     place();
 }
 
@@ -225,9 +247,8 @@ void MotionNotice::place() {
     const int most = std::max(picture.width() - left - margin, 1);
     const QMargins around = layout()->contentsMargins();
     int beside = around.left() + around.right() + 4;
-    for (const QToolButton* button : {stop_, compute_, floor_})
-        if (button->isVisibleTo(this))
-            beside += button->sizeHint().width() + layout()->spacing();
+    if (const QToolButton* button = buttonOf(shown_.offer))
+        beside += button->sizeHint().width() + layout()->spacing();
     const int line = words_->fontMetrics().horizontalAdvance(words_->text()) + beside;
     const int width = std::min(line, most);
     const int height =

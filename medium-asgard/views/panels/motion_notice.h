@@ -1,6 +1,6 @@
 // What the picture says of its motion, at its lower edge: that it is computed, how far and for how
-// long, that it is an older scene's, that computing was stopped, why it ends before its time, and
-// that bodies fall through the grid, which a click gives a floor.
+// long, that it is an older scene's, that computing was stopped, and why it ends before its time. A
+// click gives a floor to bodies that fall through the grid, and gravity where nothing moves.
 #pragma once
 
 #include "workbench/playback.h"
@@ -30,18 +30,29 @@ public:
 Q_SIGNALS:
     void stopWanted();
     void floorWanted();
+    void gravityWanted();
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    enum class Offer { none, stop, compute, floor, gravity };
     struct Said {
         QString words;
-        bool isFault = false, mayStop = false, mayCompute = false, mayFloor = false;
+        bool isFault = false;
+        Offer offer = Offer::none;
+        bool operator==(const Said&) const = default;
     };
+    struct Button {
+        Offer offer;
+        QToolButton* widget;
+    };
+    void makeButton(Offer offer, const QString& name, const QString& words, const QString& tip);
+    [[nodiscard]] QToolButton* buttonOf(Offer offer) const; // none has none
+    void take(Offer offer);
     [[nodiscard]] Said said();
     [[nodiscard]] Said saidOfMotion() const;
-    [[nodiscard]] Said saidOfFalls();
+    [[nodiscard]] Said saidOfForces();
     [[nodiscard]] QString progress() const;
     [[nodiscard]] QString unread() const;
     void follow();
@@ -51,7 +62,8 @@ private:
     SceneDocument& document_;
     Playback& playback_;
     QLabel* words_;
-    QToolButton *stop_, *compute_, *floor_;
+    std::vector<Button> buttons_;
+    Said shown_;
     QTimer tick_;
     QElapsedTimer worksSince_, staleSince_; // invalid: it does not, it is not
     // Of that scene, the bodies that fall through the grid.

@@ -82,6 +82,32 @@ TEST_F(MotionNoticeTest, WhatFallsThroughTheGridIsToldAndAClickAddsAFloor) {
     EXPECT_EQ(wordsOf(viewer), "");
 }
 
+// A ball that one has just made hangs in the air.
+TEST_F(MotionNoticeTest, WhereNothingMovesAClickAddsGravityAndShowsTheFallFromItsStart) {
+    TestWorkshop made;
+    SceneDocument document{made.workshop()};
+    GraphicalViewer viewer(document, pictures, {}, 1);
+    viewer.show();
+    const std::string hanging = "simulator -finish 2\nshape_set s -desc {-sub {-sphere 0.5}}\n"
+                                "body a s -init_pos {0 3 0}\nbody b s -fixed 1\n";
+    document.setText(hanging + "body c s -init_pos {4 0 0} -init_dpos {1 0 0}\n", "Edit");
+    ASSERT_TRUE(settle(document));
+    EXPECT_EQ(wordsOf(viewer), ""); // c moves
+    document.setText(hanging + "body c s -init_pos {4 3 0}\n", "Edit");
+    ASSERT_TRUE(settle(document));
+    EXPECT_EQ(wordsOf(viewer), "Nothing moves: no force acts.");
+    viewer.playback().seek(1);
+    auto* add = viewer.findChild<QToolButton*>("addGravity");
+    ASSERT_TRUE(add && add->isVisible());
+    EXPECT_FALSE(viewer.findChild<QToolButton*>("addFloor")->isVisible());
+    add->click();
+    ASSERT_TRUE(settle(document));
+    EXPECT_THAT(document.text(), HasSubstr("force -body a -gravitational {0 -9.81 0}\n"
+                                           "force -body c -gravitational {0 -9.81 0}\n"));
+    EXPECT_EQ(viewer.playback().time(), 0);
+    EXPECT_EQ(wordsOf(viewer), "");
+}
+
 TEST_F(MotionNoticeTest, WordsLeaveTheTriadInSight) {
     SceneDocument document{Workshop{}};
     GraphicalViewer viewer(document, pictures, {}, 1);

@@ -62,22 +62,6 @@ QString helpTopicOf(editing::Kind kind) {
     }
 }
 
-// There are bodies, and nothing that would move one.
-bool nothingMoves(const scene::Scene& scene) {
-    const auto rests = [](const scene::Body& body) {
-        return body.fixed ||
-               (body.initialVelocity.isZero() && body.initialAngularVelocity.isZero());
-    };
-    const auto isDriven = [](const scene::Joint& joint) {
-        return std::ranges::any_of(joint.coordinates, [](const scene::JointCoordinate& one) {
-            return one.motor || one.speed || one.position || one.stiffness != 0;
-        });
-    };
-    return !scene.bodies.empty() && scene.forces.empty() && scene.links.empty() &&
-           scene.ropes.empty() && scene.constraints.empty() &&
-           std::ranges::all_of(scene.bodies, rests) && std::ranges::none_of(scene.joints, isDriven);
-}
-
 } // namespace
 
 GraphicalViewer::GraphicalViewer(SceneDocument& document, std::shared_ptr<PictureThread> pictures,
@@ -118,6 +102,10 @@ void GraphicalViewer::buildPicture(std::shared_ptr<PictureThread> pictures) {
     connect(notice, &MotionNotice::stopWanted, &document_, &SceneDocument::stopComputing);
     connect(notice, &MotionNotice::floorWanted, display_,
             [this] { display_->creating().start(newFloor()); });
+    connect(notice, &MotionNotice::gravityWanted, display_, [this] {
+        playback_.seek(playback_.start()); // where they fall from is seen
+        display_->creating().start(weightForAll(usualGravity(*document_.shown().scene)));
+    });
     times_ = new TimeRows(document_, playback_);
     column->addWidget(times_);
     hint_ = new HintLine;
@@ -453,10 +441,10 @@ void GraphicalViewer::showMenu(const MenuPlace& place, const QPoint& global) {
 void GraphicalViewer::beginPlaying() {
     if (document_.waitsToBeAsked() || document_.computingWasStopped())
         document_.recompute();
-    if (document_.sceneIsCurrent() && nothingMoves(*document_.shown().scene))
-        display_->editing().say(tr("Nothing moves: no force acts. Create > Force > Gravity for All "
-                                   "Bodies lets the bodies fall."),
-                                false);
+    const auto& bodies = document_.shown().scene->bodies;
+    if (document_.sceneIsCurrent() && !bodies.empty() &&
+        std::ranges::all_of(bodies, &scene::Body::fixed))
+        display_->editing().say(tr("Nothing moves: every body is fixed."), false);
 }
 
 void GraphicalViewer::updateTitle() {

@@ -67,7 +67,7 @@ private:
     void connectTimeStrip();
     void connectThrowing();
     void showMenu(const MenuPlace& place, const QPoint& global);
-    void beginPlaying(); // computes what is not computed, and says why nothing moves
+    void beginPlaying(); // computes what is not computed, and says where nothing can move
     void updateTitle();
     void showHint();
     bool typing(bool redo); // takes back what was typed in the text, where the keyboard is
