@@ -121,6 +121,22 @@ TEST_F(CreatingTest, ABodyLiesOnASlopeAsTheSlopeIsTurned) {
     EXPECT_NEAR(geometry::toRotationVector(box.initialAttitude).z(), 0.5, 1e-8);
 }
 
+// A wedge is a slope without being turned.
+TEST_F(CreatingTest, ABodyLiesOnAnObliqueFace) {
+    open("shape_set wedge -desc {-sub {-points {{-2 0 -1} {-2 0 1} {2 0 -1} {2 0 1} {2 1 -1} "
+         "{2 1 1}}}}\nbody slope wedge -fixed 1\n");
+    display().lookAlong(Vector(0, 0.6, 1));
+    display().grab();
+    display().creating().start(newBody(BasicShape::box));
+    click({0.4, 0.6, 0.2});
+    done();
+    const scene::Body& box = scene().bodies[1];
+    EXPECT_NEAR(geometry::toRotationVector(box.initialAttitude).z(), std::atan(0.25), 1e-6);
+    const Vector foot = box.initialPosition - 0.5 * (box.initialAttitude * Vector::UnitY());
+    EXPECT_NEAR(foot.y(), 0.5 + foot.x() / 4, 1e-3); // it touches the face
+    EXPECT_GE(foot.y(), 0.5 + foot.x() / 4 - 1e-8);
+}
+
 TEST_F(CreatingTest, BodiesOfAFlatSceneStayInItsPlane) {
     open("shape_set ball -desc {-sub {-sphere 0.5}}\nbody b1 ball -init_pos {-1 0 0.25}\n");
     display().lookAlong(Vector(0.3, 0.4, 1));

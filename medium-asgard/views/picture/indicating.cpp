@@ -1,5 +1,6 @@
 #include "picture/indicating.h"
 
+#include "framing/extent.h"
 #include "gestures/standing.h"
 #include "picture/scene_display.h"
 #include "script/numbers.h"
@@ -34,6 +35,13 @@ double heightOf(const geometry::Shape& shape, const Vector& up,
                 const geometry::Quaternion& attitude) {
     const geometry::Quaternion level = geometry::Quaternion::FromTwoVectors(up, Vector::UnitY());
     return -geometry::bounds(shape, {Vector::Zero(), level * attitude}).min().y();
+}
+
+bool hasFlatFaces(const scene::ShapeSet* set) {
+    return set && std::ranges::all_of(set->parts, [](const scene::Part& part) {
+               return std::holds_alternative<scene::BoxShape>(part.shape) ||
+                      std::holds_alternative<scene::HullShape>(part.shape);
+           });
 }
 
 } // namespace
@@ -191,15 +199,21 @@ std::optional<Indicated> Indicating::onGrid(BegunRecipe& begun, const Eigen::Vec
     return found;
 }
 
-// It touches the surface there, and is turned as the body below it where that is a slope.
+// It touches the surface there, and lies on a slope: turned as the body below it is, or, on an
+// oblique face of that, by the shortest way.
 Indicated Indicating::restingOn(BegunRecipe& begun, const gestures::Picked& picked,
                                 Indicated found) {
     const geometry::Pose pose = poseOf(picked.body);
     begun.fit(display_.sight(), picked.point);
     const Vector up = picked.normal;
     const bool isLevel = isUpright(up);
+    const scene::Scene& scene = *display_.drawing().scene;
+    const Vector upwards = render::upOf(scene);
     if (!isLevel && isUpright(pose.attitude.conjugate() * up))
         found.attitude = pose.attitude;
+    else if (!isLevel && up.dot(upwards) > 0 &&
+             hasFlatFaces(scene::findShapeSet(scene, scene.bodies[picked.body].shape)))
+        found.attitude = geometry::Quaternion::FromTwoVectors(upwards, up);
     Vector place = picked.point;
     const gestures::Snapped meant = snapping().at(place);
     // The middle of another face, as of the lower one of a thin board, is none of this surface.
@@ -219,10 +233,9 @@ Indicated Indicating::restingOn(BegunRecipe& begun, const gestures::Picked& pick
         found.point -= found.resolution * up;
     }
     if (found.at.empty())
-        found.at =
-            QObject::tr("on %1")
-                .arg(QString::fromStdString(display_.drawing().scene->bodies[picked.body].name))
-                .toStdString();
+        found.at = QObject::tr("on %1")
+                       .arg(QString::fromStdString(scene.bodies[picked.body].name))
+                       .toStdString();
     return found;
 }
 

@@ -119,10 +119,10 @@ TEST_F(NewcomerTest, ThePictureStepsBackFromABodyThatGrows) {
 }
 
 TEST_F(NewcomerTest, PlayingSaysWhyNothingMoves) {
-    open("shape_set s -desc {-sub {-sphere 0.5}}\nbody a s -init_pos {0 1 0}\n");
+    open("shape_set s -desc {-sub {-sphere 0.5}}\nbody a s -init_pos {0 1 0} -fixed 1\n");
     GraphicalViewer* viewer = editor.openGraphicalViewer();
     viewer->playback().play();
-    EXPECT_TRUE(viewer->display().editing().said().contains("Gravity for All Bodies"));
+    EXPECT_TRUE(viewer->display().editing().said().contains("every body is fixed"));
     viewer->playback().stop();
     open(ballScene); // it flies
     viewer->display().editing().say({});
