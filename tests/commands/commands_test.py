@@ -350,7 +350,7 @@ class Commands(unittest.TestCase):
 
     def test_render_paints_the_values_beside_bodies(self):
         def picture(option, time):
-            scene = self.file("told.al", FLYING + f"plot way -values {{{{ball.x}}}} -labels {{Way}}{option}\n")
+            scene = self.file("told.al", FLYING + f"plot way -values {{{{b.x}}}} -labels {{Way}}{option}\n")
             ran = self.run_asgard("render", scene, "--time", time, "--output", "told.png")
             self.assertEqual((ran.returncode, ran.stderr), (0, ""))
             return read_png(os.path.join(self.folder, "told.png"))[2]
