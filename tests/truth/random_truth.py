@@ -47,7 +47,8 @@ def check(asgard, seed, only, folder):
     told = next((line for line in run.stderr.splitlines() if re.search("error:|warning:|Stopped", line)), "")
     if run.returncode != 0 or told:
         return Found(family.__name__, f"{at}: {told or run.stderr.strip()[:200]}", None)
-    size = float(re.search(r" of (\S+) m[ ,]", run.stderr).group(1))
+    stated = re.search(r" of (\S+) m[ ,]", run.stderr)  # none: "accurate to rounding"
+    size = float(stated.group(1)) if stated else 1.0
     rows = [[float(cell) for cell in line.split(",")][1:] for line in run.stdout.splitlines()[1:]]
     error = max(abs(a - b) for row, wanted in zip(rows, scene.values(times)) for a, b in zip(row, wanted)) / size
     with open(paths[2], encoding="utf-8") as file:

@@ -255,16 +255,30 @@ ContactSet::Role ContactSet::roleOf(const Contact& contact, std::size_t place) c
                                                 : turning + place - rolling};
 }
 
+bool ContactSet::isConcerned(const Pair& pair, std::size_t index) const {
+    const auto isIt = [&](std::size_t body) {
+        return !world_.isFixed(body) && concerned_.contains(body);
+    };
+    return world_.equations.scope->contacts()[index] && (isIt(pair.first) || isIt(pair.second));
+}
+
+std::vector<std::size_t> ContactSet::concernedReaders() const {
+    std::vector<std::size_t> readers;
+    const auto& named = world_.pairs.all();
+    if (std::ranges::any_of(named,
+                            [this](const auto& of) { return isConcerned(of.first, of.second); }))
+        for (const physics::ContactReader& reader : world_.equations.contactReaders)
+            readers.push_back(reader.unknown);
+    return readers;
+}
+
 // The named contacts of bodies that are concerned: what all contacts of a pair do together.
 void ContactSet::writeReadings(physics::ContactRows& rows, std::span<const Written> written,
                                expression::EquationSet& set, solution::Changes& changes) const {
     expression::Graph& g = set.graph;
     for (const auto& [pair, index] : world_.pairs.all()) {
         const auto& nodes = world_.equations.scope->contacts()[index];
-        const auto isConcerned = [&](std::size_t body) {
-            return !world_.isFixed(body) && concerned_.contains(body);
-        };
-        if (!nodes || !(isConcerned(pair.first) || isConcerned(pair.second)))
+        if (!isConcerned(pair, index))
             continue;
         physics::ContactForces::Nodes sum;
         sum.fill(g.constant(0));

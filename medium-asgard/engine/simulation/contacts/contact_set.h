@@ -85,8 +85,9 @@ public:
     void write(double time, solution::EquationsInForce& equations, solution::Changes& changes);
     // All that was written.
     [[nodiscard]] const ContactLog& log() const { return log_; }
-    // set() changes these bodies' equations.
+    // set() changes these bodies' equations, and those of these unknowns, which read contacts.
     [[nodiscard]] const std::set<std::size_t>& concerned() const { return concerned_; }
+    [[nodiscard]] std::vector<std::size_t> concernedReaders() const;
 
 private:
     struct Contact {
@@ -115,6 +116,8 @@ private:
     void giveRows(Contact& contact, solution::EquationsInForce& equations,
                   solution::Changes& changes);
     void noteBodies();
+    // Of a named contact.
+    [[nodiscard]] bool isConcerned(const Pair& pair, std::size_t index) const;
     struct Written {
         const Contact* contact;
         std::vector<expression::Node> multipliers;

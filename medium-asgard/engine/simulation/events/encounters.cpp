@@ -309,6 +309,8 @@ void CollisionSource::settle(const Instant& at, std::span<const std::size_t> bod
     for (const std::size_t body : contacts_.concerned())
         for (std::size_t i = 0; i < physics::bodyUnknowns && !world_.isFixed(body); ++i)
             event.touched.push_back(world_.records[body].firstUnknown + i);
+    const std::vector<std::size_t> readers = contacts_.concernedReaders();
+    event.touched.insert(event.touched.end(), readers.begin(), readers.end());
 }
 
 // Contacts of these two have ended, or may be others.
