@@ -108,6 +108,7 @@ std::vector<Box> boxesFor(const std::vector<Wish>& wishes, const Eigen::Vector2d
     const Eigen::AlignedBox2d whole(Eigen::Vector2d(0, 0), picture);
     const std::vector<Column> columns = columnsOf(wishes, picture);
     std::vector<render::LabelWish> asked;
+    asked.reserve(columns.size());
     for (const Column& column : columns)
         asked.push_back(column.wish);
     const auto placed = render::placedLabels(asked, whole);

@@ -236,6 +236,15 @@ case("over_an_edge", "# zero: a.y-1.1\n# zero: c.y-1.1\nsimulator -finish 0.8\ns
      "contact on -body1 a -body2 table\ncontact stands -body1 table -body2 c\n" + gravity("a", "h", "c"),
      [(t, 20, value, name) for t in (0.3, 0.7) for value, name in ((gains * t * t / 2 - 2, "a.x"), (m * G, "on.n"), (-mu * m * G, "on.fx"),
       (hung * (G - gains), "r.tension"), (gains * t, "on.slip"), (2, "on.state"), (G, "stands.n"), (-G, "stands.fy"), (1, "stands.state"))])
+# Expressions that switch hold a block against a growing pull, and the floor carries their part along its normal.
+LYING = "shape_set block -desc {-sub {-box {0.4 0.2 0.3}}}\nbody b block -mass 2 -init_pos {0 0.1 0} -restitution 0\ncontact k -body1 b -body2 ground\n"
+case("sign_holds", "# zero: b.x\n# zero: b.z\nsimulator -finish 1.9\n" + ground(0) + LYING + gravity("b") +
+     "force -body b -x {-3*sign(b.dx) + 1.5*t} -y {-9*sign(b.dx)}\n",
+     [(t, 30, 2 * G + 4.5 * t, "k.n") for t in (0.5, 1.2, 1.8)])
+along = "b.dx/hypot(b.dx,b.dz)"
+case("direction_holds", "# zero: b.x\n# zero: b.z\nsimulator -finish 2.6\n" + ground(0) + LYING + gravity("b") +
+     f"force -body b -x {{-6*{along} + 2*t}} -y {{-4*{along}}} -z {{-6*b.dz/hypot(b.dx,b.dz) + t}}\n",
+     [(t, 30, 2 * G + 4 * t / 3, "k.n") for t in (0.5, 1.2, 2.5)])
 # The link of two contacts: a block is let go when its load on the table exceeds what is allowed.
 case("let_go_by_load", "# zero: b.z\nsimulator -finish 3\n" + ground(0.5) + "shape_set block -desc {-sub {-box {0.2 0.2 0.2}}}\n"
      "body b block -mass 1 -init_pos {0 0.1 0} -friction 0.5 -restitution 0\nbody w block -mass 1 -init_pos {5 3 0}\n"

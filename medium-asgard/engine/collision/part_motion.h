@@ -12,9 +12,9 @@ inline constexpr double touchingGap = 1e-10;
 // Of the speeds that enter: surfaces that are slower than this do not count as approaching.
 inline constexpr double approachThreshold = 1e-12;
 
-// How exactly places are known, besides rounding: of a body that rests, its footing's tolerance.
-// Depths up to it, times the smaller part's size, and approaches up to it, times the speeds that
-// enter, count as none.
+// How exactly places are known, besides rounding: of a body that rests, the gap that its contacts
+// leave. Depths up to it, times the smaller part's size, and approaches up to it, times the speeds
+// that enter, count as none.
 using Slack = double;
 
 struct PartMotion {

@@ -6,11 +6,6 @@
 
 namespace physics {
 
-const expression::Phase& phaseAt(const expression::Unknown& unknown, double time) {
-    const auto after = std::ranges::upper_bound(unknown.phases, time, {}, &expression::Phase::from);
-    return after == unknown.phases.begin() ? unknown.phases.front() : *(after - 1);
-}
-
 void putGiven(const Graph& g, const expression::EquationSet& set, double time,
               std::span<double> values) {
     std::vector<Node> inputs{set.time}, nodes;

@@ -12,9 +12,6 @@ struct Along {
     double time = 0;
 };
 
-// The phase of an unknown at a time.
-[[nodiscard]] const expression::Phase& phaseAt(const expression::Unknown& unknown, double time);
-
 // Values of the time and of all unknowns, in this order: those that trajectories give at a time,
 // which may be made of others that are given (a place that turns with an attitude that is held).
 void putGiven(const Graph& g, const expression::EquationSet& set, double time,

@@ -1,7 +1,6 @@
 #include "physics/equations_of_motion.h"
 
 #include "physics/body_phases.h"
-#include "physics/carried_points.h"
 #include "physics/contact_readings.h"
 #include "physics/forces.h"
 #include "physics/joints.h"
@@ -259,6 +258,11 @@ EquationsOfMotion::EquationsOfMotion(const scene::Scene& scene,
     breakpoints.assign(times.begin(), times.end());
     if (!faults.empty())
         scope.reset();
+}
+
+const expression::Phase& phaseAt(const expression::Unknown& unknown, double time) {
+    const auto after = std::ranges::upper_bound(unknown.phases, time, {}, &expression::Phase::from);
+    return after == unknown.phases.begin() ? unknown.phases.front() : *(after - 1);
 }
 
 Held unyieldingAt(const EquationsOfMotion& equations, std::size_t body, double time) {

@@ -148,6 +148,9 @@ struct EquationsOfMotion {
         scope; // names for further expressions (quantities, views); none with faults
 };
 
+// The phase of an unknown at a time.
+[[nodiscard]] const expression::Phase& phaseAt(const expression::Unknown& unknown, double time);
+
 // The coordinates of a body that impacts and contacts do not change. A hold makes no hinge
 // (docs/scene-language.md): a body that is held at a place beside its centre of mass takes no spin,
 // as if its attitude were held.

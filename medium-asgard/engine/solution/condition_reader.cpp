@@ -157,9 +157,15 @@ std::vector<double> ConditionReader::prepared(const Group& group, double time) c
         std::vector<double> decided = y;
         equations.solver().decide(time, decided);
     }
+    equations.stickSlip().forget();
     for (const std::size_t i : equations.multipliers()) // whose histories keep modes
         kept.push_back(histories_->value(group.unknowns[i], time));
     equations.takeKept(kept);
+    if (equations.hasDirections()) {
+        std::vector<double> rested = y;
+        if (const auto at = equations.directionsAtRest(time, y); !at.empty())
+            (void)equations.rest(at, time, rested);
+    }
     return y;
 }
 

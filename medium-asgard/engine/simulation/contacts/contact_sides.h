@@ -31,8 +31,8 @@ public:
     Sides(std::size_t body, const Vector& place, double size, double beside = 0)
         : body_(body), place_(place), slack_(sideSlack * size), beside_(beside) {}
 
-    // A place that is within its borders by more than the slack ends this far beyond them, which
-    // rounding needs: it comes to a border but once.
+    // A place that is within the borders of its cell by more than the slack ends this far beyond
+    // them, which rounding needs: it comes to a border but once.
     void endAtBorders(double rounding) { border_ = rounding; }
     // From here on a point that lies `shift` beside the place, along the contact's normal `normal`
     // (in this frame).

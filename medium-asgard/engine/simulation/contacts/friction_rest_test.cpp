@@ -222,6 +222,20 @@ TEST(FrictionRest, WhatIsThrownAcrossASlopeTurnsAndRests) {
         }
 }
 
+// A direction may count its parts otherwise: hypot(2 x, z) is the root of 4 x^2 + z^2.
+TEST(FrictionRest, ADirectionHasWeights) {
+    const auto pulled = [](const std::string& length) {
+        SceneBuilder b(3, 1e-8);
+        b.ball("ball", {0, 0, 0}, 0.3);
+        b.force("ball", "-3*2*ball.dx/" + length + "+2*t", "0", "-3*ball.dz/" + length + "+2*t");
+        return simulate(b.scene).motion->at(0, 3);
+    };
+    const BodyState by = pulled("hypot(2*ball.dx,ball.dz)");
+    const BodyState as = pulled("sqrt(4*ball.dx^2+ball.dz^2)");
+    EXPECT_GT(by.position.norm(), 0.1);
+    EXPECT_LT((by.position - as.position).norm(), 1e-7);
+}
+
 // Hops between several contacts end, and so does the rattling of corners: three boxes on each
 // other, each offset, with rebound. The floor is smooth, so that all three may drift.
 TEST(FrictionRest, BoxesThatAreDroppedOnEachOtherLieFlat) {

@@ -40,7 +40,6 @@ public:
             std::size_t supportPart, double tolerance)
         : body_(body), support_(support), origin_(body.state.position),
           first_(posed(body, bodyPart, origin_)), second_(posed(support, supportPart, origin_)) {
-        touch.support = support.index;
         touch.bodyPart = bodyPart;
         touch.supportPart = supportPart;
         touch.round.isBall = first_.part->isSphere() || second_.part->isSphere();
@@ -171,7 +170,6 @@ private:
             body_, touch.bodyPart, support_, touch.supportPart, touch.normal, tolerance_);
         if (crossings.empty())
             return false;
-        touch.isModelled = false;
         touch.corners.clear();
         addWithin(body_, touch.bodyPart, ofBody_, support_, touch.supportPart);
         addWithin(support_, touch.supportPart, ofSupport_, body_, touch.bodyPart);
@@ -207,21 +205,11 @@ private:
         if (!found.isModelled)
             return;
         touch.normal = found.normal;
-        using Piece = physics::SurfacePiece::Kind;
         for (const PiecePoint& point : found.points) {
-            const physics::SurfaceGap& gap = point.gap;
             const Vector& at = point.at.contact;
-            if (gap.support.kind == Piece::plane && gap.body.kind == Piece::point &&
-                gap.body.radius > 0) {
-                const Vector on =
-                    support_.state.position - origin_ + support_.state.attitude * gap.support.place;
-                add(FeatureKind::onSupportPlane, at, point.at.place, on, gap.body.radius);
-            } else {
-                touch.isModelled = false;
-                add(FeatureKind::onSupportPlane, at, at, at, 0);
-            }
+            add(FeatureKind::onSupportPlane, at, at, at, 0);
             touch.corners.back().gap = point.at.gap;
-            touch.corners.back().pieces = gap;
+            touch.corners.back().pieces = point.gap;
         }
     }
 

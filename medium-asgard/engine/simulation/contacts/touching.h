@@ -31,8 +31,8 @@ struct Corner {
     Vector point = Vector::Zero(); // world
     double gap = 0;
     double rate = 0; // of the gap; negative: they approach
-    // What touches there, of spheres: each in the frame of the body that it belongs to, points from
-    // its centre of mass.
+    // The features that touch there, of spheres: each in the frame of the body that it belongs to,
+    // points from its centre of mass.
     struct Features {
         enum class Kind {
             onSupportPlane, // a point of the body (a sphere's centre) on a plane of the support
@@ -50,7 +50,7 @@ struct Corner {
 };
 
 struct Touch { // of one pair of parts
-    std::size_t support = 0, bodyPart = 0, supportPart = 0;
+    std::size_t bodyPart = 0, supportPart = 0;
     Vector normal = Vector::UnitX(); // from the support to the body
     double gap = 0;
     double size = 0; // of the two parts

@@ -64,14 +64,13 @@ void CollisionSource::stand(const Histories& histories, std::size_t body, double
     const double end = search_.endOf(histories, body).value_or(time);
     const BodyState last = stateOf(world_.records[body], histories, end);
     world_.moving[body].standAt({last.position, last.attitude});
-    search_.stand(body, time, renewal_);
+    search_.stand(body, time);
 }
 
 std::optional<solution::Event> CollisionSource::renew(const Histories& histories) {
     const Instant now = at(histories, search_.next().time);
-    search_.renew(histories, renewal_);
-    if (renewal_.ended)
-        stand(histories, renewal_.body, now.time);
+    if (const auto renewed = search_.renew(histories); renewed.ended)
+        stand(histories, renewed.body, now.time);
     std::optional<Event> lost;
     for (const auto& [pair, depth] : search_.takeOverlaps()) {
         if (const auto sentence = unmodelledOf(now, pair); sentence && !lost)

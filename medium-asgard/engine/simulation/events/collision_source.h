@@ -144,7 +144,6 @@ private:
     ContactSet contacts_;
     Mobility mobility_;
     EncounterSearch search_;
-    EncounterSearch::Renewal renewal_;
     Releases releases_;
     CollisionRecord record_;
     FlightImpacts flights_;

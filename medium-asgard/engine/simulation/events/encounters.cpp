@@ -11,7 +11,6 @@
 #include <iterator>
 #include <map>
 #include <set>
-#include <tuple>
 #include <utility>
 
 namespace simulation {
@@ -112,7 +111,7 @@ std::optional<CollisionSource::Handled> CollisionSource::meetInFlight(const Inst
         return std::nullopt;
     if (hit->event)
         return Handled{.event = std::move(hit->event), .isDone = false};
-    search_.goOn(pair, at.time, renewal_);
+    search_.goOn(pair, at.time);
     return Handled{.event = {}, .isDone = true};
 }
 
@@ -303,6 +302,9 @@ void CollisionSource::settle(const Instant& at, std::span<const std::size_t> bod
         }
     if (!isForced && contacts_.isLike(together, contacts))
         return;
+    for (const LastingContact& contact : contacts)
+        for (const std::size_t body : {contact.place.body, contact.place.support})
+            noteUnturned(at, body);
     contacts_.set(together, std::move(contacts), at.time,
                   [&](std::size_t body) { return mobility_.nextPhase(body, at.time); });
     outcome_.isContactsNew = true;

@@ -24,36 +24,28 @@ struct NearCorner { // that bears, or lands on what bears it already
 };
 
 // Of a body that gives way and its support.
-std::vector<NearCorner> cornersNear(const Instant& at, const Pair& pair, bool isHit) {
+std::vector<NearCorner> cornersNear(const Instant& at, const Pair& pair) {
     const auto& [body, support] = pair;
     const double gap = at.world.resolution[body].gap;
     const double speed = at.speedOf(pair), tolerance = at.contactTolerance(pair);
     std::vector<NearCorner> corners;
-    for (const Touch& whole : touchesOf(at.placed(body), at.placed(support), 2 * gap)) {
-        const Touch* lasting =
-            whole.lasting(std::max(collision::approachThreshold * speed,
-                                   resolution::noRate * at.world.smallerRadius(pair)));
-        if (!isHit && lasting == nullptr)
-            continue;
-        const Touch& touch = isHit ? whole : *lasting;
-        for (const Corner& corner : touch.corners) {
+    for (const Touch& touch : touchesOf(at.placed(body), at.placed(support), 2 * gap))
+        for (const Corner& corner : touch.corners)
             corners.push_back({.point = corner.point,
                                .normal = touch.normal,
                                .gap = corner.gap,
                                .bears = std::abs(corner.gap) <= tolerance &&
                                         std::abs(corner.rate) <= gap * speed});
-        }
-    }
     return corners;
 }
 
-// Contact points that are active, or hit at this instant. A point that is near and approaches hits
+// Contact points that hit at this instant. A point that is near and approaches hits
 // by itself a little later: that is another motion. Points as near as that which hits, such as both
 // ends of an edge that lands, hit with it. One that has sunk in by an error of the integration
 // counts.
-std::vector<NearCorner> cornersAt(const Instant& at, const Pair& pair, bool isHit) {
+std::vector<NearCorner> cornersAt(const Instant& at, const Pair& pair) {
     const double tolerance = at.contactTolerance(pair);
-    std::vector<NearCorner> corners = cornersNear(at, pair, isHit);
+    std::vector<NearCorner> corners = cornersNear(at, pair);
     double nearest = infinity; // of what hits
     bool isAnyTouching = false;
     for (const NearCorner& corner : corners)
@@ -61,7 +53,7 @@ std::vector<NearCorner> cornersAt(const Instant& at, const Pair& pair, bool isHi
             isAnyTouching = true;
         else
             nearest = std::min(nearest, corner.gap);
-    const bool isReached = nearest <= 2 * tolerance || (isHit && !isAnyTouching);
+    const bool isReached = nearest <= 2 * tolerance || !isAnyTouching;
     const double farthest = isReached ? std::max(tolerance, nearest + tolerance) : tolerance;
     std::erase_if(corners, [&](const NearCorner& corner) { return corner.gap > farthest; });
     return corners;
@@ -89,11 +81,10 @@ public:
         const auto contacts = collision::contactsAt(at_.world.moving[a_], at_.world.moving[b_],
                                                     at_.time, at_.contactTolerance({a_, b_}),
                                                     at_.mobility.slack(a_, b_, at_.time));
-        // A body that rests turns about what it rests on: each corner counts. So it does where gaps
-        // have the integration's errors, not rounding's.
+        // Where gaps have the integration's errors, not rounding's, each corner counts.
         const bool isUnsure = contacts.empty() && isHit && !at_.contacts.areIn(a_, b_);
         if (isUnsure && freedom(a_) != freedom(b_))
-            return addCorners(isHit);
+            return addCorners();
         const ContactSet& lasting = at_.contacts;
         if (arePoints_ && (!contacts.empty() || lasting.areIn(a_, b_)))
             findPoints();
@@ -153,10 +144,10 @@ private:
                 cluster_.contacts.back().patch = cluster_.patches;
             }
     }
-    void addCorners(bool isHit) {
+    void addCorners() {
         const bool isFirst = freedom(a_) > freedom(b_);
         const Pair ordered = isFirst ? Pair{a_, b_} : Pair{b_, a_};
-        for (const NearCorner& corner : cornersAt(at_, ordered, isHit)) {
+        for (const NearCorner& corner : cornersAt(at_, ordered)) {
             add(corner.point, isFirst ? corner.normal : Vector(-corner.normal),
                 {ballRadius(at_.world.moving[a_]), ballRadius(at_.world.moving[b_])});
             cluster_.contacts.back().isResting = corner.bears;

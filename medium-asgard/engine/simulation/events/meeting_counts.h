@@ -17,7 +17,7 @@ public:
     // One more meeting of a body. `turnsBack`: the other one gives way, so that it ends after
     // however many (Galperin's billiard). True: they have no end.
     [[nodiscard]] bool meets(std::size_t body, std::size_t other, bool turnsBack, double time);
-    // What bears it changes, so often within next to no time that no position of rest is found.
+    // Its supports change so often within next to no time that no position of rest is found.
     [[nodiscard]] bool isRestless(std::size_t body, double time);
     // Of the last meetings of a body not all were with the same one.
     [[nodiscard]] bool isWithSeveral(std::size_t body) const {

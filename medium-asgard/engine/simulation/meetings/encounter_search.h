@@ -59,16 +59,14 @@ public:
     // The next thing to be done; it is done by takeHit() or renew().
     [[nodiscard]] Next next();
     [[nodiscard]] Found takeHit() { return hits_.take(); }
-    // The body whose window ended, and whether it has partners now that it had not.
     struct Renewal {
-        std::size_t body = 0;
-        bool ended = false;              // its motion has ended: stand() says where it stays
-        std::vector<std::size_t> joined; // its partners that had no such partner before
+        std::size_t body = 0; // its window ended
+        bool ended = false;   // its motion has ended, too: stand() says where it stays
     };
-    void renew(const solution::Histories& histories, Renewal& renewal);
+    [[nodiscard]] Renewal renew(const solution::Histories& histories);
 
     // A body whose motion ended is met where it stands from then on: its MovingBody says where.
-    void stand(std::size_t body, double time, Renewal& renewal);
+    void stand(std::size_t body, double time);
     // The motion of the body was cut at `time`.
     void cut(std::size_t body, double time);
     // A ball in flight that flies on for ever, if nobody turns it: turn() tells who does.
@@ -77,7 +75,7 @@ public:
     // From `time` on these joints and links keep nobody from meeting.
     void release(const scene::Released& released, double time);
     // After both of a pair: what cut() of both and renew() would do.
-    void goOn(const Pair& turned, double time, Renewal& renewal);
+    void goOn(const Pair& turned, double time);
     // The pair's hit at `time` was none, or is let pass: search it from there on.
     void searchOn(const Pair& pair, double time);
     // Balls that touch and neither part nor approach.
@@ -146,14 +144,13 @@ private:
                               double time) const;
     [[nodiscard]] bool openFlight(const solution::Histories& histories, std::size_t body,
                                   Window& window) const;
-    void openWindow(const solution::Histories& histories, std::size_t body, double time,
-                    Renewal& renewal);
+    void openWindow(const solution::Histories& histories, std::size_t body, double time);
     void openPieceWindow(std::size_t body, double time);
     void openFlightWindow(std::size_t body, double time);
     [[nodiscard]] Crossing enterCell(std::size_t body, double time, bool isNew);
     void boxFlight(std::size_t body);
-    void enterTree(std::size_t body, Renewal& renewal);
-    void findPartners(std::size_t body, const geometry::Box& leaf, Renewal& renewal);
+    void enterTree(std::size_t body);
+    void findPartners(std::size_t body, const geometry::Box& leaf);
     static constexpr std::size_t nobody = ~std::size_t{0};
     void searchAround(std::size_t body, double time, std::size_t but = nobody);
     void searchFlight(std::size_t body, std::size_t other, double time);

@@ -127,8 +127,7 @@ void EncounterSearch::boxFlight(std::size_t body) {
     window.box = boxOf(window.flight, window.from, window.until, near_.slackOf(body));
 }
 
-void EncounterSearch::openWindow(const Histories& histories, std::size_t body, double time,
-                                 Renewal& renewal) {
+void EncounterSearch::openWindow(const Histories& histories, std::size_t body, double time) {
     Window& window = windows_[body];
     ++window.number;
     window.from = time;
@@ -140,7 +139,7 @@ void EncounterSearch::openWindow(const Histories& histories, std::size_t body, d
     const Crossing crossing = window.isFlight ? enterCell(body, time, isNew) : Crossing::nowhere;
     if (crossing != Crossing::nowhere) {
         if (crossing == Crossing::toOtherBlock)
-            findPartners(body, near_.leafOfBlock(body), renewal);
+            findPartners(body, near_.leafOfBlock(body));
         openFlightWindow(body, time);
         ends_.set(body, windows_[body].until);
         return;
@@ -153,7 +152,7 @@ void EncounterSearch::openWindow(const Histories& histories, std::size_t body, d
         openPieceWindow(body, time);
     }
     ends_.set(body, windows_[body].until);
-    enterTree(body, renewal);
+    enterTree(body);
 }
 
 // Of what is no flight: along one piece of its motion.
@@ -197,28 +196,26 @@ void EncounterSearch::endBody(std::size_t body) {
     unclear_[body].clear();
 }
 
-void EncounterSearch::renew(const Histories& histories, Renewal& renewal) {
+EncounterSearch::Renewal EncounterSearch::renew(const Histories& histories) {
     const std::size_t body = ends_.first();
     const double time = ends_.time();
-    renewal = {.body = body, .ended = false, .joined = {}};
     if (isOver(histories, body, time)) {
         endBody(body);
-        renewal.ended = true;
-        return;
+        return {.body = body, .ended = true};
     }
-    openWindow(histories, body, time, renewal);
+    openWindow(histories, body, time);
     searchAround(body, time);
+    return {.body = body, .ended = false};
 }
 
-void EncounterSearch::stand(std::size_t body, double time, Renewal& renewal) {
+void EncounterSearch::stand(std::size_t body, double time) {
     Window& window = windows_[body];
     window.from = time;
     window.until = window.pieceEnd = infinity;
     window.box = collision::boundsDuring(world_.moving[body], time, time);
     grow(window.box, near_.slackOf(body));
     near_.tree.put(body, window.box);
-    findPartners(body, window.box, renewal);
-    renewal.joined.clear(); // nobody rests on it
+    findPartners(body, window.box);
     for (const std::size_t other : near_.partners(body))
         search(std::minmax(body, other), time);
 }
@@ -255,10 +252,7 @@ void EncounterSearch::turn(std::size_t body, const solution::Turn& turn, double 
     }
 }
 
-void EncounterSearch::goOn(const Pair& turned, double time, Renewal& renewal) {
-    renewal.body = turned.first;
-    renewal.ended = false;
-    renewal.joined.clear();
+void EncounterSearch::goOn(const Pair& turned, double time) {
     const std::array<std::size_t, 2> two{turned.first, turned.second};
     for (const std::size_t body : two) {
         if (world_.records[body].isFixed)
@@ -273,11 +267,11 @@ void EncounterSearch::goOn(const Pair& turned, double time, Renewal& renewal) {
         const bool entered =
             stays || (isInCell && enterCell(body, time, true) != Crossing::nowhere);
         if (entered && !stays)
-            findPartners(body, near_.leafOfBlock(body), renewal);
+            findPartners(body, near_.leafOfBlock(body));
         openFlightWindow(body, time);
         ends_.set(body, windows_[body].until);
         if (!entered)
-            enterTree(body, renewal);
+            enterTree(body);
     }
     around_ = Around::all;
     const bool areTwo =
@@ -287,18 +281,16 @@ void EncounterSearch::goOn(const Pair& turned, double time, Renewal& renewal) {
             searchAround(body, time, areTwo && body == turned.second ? turned.first : nobody);
 }
 
-void EncounterSearch::enterTree(std::size_t body, Renewal& renewal) {
+void EncounterSearch::enterTree(std::size_t body) {
     if (near_.enterTree(body, windows_[body].box, windows_[body].isFlight))
-        findPartners(body, near_.tree.box(body), renewal);
+        findPartners(body, near_.tree.box(body));
 }
 
-void EncounterSearch::findPartners(std::size_t body, const geometry::Box& leaf, Renewal& renewal) {
-    const auto& joined = near_.findPartners(body, leaf, [this](std::size_t ball) {
+void EncounterSearch::findPartners(std::size_t body, const geometry::Box& leaf) {
+    near_.findPartners(body, leaf, [this](std::size_t ball) {
         if (windows_[ball].isFlight)
             boxFlight(ball);
     });
-    if (!contacts_.empty())
-        renewal.joined.insert(renewal.joined.end(), joined.begin(), joined.end());
 }
 
 } // namespace simulation

@@ -35,21 +35,16 @@ geometry::Box Neighbourhood::leafOfBlock(std::size_t body) const {
     return leaf;
 }
 
-const std::vector<std::size_t>& Neighbourhood::takeFound(std::size_t body) {
+void Neighbourhood::takeFound(std::size_t body) {
     std::erase_if(found_, [&](std::size_t other) {
         const bool bothStand = ended_[body] && (ended_[other] || records_[other].isFixed);
         return bothStand || !mayMeet(body, other);
     });
     std::ranges::sort(found_);
     partners_[body] = found_;
-    joined_.clear();
-    for (const std::size_t other : found_) {
+    for (const std::size_t other : found_)
         if (!records_[other].isFixed)
             partners_[other].insert(std::ranges::lower_bound(partners_[other], body), body);
-        if (!std::ranges::binary_search(before_, other))
-            joined_.push_back(other);
-    }
-    return joined_;
 }
 
 void Neighbourhood::leave(std::size_t body) {

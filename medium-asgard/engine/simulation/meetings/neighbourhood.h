@@ -36,12 +36,10 @@ public:
     // The part of the tree that concerns a ball in a cell.
     [[nodiscard]] geometry::Box leafOfBlock(std::size_t body) const;
     // Where the tree has the body, or its block: its partners anew. `boxed` is told of balls in
-    // cells that had no partner before; the answer has partners that are new.
+    // cells that had no partner before.
     template <typename Boxed>
-    [[nodiscard]] const std::vector<std::size_t>&
-    findPartners(std::size_t body, const geometry::Box& leaf, Boxed&& boxed) {
-        before_ = partners_[body];
-        for (const std::size_t other : before_)
+    void findPartners(std::size_t body, const geometry::Box& leaf, Boxed&& boxed) {
+        for (const std::size_t other : partners_[body])
             if (!records_[other].isFixed)
                 std::erase(partners_[other], body);
         found_.clear();
@@ -54,7 +52,7 @@ public:
                 if (partners_[ball].empty())
                     boxed(ball);
             });
-        return takeFound(body);
+        takeFound(body);
     }
     // The motion of a body has ended: it is nowhere, until it is put where it stands.
     void leave(std::size_t body);
@@ -78,13 +76,13 @@ public:
     }
 
 private:
-    [[nodiscard]] const std::vector<std::size_t>& takeFound(std::size_t body);
+    void takeFound(std::size_t body);
 
     const std::vector<BodyRecord>& records_;
     double slack_;
     std::vector<std::vector<std::size_t>> partners_; // but for balls in cells near one in a cell
     std::vector<bool> ended_;
-    std::vector<std::size_t> found_, before_, joined_; // kept between calls
+    std::vector<std::size_t> found_; // kept between calls
 };
 
 // The box, larger by this on all sides.

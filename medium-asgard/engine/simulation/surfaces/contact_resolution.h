@@ -31,7 +31,7 @@ inline constexpr double rattled = 3e-8; // of the speeds that enter a blow: what
                                         // is rest
 inline constexpr double noRate = 1e-12; // of the size, in the unit of time: of gaps, none
 
-// --- directions that count as the same --------------------------------------------------------
+// --- directions that count as the same ----------------------------------------------------------
 
 inline constexpr double sameNormal = 1e-4; // difference of unit normals
 

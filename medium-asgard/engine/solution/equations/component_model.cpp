@@ -36,13 +36,14 @@ ComponentModel::ComponentModel(Key key) : key_(std::move(key)) {
     readKey();
     findStructure();
     function_ = expression::Function(expression::Tape(graph_, symbols_.all, outputs_));
+    Graph graph = graph_;
     FoundDirections directions;
     if (dividesByLength(graph_))
-        directions = foundDirections();
+        directions = foundDirections(graph);
     if (!directions.all.empty())
-        deriveDirections(directions);
+        deriveDirections(graph, directions);
     if (symbols_.multipliers > 0)
-        deriveConditions(directions);
+        deriveConditions(graph, directions);
 }
 
 void ComponentModel::readKey() {
@@ -315,8 +316,7 @@ ComponentModel::Derived ComponentModel::derive(Graph& graph, std::span<const Nod
 // ---------------------------------------------------------------------------------------------
 // Conditions
 
-void ComponentModel::deriveConditions(const FoundDirections& directions) {
-    Graph graph = graph_;
+void ComponentModel::deriveConditions(Graph graph, const FoundDirections& directions) {
     const std::size_t count = symbols_.multipliers;
     const std::span<const Node> multipliers = std::span(symbols_.all).last(count);
     const std::span<const Node> states = std::span(symbols_.all).subspan(1, symbols_.states);
@@ -402,8 +402,7 @@ bool ComponentModel::actsOnItself(const Direction& direction) const {
 }
 
 // Two lengths of the same parts are one; parts that others have too are in none but the first.
-ComponentModel::FoundDirections ComponentModel::foundDirections() const {
-    Graph graph = graph_;
+ComponentModel::FoundDirections ComponentModel::foundDirections(Graph& graph) const {
     const auto isNumber = [&](Node n) {
         const auto place = placeOf(n);
         return graph.op(n) == Op::constant ||
@@ -462,8 +461,7 @@ ComponentModel::withSymbols(Graph& graph, const FoundDirections& found,
     return {withDirections(graph, nodes, divided, replacements), symbols};
 }
 
-void ComponentModel::deriveDirections(const FoundDirections& found) {
-    Graph graph = graph_;
+void ComponentModel::deriveDirections(Graph graph, const FoundDirections& found) {
     std::vector<Node> parts, weights;
     for (const Direction& direction : found.all) {
         directions_.ranges.push_back({parts.size(), direction.parts.size()});

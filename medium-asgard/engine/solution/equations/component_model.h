@@ -180,12 +180,14 @@ private:
         std::vector<Direction> all;
         std::vector<std::pair<expression::Node, std::size_t>> lengths; // and of which direction
     };
-    void deriveConditions(const FoundDirections& directions);
+    // `graph` has the nodes of these.
+    void deriveConditions(expression::Graph graph, const FoundDirections& directions);
     [[nodiscard]] std::span<const expression::Node> constantSymbols() const {
         return std::span(symbols_.all).subspan(variables(), constants());
     }
-    [[nodiscard]] FoundDirections foundDirections() const;
-    void deriveDirections(const FoundDirections& found);
+    // Their own nodes go into the graph.
+    [[nodiscard]] FoundDirections foundDirections(expression::Graph& graph) const;
+    void deriveDirections(expression::Graph graph, const FoundDirections& found);
     // The nodes with symbols in place of directions; and these symbols.
     [[nodiscard]] std::pair<std::vector<expression::Node>, std::vector<expression::Node>>
     withSymbols(expression::Graph& graph, const FoundDirections& found,

@@ -92,8 +92,8 @@ Maybe wholePower(const Polynomial& a, double exponent) {
 // Evaluates nodes as polynomials of r = (t - t0) / scale.
 class Evaluation {
 public:
-    // States are integrals of their rates, or read linearly as multipliers are, or nothing that
-    // may be read.
+    // integrals: states are the integrals of their rates; linear: states are read linearly;
+    // ofMultipliers: multipliers are, and no state may be read.
     enum class Kind { integrals, linear, ofMultipliers };
 
     // `y`: the states' values at t, for integrals.
@@ -108,6 +108,14 @@ public:
     }
     [[nodiscard]] double until() const { return until_; }
     [[nodiscard]] double scale() const { return scale_; }
+
+    // All rates are 0 at t: those that are constant are 0, though rounding is left of the forces
+    // that balance in them.
+    void balance(Evaluation scratch, std::span<const Node> rates) {
+        for (const Node rate : rates)
+            if (const Maybe p = scratch.of(rate); p && p->degree == 0)
+                done_.insert_or_assign(rate.index, Polynomial::constant(0));
+    }
 
     // Arguments first, on an own stack: expressions may be deep.
     Maybe of(Node root) {
@@ -306,8 +314,9 @@ private:
 };
 
 // The forces that keep the conditions at t do so for good; then they are the equations'
-// multipliers.
-bool areForcesConstant(ComponentEquations& equations, double t, std::span<const double> y) {
+// multipliers, and these are the states' rates.
+bool areForcesConstant(ComponentEquations& equations, double t, std::span<const double> y,
+                       std::vector<double>& rates) {
     if (equations.multipliers().empty())
         return true;
     if (equations.slips())
@@ -322,7 +331,7 @@ bool areForcesConstant(ComponentEquations& equations, double t, std::span<const 
         if (!second || second->degree > 0)
             return false;
     }
-    std::vector<double> rates(y.size());
+    rates.resize(y.size());
     return equations.rates(t, y, rates);
 }
 
@@ -330,9 +339,13 @@ bool areForcesConstant(ComponentEquations& equations, double t, std::span<const 
 
 std::optional<ClosedForm> closedForm(ComponentEquations& equations, double t,
                                      std::span<const double> y) {
-    if (!areForcesConstant(equations, t, y))
+    std::vector<double> rates; // with multipliers
+    if (!areForcesConstant(equations, t, y, rates))
         return std::nullopt;
     Evaluation evaluation(equations, t, Evaluation::Kind::integrals, y);
+    if (std::ranges::all_of(rates, [](double rate) { return rate == 0; }))
+        evaluation.balance(Evaluation(equations, t, Evaluation::Kind::integrals, y),
+                           equations.outputs().first(rates.size()));
     ClosedForm result{evaluation.scale(), evaluation.until(), {}};
     const auto outputs = equations.outputs();
     for (std::size_t i = 0; i < outputs.size(); ++i) {

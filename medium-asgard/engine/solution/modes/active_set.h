@@ -185,8 +185,11 @@ private:
     [[nodiscard]] bool settle(std::span<const std::size_t> fallen, double fastest, double t,
                               std::span<const double> y);
     void addLaw(Rows& rows, std::size_t disc, std::span<const std::size_t> normals);
-    // As the mode holds what switches.
+    // The multipliers, as the mode holds what switches. False: none keep the conditions that hold.
+    bool solve();
     [[nodiscard]] Multipliers::System systemOf(std::span<const std::size_t> rows);
+    // On each surface that is slid upon, its upper side and the weight of that.
+    template <typename Visit> void onUpperSides(Visit&& visit);
     [[nodiscard]] bool solveLaws(const Rows& rows);
 
     ModelFunctions& f_;

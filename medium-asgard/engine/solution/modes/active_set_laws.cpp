@@ -152,11 +152,11 @@ bool ActiveSet::settle(std::span<const std::size_t> fallen, double fastest, doub
 // The laws' where the shortest that keep redundant conditions break a bound.
 void ActiveSet::takeForces() {
     std::vector<double> ofLaws = std::exchange(mode_.share.forces, {});
-    if (!multipliers_.solve() || !multipliers_.isRedundant() || areWithinBounds())
+    if (!solve() || !multipliers_.isRedundant() || areWithinBounds())
         return;
     mode_.share.forces = std::move(ofLaws);
     mode_.share.rooms = roomsOf(mode_.share.forces);
-    (void)multipliers_.solve();
+    (void)solve();
     if (areWithinBounds())
         return;
     mode_.share = {}; // it tells no more than the shortest
@@ -248,21 +248,6 @@ void holdWithin(const Eigen::MatrixXd& a, const Eigen::VectorXd& b, const Laws& 
 }
 
 } // namespace
-
-// What switches pushes as the weights say with which it is held: on neither side of its surface.
-Multipliers::System ActiveSet::systemOf(std::span<const std::size_t> rows) {
-    Multipliers::System below = multipliers_.systemOf(rows);
-    if (mode_.sliding.empty() || f_.weights().size() != mode_.sliding.size())
-        return below;
-    Eigen::VectorXd rest = below.rest;
-    for (std::size_t j = 0; j < mode_.sliding.size(); ++j) {
-        mode_.setSide(mode_.sliding[j], +1);
-        rest += f_.weights()[j] * (multipliers_.systemOf(rows).rest - below.rest);
-        mode_.setSide(mode_.sliding[j], -1);
-    }
-    below.rest = rest;
-    return below;
-}
 
 bool ActiveSet::solveLaws(const Rows& rows) {
     const auto [a, b] = systemOf(rows.rows);

@@ -88,11 +88,9 @@ bool ComponentEquations::lookBeyond(double t, std::span<const double> y) {
     return mode_.looksBeyond;
 }
 
-// Held values that slide by surfaces alone do not depend on the weights.
 bool ComponentEquations::heldValues(double t, std::span<const double> y, std::span<double> out) {
     functions_.fill(t, y);
-    if (mode_.sticking.empty() || !field_.weigh())
-        field_.findOutputs();
+    field_.find();
     const std::span<const double> values = field_.values();
     std::ranges::copy(values.subspan(states().size()), out.begin());
     return std::all_of(out.begin(), out.end(), [](double x) { return std::isfinite(x); });

@@ -33,9 +33,6 @@ void Guards::refresh() {
 void Guards::watch(double t, std::span<const double> y, std::span<double> values) {
     f_.fill(t, y);
     const bool isPossible = !mode_.isHeld() || field_.weigh();
-    if (!isPossible)
-        std::fill(field_.weights().begin(), field_.weights().end(),
-                  -1.0); // no longer possible: leave
     for (std::size_t k = 0; k < mode_.sticking.size(); ++k)
         values[watches_.size() + k] = !isPossible ? -1
                                       : mode_.sticking[k] == mode_.leaving
@@ -54,7 +51,8 @@ void Guards::watch(double t, std::span<const double> y, std::span<double> values
         } else if (kind != Watch::Kind::side) {
             const auto place =
                 std::find(mode_.sliding.begin(), mode_.sliding.end(), s) - mode_.sliding.begin();
-            const double w = field_.weights()[static_cast<std::size_t>(place)];
+            const double w =
+                isPossible ? f_.weights()[static_cast<std::size_t>(place)] : -1; // it leaves
             values[k] = (kind == Watch::Kind::least ? w : 1 - w) +
                         (mode_.isGrazed[s] ? ModelFunctions::standing : 0);
         } else if (surface.whole) {

@@ -71,6 +71,7 @@ Eigen::VectorXd weightsFor(const Eigen::MatrixXd& change, const Eigen::VectorXd&
 } // namespace
 
 bool HeldField::weigh() {
+    f_.weights().clear();
     if (!mode_.sticking.empty())
         return weighWithDirections();
     const std::size_t count = mode_.sliding.size();
@@ -125,9 +126,8 @@ void HeldField::mixFields(std::span<const double> weights) {
     };
     for (std::size_t n = 0; n < values_.size(); ++n)
         values_[n] = at(n);
-    const std::span<double> forces = std::span(f_.in()).last(multipliers_.size());
-    for (std::size_t row = 0; row < forces.size(); ++row)
-        forces[row] = at(values_.size() + row);
+    for (std::size_t row = 0; row < multipliers_.size(); ++row)
+        multipliers_.put(row, at(values_.size() + row));
 }
 
 // The fields of all surfaces by these weights.

@@ -33,7 +33,8 @@ public:
 
     // On the branches of the mode, whether it slides or not.
     void outputs(std::span<double> out);
-    // In the mode: false where it slides and has no solution. Then values() are others.
+    // In the mode, with the weights and units of the functions: false where it slides and has no
+    // solution. Then values() are others, and there are no weights.
     [[nodiscard]] bool weigh();
     // values() in the mode; where it slides and has no solution, on its branches.
     void find();
@@ -52,9 +53,6 @@ public:
     [[nodiscard]] Multipliers& multipliers() { return multipliers_; }
     [[nodiscard]] const Multipliers& multipliers() const { return multipliers_; }
 
-    // Of weigh(): of each surface that is slid upon, and for parts of unit vectors that are held.
-    [[nodiscard]] std::vector<double>& weights() { return f_.weights(); }
-    [[nodiscard]] std::vector<double>& units() { return f_.units(); }
     // Directions whose vector is 0, but for rounding, and is not held there.
     [[nodiscard]] std::vector<std::size_t> directionsAtRest(double t, std::span<const double> y);
     // Of the square of a unit vector, over what can be.

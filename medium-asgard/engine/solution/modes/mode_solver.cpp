@@ -82,7 +82,7 @@ void ModeSolver::decide(double t, std::span<double> y) {
 void ModeSolver::decideContacts(double t, std::span<double> y) {
     if (!model_.directions().ranges.empty()) {
         mode_.sticking = field_.directionsAtRest(t, y);
-        std::ranges::fill(field_.units(), 0);
+        std::ranges::fill(f_.units(), 0);
     }
     active_.decide(t, y);
     mode_.sticking.clear();

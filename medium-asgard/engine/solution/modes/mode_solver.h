@@ -20,7 +20,8 @@
 //
 // LIMIT: with several surfaces at once f is taken as affine in the weights, which holds unless
 // switching terms multiply each other or stand in each other's guards. Such motion ends with a
-// reason when it cannot go on.
+// reason when it cannot go on. The contacts at a start are decided with the weights that switches
+// had before, and with no force along directions at rest.
 #pragma once
 
 #include "modes/guards.h"

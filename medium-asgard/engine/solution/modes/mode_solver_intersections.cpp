@@ -17,11 +17,11 @@ bool ModeSolver::settleWeights(double t, std::span<const double> y) {
             return true;
         if (!field_.weigh())
             return false;
-        const auto outside = std::find_if(field_.weights().begin(), field_.weights().end(),
+        const auto outside = std::find_if(f_.weights().begin(), f_.weights().end(),
                                           [](double w) { return w < -1e-12 || w > 1 + 1e-12; });
-        if (outside == field_.weights().end())
+        if (outside == f_.weights().end())
             return true;
-        const auto place = outside - field_.weights().begin();
+        const auto place = outside - f_.weights().begin();
         const std::size_t s = mode_.sliding[static_cast<std::size_t>(place)];
         const int side = *outside < 0 ? -1 : +1;
         mode_.sliding.erase(mode_.sliding.begin() + place);
@@ -266,7 +266,7 @@ bool ModeSolver::isSolved(std::span<const std::size_t> surfaces, Solution asked)
     std::vector<double> rates(field_.size());
     if (!mode_.isHeld())
         field_.outputs(rates);
-    else if (!field_.weigh() || std::ranges::any_of(field_.weights(), isOutside))
+    else if (!field_.weigh() || std::ranges::any_of(f_.weights(), isOutside))
         return false;
     else
         rates = field_.values();

@@ -74,8 +74,8 @@ public:
     [[nodiscard]] const std::vector<double>& measures() const { return measures_; }
     [[nodiscard]] double scaleOf(std::size_t part) const;
     [[nodiscard]] Eigen::VectorXd vectorOf(std::size_t direction) const;
-    // What the mode holds (held_field.h): the weight of each surface that is slid upon; and by
-    // part, what stands for a/|a| where a is held at 0.
+    // The mode holds these (held_field.h): the weight of each surface that is slid upon; and by
+    // part, the vector that stands for a/|a| where a is held at 0.
     [[nodiscard]] std::vector<double>& weights() { return held_.weights; }
     [[nodiscard]] std::vector<double>& units() { return held_.units; }
     // The values of in() and of the symbols of directions, where the mode holds some.
@@ -88,8 +88,8 @@ public:
     void peakHeights(double t, std::span<const double> y, std::span<double> out);
 
     [[nodiscard]] std::optional<expression::Decision> decisionOf(expression::Node switching) const;
-    // The value of a symbol other than time or a state: an input, a constant of this component, or
-    // a multiplier.
+    // The kind of a symbol: a state, an input, the value of a constant of this component, or a
+    // multiplier.
     [[nodiscard]] std::optional<std::size_t> stateOf(expression::Node symbol) const;
     [[nodiscard]] std::optional<std::size_t> inputOf(expression::Node symbol) const;
     [[nodiscard]] std::optional<double> constantOf(expression::Node symbol) const;

@@ -144,6 +144,12 @@ bool Multipliers::solveHeld() {
     return isKept;
 }
 
+void Multipliers::take(const Solution& solution) {
+    second_ = solution.second;
+    for (std::size_t row = 0; row < size(); ++row)
+        put(row, solution.values[row]);
+}
+
 void Multipliers::linearise() {
     if (!slips_.empty())
         slips_.linearise(values());

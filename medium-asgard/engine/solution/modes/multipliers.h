@@ -48,6 +48,15 @@ public:
     // How the last forces were found: a clause; "": there are none.
     [[nodiscard]] std::string how() const { return held_.how(); }
     [[nodiscard]] std::span<const double> values() const { return std::span(f_.in()).last(size()); }
+    void put(std::size_t row, double value) { f_.in()[f_.in().size() - size() + row] = value; }
+    // What the last solve() found: the values, and the second rates of the conditions.
+    struct Solution {
+        std::vector<double> values, second;
+    };
+    [[nodiscard]] Solution solution() const {
+        return {{values().begin(), values().end()}, second_};
+    }
+    void take(const Solution& solution);
     // Of stops, contacts and friction that hold, a gap or a rate is not 0 but for rounding: so it
     // is within a step, whose polynomials know no conditions. Once gaps are evaluated.
     [[nodiscard]] bool isOff(std::span<const double> y) const;

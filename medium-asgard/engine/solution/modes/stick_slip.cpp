@@ -42,8 +42,8 @@ double StickSlip::leeway() {
     const double length = a.norm();
     double off = 0, allowed = reachOf(first);
     for (std::size_t p = first; p < first + count; ++p) {
-        off = std::max(
-            off, std::abs(a(static_cast<Eigen::Index>(p - first)) - length * field_.units()[p]));
+        off = std::max(off,
+                       std::abs(a(static_cast<Eigen::Index>(p - first)) - length * f_.units()[p]));
         allowed = std::min(allowed, reachOf(p));
     }
     allowed = std::max(allowed, tolerance_ * length); // nothing has moved yet
@@ -170,7 +170,7 @@ bool StickSlip::rest(std::span<const std::size_t> directions, double t, std::spa
             std::erase(mode_.sticking, d);
     }
     bool isDone = mode_.sticking.size() > others;
-    for (std::size_t round = 0; isDone && round < field_.units().size(); ++round) {
+    for (std::size_t round = 0; isDone && round < f_.units().size(); ++round) {
         f_.fill(t, y);
         const auto more = [this](std::size_t a, std::size_t b) {
             return field_.excess(a) < field_.excess(b);

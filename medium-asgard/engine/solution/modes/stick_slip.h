@@ -41,6 +41,11 @@ public:
     [[nodiscard]] bool leave(std::span<const std::size_t> directions, double t,
                              std::span<double> y);
     void releaseWhereJumped(double t, std::span<const double> y);
+    // None is held.
+    void forget() {
+        mode_.sticking.clear();
+        mode_.leaving.reset();
+    }
 
 private:
     [[nodiscard]] bool leaveRest(std::size_t direction, double t, std::span<double> y);
