@@ -19,7 +19,7 @@ template <class All> Element named(Kind kind, const All& all, const std::string&
     return {kind, static_cast<std::size_t>(found - all.begin())};
 }
 
-// What it acts on, or itself.
+// The body or joint on which the element acts, or the element itself.
 Element meantBy(const scene::Scene& scene, const Element& element) {
     switch (element.kind) {
     case Kind::force:

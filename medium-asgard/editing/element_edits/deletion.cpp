@@ -170,7 +170,7 @@ int lineOf(const std::string& text, std::size_t offset) {
                    text.begin(), text.begin() + static_cast<std::ptrdiff_t>(offset), '\n'));
 }
 
-// Where an empty line begins that ends there; none: none does.
+// The begin of the empty line that ends there; none: there is no such line.
 std::optional<std::size_t> emptyLineBefore(std::string_view text, std::size_t end) {
     if (end == 0 || text[end - 1] != '\n')
         return std::nullopt;

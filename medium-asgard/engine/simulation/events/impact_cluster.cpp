@@ -81,7 +81,7 @@ public:
         const auto contacts = collision::contactsAt(at_.world.moving[a_], at_.world.moving[b_],
                                                     at_.time, at_.contactTolerance({a_, b_}),
                                                     at_.mobility.slack(a_, b_, at_.time));
-        // Where gaps have the integration's errors, not rounding's, each corner counts.
+        // Each corner counts if gaps have errors of the integration, which are more than rounding.
         const bool isUnsure = contacts.empty() && isHit && !at_.contacts.areIn(a_, b_);
         if (isUnsure && freedom(a_) != freedom(b_))
             return addCorners();

@@ -319,7 +319,7 @@ TEST(Stops, ABallIsInTheWayWhereItsWayEnds) {
     EXPECT_EQ(result.motion->stop(2), std::nullopt);
 }
 
-// Whatever becomes of a body that stops, others far away go on meeting each other.
+// Others far away from a body that stops go on meeting each other.
 TEST(Stops, AStopConcernsNobodyElse) {
     SceneBuilder b(3, 1e-7);
     b.box("table", {-300, -0.1, 0}, {6, 0.2, 2}).fixed = true;

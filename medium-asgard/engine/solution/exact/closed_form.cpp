@@ -343,7 +343,7 @@ std::optional<ClosedForm> closedForm(ComponentEquations& equations, double t,
     if (!areForcesConstant(equations, t, y, rates))
         return std::nullopt;
     Evaluation evaluation(equations, t, Evaluation::Kind::integrals, y);
-    if (std::ranges::all_of(rates, [](double rate) { return rate == 0; }))
+    if (!rates.empty() && std::ranges::all_of(rates, [](double rate) { return rate == 0; }))
         evaluation.balance(Evaluation(equations, t, Evaluation::Kind::integrals, y),
                            equations.outputs().first(rates.size()));
     ClosedForm result{evaluation.scale(), evaluation.until(), {}};

@@ -235,46 +235,6 @@ void ActiveSet::noteOpened(std::span<const State> before, double t, std::span<co
             opened_[row] = std::min(0.0, multipliers_.gap(row));
 }
 
-template <typename Visit> void ActiveSet::onUpperSides(Visit&& visit) {
-    if (f_.weights().size() != mode_.sliding.size()) // they were not possible
-        return;
-    for (std::size_t j = 0; j < mode_.sliding.size(); ++j) {
-        mode_.setSide(mode_.sliding[j], +1);
-        visit(f_.weights()[j]);
-        mode_.setSide(mode_.sliding[j], -1);
-    }
-}
-
-// A held switch pushes by the weights with which it is held: it is on neither side of its surface.
-Multipliers::System ActiveSet::systemOf(std::span<const std::size_t> rows) {
-    Multipliers::System system = multipliers_.systemOf(rows);
-    const Eigen::VectorXd below = system.rest;
-    onUpperSides(
-        [&](double weight) { system.rest += weight * (multipliers_.systemOf(rows).rest - below); });
-    return system;
-}
-
-bool ActiveSet::solve() {
-    bool isSolved = multipliers_.solve();
-    if (mode_.sliding.empty())
-        return isSolved;
-    const Multipliers::Solution below = multipliers_.solution();
-    Multipliers::Solution sum = below;
-    const auto add = [](std::vector<double>& to, double weight, const std::vector<double>& from,
-                        const std::vector<double>& base) {
-        for (std::size_t i = 0; i < to.size(); ++i)
-            to[i] += weight * (from[i] - base[i]);
-    };
-    onUpperSides([&](double weight) {
-        isSolved = multipliers_.solve() && isSolved;
-        const Multipliers::Solution above = multipliers_.solution();
-        add(sum.values, weight, above.values, below.values);
-        add(sum.second, weight, above.second, below.second);
-    });
-    multipliers_.take(sum);
-    return isSolved;
-}
-
 // At the bound itself the laws have both answers; a little ahead, along the rates that led there,
 // they have one. If that little was too little, it is more the next time.
 bool ActiveSet::cross(std::span<const std::size_t> watches, double t, std::span<double> y,

@@ -49,7 +49,7 @@ public:
     [[nodiscard]] std::string how() const { return held_.how(); }
     [[nodiscard]] std::span<const double> values() const { return std::span(f_.in()).last(size()); }
     void put(std::size_t row, double value) { f_.in()[f_.in().size() - size() + row] = value; }
-    // What the last solve() found: the values, and the second rates of the conditions.
+    // The answer of the last solve(): the values, and the second rates of the conditions.
     struct Solution {
         std::vector<double> values, second;
     };
