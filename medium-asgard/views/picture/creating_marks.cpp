@@ -69,15 +69,16 @@ QString Creating::wordsOf(const Indicated& next) const {
 QString Creating::pointedWords() const {
     if (!next_)
         return {};
-    if (const auto judged = judge(*next_))
+    if (const auto judged = judge(*next_); judged && !judged->words.isEmpty())
         return judged->words;
     if (begun_->step().wanted != Wanted::hold)
         return wordsOf(*next_);
-    const auto& bodies = document_.shown().scene->bodies;
-    return next_->body
-               ? tr("to %1: %2")
-                     .arg(QString::fromStdString(bodies[*next_->body].name), wordsOf(*next_))
-               : tr("to the ground: %1").arg(wordsOf(*next_));
+    if (!next_->body)
+        return tr("to the ground: %1").arg(wordsOf(*next_));
+    const scene::Body& body = document_.shown().scene->bodies[*next_->body];
+    const QString name = QString::fromStdString(body.name);
+    return (body.fixed ? tr("to %1, which is fixed: %2") : tr("to %1: %2"))
+        .arg(name, wordsOf(*next_));
 }
 
 // The body that is meant is outlined, and the ground has its sign: which of them it is must be seen

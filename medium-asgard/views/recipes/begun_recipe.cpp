@@ -75,7 +75,7 @@ void BegunRecipe::fit(const gestures::Sight& sight, const Vector& place) {
 }
 
 std::optional<Judged> BegunRecipe::judge(const scene::Scene& scene, const Indicated& next) const {
-    return step().judge && (next.body || step().wanted == Wanted::point)
+    return step().judge && (next.body || step().wanted != Wanted::body)
                ? std::optional(step().judge(scene, shown_, next))
                : std::nullopt;
 }

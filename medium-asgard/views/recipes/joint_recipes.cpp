@@ -47,6 +47,21 @@ bool hasLine(JointType type) {
     return type == JointType::slider || type == JointType::cylindrical || type == JointType::screw;
 }
 
+// A joint of two things that never move does nothing: a click beside what was meant, as a rule.
+Judged judgeHold(const scene::Scene& scene, const std::vector<Indicated>& shown,
+                 const Indicated& next) {
+    const scene::Body& first = scene.bodies[*shown.front().body];
+    if (!first.fixed || (next.body && !scene.bodies[*next.body].fixed))
+        return {};
+    const QString name = QString::fromStdString(first.name);
+    return {next.body ? QObject::tr("%1 and %2 are fixed: a joint is for a body that moves.")
+                            .arg(name, QString::fromStdString(scene.bodies[*next.body].name))
+                      : QObject::tr("%1 is fixed, as the ground is: a joint is for a body that "
+                                    "moves.")
+                            .arg(name),
+            false};
+}
+
 std::vector<Step> stepsOf(JointType type) {
     const bool isDistance = type == JointType::distance;
     Step first{Wanted::body,
@@ -56,14 +71,14 @@ std::vector<Step> stepsOf(JointType type) {
                ""};
     first.whole = !isDistance;
     first.deep = isDistance;
-    const Step second{Wanted::hold,
-                      isDistance
-                          ? QObject::tr("Click where its other end is: on another body, or beside "
-                                        "all of them on the ground, or type x y z.")
-                          : QObject::tr("Click where the joint is: on another body, as the middle "
-                                        "of a wheel, or where there is none, for the ground; or "
-                                        "type x y z."),
-                      ""};
+    Step second{Wanted::hold,
+                isDistance ? QObject::tr("Click where its other end is: on another body, or beside "
+                                         "all of them on the ground, or type x y z.")
+                           : QObject::tr("Click where the joint is: on another body, as the middle "
+                                         "of a wheel, or where there is none, for the ground; or "
+                                         "type x y z."),
+                ""};
+    second.judge = judgeHold;
     std::vector<Step> steps{first, second};
     if (hasLine(type))
         steps.push_back({Wanted::point, QObject::tr("Click where it slides to."),

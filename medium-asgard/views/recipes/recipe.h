@@ -47,7 +47,7 @@ struct Indicated {
 
 // The words beside the pointer: what a click there means, or why it is not taken.
 struct Judged {
-    QString words;
+    QString words; // "": those of its place
     bool isTaken = true;
 };
 
@@ -68,7 +68,7 @@ struct Step {
     bool snaps = false;   // of a point: things and round numbers nearby draw it to them
     bool surface = false; // of a point: on the body that is shown there, if it is one
     bool rests = false;   // of a point: so that the ghost rests on that body
-    // Of a body that is pointed at, or a point; null: every one will do.
+    // Of a body that is pointed at, a point or a hold; null: every one will do.
     std::function<Judged(const scene::Scene& scene, const std::vector<Indicated>& shown,
                          const Indicated& next)>
         judge = {};

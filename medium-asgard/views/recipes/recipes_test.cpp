@@ -290,6 +290,8 @@ TEST_F(RecipesTest, WheelsThatWouldBeInTheGroundRaiseTheirBody) {
                 HasSubstr("it stands on them"));
     read(slope + carAt(lies) + "joint hook -type ball -body1 car\n"); // it would not hang there
     EXPECT_THAT(newWheels().moves(scene_, {side}), IsEmpty());
+    EXPECT_FALSE(newWheels().steps[0].judge(scene_, {}, onBody(0)).isTaken); // the slope is fixed
+    EXPECT_THAT(made(newWheels(), {onBody(0)}), IsEmpty());
     read("shape_set ground -desc {-sub {-plane}}\nbody floor ground -fixed 1\n");
     EXPECT_FALSE(newWheels().steps[0].judge(scene_, {}, onBody(0)).isTaken);
 }

@@ -133,11 +133,11 @@ void raise(const scene::Scene& scene, Axle& axle, const geometry::Box& box, cons
         axle.raised += pose.attitude * (sign * below * Vector::Unit(axle.up));
 }
 
-// None: the body has no sides.
+// None: the body has no sides, or never moves.
 std::optional<Axle> axleAt(const scene::Scene& scene, const Indicated& shown) {
     const scene::Body& body = scene.bodies[*shown.body];
     const gestures::ShapePointer shape = gestures::shapeOf(scene, body.name);
-    if (!shape || gestures::isEndless(*shape))
+    if (!shape || gestures::isEndless(*shape) || body.fixed)
         return std::nullopt;
     const geometry::Box box = geometry::bounds(*shape);
     Axle axle;
@@ -159,6 +159,10 @@ std::optional<Axle> axleAt(const scene::Scene& scene, const Indicated& shown) {
 Judged judgeWheels(const scene::Scene& scene, const std::vector<Indicated>&,
                    const Indicated& next) {
     const QString name = QString::fromStdString(scene.bodies[*next.body].name);
+    if (scene.bodies[*next.body].fixed) // a slope, say, under the car that was meant
+        return {QObject::tr("%1 is fixed and rolls nowhere: wheels are for a body that moves.")
+                    .arg(name),
+                false};
     const auto axle = axleAt(scene, next);
     if (!axle)
         return {QObject::tr("%1 has no sides for wheels.").arg(name), false};
