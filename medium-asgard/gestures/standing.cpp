@@ -182,10 +182,12 @@ private:
                        : reachOf(*after_[which], along, attitude) -
                              reachOf(*before_[which].shape, along, attitude);
         };
-        Vector way = grown(body, -support.up) * support.up;
+        double apart = grown(body, -support.up); // along the normal
         if (support.body)
-            way += wayOf(*support.body) + grown(*support.body, support.up) * support.up;
-        return way;
+            apart += grown(*support.body, support.up);
+        const Vector& upright = extent_.ground; // along an axis: the other numbers stay short
+        const Vector way = apart / support.up.dot(upright) * upright;
+        return support.body ? Vector(way + wayOf(*support.body)) : way;
     }
 
     const scene::Scene& scene_;

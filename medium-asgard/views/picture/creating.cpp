@@ -238,8 +238,7 @@ void Creating::otherwise() {
     if (step.offered) {
         take(indicating_.centerOf(*step.offered));
     } else if (!step.otherwise.isEmpty()) {
-        begun_->fit(display_.sight(), Vector::Zero());
-        take({});
+        take(indicating_.atOrigin(*begun_));
     } else {
         fault_ = tr("Click, or go there with the arrow keys.");
     }

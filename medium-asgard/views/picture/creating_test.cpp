@@ -133,8 +133,15 @@ TEST_F(CreatingTest, ABodyLiesOnAnObliqueFace) {
     const scene::Body& box = scene().bodies[1];
     EXPECT_NEAR(geometry::toRotationVector(box.initialAttitude).z(), std::atan(0.25), 1e-6);
     const Vector foot = box.initialPosition - 0.5 * (box.initialAttitude * Vector::UnitY());
-    EXPECT_NEAR(foot.y(), 0.5 + foot.x() / 4, 1e-3); // it touches the face
+    EXPECT_LE(foot.y(), 0.5 + foot.x() / 4 + 1e-9); // it touches the face
     EXPECT_GE(foot.y(), 0.5 + foot.x() / 4 - 1e-8);
+    EXPECT_NEAR(std::remainder(box.initialPosition.x(), 0.01), 0, 1e-9) << text(); // round
+    display().grab();
+    display().creating().start(newBody(BasicShape::sphere));
+    click({-1.4, 0.15, 0.2});
+    done();
+    EXPECT_TRUE(scene().bodies[2].initialAttitude.isApprox(geometry::Quaternion::Identity()))
+        << text(); // a ball has no side to lie on
 }
 
 TEST_F(CreatingTest, BodiesOfAFlatSceneStayInItsPlane) {
@@ -167,8 +174,27 @@ TEST_F(CreatingTest, AnEmptySceneGetsItsFirstBodyWithAShape) {
     done();
     ASSERT_EQ(scene().bodies.size(), 1U);
     EXPECT_EQ(text(), "# nothing yet\n\nshape_set block1 -desc {-sub {-box {1 1 1}}}\n"
-                      "body body1 block1 -init_pos {0 0 0} -restitution 0 -friction 0.3 "
+                      "body body1 block1 -init_pos {0 0.5 0} -restitution 0 -friction 0.3 "
                       "-color steelblue\n");
+}
+
+// The grid may lie far below what hangs; a typed place is meant as it is.
+TEST_F(CreatingTest, AtTheOriginABodyStandsOnTheGridBesideOthers) {
+    open("shape_set ball -desc {-sub {-sphere 0.5}}\nbody b1 ball -init_pos {0 0.5 0}\n");
+    const auto make = [&](const char* typed) {
+        display().creating().start(newBody("ball", scene().shapeSets[0].parts));
+        QTest::keyClicks(&display(), typed);
+        key(Qt::Key_Return);
+        done();
+        display().grab();
+        return scene().bodies.back().initialPosition;
+    };
+    const Vector beside = make("");
+    EXPECT_EQ(beside.y(), 0.5);
+    EXPECT_GE(beside.norm(), 1);
+    EXPECT_EQ(make("0 0 3"), Vector(0, 0, 3));
+    open("shape_set ball -desc {-sub {-sphere 0.5}}\nbody b1 ball -init_pos {0 -20 0}\n");
+    EXPECT_EQ(make(""), Vector(0, 0, 0));
 }
 
 // It is a thing of a room, too, and another colour tells it from the first.
@@ -197,6 +223,7 @@ TEST_F(CreatingTest, ASecondBodyOfAShapeIsLikeTheFirst) {
 TEST_F(CreatingTest, ABallThatIsLiftedBouncesOnAFloorAtZero) {
     open("# nothing yet\n");
     display().creating().start(newBody(BasicShape::sphere));
+    QTest::keyClicks(&display(), "0 0 0");
     key(Qt::Key_Return);
     done();
     EXPECT_THAT(text(), HasSubstr("-restitution 0.7 -friction 0.3"));

@@ -1,10 +1,10 @@
 #include "picture/indicating.h"
 
+#include "editing/number_text.h"
 #include "framing/extent.h"
 #include "gestures/standing.h"
 #include "picture/scene_display.h"
 #include "script/numbers.h"
-#include "surroundings/grid.h"
 
 #include <QRegularExpression>
 
@@ -35,6 +35,28 @@ double heightOf(const geometry::Shape& shape, const Vector& up,
                 const geometry::Quaternion& attitude) {
     const geometry::Quaternion level = geometry::Quaternion::FromTwoVectors(up, Vector::UnitY());
     return -geometry::bounds(shape, {Vector::Zero(), level * attitude}).min().y();
+}
+
+bool isBall(const std::vector<scene::Part>& parts) {
+    return parts.size() == 1 && std::holds_alternative<scene::SphereShape>(parts.front().shape);
+}
+
+// The place on that oblique plane through it whose numbers are short: multiples of `step`, but for
+// the one that the plane tells, which is at most `depth` too low. A level coordinate stays.
+Vector shortestOn(Vector place, const Vector& up, double step, double depth) {
+    Eigen::Index told = 0;
+    up.cwiseAbs().maxCoeff(&told);
+    double off = 0; // the plane, along its normal
+    for (Eigen::Index i = 0; i < 3; ++i) {
+        if (i == told || std::abs(up[i]) < 1e-9)
+            continue;
+        const double rounded = step * std::round(place[i] / step);
+        off += up[i] * (rounded - place[i]);
+        place[i] = rounded;
+    }
+    const double digit = editing::decimalStep(depth), sign = up[told] < 0 ? -1 : 1;
+    place[told] = sign * digit * std::floor(sign * (place[told] - off / up[told]) / digit);
+    return place;
 }
 
 bool hasFlatFaces(const scene::ShapeSet* set) {
@@ -186,17 +208,38 @@ std::optional<Indicated> Indicating::onGrid(BegunRecipe& begun, const Eigen::Vec
         for (const int axis : ground->across)
             found.point[axis] = step * std::round(found.point[axis] / step);
     }
-    found.point += (ground->height - found.point.dot(ground->up)) * ground->up;
     found.at = meant.isExact ? meant.to : QObject::tr("on the grid").toStdString();
-    found.point += heightOf(*begun.ghost(), ground->up, found.attitude) * ground->up;
+    return standingOn(begun, *ground, std::move(found));
+}
+
+// Above or below the place, or beside it where others stand there.
+Indicated Indicating::standingOn(const BegunRecipe& begun, const render::GroundPlane& ground,
+                                 Indicated found) {
+    const double height = ground.height + heightOf(*begun.ghost(), ground.up, found.attitude);
+    found.point += (height - found.point.dot(ground.up)) * ground.up;
     const auto free =
         gestures::standingFree(display_.drawing(), *begun.ghost(), {found.point, found.attitude},
-                               *ground, snapping().step(*place));
+                               ground, snapping().step(found.point));
     if (free && *free != found.point)
         found.at = QObject::tr("on the grid, where there is room").toStdString();
     found.point = free.value_or(found.point);
     found.resolution *= 1e-3; // so that it touches
     return found;
+}
+
+Indicated Indicating::atOrigin(BegunRecipe& begun) {
+    const gestures::Sight sight = display_.sight();
+    begun.fit(sight, Vector::Zero());
+    const auto ground = display_.ground();
+    if (!begun.step().rests || !begun.ghost() || !ground ||
+        ground->height + heightOf(*begun.ghost(), ground->up, geometry::Quaternion::Identity()) <=
+            0)
+        return {};
+    Indicated found;
+    found.given = true;
+    found.sight = towardsViewer();
+    found.resolution = sight.pixelLength(found.point);
+    return standingOn(begun, *ground, std::move(found));
 }
 
 // It touches the surface there, and lies on a slope: turned as the body below it is, or, on an
@@ -209,12 +252,14 @@ Indicated Indicating::restingOn(BegunRecipe& begun, const gestures::Picked& pick
     const bool isLevel = isUpright(up);
     const scene::Scene& scene = *display_.drawing().scene;
     const Vector upwards = render::upOf(scene);
-    if (!isLevel && isUpright(pose.attitude.conjugate() * up))
+    const bool lies = !isLevel && !isBall(begun.recipe().ghost); // which has no side to lie on
+    if (lies && isUpright(pose.attitude.conjugate() * up))
         found.attitude = pose.attitude;
-    else if (!isLevel && up.dot(upwards) > 0 &&
+    else if (lies && up.dot(upwards) > 0 &&
              hasFlatFaces(scene::findShapeSet(scene, scene.bodies[picked.body].shape)))
         found.attitude = geometry::Quaternion::FromTwoVectors(upwards, up);
     Vector place = picked.point;
+    double step = snapping().step(place);
     const gestures::Snapped meant = snapping().at(place);
     // The middle of another face, as of the lower one of a thin board, is none of this surface.
     const double off = std::abs((meant.place - place).dot(up));
@@ -222,15 +267,17 @@ Indicated Indicating::restingOn(BegunRecipe& begun, const gestures::Picked& pick
         off < 0.1 * found.resolution) {
         place = meant.place;
         found.at = meant.to;
+        step = editing::decimalStep(found.resolution);
     } else {
-        place = besideMiddle(place, up, pose.position, 1.5 * clickReach * found.resolution,
-                             snapping().step(place));
+        place = besideMiddle(place, up, pose.position, 1.5 * clickReach * found.resolution, step);
     }
     found.point = place + heightOf(*begun.ghost(), up, found.attitude) * up;
-    found.resolution *= 1e-3; // so that it touches
-    if (!isLevel) {           // and a little more: a gap of rounding would be a fall
-        found.resolution = 1e-9;
-        found.point -= found.resolution * up;
+    found.resolution *= 1e-3;          // so that it touches
+    if (!isLevel) {                    // and a little more: a gap would be a fall
+        constexpr double touch = 1e-8; // of its size: an overlap that is none (docs/numerics.md)
+        found.resolution =
+            editing::decimalStep(touch * geometry::radiusAbout(*begun.ghost(), Vector::Zero()));
+        found.point = shortestOn(found.point, up, step, found.resolution);
     }
     if (found.at.empty())
         found.at = QObject::tr("on %1")

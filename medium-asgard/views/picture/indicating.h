@@ -9,6 +9,7 @@
 
 #include "gestures/snapping.h"
 #include "recipes/begun_recipe.h"
+#include "surroundings/grid.h"
 #include "workbench/scene_document.h"
 
 #include <QPointF>
@@ -41,6 +42,8 @@ public:
     // "1 2.5": numbers that are not typed are 0. None: it is no place.
     [[nodiscard]] std::optional<Indicated> typed(const BegunRecipe& begun,
                                                  const QString& numbers) const;
+    // The origin, which Return takes; a new body stands on the grid where it would lie in it.
+    [[nodiscard]] Indicated atOrigin(BegunRecipe& begun);
     void forget() { near_.reset(); } // until it is asked again
 
 private:
@@ -49,6 +52,8 @@ private:
     [[nodiscard]] Vector depth(const std::vector<Indicated>& shown) const;
     [[nodiscard]] std::optional<Indicated> onGrid(BegunRecipe& begun, const Eigen::Vector2d& pixels,
                                                   Indicated found);
+    [[nodiscard]] Indicated standingOn(const BegunRecipe& begun, const render::GroundPlane& ground,
+                                       Indicated found);
     [[nodiscard]] Indicated restingOn(BegunRecipe& begun, const gestures::Picked& body,
                                       Indicated found);
     [[nodiscard]] Indicated onBody(const Step& step, std::size_t body, const Vector& point) const;
