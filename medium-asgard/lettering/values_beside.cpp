@@ -15,10 +15,10 @@ std::vector<ValueBeside> valuesBeside(const render::Drawing& drawing, const rend
     return all;
 }
 
-void drawValues(const std::vector<ValueBeside>& values, double scale, bool isDark,
-                const render::Image& into) {
+std::vector<Eigen::AlignedBox2d> drawValues(const std::vector<ValueBeside>& values, double scale,
+                                            bool isDark, const render::Image& into) {
     if (values.empty())
-        return;
+        return {};
     Lettering letters(into, scale, isDark);
     std::vector<meters::Wish> wishes;
     wishes.reserve(values.size());
@@ -29,9 +29,12 @@ void drawValues(const std::vector<ValueBeside>& values, double scale, bool isDar
     const auto boxes =
         meters::boxesFor(wishes, Eigen::Vector2d(into.size.width, into.size.height) / scale);
     const double grey = isDark ? 0.9 : 0.1;
-    for (std::size_t i = 0; i < values.size(); ++i)
-        letters.write(values[i].words, {scale * boxes[i].rect.min(), scale * boxes[i].rect.max()},
-                      {grey, grey, grey});
+    std::vector<Eigen::AlignedBox2d> taken;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        taken.emplace_back(scale * boxes[i].rect.min(), scale * boxes[i].rect.max());
+        letters.write(values[i].words, taken.back(), {grey, grey, grey});
+    }
+    return taken;
 }
 
 } // namespace lettering

@@ -18,8 +18,8 @@ struct ValueBeside {
                                                     const render::Size& size, double scale,
                                                     const meters::Sampled& sampled);
 
-// Into a picture that is drawn.
-void drawValues(const std::vector<ValueBeside>& values, double scale, bool isDark,
-                const render::Image& into);
+// Into a picture that is drawn. The room that they take there.
+std::vector<Eigen::AlignedBox2d> drawValues(const std::vector<ValueBeside>& values, double scale,
+                                            bool isDark, const render::Image& into);
 
 } // namespace lettering

@@ -5,10 +5,13 @@
 #include "gestures/picking.h"
 #include "render/renderer.h"
 
+#include <vector>
+
 namespace service {
 
-// Into a picture that is drawn. `scale`: device pixels for each of the reader's.
+// Into a picture that is drawn, beside what is taken there. `scale`: device pixels for each of the
+// reader's.
 void drawLabels(const render::HandleSet& handles, const gestures::Sight& sight, double scale,
-                bool isDark, const render::Image& into);
+                bool isDark, std::vector<Eigen::AlignedBox2d> taken, const render::Image& into);
 
 } // namespace service

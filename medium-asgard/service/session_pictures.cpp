@@ -144,9 +144,9 @@ void Session::draw(ipc::Integer id, Rendition& rendition, const Look& look) {
                      scale = rendition.scale(),
                      isDark = render::isDark(look.display.background)](const render::Image& into) {
             drawFrames(frames, scale, isDark, into);
-            lettering::drawValues(values, scale, isDark, into);
+            auto taken = lettering::drawValues(values, scale, isDark, into);
             if (handles)
-                drawLabels(*handles, {camera, into.size}, scale, isDark, into);
+                drawLabels(*handles, {camera, into.size}, scale, isDark, std::move(taken), into);
         };
     pictures_.draw(&rendition, std::move(wish), [this, id, frame](Pictures::Drawn drawn) mutable {
         finish(id, frame, std::move(drawn));

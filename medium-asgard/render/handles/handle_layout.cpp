@@ -215,8 +215,9 @@ std::vector<Box> placesOf(const LabelWish& wish) {
 
 } // namespace
 
-std::vector<Box> placedLabels(std::span<const LabelWish> wishes, const Box& picture) {
-    std::vector<Box> taken, points, placed;
+std::vector<Box> placedLabels(std::span<const LabelWish> wishes, const Box& picture,
+                              std::vector<Box> taken) {
+    std::vector<Box> points, placed;
     for (const LabelWish& wish : wishes) {
         points.emplace_back(Pixels(wish.point.array() - wish.gap),
                             Pixels(wish.point.array() + wish.gap));

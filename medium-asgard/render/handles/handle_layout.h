@@ -29,8 +29,8 @@ void spread(HandleSet& set, const Camera& camera, Size size,
 
 // Labels beside their points: for each the rectangle of its size, at one of eight places about its
 // point or, where these are full, one or two labels farther away, where it covers the least of the
-// labels before it, of all points, and of what lies outside the picture. One whose point is outside
-// stands at the first place. Pixels, origin top left.
+// labels before it, of what is taken, of all points, and of what lies outside the picture. One
+// whose point is outside stands at the first place. Pixels, origin top left.
 struct LabelWish {
     Eigen::Vector2d point, size;
     double gap = 7;       // between it and its point
@@ -38,7 +38,8 @@ struct LabelWish {
     bool isBelow = false; // its first place is to the lower right, not to the upper right
     std::optional<Eigen::AlignedBox2d> put = {}; // somebody put it there: the others avoid it
 };
-[[nodiscard]] std::vector<Eigen::AlignedBox2d> placedLabels(std::span<const LabelWish> wishes,
-                                                            const Eigen::AlignedBox2d& picture);
+[[nodiscard]] std::vector<Eigen::AlignedBox2d>
+placedLabels(std::span<const LabelWish> wishes, const Eigen::AlignedBox2d& picture,
+             std::vector<Eigen::AlignedBox2d> taken = {});
 
 } // namespace render

@@ -179,6 +179,8 @@ TEST(HandleLayout, LabelsAvoidOneThatSomebodyPutThereAndLeaveWhatTheyAreOfInSigh
     boxes = placedLabels(std::vector{wish, put}, picture);
     EXPECT_EQ(boxes[1].min(), Pixels(240, 120));
     EXPECT_EQ(boxes[0].max().x(), 164); // on the other side
+    boxes = placedLabels(std::vector{wish}, picture, {Eigen::AlignedBox2d(*put.put)});
+    EXPECT_EQ(boxes[0].max().x(), 164); // beside what another has taken, too
     wish.point = {-20, 150};
     EXPECT_EQ(placedLabels(std::vector{wish}, picture)[0].min(), Pixels(16, 156)); // it follows
 }

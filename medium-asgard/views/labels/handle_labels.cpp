@@ -12,12 +12,14 @@ QColor toColor(const scene::Color& c) { return QColor::fromRgbF(c.red, c.green, 
 
 } // namespace
 
-void paintLabels(QPainter& painter, SeenPicture& picture) {
+void paintLabels(QPainter& painter, SeenPicture& picture, const Meters& meters) {
     QFont font = painter.font();
     font.setPointSizeF(font.pointSizeF() * 0.9);
     painter.setFont(font);
-    const gestures::Sight sight = picture.sight();
     const auto labelled = render::labelled(picture.drawnHandles());
+    if (labelled.empty())
+        return;
+    const gestures::Sight sight = picture.sight();
     std::vector<render::LabelWish> wishes;
     for (const render::Handle* handle : labelled) {
         const QPointF at = picture.fromPixels(render::standOf(*handle, sight.camera, sight.size));
@@ -31,7 +33,7 @@ void paintLabels(QPainter& painter, SeenPicture& picture) {
     const Eigen::AlignedBox2d room(
         Eigen::Vector2d(0, 0),
         Eigen::Vector2d(picture.widget().width(), picture.widget().height()));
-    const auto boxes = render::placedLabels(wishes, room);
+    const auto boxes = render::placedLabels(wishes, room, meters.taken());
     QColor paper = picture.widget().palette().color(QPalette::Base);
     const bool dark = paper.lightness() < 128;
     paper.setAlpha(200);

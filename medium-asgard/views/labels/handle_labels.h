@@ -2,12 +2,11 @@
 // document's picture (render/handles/handle_layout.h).
 #pragma once
 
-#include "labels/seen_picture.h"
-
-class QPainter;
+#include "labels/meters.h"
 
 namespace views {
 
-void paintLabels(QPainter& painter, SeenPicture& picture);
+// Beside the values, which stand where they are.
+void paintLabels(QPainter& painter, SeenPicture& picture, const Meters& meters);
 
 } // namespace views

@@ -96,7 +96,17 @@ QString Meters::words(const Meter& meter, double time) const {
     return QString::fromStdString(meters::wordsOf(meter.of, sampledOf(meter), time));
 }
 
+std::vector<Eigen::AlignedBox2d> Meters::taken() const {
+    std::vector<Eigen::AlignedBox2d> taken;
+    for (const Box& box : boxes())
+        taken.emplace_back(vector(box.rect.topLeft()), vector(box.rect.bottomRight()));
+    return taken;
+}
+
 std::vector<Meters::Box> Meters::boxes() const {
+    std::vector<Meter> meters = this->all();
+    if (meters.empty())
+        return {};
     const render::Drawing drawn = picture_.drawn();
     const gestures::Sight sight = picture_.sight();
     const QWidget& widget = picture_.widget();
@@ -104,7 +114,7 @@ std::vector<Meters::Box> Meters::boxes() const {
     const double height = font.height() + 2;
     std::vector<Box> all;
     std::vector<meters::Wish> wishes;
-    for (Meter& meter : this->all()) {
+    for (Meter& meter : meters) {
         const auto place = meters::placeOf(drawn, sight, meter.of.of, widget.devicePixelRatioF());
         if (!place)
             continue;

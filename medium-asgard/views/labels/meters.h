@@ -56,6 +56,7 @@ public:
     // "Speed 1.25 m/s" at that time; "…" while it is computed.
     [[nodiscard]] QString words(const Meter& meter, double time) const;
     void paint(QPainter& painter) const;
+    [[nodiscard]] std::vector<Eigen::AlignedBox2d> taken() const;         // the room of all
     [[nodiscard]] std::optional<Meter> at(const QPointF& position) const; // in the widget
 
     // Of the left button. False: none is there, or none is held.

@@ -79,7 +79,7 @@ void PictureEditing::paintAlong(QPainter& painter) const {
 void PictureEditing::paint(QPainter& painter) const {
     painter.setRenderHint(QPainter::Antialiasing);
     paintSelection(painter);
-    paintLabels(painter, display_);
+    paintLabels(painter, display_, display_.meters());
     const auto answer = hand_.answer();
     const bool possible = !answer || answer->possible();
     const gestures::HandleDrag* drag = hand_.drag();
