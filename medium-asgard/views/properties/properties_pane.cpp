@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 
 namespace views {
@@ -270,11 +271,50 @@ void PropertiesPane::showRow(PropertyRow& row) {
         elements().size() == 1
             ? QString::fromStdString(properties_->valueOf(elements().front(), row.option()).source)
             : QString();
-    row.show(properties_->sharedValue(elements(), row.option()), absentOf(row.option()), source);
+    const PropertyParts shared = properties_->sharedValue(elements(), row.option());
+    row.show(shared, absentOf(row.option()), source, differingIn(row, shared));
     row.setUnit(unitOf(row));
     row.setNote(faultsAt(row));
     const bool meets = row.option().name == "-restitution" && elements().front().kind == Kind::body;
     row.setRemark(meets ? tr("Of two bodies that meet the smaller one counts.") : QString());
+}
+
+// "0 … 1.5", where all are numbers; "b1: 0" and the like for each.
+std::vector<DifferingPart> PropertiesPane::differingIn(const PropertyRow& row,
+                                                       const PropertyParts& shared) const {
+    const scene::Scene& scene = *document_.shown().scene;
+    std::vector<DifferingPart> differing(shared.size());
+    constexpr qsizetype most = 12; // lines
+    for (std::size_t i = 0; i < shared.size(); ++i) {
+        if (shared[i])
+            continue;
+        QStringList lines;
+        double least = std::numeric_limits<double>::infinity(), largest = -least;
+        bool areNumbers = true;
+        for (const Element& element : elements()) {
+            const auto parts = properties_->valueOf(element, row.option()).parts;
+            QStringList words; // all of an expression or a vector where the others have another
+            for (std::size_t k = 0; k < parts.size(); ++k)
+                if (k == i || parts.size() != shared.size())
+                    words << QString::fromStdString(parts[k]);
+            const QString text = words.join(' ');
+            const auto number = script::decimalNumber(text.toStdString());
+            areNumbers = areNumbers && number;
+            least = std::min(least, number.value_or(least));
+            largest = std::max(largest, number.value_or(largest));
+            const std::string name = editing::nameOf(scene, element);
+            lines << QStringLiteral("%1: %2").arg(
+                QString::fromStdString(name.empty() ? editing::describe(scene, element) : name),
+                text.isEmpty() ? tr("none") : text);
+        }
+        if (lines.size() > most)
+            lines = lines.first(most) << tr("and %1 more").arg(lines.size() - most);
+        differing[i].each = lines.join('\n');
+        differing[i].brief =
+            areNumbers ? QStringLiteral("%1 … %2").arg(least, 0, 'g', 3).arg(largest, 0, 'g', 3)
+                       : tr("different");
+    }
+    return differing;
 }
 
 // Faults of the text or the motion at the value that stands there.

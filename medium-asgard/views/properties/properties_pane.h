@@ -78,6 +78,9 @@ private:
     void showTurn();
     void addSize(QGridLayout& grid);
     void showSize();
+    // Of those parts that are none.
+    [[nodiscard]] std::vector<DifferingPart> differingIn(const PropertyRow& row,
+                                                         const PropertyParts& shared) const;
     [[nodiscard]] QString faultsAt(const PropertyRow& row) const;
     [[nodiscard]] QString absentOf(const editing::OptionHint& option) const;
     [[nodiscard]] QStringList namesFor(editing::Wants wants) const;

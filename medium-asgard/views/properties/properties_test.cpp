@@ -403,8 +403,10 @@ TEST_F(PropertiesTest, NamesFlagsAndChoicesAreBoxes) {
 TEST_F(PropertiesTest, SeveralShowWhatTheyShare) {
     open(two, {{Kind::body, 0}, {Kind::body, 1}});
     EXPECT_EQ(pane.title(), "2 bodies");
-    EXPECT_EQ(field("-init_pos1").placeholderText(), "different");
+    EXPECT_EQ(field("-init_pos1").placeholderText(), "1 … 4");
+    EXPECT_EQ(field("-init_pos1").toolTip(), "a: 1\nb: 4");
     EXPECT_EQ(field("-init_pos2").text(), "2");
+    EXPECT_EQ(field("-init_pos2").toolTip(), "");
     type("-init_pos2", "7");
     EXPECT_THAT(document.text(), HasSubstr("{1 7 0}"));
     EXPECT_THAT(document.text(), HasSubstr("{4 7 0}"));

@@ -225,8 +225,12 @@ void PropertyRow::setChoices(const QStringList& choices) {
     box_->setCurrentIndex(std::max(0, box_->findData(chosen)));
 }
 
-void PropertyRow::show(const PropertyParts& parts, const QString& absent, const QString& source) {
+void PropertyRow::show(const PropertyParts& parts, const QString& absent, const QString& source,
+                       const std::vector<DifferingPart>& differing) {
     shown_ = parts;
+    const auto different = [&](std::size_t i) {
+        return i < differing.size() ? differing[i] : DifferingPart{tr("different"), {}};
+    };
     for (std::size_t i = 0; i < fields_.size(); ++i) {
         fields_[i]->setVisible(i < parts.size());
         if (i >= parts.size() || fields_[i]->isModified())
@@ -236,9 +240,11 @@ void PropertyRow::show(const PropertyParts& parts, const QString& absent, const 
             fields_[i]->setText(text);
             fields_[i]->setCursorPosition(0);
         }
-        fields_[i]->setPlaceholderText(parts[i] ? absent : tr("different"));
-        fields_[i]->setToolTip(source.isEmpty() ? QString()
-                                                : plain::tip(tr("The text has: %1").arg(source)));
+        fields_[i]->setPlaceholderText(parts[i] ? absent : different(i).brief);
+        const QString tip = !parts[i]          ? different(i).each
+                            : source.isEmpty() ? QString()
+                                               : tr("The text has: %1").arg(source);
+        fields_[i]->setToolTip(tip.isEmpty() ? QString() : plain::tip(tip));
     }
     showColor();
     if (!box_)
@@ -253,6 +259,8 @@ void PropertyRow::show(const PropertyParts& parts, const QString& absent, const 
     }
     box_->setCurrentIndex(index);
     box_->setPlaceholderText(tr("different"));
+    const QString each = parts.empty() || parts[0] ? QString() : different(0).each;
+    box_->setToolTip(each.isEmpty() ? QString() : plain::tip(each));
 }
 
 void PropertyRow::setEnabled(bool enabled) {

@@ -31,6 +31,11 @@ namespace views {
 
 using PropertyParts = std::vector<std::optional<std::string>>;
 
+// A part that differs between the elements: in a few signs, and in a line for each of them.
+struct DifferingPart {
+    QString brief, each;
+};
+
 class PropertyRow : public QObject {
     Q_OBJECT
 public:
@@ -44,7 +49,8 @@ public:
     [[nodiscard]] const editing::OptionHint& option() const { return option_; }
     // Parts that are none differ between the elements. `absent`: shown in place of empty ones.
     // A text that somebody is typing stays.
-    void show(const PropertyParts& parts, const QString& absent, const QString& source);
+    void show(const PropertyParts& parts, const QString& absent, const QString& source,
+              const std::vector<DifferingPart>& differing = {});
     [[nodiscard]] const PropertyParts& shown() const { return shown_; }
     void setChoices(const QStringList& choices); // of names
     void setNames(const QStringList& names);     // of its parts, in place of x, y and z
