@@ -61,15 +61,29 @@ bool isEndless(const scene::Scene& scene, const scene::Body& body) {
            });
 }
 
+double lowestOf(const Box& box, const Vector& up) {
+    return box.center().dot(up) - box.sizes().dot(up.cwiseAbs()) / 2;
+}
+
+// From above 0 to far below all that could have caught it.
+bool fallsPast(const std::vector<Box>& holders, const Box& start, const simulation::BodyState& end,
+               const Vector& up) {
+    if (holders.empty() || lowestOf(start, up) < 0)
+        return false;
+    Box room = start;
+    for (const Box& holder : holders)
+        room.extend(holder);
+    constexpr double far = 2; // times as far as the bodies are apart
+    const double below = std::min(lowestOf(room, up), 0.0) - far * room.sizes().maxCoeff();
+    return end.position.dot(up) < below && end.velocity.dot(up) < 0;
+}
+
 } // namespace
 
-std::vector<std::size_t> unsupported(const scene::Scene& scene) {
+std::vector<std::size_t> unsupported(const scene::Scene& scene, const simulation::Motion* motion) {
     const auto up = render::againstGravity(scene); // along an axis
     if (!up)
         return {};
-    const auto lowest = [&](const Box& box) {
-        return box.center().dot(*up) - box.sizes().dot(up->cwiseAbs()) / 2;
-    };
     std::vector<Box> holders;
     for (const scene::Body& body : scene.bodies) {
         if (!body.fixed && !isLed(scene, body.name))
@@ -91,10 +105,15 @@ std::vector<std::size_t> unsupported(const scene::Scene& scene) {
             continue;
         const Box box = boxOf(scene, body);
         constexpr double touch = 1e-3; // of its size
-        if (box.isEmpty() || std::abs(lowest(box)) > touch * box.sizes().maxCoeff() ||
-            std::ranges::any_of(holders, [&](const Box& one) { return isBelow(one, box); }))
+        if (box.isEmpty())
             continue;
-        found.push_back(i);
+        const bool standsOnGrid =
+            std::abs(lowestOf(box, *up)) <= touch * box.sizes().maxCoeff() &&
+            std::ranges::none_of(holders, [&](const Box& one) { return isBelow(one, box); });
+        const bool isKnown = motion && i < motion->bodies();
+        if (standsOnGrid ||
+            (isKnown && fallsPast(holders, box, motion->at(i, motion->computed()), *up)))
+            found.push_back(i);
     }
     return found;
 }

@@ -1,9 +1,11 @@
-// Which bodies stand on the grid alone, and fall through it? Is there nothing that moves any body?
+// Which bodies fall through the grid, as no floor is there? Is there nothing that moves any body?
 //
 // The grid shows places and holds nothing. A ball that is put on it has its lowest point at height
-// 0; with a weight, and with no floor, it leaves the picture at once.
+// 0; with a weight, and with no floor, it leaves the picture at once. One that rolls off a table
+// leaves it later.
 #pragma once
 
+#include "motion/motion.h"
 #include "scene/scene.h"
 
 #include <cstddef>
@@ -11,9 +13,12 @@
 
 namespace gestures {
 
-// Bodies with a weight whose lowest point is at height 0 where they start, that nothing holds, and
-// that have no fixed or led body below.
-[[nodiscard]] std::vector<std::size_t> unsupported(const scene::Scene& scene);
+// Bodies with a weight that nothing holds, of a scene without an endless floor. Their lowest point
+// is at height 0 where they start, and they have no fixed or led body below; or they start above 0
+// beside a fixed or led body, and at the end of the motion they still fall, far below all of these.
+// `motion`: null while there is none.
+[[nodiscard]] std::vector<std::size_t> unsupported(const scene::Scene& scene,
+                                                   const simulation::Motion* motion);
 
 // There are bodies that could move, all of them rest, and nothing acts that would move one.
 [[nodiscard]] bool nothingMoves(const scene::Scene& scene);

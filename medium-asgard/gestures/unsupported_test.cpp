@@ -2,6 +2,7 @@
 #include "gestures/unsupported.h"
 
 #include "script/reader.h"
+#include "simulation/simulation.h"
 
 #include <gmock/gmock.h>
 
@@ -23,7 +24,7 @@ scene::Scene readIn(const std::string& text) {
 std::vector<std::string> fallingIn(const std::string& text) {
     const scene::Scene scene = readIn(text);
     std::vector<std::string> names;
-    for (const std::size_t body : unsupported(scene))
+    for (const std::size_t body : unsupported(scene, nullptr))
         names.push_back(scene.bodies[body].name);
     return names;
 }
@@ -50,6 +51,22 @@ TEST(Unsupported, AFloorATableOrAJointHoldsIt) {
     EXPECT_THAT(fallingIn(onGrid + weight + "joint j -type hinge -body1 a\n"), IsEmpty());
     EXPECT_THAT(fallingIn(onGrid + weight + "body b box -init_pos {9 0.5 0} -fixed 1\n"),
                 ElementsAre("a"));
+}
+
+// In 5 s, where it may fall.
+TEST(Unsupported, ABallThatRollsOffATableFallsPastIt) {
+    const std::string table = "simulator -finish 5\nbody desk box -init_pos {0 0.5 0} -fixed 1\n"
+                              "body a box -init_pos {0 1.5 0} -init_dpos {2 0 0}\n";
+    const auto fallsIn = [](const std::string& text) {
+        const scene::Scene scene = readIn(text);
+        return unsupported(scene, simulation::simulate(scene).motion.get());
+    };
+    EXPECT_THAT(fallsIn(table + weight), ElementsAre(1));
+    EXPECT_THAT(fallsIn(table + weight + "body f plane -fixed 1 -init_pos {0 -1 0}\n"), IsEmpty());
+    EXPECT_THAT(fallsIn(table + "force -body a -gravitational {0 -0.1 0}\n"), IsEmpty()); // near
+    EXPECT_THAT(fallsIn(table + "force -body a -gravitational {0 -9.81 0}\n"
+                                "joint rail -type slider -body1 a -axis {1 1 0}\n"),
+                IsEmpty());
 }
 
 TEST(NothingMoves, UntilAForceASpeedOrADriveMovesABody) {

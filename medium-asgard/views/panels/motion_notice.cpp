@@ -156,12 +156,12 @@ MotionNotice::Said MotionNotice::said() {
 MotionNotice::Said MotionNotice::saidOfForces() {
     if (!document_.sceneIsCurrent())
         return {};
-    const auto& scene = document_.shown().scene;
+    const auto& [scene, motion] = document_.shown();
     if (gestures::nothingMoves(*scene))
         return {tr("Nothing moves: no force acts."), false, Offer::gravity};
-    if (falls_.first != scene)
-        falls_ = {scene, gestures::unsupported(*scene)};
-    const auto& bodies = falls_.second;
+    if (falls_.of.scene != scene || falls_.of.motion != motion)
+        falls_ = {document_.shown(), gestures::unsupported(*scene, motion.get())};
+    const auto& bodies = falls_.bodies;
     if (bodies.empty())
         return {};
     const QString first = QString::fromStdString(scene->bodies[bodies.front()].name);

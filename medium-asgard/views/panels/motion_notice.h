@@ -66,8 +66,11 @@ private:
     Said shown_;
     QTimer tick_;
     QElapsedTimer worksSince_, staleSince_; // invalid: it does not, it is not
-    // Of that scene, the bodies that fall through the grid.
-    std::pair<std::shared_ptr<const scene::Scene>, std::vector<std::size_t>> falls_;
+    struct Falls {
+        Shown of;
+        std::vector<std::size_t> bodies; // that fall through the grid
+    };
+    Falls falls_;
 };
 
 } // namespace views
