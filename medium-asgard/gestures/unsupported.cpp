@@ -65,17 +65,36 @@ double lowestOf(const Box& box, const Vector& up) {
     return box.center().dot(up) - box.sizes().dot(up.cwiseAbs()) / 2;
 }
 
-// From above 0 to far below all that could have caught it.
-bool fallsPast(const std::vector<Box>& holders, const Box& start, const simulation::BodyState& end,
+double sizeOf(const Box& box) { return box.sizes().maxCoeff(); }
+
+bool isOnGrid(const Box& box, const Vector& up) {
+    constexpr double touch = 1e-3; // of its size
+    return std::abs(lowestOf(box, up)) <= touch * sizeOf(box);
+}
+
+// They may hold what is above them.
+bool areBelow(const std::vector<Box>& others, const Box& box, const Vector& up) {
+    Box column = box; // down without end
+    column.extend(box.center() - 1e9 * up);
+    return std::ranges::any_of(others, [&](const Box& one) { return column.intersects(one); });
+}
+
+// From the grid, or from above it to far below all that stands.
+bool hasFallen(const std::vector<Box>& standing, const Box& start, const simulation::BodyState& end,
                const Vector& up) {
-    if (holders.empty() || lowestOf(start, up) < 0)
+    constexpr double slow = 1e-3; // of its size, in the unit of time
+    if (end.velocity.dot(up) > -slow * sizeOf(start))
+        return false;
+    const double height = end.position.dot(up);
+    if (isOnGrid(start, up))
+        return height < -sizeOf(start);
+    if (standing.empty() || lowestOf(start, up) < 0)
         return false;
     Box room = start;
-    for (const Box& holder : holders)
-        room.extend(holder);
+    for (const Box& one : standing)
+        room.extend(one);
     constexpr double far = 2; // times as far as the bodies are apart
-    const double below = std::min(lowestOf(room, up), 0.0) - far * room.sizes().maxCoeff();
-    return end.position.dot(up) < below && end.velocity.dot(up) < 0;
+    return height < std::min(lowestOf(room, up), 0.0) - far * sizeOf(room);
 }
 
 } // namespace
@@ -84,35 +103,26 @@ std::vector<std::size_t> unsupported(const scene::Scene& scene, const simulation
     const auto up = render::againstGravity(scene); // along an axis
     if (!up)
         return {};
-    std::vector<Box> holders;
+    std::vector<Box> standing; // fixed, led, or held
     for (const scene::Body& body : scene.bodies) {
-        if (!body.fixed && !isLed(scene, body.name))
-            continue;
-        if (isEndless(scene, body))
+        const bool isFixed = body.fixed || isLed(scene, body.name);
+        if (isFixed && isEndless(scene, body))
             return {};
-        holders.push_back(boxOf(scene, body));
+        if (isFixed || isHeld(scene, body.name))
+            standing.push_back(boxOf(scene, body));
     }
-    const auto isBelow = [&](const Box& holder, const Box& box) {
-        Box column = box; // down without end
-        column.extend(box.center() - 1e9 * *up);
-        return column.intersects(holder);
-    };
+    const bool isKnown = motion && motion->computed() > motion->start();
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         const scene::Body& body = scene.bodies[i];
-        if (body.fixed || isLed(scene, body.name) || !hasWeight(scene, body.name) ||
-            isHeld(scene, body.name))
-            continue;
         const Box box = boxOf(scene, body);
-        constexpr double touch = 1e-3; // of its size
-        if (box.isEmpty())
+        if (body.fixed || isLed(scene, body.name) || !hasWeight(scene, body.name) ||
+            isHeld(scene, body.name) || box.isEmpty())
             continue;
-        const bool standsOnGrid =
-            std::abs(lowestOf(box, *up)) <= touch * box.sizes().maxCoeff() &&
-            std::ranges::none_of(holders, [&](const Box& one) { return isBelow(one, box); });
-        const bool isKnown = motion && i < motion->bodies();
-        if (standsOnGrid ||
-            (isKnown && fallsPast(holders, box, motion->at(i, motion->computed()), *up)))
+        const bool falls = isKnown && i < motion->bodies()
+                               ? hasFallen(standing, box, motion->at(i, motion->computed()), *up)
+                               : isOnGrid(box, *up) && !areBelow(standing, box, *up);
+        if (falls)
             found.push_back(i);
     }
     return found;

@@ -13,10 +13,10 @@
 
 namespace gestures {
 
-// Bodies with a weight that nothing holds, of a scene without an endless floor. Their lowest point
-// is at height 0 where they start, and they have no fixed or led body below; or they start above 0
-// beside a fixed or led body, and at the end of the motion they still fall, far below all of these.
-// `motion`: null while there is none.
+// Bodies with a weight that no joint, link, rope or path holds, of a scene without an endless
+// floor. They start on the grid, and at the end of the motion they fall below it; or they start
+// above it in a scene of fixed, led or held bodies, and fall far below all of these. `motion`: null
+// while there is none; then those on the grid count that have none of these bodies below.
 [[nodiscard]] std::vector<std::size_t> unsupported(const scene::Scene& scene,
                                                    const simulation::Motion* motion);
 

@@ -62,6 +62,13 @@ TEST(Unsupported, ABallThatRollsOffATableFallsPastIt) {
         return unsupported(scene, simulation::simulate(scene).motion.get());
     };
     EXPECT_THAT(fallsIn(table + weight), ElementsAre(1));
+    EXPECT_THAT(fallsIn("simulator -finish 2\n" + onGrid + weight), ElementsAre(0));
+    // A plate that a drive leads carries it.
+    EXPECT_THAT(fallsIn("simulator -finish 2\nbody plate box -init_pos {0 -0.5 0}\n" + onGrid +
+                        weight +
+                        "joint drive -type slider -body1 plate -axis {1 0 0} "
+                        "-position {0.01*(1 - cos(t))}\n"),
+                IsEmpty());
     EXPECT_THAT(fallsIn(table + weight + "body f plane -fixed 1 -init_pos {0 -1 0}\n"), IsEmpty());
     EXPECT_THAT(fallsIn(table + "force -body a -gravitational {0 -0.1 0}\n"), IsEmpty()); // near
     EXPECT_THAT(fallsIn(table + "force -body a -gravitational {0 -9.81 0}\n"

@@ -60,13 +60,15 @@ TEST_F(MotionNoticeTest, ThePictureEndsWhereTheFirstBodyStopsAndSaysWhy) {
     EXPECT_EQ(wordsOf(viewer), "");
 }
 
+// In the motion of these tests a body keeps the velocity that it starts with.
 TEST_F(MotionNoticeTest, WhatFallsThroughTheGridIsToldAndAClickAddsAFloor) {
     TestWorkshop made;
     SceneDocument document{made.workshop()};
     GraphicalViewer viewer(document, pictures, {}, 1);
     viewer.show();
     const std::string standing = "shape_set s -desc {-sub {-sphere 0.5}}\n"
-                                 "body a s -init_pos {0 0.5 0}\nbody b s -init_pos {2 0.5 0}\n"
+                                 "body a s -init_pos {0 0.5 0} -init_dpos {0 -1 0}\n"
+                                 "body b s -init_pos {2 0.5 0} -init_dpos {0 -1 0}\n"
                                  "force -body a -gravitational {0 -9.81 0}\n";
     document.setText(standing, "Edit");
     ASSERT_TRUE(settle(document));
