@@ -84,4 +84,54 @@ Values valuesOf(const scene::Scene& scene, const Element& element, const std::st
     }
 }
 
+namespace {
+
+using Name = std::optional<std::string>;
+
+Name ofEnd(const scene::Link& link, const std::string& option) {
+    if (option == "-body1")
+        return link.first.body;
+    if (const auto* body = std::get_if<scene::BodyEnd>(&link.second); body && option == "-body2")
+        return body->body;
+    const auto* led = std::get_if<scene::TrajectoryEnd>(&link.second);
+    return led && option == "-trajectory" ? Name(led->trajectory) : std::nullopt;
+}
+
+Name ofGear(const scene::Gear& gear, const std::string& option) {
+    const std::size_t term = option == "-joint1" ? 0 : option == "-joint2" ? 1 : gear.terms.size();
+    return term < gear.terms.size() ? Name(gear.terms[term].joint) : std::nullopt;
+}
+
+// Of a joint or a contact.
+template <class Pair> Name ofPair(const Pair& pair, const std::string& option) {
+    return option == "-body1" ? Name(pair.body1) : option == "-body2" ? pair.body2 : Name();
+}
+
+} // namespace
+
+std::optional<std::string> namedBy(const scene::Scene& scene, const Element& element,
+                                   const std::string& option) {
+    switch (element.kind) {
+    case Kind::body:
+        return option == "-shape" ? Name(scene.bodies[element.index].shape) : std::nullopt;
+    case Kind::force: {
+        const scene::Force& force = scene.forces[element.index];
+        const auto* path = std::get_if<scene::TrajectoryForce>(&force.kind);
+        return option == "-body"                 ? Name(force.body)
+               : path && option == "-trajectory" ? Name(path->trajectory)
+                                                 : std::nullopt;
+    }
+    case Kind::link:
+        return ofEnd(scene.links[element.index], option);
+    case Kind::joint:
+        return ofPair(scene.joints[element.index], option);
+    case Kind::contact:
+        return ofPair(scene.contacts[element.index], option);
+    case Kind::gear:
+        return ofGear(scene.gears[element.index], option);
+    default:
+        return std::nullopt;
+    }
+}
+
 } // namespace editing

@@ -1,9 +1,10 @@
-// The value of an element's option in a scene, if it is made of numbers.
+// The value of an element's option in a scene, if it is made of numbers or names another element.
 #pragma once
 
 #include "editing/element.h"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace editing {
@@ -12,5 +13,10 @@ namespace editing {
 // default.
 [[nodiscard]] std::optional<std::vector<double>>
 valuesOf(const scene::Scene& scene, const Element& element, const std::string& option);
+
+// The body, shape set, trajectory or joint of that name. None: other options, and those that name
+// nothing.
+[[nodiscard]] std::optional<std::string> namedBy(const scene::Scene& scene, const Element& element,
+                                                 const std::string& option);
 
 } // namespace editing

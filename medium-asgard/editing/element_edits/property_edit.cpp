@@ -138,6 +138,9 @@ PropertyValue Properties::valueOf(const Element& element, const OptionHint& opti
         for (const double number : *numbers)
             value.parts.push_back(numberShown(number));
         value.source = stands;
+    } else if (const auto named = namedBy(*scene_, element, name)) {
+        value.parts = {*named};
+        value.source = stands;
     } else {
         value.parts = {stands};
     }

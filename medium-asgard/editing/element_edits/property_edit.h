@@ -28,7 +28,7 @@ namespace editing {
 
 // The texts of a field's parts: three for a vector that is written as three or not at all, else
 // one. Not written: empty ones. A value that a variable, a loop or a procedure makes is told in
-// numbers, where it is known.
+// numbers, or as the name of an element, where it is known.
 struct PropertyValue {
     std::vector<std::string> parts;
     bool isWritten = false;

@@ -65,6 +65,25 @@ TEST(Properties, AVariableIsChangedWhereItIsSetAndShownAsANumber) {
               "set h 4\n" + shape + "body b s -mass 1 -init_pos \"0 $h 0\"\n");
 }
 
+TEST(Properties, ANameThatAVariableHoldsIsShown) {
+    const std::string text =
+        shape +
+        "set form s\nbody post s\nforeach b {b c} {\n  body $b $form\n"
+        "  force -body $b -y 2\n  joint hook$b -type ball -body1 post -body2 $b\n"
+        "  contact -body1 $b -body2 post\n  link -body1 $b -x 0 -y 0 -z 0 -tightness 5\n}\n";
+    EXPECT_THAT(shown(text, {Kind::body, 1}, "-shape"), ElementsAre("s"));
+    EXPECT_THAT(shown(text, {Kind::force, 0}, "-body"), ElementsAre("b"));
+    EXPECT_THAT(shown(text, {Kind::force, 1}, "-body"), ElementsAre("c"));
+    EXPECT_THAT(shown(text, {Kind::joint, 0}, "-body2"), ElementsAre("b"));
+    EXPECT_THAT(shown(text, {Kind::contact, 0}, "-body1"), ElementsAre("b"));
+    EXPECT_THAT(shown(text, {Kind::link, 1}, "-body1"), ElementsAre("c"));
+    const auto scene = readScene(text);
+    EXPECT_THAT(Properties(text, scene)
+                    .sharedValue({{Kind::force, 0}, {Kind::force, 1}},
+                                 option(*scene, {Kind::force, 0}, "-body")),
+                ElementsAre(std::nullopt));
+}
+
 TEST(Properties, ALoopMakesOffers) {
     const std::string text = shape + "foreach i {0 3 6} {\n  body b$i s -init_pos \"$i 1 0\"\n}\n";
     const auto scene = readScene(text);
