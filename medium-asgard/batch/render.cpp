@@ -116,7 +116,7 @@ meters::Sampled sampledOf(const scene::Scene& scene, const simulation::MotionPoi
     const std::vector<meters::Meter> all = meters::metersOf(scene);
     if (all.empty())
         return {};
-    meters::Sampled sampled{{std::shared_ptr<const void>(), &scene}, {}}; // it outlives this
+    meters::Sampled sampled{{std::shared_ptr<const void>(), &scene}, {}}; // the scene outlives them
     simulation::ReadableScene readable(scene);
     for (std::size_t i = 0; i <= all.back().plot; ++i)
         sampled.plots.push_back(*charts::sampled(readable, scene, scene.plots[i], motion));

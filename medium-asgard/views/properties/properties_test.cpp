@@ -413,6 +413,13 @@ TEST_F(PropertiesTest, SeveralShowWhatTheyShare) {
     EXPECT_EQ(document.undoLabel(), "Change place");
 }
 
+TEST_F(PropertiesTest, SeveralAreCountedByTheirKind) {
+    open(two + "force -body b -y 1\n", {{Kind::force, 0}, {Kind::force, 1}});
+    EXPECT_EQ(pane.title(), "2 forces");
+    open(two, {{Kind::body, 0}, {Kind::force, 0}});
+    EXPECT_TRUE(waitFor([this] { return pane.title() == "2 elements"; }));
+}
+
 TEST_F(PropertiesTest, ALoopMakesOffersBelowTheField) {
     open(shape + "foreach i {0 3 6} {\n  body b$i s -init_pos \"$i 1 0\"\n}\n", {{Kind::body, 1}});
     type("-init_pos2", "2");

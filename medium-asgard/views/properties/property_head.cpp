@@ -19,7 +19,6 @@
 namespace views {
 
 using editing::Element;
-using editing::Kind;
 
 PropertyHead::PropertyHead(SceneDocument& document, ElementCommands& commands, WhenRead& later,
                            std::function<void()> showText, QWidget* parent)
@@ -65,13 +64,26 @@ QString PropertyHead::title() const { return title_->text(); }
 
 QString PropertyHead::fault() const { return fault_->isHidden() ? QString() : fault_->text(); }
 
+namespace {
+
+// "2 bodies"; "3 elements" of several kinds.
+QString countOf(const std::vector<Element>& all) {
+    const bool areAlike =
+        std::ranges::count(all, all.front().kind, &Element::kind) == std::ssize(all);
+    const std::string one = areAlike ? editing::wordOf(all.front().kind) : "element";
+    QString word = QString::fromStdString(one);
+    if (word.endsWith('y'))
+        word.replace(word.size() - 1, 1, QStringLiteral("ie"));
+    return QStringLiteral("%1 %2s").arg(all.size()).arg(word);
+}
+
+} // namespace
+
 void PropertyHead::showElements(const std::vector<Element>& all) {
     const scene::Scene& scene = *document_.shown().scene;
     const bool isOne = all.size() == 1;
     const editing::CommandHint* hint = isOne ? &editing::hintOf(scene, all.front()) : nullptr;
     const scene::Source* source = isOne ? editing::sourceOf(scene, all.front()) : nullptr;
-    const bool areBodies =
-        std::ranges::all_of(all, [](const Element& one) { return one.kind == Kind::body; });
     QString title;
     if (all.empty())
         title = tr("Nothing is selected. A click in the picture selects a body.");
@@ -79,7 +91,7 @@ void PropertyHead::showElements(const std::vector<Element>& all) {
         title = plain::ours(QString::fromStdString(
             std::string(hint->name == "spring" ? hint->name : editing::wordOf(all.front().kind))));
     else
-        title = areBodies ? tr("%1 bodies").arg(all.size()) : tr("%1 elements").arg(all.size());
+        title = countOf(all);
     if (!title.isEmpty())
         title[0] = title[0].toUpper();
     title_->setText(title);
