@@ -58,16 +58,22 @@ void put(QWidget& window, const QRect& place) {
 
 // At the left of its screen, so that a window of that width has room beside it. False: it cannot.
 bool makeRoom(QWidget& asked, const QRect& room, int width) {
-    const int rest = room.width() - width - 2 * frame;
-    if (asked.isMaximized() || asked.isFullScreen() || rest < asked.minimumSizeHint().width() ||
-        rest < asked.minimumWidth())
+    if (asked.isMaximized() || asked.isFullScreen() || width > mostBeside(asked))
         return false;
-    asked.resize(std::min(asked.width(), rest), asked.height());
+    const int rest = std::min(asked.width(), room.width() - width - 2 * frame);
+    if (coversAnother({room.left(), asked.y(), rest, asked.height()}, asked))
+        return false;
+    asked.resize(rest, asked.height());
     asked.move(room.left(), asked.y());
     return true;
 }
 
 } // namespace
+
+int mostBeside(const QWidget& asked) {
+    const int least = std::max(asked.minimumSizeHint().width(), asked.minimumWidth());
+    return roomOf(asked).width() - least - 2 * frame;
+}
 
 void placeBeside(QWidget& window, QWidget& asked) {
     const QRect room = roomOf(asked), used = asked.geometry();
@@ -77,18 +83,34 @@ void placeBeside(QWidget& window, QWidget& asked) {
     left.setRight(used.left() - 2 * frame);
     below.setTop(used.bottom() + frame + title);
     above.setBottom(used.top() - frame - title);
-    for (const QRect& strip : std::array{right, left, below, above}) {
-        if (strip.width() < least.width() || strip.height() < least.height())
-            continue;
-        if (const QRect place = placeIn(strip, window, used); !coversAnother(place, window))
-            return put(window, place);
+    const auto findsRoom = [&](const QSize& wanted) {
+        for (const QRect& strip : std::array{right, left, below, above}) {
+            if (strip.width() < wanted.width() || strip.height() < wanted.height())
+                continue;
+            const QRect place = placeIn(strip, window, used);
+            if (coversAnother(place, window))
+                continue;
+            put(window, place);
+            return true;
+        }
+        return false;
+    };
+    if (findsRoom(least))
+        return;
+    QRect edge = room;
+    edge.setLeft(room.right() - least.width());
+    if (!coversAnother(edge, asked) && makeRoom(asked, room, least.width()))
+        return put(window, placeIn(edge, window, used));
+    for (QRect* column : {&below, &above}) {
+        column->setLeft(used.left());
+        column->setRight(used.right());
     }
-    right.setLeft(room.right() - least.width());
-    if (!coversAnother(right, asked) && makeRoom(asked, room, least.width()))
-        return put(window, placeIn(right, window, used));
+    constexpr QSize low(200, 150);
+    if (findsRoom(window.minimumSizeHint().expandedTo(low)))
+        return;
     if (asked.isMaximized() || asked.isFullScreen()) { // its picture stays in sight
-        right.setLeft(room.right() + 1 - std::min(window.width(), room.width()));
-        return put(window, placeIn(right, window, used));
+        edge.setLeft(room.right() + 1 - std::min(window.width(), room.width()));
+        return put(window, placeIn(edge, window, used));
     }
     constexpr int step = 40;
     moveWithinScreen(window, asked.pos() + QPoint(step, step));

@@ -15,9 +15,13 @@ void fitScreen(QWidget& window, const QWidget* asked);
 void moveWithinScreen(QWidget& window, const QPoint& place);
 
 // Beside the window that asked for it where the screen has room that no other window covers, a
-// little smaller if need be. Where it has none, the one that asked makes room if it can; otherwise
-// at the right edge of one that fills the screen, else a little below and right of it.
+// little smaller if need be. Where it has none, the one that asked makes room if it can without
+// covering others; otherwise as small as it gets beside it, else at the right edge of one that
+// fills the screen, or a little below and right of it.
 void placeBeside(QWidget& window, QWidget& asked);
+
+// As wide as a window can be beside that one once it has made all the room that it can.
+[[nodiscard]] int mostBeside(const QWidget& asked);
 
 // Where a window stands beside a figure of a document, so that it does not cover it: in the largest
 // part of the room beside it in which it fits, a little smaller if need be, at the outer edge,

@@ -153,8 +153,8 @@ void Tour::show() {
     what_->setText(
         done_ < steps ? fault + (fault.isEmpty() ? "" : "\n\n") +
                             tourSteps()[static_cast<std::size_t>(done_)].what
-                      : tr("It swings: the double pendulum of the dissertation. F shows all of its "
-                           "way.\n\nGo on: click on a rod and drag it, at the start or while it "
+                      : tr("It swings: the double pendulum of the dissertation. F frames the whole "
+                           "motion.\n\nGo on: click on a rod and drag it, at the start or while it "
                            "swings, and look at its numbers in the text. F1 tells about the thing "
                            "under the pointer."));
     end_->setText(done_ < steps ? tr("&End the Tour") : tr("&Finish"));

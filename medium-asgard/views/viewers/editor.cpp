@@ -12,6 +12,7 @@
 #include "workbench/recent_files.h"
 
 #include <QApplication>
+#include <QLayout>
 #include <QSettings>
 
 #include <algorithm>
@@ -129,9 +130,14 @@ void Editor::showBeside(QMainWindow& window) {
     const char* prepared = "prepared";
     if (!window.property(prepared).toBool()) { // later it lies where it was put
         addSessionActions(window, session());
-        if (auto* viewer = qobject_cast<GraphicalViewer*>(&window))
+        auto* viewer = qobject_cast<GraphicalViewer*>(&window);
+        if (viewer)
             viewer->buildToolBar();
         QWidget* asked = QApplication::activeWindow();
+        if (viewer && asked && viewer->minimumSizeHint().width() > mostBeside(*asked)) {
+            viewer->panes().hide("status"); // its picture has room beside the other one
+            viewer->layout()->activate();
+        }
         fitScreen(window, asked);
         if (asked) // else the window manager finds a place: beside a host's window, say
             placeBeside(window, *asked);

@@ -459,6 +459,17 @@ TEST_F(MainWindowTest, AnotherWindowOpensBesideWhereThereIsRoom) {
     placeBeside(third, large);
     EXPECT_FALSE(third.geometry().intersects(large.geometry()));
     EXPECT_TRUE(screen.contains(third.geometry()));
+    EXPECT_LE(third.width(), mostBeside(large));
+    // It makes none over another one: the next window is low.
+    QMainWindow asks, low;
+    large.show();
+    asks.resize(screen.width() / 3, screen.height() * 3 / 5);
+    asks.move(third.pos());
+    low.resize(screen.width() / 2, screen.height());
+    placeBeside(low, asks);
+    EXPECT_FALSE(asks.geometry().intersects(large.geometry()));
+    EXPECT_FALSE(low.geometry().intersects(asks.geometry()));
+    EXPECT_FALSE(low.geometry().intersects(large.geometry()));
     // It cannot: both title bars are seen.
     large.setMinimumSize(screen.size() * 9 / 10);
     large.move(screen.topLeft() + QPoint(8, 32));
