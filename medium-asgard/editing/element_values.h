@@ -14,8 +14,7 @@ namespace editing {
 [[nodiscard]] std::optional<std::vector<double>>
 valuesOf(const scene::Scene& scene, const Element& element, const std::string& option);
 
-// The body, shape set, trajectory or joint of that name. None: other options, and those that name
-// nothing.
+// The name that an option gives of a body, shape set, trajectory or joint. None: it gives none.
 [[nodiscard]] std::optional<std::string> namedBy(const scene::Scene& scene, const Element& element,
                                                  const std::string& option);
 

@@ -79,7 +79,7 @@ bool areBelow(const std::vector<Box>& others, const Box& box, const Vector& up) 
     return std::ranges::any_of(others, [&](const Box& one) { return column.intersects(one); });
 }
 
-// From the grid, or from above it to far below all that stands.
+// The body fell from the grid, or from above it to far below all that stands.
 bool hasFallen(const std::vector<Box>& standing, const Box& start, const simulation::BodyState& end,
                const Vector& up) {
     constexpr double slow = 1e-3; // of its size, in the unit of time

@@ -18,7 +18,7 @@ struct ValueBeside {
                                                     const render::Size& size, double scale,
                                                     const meters::Sampled& sampled);
 
-// Into a picture that is drawn. The room that they take there.
+// Into a picture that is drawn; gives the room that they take there.
 std::vector<Eigen::AlignedBox2d> drawValues(const std::vector<ValueBeside>& values, double scale,
                                             bool isDark, const render::Image& into);
 

@@ -53,7 +53,7 @@ const Glyph* glyphOf(char c) {
         w, {arc(0.28, 0.755, 0.23, 0.245, -90, 270), arc(0.28, 0.255, 0.28, 0.255, 90, 450)}};
     static const Glyph nine{
         w, {joined(arc(0.04, 0.70, 0.51, 0.70, -75, 0), arc(0.275, 0.70, 0.275, 0.30, 0, 360))}};
-    static const Glyph point{0.14, {{{0.07, 0}, {0.07, 0.16}}}}; // no pixel passes it
+    static const Glyph point{0.14, {{{0.07, 0}, {0.07, 0.16}}}}; // seen at any height
     static const Glyph minus{0.46, {{{0.02, 0.46}, {0.44, 0.46}}}};
     static const Glyph e{
         0.5, {joined({{0.03, 0.36}, {0.49, 0.36}}, arc(0.26, 0.34, 0.24, 0.34, 5, 320))}};

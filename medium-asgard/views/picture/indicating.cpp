@@ -212,7 +212,7 @@ std::optional<Indicated> Indicating::onGrid(BegunRecipe& begun, const Eigen::Vec
     return standingOn(begun, *ground, std::move(found));
 }
 
-// Above or below the place, or beside it where others stand there.
+// The place at which it stands above or below that one, or beside it where others stand there.
 Indicated Indicating::standingOn(const BegunRecipe& begun, const render::GroundPlane& ground,
                                  Indicated found) {
     const double height = ground.height + heightOf(*begun.ghost(), ground.up, found.attitude);

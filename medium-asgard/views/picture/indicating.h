@@ -42,7 +42,7 @@ public:
     // "1 2.5": numbers that are not typed are 0. None: it is no place.
     [[nodiscard]] std::optional<Indicated> typed(const BegunRecipe& begun,
                                                  const QString& numbers) const;
-    // The origin, which Return takes; a new body stands on the grid where it would lie in it.
+    // The origin, which Return takes; a new body that would lie in the grid there stands on it.
     [[nodiscard]] Indicated atOrigin(BegunRecipe& begun);
     void forget() { near_.reset(); } // until it is asked again
 
