@@ -345,10 +345,10 @@ bool Renderer::Implementation::paint(const Drawing& drawing, const Frame& frame)
     if (display.grid) {
         Ground below = groundOf(all, extent, frame, *solids);
         if (keptGround && !below.floor && keptGround->up == below.plane.up)
-            below.plane = *keptGround;
+            below = {*keptGround, std::nullopt, *keptGround};
         ground = below.plane;
-        if (!sights.empty() && !below.floor)
-            groundShadow->show(below.plane, shadowing, sights, frame, projection.data(),
+        if (!sights.empty() && below.shadowed)
+            groundShadow->show(*below.shadowed, shadowing, sights, frame, projection.data(),
                                isDark(display.background) ? 0.45F : 0.28F);
         addGrids(below, drawing, frame);
         lines->draw(lift);

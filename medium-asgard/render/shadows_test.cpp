@@ -108,6 +108,25 @@ TEST_F(RendererTest, ShadowsFallOnTheGroundOfASceneWithoutAFloor) {
               100);
 }
 
+// A board whose face is the ground: where it ends, shadows fall on the grid as without it.
+TEST_F(RendererTest, ShadowsFallOnTheGridBesideAFloorThatEnds) {
+    const auto shadedPixels = [&] {
+        drawing_.display.shadows = false;
+        const Picture bare = draw();
+        drawing_.display.shadows = true;
+        const Picture shaded = draw();
+        return shaded.count([&](int x, int y) { return shaded.red(x, y) < bare.red(x, y) - 20; });
+    };
+    addBody(scene_, box({0.8, 0.1, 0.8}), {-0.5, -0.05, 0}, blue).fixed = true;
+    addBody(scene_, sphere(0.2), {-0.5, 0.2, 0}, red);
+    drawing_.camera.rotation = geometry::fromRotationVector(Vector(0.7, 0, 0));
+    drawing_.camera.scale = 0.5;
+    drawing_.display.grid = true;
+    const int onTheBoard = shadedPixels();
+    addBody(scene_, sphere(0.2), {0.4, 0.3, 0}, red);
+    EXPECT_GT(shadedPixels(), onTheBoard + 50);
+}
+
 TEST_F(RendererTest, AStudioHasASkyAndAHorizonLightOrDark) {
     addBody(scene_, sphere(0.1), {0, 0, 0}, red);
     drawing_.display.studio = true;

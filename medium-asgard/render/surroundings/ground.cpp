@@ -47,6 +47,7 @@ constexpr double far = 1.5; // sizes: further away 0 would be out of the picture
 struct Floor {
     double height = 0; // world
     Eigen::Vector3f color;
+    bool isEndless = false;
 };
 std::optional<Floor> floorOf(std::span<const Solid> solids, const Extent& extent,
                              const Frame& frame, Solids& meshes) {
@@ -75,7 +76,8 @@ std::optional<Floor> floorOf(std::span<const Solid> solids, const Extent& extent
         const Top top = topOf(solid, meshes.meshOf(solid, frame), up);
         if (top.area > largest && top.height < highest && !isTable(solid, top)) {
             largest = top.area;
-            floor = {inWorld(top.height), solid.color};
+            floor = {inWorld(top.height), solid.color,
+                     std::holds_alternative<scene::PlaneShape>(solid.part->shape)};
         }
     }
     return floor;
@@ -94,10 +96,16 @@ double groundHeight(const Extent& extent) {
 
 Ground groundOf(std::span<const Solid> solids, const Extent& extent, const Frame& frame,
                 Solids& meshes) {
-    const auto floor = floorOf(solids, extent, frame, meshes);
-    if (floor)
-        return {groundPlane(extent.ground, floor->height), floor->color};
-    return {groundPlane(extent.ground, groundHeight(extent)), std::nullopt};
+    if (const auto floor = floorOf(solids, extent, frame, meshes)) {
+        const GroundPlane plane = groundPlane(extent.ground, floor->height);
+        if (floor->isEndless)
+            return {plane, floor->color, std::nullopt};
+        constexpr double beneath = 1e-4; // of the scene: the floor hides the shadows there
+        return {plane, floor->color,
+                groundPlane(extent.ground, floor->height - beneath * extent.size)};
+    }
+    const GroundPlane plane = groundPlane(extent.ground, groundHeight(extent));
+    return {plane, std::nullopt, plane};
 }
 
 GroundShadow::~GroundShadow() { gl_.DeleteVertexArrays(1, &array_); }

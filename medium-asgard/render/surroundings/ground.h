@@ -1,8 +1,9 @@
 // The ground that a scene stands on, and the shadows on it.
 //
 // A scene's own floor (a large level face of something that never moves, and that reaches below 0)
-// bears the grid. Without one the ground lies under everything, at a round height, so that it stays
-// where it is while one edits; it is not seen itself, but shadows fall on it.
+// bears the grid; beside it shadows fall on the grid's plane. Without one the ground lies under
+// everything, at a round height, so that it stays where it is while one edits; it is not seen
+// itself, but shadows fall on it.
 #pragma once
 
 #include "drawing/frame.h"
@@ -19,6 +20,7 @@ namespace render {
 struct Ground {
     GroundPlane plane;
     std::optional<Eigen::Vector3f> floor; // the colour of the scene's own; none: it has none
+    std::optional<GroundPlane> shadowed;  // none: an endless floor bears all shadows itself
 };
 [[nodiscard]] Ground groundOf(std::span<const Solid> solids, const Extent& extent,
                               const Frame& frame, Solids& meshes);
