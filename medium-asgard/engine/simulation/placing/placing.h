@@ -17,6 +17,10 @@ namespace simulation {
 
 // The free bodies as they stand when joints are closed and bodies have moved apart, by the smallest
 // movement; `cancelled` is asked now and then.
+//
+// LIMIT: bodies on a joint may turn, and a face that lies on another one counts with the same
+// depth at all its corners once it has tilted. Two hinged boxes, the lower one deep in a floor,
+// may therefore find no room, and the answer names the overlap that is left.
 [[nodiscard]] physics::Assembly placed(const scene::Scene& scene,
                                        const std::function<bool()>& cancelled = nullptr);
 
