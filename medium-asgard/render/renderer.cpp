@@ -300,7 +300,7 @@ void Renderer::Implementation::addGrids(const Ground& below, const Drawing& draw
         addGrid(*lines, facing->plane, extent, frame, display, {std::nullopt, facing->weight},
                 taken);
     addGrid(*lines, below.plane, extent, frame, display,
-            {below.floor, facing ? 1 - facing->weight : 1}, taken);
+            {below.floor, facing ? 1 - facing->weight : 1, below.shadowed.has_value()}, taken);
 }
 
 bool Renderer::Implementation::paint(const Drawing& drawing, const Frame& frame) {

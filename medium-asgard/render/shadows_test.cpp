@@ -201,6 +201,28 @@ TEST_F(RendererTest, TheGridIsSeenOnAFloorOfAnyColour) {
         }
 }
 
+TEST_F(RendererTest, TheGridIsSeenBesideAFloorThatEnds) {
+    addBody(scene_, box({0.8, 0.1, 0.8}), {0, -0.05, 0}, {}).fixed = true;
+    addBody(scene_, sphere(0.2), {0, 0.2, 0}, red);
+    drawing_.display.studio = true;
+    drawing_.camera.rotation = geometry::fromRotationVector(Vector(0.6, 0, 0));
+    drawing_.camera.scale = 0.3;
+    for (const double paper : {0.95, 0.1})
+        for (const double shade : {0.1, 0.5, 0.95}) {
+            drawing_.display.background = {paper, paper, paper};
+            scene_.bodies.front().appearance.color = scene::Color{shade, shade, shade};
+            drawing_.display.grid = false;
+            const Picture bare = draw({640, 480});
+            drawing_.display.grid = true;
+            const Picture grid = draw({640, 480});
+            EXPECT_GT(grid.count([&](int x, int y) {
+                return y > 400 && std::abs(grid.green(x, y) - bare.green(x, y)) > 20;
+            }),
+                      300)
+                << shade << " on " << paper;
+        }
+}
+
 TEST_F(RendererTest, AnEndlessFloorReachesTheHorizon) {
     scene::Part half;
     half.shape = scene::PlaneShape{};

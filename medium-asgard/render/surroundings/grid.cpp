@@ -44,16 +44,29 @@ std::optional<Vector> groundInSight(const GroundPlane& ground, const Frame& fram
     return std::nullopt;
 }
 
-Eigen::Vector3f inkOn(const Display& display, const std::optional<Eigen::Vector3f>& floor) {
-    if (floor) { // clearly darker than it, or lighter than a dark one
-        const bool isDarkFloor = isDark({floor->x(), floor->y(), floor->z()});
-        return isDarkFloor ? Eigen::Vector3f(0.2F * *floor + Eigen::Vector3f::Constant(0.8F))
-                           : Eigen::Vector3f(0.2F * *floor);
-    }
+Eigen::Vector3f inkBeside(const Display& display) {
     if (isDark(display.background))
         return {0.62F, 0.66F, 0.72F};
     return display.studio ? Eigen::Vector3f(0.46F, 0.50F, 0.56F)
                           : Eigen::Vector3f(0.58F, 0.61F, 0.66F);
+}
+
+Eigen::Vector3f inkOf(const Display& display, const GridLook& look) {
+    if (!look.floor)
+        return inkBeside(display);
+    const Eigen::Vector3f &floor = *look.floor, darker = 0.2F * floor;
+    const Eigen::Vector3f lighter = darker + Eigen::Vector3f::Constant(0.8F);
+    if (!look.isBesideFloor)
+        return isDark({floor.x(), floor.y(), floor.z()}) ? lighter : darker;
+    // The one that is seen best where it is seen least, on the floor or beside it.
+    const scene::Color& background = display.background;
+    const Eigen::Vector3f around(static_cast<float>(background.red),
+                                 static_cast<float>(background.green),
+                                 static_cast<float>(background.blue));
+    const auto leastContrast = [&](const Eigen::Vector3f& ink) {
+        return std::min(std::abs(ink.mean() - floor.mean()), std::abs(ink.mean() - around.mean()));
+    };
+    return std::ranges::max({darker, lighter, inkBeside(display)}, {}, leastContrast);
 }
 
 // One grid on its way into the picture.
@@ -326,8 +339,7 @@ void addGrid(Lines& lines, const GroundPlane& ground, const Extent& extent, cons
     const double slant = smooth(0.01, 0.12, std::abs(rise));
     const double strength = look.strength * (look.floor ? 0.7 : 1) * (rise < 0 ? fromBelow : 1);
     if (slant * strength > 0)
-        Sheet(lines, ground, extent, frame, display, strength * slant, inkOn(display, look.floor),
-              taken)
+        Sheet(lines, ground, extent, frame, display, strength * slant, inkOf(display, look), taken)
             .draw();
 }
 

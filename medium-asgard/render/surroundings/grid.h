@@ -63,6 +63,7 @@ struct GridLook {
     std::optional<Eigen::Vector3f> floor; // the colour of the floor that it lies on; none: there
                                           // is none to see
     double strength = 1;
+    bool isBesideFloor = false; // the floor ends, and the grid goes on
 };
 void addGrid(Lines& lines, const GroundPlane& ground, const Extent& extent, const Frame& frame,
              const Display& display, const GridLook& look, TakenRoom& taken);
