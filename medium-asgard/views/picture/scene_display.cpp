@@ -255,7 +255,7 @@ void SceneDisplay::keepInSight() {
 void SceneDisplay::motionChanged() { redraw(picture_.isMoving() || editing_.dragging()); }
 
 void SceneDisplay::movedByUser() {
-    seen_.framesItself = seen_.turned = seen_.isToStay = false;
+    seen_.framesItself = seen_.turned = seen_.isWhole = seen_.isToStay = false;
     seen_.framed.reset();
     if (!seen_.followed.isEmpty())
         followView({});
@@ -369,11 +369,15 @@ void SceneDisplay::lookAlong(const geometry::Vector& toward) {
             std::abs(up.z()) < 0.5 ? geometry::Vector(0, 0, -along) : geometry::Vector(0, along, 0);
     render::Camera camera = control_.camera();
     camera.rotation = render::facing(toward, upright);
-    const bool wasFraming = seen_.framesItself;
-    setCamera(camera);
     // Of a scene that is empty there is nothing to frame, and the first body stays as it was put.
     const bool isEmpty = document_.sceneIsCurrent() && document_.shown().scene->bodies.empty();
-    seen_.turned = wasFraming && !isEmpty;
+    turnTo(camera, !isEmpty);
+}
+
+void SceneDisplay::turnTo(const render::Camera& camera, bool mayFrame) {
+    const bool isFramed = mayFrame && (seen_.framesItself || seen_.isWhole);
+    setCamera(camera);
+    seen_.turned = seen_.isWhole = isFramed;
     redraw(false);
 }
 
@@ -387,10 +391,7 @@ void SceneDisplay::levelHorizon() {
     const geometry::Quaternion level = render::facing(toward, up);
     camera.position = level * (camera.rotation.conjugate() * camera.position);
     camera.rotation = level;
-    const bool wasFraming = seen_.framesItself;
-    setCamera(camera);
-    seen_.turned = wasFraming;
-    redraw(false);
+    turnTo(camera, true);
 }
 
 void SceneDisplay::followView(const QString& name) {
@@ -444,6 +445,7 @@ double SceneDisplay::arrowLength(bool couple) {
 }
 
 void SceneDisplay::keepCamera() {
+    seen_.isWhole = false;
     if (!seen_.framesItself && !seen_.turned)
         return;
     seen_.isToStay = !picture_.last() || (!seen_.isEdited && !showsScene());

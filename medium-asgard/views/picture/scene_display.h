@@ -168,9 +168,10 @@ private:
     void movedByUser();
     void redraw(bool moving) { picture_.redraw(moving); }
     void frame(const render::Extent& extent);
-    void keepFrame();   // the view is as something framed it
-    void keepInSight(); // bodies, where they start
-    void stepBack();    // as far as bodies need that grew out of the reader's own view
+    void turnTo(const render::Camera& camera, bool mayFrame); // all that is framed stays in sight
+    void keepFrame();                                         // the view is as something framed it
+    void keepInSight();                                       // bodies, where they start
+    void stepBack(); // as far as bodies need that grew out of the reader's own view
     bool clickTriad(const QMouseEvent& event);
     bool turnKey(const QKeyEvent& event);
     void pressView(render::CameraControl::Button button, const QPointF& position);
@@ -187,6 +188,7 @@ private:
         bool isAnother = false;      // the next scene is one that was opened, no edit
         bool isDue = false;          // the next picture frames all of the motion, edited or not
         bool turned = false;         // framed anew, with the attitude as it is
+        bool isWhole = false;        // it was framed, and only turned by a key since
         bool isPlaced = false;       // its bodies were seen, since it was opened
         bool keepsGround = false;    // the grid stays where it is until the reader frames anew
         bool isToStay = false;       // once the scene is framed, the view stays

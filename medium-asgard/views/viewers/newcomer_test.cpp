@@ -118,6 +118,26 @@ TEST_F(NewcomerTest, ThePictureStepsBackFromABodyThatGrows) {
         display.rect().contains(display.fromPixels(display.sight().pixels({40, 0, 0})).toPoint()));
 }
 
+// Along the row two balls are as wide as one: there they are seen larger, and from the side again
+// both are in the picture. A view of the reader's own keeps its scale.
+TEST_F(NewcomerTest, AKeyThatTurnsTheWholeSceneKeepsAllOfItInSight) {
+    open("shape_set s -desc {-sub {-sphere 0.5}}\nbody a s\nbody b s -init_pos {40 0 0}\n");
+    SceneDisplay& display = editor.openGraphicalViewer()->display();
+    const auto seenAlong = [&display](const Vector& toward) {
+        display.lookAlong(toward);
+        display.grab();
+        return display.camera();
+    };
+    const render::Camera side = seenAlong(Vector::UnitZ());
+    EXPECT_GT(seenAlong(Vector::UnitX()).scale, 2 * side.scale);
+    EXPECT_EQ(seenAlong(Vector::UnitZ()), side);
+    render::Camera own = side;
+    own.scale *= 3;
+    display.setCamera(own);
+    EXPECT_EQ(seenAlong(Vector::UnitX()).scale, own.scale);
+    EXPECT_EQ(seenAlong(Vector::UnitZ()).scale, own.scale);
+}
+
 TEST_F(NewcomerTest, PlayingSaysWhyNothingMoves) {
     open("shape_set s -desc {-sub {-sphere 0.5}}\nbody a s -init_pos {0 1 0} -fixed 1\n");
     GraphicalViewer* viewer = editor.openGraphicalViewer();
