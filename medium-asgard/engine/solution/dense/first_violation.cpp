@@ -51,6 +51,8 @@ public:
                 return found ? found : bump;
             }
         if (depth < deepest && budget_ > 0 && (!explained(a, b, depth) || almostTouches())) {
+            if (const auto fallen = fallenAt(a, b))
+                return in(a, *fallen, depth + 1);
             const double middle = a + 0.5 * (b - a);
             if (auto found = in(a, middle, depth + 1))
                 return found;
@@ -72,17 +74,42 @@ private:
         }
     }
 
+    static constexpr double noise = 1e-9;       // of the largest sample
+    static constexpr double explainedTo = 1e-3; // of the same: what a curve may be off, and more
+    static double largestOf(const Samples& samples) {
+        double largest = 0;
+        for (const double x : samples)
+            largest = std::max(largest, std::abs(x));
+        return largest;
+    }
+
+    // The first sample inside the piece at which a watch that was above 0 is not: what is later
+    // does not matter, and need not be followed.
+    std::optional<double> fallenAt(double a, double b) const {
+        std::size_t first = interpolationPoints().size() - 1;
+        for (const Samples& samples : samples_) {
+            const double nothing = noise * largestOf(samples);
+            bool wasAbove = false;
+            for (std::size_t i = 0; i < first; ++i) {
+                if (wasAbove && samples[i] < -nothing)
+                    first = i;
+                wasAbove = wasAbove || samples[i] > nothing;
+            }
+        }
+        if (first + 1 == interpolationPoints().size())
+            return std::nullopt;
+        return a + interpolationPoints()[first] * (b - a);
+    }
+
     // At or below 0 at the start and below before it has ever been above.
     static bool fallsFromStart(const Samples& samples) {
         if (samples[0] > 0)
             return false;
-        double largest = 0;
-        for (const double x : samples)
-            largest = std::max(largest, std::abs(x));
+        const double nothing = noise * largestOf(samples);
         for (std::size_t i = 1; i < samples.size(); ++i) {
             if (samples[i] > 0)
                 return false;
-            if (samples[i] < -1e-9 * largest)
+            if (samples[i] < -nothing)
                 return true;
         }
         return false;
@@ -193,11 +220,19 @@ private:
         return std::midpoint(low, high);
     }
 
-    // The earliest root of any watch in this piece, on the watches themselves.
+    // The earliest root of any watch in this piece, on the watches themselves: first of the watch
+    // whose curve falls first, so that others are looked at only up to there.
     std::optional<Violation> refine(double a, double b) {
         Violation earliest{b, {}};
         const std::vector<Samples> samples = samples_; // bisection evaluates too
+        std::vector<std::pair<double, std::size_t>> order;
         for (std::size_t k = 0; k < samples.size(); ++k) {
+            const auto crossing =
+                firstCrossing(interpolate(samples[k]), +1, armedFrom(samples[k]), 1, 1e-7);
+            order.emplace_back(crossing ? crossing->low : 1, k);
+        }
+        std::ranges::sort(order);
+        for (const auto& [from, k] : order) {
             const auto time = firstRoot(k, samples[k], a, earliest.time, b - a);
             if (!time)
                 continue;
@@ -207,6 +242,7 @@ private:
         }
         if (earliest.watches.empty())
             return std::nullopt;
+        std::ranges::sort(earliest.watches);
         return earliest;
     }
 
@@ -217,7 +253,8 @@ private:
         const double end = (b - a) / length;
         while (s < end) {
             const auto crossing = firstCrossing(curve, +1, s, end, 1e-7);
-            const bool isAboveAtEnd = end >= 1 && samples.back() > 0;
+            const double atEnd = end < 1 ? evaluate(curve, end) : samples.back();
+            const bool isAboveAtEnd = atEnd > (end < 1 ? explainedTo * largestOf(samples) : 0);
             if (!crossing)
                 return isAboveAtEnd ? std::nullopt : between(k, a + s * length, b);
             // The curve is good to 1e-4 of its size: look a little around it.

@@ -139,7 +139,8 @@ void ComponentModel::findStructure() {
         std::ranges::transform(switching_.surfaces, std::back_inserter(guards), &Surface::guard);
         guardPeaks_ = peaksAmong(guards);
     }
-    switching_.switches = switchesOf(graph_, outputs_);
+    if (!switching_.surfaces.empty()) // without surfaces there are none
+        switching_.switches = switchesOf(graph_, outputs_);
     derivatives_.gradients.resize(switching_.surfaces.size());
     for (const Surface& surface : switching_.surfaces)
         switching_.readMultipliers.push_back(std::ranges::any_of(

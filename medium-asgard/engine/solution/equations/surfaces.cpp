@@ -65,6 +65,8 @@ std::vector<Surface> surfacesOf(Graph& graph, std::span<const Node> outputs) {
 ReadSurfaces::ReadSurfaces(const Graph& graph, std::span<const Node> outputs,
                            std::span<const Surface> surfaces)
     : surfaces_(surfaces.size()) {
+    if (surfaces_ < 2) // no branch can leave out the only one
+        return;
     std::map<Node, std::size_t> places;
     for (const Node n : expression::reachable(graph, outputs)) {
         Entry entry{.op = graph.op(n)};
@@ -83,7 +85,6 @@ ReadSurfaces::ReadSurfaces(const Graph& graph, std::span<const Node> outputs,
         places.emplace(n, entries_.size());
         entries_.push_back(entry);
     }
-    mayVary_ = mayVary_ && surfaces_ > 1;
     for (const Node n : outputs)
         outputs_.push_back(places.at(n));
     for (std::size_t s = 0; s < surfaces_; ++s)

@@ -65,8 +65,9 @@ void ActiveSet::refresh() {
 
 void ActiveSet::watchRow(std::size_t row) {
     const BoundModel::Law& of = law(row);
-    if (multipliers_.isConfined(row))
-        watches_.push_back({row, Kind::invalid});
+    const auto [first, last] = multipliers_.confines(row);
+    for (std::uint32_t k = first; k < last; ++k) // one by one, since the least of them has kinks
+        watches_.push_back({row, Kind::invalid, k});
     if (mode_.kept[row] == State::inside) {
         if (of.low > -complementarity::unbounded)
             watches_.push_back({row, Kind::least});
@@ -91,7 +92,7 @@ void ActiveSet::watchDisc(std::size_t disc) {
 }
 
 std::size_t ActiveSet::rowOf(std::size_t watch) const {
-    const auto [row, kind] = watches_[watch];
+    const auto [row, kind, confine] = watches_[watch];
     return kind == Kind::cone || kind == Kind::turn ? discs()[row].rows[0] : row;
 }
 
@@ -113,7 +114,7 @@ bool ActiveSet::readsForces(std::size_t watch) const {
 }
 
 bool ActiveSet::isOfPlaces(std::size_t watch) const {
-    const auto [row, kind] = watches_[watch];
+    const auto [row, kind, confine] = watches_[watch];
     return kind == Kind::invalid || (kind == Kind::gap && isContact(row));
 }
 
@@ -123,7 +124,7 @@ bool ActiveSet::isOffPlace(std::size_t watch) {
 }
 
 bool ActiveSet::grazes(std::size_t watch) {
-    const auto [row, kind] = watches_[watch];
+    const auto [row, kind, confine] = watches_[watch];
     if (kind != Kind::gap)
         return false;
     multipliers_.evaluateGaps();
@@ -149,7 +150,7 @@ double beyond(double none, double value) { return value >= -none ? std::max(valu
 double ActiveSet::beyondRounding(double force) const { return beyond(noForce * largest_, force); }
 
 double ActiveSet::valueOf(const Watch& watch) const {
-    const auto [row, kind] = watch;
+    const auto [row, kind, confine] = watch;
     switch (kind) {
     case Kind::cone:
         return beyondRounding(multipliers_.friction().leewayOf(row, multipliers_.values()));
@@ -162,7 +163,7 @@ double ActiveSet::valueOf(const Watch& watch) const {
     case Kind::parted:
         return *law(row).leaving - multipliers_.gap(row);
     case Kind::invalid:
-        return beyond(noLength * law(row).resolution, multipliers_.validity(row));
+        return beyond(noLength * law(row).resolution, multipliers_.confine(confine));
     case Kind::least:
         return beyondRounding(multipliers_.values()[row] - law(row).low);
     case Kind::most:
@@ -254,7 +255,7 @@ bool ActiveSet::cross(std::span<const std::size_t> watches, double t, std::span<
     std::vector<std::size_t> fallen(watches.begin(), watches.end());
     addClosing(fallen, t);
     for (const std::size_t k : fallen) {
-        const auto [row, kind] = watches_[k];
+        const auto [row, kind, confine] = watches_[k];
         const bool isEnded = kind == Kind::parted || kind == Kind::invalid ||
                              (kind == Kind::gap && isContact(row) && !hasFallenLow(row));
         if (isEnded)

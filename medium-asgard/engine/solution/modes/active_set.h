@@ -97,6 +97,7 @@ private:
     struct Watch {
         std::size_t row; // of cone and turn: the disc
         Kind kind;
+        std::uint32_t confine = 0; // of invalid: which
     };
     // The rows of one system: first all without a disc, then of each disc its normal forces next
     // to each other, and its own rows.

@@ -26,14 +26,6 @@ void Multipliers::evaluate() {
     rest_ = Eigen::Map<const Eigen::VectorXd>(second_.data() + entries, indexOf(size()));
 }
 
-double Multipliers::validity(std::size_t row) const {
-    const std::vector<std::uint32_t>& first = model_.conditions().firstValid;
-    double least = std::numeric_limits<double>::infinity();
-    for (std::uint32_t k = first[row]; k < first[row + 1]; ++k)
-        least = std::min(least, gaps_[2 * size() + k]);
-    return least;
-}
-
 double Multipliers::bound(std::size_t row) const {
     if (mode_.kept[row] == Mode::gone)
         return 0;

@@ -87,13 +87,13 @@ public:
     void evaluateGaps();
     [[nodiscard]] double gap(std::size_t row) const { return gaps_[row]; }
     [[nodiscard]] double rate(std::size_t row) const { return gaps_[size() + row]; }
-    // A contact that lasts only at some places.
-    [[nodiscard]] bool isConfined(std::size_t row) const {
+    // A contact that lasts only at some places: the first of the functions that are not negative
+    // while it does, and the one behind the last; then the value of one of them.
+    [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> confines(std::size_t row) const {
         const std::vector<std::uint32_t>& first = model_.conditions().firstValid;
-        return first[row + 1] > first[row];
+        return {first[row], first[row + 1]};
     }
-    // The least of the functions that are not negative while a contact lasts.
-    [[nodiscard]] double validity(std::size_t row) const;
+    [[nodiscard]] double confine(std::uint32_t which) const { return gaps_[2 * size() + which]; }
     // Once gaps are evaluated.
     [[nodiscard]] const DiscFriction& friction() const { return friction_; }
     // After solve(): of a condition, whether it holds or not.
