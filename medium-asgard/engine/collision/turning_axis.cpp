@@ -248,7 +248,9 @@ private:
         add(between, product(dot(axis, second.lever(b.from)), first.square), -1);
         const Series square = product(first.square, second.square);
         add(between, product(dot(axis, away()), square), -1);
-        add(between, square, q_.gap - between[0] / square[0]);
+        // Of edges that are next to parallel the perpendicular may lie far off the normal: along it
+        // the gap is less.
+        add(between, square, std::min(q_.gap - between[0] / square[0], 0.0));
         distances.push_back(std::move(between));
         return distances;
     }
