@@ -166,14 +166,15 @@ private:
 
     // The longest window over which all of these are positive.
     void take(const std::vector<Series>& distances) {
-        for (double window = std::min(q_.firstWindow / q_.left, 1.0);
-             window > std::max(shortest, best_); window /= shorter) {
+        double window = std::min(q_.firstWindow / q_.left, 1.0);
+        while (window > std::max(shortest, best_)) {
             const bool isApart = std::ranges::all_of(distances, [&](const Series& distance) {
                 const Bounds bounds = boundsOf(distance, window);
                 return bounds.least >= -q_.unnoticed / 4 && bounds.atEnd >= 0;
             });
             if (isApart)
                 best_ = window;
+            window /= shorter;
         }
     }
 
