@@ -1,5 +1,6 @@
 #include "script/arguments.h"
 
+#include "script/meant.h"
 #include "script/numbers.h"
 #include "script/suggestion.h"
 #include "script/svg_colors.h"
@@ -112,8 +113,9 @@ void Arguments::read(std::size_t first, std::span<const std::string_view> option
         if (!known) {
             misread_ = true;
             const std::vector<std::string> names(options.begin(), options.end());
+            const std::string meant = meantByOption(word.text, names);
             faults_.error(word.range, subject_ + " has no option " + quoted(word.text),
-                          suggestionFor(word.text, names, "options here"));
+                          meant.empty() ? suggestionFor(word.text, names, "options here") : meant);
         } else if (given(word.text)) {
             faults_.error(word.range, word.text + " of " + subject_ + " is given twice");
         } else {

@@ -73,6 +73,27 @@ constexpr Meaning meanings[] = {
     {"variable number const constant", "parameter",
      "set NAME VALUE, or with a slider: parameter NAME -value V -min A -max B"}};
 
+struct OptionMeaning {
+    std::string_view words;  // any of these, without "-" or "-init_"
+    std::string_view option; // what is offered, where there is such an option
+    std::string_view offer;
+};
+
+constexpr OptionMeaning optionMeanings[] = {
+    {"velocity vel speed linear_velocity linvel v v0", "-init_dpos",
+     "the velocity is -init_dpos {vx vy vz}"},
+    {"spin omega angular_velocity angvel angular_vel w", "-init_drot",
+     "the angular velocity is -init_drot {wx wy wz}"},
+    {"position pos place at location centre center", "-init_pos", "the place is -init_pos {x y z}"},
+    {"rotation rot orientation attitude angle angles", "-init_rot",
+     "the attitude is -init_rot {x y z}, a rotation vector"},
+    {"weight m", "-mass", "the mass is -mass"},
+    {"bounce bounciness elasticity e", "-restitution", "what it bounces with is -restitution"},
+    {"mu coefficient_of_friction", "-friction", "the coefficient is -friction"},
+    {"static immovable anchored", "-fixed", "what never moves has -fixed 1"},
+    {"k spring_constant constant", "-stiffness", "a spring's constant is -stiffness"},
+    {"length rest_length l0", "-rest", "the length without force is -rest"}};
+
 bool has(std::string_view words, std::string_view word) {
     for (std::size_t from = 0; from < words.size();) {
         const std::size_t to = std::min(words.find(' ', from), words.size());
@@ -94,6 +115,20 @@ std::string meantBy(std::string_view command) {
     for (const Meaning& meaning : meanings)
         if (has(meaning.words, word) || has(meaning.words, single))
             return std::string(isSceneCommand(meaning.command) ? meaning.offer : meaning.otherwise);
+    return "";
+}
+
+std::string meantByOption(std::string_view option, std::span<const std::string> existing) {
+    std::string_view word = option;
+    for (const std::string_view beginning : {"-init_", "-"})
+        if (word.starts_with(beginning)) {
+            word.remove_prefix(beginning.size());
+            break;
+        }
+    for (const OptionMeaning& meaning : optionMeanings)
+        if (has(meaning.words, word) &&
+            std::ranges::find(existing, meaning.option) != existing.end())
+            return std::string(meaning.offer);
     return "";
 }
 

@@ -1,6 +1,7 @@
-// The words that newcomers write as commands, and what the language has for them.
+// The words that newcomers write as commands and options, and what the language has for them.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -8,5 +9,9 @@ namespace script {
 
 // "write joint NAME -type hinge ..." for "hinge"; "" where nothing is known of the word.
 [[nodiscard]] std::string meantBy(std::string_view command);
+// "the velocity is -init_dpos {vx vy vz}" for "-init_vel", where that is one of the existing
+// options.
+[[nodiscard]] std::string meantByOption(std::string_view option,
+                                        std::span<const std::string> existing);
 
 } // namespace script
