@@ -66,7 +66,10 @@ Eigen::Vector3f inkOf(const Display& display, const GridLook& look) {
     const auto leastContrast = [&](const Eigen::Vector3f& ink) {
         return std::min(std::abs(ink.mean() - floor.mean()), std::abs(ink.mean() - around.mean()));
     };
-    return std::ranges::max({darker, lighter, inkBeside(display)}, {}, leastContrast);
+    return std::max({darker, lighter, inkBeside(display)},
+                    [&](const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
+                        return leastContrast(a) < leastContrast(b);
+                    });
 }
 
 // One grid on its way into the picture.

@@ -205,7 +205,7 @@ void SceneDisplay::stepBack() {
             reach = std::max(reach, ball.center.norm() + ball.radius);
         return reach;
     };
-    gestures::Sight sight = this->sight();
+    gestures::Sight sight = SceneDisplay::sight(); // asked while this is made, too
     const auto isSeen = [&](const scene::Scene& scene, std::size_t body) {
         const geometry::Pose pose =
             render::poseOf(scene, document_.shown().motion.get(), body, time_);
@@ -240,7 +240,7 @@ void SceneDisplay::stepBack() {
 
 void SceneDisplay::keepInSight() {
     const render::Extent extent = render::extentOf(*document_.shown().scene, nullptr);
-    const gestures::Sight now = sight();
+    const gestures::Sight now = SceneDisplay::sight();
     if (std::ranges::all_of(extent.balls, [&](const render::Ball& ball) {
             return render::isWithin(now.camera, now.size, ball);
         }))
