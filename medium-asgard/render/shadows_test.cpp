@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 namespace render {
 namespace {
@@ -178,49 +179,44 @@ TEST_F(RendererTest, AnEndlessFloorIsDarkInADarkPicture) {
     EXPECT_GT(draw().green(30, 200), 140);
 }
 
-TEST_F(RendererTest, TheGridIsSeenOnAFloorOfAnyColour) {
+class GridOnAFloor : public RendererTest {
+protected:
+    // A floor, which a ball stands on; the pixels from `top` down that the grid changes by more
+    // than `least` are to be more than `most`, on light paper and dark.
+    void expectSeen(std::vector<double> papers, std::vector<double> shades, int top, int least,
+                    int most) {
+        scene_.bodies.front().fixed = true;
+        addBody(scene_, sphere(0.2), {0, 0.2, 0}, blue);
+        drawing_.display.studio = true;
+        drawing_.camera.rotation = geometry::fromRotationVector(Vector(0.6, 0, 0));
+        for (const double paper : papers)
+            for (const double shade : shades) {
+                drawing_.display.background = {paper, paper, paper};
+                scene_.bodies.front().appearance.color = scene::Color{shade, shade, shade};
+                drawing_.display.grid = false;
+                const Picture bare = draw({640, 480});
+                drawing_.display.grid = true;
+                const Picture grid = draw({640, 480});
+                EXPECT_GT(grid.count([&](int x, int y) {
+                    return y >= top && std::abs(grid.green(x, y) - bare.green(x, y)) > least;
+                }),
+                          most)
+                    << shade << " on " << paper;
+            }
+    }
+};
+
+TEST_F(GridOnAFloor, IsSeenInAnyColour) {
     scene::Part half;
     half.shape = scene::PlaneShape{};
-    addBody(scene_, half, {0, 0, 0}, red).fixed = true;
-    addBody(scene_, sphere(0.2), {0, 0.2, 0}, blue);
-    drawing_.display.studio = true;
-    drawing_.camera.rotation = geometry::fromRotationVector(Vector(0.6, 0, 0));
-    for (const double paper : {1.0, 0.1})
-        for (const double shade : {0.1, 0.35, 0.5, 0.65, 0.95}) {
-            drawing_.display.background = {paper, paper, paper};
-            scene_.bodies.front().appearance.color = scene::Color{shade, shade, shade};
-            drawing_.display.grid = false;
-            const Picture bare = draw({640, 480});
-            drawing_.display.grid = true;
-            const Picture grid = draw({640, 480});
-            EXPECT_GT(grid.count([&](int x, int y) {
-                return std::abs(grid.green(x, y) - bare.green(x, y)) > 25;
-            }),
-                      3000)
-                << shade << " on " << paper;
-        }
+    addBody(scene_, half, {0, 0, 0}, red);
+    expectSeen({1.0, 0.1}, {0.1, 0.35, 0.5, 0.65, 0.95}, 0, 25, 3000);
 }
 
-TEST_F(RendererTest, TheGridIsSeenBesideAFloorThatEnds) {
-    addBody(scene_, box({0.8, 0.1, 0.8}), {0, -0.05, 0}, {}).fixed = true;
-    addBody(scene_, sphere(0.2), {0, 0.2, 0}, red);
-    drawing_.display.studio = true;
-    drawing_.camera.rotation = geometry::fromRotationVector(Vector(0.6, 0, 0));
+TEST_F(GridOnAFloor, IsSeenBesideOneThatEnds) {
+    addBody(scene_, box({0.8, 0.1, 0.8}), {0, -0.05, 0}, {});
     drawing_.camera.scale = 0.3;
-    for (const double paper : {0.95, 0.1})
-        for (const double shade : {0.1, 0.5, 0.95}) {
-            drawing_.display.background = {paper, paper, paper};
-            scene_.bodies.front().appearance.color = scene::Color{shade, shade, shade};
-            drawing_.display.grid = false;
-            const Picture bare = draw({640, 480});
-            drawing_.display.grid = true;
-            const Picture grid = draw({640, 480});
-            EXPECT_GT(grid.count([&](int x, int y) {
-                return y > 400 && std::abs(grid.green(x, y) - bare.green(x, y)) > 20;
-            }),
-                      300)
-                << shade << " on " << paper;
-        }
+    expectSeen({0.95, 0.1}, {0.1, 0.5, 0.95}, 401, 20, 300);
 }
 
 TEST_F(RendererTest, AnEndlessFloorReachesTheHorizon) {

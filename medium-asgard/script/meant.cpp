@@ -88,9 +88,9 @@ constexpr OptionMeaning optionMeanings[] = {
     {"rotation rot orientation attitude angle angles", "-init_rot",
      "the attitude is -init_rot {x y z}, a rotation vector"},
     {"weight m", "-mass", "the mass is -mass"},
-    {"bounce bounciness elasticity e", "-restitution", "what it bounces with is -restitution"},
+    {"bounce bounciness elasticity e", "-restitution", "the bounce is -restitution E, from 0 to 1"},
     {"mu coefficient_of_friction", "-friction", "the coefficient is -friction"},
-    {"static immovable anchored", "-fixed", "what never moves has -fixed 1"},
+    {"static immovable anchored", "-fixed", "a body that never moves has -fixed 1"},
     {"k spring_constant constant", "-stiffness", "a spring's constant is -stiffness"},
     {"length rest_length l0", "-rest", "the length without force is -rest"}};
 

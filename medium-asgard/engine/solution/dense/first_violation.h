@@ -20,12 +20,17 @@ struct Violation {
 // at the double before. A watch that starts at or below 0 (by rounding, after an event) is followed
 // from where it rises above; if it only falls, the violation is at `from`.
 //
-// On pieces of the interval, halved until a polynomial of degree 8 agrees with the watches, its
-// Bernstein form isolates the first root. False position on that watch itself, after Illinois, with
-// bisection where it gets on slowly, finishes: a dozen values of this one watch.
+// On pieces of the interval, cut where a watch has fallen, or else halved, until a polynomial of
+// degree 8 agrees with the watches, its Bernstein form isolates the first root. False position on
+// that watch itself, after Illinois, with bisection where it gets on slowly, finishes: a dozen
+// values of this one watch.
 //
 // A graze: a watch that starts at 0, rises for less than the samples see and falls is followed to
 // the end of that rise, down to a 2^-40th of the interval.
+//
+// LIMIT: in a piece too short to be halved, or with no pieces left, a watch whose polynomial is a
+// thousandth of its size above 0 at the first root of another counts as later, though no check has
+// shown that polynomial right.
 //
 // LIMIT: a watch that falls below 0 and rises again between samples that a polynomial of degree 8
 // explains otherwise is not seen; nor is a touch, nor surely what needs more pieces than 500, or

@@ -89,7 +89,8 @@ TEST(FirstViolation, IsFoundBehindManyOscillations) {
     EXPECT_GE(found->time, 19.999);
 }
 
-// What starts at zero is followed once it has risen; what only falls is wrong from the start.
+// A watch that starts at zero is followed once it has risen; one that only falls is wrong from the
+// start.
 TEST(FirstViolation, StartsArmedOnlyAboveZero) {
     const auto later = violationOf([](double t) { return t * (1 - t); }, 0, 2);
     ASSERT_TRUE(later);
