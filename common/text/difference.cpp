@@ -7,16 +7,24 @@
 
 namespace text {
 
+namespace {
+
+std::size_t commonHead(std::string_view a, std::string_view b) {
+    return static_cast<std::size_t>(std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first -
+                                    a.begin());
+}
+
+std::size_t commonTail(std::string_view a, std::string_view b) {
+    return static_cast<std::size_t>(
+        std::mismatch(a.rbegin(), a.rend(), b.rbegin(), b.rend()).first - a.rbegin());
+}
+
+} // namespace
+
 Edit difference(std::string_view before, std::string_view after) {
-    const std::size_t shorter = std::min(before.size(), after.size());
-    std::size_t head = 0;
-    while (head < shorter && before[head] == after[head])
-        ++head;
+    std::size_t head = commonHead(before, after);
     head = std::min(characterStart(before, head), characterStart(after, head));
-    std::size_t tail = 0;
-    while (tail < shorter - head &&
-           before[before.size() - 1 - tail] == after[after.size() - 1 - tail])
-        ++tail;
+    std::size_t tail = commonTail(before.substr(head), after.substr(head));
     while (tail > 0 && isContinuation(before[before.size() - tail]))
         --tail;
     return {{head, before.size() - tail},
@@ -47,6 +55,14 @@ Pieces wordsOf(std::string_view text) {
         i = end;
     }
     return pieces;
+}
+
+// No piece goes on beyond this place.
+bool endsPiece(std::string_view text, std::size_t place) {
+    if (place == 0 || place == text.size())
+        return true;
+    const char before = text[place - 1], after = text[place];
+    return !(isWord(before) && isWord(after)) && !(before == ' ' && after == ' ');
 }
 
 Pieces linesOf(std::string_view text) {
@@ -140,9 +156,9 @@ std::vector<std::size_t> startsOf(const Pieces& pieces, std::size_t at) {
     return starts;
 }
 
-// Nothing: they differ in too many pieces.
-std::optional<std::vector<Hunk>> hunksOf(Pieces a, Pieces b) {
-    std::size_t head = 0, tail = 0, skipped = 0;
+// `at`: where the pieces begin. Nothing: they differ in too many pieces.
+std::optional<std::vector<Hunk>> hunksOf(Pieces a, Pieces b, std::size_t at = 0) {
+    std::size_t head = 0, tail = 0, skipped = at;
     while (head < std::min(a.size(), b.size()) && a[head] == b[head])
         skipped += a[head++].size();
     while (tail < std::min(a.size(), b.size()) - head &&
@@ -172,6 +188,23 @@ std::string_view in(std::string_view text, Range range) {
     return text.substr(range.from, range.size());
 }
 
+// A change of a word in a long text makes pieces of that word alone.
+std::optional<std::vector<Hunk>> hunksOfWords(std::string_view a, std::string_view b) {
+    const auto endsInBoth = [&](std::size_t inA, std::size_t inB) {
+        return endsPiece(a, inA) && endsPiece(b, inB);
+    };
+    std::size_t head = commonHead(a, b);
+    while (!endsInBoth(head, head))
+        --head;
+    std::size_t tail = commonTail(a.substr(head), b.substr(head));
+    while (!endsInBoth(a.size() - tail, b.size() - tail))
+        --tail;
+    const auto middle = [&](std::string_view text) {
+        return text.substr(head, text.size() - tail - head);
+    };
+    return hunksOf(wordsOf(middle(a)), wordsOf(middle(b)), head);
+}
+
 thread_local std::size_t sought = 0;
 
 } // namespace
@@ -180,14 +213,14 @@ std::size_t differencesSought() { return sought; }
 
 std::vector<Hunk> differences(std::string_view before, std::string_view after) {
     ++sought;
-    if (auto hunks = hunksOf(wordsOf(before), wordsOf(after)))
+    if (auto hunks = hunksOfWords(before, after))
         return *hunks;
     const auto lines = hunksOf(linesOf(before), linesOf(after));
     if (!lines)
         return {{{0, before.size()}, {0, after.size()}}};
     std::vector<Hunk> hunks;
     for (const Hunk& line : *lines) {
-        auto words = hunksOf(wordsOf(in(before, line.before)), wordsOf(in(after, line.after)));
+        auto words = hunksOfWords(in(before, line.before), in(after, line.after));
         if (!words) {
             hunks.push_back(line);
             continue;
