@@ -9,6 +9,8 @@
 #include "script/numbers.h"
 #include "script/structure.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -154,8 +156,8 @@ namespace {
 class Pasting {
 public:
     Pasting(const std::string& text, const scene::Scene& scene, const std::string& commands,
-            const Vector& beside)
-        : text_(text), scene_(scene), clip_(commands), beside_(beside) {}
+            const Vector& beside, const Meets& meets)
+        : text_(text), scene_(scene), clip_(commands), beside_(beside), meets_(meets) {}
 
     Pasted pasted();
 
@@ -170,6 +172,8 @@ private:
     [[nodiscard]] std::string hasWeight(const Item& item) const;
     void nameAnew();
     void findWay();
+    [[nodiscard]] std::vector<CopiedBody> bodies() const;
+    [[nodiscard]] Vector freeWay(const std::vector<CopiedBody>& bodies) const;
     [[nodiscard]] const Word* valueOf(const Item& item, std::string_view option) const;
     [[nodiscard]] std::optional<Vector> placeOf(const Item& item, std::string_view option) const;
     static void move(NewElement& element, const char* option, const Vector& now, const Vector& way);
@@ -181,6 +185,7 @@ private:
     const scene::Scene& scene_;
     std::string clip_;
     Vector beside_, way_ = Vector::Zero();
+    const Meets& meets_;
     Structure structure_;
     std::vector<Item> items_;
 };
@@ -277,23 +282,53 @@ std::optional<Vector> Pasting::placeOf(const Item& item, std::string_view option
     return place;
 }
 
+// LIMIT: a quaternion, or an attitude that is computed, counts as none.
+std::vector<CopiedBody> Pasting::bodies() const {
+    std::vector<CopiedBody> bodies;
+    for (const Item& item : items_) {
+        const bool isGiven = valueOf(item, "-init_pos") != nullptr;
+        const auto place = placeOf(item, "-init_pos");
+        if (item.kind != Kind::body || (isGiven && !place))
+            continue;
+        const Vector turn = placeOf(item, "-init_rot").value_or(Vector::Zero());
+        const auto& words = item.command->words;
+        const Word* shape = words.size() > 2 ? &words[2] : nullptr;
+        if (const Word* option = valueOf(item, "-shape"))
+            shape = option;
+        bodies.push_back(
+            {shape ? scene::findShapeSet(scene_, slice(clip_, shape->content)) : nullptr,
+             {place.value_or(Vector::Zero()),
+              geometry::Quaternion(Eigen::AngleAxisd(turn.norm(), turn.stableNormalized()))}});
+    }
+    return bodies;
+}
+
 void Pasting::findWay() {
-    std::vector<Vector> places;
-    for (const Item& item : items_)
-        if (item.kind == Kind::body) {
-            const bool isGiven = valueOf(item, "-init_pos") != nullptr;
-            if (const auto place = placeOf(item, "-init_pos"); place || !isGiven)
-                places.push_back(place.value_or(Vector::Zero()));
-        }
-    const auto isTaken = [&](const Vector& place) {
+    const std::vector<CopiedBody> bodies = this->bodies();
+    const auto isTaken = [&](const CopiedBody& one) {
+        const Vector place = one.pose.position + way_;
         return std::ranges::any_of(scene_.bodies, [&](const scene::Body& body) {
             return body.initialPosition.isApprox(place, 1e-9) ||
                    (body.initialPosition - place).norm() < 1e-9 * beside_.norm();
         });
     };
-    while (!beside_.isZero() &&
-           std::ranges::any_of(places, [&](const Vector& one) { return isTaken(one + way_); }))
+    while (!beside_.isZero() && std::ranges::any_of(bodies, isTaken))
         way_ += beside_;
+    if (!beside_.isZero() && meets_)
+        way_ = freeWay(bodies);
+}
+
+Vector Pasting::freeWay(const std::vector<CopiedBody>& bodies) const {
+    constexpr int most = 50; // further away it is not beside them
+    Vector way = way_;
+    for (int i = 0; i < most; ++i, way += beside_) {
+        std::vector<CopiedBody> moved = bodies;
+        for (CopiedBody& one : moved)
+            one.pose.position += way;
+        if (!meets_(moved))
+            return way;
+    }
+    return way_;
 }
 
 void Pasting::move(NewElement& element, const char* option, const Vector& now, const Vector& way) {
@@ -392,8 +427,8 @@ Pasted Pasting::pasted() {
 } // namespace
 
 Pasted pasted(const std::string& text, const scene::Scene& scene, const std::string& commands,
-              const Vector& beside) {
-    return Pasting(text, scene, commands, beside).pasted();
+              const Vector& beside, const Meets& meets) {
+    return Pasting(text, scene, commands, beside, meets).pasted();
 }
 
 } // namespace editing
