@@ -97,6 +97,44 @@ bool hasFallen(const std::vector<Box>& standing, const Box& start, const simulat
     return height < std::min(lowestOf(room, up), 0.0) - far * sizeOf(room);
 }
 
+bool rests(const scene::Body& body) {
+    return body.fixed || (body.initialVelocity.isZero() && body.initialAngularVelocity.isZero());
+}
+
+bool noForceActs(const scene::Scene& scene) {
+    const auto isDriven = [](const scene::Joint& joint) {
+        return std::ranges::any_of(joint.coordinates, [](const scene::JointCoordinate& one) {
+            return one.motor || one.speed || one.position || one.stiffness != 0;
+        });
+    };
+    return scene.forces.empty() && scene.links.empty() && scene.ropes.empty() &&
+           scene.constraints.empty() && std::ranges::none_of(scene.joints, isDriven);
+}
+
+// A fixed body is just below it.
+bool isCarried(const scene::Scene& scene, const Box& box, const Vector& up) {
+    constexpr double near = 0.25; // of its size: a puck floats above its table
+    const double most = near * sizeOf(box);
+    return std::ranges::any_of(scene.bodies, [&](const scene::Body& body) {
+        if (!body.fixed)
+            return false;
+        if (isEndless(scene, body)) {
+            const Vector normal = body.initialAttitude * Vector::UnitY();
+            return lowestOf(box, normal) - body.initialPosition.dot(normal) <= most;
+        }
+        const Box below = boxOf(scene, body);
+        return !below.isEmpty() && areBelow({below}, box, up) &&
+               lowestOf(box, up) + lowestOf(below, -up) <= most;
+    });
+}
+
+// It rises, sinks or hangs in the air; a ball that rolls level on a table needs no weight.
+bool wouldFall(const scene::Scene& scene, const scene::Body& body) {
+    const Vector up = render::upOf(scene);
+    const Box box = boxOf(scene, body);
+    return !box.isEmpty() && (body.initialVelocity.dot(up) != 0 || !isCarried(scene, box, up));
+}
+
 } // namespace
 
 std::vector<std::size_t> unsupported(const scene::Scene& scene, const simulation::Motion* motion) {
@@ -129,18 +167,16 @@ std::vector<std::size_t> unsupported(const scene::Scene& scene, const simulation
 }
 
 bool nothingMoves(const scene::Scene& scene) {
-    const auto rests = [](const scene::Body& body) {
-        return body.fixed ||
-               (body.initialVelocity.isZero() && body.initialAngularVelocity.isZero());
-    };
-    const auto isDriven = [](const scene::Joint& joint) {
-        return std::ranges::any_of(joint.coordinates, [](const scene::JointCoordinate& one) {
-            return one.motor || one.speed || one.position || one.stiffness != 0;
-        });
-    };
-    return !std::ranges::all_of(scene.bodies, &scene::Body::fixed) && scene.forces.empty() &&
-           scene.links.empty() && scene.ropes.empty() && scene.constraints.empty() &&
-           std::ranges::all_of(scene.bodies, rests) && std::ranges::none_of(scene.joints, isDriven);
+    return noForceActs(scene) && !std::ranges::all_of(scene.bodies, &scene::Body::fixed) &&
+           std::ranges::all_of(scene.bodies, rests);
+}
+
+bool lacksWeight(const scene::Scene& scene) {
+    const auto isFixed = [](const scene::Body& body) { return body.fixed; };
+    return noForceActs(scene) && std::ranges::any_of(scene.bodies, isFixed) &&
+           std::ranges::any_of(scene.bodies, [&](const scene::Body& body) {
+               return !body.fixed && !isHeld(scene, body.name) && wouldFall(scene, body);
+           });
 }
 
 } // namespace gestures

@@ -23,4 +23,8 @@ namespace gestures {
 // There are bodies that could move, all of them rest, and nothing acts that would move one.
 [[nodiscard]] bool nothingMoves(const scene::Scene& scene);
 
+// Nothing acts that would move a body, and yet there is a fixed one, and a free one that a weight
+// would pull down: it hangs in the air, lies on another one, or moves up or down.
+[[nodiscard]] bool lacksWeight(const scene::Scene& scene);
+
 } // namespace gestures

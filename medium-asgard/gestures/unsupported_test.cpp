@@ -1,4 +1,5 @@
-// (scene, names of the bodies that fall through the grid; whether nothing moves any)
+// (scene, names of the bodies that fall through the grid; whether nothing moves any, or has a
+// weight)
 #include "gestures/unsupported.h"
 
 #include "script/reader.h"
@@ -89,6 +90,29 @@ TEST(NothingMoves, UntilAForceASpeedOrADriveMovesABody) {
     EXPECT_FALSE(nothingMoves(readIn(onGrid + "spring s -body1 a -x 0 -y 3 -z 0 -stiffness 20\n")));
     EXPECT_FALSE(
         nothingMoves(readIn(onGrid + "joint j -type hinge -body1 a -speed 1 -max_motor 9\n")));
+}
+
+TEST(LacksWeight, WhereAFixedBodyIsAndOneThatWouldFall) {
+    const std::string floor = "body f plane -fixed 1\n";
+    const std::string bench = "body desk box -fixed 1 -init_pos {0 0.5 0}\n";
+    const std::string thrown = "body b box -init_pos {3 2 0} -init_dpos {-4 0 0}\n";
+    const std::string stack = onGrid + "body c box -init_pos {0 1.5 0}\n";
+    EXPECT_TRUE(lacksWeight(readIn(floor + stack + thrown)));
+    EXPECT_TRUE(lacksWeight(readIn(floor + thrown)));
+    EXPECT_TRUE(lacksWeight(readIn(floor + stack +
+                                   "body b box -init_pos {3 0.5 0} "
+                                   "-init_dpos {-4 0 0}\n")));
+    EXPECT_TRUE(lacksWeight(readIn(bench + thrown)));
+    EXPECT_TRUE(lacksWeight(readIn(floor + "body b box -init_pos {3 0.5 0} "
+                                           "-init_dpos {0 4 0}\n")));
+    EXPECT_FALSE(lacksWeight(readIn(stack + thrown))); // bodies in space
+    EXPECT_FALSE(lacksWeight(readIn(floor + onGrid + weight + thrown)));
+    EXPECT_FALSE(lacksWeight(readIn(floor + thrown + "joint j -type hinge -body1 b\n")));
+    // A puck glides a hair above its table.
+    EXPECT_FALSE(lacksWeight(readIn(bench + "body p box -init_pos {0.2 1.51 0} "
+                                            "-init_dpos {1 0 0}\n")));
+    EXPECT_FALSE(lacksWeight(readIn(floor + "body p box -init_pos {0 0.51 0} "
+                                            "-init_dpos {1 0 0}\n")));
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "panels/motion_notice.h"
 
+#include "faults/close_joints.h"
 #include "gestures/unsupported.h"
 #include "motion/known_span.h"
 #include "panels/status_panel.h"
@@ -62,6 +63,11 @@ MotionNotice::MotionNotice(SceneDocument& document, Playback& playback, QWidget&
     makeButton(Offer::gravity, "addGravity", tr("Add Gravity"),
                tr("A weight for each body, also for those that come later, as Create > Force > "
                   "Gravity for All Bodies"));
+    auto* part = new CloseJoints(document_, this);
+    part->setObjectName("moveApart");
+    part->setFocusPolicy(Qt::NoFocus);
+    layout()->addWidget(part);
+    buttons_.push_back({Offer::part, part});
     tick_.setInterval(250);
     connect(&tick_, &QTimer::timeout, this, &MotionNotice::follow);
     connect(&document_, &SceneDocument::textChanged, this, [this] { worksSince_.invalidate(); });
@@ -88,7 +94,7 @@ void MotionNotice::makeButton(Offer offer, const QString& name, const QString& w
     buttons_.push_back({offer, button});
 }
 
-QToolButton* MotionNotice::buttonOf(Offer offer) const {
+QAbstractButton* MotionNotice::buttonOf(Offer offer) const {
     const auto found = std::ranges::find(buttons_, offer, &Button::offer);
     return found == buttons_.end() ? nullptr : found->widget;
 }
@@ -103,6 +109,7 @@ void MotionNotice::take(Offer offer) {
         return Q_EMIT floorWanted();
     case Offer::gravity:
         return Q_EMIT gravityWanted();
+    case Offer::part: // the button does it
     case Offer::none:
         return;
     }
@@ -152,15 +159,27 @@ MotionNotice::Said MotionNotice::said() {
     return said.words.isEmpty() ? saidOfForces() : said;
 }
 
-// Nothing falls of itself, and the grid holds nothing.
+// Bodies begin where they cannot be, nothing falls of itself, or the grid holds nothing.
 MotionNotice::Said MotionNotice::saidOfForces() {
     if (!document_.sceneIsCurrent())
         return {};
+    const auto misplaced = commands::misplacedIn(document_.diagnostics());
+    if (misplaced.openJoints > 0)
+        return {
+            misplaced.openJoints == 1
+                ? tr("The bodies of a joint do not meet at the start.")
+                : tr("The bodies of %1 joints do not meet at the start.").arg(misplaced.openJoints),
+            true, Offer::part};
+    if (misplaced.overlaps > 0)
+        return {tr("Bodies overlap at the start."), false, Offer::part};
     const auto& [scene, motion] = document_.shown();
     if (gestures::nothingMoves(*scene))
         return {tr("Nothing moves: no force acts."), false, Offer::gravity};
     if (falls_.of.scene != scene || falls_.of.motion != motion)
-        falls_ = {document_.shown(), gestures::unsupported(*scene, motion.get())};
+        falls_ = {document_.shown(), gestures::lacksWeight(*scene),
+                  gestures::unsupported(*scene, motion.get())};
+    if (falls_.lacksWeight)
+        return {tr("Bodies move straight on: no force acts."), false, Offer::gravity};
     const auto& bodies = falls_.bodies;
     if (bodies.empty())
         return {};
@@ -213,6 +232,8 @@ void MotionNotice::follow() {
 
 void MotionNotice::show(const Said& said) {
     setVisible(!said.words.isEmpty());
+    for (const Button& button : buttons_)
+        button.widget->setVisible(button.offer == said.offer);
     if (said == std::exchange(shown_, said) || said.words.isEmpty())
         return;
     const bool dark = parentWidget()->palette().color(QPalette::Base).lightness() < 128;
@@ -227,8 +248,6 @@ void MotionNotice::show(const Said& said) {
     colors.setColor(QPalette::WindowText, ink);
     setPalette(colors);
     words_->setText(said.words);
-    for (const Button& button : buttons_)
-        button.widget->setVisible(button.offer == said.offer);
     place();
 }
 
@@ -247,7 +266,7 @@ void MotionNotice::place() {
     const int most = std::max(picture.width() - left - margin, 1);
     const QMargins around = layout()->contentsMargins();
     int beside = around.left() + around.right() + 4;
-    if (const QToolButton* button = buttonOf(shown_.offer))
+    if (const QAbstractButton* button = buttonOf(shown_.offer))
         beside += button->sizeHint().width() + layout()->spacing();
     const int line = words_->fontMetrics().horizontalAdvance(words_->text()) + beside;
     const int width = std::min(line, most);
@@ -255,6 +274,14 @@ void MotionNotice::place() {
         std::max(words_->heightForWidth(width - beside) + around.top() + around.bottom(),
                  layout()->minimumSize().height());
     setGeometry(left, std::max(picture.height() - height - below, 0), width, height);
+}
+
+// A button may get other words, and so another width.
+bool MotionNotice::event(QEvent* event) {
+    const bool isDone = QFrame::event(event);
+    if (event->type() == QEvent::LayoutRequest && !isHidden())
+        place();
+    return isDone;
 }
 
 bool MotionNotice::eventFilter(QObject* watched, QEvent* event) {

@@ -1,6 +1,7 @@
 // What the picture says of its motion, at its lower edge: that it is computed, how far and for how
 // long, that it is an older scene's, that computing was stopped, and why it ends before its time. A
-// click gives a floor to bodies that fall through the grid, and gravity where nothing moves.
+// click moves bodies apart that overlap, gives a floor to bodies that fall through the grid, and
+// gravity where nothing falls.
 #pragma once
 
 #include "workbench/playback.h"
@@ -14,8 +15,8 @@
 #include <utility>
 #include <vector>
 
+class QAbstractButton;
 class QLabel;
-class QToolButton;
 
 namespace views {
 
@@ -33,10 +34,11 @@ Q_SIGNALS:
     void gravityWanted();
 
 protected:
+    bool event(QEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    enum class Offer { none, stop, compute, floor, gravity };
+    enum class Offer { none, stop, compute, floor, gravity, part };
     struct Said {
         QString words;
         bool isFault = false;
@@ -45,10 +47,10 @@ private:
     };
     struct Button {
         Offer offer;
-        QToolButton* widget;
+        QAbstractButton* widget;
     };
     void makeButton(Offer offer, const QString& name, const QString& words, const QString& tip);
-    [[nodiscard]] QToolButton* buttonOf(Offer offer) const; // none has none
+    [[nodiscard]] QAbstractButton* buttonOf(Offer offer) const; // none has none
     void take(Offer offer);
     [[nodiscard]] Said said();
     [[nodiscard]] Said saidOfMotion() const;
@@ -68,6 +70,7 @@ private:
     QElapsedTimer worksSince_, staleSince_; // invalid: it does not, it is not
     struct Falls {
         Shown of;
+        bool lacksWeight = false;
         std::vector<std::size_t> bodies; // that fall through the grid
     };
     Falls falls_;

@@ -1,6 +1,7 @@
 // What a picture says of a motion that stops, that is computed, and that was stopped.
 #include "panels/motion_notice.h"
 #include "panels/time_bar.h"
+#include "physics/assembly.h"
 #include "surroundings/triad.h"
 #include "viewers/graphical_viewer.h"
 #include "views/test_workshop.h"
@@ -92,9 +93,15 @@ TEST_F(MotionNoticeTest, WhereNothingMovesAClickAddsGravityAndShowsTheFallFromIt
     viewer.show();
     const std::string hanging = "simulator -finish 2\nshape_set s -desc {-sub {-sphere 0.5}}\n"
                                 "body a s -init_pos {0 3 0}\nbody b s -fixed 1\n";
-    document.setText(hanging + "body c s -init_pos {4 0 0} -init_dpos {1 0 0}\n", "Edit");
+    document.setText("shape_set s -desc {-sub {-sphere 0.5}}\nbody a s -init_pos {0 3 0}\n"
+                     "body c s -init_pos {4 3 0} -init_dpos {-1 0 0}\n",
+                     "Edit");
     ASSERT_TRUE(settle(document));
-    EXPECT_EQ(wordsOf(viewer), ""); // c moves
+    EXPECT_EQ(wordsOf(viewer), ""); // in space
+    document.setText(hanging + "body c s -init_pos {4 3 0} -init_dpos {-1 0 0}\n", "Edit");
+    ASSERT_TRUE(settle(document));
+    EXPECT_EQ(wordsOf(viewer), "Bodies move straight on: no force acts.");
+    EXPECT_TRUE(viewer.findChild<QToolButton*>("addGravity")->isVisible());
     document.setText(hanging + "body c s -init_pos {4 3 0}\n", "Edit");
     ASSERT_TRUE(settle(document));
     EXPECT_EQ(wordsOf(viewer), "Nothing moves: no force acts.");
@@ -108,6 +115,37 @@ TEST_F(MotionNoticeTest, WhereNothingMovesAClickAddsGravityAndShowsTheFallFromIt
                                            "force -body c -gravitational {0 -9.81 0}\n"));
     EXPECT_EQ(viewer.playback().time(), 0);
     EXPECT_EQ(wordsOf(viewer), "");
+}
+
+// Before any floor: the sentence of the fault names a button, and here it is.
+TEST_F(MotionNoticeTest, WhereBodiesOverlapAClickMovesThemApart) {
+    TestWorkshop made;
+    SceneDocument document{made.workshop()};
+    GraphicalViewer viewer(document, pictures, {}, 1);
+    viewer.show();
+    const std::string overlapping = "shape_set s -desc {-sub {-sphere 0.5}}\n"
+                                    "body a s -init_pos {0 0.5 0}\nbody b s -init_pos {0.8 0.5 0}\n"
+                                    "force -body a -gravitational {0 -9.81 0}\n";
+    document.setText(overlapping, "Edit");
+    ASSERT_TRUE(settle(document));
+    auto* part = viewer.findChild<QAbstractButton*>("moveApart");
+    ASSERT_NE(part, nullptr);
+    EXPECT_FALSE(part->isVisible());
+    Computed computed{document.shown(), document.text(), {}, {}, Work::none, true};
+    scene::Diagnostic fault; // as the engine says it
+    fault.severity = scene::Severity::warning;
+    fault.message = "Bodies overlap; " + physics::partAdvice();
+    computed.diagnostics = {fault};
+    document.setComputed(computed);
+    EXPECT_EQ(wordsOf(viewer), "Bodies overlap at the start.");
+    EXPECT_TRUE(part->isVisible());
+    EXPECT_EQ(part->text(), "Move Apart");
+    EXPECT_FALSE(viewer.findChild<QToolButton*>("addFloor")->isVisible());
+    part->click();
+    ASSERT_TRUE(waitFor([&] { return document.text() != overlapping; }));
+    ASSERT_TRUE(settle(document));
+    EXPECT_FALSE(part->isVisible());
+    EXPECT_EQ(document.undoLabel(), "Move Bodies Apart");
 }
 
 TEST_F(MotionNoticeTest, WordsLeaveTheTriadInSight) {
