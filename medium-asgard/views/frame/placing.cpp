@@ -37,8 +37,12 @@ void moveWithinScreen(QWidget& window, const QPoint& place) {
         return std::clamp(at, low, std::max(low, high));
     };
     const QSize least = window.size().expandedTo(window.minimumSizeHint());
-    window.move(within(place.x(), screen.left(), screen.right() - least.width() - frame),
-                within(place.y(), screen.top(), screen.bottom() - least.height() - frame - title));
+    // Just shown, its frame is not known yet: the place is that of its contents.
+    const bool isBare = window.isVisible() && window.frameGeometry() == window.geometry();
+    const QPoint own = isBare ? QPoint(frame, title) : QPoint();
+    window.move(within(place.x(), screen.left() + own.x(), screen.right() - least.width() - frame),
+                within(place.y(), screen.top() + own.y(),
+                       screen.bottom() - least.height() - frame - (isBare ? 0 : title)));
 }
 
 namespace {

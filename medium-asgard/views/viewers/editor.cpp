@@ -176,6 +176,11 @@ GraphicalViewer* Editor::openMainWindow() {
     }
     viewer->arrange(settings.value(panesKey).toByteArray());
     viewer->panes().hide("tour");
+    if (!viewer->isMaximized() && !viewer->isFullScreen()) { // its panes may have made it larger
+        viewer->layout()->activate();
+        fitScreen(*viewer, nullptr);
+        moveWithinScreen(*viewer, viewer->pos());
+    }
     if (settings.contains(shownKey))
         viewer->switches().setShown(settings.value(shownKey).toStringList());
     return viewer;

@@ -296,6 +296,26 @@ TEST_F(MainWindowTest, AWindowThatIsArrangedAnewFitsItsScreen) {
     EXPECT_TRUE(next->panes().isShown("status"));
 }
 
+// An arrangement and a place of a large screen come back on a small one: its frame has room, too.
+TEST_F(MainWindowTest, TheTitleOfAWindowThatComesBackIsOnTheScreen) {
+    QSettings().remove("mainWindow");
+    {
+        Editor first(made.workshop());
+        GraphicalViewer* viewer = first.openMainWindow();
+        viewer->panes().show("plots");
+        viewer->resize(viewer->screen()->availableSize() + QSize(400, 300));
+        viewer->move(viewer->screen()->availableGeometry().topLeft() - QPoint(20, 40));
+        viewer->close();
+    }
+    Editor next(made.workshop());
+    GraphicalViewer* viewer = next.openMainWindow();
+    QCoreApplication::processEvents();
+    const QRect screen = viewer->screen()->availableGeometry();
+    EXPECT_TRUE(screen.contains(viewer->frameGeometry()))
+        << viewer->frameGeometry().top() << " to " << viewer->frameGeometry().bottom();
+    QSettings().remove("mainWindow");
+}
+
 TEST_F(MainWindowTest, WhatIsArrangedAnewHasItsSliders) {
     GraphicalViewer& viewer = open();
     viewer.resize(1600, 1000);
