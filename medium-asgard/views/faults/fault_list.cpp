@@ -91,6 +91,7 @@ void FaultList::fill() {
         item->setData(0, Qt::AccessibleTextRole,
                       (isError ? tr("Error: %1") : tr("Warning: %1")).arg(message));
     }
+    list_->viewport()->update(); // columns that become narrower leave their numbers behind
 }
 
 void FaultList::goTo(const QTreeWidgetItem& item) {

@@ -7,6 +7,7 @@
 
 #include <gmock/gmock.h>
 
+#include <QPaintEvent>
 #include <QThreadPool>
 
 namespace views {
@@ -61,6 +62,28 @@ TEST_F(FaultListTest, TheSameFaultsKeepTheirPlaceInTheList) {
     document.undo();
     ASSERT_TRUE(settle(document));
     EXPECT_EQ(list.list().topLevelItemCount(), 0);
+}
+
+// Of an item that is gone no number stays on the screen.
+TEST_F(FaultListTest, AListThatChangesIsPaintedWhole) {
+    struct Painted : QObject {
+        QRegion region;
+        bool eventFilter(QObject* /*watched*/, QEvent* event) override {
+            if (event->type() == QEvent::Paint)
+                region += static_cast<QPaintEvent*>(event)->region();
+            return false;
+        }
+    } painted;
+    open(ballScene + "body b2 bell\n");
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&list, longestWait));
+    QWidget* viewport = list.list().viewport();
+    QTest::qWait(50);
+    viewport->installEventFilter(&painted);
+    document.undo();
+    ASSERT_TRUE(settle(document));
+    ASSERT_EQ(list.summary(), "No faults");
+    EXPECT_TRUE(
+        waitFor([&] { return QRegion(viewport->rect()).subtracted(painted.region).isEmpty(); }));
 }
 
 TEST_F(FaultListTest, OffersToCloseAJointThatItsBodiesMiss) {
