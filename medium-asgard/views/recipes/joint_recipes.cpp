@@ -64,11 +64,12 @@ Judged judgeHold(const scene::Scene& scene, const std::vector<Indicated>& shown,
 
 std::vector<Step> stepsOf(JointType type) {
     const bool isDistance = type == JointType::distance;
-    Step first{Wanted::body,
-               isDistance
-                   ? QObject::tr("Click where the rod is fastened on a body.")
-                   : QObject::tr("Click on the body that is to be held, for a wheel on the car."),
-               ""};
+    Step first{
+        Wanted::body,
+        isDistance
+            ? QObject::tr("Click where the rod is fastened on a body.")
+            : QObject::tr("Click on the body that the joint holds, such as a wheel or a door."),
+        ""};
     first.whole = !isDistance;
     first.deep = isDistance;
     Step second{Wanted::hold,

@@ -48,6 +48,11 @@ const std::string stars = "shape_set star -desc {-sub {-sphere 0.5}}\n"
                           "body b star -init_pos {2 0 0}\n"
                           "body rock star -init_pos {0 3 0} -fixed 1\n";
 
+TEST_F(RecipesTest, AHingeAsksForABodyInPlainWords) {
+    EXPECT_EQ(newJoint(scene::JointType::hinge).steps.front().prompt,
+              "Click on the body that the joint holds, such as a wheel or a door.");
+}
+
 TEST_F(RecipesTest, EachStepOfARecipeHasItsPrompt) {
     for (const Recipe& recipe :
          {newBody(BasicShape::box), newForce(false, 1), newLink(Wanted::body),

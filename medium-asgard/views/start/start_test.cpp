@@ -226,6 +226,25 @@ TEST_F(StartTest, TheTourSeesEachStepAndItsUndoing) {
     EXPECT_EQ(step(light), 3);
 }
 
+TEST_F(StartTest, TheTourTellsOfThePicturesBannerAndOfEscape) {
+    TestWorkshop made;
+    SceneDocument document(made.workshop());
+    const Tour tour(document);
+    const auto said = [&](const std::string& text) {
+        document.setText(text, "Edit");
+        EXPECT_TRUE(settle(document));
+        return tour.findChild<QLabel*>("tourStep")->text().toStdString();
+    };
+    EXPECT_THAT(said(""), testing::HasSubstr("A banner at the top of the picture"));
+    EXPECT_THAT(said("shape_set Rod -desc {-sub {-box {4 0.3 0.3}}}\nbody r1 Rod\n"
+                     "joint j1 -type hinge -body1 r1 -offset1 {-2 0 0}\n"
+                     "body r2 Rod -init_pos {4 0 0}\n"
+                     "joint j2 -type hinge -body1 r2 -offset1 {-2 0 0} -body2 r1\n"
+                     "force -body r1 -gravitational {0 -9.81 0}\n"
+                     "force -body r2 -gravitational {0 -9.81 0}\n"),
+                testing::HasSubstr("press it twice"));
+}
+
 TEST_F(StartTest, TheTourSaysWhatIsWrongInAStep) {
     TestWorkshop made;
     SceneDocument document(made.workshop());

@@ -22,9 +22,10 @@ struct Step {
 const std::array<Step, Tour::steps>& tourSteps() {
     static const std::array<Step, Tour::steps> all{{
         {Tour::tr("A rod"),
-         Tour::tr("Choose Create > Body > New from the Library > Rod, and click into the middle of "
-                  "the picture.\n\nThe line below the picture says what a click does. The text "
-                  "at the left has a new line: it is the same rod.")},
+         Tour::tr(
+             "Choose Create > Body > New from the Library > Rod, and click into the middle of "
+             "the picture.\n\nA banner at the top of the picture says what a click does. The text "
+             "at the left has a new line: it is the same rod.")},
         {Tour::tr("Hang it up"),
          Tour::tr(
              "Choose Create > Joint > Hinge. Click the rod near its left end, then click the "
@@ -38,7 +39,8 @@ const std::array<Step, Tour::steps>& tourSteps() {
          Tour::tr("Choose Create > Force > Gravity for All Bodies. Both rods get their weight, "
                   "9.81 m/s² downwards.")},
         {Tour::tr("Let it swing"),
-         Tour::tr("Press Space, or the button with the triangle. Escape goes back to the start.")},
+         Tour::tr("Press Space, or the button with the triangle. Escape goes back to the start; "
+                  "while something is selected, press it twice: the first deselects it.")},
     }};
     return all;
 }
