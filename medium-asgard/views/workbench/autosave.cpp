@@ -80,7 +80,7 @@ bool offerRecovery(QWidget* over, Autosave& autosave, const std::string& folder,
         const dialogs::Recovery answer = dialogs::askAbout(
             over, left.kept,
             {.program = Autosave::tr("Asgard"),
-             .unnamed = Autosave::tr("A scene that was never saved"),
+             .unnamed = Autosave::tr("A scene without a name"),
              .drafts = Autosave::tr("Its windows open again, with what was typed in them.")});
         if (answer == dialogs::Recovery::discard)
             left.place->remove();

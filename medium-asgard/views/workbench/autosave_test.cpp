@@ -259,6 +259,21 @@ TEST_F(AutosaveTest, TheNextStartAsksAndLosesNothingToAKeyMeantForAnotherWindow)
     EXPECT_EQ(document_.text(), "# lost and found\n");
 }
 
+TEST_F(AutosaveTest, ASceneWithoutAFileIsAskedAboutAsOneWithoutAName) {
+    { const files::LeftBehind left = killed("# lost and found\n", {}); }
+    Autosave autosave(document_, folder());
+    QString asked;
+    QTimer::singleShot(10, qApp, [&] {
+        if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+            asked = box->text();
+            box->reject();
+        }
+    });
+    EXPECT_FALSE(offerRecovery(nullptr, autosave, folder(), {}));
+    EXPECT_TRUE(asked.startsWith("A scene without a name was not saved before Asgard stopped "))
+        << qPrintable(asked);
+}
+
 TEST_F(AutosaveTest, SaysOnceThatThereIsNoPlace) {
     write(home_.filePath("file"), "");
     Autosave autosave(document_, home_.filePath("file").toStdString() + "/unsaved");
