@@ -61,6 +61,9 @@ void ActiveSet::refresh() {
             watchRow(row);
     for (std::size_t disc = 0; disc < discs().size(); ++disc)
         watchDisc(disc);
+    const auto turns = std::ranges::find(watches_, Kind::turn, &Watch::kind);
+    if (turns != watches_.end())
+        watches_.push_back({turns->row, Kind::folded});
 }
 
 void ActiveSet::watchRow(std::size_t row) {
@@ -93,7 +96,8 @@ void ActiveSet::watchDisc(std::size_t disc) {
 
 std::size_t ActiveSet::rowOf(std::size_t watch) const {
     const auto [row, kind, confine] = watches_[watch];
-    return kind == Kind::cone || kind == Kind::turn ? discs()[row].rows[0] : row;
+    const bool isOfDisc = kind == Kind::cone || kind == Kind::turn || kind == Kind::folded;
+    return isOfDisc ? discs()[row].rows[0] : row;
 }
 
 void ActiveSet::watch(std::span<double> values) {
@@ -104,13 +108,15 @@ void ActiveSet::watch(std::span<double> values) {
     if (hasContacts_)
         for (const double m : multipliers_.values())
             largest_ = std::max(largest_, std::abs(m));
-    for (std::size_t k = 0; k < watches_.size(); ++k)
-        values[k] = valueOf(watches_[k]);
+    for (std::size_t k = 0; k < watches_.size(); ++k) {
+        const bool isKnown = multipliers_.areBalanced() || !readsForces(k);
+        values[k] = isKnown || watches_[k].kind == Kind::folded ? valueOf(watches_[k]) : 1;
+    }
 }
 
 bool ActiveSet::readsForces(std::size_t watch) const {
     const Kind kind = watches_[watch].kind;
-    return kind == Kind::least || kind == Kind::most || kind == Kind::cone;
+    return kind == Kind::least || kind == Kind::most || kind == Kind::cone || kind == Kind::folded;
 }
 
 bool ActiveSet::isOfPlaces(std::size_t watch) const {
@@ -154,6 +160,8 @@ double ActiveSet::valueOf(const Watch& watch) const {
     switch (kind) {
     case Kind::cone:
         return beyondRounding(multipliers_.friction().leewayOf(row, multipliers_.values()));
+    case Kind::folded:
+        return multipliers_.areBalanced() ? 1 : -1;
     case Kind::turn: // others may hold it at rest, but for rounding
         return multipliers_.friction().aheadOf(row);
     case Kind::gap:
@@ -251,30 +259,15 @@ bool ActiveSet::cross(std::span<const std::size_t> watches, double t, std::span<
     const double elapsed = t - lastCross_;
     beginEvent(t);
     const Mode before = mode_;
-    std::vector<std::size_t> candidates, hit, stopped;
     std::vector<std::size_t> fallen(watches.begin(), watches.end());
     addClosing(fallen, t);
-    for (const std::size_t k : fallen) {
-        const auto [row, kind, confine] = watches_[k];
-        const bool isEnded = kind == Kind::parted || kind == Kind::invalid ||
-                             (kind == Kind::gap && isContact(row) && !hasFallenLow(row));
-        if (isEnded)
-            mode_.kept[row] = Mode::gone;
-        else if (kind == Kind::turn && hasStopped(row, elapsed))
-            stopped.push_back(row);
-        else if (kind == Kind::cone)
-            candidates.push_back(discs()[row].rows[0]);
-        else if (kind == Kind::turn)
-            setSlip(row);
-        else
-            candidates.push_back(row);
-        if (kind == Kind::gap && !isContact(row))
-            hit.push_back(row);
-    }
+    auto [candidates, hit, stopped, isFolded] = endBy(fallen, elapsed);
     const std::vector<double> moving(y.begin(), y.end());
     const Mode ended = mode_;
     const double slowest = slowest_;
-    std::vector<SlowSlip> slow = slowSlips(stopped);
+    std::vector<SlowSlip> slow;
+    if (!stopped.empty())
+        slow = slowSlips(stopped);
     bool isDone = settleWith(hit, candidates, stopped, t, y, rates);
     while (stopNext(slow, stopped, slowest, isDone, t, y)) {
         std::ranges::copy(moving, y.begin());
@@ -282,6 +275,8 @@ bool ActiveSet::cross(std::span<const std::size_t> watches, double t, std::span<
         slowest_ = slowest;
         isDone = settleWith(hit, candidates, stopped, t, y, rates);
     }
+    if (isDone && isFolded)
+        isDone = hasForces(t, y);
     // No forces hold the slips that were slow: they go on.
     if (!isDone && slow_.part > 0 && !stopped.empty()) {
         std::ranges::copy(moving, y.begin());
@@ -300,9 +295,39 @@ bool ActiveSet::cross(std::span<const std::size_t> watches, double t, std::span<
             std::ranges::copy(jammed, y.begin());
     }
     multipliers_.project(t, y);
+    // A contact that has just closed takes its rate away, and slow slips go another way.
+    if (isDone && slips() && !hasForces(t, y) && settleWith({}, candidates, {}, t, y, rates))
+        multipliers_.project(t, y);
     noteOpened(before.kept, t, y);
     refresh();
     return isDone;
+}
+
+ActiveSet::Ended ActiveSet::endBy(std::span<const std::size_t> fallen, double elapsed) {
+    Ended ended;
+    for (const std::size_t k : fallen) {
+        const auto [row, kind, confine] = watches_[k];
+        const bool isEnded = kind == Kind::parted || kind == Kind::invalid ||
+                             (kind == Kind::gap && isContact(row) && !hasFallenLow(row));
+        if (isEnded)
+            mode_.kept[row] = Mode::gone;
+        else if (kind == Kind::folded)
+            ended.isFolded = true;
+        else if (kind == Kind::turn && hasStopped(row, elapsed))
+            ended.stopped.push_back(row);
+        else if (kind == Kind::cone)
+            ended.candidates.push_back(discs()[row].rows[0]);
+        else if (kind == Kind::turn)
+            setSlip(row);
+        else
+            ended.candidates.push_back(row);
+        if (kind == Kind::gap && !isContact(row))
+            ended.hit.push_back(row);
+    }
+    if (ended.isFolded)
+        for (const SlowSlip& slip : slowSlips(ended.stopped))
+            ended.stopped.push_back(slip.disc);
+    return ended;
 }
 
 // The next set, where `hit` takes a blow, `stopped` has come to rest, and `candidates` may hold.
@@ -439,18 +464,7 @@ void ActiveSet::setSlip(std::size_t disc) {
 void ActiveSet::setCentre(std::size_t disc, const DiscFriction::Centre& centre) {
     mode_.discs[disc].centre = {};
     std::ranges::copy(centre, mode_.discs[disc].centre.begin());
-}
-
-void ActiveSet::takeSlips(double t, std::span<const double> y) {
-    if (!slips())
-        return;
-    f_.fill(t, y);
-    multipliers_.evaluateGaps();
-    for (std::size_t disc = 0; disc < discs().size(); ++disc)
-        if (multipliers_.friction().slips(disc)) {
-            mode_.discs[disc].centre = {};
-            setSlip(disc);
-        }
+    mode_.discs[disc].last = mode_.discs[disc].centre;
 }
 
 // Brakes, motors and friction do not hold against a blow: they slip the way that it gives.
@@ -536,8 +550,6 @@ double ActiveSet::fallenSlow(double weight) const {
 // Of those that have not stopped.
 std::vector<ActiveSet::SlowSlip> ActiveSet::slowSlips(std::span<const std::size_t> stopped) const {
     std::vector<SlowSlip> slow;
-    if (stopped.empty())
-        return slow;
     for (std::size_t disc = 0; disc < discs().size(); ++disc)
         if (multipliers_.friction().slips(disc) && !isIn(stopped, disc))
             if (const double speed = multipliers_.friction().slipOf(disc).norm(); speed < slowest_)

@@ -20,6 +20,10 @@
 // The direction of a slip that is next to none turns within next to no time, which no step follows:
 // such a slip is 0, and the laws say whether it rests or which way it goes on.
 //
+// Where a body slides and turns, its friction shifts the centre at which it acts (slip_forces.h),
+// so that several forces may follow themselves. The motion goes on with those of the step before.
+// Where they come to an end, it goes on with others: forces jump there, and velocities do not.
+//
 // LIMIT: hops lower than a condition's resolution are left out. A blow of a stop passes through
 // contacts without friction.
 #pragma once
@@ -74,6 +78,9 @@ public:
                              std::span<const double> rates);
     // Friction that slips does so as these states move.
     void takeSlips(double t, std::span<const double> y);
+    // At the end of a step: friction goes on from the centres that its forces have there. Where
+    // several forces of slips follow themselves, the next step keeps those of the last one.
+    void followCentres(double t, std::span<const double> y);
     // There are contacts.
     [[nodiscard]] bool hasContacts() const { return hasContacts_; }
     // One of them slips.
@@ -93,9 +100,9 @@ private:
     [[nodiscard]] static bool isIn(std::span<const std::size_t> list, std::size_t value) {
         return std::ranges::find(list, value) != list.end();
     }
-    enum class Kind { gap, least, most, forward, backward, parted, invalid, cone, turn };
+    enum class Kind { gap, least, most, forward, backward, parted, invalid, cone, turn, folded };
     struct Watch {
-        std::size_t row; // of cone and turn: the disc
+        std::size_t row; // of cone, turn and folded: the disc
         Kind kind;
         std::uint32_t confine = 0; // of invalid: which
     };
@@ -131,6 +138,14 @@ private:
     void blow(std::span<const std::size_t> hit, double t, std::span<double> y);
     void give(std::span<const std::size_t> hit, std::span<const std::size_t> shut,
               std::span<const double> restitutions, double t, std::span<double> y);
+    // By fallen watches: what may hold from here on, takes a blow, and has come to rest. Folded: no
+    // forces of the slips follow themselves any more, and slow slips rest.
+    struct Ended {
+        std::vector<std::size_t> candidates = {}, hit = {}, stopped = {};
+        bool isFolded = false;
+    };
+    [[nodiscard]] Ended endBy(std::span<const std::size_t> fallen, double elapsed);
+    [[nodiscard]] bool hasForces(double t, std::span<const double> y);
     void slip(double fastest, double t, std::span<const double> y);
     void setDisc(std::size_t disc, complementarity::State state);
     void setCentre(std::size_t disc, const DiscFriction::Centre& centre);
@@ -159,19 +174,9 @@ private:
     [[nodiscard]] bool hasStopped(std::size_t disc, double elapsed);
     [[nodiscard]] double secondOf(std::size_t disc) const; // the largest of its rows
     void halt(std::span<const std::size_t> discs, double t, std::span<double> y);
-    // A push of these contacts with the friction of their slip brings them nearer.
-    [[nodiscard]] bool pushesIn(std::size_t disc, std::span<const std::size_t> normals);
     // No forces of these keep the laws: what slips among them may jam. True: it did.
     [[nodiscard]] bool endJam(std::span<const std::size_t> candidates, double t,
                               std::span<double> y, std::span<const double> rates);
-    struct PressedSlip {
-        std::size_t disc = 0;
-        double speed = 0;
-        std::vector<std::size_t> normals; // that are closed
-    };
-    [[nodiscard]] bool stopSlips(std::span<const PressedSlip> slips,
-                                 std::span<const std::size_t> candidates, double t,
-                                 std::span<double> y, std::span<const double> rates);
     [[nodiscard]] bool mayHold(std::size_t disc, std::span<const std::size_t> fallen,
                                double fastest) const;
     // `slipping`: discs that slip, though they have no velocity yet.
@@ -192,6 +197,7 @@ private:
     // On each surface that is slid upon, its upper side and the weight of that.
     template <typename Visit> void onUpperSides(Visit&& visit);
     [[nodiscard]] bool solveLaws(const Rows& rows);
+    void take(const Rows& rows, const complementarity::Answer& answer, double faulty);
 
     ModelFunctions& f_;
     Multipliers& multipliers_;

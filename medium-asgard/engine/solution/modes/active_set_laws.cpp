@@ -289,6 +289,37 @@ bool ActiveSet::solve() {
     return isSolved;
 }
 
+void ActiveSet::takeSlips(double t, std::span<const double> y) {
+    if (!slips())
+        return;
+    f_.fill(t, y);
+    multipliers_.evaluateGaps();
+    for (std::size_t disc = 0; disc < discs().size(); ++disc)
+        if (multipliers_.friction().slips(disc)) {
+            mode_.discs[disc].centre = mode_.discs[disc].last = {};
+            setSlip(disc);
+        }
+}
+
+bool ActiveSet::hasForces(double t, std::span<const double> y) {
+    f_.fill(t, y);
+    return solve();
+}
+
+void ActiveSet::followCentres(double t, std::span<const double> y) {
+    const auto follows = [this](std::size_t disc) {
+        return discs()[disc].hasLevers && multipliers_.friction().acts(disc);
+    };
+    std::size_t disc = 0;
+    while (disc < discs().size() && !follows(disc))
+        ++disc;
+    if (disc == discs().size() || !hasForces(t, y))
+        return;
+    for (; disc < discs().size(); ++disc)
+        if (follows(disc))
+            multipliers_.friction().follow(disc, multipliers_.values(), mode_.discs[disc].last);
+}
+
 bool ActiveSet::solveLaws(const Rows& rows) {
     const auto [a, b] = systemOf(rows.rows);
     Answer rest; // the guess: all that may rest does
@@ -300,18 +331,22 @@ bool ActiveSet::solveLaws(const Rows& rows) {
     if (!answer)
         return false;
     holdWithin(a, b, rows.laws, *answer);
-    const double largest = answer->forces.cwiseAbs().maxCoeff();
     for (Eigen::Index i = 0; i < b.size(); ++i)
         if (isContact(rows.rows[static_cast<std::size_t>(i)]))
             slowest_ = std::max(slowest_, fallenSlow(a(i, i) * answer->forces[i]));
+    take(rows, *answer, complementarity::violation(a, b, rows.laws, *answer));
+    return true;
+}
+
+// `faulty`: by how much the answer breaks the laws.
+void ActiveSet::take(const Rows& rows, const Answer& answer, double faulty) {
+    const double largest = answer.forces.cwiseAbs().maxCoeff();
     // A force that is smaller than what the answer errs by is none.
     constexpr double more = 10;
-    const double faulty = more * complementarity::violation(a, b, rows.laws, *answer);
-    const double none = hasContacts_ ? std::max(noForce, faulty) * largest : 0;
+    const double none = hasContacts_ ? std::max(noForce, more * faulty) * largest : 0;
     mode_.share.forces.assign(mode_.kept.size(), 0);
     for (std::size_t i = 0; i < rows.rows.size(); ++i)
-        mode_.share.forces[rows.rows[i]] = answer->forces[static_cast<Eigen::Index>(i)];
-    std::size_t disc = 0;
+        mode_.share.forces[rows.rows[i]] = answer.forces[static_cast<Eigen::Index>(i)];
     for (std::size_t k = 0; k < rows.laws.size(); ++k) {
         const Law& of = rows.laws[k];
         const std::size_t row = rows.rows[static_cast<std::size_t>(of.first)];
@@ -319,123 +354,92 @@ bool ActiveSet::solveLaws(const Rows& rows) {
             continue;
         if (of.kind == Law::Kind::disc) {
             const DiscFriction::InDisc force =
-                complementarity::forcesAt(complementarity::centreOf(of, answer->forces),
-                                          answer->forces.segment(of.first, of.rows));
-            if (answer->states[k] == State::inside)
-                setDisc(rows.discs[disc], State::inside);
+                complementarity::forcesAt(complementarity::centreOf(of, answer.forces),
+                                          answer.forces.segment(of.first, of.rows));
+            if (answer.states[k] == State::inside)
+                setDisc(*law(row).disc, State::inside);
             else
-                setSlip(rows.discs[disc], -force, 0);
-            ++disc;
+                setSlip(*law(row).disc, -force, 0);
         } else if (law(row).isBounded()) {
-            const bool isNothing = isStop(row) && answer->forces[of.first] <= law(row).low + none;
-            mode_.kept[row] = isNothing ? State::low : answer->states[k];
+            const bool isNothing = isStop(row) && answer.forces[of.first] <= law(row).low + none;
+            mode_.kept[row] = isNothing ? State::low : answer.states[k];
             mode_.touches[row] = isNothing ? 1 : 0;
         }
     }
     for (std::size_t k = 0; k < discs().size(); ++k)
         setCentre(k, multipliers_.friction().centreOf(k, mode_.share.forces));
-    return true;
 }
 
 // ---------------------------------------------------------------------------------------------
 // Jams: the laws have no answer
 
-bool ActiveSet::pushesIn(std::size_t disc, std::span<const std::size_t> normals) {
-    std::vector<std::size_t> rows(normals.begin(), normals.end());
-    rows.insert(rows.end(), discs()[disc].rows.begin(), discs()[disc].rows.end());
-    const auto pushed = static_cast<Eigen::Index>(rows.size());
-    for (std::size_t row = 0; row < mode_.kept.size(); ++row) // joints, which give what it takes
-        if (mode_.kept[row] == State::inside && !law(row).isBounded() && law(row).isOnSecondRates)
-            rows.push_back(row);
-    const auto joints = static_cast<Eigen::Index>(rows.size()) - pushed;
-    const auto count = static_cast<Eigen::Index>(normals.size());
-    const DiscFriction::InDisc slip = multipliers_.friction().slipOf(disc);
-    const Eigen::MatrixXd matrix = multipliers_.systemOf(rows).matrix;
-    Eigen::VectorXd forces = Eigen::VectorXd::Zero(pushed + joints);
-    forces.head(count).setConstant(1 / static_cast<double>(count));
-    forces.segment(count, slip.size()) = -discs()[disc].sliding / slip.norm() * slip;
-    if (joints > 0)
-        forces.tail(joints) =
-            matrix.bottomRightCorner(joints, joints)
-                .completeOrthogonalDecomposition()
-                .solve(-matrix.bottomLeftCorner(joints, pushed) * forces.head(pushed));
-    return (matrix * forces).head(count).sum() < 0;
-}
-
 // Painleve's rod: its friction turns it into the floor faster than any force of the floor can push
-// it away. The limit of ever stiffer contacts is an impact without a collision, which lasts until
-// nothing slips (Genot, Brogliato 1999, "New results on Painleve paradoxes"): velocities change as
-// little as stops the slip and keeps the contact closed, if the floor presses in it.
-// Bodies may jam by each other's friction, as a tower on a corner of its lowest block: then the
-// slowest slip stops that can, or all do.
-// LIMIT: several that jam at one instant stop together.
+// it away. The limit of ever stiffer contacts is an impact without a collision (Genot, Brogliato
+// 1999, "New results on Painleve paradoxes"). Bodies may jam by each other's friction, too, as a
+// tower on a corner of its lowest block.
+//
+// The laws of a next to empty step have an answer: impulses of contacts, with friction against the
+// velocities at its end (Moreau 1988, "Unilateral contact and dry friction in finite freedom
+// dynamics"). Where there are forces, the impulses are theirs, and change next to nothing; where
+// there are none, they are those of the impact.
 bool ActiveSet::endJam(std::span<const std::size_t> candidates, double t, std::span<double> y,
                        std::span<const double> rates) {
+    constexpr double part = 1e-6; // of the time in which the strongest brake would stop the fastest
     f_.fill(t, y);
     multipliers_.evaluateGaps();
-    std::vector<PressedSlip> alone, all;
-    for (std::size_t disc = 0; disc < discs().size(); ++disc) {
-        PressedSlip slip{
-            .disc = disc, .speed = multipliers_.friction().slipOf(disc).norm(), .normals = {}};
-        std::ranges::copy_if(discs()[disc].normals, std::back_inserter(slip.normals),
-                             [&](std::size_t row) {
-                                 return isContact(row) &&
-                                        (isIn(candidates, row) || mode_.kept[row] == State::inside);
-                             });
-        if (slip.normals.empty() || !(slip.speed > leastOf(discs()[disc])))
-            continue;
-        if (pushesIn(disc, slip.normals))
-            alone.push_back(slip);
-        all.push_back(std::move(slip));
-    }
-    const std::vector<double> moving(y.begin(), y.end());
-    const auto stops = [&](std::span<const PressedSlip> slips) {
-        std::ranges::copy(moving, y.begin());
-        return !slips.empty() && stopSlips(slips, candidates, t, y, rates);
-    };
-    if (stops(alone))
-        return true;
-    std::ranges::stable_sort(all, {}, &PressedSlip::speed);
-    for (std::size_t k = 0; k < all.size(); ++k)
-        if (stops(std::span(all).subspan(k, 1)))
-            return true;
-    return stops(all);
-}
-
-bool ActiveSet::stopSlips(std::span<const PressedSlip> slips,
-                          std::span<const std::size_t> candidates, double t, std::span<double> y,
-                          std::span<const double> rates) {
-    std::vector<std::size_t> slipping, pressed;
-    for (const PressedSlip& slip : slips) {
-        slipping.push_back(slip.disc);
-        pressed.insert(pressed.end(), slip.normals.begin(), slip.normals.end());
-    }
     const Mode before = mode_;
-    for (const std::size_t row : pressed)
-        mode_.kept[row] = State::low;
-    std::vector<double> stopped(y.begin(), y.end());
-    halt(slipping, t, stopped);
-    // A patch whose corners are pressed unevenly turns.
-    const bool isPressed = std::ranges::all_of(slips, [this](const PressedSlip& slip) {
-        double sum = 0;
-        for (const std::size_t row : slip.normals)
-            sum += multipliers_.rate(row);
-        return sum < 0;
-    });
-    mode_ = before;
-    if (!isPressed)
+    Rows rows = rowsFor(candidates, 0, std::vector<char>(discs().size(), 0));
+    auto [a, b] = systemOf(rows.rows);
+    Eigen::VectorXd speeds(b.size());
+    for (Eigen::Index i = 0; i < b.size(); ++i)
+        speeds[i] = multipliers_.rate(rows.rows[static_cast<std::size_t>(i)]);
+    const double fastest = speeds.size() > 0 ? speeds.cwiseAbs().maxCoeff() : 0;
+    if (!(fastest > 0 && b.cwiseAbs().maxCoeff() > 0))
         return false;
-    for (const std::size_t row : pressed)
-        mode_.kept[row] = State::inside;
-    std::vector<std::size_t> held(candidates.begin(), candidates.end());
-    held.insert(held.end(), pressed.begin(), pressed.end());
-    if (!settleWith({}, held, slipping, t, y, rates)) {
+    const double step = part * fastest / b.cwiseAbs().maxCoeff();
+    std::vector<std::size_t> slipping;
+    for (Law& of : rows.laws) {
+        if (of.kind == Law::Kind::slip) {
+            slipping.push_back(*law(rows.rows[static_cast<std::size_t>(of.first)]).disc);
+            of.kind = Law::Kind::disc;
+        }
+        of.low *= step;
+        of.high *= step;
+        of.radius *= step;
+    }
+    auto answer = complementarity::solve(a, speeds + step * b, rows.laws);
+    if (!answer) {
+        mode_ = before;
+        return false;
+    }
+    constexpr double more = 1e3; // than forces make of it in the step
+    const double changed = (a * answer->forces).cwiseAbs().maxCoeff();
+    bool isDone = false;
+    if (changed > more * step * b.cwiseAbs().maxCoeff()) {
+        multipliers_.push(rows.rows, answer->forces, y);
+        std::vector<std::size_t> held(candidates.begin(), candidates.end());
+        for (std::size_t k = 0; k < rows.laws.size(); ++k)
+            if (answer->states[k] == State::inside)
+                held.push_back(rows.rows[static_cast<std::size_t>(rows.laws[k].first)]);
+        isDone = settleWith({}, held, {}, t, y, rates);
+    } else {
+        const double faulty = complementarity::violation(a, speeds + step * b, rows.laws, *answer);
+        answer->forces /= step;
+        take(rows, *answer, faulty);
+        for (const std::size_t disc : slipping)
+            if (multipliers_.friction().slips(disc))
+                setSlip(disc);
+        openUnpressed();
+        takeForces();
+        isDone = hasForces(t, y);
+    }
+    if (!isDone) {
         mode_ = before;
         return false;
     }
     for (const std::size_t disc : slipping)
         for (const std::size_t row : discs()[disc].rows)
-            jammed_[row] = 1;
+            jammed_[row] = 1; // if it holds (hasJammed)
     return true;
 }
 

@@ -73,9 +73,27 @@ DiscFriction::Centre DiscFriction::centreOf(std::size_t k, std::span<const doubl
     return all.pressed > 0 ? Centre(all.moment / all.pressed) : noChange(k).moment;
 }
 
+DiscFriction::Centre DiscFriction::centreFrom(std::size_t k,
+                                              const std::array<double, 2>& levers) const {
+    return Eigen::Map<const Eigen::Vector2d>(levers.data()).head(noChange(k).moment.size());
+}
+
 DiscFriction::Centre DiscFriction::centreIn(std::size_t k) const {
-    return Eigen::Map<const Eigen::Vector2d>(mode_.discs[k].centre.data())
-        .head(noChange(k).moment.size());
+    return centreFrom(k, mode_.discs[k].centre);
+}
+
+DiscFriction::InDisc DiscFriction::lastWay(std::size_t k) const {
+    return wayOf(k, centreFrom(k, mode_.discs[k].last));
+}
+
+void DiscFriction::follow(std::size_t k, std::span<const double> forces,
+                          std::array<double, 2>& last) const {
+    constexpr double elsewhere = 0.1; // of the length by which levers are divided
+    constexpr double another = 1e-3;  // of an angle
+    const Centre now = centreOf(k, forces);
+    if ((now - centreFrom(k, last)).norm() > elsewhere &&
+        (wayOf(k, now).normalized() - lastWay(k).normalized()).norm() > another)
+        std::ranges::copy(now, last.begin());
 }
 
 DiscFriction::InDisc DiscFriction::beganOf(std::size_t k) const {

@@ -52,8 +52,12 @@ public:
     // Of one that slips, the velocity of its rows that gives its direction, and what this has
     // besides at every centre: the direction in which it began, less and less as it grows.
     [[nodiscard]] std::pair<InDisc, InDisc> velocityOf(std::size_t disc) const;
-    // That velocity at the centre of the mode.
-    [[nodiscard]] InDisc wayInMode(std::size_t disc) const { return wayOf(disc, centreIn(disc)); }
+    // That velocity at the centre of the last step.
+    [[nodiscard]] InDisc lastWay(std::size_t disc) const;
+    // Takes the centre of these forces for the last one, if that was elsewhere and slipped another
+    // way.
+    void follow(std::size_t disc, std::span<const double> forces,
+                std::array<double, 2>& last) const;
 
     // The force of a disc follows from these, and changes with them.
     struct Change {
@@ -86,6 +90,7 @@ private:
                                      std::size_t normal) const;
     [[nodiscard]] InDisc ratesAmong(std::span<const double> gaps, std::size_t disc) const;
     [[nodiscard]] Centre centreIn(std::size_t disc) const; // the mode
+    [[nodiscard]] Centre centreFrom(std::size_t disc, const std::array<double, 2>& levers) const;
     [[nodiscard]] Change noChange(std::size_t disc) const;
     [[nodiscard]] double pressedBy(std::size_t disc, std::span<const double> forces) const;
     // The force is against it.

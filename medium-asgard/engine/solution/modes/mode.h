@@ -57,6 +57,7 @@ struct Mode {
         // speed under which that direction counts.
         std::array<double, 3> slip{};
         std::array<double, 2> centre{}; // of its normal forces there (complementarity/laws.h)
+        std::array<double, 2> last{};   // that centre at the end of the last step
         [[nodiscard]] bool operator==(const Disc&) const = default;
     };
     std::vector<Disc> discs;

@@ -118,17 +118,17 @@ bool Multipliers::solve() {
 
 bool Multipliers::solveHeld() {
     slips_.find(f_.bound()->discs.size());
-    bool areBalanced = true;
+    areBalanced_ = true;
     if (!slips_.empty()) {
         evaluateGaps();
         found_ = rest_;
         held_.solve(found_, mode_.share.forces);
-        areBalanced = slips_.solve(matrix(), held_, found_);
+        areBalanced_ = slips_.solve(matrix(), held_, found_);
         slips_.addTo(rest_, matrix());
     }
     found_ = rest_;
     held_.solve(found_, mode_.share.forces);
-    const bool isKept = areBalanced && found_.allFinite() && isSolved();
+    const bool isKept = areBalanced_ && found_.allFinite() && isSolved();
     const std::span<double> into = std::span(f_.in()).last(size());
     for (std::size_t row = 0; row < size(); ++row)
         into[row] = holds(row) ? found_[indexOf(row)] : bound(row);

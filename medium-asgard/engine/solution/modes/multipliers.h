@@ -43,6 +43,8 @@ public:
     // `gaps`: of the values of Conditions::gaps.
     void linearise();
     void change(std::span<const double> gaps, Eigen::Ref<Eigen::VectorXd> change);
+    // The last solve() found forces of slips that follow the forces that they change.
+    [[nodiscard]] bool areBalanced() const { return areBalanced_; }
     // Conditions that hold are redundant there.
     [[nodiscard]] bool isRedundant() const { return !held_.isRegular(); }
     // How the last forces were found: a clause; "": there are none.
@@ -146,6 +148,7 @@ private:
     std::vector<double> second_, ties_, gaps_, moves_;
     DiscFriction friction_;
     SlipForces slips_;
+    bool areBalanced_ = true;
     Eigen::VectorXd rest_, found_; // second rates without the multipliers that hold; by row
     std::vector<std::size_t> apart_, farApart_, contradictory_;
 };

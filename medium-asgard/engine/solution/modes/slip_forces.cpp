@@ -40,7 +40,7 @@ bool SlipForces::solve(std::span<const double> entries, HeldConditions& held,
             responses_(row, placeOf_[column]) = entries[k];
     for (Eigen::Index i = 0; i < rows_; ++i)
         held.solve(responses_.col(i));
-    beginInMode(without);
+    beginAtLast(without);
     if (forces_.allFinite() && improve(without))
         return true;
     forces_.setZero(rows_);
@@ -57,11 +57,11 @@ void SlipForces::setSlopes(std::size_t disc, Eigen::Index first, const Force& fo
     }
 }
 
-void SlipForces::beginInMode(const Eigen::VectorXd& without) {
+void SlipForces::beginAtLast(const Eigen::VectorXd& without) {
     slopes_.setIdentity(rows_, rows_);
     forces_.resize(rows_);
     each([&](std::size_t disc, Eigen::Index first) {
-        const DiscFriction::InDisc way = friction_.wayInMode(disc);
+        const DiscFriction::InDisc way = friction_.lastWay(disc);
         const auto force = [&](const DiscFriction::Change& all) {
             return friction_.forceAgainst(disc, way, all);
         };

@@ -99,6 +99,7 @@ std::optional<Ending> Integration::changeMethod() {
 StepModel::Afterwards Integration::goOn(std::span<const double> y) {
     if (!method_) // it came to the last time at which it has a rate
         return {};
+    context_.equations().followCentres(context_.time(), y);
     if (!method_->proceed(y)) {
         if (auto violation = switchesHere())
             return *violation;
