@@ -43,15 +43,6 @@ bool ActiveSet::slips() const {
     return false;
 }
 
-bool ActiveSet::slipsSlowly() const {
-    constexpr double more = 1.5; // than the least: rounding is no more
-    for (std::size_t disc = 0; disc < discs().size(); ++disc)
-        if (multipliers_.friction().slips(disc) &&
-            multipliers_.friction().beganOf(disc).norm() > more * leastOf(discs()[disc]))
-            return true;
-    return false;
-}
-
 // --------------------------------------------------------------------------------------- watches
 
 void ActiveSet::refresh() {
@@ -252,9 +243,10 @@ bool ActiveSet::cross(std::span<const std::size_t> watches, double t, std::span<
     ahead_ = t > lastCross_ ? part * (t - lastCross_) : std::max(more * ahead_, shortest(t));
     f_.fill(t, y);
     (void)solve();
-    slowest_ = slowestOf(y, multipliers_.weight());
+    const bool isKnown = multipliers_.areBalanced();
+    slowest_ = slowestOf(y, isKnown ? multipliers_.weight() : 0);
     multipliers_.evaluateGaps();
-    for (std::size_t disc = 0; disc < discs().size(); ++disc)
+    for (std::size_t disc = 0; disc < discs().size() && isKnown; ++disc)
         setCentre(disc, multipliers_.friction().centreOf(disc, multipliers_.values()));
     const double elapsed = t - lastCross_;
     beginEvent(t);
@@ -296,8 +288,13 @@ bool ActiveSet::cross(std::span<const std::size_t> watches, double t, std::span<
     }
     multipliers_.project(t, y);
     // A contact that has just closed takes its rate away, and slow slips go another way.
-    if (isDone && slips() && !hasForces(t, y) && settleWith({}, candidates, {}, t, y, rates))
-        multipliers_.project(t, y);
+    if (isDone && hit.empty() && slips() && !hasForces(t, y)) {
+        Mode settled = mode_;
+        if (settleWith({}, candidates, {}, t, y, rates))
+            multipliers_.project(t, y);
+        else
+            mode_ = std::move(settled);
+    }
     noteOpened(before.kept, t, y);
     refresh();
     return isDone;

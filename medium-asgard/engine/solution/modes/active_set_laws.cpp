@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <tuple>
 #include <utility>
 
@@ -289,6 +288,15 @@ bool ActiveSet::solve() {
     return isSolved;
 }
 
+bool ActiveSet::slipsSlowly() const {
+    constexpr double more = 1.5; // than the least: rounding is no more
+    for (std::size_t disc = 0; disc < discs().size(); ++disc)
+        if (multipliers_.friction().slips(disc) &&
+            multipliers_.friction().beganOf(disc).norm() > more * leastOf(discs()[disc]))
+            return true;
+    return false;
+}
+
 void ActiveSet::takeSlips(double t, std::span<const double> y) {
     if (!slips())
         return;
@@ -394,8 +402,10 @@ bool ActiveSet::endJam(std::span<const std::size_t> candidates, double t, std::s
     for (Eigen::Index i = 0; i < b.size(); ++i)
         speeds[i] = multipliers_.rate(rows.rows[static_cast<std::size_t>(i)]);
     const double fastest = speeds.size() > 0 ? speeds.cwiseAbs().maxCoeff() : 0;
-    if (!(fastest > 0 && b.cwiseAbs().maxCoeff() > 0))
+    if (!(fastest > 0 && b.cwiseAbs().maxCoeff() > 0)) {
+        mode_ = before;
         return false;
+    }
     const double step = part * fastest / b.cwiseAbs().maxCoeff();
     std::vector<std::size_t> slipping;
     for (Law& of : rows.laws) {
@@ -414,8 +424,9 @@ bool ActiveSet::endJam(std::span<const std::size_t> candidates, double t, std::s
     }
     constexpr double more = 1e3; // than forces make of it in the step
     const double changed = (a * answer->forces).cwiseAbs().maxCoeff();
+    const bool isImpact = changed > more * step * b.cwiseAbs().maxCoeff();
     bool isDone = false;
-    if (changed > more * step * b.cwiseAbs().maxCoeff()) {
+    if (isImpact) {
         multipliers_.push(rows.rows, answer->forces, y);
         std::vector<std::size_t> held(candidates.begin(), candidates.end());
         for (std::size_t k = 0; k < rows.laws.size(); ++k)
@@ -431,13 +442,13 @@ bool ActiveSet::endJam(std::span<const std::size_t> candidates, double t, std::s
                 setSlip(disc);
         openUnpressed();
         takeForces();
-        isDone = hasForces(t, y);
+        isDone = hasForces(t, y) && areWithinBounds();
     }
     if (!isDone) {
         mode_ = before;
         return false;
     }
-    for (const std::size_t disc : slipping)
+    for (const std::size_t disc : isImpact ? slipping : std::vector<std::size_t>())
         for (const std::size_t row : discs()[disc].rows)
             jammed_[row] = 1; // if it holds (hasJammed)
     return true;

@@ -57,7 +57,9 @@ struct Mode {
         // speed under which that direction counts.
         std::array<double, 3> slip{};
         std::array<double, 2> centre{}; // of its normal forces there (complementarity/laws.h)
-        std::array<double, 2> last{};   // that centre at the end of the last step
+        // The centre from which forces of slips are sought: this one, or that of a later step where
+        // it was elsewhere.
+        std::array<double, 2> last{};
         [[nodiscard]] bool operator==(const Disc&) const = default;
     };
     std::vector<Disc> discs;

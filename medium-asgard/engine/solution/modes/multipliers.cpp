@@ -100,6 +100,7 @@ void Multipliers::addBounds() {
 }
 
 bool Multipliers::solve() {
+    areBalanced_ = true;
     if (size() == 0)
         return true;
     evaluate();
