@@ -40,7 +40,7 @@ TEST(Differences, AreTheWordsThatDiffer) {
     EXPECT_EQ(differences("", "new"), (Hunks{{{0, 0}, {0, 3}}}));
     EXPECT_EQ(differences("old", ""), (Hunks{{{0, 3}, {0, 0}}}));
     EXPECT_EQ(differences("-4.37", "-4.38"), (Hunks{{{1, 5}, {1, 5}}}));
-    // What the texts have in common at their ends may end within a word, or between blanks.
+    // The common ends of two texts may end within a word, or between blanks.
     EXPECT_EQ(differences("ab cd", "abx xcd"), (Hunks{{{0, 2}, {0, 3}}, {{3, 5}, {4, 7}}}));
     EXPECT_EQ(differences("a  b", "a   b"), (Hunks{{{1, 3}, {1, 4}}}));
 }

@@ -20,9 +20,12 @@
 // The direction of a slip that is next to none turns within next to no time, which no step follows:
 // such a slip is 0, and the laws say whether it rests or which way it goes on.
 //
-// Where a body slides and turns, its friction shifts the centre at which it acts (slip_forces.h),
-// so that several forces may follow themselves. The motion goes on with those of the step before.
-// Where they come to an end, it goes on with others: forces jump there, and velocities do not.
+// The friction of a body that slides and turns shifts the centre at which it acts (slip_forces.h).
+// Its equations may have several answers. The motion goes on with that of the step before. When
+// this answer comes to an end, the motion goes on with another: forces jump, velocities do not.
+//
+// LIMIT: of several other answers the one is taken that the search finds first. A contact that the
+// impact of a jam parts may stay closed until the next event.
 //
 // LIMIT: hops lower than a condition's resolution are left out. A blow of a stop passes through
 // contacts without friction.
@@ -78,8 +81,8 @@ public:
                              std::span<const double> rates);
     // Friction that slips does so as these states move.
     void takeSlips(double t, std::span<const double> y);
-    // At the end of a step: friction goes on from the centres that its forces have there. Where
-    // several forces of slips follow themselves, the next step keeps those of the last one.
+    // At the end of a step: the next one seeks forces of slips from the centres that they have
+    // here, if these have moved far.
     void followCentres(double t, std::span<const double> y);
     // There are contacts.
     [[nodiscard]] bool hasContacts() const { return hasContacts_; }

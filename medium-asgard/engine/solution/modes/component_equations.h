@@ -142,6 +142,7 @@ public:
     [[nodiscard]] double fastestTurn(double t, std::span<const double> y);
     // Contacts that slip do so as these states move.
     void takeSlips(double t, std::span<const double> y) { active_.takeSlips(t, y); }
+    // Forces of slips are sought from those at the end of a step on (ActiveSet::followCentres).
     void followCentres(double t, std::span<const double> y) { active_.followCentres(t, y); }
     // Conditions are gone for ever where these values, by place, say so. True: some went now.
     [[nodiscard]] bool release(std::span<const double> values);

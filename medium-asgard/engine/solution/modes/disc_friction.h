@@ -52,10 +52,9 @@ public:
     // Of one that slips, the velocity of its rows that gives its direction, and what this has
     // besides at every centre: the direction in which it began, less and less as it grows.
     [[nodiscard]] std::pair<InDisc, InDisc> velocityOf(std::size_t disc) const;
-    // That velocity at the centre of the last step.
+    // That velocity at the centre from which forces are sought (Mode::Disc::last).
     [[nodiscard]] InDisc lastWay(std::size_t disc) const;
-    // Takes the centre of these forces for the last one, if that was elsewhere and slipped another
-    // way.
+    // The centre of these forces becomes that one, if it has moved and the disc slips another way.
     void follow(std::size_t disc, std::span<const double> forces,
                 std::array<double, 2>& last) const;
 

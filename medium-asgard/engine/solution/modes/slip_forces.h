@@ -5,8 +5,8 @@
 // A body that slips and turns does so about the centre of its normal forces, which its own friction
 // shifts, so that F is not linear. A is factorised once, and the forces f, one to three for each
 // disc, are found by Newton's method:  m = m0 + G f  with the responses G = -A^-1 S. It begins with
-// directions held at the centres of the last step, where F is linear: friction that lifts a tipping
-// body is far from none.
+// directions held at the centres of an event or of a step behind it, where F is linear: friction
+// that lifts a tipping body is far from none.
 //
 // Guards see to it that normal forces press: of friction that jams (Painleve) they may pull here.
 #pragma once
