@@ -24,6 +24,8 @@ endif()
 
 set(SANITIZE "" CACHE STRING "Sanitizers to build with, as for -fsanitize= (address,undefined or thread)")
 if(SANITIZE)
+    # The checks that a sanitizer puts in hide from g++ that a value was set: it warns of values that are.
+    add_compile_options($<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
     add_compile_options(-fsanitize=${SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
     add_link_options(-fsanitize=${SANITIZE})
 endif()
