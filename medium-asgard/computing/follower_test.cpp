@@ -1,5 +1,6 @@
 // Texts are the place of one ball, "faulty" makes no scene; the test lets its motion end.
 #include "computing/follower.h"
+#include "computing/stale_motion.h"
 
 #include <gtest/gtest.h>
 
@@ -267,6 +268,27 @@ TEST_F(FollowerTest, ValuesOfParametersThatAreNoMoreAreLeftOut) {
     settle();
     EXPECT_FALSE(follower.isFaulty());
     EXPECT_EQ(x(1), 1);
+}
+
+// The moment of a throw is the new start: what was thrown stands where the hand let it go.
+TEST(StaleMotion, BeginsAtALaterStartOfItsScene) {
+    const scene::Scene before = ballAt(1);
+    auto now = std::make_shared<scene::Scene>(ballAt(3));
+    now->simulator.start = 0.5;
+    const auto motion = simulation::simulate(before, {}).motion;
+    const auto stale = staleMotion(before, motion, now);
+    ASSERT_TRUE(stale);
+    EXPECT_EQ(stale->start(), 0.5);
+    EXPECT_EQ(stale->at(0, 0.5).position.x(), 3);
+    EXPECT_EQ(stale->at(0, 0.6).position.x(), 1);
+    const auto jumps = stale->jumps(0); // no line leads from there to where it was
+    ASSERT_EQ(jumps.size(), 1U);
+    EXPECT_GT(jumps.front(), 0.5);
+    EXPECT_LT(jumps.front(), 0.5 + 1e-9);
+    EXPECT_TRUE(
+        staleMotion(before, motion, std::make_shared<scene::Scene>(before))->jumps(0).empty());
+    now->simulator.start = 3; // later than all that is known
+    EXPECT_EQ(staleMotion(before, motion, now)->start(), 0);
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "computing/stale_motion.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <string_view>
 
@@ -14,7 +15,10 @@ using simulation::MotionPointer;
 class StaleMotion final : public simulation::Motion {
 public:
     StaleMotion(MotionPointer old, std::shared_ptr<const scene::Scene> scene)
-        : old_(std::move(old)), scene_(std::move(scene)), led_(scene_->bodies.size()) {
+        : old_(std::move(old)), scene_(std::move(scene)), start_(old_->start()),
+          led_(scene_->bodies.size()) {
+        if (const double now = scene_->simulator.start; now > start_ && now < old_->finish())
+            start_ = now;
         std::set<std::string_view> names;
         for (const scene::Constraint& one : scene_->constraints)
             names.insert(one.body);
@@ -25,14 +29,14 @@ public:
     // Never wrapped twice, however long a gesture is.
     [[nodiscard]] const MotionPointer& old() const { return old_; }
 
-    [[nodiscard]] double start() const override { return old_->start(); }
+    [[nodiscard]] double start() const override { return start_; }
     [[nodiscard]] double finish() const override { return old_->finish(); }
     [[nodiscard]] double computed() const override { return old_->computed(); }
     [[nodiscard]] bool draft() const override { return true; }
     [[nodiscard]] std::size_t bodies() const override { return old_->bodies(); }
     [[nodiscard]] BodyState at(std::size_t body, double time) const override {
         BodyState state = old_->at(body, time);
-        if (time > old_->start() || led_[body])
+        if (time > start_ || led_[body])
             return state;
         const scene::Body& now = scene_->bodies[body];
         state.attitude = now.initialAttitude;
@@ -52,7 +56,11 @@ public:
         return old_->impacts();
     }
     [[nodiscard]] std::vector<double> jumps(std::size_t body) const override {
-        return old_->jumps(body);
+        std::vector<double> all = old_->jumps(body);
+        const geometry::Vector here = at(body, start_).position;
+        if (!here.isApprox(old_->at(body, start_).position)) // it stands elsewhere, and comes back
+            all.insert(all.begin(), std::nextafter(start_, finish()));
+        return all;
     }
     [[nodiscard]] std::optional<double> errorEstimate() const override { return std::nullopt; }
     [[nodiscard]] std::optional<double> predictableUntil() const override {
@@ -63,6 +71,7 @@ public:
 private:
     MotionPointer old_;
     std::shared_ptr<const scene::Scene> scene_;
+    double start_;          // the scene's, where the old motion knows it
     std::vector<bool> led_; // by a trajectory: who knows where that puts it
 };
 

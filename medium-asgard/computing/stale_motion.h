@@ -1,7 +1,8 @@
 // The motion of an older scene, shown until that of the new one is computed.
 //
 // At the start bodies stand and move as the new scene says, so that what is dragged follows the
-// hand; later they are where they were before.
+// hand; later they are where they were before. A scene that starts later than the old motion, as a
+// throw makes it, begins there.
 #pragma once
 
 #include "motion/motion.h"
