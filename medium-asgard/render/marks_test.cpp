@@ -67,6 +67,23 @@ TEST_F(RendererTest, HandlesLieOnTopAndShowTheVelocity) {
     EXPECT_LE(fixed.green(head, 120), fixed.red(head, 120) + 20);
 }
 
+// Filled, it would be one more ball of the scene where its body has left it.
+TEST_F(RendererTest, WhereABodyStartsIsARingAboutAPoint) {
+    addBody(scene_, sphere(0.5), {0, 0, 0}, blue);
+    drawing_.display.positionHandles = true;
+    const Picture picture = draw({640, 480});
+    std::string along; // to the right: of the mark, of the body
+    for (int x = 320; x < 345; ++x) {
+        const bool isMark = picture.red(x, 240) > picture.blue(x, 240) + 60;
+        const bool isBody = picture.blue(x, 240) > picture.red(x, 240) + 40;
+        const char now = isMark ? 'm' : isBody ? 'b' : ' ';
+        if (along.empty() || along.back() != now)
+            along += now;
+    }
+    EXPECT_EQ(std::erase(along, ' '), 2) << along; // its light edge
+    EXPECT_EQ(along, "mbmb");
+}
+
 // A spring is seen without handles, from its body to its other end, and no wider than its coil.
 TEST_F(RendererTest, ASpringIsACoilBetweenItsEnds) {
     addBody(scene_, sphere(0.1), {0.6, 0, 0}, red);

@@ -61,9 +61,17 @@ std::vector<Disc> addHandles(Lines& lines, const HandleSet& set, const Frame& fr
                 {place.z(),
                  {place, color.homogeneous(), color.homogeneous(), frame.stroke(1.8), 0}});
         }
-        placed.push_back({stand.z(),
-                          {stand, color.homogeneous(), rim.homogeneous(),
-                           frame.stroke(radiusOf(handle.kind) + 1), frame.stroke(1.3)}});
+        const float radius = frame.stroke(radiusOf(handle.kind) + 1), edge = frame.stroke(1.3);
+        const Eigen::Vector4f ink = color.homogeneous(), halo = rim.homogeneous();
+        if (!isTarget(handle.kind)) {
+            placed.push_back({stand.z(), {stand, ink, halo, radius, edge}});
+            continue;
+        }
+        const Eigen::Vector4f clear(rim.x(), rim.y(), rim.z(), 0.25F);
+        const Eigen::Vector4f none(color.x(), color.y(), color.z(), 0);
+        placed.push_back({stand.z(), {stand, clear, halo, radius + edge, 2 * edge}});
+        placed.push_back({stand.z(), {stand, none, ink, radius, 1.5F * edge}});
+        placed.push_back({stand.z(), {stand, ink, ink, 2 * edge, 0}});
     }
     // Of two in one place the smaller is on top.
     std::ranges::stable_sort(placed, [](const Placed& a, const Placed& b) {

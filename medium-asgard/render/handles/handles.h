@@ -27,6 +27,9 @@ namespace render {
 // Pixels, in a picture 480 high. A velocity of zero lies on its body's position, smaller.
 [[nodiscard]] double radiusOf(HandleKind kind);
 
+// Where a body starts is a ring about a point, which nobody takes for a ball of the scene.
+[[nodiscard]] constexpr bool isTarget(HandleKind kind) { return kind == HandleKind::position; }
+
 [[nodiscard]] scene::Color colorOf(HandleKind kind);
 
 // Whether the display shows handles of that kind; of any.

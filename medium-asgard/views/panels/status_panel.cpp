@@ -39,16 +39,22 @@ QLabel* addRow(QFormLayout* form, const QString& label, const QString& tip) {
 }
 
 // The handle as it looks in the picture.
-QIcon ballIcon(const scene::Color& color) {
+QIcon iconOf(render::HandleKind kind) {
+    const scene::Color color = render::colorOf(kind);
     QPixmap pixmap(28, 28);
     pixmap.setDevicePixelRatio(2);
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);
     painter.setRenderHint(QPainter::Antialiasing);
     const QColor c = QColor::fromRgbF(color.red, color.green, color.blue);
-    painter.setPen(c.darker(150));
-    painter.setBrush(c);
+    const bool isTarget = render::isTarget(kind);
+    painter.setPen(isTarget ? QPen(c, 1.8) : QPen(c.darker(150)));
+    painter.setBrush(isTarget ? QBrush() : QBrush(c));
     painter.drawEllipse(QRectF(2, 2, 10, 10));
+    if (isTarget) {
+        painter.setBrush(c);
+        painter.drawEllipse(QRectF(6.3, 6.3, 1.4, 1.4));
+    }
     return pixmap;
 }
 
@@ -80,7 +86,7 @@ StatusPanel::StatusPanel(SceneDocument& document, Playback& playback,
     state_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     state_->setAccessibleName(tr("State"));
     form->addRow(state_);
-    auto* close = new CloseJoints(document_);
+    auto* close = new CloseJoints(document_, this);
     form->addRow(close);
     column->addWidget(status);
     addSwitches(display);
@@ -177,7 +183,7 @@ void StatusPanel::addSwitches(const render::Display& display) {
     };
     for (const auto& kind : kinds) {
         add(kind.name, kind.label, kind.tip, kind.what);
-        switches_.back().box->setIcon(ballIcon(render::colorOf(kind.kind)));
+        switches_.back().box->setIcon(iconOf(kind.kind));
     }
     layout()->addWidget(group);
 }
