@@ -77,9 +77,9 @@ PlotDialog::PlotDialog(const Shown& shown, QWidget* parent,
     setWindowTitle(tr("New Plot"));
     auto* column = new QVBoxLayout(this);
     field_->setText(QStringLiteral("t"));
-    QTreeWidget* list = makeList(shown.motion.get(), about);
+    list_ = makeList(shown.motion.get(), about);
     auto* lists = plain::label(tr("&Quantity, against time:"));
-    lists->setBuddy(list);
+    lists->setBuddy(list_);
     auto* asks = plain::label(tr("&Expression:"));
     asks->setBuddy(field_);
     asks->setToolTip(plain::tip(tr("Also what a calculator takes: 0.5 * b1.mass * b1.dy^2")));
@@ -91,17 +91,25 @@ PlotDialog::PlotDialog(const Shown& shown, QWidget* parent,
     fault_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
     column->addWidget(lists);
-    column->addWidget(list, 1);
+    column->addWidget(list_, 1);
     column->addWidget(asks);
     column->addWidget(field_);
     column->addWidget(fault_);
     column->addWidget(buttons);
-    for (QWidget* one : std::initializer_list<QWidget*>{lists, list})
-        one->setVisible(list->topLevelItemCount() > 0);
+    for (QWidget* one : std::initializer_list<QWidget*>{lists, list_})
+        one->setVisible(list_->topLevelItemCount() > 0);
     connect(field_, &QLineEdit::textChanged, fault_, &QLabel::clear); // not while one types
     connect(buttons, &QDialogButtonBox::accepted, this, &PlotDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     setMinimumWidth(420);
+}
+
+// From its beginning on, as far as it shows what is proposed: how high it is becomes known here.
+void PlotDialog::showEvent(QShowEvent* event) {
+    QDialog::showEvent(event);
+    list_->scrollToTop();
+    if (const QTreeWidgetItem* proposed = list_->currentItem())
+        list_->scrollToItem(proposed);
 }
 
 // The quantities below their elements; the one that is chosen stands in the field.
@@ -141,7 +149,7 @@ QTreeWidget* PlotDialog::makeList(const simulation::Motion* motion,
 }
 
 QString PlotDialog::name() const {
-    const QTreeWidgetItem* chosen = findChild<QTreeWidget*>("quantities")->currentItem();
+    const QTreeWidgetItem* chosen = list_->currentItem();
     return chosen && chosen->text(1) == expression() ? chosen->data(0, Qt::UserRole).toString()
                                                      : QString();
 }

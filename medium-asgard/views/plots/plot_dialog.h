@@ -29,11 +29,15 @@ public:
     [[nodiscard]] QString name() const; // of its curve; "": the expression tells it
     void accept() override;             // only what can be charted
 
+protected:
+    void showEvent(QShowEvent* event) override;
+
 private:
     QTreeWidget* makeList(const simulation::Motion* motion,
                           const std::optional<editing::Element>& about);
 
     std::shared_ptr<const scene::Scene> scene_;
+    QTreeWidget* list_ = nullptr;
     QLineEdit* field_;
     QLabel* fault_;
 };

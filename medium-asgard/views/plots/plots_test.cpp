@@ -8,6 +8,7 @@
 #include "views/test_workshop.h"
 
 #include <QMenu>
+#include <QScrollBar>
 #include <QTimer>
 #include <QTreeWidget>
 
@@ -50,6 +51,24 @@ TEST_F(PlotsTest, TheDialogOffersTheQuantitiesOfTheScene) {
     const PlotDialog about(editor.document().shown(), nullptr,
                            editing::Element{editing::Kind::joint, 0});
     EXPECT_EQ(about.expression(), "atan2(b.x - pin.px, pin.py - b.y)");
+}
+
+// The list begins with its first row where the proposal is seen so, and else shows that.
+TEST_F(PlotsTest, TheListOfQuantitiesOpensAtItsBeginning) {
+    std::string bodies = "shape_set s -desc {-sub {-sphere 0.1}}\n";
+    for (int i = 0; i < 5; ++i)
+        bodies += "body b" + std::to_string(i) + " s -init_pos {" + std::to_string(i) + " 0 0}\n";
+    show(bodies);
+    for (const std::size_t about : {0U, 4U}) {
+        PlotDialog dialog(editor.document().shown(), nullptr,
+                          editing::Element{editing::Kind::body, about});
+        dialog.show();
+        QCoreApplication::processEvents();
+        const auto* list = dialog.findChild<QTreeWidget*>("quantities");
+        const int scrolled = list->verticalScrollBar()->value();
+        EXPECT_EQ(scrolled == 0, about == 0);
+        EXPECT_TRUE(list->viewport()->rect().contains(list->visualItemRect(list->currentItem())));
+    }
 }
 
 TEST_F(PlotsTest, TheDialogProposesWhatMoves) {
