@@ -79,8 +79,9 @@ struct Renderer::Implementation {
     Coils coils;
     ContactForces contactForces;
     KeptExtent kept;
-    std::optional<GroundPlane> ground;     // of the last picture
-    std::optional<GroundPlane> keptGround; // of pictures before
+    Surroundings around;                    // of the last picture
+    std::optional<Surroundings> keptAround; // of pictures before
+    Keeps keepsGround = Keeps::always;
 
     ~Implementation() {
         if (context && context->makeCurrent()) {
@@ -107,6 +108,8 @@ struct Renderer::Implementation {
     void paintHandles(const Drawing& drawing, const Frame& frame, const Projection& projection,
                       bool joints);
     void paintContacts(const Drawing& drawing, const Frame& frame);
+    [[nodiscard]] Vector sun() const;
+    [[nodiscard]] Ground groundBelow(std::span<const Solid> all, const Frame& frame) const;
     void addGrids(const Ground& below, const Drawing& drawing, const Frame& frame);
     void paintMarks(const Drawing& drawing, const Frame& frame, const Projection& projection);
 };
@@ -303,6 +306,26 @@ void Renderer::Implementation::addGrids(const Ground& below, const Drawing& draw
             {below.floor, facing ? 1 - facing->weight : 1, below.shadowed.has_value()}, taken);
 }
 
+// Shadows stay while one edits, also where another motion would be seen from another side.
+Vector Renderer::Implementation::sun() const {
+    const Vector& up = kept.extent().up;
+    const Vector now = sunOf(kept.extent());
+    constexpr double rounding = 1e-9;
+    const bool stays =
+        keptAround && std::abs(keptAround->sun.dot(up) - now.dot(up)) < rounding; // as high
+    return stays ? keptAround->sun : now;
+}
+
+Ground Renderer::Implementation::groundBelow(std::span<const Solid> all, const Frame& frame) const {
+    const Ground below = groundOf(all, kept.extent(), frame, *solids);
+    if (!keptAround || !keptAround->ground || below.floor)
+        return below;
+    const GroundPlane& last = *keptAround->ground;
+    const bool stays = last.up == below.plane.up &&
+                       (keepsGround == Keeps::always || isGroundOf(kept.extent(), last.height));
+    return stays ? Ground{last, std::nullopt, last} : below;
+}
+
 bool Renderer::Implementation::paint(const Drawing& drawing, const Frame& frame) {
     const Display& display = drawing.display;
     const Extent& extent = kept.extent();
@@ -318,7 +341,7 @@ bool Renderer::Implementation::paint(const Drawing& drawing, const Frame& frame)
     const Projection projection =
         isDeep ? frame.projection(std::max(nearest, eyeDistance - 0.5), std::min(furthest, back))
                : frame.projection(nearest, furthest);
-    const std::vector<Light> lights = lightsOf(*drawing.scene, sunOf(extent), frame);
+    const std::vector<Light> lights = lightsOf(*drawing.scene, sun(), frame);
     const Light& shadowing = lights[static_cast<std::size_t>(shadowedOf(lights))];
     const float lift = 2e-5F;
 
@@ -341,12 +364,10 @@ bool Renderer::Implementation::paint(const Drawing& drawing, const Frame& frame)
     }
     gl.Enable(GL_BLEND);
     gl.DepthMask(GL_FALSE);
-    ground.reset();
+    around = {std::nullopt, sun()};
     if (display.grid) {
-        Ground below = groundOf(all, extent, frame, *solids);
-        if (keptGround && !below.floor && keptGround->up == below.plane.up)
-            below = {*keptGround, std::nullopt, *keptGround};
-        ground = below.plane;
+        const Ground below = groundBelow(all, frame);
+        around.ground = below.plane;
         if (!sights.empty() && below.shadowed)
             groundShadow->show(*below.shadowed, shadowing, sights, frame, projection.data(),
                                isDark(display.background) ? 0.45F : 0.28F);
@@ -423,10 +444,11 @@ bool Renderer::draw(const Drawing& drawing, const Image& into) {
     return gl.GetError() == GL_NO_ERROR;
 }
 
-const std::optional<GroundPlane>& Renderer::ground() const { return implementation_->ground; }
+const Renderer::Surroundings& Renderer::surroundings() const { return implementation_->around; }
 
-void Renderer::keepGround(const std::optional<GroundPlane>& ground) {
-    implementation_->keptGround = ground;
+void Renderer::keep(const std::optional<Surroundings>& last, Keeps ground) {
+    implementation_->keptAround = last;
+    implementation_->keepsGround = ground;
 }
 
 int Renderer::maximumSamples() const {

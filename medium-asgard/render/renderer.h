@@ -7,6 +7,7 @@
 #include "drawing/drawing.h"
 #include "surroundings/grid.h"
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,13 +22,18 @@ public:
     [[nodiscard]] static std::variant<std::unique_ptr<Renderer>, std::string> create();
     ~Renderer();
 
-    // The next pictures have the ground there, unless bodies are its floor; none: where their
-    // scene's motion has it.
-    void keepGround(const std::optional<GroundPlane>& ground);
+    struct Surroundings {
+        std::optional<GroundPlane> ground; // none: there is no grid
+        Vector sun = Vector::UnitY();      // the direction to it
+    };
+    enum class Keeps : std::uint8_t { always, whereItFits };
+    // The next pictures have these, as long as what falls falls along the same axis; none: as their
+    // scene's motion has them. The ground gives way to bodies that are a floor, and `whereItFits`
+    // stays only under everything and not far below.
+    void keep(const std::optional<Surroundings>& last, Keeps ground = Keeps::always);
     // Draws and reads back. False when the context was lost; then make a new renderer.
     [[nodiscard]] bool draw(const Drawing& drawing, const Image& into);
-    // The plane of the last picture's grid; none: it has no grid.
-    [[nodiscard]] const std::optional<GroundPlane>& ground() const;
+    [[nodiscard]] const Surroundings& surroundings() const; // of the last picture
 
     [[nodiscard]] int maximumSamples() const;
     [[nodiscard]] int maximumSize() const;

@@ -246,7 +246,7 @@ TEST_F(RendererTest, AFixedTableTakesTheGridNowhere) {
         scene_ = {};
         addBody(scene_, part, place, blue).fixed = isFixed;
         static_cast<void>(draw());
-        return renderer_->ground().value();
+        return renderer_->surroundings().ground.value();
     };
     const scene::Part table = box({2, 0.1, 1});
     for (const bool isFixed : {false, true}) {
@@ -260,6 +260,35 @@ TEST_F(RendererTest, AFixedTableTakesTheGridNowhere) {
     scene::Part half;
     half.shape = scene::PlaneShape{};
     EXPECT_NEAR(groundWith(half, {0, 0.3, 0}, true).height, 0.3, 1e-6);
+}
+
+// Another motion may have another best side and another lowest point: while one edits, neither the
+// shadows nor the grid follow it. Framed anew, the grid stays where it still lies below all.
+TEST_F(RendererTest, TheGroundAndTheSunThatAreKeptStay) {
+    drawing_.display.grid = true;
+    const auto draws = [&](double height) {
+        scene_ = {};
+        addBody(scene_, sphere(0.5), {0, height, 0}, blue);
+        static_cast<void>(draw());
+        return renderer_->surroundings();
+    };
+    Renderer::Surroundings before = draws(3);
+    ASSERT_GT(before.ground->height, 1); // near the one body
+    before.sun = Vector(-before.sun.x(), before.sun.y(), before.sun.z());
+    renderer_->keep(before);
+    EXPECT_EQ(draws(0.5).ground->height, before.ground->height);
+    EXPECT_EQ(draws(0.5).sun, before.sun);
+    renderer_->keep(before, Renderer::Keeps::whereItFits);
+    EXPECT_EQ(draws(3.5).ground->height, before.ground->height);
+    EXPECT_EQ(draws(0.5).ground->height, 0);
+    renderer_->keep(before);
+    addBody(scene_, sphere(0.5), {3, 0, 0}, blue);
+    scene::Force weight;
+    weight.kind = scene::GravitationalForce{{0, 0, -9.81}};
+    scene_.forces = {weight};
+    static_cast<void>(draw());
+    EXPECT_NE(renderer_->surroundings().sun, before.sun); // z is up now
+    renderer_->keep(std::nullopt);
 }
 
 // The grid stands still in the world: the same lines are seen wherever the view's middle is.

@@ -116,21 +116,23 @@ bool isWithin(const Camera& camera, Size size, const Ball& ball) {
            picture.contains(Eigen::Vector2d(middle.array() + radius));
 }
 
+Camera steppedBack(const Camera& camera, Size size, const std::vector<Ball>& balls) {
+    constexpr double step = 0.96;
+    constexpr int most = 200;
+    Camera back = camera;
+    const auto isSeen = [&](const Ball& ball) { return isWithin(back, size, ball); };
+    for (int i = 0; i < most && !std::ranges::all_of(balls, isSeen); ++i) {
+        back.scale *= step;
+        back.position *= step;
+    }
+    return back;
+}
+
 Camera keeping(const Camera& camera, Size before, Size now, const std::vector<Ball>& balls) {
     std::vector<Ball> seen;
     std::ranges::copy_if(balls, std::back_inserter(seen),
                          [&](const Ball& ball) { return isWithin(camera, before, ball); });
-    Camera kept = camera;
-    constexpr double step = 0.96;
-    constexpr int most = 100;
-    for (int i = 0;
-         i < most &&
-         !std::ranges::all_of(seen, [&](const Ball& ball) { return isWithin(kept, now, ball); });
-         ++i) { // what is in the middle stays there
-        kept.scale *= step;
-        kept.position *= step;
-    }
-    return kept;
+    return steppedBack(camera, now, seen);
 }
 
 Camera framed(const scene::Scene& scene, const simulation::MotionPointer& motion, Size size) {

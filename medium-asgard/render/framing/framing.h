@@ -21,6 +21,10 @@ namespace render {
 [[nodiscard]] Camera fittedAbout(const Extent& extent, const Quaternion& attitude,
                                  const Vector& center, Size size, bool orthographic = false);
 
+// The camera from so much further away that the picture shows all of these balls whole: what is in
+// the middle stays there.
+[[nodiscard]] Camera steppedBack(const Camera& camera, Size size, const std::vector<Ball>& balls);
+
 // The camera for a picture of another size that still shows what of these balls the picture of the
 // first size shows whole: the same one, or from further away.
 [[nodiscard]] Camera keeping(const Camera& camera, Size before, Size now,

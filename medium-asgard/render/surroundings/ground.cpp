@@ -85,8 +85,13 @@ std::optional<Floor> floorOf(std::span<const Solid> solids, const Extent& extent
 
 } // namespace
 
+bool isGroundOf(const Extent& extent, double height) {
+    const double above = extent.lowest - height;
+    return above >= -1e-6 * extent.size && above <= far * extent.size;
+}
+
 double groundHeight(const Extent& extent) {
-    if (extent.lowest >= -1e-6 * extent.size && extent.lowest <= far * extent.size)
+    if (isGroundOf(extent, 0))
         return 0;
     if (extent.lowestStands)
         return extent.lowest;

@@ -25,6 +25,8 @@ struct Ground {
 [[nodiscard]] Ground groundOf(std::span<const Solid> solids, const Extent& extent,
                               const Frame& frame, Solids& meshes);
 
+// It lies under everything, and not far below.
+[[nodiscard]] bool isGroundOf(const Extent& extent, double height);
 // 0 while all is above it and not far; else under everything: exactly under what is fixed, and a
 // little lower under what moves where that is not round.
 [[nodiscard]] double groundHeight(const Extent& extent);

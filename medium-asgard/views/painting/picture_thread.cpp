@@ -68,11 +68,11 @@ private:
         unsigned framedWith = 0; // the kinds of handles
         bool keptDirection = false;
         unsigned scaling = 0; // of the handles
-        struct Ground {
-            render::GroundPlane plane;
-            unsigned scaling = 0; // with which it was chosen
+        struct Around {
+            render::Renderer::Surroundings last;
+            unsigned scaling = 0;
         };
-        std::optional<Ground> ground = {};
+        std::optional<Around> around = {};
     };
     [[nodiscard]] Kept& kept(Window window, const PictureWish& wish);
     [[nodiscard]] static render::Camera cameraOf(Kept& kept, const PictureWish& wish);
@@ -96,9 +96,9 @@ PictureThread::Studio::Kept& PictureThread::Studio::kept(Window window, const Pi
                                 : std::nullopt;
         auto seen = kept.scaling == wish.scaling ? std::move(kept.seen) : std::nullopt;
         kept.handles.reset(); // it reads the scene
-        const auto ground = kept.ground;
+        const auto around = kept.around;
         kept = {wish.shown, wish.size, nullptr, std::nullopt, {}, std::move(seen), std::nullopt};
-        kept.ground = ground;
+        kept.around = around;
         kept.handles = std::make_unique<render::Handles>(*kept.of.scene, kept.of.motion, scales);
         kept.scaling = wish.scaling;
     } else if (kept.scaling != wish.scaling) {
@@ -161,15 +161,20 @@ void PictureThread::Studio::paint(Picture& picture, Kept& kept) {
         {reinterpret_cast<std::byte*>(image.bits()), static_cast<std::size_t>(image.sizeInBytes())},
         static_cast<std::size_t>(image.bytesPerLine()),
         wish.size};
-    const bool keepsGround =
-        wish.keepsGround && kept.ground && kept.ground->scaling == wish.scaling;
-    renderer_->keepGround(keepsGround ? std::optional(kept.ground->plane) : std::nullopt);
+    using Renderer = render::Renderer;
+    const bool keeps = wish.keepsGround && kept.around;
+    const bool isFramedAnew =
+        keeps && (wish.from == SeenFrom::framed || kept.around->scaling != wish.scaling);
+    renderer_->keep(keeps ? std::optional(kept.around->last) : std::nullopt,
+                    isFramedAnew ? Renderer::Keeps::whereItFits : Renderer::Keeps::always);
     if (renderer_->draw(drawing, into)) {
         image.setDevicePixelRatio(wish.size.ratio);
         picture.image = std::move(image);
-        picture.ground = renderer_->ground();
-        if (picture.ground)
-            kept.ground = {*picture.ground, wish.scaling};
+        Renderer::Surroundings around = renderer_->surroundings();
+        picture.ground = around.ground;
+        if (!around.ground && keeps) // it may be shown again
+            around.ground = kept.around->last.ground;
+        kept.around = {around, wish.scaling};
     } else {
         renderer_.reset();
         noRenderer_ = picture.fault =

@@ -39,7 +39,7 @@ struct PictureWish {
     render::Display framing = {}; // whose handles are to be in the frame, too
     bool keepsDirection = false;  // the frame is seen from the camera's, not from the best side
     bool keepsExtent = false;     // what a view frames stays as it was for the scene before
-    bool keepsGround = false;     // it stays where it was, while the scaling does
+    bool keepsGround = false;     // it stays, and the sun; once framed anew, where it still fits
     unsigned scaling = 0;         // while it stays, arrows keep their scale as long as they fit
 };
 
