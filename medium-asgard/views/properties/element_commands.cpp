@@ -52,10 +52,11 @@ void ElementCommands::put(const std::string& commands, const QString& label) {
     if (!paste.possible())
         return Q_EMIT refused(QString::fromStdString(paste.reason));
     trial_.start(text::applied(document_.text(), paste.edits), label,
-                 [this, added = std::move(paste.added)](const QString& why) {
+                 [this, elements = std::move(paste.added)](const QString& why) {
                      if (!why.isEmpty())
                          return Q_EMIT refused(why);
-                     document_.select(added);
+                     document_.select(elements);
+                     Q_EMIT added(elements);
                  });
 }
 

@@ -21,6 +21,7 @@ public:
 
 Q_SIGNALS:
     void refused(const QString& why);
+    void added(const std::vector<editing::Element>& elements); // of a paste; they are selected
 
 private:
     // The commands of the selected elements; none: why not was told.

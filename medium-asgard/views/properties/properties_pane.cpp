@@ -118,6 +118,7 @@ PropertiesPane::PropertiesPane(SceneDocument& document, const PropertyActions& a
                 soon_.start();
         });
     connect(&commands_, &ElementCommands::refused, head_, &PropertyHead::say);
+    connect(&commands_, &ElementCommands::added, this, &PropertiesPane::added);
     refresh();
     reserveWidth();
 }
@@ -334,14 +335,23 @@ QString PropertiesPane::faultsAt(const PropertyRow& row) const {
     return faults.join('\n');
 }
 
-QString PropertiesPane::absentOf(const OptionHint& option) const {
-    if (option.name == "-mass" && elements().size() == 1 && document_.shown().motion) {
-        const std::size_t body = elements().front().index;
-        const auto& motion = *document_.shown().motion;
-        const double mass = body < motion.bodies() ? motion.mass(body) : 0;
-        if (std::isfinite(mass) && mass > 0)
-            return QString::number(mass, 'g', 6);
+// As the motion has them; "": of one of them it has none.
+QString PropertiesPane::masses() const {
+    const simulation::Motion* motion = document_.shown().motion.get();
+    double least = std::numeric_limits<double>::infinity(), largest = 0;
+    for (const Element& body : elements()) {
+        const bool isKnown = motion != nullptr && body.index < motion->bodies();
+        const double mass = isKnown ? motion->mass(body.index) : 0;
+        least = std::min(least, std::isfinite(mass) ? mass : 0);
+        largest = std::max(largest, mass);
     }
+    const QString from = QString::number(least, 'g', 6), to = QString::number(largest, 'g', 6);
+    return !(least > 0) ? QString() : from == to ? from : QStringLiteral("%1 … %2").arg(from, to);
+}
+
+QString PropertiesPane::absentOf(const OptionHint& option) const {
+    if (option.name == "-mass")
+        return masses();
     return option.wants == Wants::vector ? QString() : defaultIn(option.words);
 }
 

@@ -60,6 +60,9 @@ public:
 
     [[nodiscard]] QSize sizeHint() const override { return {usualWidth_, 480}; }
 
+Q_SIGNALS:
+    void added(const std::vector<editing::Element>& elements); // copies, by its button
+
 protected:
     void showEvent(QShowEvent* event) override;
 
@@ -82,6 +85,7 @@ private:
     [[nodiscard]] std::vector<DifferingPart> differingIn(const PropertyRow& row,
                                                          const PropertyParts& shared) const;
     [[nodiscard]] QString faultsAt(const PropertyRow& row) const;
+    [[nodiscard]] QString masses() const;
     [[nodiscard]] QString absentOf(const editing::OptionHint& option) const;
     [[nodiscard]] QStringList namesFor(editing::Wants wants) const;
     [[nodiscard]] geometry::Vector axisNow() const; // of a turn that is not there yet

@@ -92,6 +92,22 @@ TEST_F(PropertiesTest, ShowsWhatStandsInTheText) {
     EXPECT_THAT(pane.title().toStdString(), HasSubstr("Nothing is selected"));
 }
 
+// Grey, as the motion has it: of two alike the same number, of others from where to where.
+TEST_F(PropertiesTest, SeveralBodiesHaveTheirMassWithoutAText) {
+    SceneDocument real{engineWorkshop()};
+    PropertiesPane values{real, {}};
+    const auto massOf = [&](const std::string& second) {
+        real.setText(shape + "body a s\nbody b s -init_pos {4 2 0}" + second + "\n", "Edit");
+        EXPECT_TRUE(settle(real));
+        real.select({{Kind::body, 0}, {Kind::body, 1}});
+        values.show();
+        settleTimers();
+        return values.findChild<QLineEdit*>("-mass")->placeholderText().toStdString();
+    };
+    EXPECT_EQ(massOf(""), "0.523599");
+    EXPECT_EQ(massOf(" -density 2"), "0.523599 … 1.0472");
+}
+
 TEST_F(PropertiesTest, NumbersHaveUnitsAndRestitutionSaysWhoseCounts) {
     const auto has = [&](const QString& words) {
         return std::ranges::any_of(pane.findChildren<QLabel*>(), [&](const QLabel* label) {

@@ -177,6 +177,18 @@ QWidget* FirstPage::buildSamples() {
     list_->viewport()->installEventFilter(this);
     fitCards();
     column->addWidget(list_, 1);
+    if (samples_.isEmpty()) {
+        list_->hide();
+        groups->hide();
+        QLabel* none = plain::label(
+            tr("No samples are installed: they belong beside the program, with its manifest "
+               "asgard.medium.json. A new scene and the tour need none."));
+        none->setObjectName("noSamples");
+        none->setWordWrap(true);
+        none->setForegroundRole(QPalette::PlaceholderText);
+        column->addWidget(none);
+        column->addStretch();
+    }
     about_ = plain::label();
     about_->setObjectName("about");
     column->addWidget(about_);
