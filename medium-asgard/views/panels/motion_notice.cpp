@@ -22,6 +22,7 @@ namespace {
 
 // What is quick is not worth a word: it would flicker while one drags.
 constexpr int untilProgress = 1000, untilStale = 250; // ms
+constexpr int newStartIsSaid = 10000;                 // ms
 
 // Of the bodies, the first that stops before the end.
 std::optional<simulation::Stop> firstStop(const simulation::Motion& motion) {
@@ -63,6 +64,8 @@ MotionNotice::MotionNotice(SceneDocument& document, Playback& playback, QWidget&
     makeButton(Offer::gravity, "addGravity", tr("Add Gravity"),
                tr("A weight for each body, also for those that come later, as Create > Force > "
                   "Gravity for All Bodies"));
+    makeButton(Offer::undo, "undoNewStart", tr("Undo"),
+               tr("Brings back the start that was, and the motion from there on (Ctrl+Z)"));
     auto* part = new CloseJoints(document_, this);
     part->setObjectName("moveApart");
     part->setFocusPolicy(Qt::NoFocus);
@@ -70,6 +73,11 @@ MotionNotice::MotionNotice(SceneDocument& document, Playback& playback, QWidget&
     buttons_.push_back({Offer::part, part});
     tick_.setInterval(250);
     connect(&tick_, &QTimer::timeout, this, &MotionNotice::follow);
+    forget_.setSingleShot(true);
+    connect(&forget_, &QTimer::timeout, this, [this] {
+        newStart_.reset();
+        follow();
+    });
     connect(&document_, &SceneDocument::textChanged, this, [this] { worksSince_.invalidate(); });
     connect(&document_, &SceneDocument::workChanged, this, &MotionNotice::follow);
     connect(&document_, &SceneDocument::sceneChanged, this, &MotionNotice::follow);
@@ -109,6 +117,8 @@ void MotionNotice::take(Offer offer) {
         return Q_EMIT floorWanted();
     case Offer::gravity:
         return Q_EMIT gravityWanted();
+    case Offer::undo:
+        return document_.undo();
     case Offer::part: // the button does it
     case Offer::none:
         return;
@@ -156,7 +166,17 @@ QString MotionNotice::unread() const {
 
 MotionNotice::Said MotionNotice::said() {
     Said said = saidOfMotion();
+    if (said.words.isEmpty() && newStart_ == document_.revision() && document_.sceneIsCurrent())
+        said = {tr("The motion begins here now, at %1 s.")
+                    .arg(document_.shown().scene->simulator.start),
+                false, Offer::undo};
     return said.words.isEmpty() ? saidOfForces() : said;
+}
+
+void MotionNotice::tellNewStart() {
+    newStart_ = document_.revision();
+    forget_.start(newStartIsSaid);
+    follow();
 }
 
 // Bodies begin where they cannot be, nothing falls of itself, or the grid holds nothing.

@@ -12,6 +12,7 @@
 #include <QTimer>
 
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -27,6 +28,8 @@ public:
     MotionNotice(SceneDocument& document, Playback& playback, QWidget& picture);
 
     [[nodiscard]] QString words() const;
+    // The moment has become the start, by a throw: said for a while, or until the text changes.
+    void tellNewStart();
 
 Q_SIGNALS:
     void stopWanted();
@@ -38,7 +41,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    enum class Offer { none, stop, compute, floor, gravity, part };
+    enum class Offer { none, stop, compute, floor, gravity, part, undo };
     struct Said {
         QString words;
         bool isFault = false;
@@ -66,7 +69,8 @@ private:
     QLabel* words_;
     std::vector<Button> buttons_;
     Said shown_;
-    QTimer tick_;
+    std::optional<int> newStart_; // the text's revision that has it
+    QTimer tick_, forget_;
     QElapsedTimer worksSince_, staleSince_; // invalid: it does not, it is not
     struct Falls {
         Shown of;

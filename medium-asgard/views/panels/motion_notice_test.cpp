@@ -117,6 +117,32 @@ TEST_F(MotionNoticeTest, WhereNothingMovesAClickAddsGravityAndShowsTheFallFromIt
     EXPECT_EQ(wordsOf(viewer), "");
 }
 
+// The text has another start then, which one may not have meant.
+TEST_F(MotionNoticeTest, AThrowSaysThatTheMotionBeginsThereAndUndoesIt) {
+    TestWorkshop made;
+    SceneDocument document{made.workshop()};
+    GraphicalViewer viewer(document, pictures, {}, 1);
+    viewer.show();
+    const std::string before = "simulator -finish 2\nshape_set s -desc {-sub {-sphere 0.5}}\n"
+                               "body a s -init_dpos {1 0 0}\n";
+    document.setText(before, "Edit");
+    ASSERT_TRUE(settle(document));
+    document.setText("simulator -start 0.5 -finish 2\nshape_set s -desc {-sub {-sphere 0.5}}\n"
+                     "body a s -init_dpos {0 1 0}\n",
+                     "Throw a at 0.5 s");
+    EXPECT_EQ(wordsOf(viewer), "");
+    Q_EMIT viewer.display().throwing().letGo(true);
+    ASSERT_TRUE(settle(document));
+    EXPECT_EQ(wordsOf(viewer), "The motion begins here now, at 0.5 s.");
+    auto* undo = viewer.findChild<QToolButton*>("undoNewStart");
+    ASSERT_TRUE(undo && undo->isVisible());
+    undo->click();
+    ASSERT_TRUE(settle(document));
+    EXPECT_EQ(document.text(), before);
+    EXPECT_EQ(wordsOf(viewer), "");
+    EXPECT_FALSE(undo->isVisible());
+}
+
 // Before any floor: the sentence of the fault names a button, and here it is.
 TEST_F(MotionNoticeTest, WhereBodiesOverlapAClickMovesThemApart) {
     TestWorkshop made;
