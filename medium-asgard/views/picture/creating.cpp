@@ -1,6 +1,5 @@
 #include "picture/creating.h"
 
-#include "gestures/wireframe.h"
 #include "picture/scene_display.h"
 #include "recipes/recipe_words.h"
 
@@ -39,6 +38,16 @@ editing::Element markedOf(const scene::Scene& scene, const std::vector<editing::
     while (editing::sourceOf(scene, element))
         ++element.index;
     return element;
+}
+
+// Those that the scene before has not.
+std::vector<editing::Element> newBodies(const scene::Scene& before, const scene::Scene& now) {
+    std::vector<editing::Element> all;
+    for (std::size_t i = 0; i < now.bodies.size(); ++i)
+        if (std::ranges::find(before.bodies, now.bodies[i].name, &scene::Body::name) ==
+            before.bodies.end())
+            all.push_back({editing::Kind::body, i});
+    return all;
 }
 
 } // namespace
@@ -248,13 +257,13 @@ void Creating::otherwise() {
 void Creating::finish() {
     const Recipe recipe = begun_->recipe();
     const std::vector<Indicated>& shown = begun_->shown();
-    const scene::Scene& scene = *document_.shown().scene;
+    const auto before = document_.shown().scene;
+    const scene::Scene& scene = *before;
     auto made = recipe.make(document_.text(), scene, shown);
     const auto moved = recipe.moves ? recipe.moves(scene, shown) : std::vector<editing::Wish>();
     const QString answer = recipe.tells ? recipe.tells(shown) : QString();
     if (!answer.isEmpty())
         measured_ = {shown.front().point, shown.back().point, answer};
-    const bool isOutOfSight = !shown.empty() && std::ranges::any_of(made, isBody) && !isInSight();
     cancel();
     if (!answer.isEmpty())
         Q_EMIT told(answer);
@@ -277,9 +286,11 @@ void Creating::finish() {
     // LIMIT: a new element that is not the last of its kind is not the one that is marked.
     Q_EMIT created(marked, recipe.handles);
     document_.setText(text::applied(document_.text(), edits), recipe.label);
-    if (isOutOfSight) // a place that was typed
-        connect(&document_, &SceneDocument::sceneChanged, &display_, &SceneDisplay::frameNow,
-                Qt::SingleShotConnection);
+    if (std::ranges::any_of(made, isBody))
+        connect(
+            &document_, &SceneDocument::sceneChanged, &display_,
+            [this, before] { display_.showWhole(newBodies(*before, *document_.shown().scene)); },
+            Qt::SingleShotConnection);
 }
 
 // The edit of the text that changes bodies which are there already.
@@ -295,23 +306,6 @@ bool Creating::forgetMeasured() {
     if (was)
         Q_EMIT changed();
     return was;
-}
-
-// A place that was clicked on is what one sees; of one that was typed, all that is made there.
-bool Creating::isInSight() const {
-    const Indicated& shown = begun_->shown().front();
-    const gestures::Sight sight = display_.sight();
-    const auto isSeen = [&](const Vector& point) {
-        return display_.rect().contains(display_.fromPixels(sight.pixels(point)).toPoint());
-    };
-    return isSeen(shown.point) &&
-           (!shown.isTyped ||
-            std::ranges::all_of(gestures::wireframeOf(begun_->recipe().ghost),
-                                [&](const auto& line) {
-                                    return std::ranges::all_of(line, [&](const Vector& point) {
-                                        return isSeen(shown.point + shown.attitude * point);
-                                    });
-                                }));
 }
 
 QString Creating::prompt() const {

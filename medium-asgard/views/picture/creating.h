@@ -96,7 +96,6 @@ private:
     void paintHold(QPainter& painter, const Indicated& next) const;
     void paintWords(QPainter& painter, const QPointF& place, const QString& words) const;
     [[nodiscard]] QString wordsOf(const Indicated& next) const;
-    [[nodiscard]] bool isInSight() const;
     [[nodiscard]] std::optional<Judged> judge(const Indicated& next) const;
     // None: nothing of what the step asks for is there, and that is the fault now.
     [[nodiscard]] std::optional<Indicated> indicated(const QPointF& position, bool holdsOff);

@@ -193,7 +193,8 @@ QString Pointing::hint() const {
     if (body_)
         return (isDragged_ ? tr("Drag moves %1  ·  Shift-middle turns it  ·  a click selects what "
                                 "lies behind  ·  double click: size  ·  %2")
-                           : tr("Click selects %1, with Shift one more  ·  Shift-drag moves it  ·  "
+                           : tr("Click selects %1, with Shift one more; a drag moves it then  ·  "
+                                "Shift-drag moves it now  ·  "
                                 "Shift-middle turns it  ·  double click: size  ·  %2"))
             .arg(subject_, menu);
     if (path_)

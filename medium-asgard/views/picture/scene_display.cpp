@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -76,7 +77,7 @@ PictureWish SceneDisplay::wish() const {
                 : seen_.framesItself && (seen_.isDue || !seen_.isEdited) ? SeenFrom::framed
                 : seen_.turned                                           ? SeenFrom::turned
                                                                          : SeenFrom::camera;
-    wish.keepsGround = seen_.keepsGround && wish.from != SeenFrom::framed;
+    wish.keepsGround = seen_.keepsGround;
     return wish;
 }
 
@@ -195,6 +196,20 @@ void SceneDisplay::sceneChanged() {
     motionChanged();
 }
 
+namespace {
+
+// Where the outline of the body is then.
+std::vector<render::Ball> ballsOf(const scene::Scene& scene, const simulation::Motion* motion,
+                                  std::size_t body, double time) {
+    const geometry::Pose pose = render::poseOf(scene, motion, body, time);
+    std::vector<render::Ball> balls = render::outlineOf(scene, scene.bodies[body]);
+    for (render::Ball& ball : balls)
+        ball.center = pose.toWorld(ball.center);
+    return balls;
+}
+
+} // namespace
+
 void SceneDisplay::stepBack() {
     if (!picture_.last())
         return;
@@ -205,37 +220,54 @@ void SceneDisplay::stepBack() {
             reach = std::max(reach, ball.center.norm() + ball.radius);
         return reach;
     };
-    gestures::Sight sight = SceneDisplay::sight(); // asked while this is made, too
-    const auto isSeen = [&](const scene::Scene& scene, std::size_t body) {
-        const geometry::Pose pose =
-            render::poseOf(scene, document_.shown().motion.get(), body, time_);
-        return std::ranges::all_of(
-            render::outlineOf(scene, scene.bodies[body]), [&](const render::Ball& ball) {
-                return render::isWithin(sight.camera, sight.size,
-                                        {pose.toWorld(ball.center), ball.radius});
-            });
+    const auto ballsIn = [&](const scene::Scene& scene, std::size_t body) {
+        return ballsOf(scene, document_.shown().motion.get(), body, time_);
     };
-    std::vector<std::size_t> grown;
+    const gestures::Sight sight = SceneDisplay::sight();
+    const auto isSeen = [&](const render::Ball& ball) {
+        return render::isWithin(sight.camera, sight.size, ball);
+    };
+    std::vector<render::Ball> grown;
     for (std::size_t i = 0; i < std::min(before.bodies.size(), now.bodies.size()); ++i)
         if (before.bodies[i].name == now.bodies[i].name &&
             reachOf(now, now.bodies[i]) > 1.01 * reachOf(before, before.bodies[i]) &&
-            isSeen(before, i))
-            grown.push_back(i);
-    constexpr double step = 0.9;
-    constexpr int most = 80;
-    const auto areSeen = [&] {
-        return std::ranges::all_of(grown, [&](std::size_t i) { return isSeen(now, i); });
-    };
-    for (int i = 0; i < most && !areSeen(); ++i) { // what is in the middle stays there
-        sight.camera.scale *= step;
-        sight.camera.position *= step;
-    }
-    if (sight.camera == control_.camera())
+            std::ranges::all_of(ballsIn(before, i), isSeen))
+            std::ranges::copy(ballsIn(now, i), std::back_inserter(grown));
+    stepBackTo(render::steppedBack(sight.camera, sight.size, grown));
+}
+
+void SceneDisplay::stepBackTo(const render::Camera& camera) {
+    if (camera == control_.camera())
         return;
     const bool isFramed = seen_.framed.has_value();
-    setCamera(sight.camera);
+    setCamera(camera);
     if (isFramed)
         keepFrame();
+}
+
+void SceneDisplay::showWhole(const std::vector<editing::Element>& elements) {
+    if (seen_.framesItself && (seen_.isDue || !seen_.isEdited)) // all is framed anyway
+        return;
+    const Shown& shown = document_.shown();
+    std::vector<render::Ball> balls;
+    for (const editing::Element& one : elements)
+        if (one.kind == editing::Kind::body && one.index < shown.scene->bodies.size())
+            std::ranges::copy(ballsOf(*shown.scene, shown.motion.get(), one.index, time_),
+                              std::back_inserter(balls));
+    const gestures::Sight sight = SceneDisplay::sight();
+    if (std::ranges::all_of(balls, [&](const render::Ball& ball) {
+            return render::isWithin(sight.camera, sight.size, ball);
+        }))
+        return;
+    constexpr double margin = 12; // pixels: they do not touch the edge then
+    for (render::Ball& ball : balls)
+        ball.radius += margin * sight.pixelLength(ball.center);
+    const render::Camera back = render::steppedBack(sight.camera, sight.size, balls);
+    constexpr double far = 0.5; // of the scale: the others would become too small
+    if (back.scale < far * sight.camera.scale)
+        frameNow();
+    else
+        stepBackTo(back);
 }
 
 void SceneDisplay::keepInSight() {

@@ -64,6 +64,9 @@ public:
     void frameNow();
     void frameSelected();
     void frameMotion();
+    // The picture steps back until it shows all of these bodies, which were made just now; from
+    // far out of it, it frames what stands there now.
+    void showWhole(const std::vector<editing::Element>& elements);
     void lookAlong(const geometry::Vector& toward); // keeps what is in the middle
     void levelHorizon(); // rolls the picture until what is upright in the world is so in it
     // The scene's view of that name; "" leaves it where it is.
@@ -172,6 +175,7 @@ private:
     void keepFrame();                                         // the view is as something framed it
     void keepInSight();                                       // bodies, where they start
     void stepBack(); // as far as bodies need that grew out of the reader's own view
+    void stepBackTo(const render::Camera& camera); // what was framed is so still
     bool clickTriad(const QMouseEvent& event);
     bool turnKey(const QKeyEvent& event);
     void pressView(render::CameraControl::Button button, const QPointF& position);
@@ -190,7 +194,7 @@ private:
         bool turned = false;         // framed anew, with the attitude as it is
         bool isWhole = false;        // it was framed, and only turned by a key since
         bool isPlaced = false;       // its bodies were seen, since it was opened
-        bool keepsGround = false;    // the grid stays where it is until the reader frames anew
+        bool keepsGround = false;    // the grid stays where it is, framed anew where it fits
         bool isToStay = false;       // once the scene is framed, the view stays
         bool keepsDirection = false; // the reader has chosen it, or has seen it
         unsigned scaling = 0;        // how often the reader has framed anew

@@ -1,4 +1,5 @@
 // Selecting by plain clicks and a band, and what the selected does with a plain drag.
+#include "framing/framing.h"
 #include "picture/selecting_testing.h"
 
 #include <gmock/gmock.h>
@@ -436,6 +437,40 @@ TEST_F(SelectingTest, AHiddenBodyIsNotSelectedAnyMoreNorByTheBand) {
                                                display().inPixels(all.bottomRight()));
     EXPECT_FALSE(bodies.empty());
     EXPECT_EQ(std::ranges::find(bodies, nearOne.index), bodies.end());
+}
+
+// As a new body: the picture steps back as far as it needs, and shows all from far out of it.
+TEST_F(SelectingTest, ACopyThatComesOutOfThePictureIsShown) {
+    const QList<QAction*> actions = display().actions();
+    const auto duplicate = std::ranges::find(actions, "Dup&licate", &QAction::text);
+    ASSERT_NE(duplicate, actions.end());
+    const auto copied = [&](double right) { // where the picture ends; the scale before and then
+        editor.document().setText(three, "Edit");
+        EXPECT_TRUE(settle(editor.document()));
+        editor.document().select({leftOne});
+        display().frameNow();
+        render::Camera camera = display().camera();
+        camera.scale *= 1.2;
+        camera.center = {0, 0, 0};
+        display().setCamera(camera);
+        camera.center.x() =
+            right - display().sight().pixelLength({0, 0, 0}) * display().sight().size.width / 2;
+        display().setCamera(camera);
+        display().grab();
+        (*duplicate)->trigger();
+        EXPECT_TRUE(settle(editor.document()));
+        const gestures::Sight sight = display().sight();
+        const Vector copy = editor.document().shown().scene->bodies.back().initialPosition;
+        EXPECT_TRUE(render::isWithin(sight.camera, sight.size, {copy, 0.5})) << right;
+        return std::pair(camera, display().camera());
+    };
+    const auto [first, stays] = copied(-0.2); // the copy stands at -1.9
+    EXPECT_EQ(stays, first);
+    const auto [second, back] = copied(-1.6); // at the edge
+    EXPECT_TRUE(back.center == second.center && back.scale < second.scale);
+    EXPECT_GT(back.scale, 0.8 * second.scale);
+    const auto [third, framed] = copied(-9);
+    EXPECT_NE(framed.center, third.center);
 }
 
 } // namespace

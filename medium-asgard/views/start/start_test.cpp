@@ -183,6 +183,13 @@ TEST_F(StartTest, TheFirstPageOpensWhatIsChosen) {
     EXPECT_FALSE(list->isRowHidden(1));
 }
 
+TEST_F(StartTest, WithoutSamplesThePageSaysSo) {
+    const FirstPage page({}, {}, nullptr);
+    EXPECT_TRUE(page.findChild<QListWidget*>("samples")->isHidden());
+    EXPECT_THAT(page.findChild<QLabel*>("noSamples")->text().toStdString(),
+                testing::HasSubstr("No samples are installed"));
+}
+
 TEST_F(StartTest, ASampleIsASceneOfNoFile) {
     TestWorkshop made;
     Editor editor(made.workshop());
@@ -203,6 +210,7 @@ TEST_F(StartTest, TheTourSeesEachStepAndItsUndoing) {
     TestWorkshop made;
     SceneDocument document(made.workshop());
     Tour tour(document);
+    const QSignalSpy built(&tour, &Tour::built);
     const auto step = [&](const std::string& text) {
         document.setText(text, "Edit");
         EXPECT_TRUE(settle(document));
@@ -223,6 +231,8 @@ TEST_F(StartTest, TheTourSeesEachStepAndItsUndoing) {
     EXPECT_EQ(step(text), 4);
     tour.played();
     EXPECT_EQ(tour.done(), Tour::steps);
+    EXPECT_EQ(step(text + "body r3 Rod -init_pos {0 9 0}\n"), Tour::steps); // a copy that floats
+    EXPECT_EQ(built.count(), 1);
     EXPECT_EQ(step(light), 3);
 }
 

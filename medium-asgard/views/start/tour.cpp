@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <variant>
 
 namespace views {
@@ -54,6 +55,12 @@ bool holds(const scene::Scene& scene, bool toGround) {
     });
 }
 
+bool isHeld(const scene::Scene& scene, const scene::Body& body) {
+    return std::ranges::any_of(scene.joints, [&](const scene::Joint& joint) {
+        return joint.body1 == body.name || joint.body2 == body.name;
+    });
+}
+
 bool hasWeight(const scene::Scene& scene, const scene::Body& body) {
     return std::ranges::any_of(scene.forces, [&](const scene::Force& force) {
         return force.body == body.name && !force.couple &&
@@ -71,8 +78,9 @@ int stepsDone(const scene::Scene& scene) {
         return 1;
     if (rods < 2 || !holds(scene, false))
         return 2;
+    // What comes later, as a copy without a weight, undoes no step.
     const bool heavy = std::ranges::all_of(scene.bodies, [&](const scene::Body& body) {
-        return !moves(body) || hasWeight(scene, body);
+        return !moves(body) || !isHeld(scene, body) || hasWeight(scene, body);
     });
     return heavy ? 4 : 3;
 }
@@ -120,7 +128,9 @@ Tour::Tour(SceneDocument& document, QWidget* parent) : QWidget(parent), document
     connect(end_, &QPushButton::clicked, this, &Tour::ended);
     column->addWidget(end_);
     setMinimumSize(250, 330); // of the longest step
-    connect(&document_, &SceneDocument::sceneChanged, this, &Tour::look);
+    for (const auto signal :
+         {&SceneDocument::sceneChanged, &SceneDocument::motionChanged, &SceneDocument::workChanged})
+        connect(&document_, signal, this, &Tour::look);
     connect(&document_, &SceneDocument::opened, this, &Tour::ended);
     look();
 }
@@ -134,10 +144,13 @@ void Tour::played() {
 void Tour::look() {
     done_ = stepsDone(*document_.shown().scene);
     if (done_ < steps - 1)
-        played_ = false;
+        played_ = isBuilt_ = false;
     else if (played_)
         done_ = steps;
     show();
+    const bool isKnown = document_.work() == Work::none && !document_.motionIsStale();
+    if (done_ >= steps - 1 && isKnown && !std::exchange(isBuilt_, true))
+        Q_EMIT built();
 }
 
 void Tour::show() {

@@ -25,6 +25,7 @@ public:
     void played(); // the motion was seen
 
 Q_SIGNALS:
+    void built(); // all but the last step is done, and the motion known
     void ended(); // by the reader, or another scene was opened
 
 private:
@@ -35,7 +36,7 @@ private:
     QList<QLabel*> lines_;
     QLabel* what_ = nullptr;
     QPushButton* end_ = nullptr;
-    bool played_ = false;
+    bool played_ = false, isBuilt_ = false;
     int done_ = 0;
 };
 

@@ -74,6 +74,7 @@ GraphicalViewer::GraphicalViewer(SceneDocument& document, std::shared_ptr<Pictur
     commands_ = new ElementCommands(document_, this);
     connect(commands_, &ElementCommands::refused, this,
             [this](const QString& why) { display_->editing().say(why); });
+    connect(commands_, &ElementCommands::added, display_, &SceneDisplay::showWhole);
     buildMenus();
     connectParts();
     updateTitle();
@@ -105,6 +106,10 @@ void GraphicalViewer::buildPicture(std::shared_ptr<PictureThread> pictures) {
     connect(notice, &MotionNotice::gravityWanted, display_, [this] {
         playback_.seek(playback_.start()); // where they fall from is seen
         display_->creating().start(weightForAll(usualGravity(*document_.shown().scene)));
+    });
+    connect(&display_->throwing(), &Throwing::letGo, notice, [notice](bool isChanged) {
+        if (isChanged)
+            notice->tellNewStart();
     });
     times_ = new TimeRows(document_, playback_);
     column->addWidget(times_);
@@ -177,6 +182,7 @@ QWidget* GraphicalViewer::makeTour() {
         if (playback_.isPlaying() && playback_.time() > playback_.start() + seen)
             tour->played();
     });
+    connect(tour, &Tour::built, display_, &SceneDisplay::frameAll); // there is room to swing
     connect(tour, &Tour::ended, this, [this] { panes_.hide("tour"); });
     return tour;
 }

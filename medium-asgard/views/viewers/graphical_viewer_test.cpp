@@ -320,6 +320,30 @@ TEST_F(GraphicalViewerTest, WhatAViewFramesStaysWhileOneEdits) {
     EXPECT_NE(display.camera(), before);
 }
 
+// The fall makes the picture larger, in which 0 would do for a scene that is opened.
+TEST_F(GraphicalViewerTest, TheGridStaysWhereItIsWhenTheMotionIsFramedAnew) {
+    Editor own{engineWorkshop()};
+    SceneDocument& document = own.document();
+    const std::string ball = "simulator -finish 3\nshape_set s -desc {-sub {-sphere 0.5}}\n"
+                             "body a s -init_pos {0 3 0}\n",
+                      weight = "force -body a -gravitational {0 -9.81 0}\n";
+    document.reset(ball);
+    ASSERT_TRUE(settle(document));
+    SceneDisplay& display = own.openGraphicalViewer()->display();
+    display.grab();
+    const double height = display.ground().value().height;
+    EXPECT_GT(height, 1);
+    document.setText(ball + weight, "Edit");
+    ASSERT_TRUE(settle(document));
+    display.frameAll();
+    display.grab();
+    EXPECT_EQ(display.ground().value().height, height);
+    document.reset(ball + weight);
+    ASSERT_TRUE(settle(document));
+    display.grab();
+    EXPECT_EQ(display.ground().value().height, 0);
+}
+
 // The scene before had its own view and began at its own time.
 TEST_F(GraphicalViewerTest, AnotherSceneBeginsAtItsFirstMomentAndTheTourInItsOwnView) {
     Editor own{engineWorkshop()};

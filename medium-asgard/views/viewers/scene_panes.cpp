@@ -29,18 +29,20 @@ void addScenePanes(
     const auto open = [&panes, &document](const editing::Element& element) {
         openValues(panes, document, element);
     };
-    panes.add({"properties", QObject::tr("Properties"), Qt::RightDockWidgetArea,
-               [&document, &display, windows, remove] {
-                   auto* pane = new PropertiesPane(
-                       document, {windows.showText, windows.openShapeEditor, remove});
-                   const auto look = [&display, pane] {
-                       pane->setUsualAxis(geometry::Vector::Unit(display.sight().facing()));
-                   };
-                   QObject::connect(&display, &SceneDisplay::cameraChanged, pane, look);
-                   look();
-                   return pane;
-               },
-               "status", QKeySequence(Qt::Key_F4)});
+    panes.add(
+        {"properties", QObject::tr("Properties"), Qt::RightDockWidgetArea,
+         [&document, &display, windows, remove] {
+             auto* pane =
+                 new PropertiesPane(document, {windows.showText, windows.openShapeEditor, remove});
+             const auto look = [&display, pane] {
+                 pane->setUsualAxis(geometry::Vector::Unit(display.sight().facing()));
+             };
+             QObject::connect(&display, &SceneDisplay::cameraChanged, pane, look);
+             QObject::connect(pane, &PropertiesPane::added, &display, &SceneDisplay::showWhole);
+             look();
+             return pane;
+         },
+         "status", QKeySequence(Qt::Key_F4)});
     panes.add({"sceneList",
                QObject::tr("Scene List"),
                Qt::LeftDockWidgetArea,
