@@ -167,7 +167,7 @@ QString MotionNotice::unread() const {
 MotionNotice::Said MotionNotice::said() {
     Said said = saidOfMotion();
     if (said.words.isEmpty() && newStart_ == document_.revision() && document_.sceneIsCurrent())
-        said = {tr("The motion begins here now, at %1 s.")
+        said = {tr("The motion begins at %1 s now, where you let go.")
                     .arg(document_.shown().scene->simulator.start),
                 false, Offer::undo};
     return said.words.isEmpty() ? saidOfForces() : said;

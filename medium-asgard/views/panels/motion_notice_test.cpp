@@ -133,7 +133,7 @@ TEST_F(MotionNoticeTest, AThrowSaysThatTheMotionBeginsThereAndUndoesIt) {
     EXPECT_EQ(wordsOf(viewer), "");
     Q_EMIT viewer.display().throwing().letGo(true);
     ASSERT_TRUE(settle(document));
-    EXPECT_EQ(wordsOf(viewer), "The motion begins here now, at 0.5 s.");
+    EXPECT_EQ(wordsOf(viewer), "The motion begins at 0.5 s now, where you let go.");
     auto* undo = viewer.findChild<QToolButton*>("undoNewStart");
     ASSERT_TRUE(undo && undo->isVisible());
     undo->click();
