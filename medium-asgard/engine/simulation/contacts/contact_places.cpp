@@ -18,24 +18,24 @@ using physics::ContactPoint;
 using physics::SurfaceGap;
 using physics::SurfacePiece;
 using Kind = SurfacePiece::Kind;
+using Ends = std::pair<Vector, Vector>; // of an edge
 
 constexpr double same = 1e-9;      // of the parts' size: a corner at a vertex, or on an edge
 constexpr double kept = 2e-9;      // of the same: a gap that stays what it is
 constexpr double sunk = 5e-10;     // an overlap that does
 constexpr double rounding = 1e-13; // of the same, of what stands in a body's frame
 // The sine of an angle: where edges of two faces on each other cross at a smaller one, the crossing
-// runs along them far faster than the bodies move, and it lies all but on the line between the
-// points on both sides, which carry. LIMIT: it would carry up to half of that part of an edge
-// farther out.
+// runs along them far faster than the bodies move. It lies all but on the line between the points
+// on both sides, which carry. LIMIT: it would carry up to half of that part of an edge farther out.
 constexpr double nextToParallel = 1e-3;
+constexpr double parallel = 1e-6; // the same: such edges do not cross
 
 // ---------------------------------------------------------------------------------- polyhedra
 
 // The edges of an outline (or the outline, if it is one) on which a point lies: two at a vertex.
-std::vector<std::pair<Vector, Vector>> edgesThrough(const std::vector<Vector>& outline,
-                                                    const Vector& point, const Vector& normal,
-                                                    double tolerance) {
-    std::vector<std::pair<Vector, Vector>> found;
+std::vector<Ends> edgesThrough(const std::vector<Vector>& outline, const Vector& point,
+                               const Vector& normal, double tolerance) {
+    std::vector<Ends> found;
     const std::size_t edges = outline.size() == 2 ? 1 : outline.size();
     for (std::size_t i = 0; i < edges && outline.size() > 1; ++i) {
         const Vector &a = outline[i], &b = outline[(i + 1) % outline.size()];
@@ -55,7 +55,7 @@ physics::NearestSurfaces nearestOf(const SurfaceGap& gap, const Placed& body,
 }
 
 // In their owner's frame.
-SurfacePiece lineBetween(const std::pair<Vector, Vector>& ends) {
+SurfacePiece lineBetween(const Ends& ends) {
     return {
         .kind = Kind::line, .place = ends.first, .axis = (ends.second - ends.first).normalized()};
 }
@@ -123,8 +123,7 @@ private:
     }
     [[nodiscard]] std::optional<ContactPoint> crossingAt(const Corner& corner) const {
         constexpr double near = 1e-5;
-        const double parallel = touch_.isFlat ? nextToParallel : 1e-6; // sine of the angle
-        std::pair<Vector, Vector> a, b;                                // those that cross most
+        Ends a, b; // those that cross most
         Vector ofBody, ofSupport;
         double across = 0;
         for (const auto& of :
@@ -139,8 +138,8 @@ private:
                 a = of, b = other, across = crossing;
                 ofBody = first, ofSupport = second;
             }
-        if (std::abs(across) < parallel)
-            return std::nullopt;
+        if (std::abs(across) < (touch_.isFlat ? nextToParallel : parallel))
+            return touch_.isFlat ? std::nullopt : endAlong(a, b);
         const std::pair first{own(body_, a.first), own(body_, a.second)};
         const std::pair second{own(support_, b.first), own(support_, b.second)};
         ContactPoint point;
@@ -155,6 +154,26 @@ private:
         point.sides = std::move(ofFirst.sides);
         point.sides.insert(point.sides.end(), ofSecond.sides.begin(), ofSecond.sides.end());
         return point;
+    }
+    // A box tips about the edge of an equal one: its edge runs along the border, next to parallel.
+    // Its end beside the face stands for the crossing. LIMIT: not where the border ends before it.
+    [[nodiscard]] std::optional<ContactPoint> endAlong(const Ends& ofBody,
+                                                       const Ends& ofSupport) const {
+        const bool isBodys = supportFace_.size() > 2; // the edge
+        if (isBodys == (bodyFace_.size() > 2))
+            return std::nullopt;
+        const auto& [edge, border] =
+            isBodys ? std::pair(ofBody, ofSupport) : std::pair(ofSupport, ofBody);
+        const Vector along = border.second - border.first;
+        for (const Vector& end : {edge.first, edge.second}) {
+            const double part = along.dot(end - border.first) / along.squaredNorm();
+            const auto isEnd = [&](const Corner& at) { return (at.point - end).norm() <= beside_; };
+            if (std::abs(part - 0.5) <= 0.5 + parallel &&
+                std::ranges::none_of(touch_.corners, isEnd))
+                return isBodys ? overFace(end, body_, support_, supportFace_)
+                               : overFace(end, support_, body_, bodyFace_);
+        }
+        return std::nullopt;
     }
     // In the owner's frame a vertex and a normal are those of its part, without the rounding of its
     // attitude: contacts of the same vertices have the same numbers. Of two faces that are next to
@@ -287,7 +306,6 @@ private:
     }
     // An edge whose end is beneath the other's face, beside it, lands where it crosses the border.
     void addCrossings(const Placed& owner, const Vector& from, const Vector& to, bool above) {
-        constexpr double parallel = 1e-6; // sine of the angle
         const Placed& other = above ? support_ : body_;
         const auto face = otherFace(above);
         const auto inWorld = [](const Placed& of, const Vector& point) {
@@ -498,9 +516,7 @@ LastingContact contactOf(const Touch& touch, const Placed& body, const Placed& s
             corner.gap > limits.gap * touch.size)
             continue;
         std::optional<ContactPoint> point = pointAt(touch, corner, body, support, limits);
-        // Of edges of two faces that are next to parallel, points on both sides carry.
-        if (!point) {
-            found.isModelled = found.isModelled && touch.isFlat;
+        if (!point) { // of next to parallel edges of two faces: points on both sides carry
             isAnyOut = true;
             continue;
         }
@@ -508,7 +524,7 @@ LastingContact contactOf(const Touch& touch, const Placed& body, const Placed& s
         place.points.push_back(std::move(*point));
         corners.push_back(corner.point);
     }
-    found.isModelled = found.isModelled && !(corners.empty() && isAnyOut);
+    found.isModelled = !isAnyOut || (touch.isFlat && !corners.empty());
     if (corners.empty())
         return found;
     found.rolls = std::ranges::any_of(place.points, rolls);

@@ -82,6 +82,30 @@ TEST_F(Touching, ATurningBoxHasCornersThatRiseAndSink) {
         }
 }
 
+// A box tips about the edge of the equal box below, and turns a little: its edge crosses the border
+// of the face in the middle, at an angle at which nothing crosses.
+TEST_F(Touching, AnEdgeAlongTheBorderOfAFaceCarriesAtBothEnds) {
+    SceneBuilder b(1);
+    b.box("below", {0, -0.25, 0}, {0.5, 0.5, 0.5}).fixed = true;
+    b.box("tips", {0, 2, 0}, {0.5, 0.5, 0.5});
+    build(b);
+    for (const double turned : {1e-7, -1e-7}) {
+        Placed box = placed(1, Vector::Zero());
+        box.state.attitude =
+            Eigen::AngleAxisd(turned, Vector::UnitY()) * Eigen::AngleAxisd(-1e-3, Vector::UnitZ());
+        box.state.position = Vector(0.25, 0, 0) - box.state.attitude * Vector(0.25, -0.25, 0);
+        TouchLimits limits;
+        limits.gap = 1e-8;
+        const auto found =
+            lastingContacts(box, placed(0, world->records[0].start.position), limits);
+        ASSERT_EQ(found.size(), 1u);
+        EXPECT_TRUE(found[0].isModelled);
+        ASSERT_EQ(found[0].place.points.size(), 2u);
+        for (const physics::ContactPoint& point : found[0].place.points)
+            EXPECT_NEAR(std::abs(point.gap.body.place.z()), 0.25, 1e-12);
+    }
+}
+
 TEST_F(Touching, ABallThatPassesAnotherNeitherPartsNorApproaches) {
     ballOnBall();
     const auto found = touches(placed(1, {0, 2, 0}, {3, 0, 0}));
