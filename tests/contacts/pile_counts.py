@@ -145,6 +145,20 @@ def struck_tower():
     return "\n".join(lines) + "\n"
 
 
+def jammed_tower():
+    """Three equal boxes that a ball hits aside: they jam while slow slips turn."""
+    body = "-friction 1 -restitution 0.4"
+    lines = ["simulator -finish 0.246 -accuracy 1e-3", "shape_set floor -desc {-sub {-box {40 1 40}}}",
+             "shape_set box -desc {-sub {-box {0.5 0.25 0.5}}}", "shape_set ball -desc {-sub {-sphere 0.2}}",
+             f"body floor floor -init_pos {{0 -0.5 0}} -fixed 1 {body}"]
+    places = (("b1 box", "0.05 0.125 0", "0 0 0"), ("b2 box", "0.05 0.375 0", "0 0 0"), ("b3 box", "0 0.625 0", "0 0 0"),
+              ("ball ball", "-0.8 0.6226 0.1", "5.635 1 0"))
+    for name, place, velocity in places:
+        lines += [f"body {name} -init_pos {{{place}}} -init_dpos {{{velocity}}} {body}",
+                  f"force -body {name.split()[0]} -gravitational {{0 -9.81 0}}"]
+    return "\n".join(lines) + "\n"
+
+
 def hinged_boxes():
     """Two flat boxes on a hinge that slide over a floor and turn."""
     lines = ["simulator -finish 2 -accuracy 1e-6", "shape_set floor -desc {-sub {-plane}}", "shape_set box -desc {-sub {-box {1 0.4 0.6}}}",
@@ -362,6 +376,8 @@ CASES = [
     # Friction that shifts the centre at which it acts had several answers, which steps took in turns, and came to an end of one:
     # "no forces keep the conditions" at 0.0593 s.
     ("a tower that a ball hits", struck_tower(), {"steps": 1000, "collisions": 100}),
+    # Forces that its jam left followed slips that they turned, and were none: "there is no solution" at 0.2439 s.
+    ("a tower that jams", jammed_tower(), {"steps": 15000, "collisions": 6000}),
     # Velocities of 1e-34 hit each other without end.
     ("a wall that stands", pile(5, 0.1), {"steps": 200, "collisions": 20}),
 ]

@@ -209,12 +209,8 @@ void ActiveSet::decide(double t, std::span<double> y) {
         blow(hit, t, y);
     slip(fastest, t, y);
     closed.insert(closed.end(), hit.begin(), hit.end());
-    if (!settle(closed, fastest, t, y)) {
-        const std::vector<double> still(y.size(), 0);
-        std::vector<double> jammed(y.begin(), y.end());
-        if (endJam(closed, t, jammed, still))
-            std::ranges::copy(jammed, y.begin());
-    }
+    if (!settle(closed, fastest, t, y))
+        (void)endJam(closed, t, y, std::vector<double>(y.size(), 0));
     noteOpened(std::vector<State>(mode_.kept.size(), State::inside), t, y);
     refresh();
 }
@@ -280,21 +276,13 @@ bool ActiveSet::cross(std::span<const std::size_t> watches, double t, std::span<
         return isOn;
     }
     if (!isDone) {
-        std::vector<double> jammed = moving;
+        std::ranges::copy(moving, y.begin());
         mode_ = ended;
-        isDone = endJam(candidates, t, jammed, rates);
-        if (isDone)
-            std::ranges::copy(jammed, y.begin());
+        isDone = endJam(candidates, t, y, rates);
     }
     multipliers_.project(t, y);
-    // A contact that has just closed takes its rate away, and slow slips go another way.
-    if (isDone && hit.empty() && slips() && !hasForces(t, y)) {
-        Mode settled = mode_;
-        if (settleWith({}, candidates, {}, t, y, rates))
-            multipliers_.project(t, y);
-        else
-            mode_ = std::move(settled);
-    }
+    if (isDone && hit.empty() && slips() && !hasForces(t, y))
+        settleAgain(candidates, t, y, rates);
     noteOpened(before.kept, t, y);
     refresh();
     return isDone;

@@ -177,9 +177,24 @@ private:
     [[nodiscard]] bool hasStopped(std::size_t disc, double elapsed);
     [[nodiscard]] double secondOf(std::size_t disc) const; // the largest of its rows
     void halt(std::span<const std::size_t> discs, double t, std::span<double> y);
-    // No forces of these keep the laws: what slips among them may jam. True: it did.
+    struct Known { // an answer, by multiplier
+        std::vector<double> forces = {};
+        std::vector<complementarity::State> kept = {};
+    };
+    // No forces of these keep the laws: what slips among them may jam. True: it did; false: nothing
+    // has changed.
     [[nodiscard]] bool endJam(std::span<const std::size_t> candidates, double t,
                               std::span<double> y, std::span<const double> rates);
+    void settleAgain(std::span<const std::size_t> candidates, double t, std::span<double> y,
+                     std::span<const double> rates);
+    struct JamStep {
+        bool isImpact = false;
+        std::vector<std::size_t> held = {}, slipped = {}; // rows, discs
+        Known known = {};
+    };
+    // None: the laws of the step have no answer, or nothing moves.
+    [[nodiscard]] std::optional<JamStep> jamStep(std::span<const std::size_t> candidates, double t,
+                                                 std::span<double> y);
     [[nodiscard]] bool mayHold(std::size_t disc, std::span<const std::size_t> fallen,
                                double fastest) const;
     // `slipping`: discs that slip, though they have no velocity yet.
@@ -192,14 +207,14 @@ private:
     [[nodiscard]] std::vector<double> roomsOf(std::span<const double> forces) const;
     [[nodiscard]] bool areWithinBounds() const;
     [[nodiscard]] bool settle(std::span<const std::size_t> fallen, double fastest, double t,
-                              std::span<const double> y);
+                              std::span<const double> y, const Known* guess = nullptr);
     void addLaw(Rows& rows, std::size_t disc, std::span<const std::size_t> normals);
     // The multipliers, as the mode holds what switches. False: none keep the conditions that hold.
     bool solve();
     [[nodiscard]] Multipliers::System systemOf(std::span<const std::size_t> rows);
     // On each surface that is slid upon, its upper side and the weight of that.
     template <typename Visit> void onUpperSides(Visit&& visit);
-    [[nodiscard]] bool solveLaws(const Rows& rows);
+    [[nodiscard]] bool solveLaws(const Rows& rows, const Known* guess);
     void take(const Rows& rows, const complementarity::Answer& answer, double faulty);
 
     ModelFunctions& f_;

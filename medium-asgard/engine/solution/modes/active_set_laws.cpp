@@ -126,14 +126,14 @@ void ActiveSet::addLaw(Rows& rows, std::size_t disc, std::span<const std::size_t
 }
 
 bool ActiveSet::settle(std::span<const std::size_t> fallen, double fastest, double t,
-                       std::span<const double> y) {
+                       std::span<const double> y, const Known* guess) {
     f_.fill(t, y);
     multipliers_.evaluateGaps();
     mode_.share = {};
     std::vector<char> slipping(discs().size(), 0);
     for (bool isOther = true; isOther;) {
         const Rows rows = rowsFor(fallen, fastest, slipping);
-        if (!rows.hasBounds || !solveLaws(rows)) {
+        if (!rows.hasBounds || !solveLaws(rows, guess)) {
             openUnpressed();
             return !rows.hasBounds;
         }
@@ -328,14 +328,24 @@ void ActiveSet::followCentres(double t, std::span<const double> y) {
             multipliers_.friction().follow(disc, multipliers_.values(), mode_.discs[disc].last);
 }
 
-bool ActiveSet::solveLaws(const Rows& rows) {
+bool ActiveSet::solveLaws(const Rows& rows, const Known* guess) {
     const auto [a, b] = systemOf(rows.rows);
-    Answer rest; // the guess: all that may rest does
-    if (!rows.discs.empty()) {
-        rest.forces.setZero(b.size());
-        rest.states.assign(rows.laws.size(), State::inside);
+    Answer known; // without forces all that may rest does
+    if (!rows.discs.empty() || guess) {
+        known.forces.setZero(b.size());
+        known.states.assign(rows.laws.size(), State::inside);
     }
-    auto answer = complementarity::solve(a, b, rows.laws, rest);
+    if (guess) {
+        for (std::size_t i = 0; i < rows.rows.size(); ++i)
+            known.forces[static_cast<Eigen::Index>(i)] = guess->forces[rows.rows[i]];
+        for (std::size_t k = 0; k < rows.laws.size(); ++k) {
+            const Law& of = rows.laws[k];
+            const State kept = guess->kept[rows.rows[static_cast<std::size_t>(of.first)]];
+            const bool isEdge = of.kind != Law::Kind::interval && kept != State::inside;
+            known.states[k] = isEdge || of.kind == Law::Kind::slip ? State::edge : kept;
+        }
+    }
+    auto answer = complementarity::solve(a, b, rows.laws, known);
     if (!answer)
         return false;
     holdWithin(a, b, rows.laws, *answer);
@@ -381,6 +391,21 @@ void ActiveSet::take(const Rows& rows, const Answer& answer, double faulty) {
 // ---------------------------------------------------------------------------------------------
 // Jams: the laws have no answer
 
+namespace {
+
+// From these rates to those of the answer.
+bool isTurned(const Law& disc, const Eigen::VectorXd& from, const Answer& answer) {
+    constexpr double another = 1e-2; // of an angle
+    const auto centre = complementarity::centreOf(disc, answer.forces);
+    const Eigen::VectorXd was =
+        complementarity::ratesAt(centre, from.segment(disc.first, disc.rows));
+    const Eigen::VectorXd is =
+        complementarity::ratesAt(centre, answer.rates.segment(disc.first, disc.rows));
+    return !((is.normalized() - was.normalized()).norm() < another);
+}
+
+} // namespace
+
 // Painleve's rod: its friction turns it into the floor faster than any force of the floor can push
 // it away. The limit of ever stiffer contacts is an impact without a collision (Genot, Brogliato
 // 1999, "New results on Painleve paradoxes"). Bodies may jam by each other's friction, too, as a
@@ -389,28 +414,72 @@ void ActiveSet::take(const Rows& rows, const Answer& answer, double faulty) {
 // The laws of a next to empty step have an answer: impulses of contacts, with friction against the
 // velocities at its end (Moreau 1988, "Unilateral contact and dry friction in finite freedom
 // dynamics"). Where there are forces, the impulses are theirs, and change next to nothing; where
-// there are none, they are those of the impact.
+// there are none, they are those of the impact. Behind an impact bodies may jam again.
 bool ActiveSet::endJam(std::span<const std::size_t> candidates, double t, std::span<double> y,
                        std::span<const double> rates) {
+    constexpr int mostBlows = 8;
+    const Mode before = mode_;
+    const std::vector<double> moving(y.begin(), y.end());
+    std::vector<std::size_t> held(candidates.begin(), candidates.end()), slipped;
+    bool isDone = false;
+    for (int blows = 0; blows < mostBlows && !isDone; ++blows) {
+        const std::optional<JamStep> step = jamStep(held, t, y);
+        if (!step)
+            break;
+        if (!step->isImpact) {
+            isDone = settle(held, 0, t, y, &step->known) && hasForces(t, y);
+            break;
+        }
+        held.assign(candidates.begin(), candidates.end());
+        held.insert(held.end(), step->held.begin(), step->held.end());
+        slipped.insert(slipped.end(), step->slipped.begin(), step->slipped.end());
+        isDone = settleWith({}, held, {}, t, y, rates) && hasForces(t, y);
+    }
+    if (!isDone) {
+        mode_ = before;
+        std::ranges::copy(moving, y.begin());
+        return false;
+    }
+    for (const std::size_t disc : slipped)
+        for (const std::size_t row : discs()[disc].rows)
+            jammed_[row] = 1; // if it holds (hasJammed)
+    return true;
+}
+
+// Behind an event without forces. A contact that has just closed took its rate away, and slow slips
+// go another way; else bodies jam.
+void ActiveSet::settleAgain(std::span<const std::size_t> candidates, double t, std::span<double> y,
+                            std::span<const double> rates) {
+    Mode settled = mode_;
+    if (settleWith({}, {candidates.begin(), candidates.end()}, {}, t, y, rates))
+        multipliers_.project(t, y);
+    else
+        mode_ = std::move(settled);
+    if (!hasForces(t, y) && endJam(candidates, t, y, rates))
+        multipliers_.project(t, y);
+}
+
+// With an impact, y and the rows that it holds; else the forces, and slips on the way that they
+// give.
+std::optional<ActiveSet::JamStep> ActiveSet::jamStep(std::span<const std::size_t> candidates,
+                                                     double t, std::span<double> y) {
     constexpr double part = 1e-6; // of the time in which the strongest brake would stop the fastest
     f_.fill(t, y);
     multipliers_.evaluateGaps();
-    const Mode before = mode_;
     Rows rows = rowsFor(candidates, 0, std::vector<char>(discs().size(), 0));
     auto [a, b] = systemOf(rows.rows);
     Eigen::VectorXd speeds(b.size());
     for (Eigen::Index i = 0; i < b.size(); ++i)
         speeds[i] = multipliers_.rate(rows.rows[static_cast<std::size_t>(i)]);
     const double fastest = speeds.size() > 0 ? speeds.cwiseAbs().maxCoeff() : 0;
-    if (!(fastest > 0 && b.cwiseAbs().maxCoeff() > 0)) {
-        mode_ = before;
-        return false;
-    }
-    const double step = part * fastest / b.cwiseAbs().maxCoeff();
-    std::vector<std::size_t> slipping;
+    const double strongest = b.size() > 0 ? b.cwiseAbs().maxCoeff() : 0;
+    if (!(fastest > 0 && strongest > 0))
+        return std::nullopt;
+    const double step = part * fastest / strongest;
+    JamStep jam;
     for (Law& of : rows.laws) {
         if (of.kind == Law::Kind::slip) {
-            slipping.push_back(*law(rows.rows[static_cast<std::size_t>(of.first)]).disc);
+            jam.slipped.push_back(*law(rows.rows[static_cast<std::size_t>(of.first)]).disc);
             of.kind = Law::Kind::disc;
         }
         of.low *= step;
@@ -418,40 +487,33 @@ bool ActiveSet::endJam(std::span<const std::size_t> candidates, double t, std::s
         of.radius *= step;
     }
     auto answer = complementarity::solve(a, speeds + step * b, rows.laws);
-    if (!answer) {
-        mode_ = before;
-        return false;
-    }
-    constexpr double more = 1e3; // than forces make of it in the step
-    const double changed = (a * answer->forces).cwiseAbs().maxCoeff();
-    const bool isImpact = changed > more * step * b.cwiseAbs().maxCoeff();
-    bool isDone = false;
-    if (isImpact) {
+    if (!answer)
+        return std::nullopt;
+    constexpr double more = 10; // than loads make of it in the step
+    jam.isImpact = (a * answer->forces).cwiseAbs().maxCoeff() > more * step * strongest;
+    if (jam.isImpact) {
         multipliers_.push(rows.rows, answer->forces, y);
-        std::vector<std::size_t> held(candidates.begin(), candidates.end());
         for (std::size_t k = 0; k < rows.laws.size(); ++k)
             if (answer->states[k] == State::inside)
-                held.push_back(rows.rows[static_cast<std::size_t>(rows.laws[k].first)]);
-        isDone = settleWith({}, held, {}, t, y, rates);
-    } else {
-        const double faulty = complementarity::violation(a, speeds + step * b, rows.laws, *answer);
-        answer->forces /= step;
-        take(rows, *answer, faulty);
-        for (const std::size_t disc : slipping)
-            if (multipliers_.friction().slips(disc))
-                setSlip(disc);
-        openUnpressed();
-        takeForces();
-        isDone = hasForces(t, y) && areWithinBounds();
+                jam.held.push_back(rows.rows[static_cast<std::size_t>(rows.laws[k].first)]);
+        return jam;
     }
-    if (!isDone) {
-        mode_ = before;
-        return false;
-    }
-    for (const std::size_t disc : isImpact ? slipping : std::vector<std::size_t>())
-        for (const std::size_t row : discs()[disc].rows)
-            jammed_[row] = 1; // if it holds (hasJammed)
-    return true;
+    answer->forces /= step;
+    take(rows, *answer, 0);
+    jam.known.forces = std::exchange(mode_.share.forces, {});
+    // A slip that the step turns is next to none: it goes on the way of its end.
+    std::vector<std::size_t> turned;
+    for (const Law& of : rows.laws)
+        if (const auto disc = law(rows.rows[static_cast<std::size_t>(of.first)]).disc;
+            disc && isIn(jam.slipped, *disc) && multipliers_.friction().slips(*disc)) {
+            if (isTurned(of, speeds, *answer))
+                turned.push_back(*disc);
+            else
+                setSlip(*disc);
+        }
+    halt(turned, t, y);
+    jam.known.kept = mode_.kept;
+    return jam;
 }
 
 } // namespace solution
