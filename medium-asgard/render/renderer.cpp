@@ -317,7 +317,7 @@ Vector Renderer::Implementation::sun() const {
 }
 
 Ground Renderer::Implementation::groundBelow(std::span<const Solid> all, const Frame& frame) const {
-    const Ground below = groundOf(all, kept.extent(), frame, *solids);
+    Ground below = groundOf(all, kept.extent(), frame, *solids);
     if (!keptAround || !keptAround->ground || below.floor)
         return below;
     const GroundPlane& last = *keptAround->ground;

@@ -84,7 +84,7 @@ public:
             return overFace(*ofBody, body_, support_, supportFace_);
         if (bodyFace_.size() > 2 && ofSupport != supportFace_.end())
             return overFace(*ofSupport, support_, body_, bodyFace_);
-        return crossingAt(corner);
+        return crossingAt(corner.point);
     }
 
     // A point of the rim of a round end of one of the two, on the other's face.
@@ -121,58 +121,58 @@ private:
         point.sides = std::move(sides.sides);
         return point;
     }
-    [[nodiscard]] std::optional<ContactPoint> crossingAt(const Corner& corner) const {
-        constexpr double near = 1e-5;
+    [[nodiscard]] std::optional<ContactPoint> crossingAt(const Vector& point,
+                                                         bool isEnd = false) const {
+        const double near = 1e-5 * touch_.size;
         Ends a, b; // those that cross most
-        Vector ofBody, ofSupport;
         double across = 0;
-        for (const auto& of :
-             edgesThrough(bodyFace_, corner.point, touch_.normal, near * touch_.size))
-            for (const auto& other :
-                 edgesThrough(supportFace_, corner.point, touch_.normal, near * touch_.size)) {
-                const Vector first = (of.second - of.first).normalized(),
-                             second = (other.second - other.first).normalized();
-                const double crossing = first.cross(second).dot(touch_.normal);
-                if (std::abs(crossing) <= std::abs(across))
-                    continue;
-                a = of, b = other, across = crossing;
-                ofBody = first, ofSupport = second;
+        for (const auto& of : edgesThrough(bodyFace_, point, touch_.normal, near))
+            for (const auto& other : edgesThrough(supportFace_, point, touch_.normal, near)) {
+                const Vector first = (of.second - of.first).normalized();
+                const Vector second = (other.second - other.first).normalized();
+                if (const double turn = first.cross(second).dot(touch_.normal);
+                    std::abs(turn) > std::abs(across))
+                    a = of, b = other, across = turn;
             }
         if (std::abs(across) < (touch_.isFlat ? nextToParallel : parallel))
-            return touch_.isFlat ? std::nullopt : endAlong(a, b);
+            return touch_.isFlat || isEnd ? std::nullopt : endAlong(a, b);
         const std::pair first{own(body_, a.first), own(body_, a.second)};
         const std::pair second{own(support_, b.first), own(support_, b.second)};
-        ContactPoint point;
-        point.gap = {
+        ContactPoint crossing;
+        crossing.gap = {
             .body = lineBetween(first), .support = lineBetween(second), .isFlipped = across < 0};
         // The lines cross elsewhere than the outlines of faces that lie on each other with a tilt.
-        const Vector place = nearestOf(point.gap, body_, support_).contact;
+        const Vector place = nearestOf(crossing.gap, body_, support_).contact;
         Sides ofFirst(body_.index, localOf(body_, place), touch_.size, beside_);
         ofFirst.addEnds(first.first, first.second);
         Sides ofSecond(support_.index, localOf(support_, place), touch_.size, beside_);
         ofSecond.addEnds(second.first, second.second);
-        point.sides = std::move(ofFirst.sides);
-        point.sides.insert(point.sides.end(), ofSecond.sides.begin(), ofSecond.sides.end());
-        return point;
+        crossing.sides = std::move(ofFirst.sides);
+        crossing.sides.insert(crossing.sides.end(), ofSecond.sides.begin(), ofSecond.sides.end());
+        return crossing;
     }
-    // A box tips about the edge of an equal one: its edge runs along the border, next to parallel.
-    // Its end beside the face stands for the crossing. LIMIT: not where the border ends before it.
+    // A box tips about an equal one's edge: its own runs along the border, next to parallel. The
+    // end of their common stretch, beside the face, stands for the crossing.
     [[nodiscard]] std::optional<ContactPoint> endAlong(const Ends& ofBody,
                                                        const Ends& ofSupport) const {
         const bool isBodys = supportFace_.size() > 2; // the edge
         if (isBodys == (bodyFace_.size() > 2))
             return std::nullopt;
-        const auto& [edge, border] =
-            isBodys ? std::pair(ofBody, ofSupport) : std::pair(ofSupport, ofBody);
-        const Vector along = border.second - border.first;
-        for (const Vector& end : {edge.first, edge.second}) {
-            const double part = along.dot(end - border.first) / along.squaredNorm();
-            const auto isEnd = [&](const Corner& at) { return (at.point - end).norm() <= beside_; };
-            if (std::abs(part - 0.5) <= 0.5 + parallel &&
-                std::ranges::none_of(touch_.corners, isEnd))
+        const Ends &edge = isBodys ? ofBody : ofSupport, &border = isBodys ? ofSupport : ofBody;
+        const auto isOn = [&](const Vector& end, const Ends& other) { // and no corner
+            const Vector along = other.second - other.first;
+            const double part = along.dot(end - other.first) / along.squaredNorm();
+            const auto isIt = [&](const Corner& at) { return (at.point - end).norm() <= beside_; };
+            const bool isBeside = std::abs(part - 0.5) <= 0.5 + parallel;
+            return isBeside && std::ranges::none_of(touch_.corners, isIt);
+        };
+        for (const Vector& end : {edge.first, edge.second})
+            if (isOn(end, border))
                 return isBodys ? overFace(end, body_, support_, supportFace_)
                                : overFace(end, support_, body_, bodyFace_);
-        }
+        for (const Vector& end : {border.first, border.second})
+            if (isOn(end, edge))
+                return crossingAt(end, true);
         return std::nullopt;
     }
     // In the owner's frame a vertex and a normal are those of its part, without the rounding of its
