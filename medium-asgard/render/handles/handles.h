@@ -27,7 +27,7 @@ namespace render {
 // Pixels, in a picture 480 high. A velocity of zero lies on its body's position, smaller.
 [[nodiscard]] double radiusOf(HandleKind kind);
 
-// Where a body starts is a ring about a point, which nobody takes for a ball of the scene.
+// A start place is drawn as a ring about a point: filled, it would look like a ball of the scene.
 [[nodiscard]] constexpr bool isTarget(HandleKind kind) { return kind == HandleKind::position; }
 
 [[nodiscard]] scene::Color colorOf(HandleKind kind);

@@ -38,6 +38,18 @@ Computed stopping(Work work) {
     return computed;
 }
 
+class MotionNoticeOfSceneTest : public MotionNoticeTest {
+protected:
+    MotionNoticeOfSceneTest() { viewer.show(); }
+    void take(const std::string& text) {
+        document.setText(text, "Edit");
+        ASSERT_TRUE(settle(document));
+    }
+    TestWorkshop made;
+    SceneDocument document{made.workshop()};
+    GraphicalViewer viewer{document, pictures, {}, 1};
+};
+
 TEST_F(MotionNoticeTest, ThePictureEndsWhereTheFirstBodyStopsAndSaysWhy) {
     SceneDocument document{Workshop{}};
     GraphicalViewer viewer(document, pictures, {}, 1);
@@ -62,20 +74,14 @@ TEST_F(MotionNoticeTest, ThePictureEndsWhereTheFirstBodyStopsAndSaysWhy) {
 }
 
 // In the motion of these tests a body keeps the velocity that it starts with.
-TEST_F(MotionNoticeTest, WhatFallsThroughTheGridIsToldAndAClickAddsAFloor) {
-    TestWorkshop made;
-    SceneDocument document{made.workshop()};
-    GraphicalViewer viewer(document, pictures, {}, 1);
-    viewer.show();
+TEST_F(MotionNoticeOfSceneTest, WhatFallsThroughTheGridIsToldAndAClickAddsAFloor) {
     const std::string standing = "shape_set s -desc {-sub {-sphere 0.5}}\n"
                                  "body a s -init_pos {0 0.5 0} -init_dpos {0 -1 0}\n"
                                  "body b s -init_pos {2 0.5 0} -init_dpos {0 -1 0}\n"
                                  "force -body a -gravitational {0 -9.81 0}\n";
-    document.setText(standing, "Edit");
-    ASSERT_TRUE(settle(document));
+    take(standing);
     EXPECT_EQ(wordsOf(viewer), "The grid holds nothing: a falls through it.");
-    document.setText(standing + "force -body b -gravitational {0 -9.81 0}\n", "Edit");
-    ASSERT_TRUE(settle(document));
+    take(standing + "force -body b -gravitational {0 -9.81 0}\n");
     EXPECT_EQ(wordsOf(viewer), "The grid holds nothing: a and 1 more fall through it.");
     auto* add = viewer.findChild<QToolButton*>("addFloor");
     ASSERT_TRUE(add && add->isVisible());
@@ -86,24 +92,16 @@ TEST_F(MotionNoticeTest, WhatFallsThroughTheGridIsToldAndAClickAddsAFloor) {
 }
 
 // A ball that one has just made hangs in the air.
-TEST_F(MotionNoticeTest, WhereNothingMovesAClickAddsGravityAndShowsTheFallFromItsStart) {
-    TestWorkshop made;
-    SceneDocument document{made.workshop()};
-    GraphicalViewer viewer(document, pictures, {}, 1);
-    viewer.show();
+TEST_F(MotionNoticeOfSceneTest, WhereNothingMovesAClickAddsGravityAndShowsTheFallFromItsStart) {
     const std::string hanging = "simulator -finish 2\nshape_set s -desc {-sub {-sphere 0.5}}\n"
                                 "body a s -init_pos {0 3 0}\nbody b s -fixed 1\n";
-    document.setText("shape_set s -desc {-sub {-sphere 0.5}}\nbody a s -init_pos {0 3 0}\n"
-                     "body c s -init_pos {4 3 0} -init_dpos {-1 0 0}\n",
-                     "Edit");
-    ASSERT_TRUE(settle(document));
+    take("shape_set s -desc {-sub {-sphere 0.5}}\nbody a s -init_pos {0 3 0}\n"
+         "body c s -init_pos {4 3 0} -init_dpos {-1 0 0}\n");
     EXPECT_EQ(wordsOf(viewer), ""); // in space
-    document.setText(hanging + "body c s -init_pos {4 3 0} -init_dpos {-1 0 0}\n", "Edit");
-    ASSERT_TRUE(settle(document));
+    take(hanging + "body c s -init_pos {4 3 0} -init_dpos {-1 0 0}\n");
     EXPECT_EQ(wordsOf(viewer), "Bodies move straight on: no force acts.");
     EXPECT_TRUE(viewer.findChild<QToolButton*>("addGravity")->isVisible());
-    document.setText(hanging + "body c s -init_pos {4 3 0}\n", "Edit");
-    ASSERT_TRUE(settle(document));
+    take(hanging + "body c s -init_pos {4 3 0}\n");
     EXPECT_EQ(wordsOf(viewer), "Nothing moves: no force acts.");
     viewer.playback().seek(1);
     auto* add = viewer.findChild<QToolButton*>("addGravity");
@@ -118,15 +116,10 @@ TEST_F(MotionNoticeTest, WhereNothingMovesAClickAddsGravityAndShowsTheFallFromIt
 }
 
 // The text has another start then, which one may not have meant.
-TEST_F(MotionNoticeTest, AThrowSaysThatTheMotionBeginsThereAndUndoesIt) {
-    TestWorkshop made;
-    SceneDocument document{made.workshop()};
-    GraphicalViewer viewer(document, pictures, {}, 1);
-    viewer.show();
+TEST_F(MotionNoticeOfSceneTest, AThrowSaysThatTheMotionBeginsThereAndUndoesIt) {
     const std::string before = "simulator -finish 2\nshape_set s -desc {-sub {-sphere 0.5}}\n"
                                "body a s -init_dpos {1 0 0}\n";
-    document.setText(before, "Edit");
-    ASSERT_TRUE(settle(document));
+    take(before);
     document.setText("simulator -start 0.5 -finish 2\nshape_set s -desc {-sub {-sphere 0.5}}\n"
                      "body a s -init_dpos {0 1 0}\n",
                      "Throw a at 0.5 s");
@@ -144,16 +137,11 @@ TEST_F(MotionNoticeTest, AThrowSaysThatTheMotionBeginsThereAndUndoesIt) {
 }
 
 // Before any floor: the sentence of the fault names a button, and here it is.
-TEST_F(MotionNoticeTest, WhereBodiesOverlapAClickMovesThemApart) {
-    TestWorkshop made;
-    SceneDocument document{made.workshop()};
-    GraphicalViewer viewer(document, pictures, {}, 1);
-    viewer.show();
+TEST_F(MotionNoticeOfSceneTest, WhereBodiesOverlapAClickMovesThemApart) {
     const std::string overlapping = "shape_set s -desc {-sub {-sphere 0.5}}\n"
                                     "body a s -init_pos {0 0.5 0}\nbody b s -init_pos {0.8 0.5 0}\n"
                                     "force -body a -gravitational {0 -9.81 0}\n";
-    document.setText(overlapping, "Edit");
-    ASSERT_TRUE(settle(document));
+    take(overlapping);
     auto* part = viewer.findChild<QAbstractButton*>("moveApart");
     ASSERT_NE(part, nullptr);
     EXPECT_FALSE(part->isVisible());
@@ -244,11 +232,7 @@ TEST_F(MotionNoticeTest, TheTimeBarIsFilledOnlyAsFarAsItIsComputed) {
     EXPECT_NE(colorAt(2), colorAt(5));
 }
 
-TEST_F(MotionNoticeTest, ComputingIsSaidStoppedAndBegunAgain) {
-    TestWorkshop made;
-    SceneDocument document{made.workshop()};
-    GraphicalViewer viewer(document, pictures, {}, 1);
-    viewer.show();
+TEST_F(MotionNoticeOfSceneTest, ComputingIsSaidStoppedAndBegunAgain) {
     made.blocked = true;
     document.setText(ballScene, "Edit");
     ASSERT_TRUE(waitFor([&] { return !wordsOf(viewer).empty(); }));
@@ -265,16 +249,10 @@ TEST_F(MotionNoticeTest, ComputingIsSaidStoppedAndBegunAgain) {
 }
 
 // The motion of the scene before is shown until one asks.
-TEST_F(MotionNoticeTest, PlayComputesWhatWaitsToBeAsked) {
-    TestWorkshop made;
-    SceneDocument document{made.workshop()};
-    GraphicalViewer viewer(document, pictures, {}, 1);
-    viewer.show();
-    document.setText(ballScene, "Edit");
-    ASSERT_TRUE(settle(document));
+TEST_F(MotionNoticeOfSceneTest, PlayComputesWhatWaitsToBeAsked) {
+    take(ballScene);
     document.setLive(Live::never);
-    document.setText("# other\n" + ballScene, "Edit");
-    ASSERT_TRUE(settle(document));
+    take("# other\n" + ballScene);
     ASSERT_TRUE(waitFor([&] { return !wordsOf(viewer).empty(); }));
     EXPECT_THAT(wordsOf(viewer), HasSubstr("Stale motion"));
     viewer.findChild<QToolButton*>("play")->click();

@@ -198,7 +198,7 @@ void SceneDisplay::sceneChanged() {
 
 namespace {
 
-// Where the outline of the body is then.
+// The outline of the body, at its place at that time.
 std::vector<render::Ball> ballsOf(const scene::Scene& scene, const simulation::Motion* motion,
                                   std::size_t body, double time) {
     const geometry::Pose pose = render::poseOf(scene, motion, body, time);

@@ -335,18 +335,22 @@ QString PropertiesPane::faultsAt(const PropertyRow& row) const {
     return faults.join('\n');
 }
 
-// As the motion has them; "": of one of them it has none.
+// As the motion has them, of those that are not fixed; "": it has none.
 QString PropertiesPane::masses() const {
     const simulation::Motion* motion = document_.shown().motion.get();
     double least = std::numeric_limits<double>::infinity(), largest = 0;
     for (const Element& body : elements()) {
         const bool isKnown = motion != nullptr && body.index < motion->bodies();
         const double mass = isKnown ? motion->mass(body.index) : 0;
-        least = std::min(least, std::isfinite(mass) ? mass : 0);
+        if (isKnown && !std::isfinite(mass))
+            continue; // fixed
+        least = std::min(least, mass);
         largest = std::max(largest, mass);
     }
     const QString from = QString::number(least, 'g', 6), to = QString::number(largest, 'g', 6);
-    return !(least > 0) ? QString() : from == to ? from : QStringLiteral("%1 … %2").arg(from, to);
+    return !(largest > 0 && least > 0) ? QString()
+           : from == to                ? from
+                                       : QStringLiteral("%1 … %2").arg(from, to);
 }
 
 QString PropertiesPane::absentOf(const OptionHint& option) const {

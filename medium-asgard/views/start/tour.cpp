@@ -78,7 +78,7 @@ int stepsDone(const scene::Scene& scene) {
         return 1;
     if (rods < 2 || !holds(scene, false))
         return 2;
-    // What comes later, as a copy without a weight, undoes no step.
+    // A body that is pasted later, without a weight, undoes no step.
     const bool heavy = std::ranges::all_of(scene.bodies, [&](const scene::Body& body) {
         return !moves(body) || !isHeld(scene, body) || hasWeight(scene, body);
     });

@@ -25,7 +25,8 @@
 // this answer comes to an end, the motion goes on with another: forces jump, velocities do not.
 //
 // LIMIT: of several other answers the one is taken that the search finds first. A contact that the
-// impact of a jam parts may stay closed until the next event.
+// impact of a jam parts may stay closed until the next event. Forces of a jam that are over ten
+// times the loads count as an impact, and after eight impacts at an instant the motion ends.
 //
 // LIMIT: hops lower than a condition's resolution are left out. A blow of a stop passes through
 // contacts without friction.
