@@ -270,6 +270,35 @@ TEST_F(FollowerTest, ValuesOfParametersThatAreNoMoreAreLeftOut) {
     EXPECT_EQ(x(1), 1);
 }
 
+// A motion that is known to that time so far.
+class Partly final : public simulation::Motion {
+public:
+    Partly(simulation::MotionPointer of, double computed)
+        : of_(std::move(of)), computed_(computed) {}
+    double start() const override { return of_->start(); }
+    double finish() const override { return of_->finish(); }
+    double computed() const override { return computed_; }
+    bool draft() const override { return true; }
+    std::size_t bodies() const override { return of_->bodies(); }
+    simulation::BodyState at(std::size_t body, double time) const override {
+        return of_->at(body, time);
+    }
+    std::optional<simulation::Stop> stop(std::size_t body) const override {
+        return of_->stop(body);
+    }
+    geometry::Vector centroid(std::size_t body) const override { return of_->centroid(body); }
+    double mass(std::size_t body) const override { return of_->mass(body); }
+    const std::vector<simulation::Impact>& impacts() const override { return of_->impacts(); }
+    std::vector<double> jumps(std::size_t body) const override { return of_->jumps(body); }
+    std::optional<double> errorEstimate() const override { return std::nullopt; }
+    std::optional<double> predictableUntil() const override { return std::nullopt; }
+    const std::vector<std::string>& notes() const override { return of_->notes(); }
+
+private:
+    simulation::MotionPointer of_;
+    double computed_;
+};
+
 // The moment of a throw is the new start: what was thrown stands where the hand let it go.
 TEST(StaleMotion, BeginsAtALaterStartOfItsScene) {
     const scene::Scene before = ballAt(1);
@@ -289,6 +318,8 @@ TEST(StaleMotion, BeginsAtALaterStartOfItsScene) {
         staleMotion(before, motion, std::make_shared<scene::Scene>(before))->jumps(0).empty());
     now->simulator.start = 3; // later than all that is known
     EXPECT_EQ(staleMotion(before, motion, now)->start(), 0);
+    now->simulator.start = 1.5; // the old motion is known to 1 s so far
+    EXPECT_EQ(staleMotion(before, std::make_shared<Partly>(motion, 1), now)->start(), 0);
 }
 
 } // namespace

@@ -17,7 +17,7 @@ public:
     StaleMotion(MotionPointer old, std::shared_ptr<const scene::Scene> scene)
         : old_(std::move(old)), scene_(std::move(scene)), start_(old_->start()),
           led_(scene_->bodies.size()) {
-        if (const double now = scene_->simulator.start; now > start_ && now < old_->finish())
+        if (const double now = scene_->simulator.start; now > start_ && now <= old_->computed())
             start_ = now;
         std::set<std::string_view> names;
         for (const scene::Constraint& one : scene_->constraints)

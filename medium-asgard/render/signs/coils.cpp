@@ -64,7 +64,7 @@ void Coils::follow(const Drawing& drawing) {
         const auto own = textsOf(link);
         texts.insert(texts.end(), own.begin(), own.end());
     }
-    if (of_.lock() == drawing.motion && texts == texts_)
+    if (drawing.motion && of_.lock() == drawing.motion && texts == texts_)
         return;
     of_ = drawing.motion;
     texts_ = std::move(texts);

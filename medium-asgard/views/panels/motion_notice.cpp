@@ -65,7 +65,7 @@ MotionNotice::MotionNotice(SceneDocument& document, Playback& playback, QWidget&
                tr("A weight for each body, also for those that come later, as Create > Force > "
                   "Gravity for All Bodies"));
     makeButton(Offer::undo, "undoNewStart", tr("Undo"),
-               tr("Brings back the start that was, and the motion from there on (Ctrl+Z)"));
+               tr("The motion begins again where it did before (Ctrl+Z)"));
     auto* part = new CloseJoints(document_, this);
     part->setObjectName("moveApart");
     part->setFocusPolicy(Qt::NoFocus);
@@ -75,7 +75,8 @@ MotionNotice::MotionNotice(SceneDocument& document, Playback& playback, QWidget&
     connect(&tick_, &QTimer::timeout, this, &MotionNotice::follow);
     forget_.setSingleShot(true);
     connect(&forget_, &QTimer::timeout, this, [this] {
-        newStart_.reset();
+        if (shown_.offer == Offer::undo)
+            newStart_.reset();
         follow();
     });
     connect(&document_, &SceneDocument::textChanged, this, [this] { worksSince_.invalidate(); });
@@ -166,21 +167,32 @@ QString MotionNotice::unread() const {
 
 MotionNotice::Said MotionNotice::said() {
     Said said = saidOfMotion();
-    if (said.words.isEmpty() && newStart_ == document_.revision() && document_.sceneIsCurrent())
-        said = {tr("The motion begins at %1 s now, where you let go.")
-                    .arg(document_.shown().scene->simulator.start),
-                false, Offer::undo};
+    if (said.words.isEmpty())
+        said = saidOfStart();
+    if (said.words.isEmpty())
+        said = saidOfNewStart();
     return said.words.isEmpty() ? saidOfForces() : said;
 }
 
 void MotionNotice::tellNewStart() {
     newStart_ = document_.revision();
-    forget_.start(newStartIsSaid);
+    forget_.stop();
     follow();
 }
 
-// Bodies begin where they cannot be, nothing falls of itself, or the grid holds nothing.
-MotionNotice::Said MotionNotice::saidOfForces() {
+// It lasts until it was seen for a while: other words may stand here while the motion is computed.
+MotionNotice::Said MotionNotice::saidOfNewStart() {
+    if (newStart_ != document_.revision() || !document_.sceneIsCurrent())
+        return {};
+    if (!forget_.isActive())
+        forget_.start(newStartIsSaid);
+    return {tr("The motion begins at %1 s now, where you let go.")
+                .arg(document_.shown().scene->simulator.start),
+            false, Offer::undo};
+}
+
+// Bodies begin where they cannot be.
+MotionNotice::Said MotionNotice::saidOfStart() const {
     if (!document_.sceneIsCurrent())
         return {};
     const auto misplaced = commands::misplacedIn(document_.diagnostics());
@@ -192,6 +204,13 @@ MotionNotice::Said MotionNotice::saidOfForces() {
             true, Offer::part};
     if (misplaced.overlaps > 0)
         return {tr("Bodies overlap at the start."), false, Offer::part};
+    return {};
+}
+
+// Nothing falls of itself, or the grid holds nothing.
+MotionNotice::Said MotionNotice::saidOfForces() {
+    if (!document_.sceneIsCurrent())
+        return {};
     const auto& [scene, motion] = document_.shown();
     if (gestures::nothingMoves(*scene))
         return {tr("Nothing moves: no force acts."), false, Offer::gravity};

@@ -57,6 +57,8 @@ private:
     void take(Offer offer);
     [[nodiscard]] Said said();
     [[nodiscard]] Said saidOfMotion() const;
+    [[nodiscard]] Said saidOfStart() const;
+    [[nodiscard]] Said saidOfNewStart();
     [[nodiscard]] Said saidOfForces();
     [[nodiscard]] QString progress() const;
     [[nodiscard]] QString unread() const;

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
+#include <string_view>
 
 namespace views {
 
@@ -42,10 +44,12 @@ editing::Element markedOf(const scene::Scene& scene, const std::vector<editing::
 
 // Those that the scene before has not.
 std::vector<editing::Element> newBodies(const scene::Scene& before, const scene::Scene& now) {
+    std::set<std::string_view> known;
+    for (const scene::Body& body : before.bodies)
+        known.insert(body.name);
     std::vector<editing::Element> all;
     for (std::size_t i = 0; i < now.bodies.size(); ++i)
-        if (std::ranges::find(before.bodies, now.bodies[i].name, &scene::Body::name) ==
-            before.bodies.end())
+        if (!known.contains(now.bodies[i].name))
             all.push_back({editing::Kind::body, i});
     return all;
 }
@@ -288,8 +292,11 @@ void Creating::finish() {
     document_.setText(text::applied(document_.text(), edits), recipe.label);
     if (std::ranges::any_of(made, isBody))
         connect(
-            &document_, &SceneDocument::sceneChanged, &display_,
-            [this, before] { display_.showWhole(newBodies(*before, *document_.shown().scene)); },
+            &document_, &SceneDocument::sceneChanged, this,
+            [this, before, revision = document_.revision()] {
+                if (document_.revision() == revision)
+                    display_.showWhole(newBodies(*before, *document_.shown().scene));
+            },
             Qt::SingleShotConnection);
 }
 

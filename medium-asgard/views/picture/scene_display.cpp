@@ -239,14 +239,16 @@ void SceneDisplay::stepBack() {
 void SceneDisplay::stepBackTo(const render::Camera& camera) {
     if (camera == control_.camera())
         return;
-    const bool isFramed = seen_.framed.has_value();
-    setCamera(camera);
-    if (isFramed)
+    control_.set(camera);
+    if (seen_.framed)
         keepFrame();
+    Q_EMIT cameraChanged();
+    redraw(true);
 }
 
 void SceneDisplay::showWhole(const std::vector<editing::Element>& elements) {
-    if (seen_.framesItself && (seen_.isDue || !seen_.isEdited)) // all is framed anyway
+    const bool isFramedAnyway = seen_.framesItself && (seen_.isDue || !seen_.isEdited);
+    if (isFramedAnyway || !seen_.followed.isEmpty())
         return;
     const Shown& shown = document_.shown();
     std::vector<render::Ball> balls;

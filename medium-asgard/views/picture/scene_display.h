@@ -65,7 +65,7 @@ public:
     void frameSelected();
     void frameMotion();
     // The picture steps back until it shows all of these bodies, which were made just now; from
-    // far out of it, it frames what stands there now.
+    // far out of it, it frames what stands there now. A view of the scene stays as it is.
     void showWhole(const std::vector<editing::Element>& elements);
     void lookAlong(const geometry::Vector& toward); // keeps what is in the middle
     void levelHorizon(); // rolls the picture until what is upright in the world is so in it
@@ -175,7 +175,7 @@ private:
     void keepFrame();                                         // the view is as something framed it
     void keepInSight();                                       // bodies, where they start
     void stepBack(); // as far as bodies need that grew out of the reader's own view
-    void stepBackTo(const render::Camera& camera); // what was framed is so still
+    void stepBackTo(const render::Camera& camera); // no move of the reader's: framed stays framed
     bool clickTriad(const QMouseEvent& event);
     bool turnKey(const QKeyEvent& event);
     void pressView(render::CameraControl::Button button, const QPointF& position);

@@ -1,6 +1,7 @@
 // Selecting by plain clicks and a band, and what the selected does with a plain drag.
 #include "framing/framing.h"
 #include "picture/selecting_testing.h"
+#include "properties/element_commands.h"
 
 #include <gmock/gmock.h>
 
@@ -471,6 +472,20 @@ TEST_F(SelectingTest, ACopyThatComesOutOfThePictureIsShown) {
     EXPECT_GT(back.scale, 0.8 * second.scale);
     const auto [third, framed] = copied(-9);
     EXPECT_NE(framed.center, third.center);
+}
+
+// A view of the scene is the author's.
+TEST_F(SelectingTest, ACopyLeavesAViewOfTheSceneAsItIs) {
+    editor.document().setText(three + "view near -center {-3 0 0} -scale 0.5\n", "Edit");
+    ASSERT_TRUE(settle(editor.document()));
+    display().followView("near");
+    display().grab();
+    const render::Camera before = display().camera();
+    editor.document().select({leftOne});
+    ElementCommands(editor.document()).duplicate();
+    ASSERT_TRUE(settle(editor.document()));
+    EXPECT_EQ(display().followedView(), "near");
+    EXPECT_EQ(display().camera(), before);
 }
 
 } // namespace

@@ -127,6 +127,7 @@ PropertiesPane::PropertiesPane(SceneDocument& document, const PropertyActions& a
 PropertiesPane::~PropertiesPane() {
     for (PropertyRow* row : findChildren<PropertyRow*>())
         row->disconnect(this);
+    head_->name().blockSignals(true);
 }
 
 void PropertiesPane::buildButtons(QVBoxLayout& column, const PropertyActions& actions) {
@@ -134,12 +135,16 @@ void PropertiesPane::buildButtons(QVBoxLayout& column, const PropertyActions& ac
     auto* line = new QHBoxLayout(buttons_);
     line->setContentsMargins(0, 0, 0, 0);
     auto* duplicate = new QPushButton(tr("Dup&licate"));
+    duplicate->setObjectName("duplicate");
     duplicate->setToolTip(tr("A copy beside it (Ctrl+D)"));
     connect(duplicate, &QPushButton::clicked, this, [this] { commands_.duplicate(); });
     shape_ = new QPushButton(tr("S&hape…"));
+    shape_->setObjectName("shape");
     shape_->setToolTip(tr("Its shape, in the shape editor"));
     connect(shape_, &QPushButton::clicked, this, [this, open = actions.openShape] {
         const scene::Scene& scene = *document_.shown().scene;
+        if (!isOfOneShape()) // since the button was shown
+            return;
         const Element element = elements().front();
         open(QString::fromStdString(element.kind == Kind::body ? scene.bodies[element.index].shape
                                                                : editing::nameOf(scene, element)));
@@ -196,11 +201,16 @@ void PropertiesPane::refresh() {
     showSize();
 }
 
+bool PropertiesPane::isOfOneShape() const {
+    const auto& all = elements();
+    return all.size() == 1 &&
+           (all.front().kind == Kind::body || all.front().kind == Kind::shapeSet);
+}
+
 void PropertiesPane::showHead() {
     const auto& all = elements();
     head_->showElements(all);
-    shape_->setVisible(all.size() == 1 &&
-                       (all.front().kind == Kind::body || all.front().kind == Kind::shapeSet));
+    shape_->setVisible(isOfOneShape());
     buttons_->setVisible(!all.empty());
 }
 
@@ -337,7 +347,8 @@ QString PropertiesPane::faultsAt(const PropertyRow& row) const {
 
 // As the motion has them, of those that are not fixed; "": it has none.
 QString PropertiesPane::masses() const {
-    const simulation::Motion* motion = document_.shown().motion.get();
+    const simulation::Motion* motion =
+        document_.waitsToBeAsked() ? nullptr : document_.shown().motion.get();
     double least = std::numeric_limits<double>::infinity(), largest = 0;
     for (const Element& body : elements()) {
         const bool isKnown = motion != nullptr && body.index < motion->bodies();

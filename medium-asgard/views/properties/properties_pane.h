@@ -75,6 +75,7 @@ private:
     void rebuild(); // other rows
     void reserveWidth();
     void addTurn(const editing::OptionHint& option);
+    [[nodiscard]] bool isOfOneShape() const; // what is selected
     void showHead();
     void showRow(PropertyRow& row);
     [[nodiscard]] QString unitOf(const PropertyRow& row) const;

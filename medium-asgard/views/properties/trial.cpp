@@ -11,9 +11,14 @@ Trial::Trial(SceneDocument& document, QObject* parent) : QObject(parent), docume
     connect(&document_, &SceneDocument::opened, this, [this] { told_ = nullptr; });
 }
 
+// A window that is destroyed with its trial would hear of the text while half of it is gone.
 Trial::~Trial() {
     if (told_)
-        document_.finishPreview(before_, label_, since_, this);
+        QMetaObject::invokeMethod(
+            &document_,
+            [&document = document_, before = before_, label = label_, since = since_,
+             hand = hand_] { document.finishPreview(before, label, since, hand.get()); },
+            Qt::QueuedConnection);
 }
 
 void Trial::start(const std::string& text, const QString& label, Told told) {
@@ -26,7 +31,8 @@ void Trial::start(const std::string& text, const QString& label, Told told) {
     if (text == before_)
         return told({});
     told_ = std::move(told);
-    document_.preview(text, since_, this, Unfinished::none);
+    hand_ = std::make_shared<const char>();
+    document_.preview(text, since_, hand_.get(), Unfinished::none);
     if (told_ && document_.text() != text) // a host that takes no previews
         end(text, {});
 }
@@ -50,7 +56,7 @@ void Trial::look(bool isRead) {
 void Trial::end(const std::string& text, const QString& why) {
     const Told told = std::exchange(told_, nullptr);
     if (text == text_ || text == before_)
-        document_.finishPreview(text, label_, since_, this);
+        document_.finishPreview(text, label_, since_, hand_.get());
     told(why);
 }
 

@@ -10,6 +10,7 @@
 #include <QObject>
 
 #include <functional>
+#include <memory>
 #include <string>
 
 namespace views {
@@ -18,7 +19,7 @@ class Trial : public QObject {
     Q_OBJECT
 public:
     explicit Trial(SceneDocument& document, QObject* parent = nullptr);
-    ~Trial() override; // the text is as it was
+    ~Trial() override; // the text is as it was, once nobody is being destroyed any more
 
     using Told = std::function<void(const QString& why)>; // "": it is a step of undo
     // One at a time: another that has not been read yet is given up.
@@ -34,6 +35,7 @@ private:
     std::string before_, text_;
     QString label_;
     int since_ = 0;
+    std::shared_ptr<const char> hand_; // another for each change
     Told told_;
 };
 

@@ -229,11 +229,20 @@ TEST_F(StartTest, TheTourSeesEachStepAndItsUndoing) {
     const std::string light = text;
     text += "foreach b {r1 r2} {force -body $b -gravitational {0 -9.81 0}}\n";
     EXPECT_EQ(step(text), 4);
+    EXPECT_EQ(built.count(), 0); // nobody sees the tour
+    tour.show();
+    EXPECT_EQ(built.count(), 1);
     tour.played();
     EXPECT_EQ(tour.done(), Tour::steps);
     EXPECT_EQ(step(text + "body r3 Rod -init_pos {0 9 0}\n"), Tour::steps); // a copy that floats
     EXPECT_EQ(built.count(), 1);
     EXPECT_EQ(step(light), 3);
+    EXPECT_EQ(step(text), 4);
+    EXPECT_EQ(built.count(), 2);
+    tour.hide(); // it has ended, and pictures jump no more
+    EXPECT_EQ(step(light), 3);
+    EXPECT_EQ(step(text), 4);
+    EXPECT_EQ(built.count(), 2);
 }
 
 TEST_F(StartTest, TheTourTellsOfThePicturesBannerAndOfEscape) {

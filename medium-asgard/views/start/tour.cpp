@@ -147,13 +147,18 @@ void Tour::look() {
         played_ = isBuilt_ = false;
     else if (played_)
         done_ = steps;
-    show();
+    showSteps();
     const bool isKnown = document_.work() == Work::none && !document_.motionIsStale();
-    if (done_ >= steps - 1 && isKnown && !std::exchange(isBuilt_, true))
+    if (done_ >= steps - 1 && isKnown && isVisible() && !std::exchange(isBuilt_, true))
         Q_EMIT built();
 }
 
-void Tour::show() {
+void Tour::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    look();
+}
+
+void Tour::showSteps() {
     for (int i = 0; i < steps; ++i) {
         QLabel* line = lines_[i];
         const QString mark = i < done_ ? QStringLiteral("✓") : QString::number(i + 1);

@@ -25,12 +25,15 @@ public:
     void played(); // the motion was seen
 
 Q_SIGNALS:
-    void built(); // all but the last step is done, and the motion known
+    void built(); // all but the last step is done, the motion known, and the tour shown
     void ended(); // by the reader, or another scene was opened
+
+protected:
+    void showEvent(QShowEvent* event) override;
 
 private:
     void look();
-    void show();
+    void showSteps();
 
     SceneDocument& document_;
     QList<QLabel*> lines_;

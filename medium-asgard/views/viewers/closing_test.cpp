@@ -1,11 +1,13 @@
 // Closing, saving and quitting, with windows and with values that are typed.
 #include "language/scene_editor.h"
+#include "properties/properties_pane.h"
 #include "start/first_page.h"
 #include "viewers/main_window_testing.h"
 #include "viewers/scene_files.h"
 #include "viewers/starting.h"
 
 #include <QLineEdit>
+#include <QPointer>
 #include <QPushButton>
 #include <QSettings>
 
@@ -42,6 +44,34 @@ TEST_F(MainWindowTest, AWindowThatHasARefusedValueAsksBeforeItCloses) {
     answer("Yes");
     EXPECT_TRUE(second->close());
     EXPECT_EQ(asked, 2);
+}
+
+// A copy that is not read yet is taken back, once the window is gone.
+TEST_F(MainWindowTest, AWindowMayCloseWhileACopyIsRead) {
+    editor.beginSession();
+    open();
+    SceneDocument& document = editor.document();
+    const std::string before = document.text();
+    const QString label = document.undoLabel();
+    document.select({{editing::Kind::body, 0}});
+    for (const char* pane : {"properties", "text"}) {
+        QPointer<GraphicalViewer> second = editor.openGraphicalViewer();
+        second->panes().show(pane);
+        made.readsSlowly = true;
+        if (auto* values = second->findChild<PropertiesPane*>()) {
+            QTest::mouseClick(values->findChild<QPushButton*>("duplicate"), Qt::LeftButton);
+        } else {
+            auto* commands = second->findChild<ElementCommands*>({}, Qt::FindDirectChildrenOnly);
+            ASSERT_NE(commands, nullptr);
+            commands->duplicate();
+        }
+        EXPECT_NE(document.text(), before) << pane;
+        EXPECT_TRUE(second->close());
+        EXPECT_TRUE(waitFor([&] { return !second && document.text() == before; })) << pane;
+        made.readsSlowly = false;
+        ASSERT_TRUE(settle(document));
+        EXPECT_EQ(document.undoLabel(), label) << pane;
+    }
 }
 
 TEST_F(MainWindowTest, ClosingOneClosesThatOneAndTheLastAsks) {

@@ -60,7 +60,8 @@ void buildViewsMenu(QMenu* menu, SceneDocument& document, SceneDisplay& display)
         }
     };
     QObject::connect(&document, &SceneDocument::sceneChanged, menu, fill);
-    QObject::connect(&display, &SceneDisplay::viewFollowed, menu, fill);
+    // Later: an action of the menu that follows a view is not deleted while it acts.
+    QObject::connect(&display, &SceneDisplay::viewFollowed, menu, fill, Qt::QueuedConnection);
     fill();
 }
 
