@@ -107,8 +107,8 @@ bool noForceActs(const scene::Scene& scene) {
             return one.motor || one.speed || one.position || one.stiffness != 0;
         });
     };
-    return scene.forces.empty() && scene.links.empty() && scene.ropes.empty() &&
-           scene.constraints.empty() && std::ranges::none_of(scene.joints, isDriven);
+    return scene.forces.empty() && scene.links.empty() && scene.constraints.empty() &&
+           std::ranges::none_of(scene.joints, isDriven);
 }
 
 // A fixed body is just below it.
@@ -173,7 +173,8 @@ bool nothingMoves(const scene::Scene& scene) {
 
 bool lacksWeight(const scene::Scene& scene) {
     const auto isFixed = [](const scene::Body& body) { return body.fixed; };
-    return noForceActs(scene) && std::ranges::any_of(scene.bodies, isFixed) &&
+    return noForceActs(scene) && scene.ropes.empty() &&
+           std::ranges::any_of(scene.bodies, isFixed) &&
            std::ranges::any_of(scene.bodies, [&](const scene::Body& body) {
                return !body.fixed && !isHeld(scene, body.name) && wouldFall(scene, body);
            });

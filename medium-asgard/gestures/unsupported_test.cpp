@@ -85,6 +85,7 @@ TEST(NothingMoves, UntilAForceASpeedOrADriveMovesABody) {
     EXPECT_FALSE(nothingMoves(readIn("")));
     EXPECT_FALSE(nothingMoves(readIn("body b box -fixed 1\n"))); // none could
     EXPECT_FALSE(nothingMoves(readIn(onGrid + weight)));
+    EXPECT_TRUE(nothingMoves(readIn(onGrid + "rope r -points {{a {0 0 0}} {0 9 0}}\n")));
     EXPECT_FALSE(
         nothingMoves(readIn(onGrid + "body b box -init_drot {0 0 1} -init_pos {5 0 0}\n")));
     EXPECT_FALSE(nothingMoves(readIn(onGrid + "spring s -body1 a -x 0 -y 3 -z 0 -stiffness 20\n")));

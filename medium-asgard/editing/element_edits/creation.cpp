@@ -220,12 +220,16 @@ std::set<std::string> takenNames(const scene::Scene& scene) {
 
 } // namespace
 
-bool isFreeName(const scene::Scene& scene, const std::string& name) {
+bool isName(const std::string& name) {
     const auto isPart = [](unsigned char c) {
         return c < 0x80 && (std::isalnum(c) != 0 || c == '_');
     };
     return !name.empty() && std::isdigit(static_cast<unsigned char>(name[0])) == 0 &&
-           std::ranges::all_of(name, isPart) && !takenNames(scene).contains(name);
+           std::ranges::all_of(name, isPart);
+}
+
+bool isFreeName(const scene::Scene& scene, const std::string& name) {
+    return isName(name) && !takenNames(scene).contains(name);
 }
 
 namespace {

@@ -26,7 +26,8 @@ struct NewElement {
 [[nodiscard]] text::Edits created(const std::string& text, const scene::Scene& scene,
                                   const std::vector<NewElement>& elements);
 
-// Whether expressions can read it as a name, and nothing of the scene or the language has it.
+// Expressions can read it as a name; and nothing of the scene or the language has it.
+[[nodiscard]] bool isName(const std::string& name);
 [[nodiscard]] bool isFreeName(const scene::Scene& scene, const std::string& name);
 
 // The name with another number behind it: "rod2" for "rod", "b4" for "b1" where b2 and b3 are

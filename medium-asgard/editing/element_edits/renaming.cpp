@@ -171,10 +171,11 @@ Answer renamed(const std::string& text, const scene::Scene& scene, const Element
         answer.cause = sourceOf(scene, element)->command;
     } else if (newName.empty()) {
         answer.reason = "A name is needed.";
+    } else if (!isName(newName)) {
+        answer.reason =
+            "\"" + newName + "\" is no name: letters, digits and _ make one, no digit first.";
     } else if (!isFreeName(scene, newName)) {
-        answer.reason = "\"" + newName +
-                        "\" is no free name: letters, digits and _, no digit first, and nothing "
-                        "else of that name.";
+        answer.reason = "\"" + newName + "\" is the name of something else.";
     } else if (name.empty()) {
         const CommandHint* hint = hintOf(command->name(text));
         if (hint && hint->named)

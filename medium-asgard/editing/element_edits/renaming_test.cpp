@@ -68,8 +68,9 @@ TEST(Renaming, AContactWithoutANameGetsOne) {
 
 TEST(Renaming, SaysWhyNot) {
     const auto scene = readScene(text);
-    EXPECT_THAT(renamed(text, *scene, {Kind::body, 0}, "c").reason, HasSubstr("no free name"));
-    EXPECT_THAT(renamed(text, *scene, {Kind::body, 0}, "2b").reason, HasSubstr("no free name"));
+    EXPECT_THAT(renamed(text, *scene, {Kind::body, 0}, "c").reason,
+                HasSubstr("\"c\" is the name of something else"));
+    EXPECT_THAT(renamed(text, *scene, {Kind::body, 0}, "2b").reason, HasSubstr("no digit first"));
     EXPECT_THAT(renamed(text, *scene, {Kind::body, 0}, "").reason, HasSubstr("needed"));
     EXPECT_EQ(renamed(text, *scene, {Kind::force, 0}, "f").reason, "A force has no name.");
     const std::string loop = "shape_set s -desc {-sub {-sphere 1}}\n"

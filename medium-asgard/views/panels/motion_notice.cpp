@@ -22,7 +22,6 @@ namespace {
 
 // What is quick is not worth a word: it would flicker while one drags.
 constexpr int untilProgress = 1000, untilStale = 250; // ms
-constexpr int newStartIsSaid = 10000;                 // ms
 
 // Of the bodies, the first that stops before the end.
 std::optional<simulation::Stop> firstStop(const simulation::Motion& motion) {
@@ -73,12 +72,6 @@ MotionNotice::MotionNotice(SceneDocument& document, Playback& playback, QWidget&
     buttons_.push_back({Offer::part, part});
     tick_.setInterval(250);
     connect(&tick_, &QTimer::timeout, this, &MotionNotice::follow);
-    forget_.setSingleShot(true);
-    connect(&forget_, &QTimer::timeout, this, [this] {
-        if (shown_.offer == Offer::undo)
-            newStart_.reset();
-        follow();
-    });
     connect(&document_, &SceneDocument::textChanged, this, [this] { worksSince_.invalidate(); });
     connect(&document_, &SceneDocument::workChanged, this, &MotionNotice::follow);
     connect(&document_, &SceneDocument::sceneChanged, this, &MotionNotice::follow);
@@ -176,16 +169,12 @@ MotionNotice::Said MotionNotice::said() {
 
 void MotionNotice::tellNewStart() {
     newStart_ = document_.revision();
-    forget_.stop();
     follow();
 }
 
-// It lasts until it was seen for a while: other words may stand here while the motion is computed.
-MotionNotice::Said MotionNotice::saidOfNewStart() {
+MotionNotice::Said MotionNotice::saidOfNewStart() const {
     if (newStart_ != document_.revision() || !document_.sceneIsCurrent())
         return {};
-    if (!forget_.isActive())
-        forget_.start(newStartIsSaid);
     return {tr("The motion begins at %1 s now, where you let go.")
                 .arg(document_.shown().scene->simulator.start),
             false, Offer::undo};

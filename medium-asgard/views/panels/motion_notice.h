@@ -28,7 +28,7 @@ public:
     MotionNotice(SceneDocument& document, Playback& playback, QWidget& picture);
 
     [[nodiscard]] QString words() const;
-    // The moment has become the start, by a throw: said for a while, or until the text changes.
+    // The moment has become the start, by a throw: said until the text changes.
     void tellNewStart();
 
 Q_SIGNALS:
@@ -58,7 +58,7 @@ private:
     [[nodiscard]] Said said();
     [[nodiscard]] Said saidOfMotion() const;
     [[nodiscard]] Said saidOfStart() const;
-    [[nodiscard]] Said saidOfNewStart();
+    [[nodiscard]] Said saidOfNewStart() const;
     [[nodiscard]] Said saidOfForces();
     [[nodiscard]] QString progress() const;
     [[nodiscard]] QString unread() const;
@@ -72,7 +72,7 @@ private:
     std::vector<Button> buttons_;
     Said shown_;
     std::optional<int> newStart_; // the text's revision that has it
-    QTimer tick_, forget_;
+    QTimer tick_;
     QElapsedTimer worksSince_, staleSince_; // invalid: it does not, it is not
     struct Falls {
         Shown of;

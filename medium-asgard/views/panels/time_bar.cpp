@@ -3,6 +3,7 @@
 #include "charts/scale.h"
 #include "plain/plain.h"
 
+#include <QApplication>
 #include <QHelpEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -137,16 +138,28 @@ void TimeBar::mousePressEvent(QMouseEvent* event) {
     const double x = event->position().x();
     const QRectF grip = slider();
     grip_ = grip.contains(QPointF(x, grip.center().y())) ? x - grip.left() : 0;
+    pressed_ = x;
     setSliderDown(true);
     Q_EMIT timeChosen(std::clamp(timeAt(x - grip_), start_, finish_));
 }
 
 void TimeBar::mouseMoveEvent(QMouseEvent* event) {
+    const double x = event->position().x();
+    if (pressed_ && std::abs(x - *pressed_) < QApplication::startDragDistance())
+        return;
+    pressed_.reset();
     if (isSliderDown())
-        Q_EMIT timeChosen(std::clamp(timeAt(event->position().x() - grip_), start_, finish_));
+        Q_EMIT timeChosen(std::clamp(timeAt(x - grip_), start_, finish_));
 }
 
-void TimeBar::mouseReleaseEvent(QMouseEvent*) { setSliderDown(false); }
+// A click means the time at which it is, also within the slider, which may be as long as the bar.
+void TimeBar::mouseReleaseEvent(QMouseEvent* event) {
+    if (event->button() != Qt::LeftButton)
+        return;
+    if (const auto clicked = std::exchange(pressed_, std::nullopt); clicked && isSliderDown())
+        Q_EMIT timeChosen(std::clamp(timeAt(*clicked), start_, finish_));
+    setSliderDown(false);
+}
 
 QColor TimeBar::faint(int alpha) const {
     QColor color = palette().color(QPalette::WindowText);

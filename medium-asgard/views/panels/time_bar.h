@@ -64,8 +64,9 @@ private:
     std::vector<double> impacts_;
     std::vector<Fault> faults_;
     bool isStale_ = false;
-    double grip_ = 0;      // where the slider was taken, from its left edge
-    bool setting_ = false; // the value changes because the time does
+    double grip_ = 0;               // where the slider was taken, from its left edge
+    std::optional<double> pressed_; // there, and the pointer has not left that place
+    bool setting_ = false;          // the value changes because the time does
 };
 
 } // namespace views

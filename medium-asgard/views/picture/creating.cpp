@@ -237,7 +237,6 @@ void Creating::otherwise() {
     fault_.clear();
     if (!typed_.isEmpty()) {
         if (const auto place = indicating_.typed(*begun_, typed_)) {
-            begun_->fit(display_.sight(), place->point);
             take(*place);
         } else {
             fault_ = tr("\"%1\" is no place: numbers for x, y and z are.").arg(typed_);

@@ -52,6 +52,18 @@ TEST_F(CreatingTest, ABodyRestsOnTheFaceThatIsClicked) {
     EXPECT_EQ(scene().bodies[2].initialPosition, Vector(0.7, 1.5, 0));
 }
 
+TEST_F(CreatingTest, BesideABodyOnAFloorANewOneStandsOnTheFloorToo) {
+    open(block + "shape_set ground -desc {-sub {-plane}}\nbody floor ground -fixed 1\n"
+                 "body b1 block -init_pos {0 0.5 0}\n");
+    display().lookAlong(Vector(0, 0.3, 1));
+    display().grab();
+    display().creating().start(newBody("block", scene().shapeSets[0].parts));
+    click({0.1, 0.2, 1}); // low on its front
+    done();
+    EXPECT_EQ(scene().bodies[2].initialPosition.y(), 0.5);
+    EXPECT_EQ(scene().bodies[2].initialPosition.z(), 2);
+}
+
 // In a view from above; from the side one builds in the plane of the picture.
 TEST_F(CreatingTest, ABodyStandsOnTheGridThatIsClicked) {
     open("# nothing yet\n");

@@ -118,7 +118,7 @@ Indicated Indicating::centerOf(std::size_t body) const {
     return center;
 }
 
-std::optional<Indicated> Indicating::typed(const BegunRecipe& begun, const QString& numbers) const {
+std::optional<Indicated> Indicating::typed(BegunRecipe& begun, const QString& numbers) const {
     const QStringList words =
         numbers.split(QRegularExpression(QStringLiteral("[\\s,;]+")), Qt::SkipEmptyParts);
     if (words.isEmpty() || words.size() > 3)
@@ -132,6 +132,7 @@ std::optional<Indicated> Indicating::typed(const BegunRecipe& begun, const QStri
             return std::nullopt;
         found.point[i] = *number;
     }
+    begun.fit(display_.sight(), found.point);
     if (const auto& headOf = begun.step().headOf) {
         const Vector value = found.point;
         constexpr double exact = 1e-9; // of a value of 1
@@ -272,6 +273,13 @@ Indicated Indicating::restingOn(BegunRecipe& begun, const gestures::Picked& pick
         place = besideMiddle(place, up, pose.position, 1.5 * clickReach * found.resolution, step);
     }
     found.point = place + heightOf(*begun.ghost(), up, found.attitude) * up;
+    if (const auto ground = display_.ground(); ground && std::abs(up.dot(ground->up)) < 1e-6) {
+        // Beside a body that stands on the ground it stands there, too, and not in the ground.
+        const double least = ground->height + heightOf(*begun.ghost(), ground->up, found.attitude);
+        const double height = found.point.dot(ground->up);
+        if (picked.point.dot(ground->up) > ground->height && height < least)
+            found.point += (least - height) * ground->up;
+    }
     found.resolution *= 1e-3;          // so that it touches
     if (!isLevel) {                    // and a little more: a gap would be a fall
         constexpr double touch = 1e-8; // of its size: an overlap that is none (docs/numerics.md)

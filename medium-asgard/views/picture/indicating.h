@@ -40,8 +40,7 @@ public:
                                       const Vector& surface) const;
     [[nodiscard]] Indicated centerOf(std::size_t body) const;
     // "1 2.5": numbers that are not typed are 0. None: it is no place.
-    [[nodiscard]] std::optional<Indicated> typed(const BegunRecipe& begun,
-                                                 const QString& numbers) const;
+    [[nodiscard]] std::optional<Indicated> typed(BegunRecipe& begun, const QString& numbers) const;
     // The origin, which Return takes; a new body that would lie in the grid there stands on it.
     [[nodiscard]] Indicated atOrigin(BegunRecipe& begun);
     void forget() { near_.reset(); } // until it is asked again

@@ -64,8 +64,10 @@ public:
     void frameNow();
     void frameSelected();
     void frameMotion();
-    // The picture steps back until it shows all of these bodies, which were made just now; from
-    // far out of it, it frames what stands there now. A view of the scene stays as it is.
+    // The picture steps back until it shows all of these bodies; from far out of it, it frames what
+    // stands there now.
+    void bringIn(const std::vector<editing::Element>& elements);
+    // The same of bodies that were made just now. A view of the scene stays as it is.
     void showWhole(const std::vector<editing::Element>& elements);
     void lookAlong(const geometry::Vector& toward); // keeps what is in the middle
     void levelHorizon(); // rolls the picture until what is upright in the world is so in it

@@ -127,7 +127,7 @@ std::vector<Thing> Selecting::thingsAt(const QPointF& position) const {
 
 void Selecting::click(const QPointF& position) {
     if (const auto away = tag(); away && away->box.contains(position))
-        return display_.frameSelected();
+        return display_.bringIn(document_.selected());
     const std::vector<Thing> things = thingsAt(position);
     const auto before = std::exchange(clicked_, position);
     const Thing* thing =

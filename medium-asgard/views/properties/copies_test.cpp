@@ -1,16 +1,10 @@
 // Copies by the viewer's commands.
 #include "properties/element_commands.h"
-#include "properties/properties_pane.h"
 #include "views/test_workshop.h"
 
 #include <gmock/gmock.h>
 
 #include <QClipboard>
-#include <QLineEdit>
-#include <QPushButton>
-#include <QTest>
-
-#include <memory>
 
 namespace views {
 namespace {
@@ -49,41 +43,6 @@ TEST_F(CopiesTest, CopyPasteAndDuplicate) {
     EXPECT_EQ(document.text().find("{3.2 2 0}"), std::string::npos); // inside of b
     document.undo();
     document.undo();
-    EXPECT_EQ(document.text(), withWeight);
-}
-
-// The buttons follow a little later than the selection.
-TEST_F(CopiesTest, ButtonsOfWhatIsNoLongerSelectedDoNothing) {
-    document.setText(withWeight, "Edit");
-    ASSERT_TRUE(settle(document));
-    document.select({{Kind::body, 0}});
-    int opened = 0;
-    PropertiesPane pane{document, {[] {}, [&](const QString&) { ++opened; }, [](const auto&) {}}};
-    pane.show();
-    auto* shape = pane.findChild<QPushButton*>("shape");
-    ASSERT_TRUE(shape && shape->isVisible());
-    shape->click();
-    EXPECT_EQ(opened, 1);
-    document.select({});
-    shape->click();
-    pane.findChild<QPushButton*>("duplicate")->click();
-    EXPECT_EQ(opened, 1);
-    EXPECT_EQ(document.text(), withWeight);
-}
-
-// A name that was typed belongs to nobody then.
-TEST_F(CopiesTest, APaneIsDestroyedWithANameThatIsTyped) {
-    document.setText(withWeight, "Edit");
-    ASSERT_TRUE(settle(document));
-    document.select({{Kind::body, 0}});
-    auto pane = std::make_unique<PropertiesPane>(document, PropertyActions{});
-    pane->show();
-    pane->activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(pane.get(), longestWait));
-    pane->name().setFocus();
-    QTest::keyClicks(&pane->name(), "other");
-    pane.reset();
-    ASSERT_TRUE(settle(document));
     EXPECT_EQ(document.text(), withWeight);
 }
 

@@ -176,8 +176,17 @@ PropertyRow* PropertiesPane::row(const std::string& option) const {
     return nullptr;
 }
 
+// Of a value of those that were selected before: it is gone.
+QString PropertiesPane::refusal() const {
+    for (const PropertyRow* row : rows_)
+        if (const QString why = row->refusal(); !why.isEmpty())
+            return QString::fromStdString(editing::captionOf(row->option())) + ": " + why;
+    return {};
+}
+
 void PropertiesPane::refresh() {
     const scene::Scene& scene = *document_.shown().scene;
+    const QString refused = shown_ == elements() ? QString() : refusal();
     properties_.reset();
     if (document_.sceneIsCurrent() && !elements().empty())
         properties_ =
@@ -193,6 +202,8 @@ void PropertiesPane::refresh() {
         head_->forget();
         for (PropertyRow* row : form_->findChildren<PropertyRow*>())
             row->forget();
+        if (!refused.isEmpty())
+            head_->say(refused);
     }
     showHead();
     for (PropertyRow* row : rows_)
@@ -364,9 +375,19 @@ QString PropertiesPane::masses() const {
                                        : QStringLiteral("%1 … %2").arg(from, to);
 }
 
+// In the text, of one of them.
+bool PropertiesPane::hasMass() const {
+    const auto& bodies = document_.shown().scene->bodies;
+    return std::ranges::any_of(elements(), [&](const Element& one) {
+        return one.kind == Kind::body && bodies[one.index].mass.has_value();
+    });
+}
+
 QString PropertiesPane::absentOf(const OptionHint& option) const {
     if (option.name == "-mass")
         return masses();
+    if (option.name == "-density" && hasMass())
+        return {}; // it counts for nothing
     return option.wants == Wants::vector ? QString() : defaultIn(option.words);
 }
 
@@ -553,8 +574,7 @@ void PropertiesPane::answer(const Entered& entered, const QString& why) {
     else if (isShown)
         entered.row->refuse(entered.parts, why);
     else if (!why.isEmpty())
-        head_->say(QString::fromStdString(editing::captionOf(*entered.option)) +
-                   QStringLiteral(": ") + why);
+        head_->say(QString::fromStdString(editing::captionOf(*entered.option)) + ": " + why);
     soon_.start();
 }
 

@@ -71,6 +71,7 @@ private:
         return document_.selected();
     }
     void buildButtons(QVBoxLayout& column, const PropertyActions& actions);
+    [[nodiscard]] QString refusal() const;
     void refresh();
     void rebuild(); // other rows
     void reserveWidth();
@@ -87,6 +88,7 @@ private:
                                                          const PropertyParts& shared) const;
     [[nodiscard]] QString faultsAt(const PropertyRow& row) const;
     [[nodiscard]] QString masses() const;
+    [[nodiscard]] bool hasMass() const;
     [[nodiscard]] QString absentOf(const editing::OptionHint& option) const;
     [[nodiscard]] QStringList namesFor(editing::Wants wants) const;
     [[nodiscard]] geometry::Vector axisNow() const; // of a turn that is not there yet

@@ -66,6 +66,7 @@ public:
     void refuse(const PropertyParts& entered, const QString& why);
     void forget();                       // what was typed was meant for others
     [[nodiscard]] QString fault() const; // or the note
+    [[nodiscard]] QString refusal() const { return refused_.empty() ? QString() : fault(); }
 
     [[nodiscard]] const std::vector<QLineEdit*>& fields() const { return fields_; }
     [[nodiscard]] QComboBox* box() const { return box_; }

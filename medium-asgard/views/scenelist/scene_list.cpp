@@ -329,7 +329,8 @@ void SceneList::say(const QString& why) {
 
 bool SceneList::eventFilter(QObject* watched, QEvent* event) {
     if (watched == tree_->viewport() && event->type() == QEvent::MouseButtonPress) {
-        const bool extends = static_cast<QMouseEvent*>(event)->modifiers() != Qt::NoModifier;
+        const bool extends = static_cast<QMouseEvent*>(event)->modifiers() != Qt::NoModifier ||
+                             tree_->selectedItems().size() > 1; // one of them is meant
         tree_->setEditTriggers(extends ? QAbstractItemView::EditKeyPressed
                                        : QAbstractItemView::EditKeyPressed |
                                              QAbstractItemView::SelectedClicked);

@@ -108,7 +108,7 @@ TEST_F(SceneListTest, ARenamedElementHasItsNameInAllOfTheText) {
     QTest::qWait(60);
     EXPECT_EQ(list.itemOf({Kind::body, 0})->text(0), "ball");
     list.itemOf({Kind::body, 0})->setText(0, "b");
-    EXPECT_THAT(list.fault().toStdString(), HasSubstr("no free name"));
+    EXPECT_THAT(list.fault().toStdString(), HasSubstr("\"b\" is the name of something else"));
     EXPECT_EQ(list.itemOf({Kind::body, 0})->text(0), "ball");
 }
 

@@ -112,6 +112,10 @@ TEST_F(GraphicalViewerTest, TheTimeBarsLeftEdgeIsNow) {
     QTest::mouseClick(&bar, Qt::LeftButton, {},
                       QPoint(static_cast<int>(bar.position(0.25)), static_cast<int>(y)));
     EXPECT_NEAR(viewer->playback().time(), 0.25, 0.02);
+    // A click within it means its place, as anywhere.
+    QTest::mouseClick(&bar, Qt::LeftButton, {},
+                      QPoint(static_cast<int>(bar.position(0.9)), static_cast<int>(y)));
+    EXPECT_NEAR(viewer->playback().time(), 0.9, 0.02);
 }
 
 TEST_F(GraphicalViewerTest, DraggingTurnsTheViewAndFrameAllKeepsTheDirection) {
