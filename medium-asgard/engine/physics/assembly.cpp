@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <optional>
+#include <span>
 #include <utility>
 
 namespace physics {
@@ -95,10 +96,55 @@ std::optional<Eigen::VectorXd> partingStep(Linkage& linkage, const Eigen::Matrix
     return movement - before;
 }
 
+// Places at which parts overlapped before, carried along with both bodies. Of two parts one place
+// is told, the deepest: a box that turns about one corner would lower the one that it had lifted.
+class FormerPlaces {
+public:
+    // At these poses, where `told` is what overlaps now: but for places that are told again, and
+    // parts that come apart along another direction by now.
+    [[nodiscard]] std::vector<PartGap> at(const std::vector<geometry::Pose>& poses,
+                                          const std::vector<PartGap>& told) {
+        std::vector<PartGap> gaps;
+        std::erase_if(all_, [&](const Place& place) {
+            PartGap now = place.of;
+            const Vector first = poses[now.first].toWorld(place.onFirst);
+            now.gap += now.normal.dot(first - poses[now.second].toWorld(place.onSecond));
+            now.at = first;
+            if (std::ranges::any_of(told, [&](const PartGap& of) { return replaces(of, now); }))
+                return true;
+            gaps.push_back(now);
+            return false;
+        });
+        return gaps;
+    }
+    void add(const std::vector<geometry::Pose>& poses, const std::vector<PartGap>& told) {
+        constexpr std::size_t most = 400;
+        for (const PartGap& of : told)
+            if (all_.size() < most)
+                all_.push_back(
+                    {of, poses[of.first].toLocal(of.at), poses[of.second].toLocal(of.at)});
+    }
+
+private:
+    struct Place {
+        PartGap of;
+        Vector onFirst, onSecond; // of their frames
+    };
+    [[nodiscard]] static bool replaces(const PartGap& told, const PartGap& former) {
+        constexpr double alike = 0.9; // cosine
+        const double depth = std::abs(told.gap) + std::abs(former.gap);
+        return told.first == former.first && told.second == former.second &&
+               (told.normal.dot(former.normal) < alike ||
+                (told.at - former.at).norm() <= 2 * depth);
+    }
+    std::vector<Place> all_;
+};
+
 // Gaps of parts of which a body can move.
 struct Open {
-    std::vector<PartGap> parts;
-    Eigen::MatrixXd by; // how they change with a movement
+    std::vector<PartGap> parts; // the first of them overlap now,
+    std::size_t told = 0;       // so many, and others did before
+    Eigen::MatrixXd by;         // how they change with a movement
     [[nodiscard]] Eigen::VectorXd gaps() const {
         Eigen::VectorXd all(by.rows());
         for (Eigen::Index k = 0; k < all.size(); ++k)
@@ -107,20 +153,25 @@ struct Open {
     }
 };
 
-Open openOf(const Linkage& linkage, const PartGaps& gapsAt) {
+Open openOf(const Linkage& linkage, const PartGaps& gapsAt, FormerPlaces& former) {
     const std::vector<geometry::Pose> poses = linkage.poses();
-    Open open{gapsAt(poses), {}};
+    Open open{gapsAt(poses), 0, {}};
     const auto stands = [&](const PartGap& of) {
         return openingsOf(linkage, {of}, poses).isZero(0);
     };
     std::erase_if(open.parts, stands);
+    open.told = open.parts.size();
+    const std::vector<PartGap> before = former.at(poses, open.parts);
+    former.add(poses, open.parts);
+    open.parts.insert(open.parts.end(), before.begin(), before.end());
     open.by = openingsOf(linkage, open.parts, poses);
     return open;
 }
 
 // The deepest of those that overlap by more than rounding.
-const PartGap* deepest(const std::vector<PartGap>& parts, double size) {
-    constexpr double rounding = 1e-14; // of places and radii
+const PartGap* deepest(std::span<const PartGap> parts, double size) {
+    constexpr double rounding =
+        1e-11; // of places and radii: parts touch at a thousand times as much
     const PartGap* found = nullptr;
     for (const PartGap& of : parts)
         if (of.gap < -rounding * std::max(of.at.norm(), size) && (!found || of.gap < found->gap))
@@ -143,21 +194,22 @@ std::string partAll(const scene::Scene& scene, Linkage& linkage, const PartGaps&
     constexpr double stays = 1e-14; // of the largest radius
     constexpr std::size_t mostPlaces = 400;
     holdTurns(linkage);
-    Open open = openOf(linkage, gapsAt);
+    FormerPlaces former;
+    Open open = openOf(linkage, gapsAt, former);
     for (int k = 0; k < most && !open.parts.empty() && !cancelled(); ++k) {
-        if (open.parts.size() > mostPlaces)
+        if (open.told > mostPlaces)
             return "bodies overlap at too many places to move them all apart: begin with some of "
                    "them";
         const auto step = partingStep(linkage, open.by, open.gaps());
         if (!step)
             break;
         linkage.step(*step);
-        open = openOf(linkage, gapsAt);
+        open = openOf(linkage, gapsAt, former);
         const bool hasTightened = linkage.tighten(); // a rope on which a body has moved
         if (!hasTightened && step->norm() <= stays * linkage.size())
             break;
     }
-    const PartGap* left = deepest(open.parts, linkage.size());
+    const PartGap* left = deepest(std::span(open.parts).first(open.told), linkage.size());
     return left ? roomless(scene, *left) : linkage.isClosed() ? "" : openJoints(linkage);
 }
 

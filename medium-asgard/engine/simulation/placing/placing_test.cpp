@@ -65,6 +65,40 @@ TEST(Placing, APendulumInAWallTurnsAboutItsHinge) {
     EXPECT_NEAR(made.moved[0].pose.position.norm(), std::hypot(0.05, 1), 1e-12);
 }
 
+// Each turns about one corner and would lower another one that it had lifted.
+TEST(Placing, TwoHingedBoxesInAFloorCloseAndLieOnIt) {
+    const Vector edges(1.2, 0.6, 0.7);
+    for (int k = 0; k < 12; ++k) {
+        SceneBuilder b(1);
+        b.floor();
+        b.box("left", {0, 0.25 + 0.02 * k, 0}, edges).initialAttitude =
+            geometry::fromRotationVector({0, 0, 0.3 - 0.05 * k});
+        b.box("right", {1.2, 0.45 - 0.02 * k, 0.1}, edges).initialAttitude =
+            geometry::fromRotationVector({0, 0, 0.04 * k - 0.2});
+        scene::Joint pin;
+        pin.name = "pin";
+        pin.type = scene::JointType::hinge;
+        pin.body1 = "left";
+        pin.offset1 = {0.5, 0, 0};
+        pin.body2 = "right";
+        pin.offset2 = {-0.5, 0, 0};
+        b.scene.joints.push_back(pin);
+        const physics::Assembly made = placed(b.scene);
+        EXPECT_EQ(made.reason, "") << k;
+        ASSERT_EQ(made.moved.size(), 2U) << k;
+        for (const physics::Assembly::Moved& moved : made.moved)
+            for (int corner = 0; corner < 8; ++corner) {
+                const Vector local(corner & 1 ? 0.6 : -0.6, corner & 2 ? 0.3 : -0.3,
+                                   corner & 4 ? 0.35 : -0.35);
+                EXPECT_GT(moved.pose.toWorld(local).y(), -1e-9) << k;
+            }
+        EXPECT_LT(distance(made.moved[0].pose.toWorld({0.5, 0, 0}),
+                           made.moved[1].pose.toWorld({-0.5, 0, 0})),
+                  1e-9)
+            << k;
+    }
+}
+
 TEST(Placing, ABodyWithoutRoomIsNamed) {
     SceneBuilder b(1);
     b.floor();
