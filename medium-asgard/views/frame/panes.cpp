@@ -5,8 +5,10 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QEvent>
+#include <QLayout>
 #include <QMainWindow>
 #include <QMenu>
+#include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
 
@@ -142,8 +144,31 @@ void Panes::show(const QString& name) {
     if (!placed)
         return;
     contentOf(*placed);
+    const QSize before = window_.size();
     placed->dock->show();
+    if (outgrowsScreen() && putBeside(*placed)) {
+        window_.layout()->activate(); // it is lower at least now
+        window_.resize(before);
+    }
     placed->dock->raise();
+}
+
+bool Panes::outgrowsScreen() const {
+    const int frame = window_.frameGeometry().height() - window_.height();
+    return window_.minimumSizeHint().height() + frame >
+           window_.screen()->availableGeometry().height();
+}
+
+// Over other panes, where there is no room below the picture. False: there are none.
+bool Panes::putBeside(const Placed& placed) {
+    const auto other = std::ranges::find_if(panes_, [&](const Placed& one) {
+        return one.dock != placed.dock && one.dock->isVisible() && !one.dock->isFloating() &&
+               window_.dockWidgetArea(one.dock) != Qt::BottomDockWidgetArea;
+    });
+    if (placed.dock->isFloating() || other == panes_.end())
+        return false;
+    window_.tabifyDockWidget(other->dock, placed.dock);
+    return !outgrowsScreen();
 }
 
 void Panes::hide(const QString& name) {

@@ -136,6 +136,22 @@ TEST_F(MotionNoticeOfSceneTest, AThrowSaysThatTheMotionBeginsThereAndUndoesIt) {
     EXPECT_FALSE(undo->isVisible());
 }
 
+TEST_F(MotionNoticeOfSceneTest, ATagOfABodyBelowThePictureStandsAboveTheWords) {
+    take("shape_set s -desc {-sub {-sphere 0.5}}\nbody a s\nbody b s -init_pos {0.4 -60 0}\n");
+    render::Camera camera = viewer.display().camera();
+    camera.center = {0, 0, 0};
+    camera.scale = 0.5;
+    viewer.display().setCamera(camera);
+    viewer.display().grab();
+    document.select({{editing::Kind::body, 1}});
+    const auto* notice = viewer.findChild<MotionNotice*>();
+    ASSERT_TRUE(notice && notice->isVisible());
+    const auto tag = viewer.display().selecting().tag();
+    ASSERT_TRUE(tag.has_value());
+    EXPECT_FALSE(tag->box.intersects(notice->geometry()));
+    EXPECT_GT(tag->box.top(), viewer.display().height() / 2.0);
+}
+
 // Before any floor: the sentence of the fault names a button, and here it is.
 TEST_F(MotionNoticeOfSceneTest, WhereBodiesOverlapAClickMovesThemApart) {
     const std::string overlapping = "shape_set s -desc {-sub {-sphere 0.5}}\n"

@@ -75,6 +75,10 @@ void Creating::start(Recipe recipe) {
 }
 
 void Creating::start(std::function<Recipe()> recipe, std::optional<Aim> aim) {
+    if (begun_ && !inputs_.empty()) { // a click comes first whose picture is not there
+        inputs_.emplace_back(Command{std::move(recipe), std::move(aim)});
+        return;
+    }
     cancel();
     forgetMeasured();
     display_.editing().say({}); // it was about what was done before
@@ -119,6 +123,8 @@ void Creating::takeInputs() {
         if (const auto* typed = std::get_if<std::unique_ptr<QKeyEvent>>(&*one)) {
             if (!key(**typed))
                 handBack(**typed);
+        } else if (auto* command = std::get_if<Command>(&*one)) {
+            start(std::move(command->recipe), std::move(command->aim));
         } else if (begun_) {
             const Click& click = std::get<Click>(*one);
             fault_.clear();

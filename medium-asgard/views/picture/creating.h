@@ -82,7 +82,7 @@ private:
     };
 
     void stopWaiting(); // if the scene is there, or will not come
-    void takeInputs();  // all clicks whose picture is there, and the keys behind them
+    void takeInputs();  // all clicks whose picture is there, and what came behind them
     void handBack(const QKeyEvent& event);
     void begin(Recipe recipe);
     void takeAim(const Aim& aim);
@@ -117,7 +117,11 @@ private:
         QPointF position;
         bool holdsOff;
     };
-    using Input = std::variant<Click, std::unique_ptr<QKeyEvent>>;
+    struct Command {
+        std::function<Recipe()> recipe;
+        std::optional<Aim> aim;
+    };
+    using Input = std::variant<Click, std::unique_ptr<QKeyEvent>, Command>;
     std::vector<Input> inputs_; // in their order: the picture of their scene is not there yet
     QString typed_;             // "1 2.5 0": where the point is to be
     struct Measured {

@@ -66,6 +66,23 @@ TEST_F(CreatingTest, KeysWaitBehindAClickWhosePictureIsNotThere) {
     EXPECT_THAT(text(), HasSubstr("-body1 b1 -offset1 {0 2 0}"));
 }
 
+// The next command waits its turn, too.
+TEST_F(CreatingTest, ACommandWaitsBehindAClickWhosePictureIsNotThere) {
+    open(balls);
+    WindowPicture::setPatience(std::chrono::milliseconds(0));
+    editor.document().setText(balls + "body b3 ball -init_pos {0 2 0}\n", "Edit");
+    ASSERT_TRUE(waitFor([&] { return editor.document().sceneIsCurrent(); }));
+    display().creating().start(newBody("ball"));
+    click({0, -3, 0});
+    display().creating().start(newBody("ball"));
+    QTest::keyClicks(&display(), "5 5 0");
+    key(Qt::Key_Return);
+    EXPECT_TRUE(waitFor([&] { return text().find("{5 5 0}") != std::string::npos; }));
+    WindowPicture::setPatience(std::chrono::seconds(60));
+    done();
+    EXPECT_EQ(scene().bodies.size(), 5U);
+}
+
 TEST_F(CreatingTest, ACommandWaitsForTheSceneAndForNoMotion) {
     open(balls);
     made.blocked = true; // no motion ends

@@ -215,6 +215,9 @@ std::optional<Selecting::Tag> Selecting::tag() const {
     const double far = std::max({std::abs(way.x()) / std::max(across, 1.0),
                                  std::abs(way.y()) / std::max(along, 1.0), 1e-9});
     tag.box.moveCenter(middle + way / far);
+    for (const QWidget* over : display_.findChildren<QWidget*>(Qt::FindDirectChildrenOnly))
+        if (over->isVisible() && tag.box.intersects(over->geometry()))
+            tag.box.moveBottom(over->geometry().top() - margin);
     const double length = std::max(std::hypot(way.x(), way.y()), 1e-9);
     tag.end = way / length;
     return tag;

@@ -6,8 +6,10 @@
 #include <gtest/gtest.h>
 
 #include <QCheckBox>
+#include <QDockWidget>
 #include <QHelpEvent>
 #include <QImage>
+#include <QScreen>
 #include <QTest>
 #include <QToolTip>
 
@@ -167,6 +169,22 @@ TEST_F(GraphicalViewerTest, AViewerThatOpensAgainFramesTheSceneUnlessSomebodyMov
     EXPECT_TRUE(again(framing)->display().framesItself());
     EXPECT_FALSE(again(moved)->display().framesItself());
     EXPECT_EQ(again(moved)->display().camera().scale, camera.scale);
+}
+
+// As where letters are large: the window stays within the screen.
+TEST_F(GraphicalViewerTest, APaneWithoutRoomBelowThePictureOpensBesideIt) {
+    GraphicalViewer* viewer = editor.openGraphicalViewer();
+    viewer->panes().show("status");
+    viewer->centralWidget()->setMinimumHeight(viewer->screen()->availableGeometry().height() - 200);
+    const QSize before = viewer->size();
+    viewer->panes().show("plots");
+    auto* plots = viewer->findChild<QDockWidget*>("pane.plots");
+    ASSERT_NE(plots, nullptr);
+    EXPECT_EQ(viewer->dockWidgetArea(plots), Qt::RightDockWidgetArea);
+    EXPECT_TRUE(plots->isVisible());
+    QCoreApplication::processEvents();
+    EXPECT_LE(viewer->height(), std::max(before.height(), viewer->minimumSizeHint().height()));
+    EXPECT_LE(viewer->height(), viewer->screen()->availableGeometry().height());
 }
 
 TEST_F(GraphicalViewerTest, AFaultStandsAtItsTimeOnTheBar) {
