@@ -153,7 +153,7 @@ struct Open {
     }
 };
 
-Open openOf(const Linkage& linkage, const PartGaps& gapsAt, FormerPlaces& former) {
+Open openOf(const Linkage& linkage, const PartGaps& gapsAt, FormerPlaces* former) {
     const std::vector<geometry::Pose> poses = linkage.poses();
     Open open{gapsAt(poses), 0, {}};
     const auto stands = [&](const PartGap& of) {
@@ -161,9 +161,11 @@ Open openOf(const Linkage& linkage, const PartGaps& gapsAt, FormerPlaces& former
     };
     std::erase_if(open.parts, stands);
     open.told = open.parts.size();
-    const std::vector<PartGap> before = former.at(poses, open.parts);
-    former.add(poses, open.parts);
-    open.parts.insert(open.parts.end(), before.begin(), before.end());
+    if (former) {
+        const std::vector<PartGap> before = former->at(poses, open.parts);
+        former->add(poses, open.parts);
+        open.parts.insert(open.parts.end(), before.begin(), before.end());
+    }
     open.by = openingsOf(linkage, open.parts, poses);
     return open;
 }
@@ -187,14 +189,14 @@ std::string roomless(const scene::Scene& scene, const PartGap& parts) {
            depth + " is left";
 }
 
-// "": they have parted. Pairs of which no body is free to move stay as they are.
-std::string partAll(const scene::Scene& scene, Linkage& linkage, const PartGaps& gapsAt,
-                    const std::function<bool()>& cancelled) {
+// "": they have parted. Pairs of which no body is free to move stay as they are. `former`: places
+// that are not to overlap again; none: only what overlaps now counts.
+std::string partBy(const scene::Scene& scene, Linkage& linkage, const PartGaps& gapsAt,
+                   FormerPlaces* former, const std::function<bool()>& cancelled) {
     constexpr int most = 60;
     constexpr double stays = 1e-14; // of the largest radius
     constexpr std::size_t mostPlaces = 400;
     holdTurns(linkage);
-    FormerPlaces former;
     Open open = openOf(linkage, gapsAt, former);
     for (int k = 0; k < most && !open.parts.empty() && !cancelled(); ++k) {
         if (open.told > mostPlaces)
@@ -211,6 +213,19 @@ std::string partAll(const scene::Scene& scene, Linkage& linkage, const PartGaps&
     }
     const PartGap* left = deepest(std::span(open.parts).first(open.told), linkage.size());
     return left ? roomless(scene, *left) : linkage.isClosed() ? "" : openJoints(linkage);
+}
+
+// Most bodies part by the least movement from where they overlap now.
+std::string partAll(const scene::Scene& scene, Linkage& linkage, const PartGaps& gapsAt,
+                    const std::function<bool()>& cancelled) {
+    const std::vector<double> before = linkage.values();
+    const std::string why = partBy(scene, linkage, gapsAt, nullptr, cancelled);
+    if (why.empty() || cancelled())
+        return why;
+    linkage.setValues(before);
+    linkage.slacken();
+    FormerPlaces former;
+    return partBy(scene, linkage, gapsAt, &former, cancelled);
 }
 
 } // namespace
