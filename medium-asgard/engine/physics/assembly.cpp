@@ -219,7 +219,7 @@ std::string partBy(const scene::Scene& scene, Linkage& linkage, const PartGaps& 
 std::string partAll(const scene::Scene& scene, Linkage& linkage, const PartGaps& gapsAt,
                     const std::function<bool()>& cancelled) {
     const std::vector<double> before = linkage.values();
-    const std::string why = partBy(scene, linkage, gapsAt, nullptr, cancelled);
+    std::string why = partBy(scene, linkage, gapsAt, nullptr, cancelled);
     if (why.empty() || cancelled())
         return why;
     linkage.setValues(before);

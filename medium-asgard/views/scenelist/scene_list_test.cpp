@@ -100,6 +100,17 @@ TEST_F(SceneListTest, AFilterNarrowsIt) {
     EXPECT_EQ(shown().size(), 11U);
 }
 
+// It begins no name: one of them is meant.
+TEST_F(SceneListTest, AClickOnOneOfSeveralSelectedSelectsIt) {
+    document.select({{Kind::body, 0}, {Kind::body, 1}, {Kind::force, 0}});
+    QTest::qWait(60);
+    const QRect row = list.tree().visualItemRect(list.itemOf({Kind::body, 1}));
+    QTest::mouseClick(list.tree().viewport(), Qt::LeftButton, {}, row.center());
+    QTest::qWait(QApplication::doubleClickInterval() + 100);
+    EXPECT_THAT(document.selected(), ElementsAre(Element{Kind::body, 1}));
+    EXPECT_EQ(list.tree().findChild<QLineEdit*>(), nullptr);
+}
+
 TEST_F(SceneListTest, ARenamedElementHasItsNameInAllOfTheText) {
     list.itemOf({Kind::body, 0})->setText(0, "ball");
     ASSERT_TRUE(settle(document));
