@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <utility>
 
 namespace physics {
@@ -100,14 +101,15 @@ std::optional<Eigen::VectorXd> partingStep(Linkage& linkage, const Eigen::Matrix
 // is told, the deepest: a box that turns about one corner would lower the one that it had lifted.
 class FormerPlaces {
 public:
-    // At these poses, where `told` is what overlaps now: but for places that are told again, and
-    // parts that come apart along another direction by now.
+    // The gaps of these places at these poses. A place is forgotten when it is among the `told`, or
+    // when these part its two parts along another direction.
     [[nodiscard]] std::vector<PartGap> at(const std::vector<geometry::Pose>& poses,
                                           const std::vector<PartGap>& told) {
         std::vector<PartGap> gaps;
         std::erase_if(all_, [&](const Place& place) {
             PartGap now = place.of;
             const Vector first = poses[now.first].toWorld(place.onFirst);
+            now.normal = poses[now.second].attitude * place.normal;
             now.gap += now.normal.dot(first - poses[now.second].toWorld(place.onSecond));
             now.at = first;
             if (std::ranges::any_of(told, [&](const PartGap& of) { return replaces(of, now); }))
@@ -121,30 +123,34 @@ public:
         constexpr std::size_t most = 400;
         for (const PartGap& of : told)
             if (all_.size() < most)
-                all_.push_back(
-                    {of, poses[of.first].toLocal(of.at), poses[of.second].toLocal(of.at)});
+                all_.push_back({of, poses[of.first].toLocal(of.at), poses[of.second].toLocal(of.at),
+                                poses[of.second].attitude.conjugate() * of.normal});
     }
 
 private:
     struct Place {
         PartGap of;
-        Vector onFirst, onSecond; // of their frames
+        Vector onFirst, onSecond, normal; // in their frames; that of the second
     };
     [[nodiscard]] static bool replaces(const PartGap& told, const PartGap& former) {
-        constexpr double alike = 0.9; // cosine
+        constexpr double alike = 0.9;     // cosine
+        constexpr double rounding = 1e-9; // of places
         const double depth = std::abs(told.gap) + std::abs(former.gap);
-        return told.first == former.first && told.second == former.second &&
+        const auto parts = [](const PartGap& of) {
+            return std::tuple(of.first, of.firstPart, of.second, of.secondPart);
+        };
+        return parts(told) == parts(former) &&
                (told.normal.dot(former.normal) < alike ||
-                (told.at - former.at).norm() <= 2 * depth);
+                (told.at - former.at).norm() <= 2 * depth + rounding * told.at.norm());
     }
     std::vector<Place> all_;
 };
 
 // Gaps of parts of which a body can move.
 struct Open {
-    std::vector<PartGap> parts; // the first of them overlap now,
-    std::size_t told = 0;       // so many, and others did before
-    Eigen::MatrixXd by;         // how they change with a movement
+    std::vector<PartGap> parts;
+    std::size_t told = 0; // so many of them are told now; behind them are former places
+    Eigen::MatrixXd by;   // how they change with a movement
     [[nodiscard]] Eigen::VectorXd gaps() const {
         Eigen::VectorXd all(by.rows());
         for (Eigen::Index k = 0; k < all.size(); ++k)

@@ -56,6 +56,7 @@ struct PartGap {
     double gap = 0;                                      // negative: they overlap
     geometry::Vector normal = geometry::Vector::UnitX(); // unit, from the second towards the first
     geometry::Vector at = geometry::Vector::Zero();      // where they touch, in the world
+    std::size_t firstPart = 0, secondPart = 0;           // of their shapes
 };
 // Of bodies whose centres of mass are at these poses, those that overlap, and all that it has told
 // of before.

@@ -146,10 +146,8 @@ void Panes::show(const QString& name) {
     contentOf(*placed);
     const QSize before = window_.size();
     placed->dock->show();
-    if (outgrowsScreen() && putBeside(*placed)) {
-        window_.layout()->activate(); // it is lower at least now
-        window_.resize(before);
-    }
+    if (outgrowsScreen())
+        putBeside(*placed, before);
     placed->dock->raise();
 }
 
@@ -159,16 +157,20 @@ bool Panes::outgrowsScreen() const {
            window_.screen()->availableGeometry().height();
 }
 
-// Over other panes, where there is no room below the picture. False: there are none.
-bool Panes::putBeside(const Placed& placed) {
+// A pane below the picture that has no room there comes in front of one beside it.
+void Panes::putBeside(const Placed& placed, const QSize& size) {
+    const auto isBelow = [&](const Placed& one) {
+        return window_.dockWidgetArea(one.dock) == Qt::BottomDockWidgetArea;
+    };
     const auto other = std::ranges::find_if(panes_, [&](const Placed& one) {
-        return one.dock != placed.dock && one.dock->isVisible() && !one.dock->isFloating() &&
-               window_.dockWidgetArea(one.dock) != Qt::BottomDockWidgetArea;
+        return one.dock->isVisible() && !one.dock->isFloating() && !isBelow(one);
     });
-    if (placed.dock->isFloating() || other == panes_.end())
-        return false;
+    if (placed.dock->isFloating() || !isBelow(placed) || other == panes_.end())
+        return;
     window_.tabifyDockWidget(other->dock, placed.dock);
-    return !outgrowsScreen();
+    window_.layout()->activate(); // it may be lower now
+    if (!window_.isMaximized() && !window_.isFullScreen())
+        window_.resize(size);
 }
 
 void Panes::hide(const QString& name) {

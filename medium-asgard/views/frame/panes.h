@@ -72,9 +72,9 @@ private:
     [[nodiscard]] Placed* find(const QString& name);
     [[nodiscard]] const Placed* find(const QString& name) const;
     QWidget* contentOf(const Placed& placed);
-    void put(const Placed& placed);            // in its place, closed
-    [[nodiscard]] bool outgrowsScreen() const; // the window is higher at least
-    bool putBeside(const Placed& placed);
+    void put(const Placed& placed);                          // in its place, closed
+    [[nodiscard]] bool outgrowsScreen() const;               // the window, as small as it gets
+    void putBeside(const Placed& placed, const QSize& size); // of the window before
 
     QMainWindow& window_;
     QList<Placed> panes_;

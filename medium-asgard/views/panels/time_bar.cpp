@@ -3,7 +3,6 @@
 #include "charts/scale.h"
 #include "plain/plain.h"
 
-#include <QApplication>
 #include <QHelpEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -145,7 +144,8 @@ void TimeBar::mousePressEvent(QMouseEvent* event) {
 
 void TimeBar::mouseMoveEvent(QMouseEvent* event) {
     const double x = event->position().x();
-    if (pressed_ && std::abs(x - *pressed_) < QApplication::startDragDistance())
+    constexpr double still = 3; // pixels: fine drags are meant, too
+    if (pressed_ && std::abs(x - *pressed_) < still)
         return;
     pressed_.reset();
     if (isSliderDown())

@@ -131,6 +131,9 @@ void Creating::takeInputs() {
             if (const auto found = indicated(click.position, click.holdsOff))
                 take(*found);
             Q_EMIT changed();
+        } else if (waiting_) {
+            fault_ = tr("The click came before the scene.");
+            Q_EMIT changed();
         }
     }
 }

@@ -273,12 +273,15 @@ Indicated Indicating::restingOn(BegunRecipe& begun, const gestures::Picked& pick
         place = besideMiddle(place, up, pose.position, 1.5 * clickReach * found.resolution, step);
     }
     found.point = place + heightOf(*begun.ghost(), up, found.attitude) * up;
-    if (const auto ground = display_.ground(); ground && std::abs(up.dot(ground->up)) < 1e-6) {
-        // Beside a body that stands on the ground it stands there, too, and not in the ground.
+    if (const auto ground = display_.ground();
+        ground && picked.point.dot(ground->up) > ground->height) {
+        // Beside a body that stands on the ground it stands there, too: it slides up the face.
         const double least = ground->height + heightOf(*begun.ghost(), ground->up, found.attitude);
-        const double height = found.point.dot(ground->up);
-        if (picked.point.dot(ground->up) > ground->height && height < least)
-            found.point += (least - height) * ground->up;
+        const double missing = least - found.point.dot(ground->up);
+        const Vector along = ground->up - up.dot(ground->up) * up;
+        constexpr double steep = 0.5; // sin^2 of the face's slope
+        if (missing > 0 && along.squaredNorm() > steep)
+            found.point += missing / along.squaredNorm() * along;
     }
     found.resolution *= 1e-3;          // so that it touches
     if (!isLevel) {                    // and a little more: a gap would be a fall

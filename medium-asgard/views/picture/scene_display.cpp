@@ -249,10 +249,17 @@ void SceneDisplay::stepBackTo(const render::Camera& camera) {
 void SceneDisplay::showWhole(const std::vector<editing::Element>& elements) {
     const bool isFramedAnyway = seen_.framesItself && (seen_.isDue || !seen_.isEdited);
     if (!isFramedAnyway && seen_.followed.isEmpty())
-        bringIn(elements);
+        stepBackFor(elements);
 }
 
 void SceneDisplay::bringIn(const std::vector<editing::Element>& elements) {
+    bringUpToDate();
+    keepCamera();
+    followView({});
+    stepBackFor(elements);
+}
+
+void SceneDisplay::stepBackFor(const std::vector<editing::Element>& elements) {
     const Shown& shown = document_.shown();
     std::vector<render::Ball> balls;
     for (const editing::Element& one : elements)

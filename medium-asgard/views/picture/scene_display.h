@@ -65,9 +65,9 @@ public:
     void frameSelected();
     void frameMotion();
     // The picture steps back until it shows all of these bodies; from far out of it, it frames what
-    // stands there now.
+    // stands there now. The view is the reader's own then.
     void bringIn(const std::vector<editing::Element>& elements);
-    // The same of bodies that were made just now. A view of the scene stays as it is.
+    // The same for bodies that were made just now. A view of the scene stays as it is.
     void showWhole(const std::vector<editing::Element>& elements);
     void lookAlong(const geometry::Vector& toward); // keeps what is in the middle
     void levelHorizon(); // rolls the picture until what is upright in the world is so in it
@@ -177,6 +177,7 @@ private:
     void keepFrame();                                         // the view is as something framed it
     void keepInSight();                                       // bodies, where they start
     void stepBack(); // as far as bodies need that grew out of the reader's own view
+    void stepBackFor(const std::vector<editing::Element>& elements);
     void stepBackTo(const render::Camera& camera); // no move of the reader's: framed stays framed
     bool clickTriad(const QMouseEvent& event);
     bool turnKey(const QKeyEvent& event);

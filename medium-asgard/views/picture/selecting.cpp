@@ -216,7 +216,8 @@ std::optional<Selecting::Tag> Selecting::tag() const {
                                  std::abs(way.y()) / std::max(along, 1.0), 1e-9});
     tag.box.moveCenter(middle + way / far);
     for (const QWidget* over : display_.findChildren<QWidget*>(Qt::FindDirectChildrenOnly))
-        if (over->isVisible() && tag.box.intersects(over->geometry()))
+        if (over->isVisible() && tag.box.intersects(over->geometry()) &&
+            over->geometry().top() > tag.box.height() + 2 * margin)
             tag.box.moveBottom(over->geometry().top() - margin);
     const double length = std::max(std::hypot(way.x(), way.y()), 1e-9);
     tag.end = way / length;

@@ -474,6 +474,20 @@ TEST_F(SelectingTest, ACopyThatComesOutOfThePictureIsShown) {
     EXPECT_NE(framed.center, third.center);
 }
 
+TEST_F(SelectingTest, AClickOnTheTagLeavesAViewOfTheScene) {
+    editor.document().setText(three + "view near -center {3 0 0} -scale 1.5\n", "Edit");
+    ASSERT_TRUE(settle(editor.document()));
+    display().followView("near");
+    display().grab();
+    editor.document().select({leftOne});
+    const auto tag = display().selecting().tag();
+    ASSERT_TRUE(tag.has_value());
+    click(tag->box.center().toPoint());
+    display().grab();
+    EXPECT_EQ(display().followedView(), "");
+    EXPECT_FALSE(display().selecting().tag().has_value());
+}
+
 // A view of the scene is the author's.
 TEST_F(SelectingTest, ACopyLeavesAViewOfTheSceneAsItIs) {
     editor.document().setText(three + "view near -center {-3 0 0} -scale 0.5\n", "Edit");

@@ -70,9 +70,30 @@ TEST_F(LeftPropertiesTest, ARefusedValueIsToldThoughOthersAreSelected) {
     QTest::keyClick(mass, Qt::Key_Return);
     document.select({{Kind::body, 1}});
     ASSERT_TRUE(waitFor([&] { return !pane.fault().isEmpty(); }));
-    EXPECT_THAT(pane.fault().toStdString(), HasSubstr("Mass: "));
+    EXPECT_THAT(pane.fault().toStdString(), HasSubstr("a, Mass: "));
     EXPECT_TRUE(settle(document));
     EXPECT_EQ(document.text(), twoBalls);
+}
+
+TEST_F(LeftPropertiesTest, ARefusedSizeOrNameIsToldToo) {
+    PropertiesPane pane{document, PropertyActions{}};
+    pane.show();
+    ASSERT_TRUE(pane.sizeRow());
+    QLineEdit* size = pane.sizeRow()->fields()[0];
+    const std::pair<QLineEdit*, const char*> typed[] = {{size, "-3"}, {&pane.name(), "b"}};
+    for (const auto& [field, value] : typed) {
+        document.select({{Kind::body, 0}});
+        QTest::qWait(60);
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, value);
+        QTest::keyClick(field, Qt::Key_Return);
+        document.select({{Kind::body, 1}});
+        EXPECT_TRUE(settle(document));
+        QTest::qWait(60);
+        EXPECT_THAT(pane.fault().toStdString(), HasSubstr("a, ")) << value;
+        EXPECT_EQ(document.text(), twoBalls) << value;
+    }
 }
 
 } // namespace

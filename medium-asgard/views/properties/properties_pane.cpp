@@ -176,12 +176,15 @@ PropertyRow* PropertiesPane::row(const std::string& option) const {
     return nullptr;
 }
 
-// Of a value of those that were selected before: it is gone.
+// The pane forgets a refused value when something else is selected, and so it tells that.
 QString PropertiesPane::refusal() const {
-    for (const PropertyRow* row : rows_)
-        if (const QString why = row->refusal(); !why.isEmpty())
-            return QString::fromStdString(editing::captionOf(row->option())) + ": " + why;
-    return {};
+    QString why = head_->refusal();
+    if (form_)
+        for (const PropertyRow* row : form_->findChildren<PropertyRow*>())
+            if (why.isEmpty())
+                why = row->refusal();
+    const QString name = head_->name().text();
+    return why.isEmpty() || name.isEmpty() ? why : tr("%1, %2").arg(name, why);
 }
 
 void PropertiesPane::refresh() {
@@ -375,11 +378,12 @@ QString PropertiesPane::masses() const {
                                        : QStringLiteral("%1 … %2").arg(from, to);
 }
 
-// In the text, of one of them.
+// The text gives each of them a mass.
 bool PropertiesPane::hasMass() const {
     const auto& bodies = document_.shown().scene->bodies;
-    return std::ranges::any_of(elements(), [&](const Element& one) {
-        return one.kind == Kind::body && bodies[one.index].mass.has_value();
+    return std::ranges::all_of(elements(), [&](const Element& one) {
+        return one.kind == Kind::body && one.index < bodies.size() &&
+               bodies[one.index].mass.has_value();
     });
 }
 

@@ -118,8 +118,14 @@ void PropertyHead::say(const QString& why) {
     showElements(document_.selected());
 }
 
+QString PropertyHead::refusal() const {
+    const QString why = TypedField::refusalOf(*name_);
+    return why.isEmpty() ? why : tr("Name: %1").arg(why);
+}
+
 void PropertyHead::forget() {
     said_.clear();
+    TypedField::setRefusal(*name_, {});
     name_->setModified(false);
 }
 

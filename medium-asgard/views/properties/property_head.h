@@ -23,6 +23,7 @@ public:
     [[nodiscard]] QLineEdit& name() { return *name_; }
     [[nodiscard]] QString title() const;
     [[nodiscard]] QString fault() const;
+    [[nodiscard]] QString refusal() const; // of the name that was typed last; "": none
 
     void showElements(const std::vector<editing::Element>& elements);
     // About the name or a copy.

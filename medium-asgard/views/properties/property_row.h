@@ -66,7 +66,10 @@ public:
     void refuse(const PropertyParts& entered, const QString& why);
     void forget();                       // what was typed was meant for others
     [[nodiscard]] QString fault() const; // or the note
-    [[nodiscard]] QString refusal() const { return refused_.empty() ? QString() : fault(); }
+    // The caption and why the value that was typed is none; "": nobody refused one.
+    [[nodiscard]] QString refusal() const {
+        return refused_.empty() ? QString() : name_ + QStringLiteral(": ") + why_;
+    }
 
     [[nodiscard]] const std::vector<QLineEdit*>& fields() const { return fields_; }
     [[nodiscard]] QComboBox* box() const { return box_; }

@@ -144,6 +144,8 @@ protected:
         WindowPicture::setPatience(std::chrono::milliseconds(12)); // as in the program
     }
 
+    static void TearDownTestSuite() { qInstallMessageHandler(usually); }
+
     void SetUp() override {
         ASSERT_TRUE(folder_.isValid());
         ASSERT_EQ(chdir(folder_.path().toUtf8().constData()), 0);

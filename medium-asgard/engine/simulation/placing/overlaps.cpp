@@ -101,7 +101,7 @@ void Overlaps::look(const Parts& parts, const std::vector<Pose>& poses, Depth de
         places = collision::contactPoints(one, other, std::abs(apart.gap)).points;
     const std::size_t step = 1 + places.size() / mostPlaces;
     for (std::size_t k = 0; k < places.size(); k += step)
-        found.push_back({a, b, apart.gap, apart.normal, poses[b].position + places[k]});
+        found.push_back({a, b, apart.gap, apart.normal, poses[b].position + places[k], i, j});
 }
 
 std::vector<PartGap> Overlaps::at(const std::vector<Pose>& poses, Depth depth) {
@@ -146,7 +146,7 @@ std::vector<PartGap> Overlaps::narrowGaps(const std::vector<Pose>& poses,
                 const Vector at = apart.touch      ? *apart.touch
                                   : places.empty() ? Vector(Vector::Zero())
                                                    : places.front();
-                found.push_back({a, b, apart.gap, apart.normal, poses[b].position + at});
+                found.push_back({a, b, apart.gap, apart.normal, poses[b].position + at, i, j});
             }
     };
     collision::BoxTree tree(poses.size());
