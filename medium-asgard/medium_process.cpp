@@ -100,8 +100,10 @@ int serveAsMedium(script::Reader& reader) {
     });
     if (*renderer) {
         platform.inSpareTime = [renderer] { warmUp(**renderer, service::movingSamples); };
-        platform.draw = [renderer](const render::Drawing& drawing, const render::Image& into) {
-            return (*renderer)->draw(drawing, into);
+        platform.draw = [renderer](const render::Drawing& drawing, const render::Image& into,
+                                   const service::Around& around) {
+            return around.last ? (*renderer)->draw(drawing, into, *around.last, around.keeps)
+                               : (*renderer)->draw(drawing, into);
         };
     }
     platform.confine = [drawing = platform.thread.get()](ipc::Mode mode) {

@@ -81,7 +81,7 @@ struct Renderer::Implementation {
     KeptExtent kept;
     Surroundings around;                    // of the last picture
     std::optional<Surroundings> keptAround; // of pictures before
-    Keeps keepsGround = Keeps::always;
+    Keeps keeps = Keeps::nothing;
 
     ~Implementation() {
         if (context && context->makeCurrent()) {
@@ -322,7 +322,7 @@ Ground Renderer::Implementation::groundBelow(std::span<const Solid> all, const F
         return below;
     const GroundPlane& last = *keptAround->ground;
     const bool stays = last.up == below.plane.up &&
-                       (keepsGround == Keeps::always || isGroundOf(kept.extent(), last.height));
+                       (keeps == Keeps::all || isGroundOf(kept.extent(), last.height));
     return stays ? Ground{last, std::nullopt, last} : below;
 }
 
@@ -419,7 +419,8 @@ std::variant<std::unique_ptr<Renderer>, std::string> Renderer::create() {
     return renderer;
 }
 
-bool Renderer::draw(const Drawing& drawing, const Image& into) {
+bool Renderer::draw(const Drawing& drawing, const Image& into, std::optional<Surroundings>& last,
+                    Keeps keeps) {
     Implementation& my = *implementation_;
     const Size size = into.size;
     const bool fits =
@@ -438,17 +439,22 @@ bool Renderer::draw(const Drawing& drawing, const Image& into) {
     gl.PolygonOffset(1, 1);
     gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE);
     my.follow(drawing);
+    my.keeps = keeps;
+    my.keptAround = keeps == Keeps::nothing ? std::nullopt : last;
     if (!my.paint(drawing, Frame(drawing, size)))
         return false;
+    last = my.around;
+    if (!last->ground && my.keptAround) // the grid may be shown again
+        last->ground = my.keptAround->ground;
     my.target->read(into);
     return gl.GetError() == GL_NO_ERROR;
 }
 
 const Renderer::Surroundings& Renderer::surroundings() const { return implementation_->around; }
 
-void Renderer::keep(const std::optional<Surroundings>& last, Keeps ground) {
-    implementation_->keptAround = last;
-    implementation_->keepsGround = ground;
+bool Renderer::draw(const Drawing& drawing, const Image& into) {
+    std::optional<Surroundings> none;
+    return draw(drawing, into, none, Keeps::nothing);
 }
 
 int Renderer::maximumSamples() const {

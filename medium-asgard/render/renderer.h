@@ -26,13 +26,15 @@ public:
         std::optional<GroundPlane> ground; // none: there is no grid
         Vector sun = Vector::UnitY();      // the direction to it
     };
-    enum class Keeps : std::uint8_t { always, whereItFits };
-    // The next pictures have these, as long as what falls falls along the same axis; none: as their
-    // scene's motion has them. The ground gives way to bodies that are a floor, and `whereItFits`
-    // stays only under everything and not far below.
-    void keep(const std::optional<Surroundings>& last, Keeps ground = Keeps::always);
-    // Draws and reads back. False when the context was lost; then make a new renderer.
+    // Draws and reads back, with the surroundings that the scene's motion asks for. False when the
+    // context was lost; then make a new renderer.
     [[nodiscard]] bool draw(const Drawing& drawing, const Image& into);
+    enum class Keeps : std::uint8_t { nothing, whereItFits, all };
+    // One of several pictures that follow each other: it keeps the `last` surroundings as long as
+    // what falls falls along the same axis, and tells its own. The ground gives way to bodies that
+    // are a floor; `whereItFits` it stays only under everything and not far below.
+    [[nodiscard]] bool draw(const Drawing& drawing, const Image& into,
+                            std::optional<Surroundings>& last, Keeps keeps);
     [[nodiscard]] const Surroundings& surroundings() const; // of the last picture
 
     [[nodiscard]] int maximumSamples() const;

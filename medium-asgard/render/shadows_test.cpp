@@ -266,29 +266,38 @@ TEST_F(RendererTest, AFixedTableTakesTheGridNowhere) {
 // shadows nor the grid follow it. Framed anew, the grid stays where it still lies below all.
 TEST_F(RendererTest, TheGroundAndTheSunThatAreKeptStay) {
     drawing_.display.grid = true;
-    const auto draws = [&](double height) {
+    using Keeps = Renderer::Keeps;
+    std::optional<Renderer::Surroundings> last;
+    const auto drawsAll = [&](Keeps keeps) {
+        std::vector<std::byte> pixels(std::size_t{4} * 320 * 240);
+        EXPECT_TRUE(
+            renderer_->draw(drawing_, {pixels, std::size_t{4} * 320, {320, 240}}, last, keeps));
+        return *last;
+    };
+    const auto draws = [&](double height, Keeps keeps) {
         scene_ = {};
         addBody(scene_, sphere(0.5), {0, height, 0}, blue);
-        static_cast<void>(draw());
-        return renderer_->surroundings();
+        return drawsAll(keeps);
     };
-    Renderer::Surroundings before = draws(3);
+    Renderer::Surroundings before = draws(3, Keeps::nothing);
     ASSERT_GT(before.ground->height, 1); // near the one body
     before.sun = Vector(-before.sun.x(), before.sun.y(), before.sun.z());
-    renderer_->keep(before);
-    EXPECT_EQ(draws(0.5).ground->height, before.ground->height);
-    EXPECT_EQ(draws(0.5).sun, before.sun);
-    renderer_->keep(before, Renderer::Keeps::whereItFits);
-    EXPECT_EQ(draws(3.5).ground->height, before.ground->height);
-    EXPECT_EQ(draws(0.5).ground->height, 0);
-    renderer_->keep(before);
+    last = before;
+    EXPECT_EQ(draws(0.5, Keeps::all).ground->height, before.ground->height);
+    EXPECT_EQ(draws(0.5, Keeps::all).sun, before.sun);
+    drawing_.display.grid = false;
+    EXPECT_EQ(draws(0.5, Keeps::all).ground->height, before.ground->height); // for later
+    drawing_.display.grid = true;
+    EXPECT_EQ(draws(3.5, Keeps::whereItFits).ground->height, before.ground->height);
+    EXPECT_EQ(draws(0.5, Keeps::whereItFits).ground->height, 0);
+    EXPECT_EQ(draws(3, Keeps::nothing).ground->height, before.ground->height);
+    EXPECT_NE(last->sun, before.sun);
+    last = before;
     addBody(scene_, sphere(0.5), {3, 0, 0}, blue);
     scene::Force weight;
     weight.kind = scene::GravitationalForce{{0, 0, -9.81}};
     scene_.forces = {weight};
-    static_cast<void>(draw());
-    EXPECT_NE(renderer_->surroundings().sun, before.sun); // z is up now
-    renderer_->keep(std::nullopt);
+    EXPECT_NE(drawsAll(Keeps::all).sun, before.sun); // z is up now
 }
 
 // The grid stands still in the world: the same lines are seen wherever the view's middle is.

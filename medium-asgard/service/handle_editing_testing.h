@@ -39,7 +39,8 @@ protected:
         platform.tools.simulate = [](const auto& scene, const auto& options, const auto& observer) {
             return simulation::simulate(*scene, options, observer);
         };
-        platform.draw = [this](const render::Drawing& drawing, const render::Image& image) {
+        platform.draw = [this](const render::Drawing& drawing, const render::Image& image,
+                               const Around&) {
             camera = drawing.camera;
             size = image.size;
             handles = drawing.handles ? *drawing.handles : render::HandleSet{};

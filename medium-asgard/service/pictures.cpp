@@ -36,7 +36,7 @@ void Pictures::draw(Customer customer, Wish wish, Done done) {
         std::vector<std::byte> own; // made now: many that wait are replaced
         if (!wish.slot)
             own = pixelsFor(into);
-        drawn.isFine = draw_(wish.drawing, into);
+        drawn.isFine = draw_(wish.drawing, into, wish.around);
         if (drawn.isFine && wish.over)
             wish.over(into);
         if (drawn.isFine && !wish.slot)

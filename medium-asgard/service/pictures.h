@@ -16,8 +16,16 @@
 
 namespace service {
 
+// The grid and the sun of a rendition's last picture, and how much of them its next one keeps.
+struct Around {
+    using Keeps = render::Renderer::Keeps;
+    std::shared_ptr<std::optional<render::Renderer::Surroundings>>
+        last; // of the thread; may be null
+    Keeps keeps = Keeps::nothing;
+};
+
 // Drawn on the thread of a renderer; false: the graphics context was lost.
-using Draw = std::function<bool(const render::Drawing&, const render::Image&)>;
+using Draw = std::function<bool(const render::Drawing&, const render::Image&, const Around&)>;
 
 // Memory for the pixels of an image that has none.
 [[nodiscard]] std::vector<std::byte> pixelsFor(render::Image& image);
@@ -35,6 +43,7 @@ public:
         render::Image into;                     // without pixels: they are wanted as text
         std::shared_ptr<const MappedSlot> slot; // where its pixels are
         std::function<void(const render::Image&)> over = {}; // draws over the bodies, on the thread
+        Around around = {};
     };
     struct Drawn {
         bool isFine = false;

@@ -31,9 +31,8 @@ protected:
         platform.tools.simulate = [](const auto& scene, const auto&, const auto&) {
             return simulation::simulate(*scene, {});
         };
-        platform.draw = [this](const render::Drawing& drawing, const render::Image& image) {
-            return draw(drawing, image);
-        };
+        platform.draw = [this](const render::Drawing& drawing, const render::Image& image,
+                               const Around&) { return draw(drawing, image); };
         session.emplace(std::move(platform), medium);
         ask(ipc::Initialize{});
         ask(ipc::SubdocumentLoad{"pushed", 1});

@@ -79,27 +79,32 @@ render::Size Rendition::size() const {
 
 void Rendition::see(const scene::Scene& scene, const simulation::MotionPointer& motion,
                     unsigned generation) {
-    if (turned_ || viewOf_ == std::pair(generation, size()))
+    if (turned_ || followed_.of == std::pair(generation, size()))
         return; // how all of the motion is seen takes a look at all of it
-    viewOf_ = {generation, size()};
-    view_.emplace(scene, motion, viewName_, size());
+    followed_.of = {generation, size()};
+    followed_.view.emplace(scene, motion, followed_.name, size());
 }
 
 void Rendition::follow(const std::string& view) {
-    viewName_ = view;
+    followed_.name = view;
     turned_ = false;
-    viewOf_.reset();
+    followed_.of.reset();
     control_.release();
 }
 
 render::Camera Rendition::camera(double time) const {
-    if (turned_ || !view_)
+    if (turned_ || !followed_.view)
         return control_.camera();
-    return view_->at(time);
+    return followed_.view->at(time);
+}
+
+Around Rendition::around(bool isEdited) const {
+    using Keeps = Around::Keeps;
+    return {around_, turned_ ? Keeps::all : isEdited ? Keeps::whereItFits : Keeps::nothing};
 }
 
 void Rendition::holdView(double time) {
-    if (turned_ || !viewName_.empty())
+    if (turned_ || !followed_.name.empty())
         return;
     control_.set(camera(time));
     turned_ = true;
@@ -120,7 +125,7 @@ std::string Rendition::state() const {
         words << ' ' << q.w() << ' ' << q.x() << ' ' << q.y() << ' ' << q.z() << ' '
               << camera.scale;
     }
-    words << ' ' << viewName_;
+    words << ' ' << followed_.name;
     return words.str();
 }
 

@@ -11,6 +11,7 @@
 #include "playing/playback.h"
 #include "render/renderer.h"
 #include "service/frame_memory.h"
+#include "service/pictures.h"
 #include "service/sheets.h"
 
 #include <array>
@@ -55,6 +56,8 @@ public:
     bool input(const ipc::Input& input, double time, const render::Vector& up);
     // The picture stays as it is while what is in it moves.
     void holdView(double time);
+    // The grid and the sun stay while one edits, as long as the picture as a whole is framed anew.
+    [[nodiscard]] Around around(bool isEdited) const;
     [[nodiscard]] bool beingTurned() const { return control_.active(); }
     // All of that in words that another process understands: the host hands them back to it. Other
     // words change nothing.
@@ -97,9 +100,12 @@ private:
     std::optional<Look> shown_;
     std::shared_ptr<const Look> begun_; // of the frame that is being drawn
 
-    std::string viewName_;
-    std::optional<render::SceneView> view_;
-    std::optional<std::pair<unsigned, render::Size>> viewOf_; // generation and size
+    struct Followed {
+        std::string name;
+        std::optional<render::SceneView> view;
+        std::optional<std::pair<unsigned, render::Size>> of; // generation and size
+    } followed_;
+    decltype(Around::last) around_ = std::make_shared<decltype(Around::last)::element_type>();
     Presentation presentation_ = Presentation::picture;
     bool turned_ = false; // by the user: the view is his
     render::CameraControl control_;

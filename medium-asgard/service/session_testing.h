@@ -147,9 +147,11 @@ protected:
     SessionTest() {
         Platform platform;
         platform.tools = world.tools();
-        platform.draw = [this](const render::Drawing& drawing, const render::Image&) {
+        platform.draw = [this](const render::Drawing& drawing, const render::Image&,
+                               const Around& drawnAround) {
             drawn.push_back(drawing.time);
             camera = drawing.camera;
+            around = drawnAround;
             return true;
         };
         session.emplace(std::move(platform), medium);
@@ -238,6 +240,7 @@ protected:
     Instant now = Clock::now();
     std::vector<double> drawn;
     render::Camera camera; // of the last
+    Around around;         // the same
     std::optional<ipc::TimeChanged> told;
     std::optional<ipc::Diagnostics> diagnostics;
     std::vector<ipc::RenditionFrame> frames;

@@ -102,6 +102,49 @@ TEST_F(SessionTest, APictureTurnsAboutWhatIsUpright) {
     EXPECT_TRUE(keeps(turned(2), simulation::Vector::UnitZ()));
 }
 
+TEST_F(SessionTest, TheGridAndTheSunStayWhileOneEdits) {
+    using Keeps = Around::Keeps;
+    load("a");
+    computedTo(10);
+    until([&] { return told->state == ipc::MotionState::current; });
+    show();
+    until([&] { return !frames.empty(); });
+    const auto last = around.last;
+    ASSERT_NE(last, nullptr);
+    EXPECT_EQ(around.keeps, Keeps::nothing); // it may change while the first motion is computed
+    const auto shownAgain = [&] {
+        until([&] { return !session->subdocument().computing(); });
+        now += std::chrono::seconds(1);
+        exchange();
+        host.notify(ipc::RenditionAck{1, frames.back().serial});
+        exchange();
+        EXPECT_EQ(around.last, last);
+        return around.keeps;
+    };
+    host.notify(ipc::RenditionAck{1, frames.back().serial});
+    ask(ipc::SubdocumentEdit{2, {{0, 1, "b"}}, "Edit"});
+    computedTo(10);
+    EXPECT_EQ(shownAgain(), Keeps::whereItFits); // all of the motion is framed anew
+    ipc::RenditionInput input;
+    input.rendition = 1;
+    for (const auto type : {ipc::InputType::press, ipc::InputType::move, ipc::InputType::release}) {
+        input.type = type;
+        input.button = type == ipc::InputType::move ? ipc::Button::none : ipc::Button::left;
+        input.x = type == ipc::InputType::press ? 5 : 9;
+        input.y = 10;
+        host.notify(input);
+    }
+    exchange();
+    EXPECT_EQ(shownAgain(), Keeps::all); // the view is its user's
+    load("a", 3);
+    ask(ipc::RenditionDestroy{1});
+    until([&] { return !session->subdocument().computing(); });
+    now += std::chrono::seconds(1);
+    show();
+    EXPECT_NE(around.last, last);
+    EXPECT_EQ(around.keeps, Keeps::nothing);
+}
+
 TEST_F(SessionTest, PicturesAreDrawnOnceForEachLookAndNeverWhileHidden) {
     load("a");
     computedTo(10);

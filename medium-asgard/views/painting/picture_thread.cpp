@@ -69,10 +69,10 @@ private:
         bool keptDirection = false;
         unsigned scaling = 0; // of the handles
         struct Around {
-            render::Renderer::Surroundings last;
+            std::optional<render::Renderer::Surroundings> last;
             unsigned scaling = 0;
         };
-        std::optional<Around> around = {};
+        Around around = {};
     };
     [[nodiscard]] Kept& kept(Window window, const PictureWish& wish);
     [[nodiscard]] static render::Camera cameraOf(Kept& kept, const PictureWish& wish);
@@ -161,20 +161,16 @@ void PictureThread::Studio::paint(Picture& picture, Kept& kept) {
         {reinterpret_cast<std::byte*>(image.bits()), static_cast<std::size_t>(image.sizeInBytes())},
         static_cast<std::size_t>(image.bytesPerLine()),
         wish.size};
-    using Renderer = render::Renderer;
-    const bool keeps = wish.keepsGround && kept.around;
-    const bool isFramedAnew =
-        keeps && (wish.from == SeenFrom::framed || kept.around->scaling != wish.scaling);
-    renderer_->keep(keeps ? std::optional(kept.around->last) : std::nullopt,
-                    isFramedAnew ? Renderer::Keeps::whereItFits : Renderer::Keeps::always);
-    if (renderer_->draw(drawing, into)) {
+    using Keeps = render::Renderer::Keeps;
+    const bool isFramedAnew = wish.from == SeenFrom::framed || kept.around.scaling != wish.scaling;
+    const Keeps keeps = !wish.keepsGround ? Keeps::nothing
+                        : isFramedAnew    ? Keeps::whereItFits
+                                          : Keeps::all;
+    if (renderer_->draw(drawing, into, kept.around.last, keeps)) {
         image.setDevicePixelRatio(wish.size.ratio);
         picture.image = std::move(image);
-        Renderer::Surroundings around = renderer_->surroundings();
-        picture.ground = around.ground;
-        if (!around.ground && keeps) // it may be shown again
-            around.ground = kept.around->last.ground;
-        kept.around = {around, wish.scaling};
+        picture.ground = renderer_->surroundings().ground;
+        kept.around.scaling = wish.scaling;
     } else {
         renderer_.reset();
         noRenderer_ = picture.fault =
