@@ -102,8 +102,7 @@ int serveAsMedium(script::Reader& reader) {
         platform.inSpareTime = [renderer] { warmUp(**renderer, service::movingSamples); };
         platform.draw = [renderer](const render::Drawing& drawing, const render::Image& into,
                                    const service::Around& around) {
-            return around.last ? (*renderer)->draw(drawing, into, *around.last, around.keeps)
-                               : (*renderer)->draw(drawing, into);
+            return (*renderer)->draw(drawing, into, around.last.get(), around.keeps);
         };
     }
     platform.confine = [drawing = platform.thread.get()](ipc::Mode mode) {

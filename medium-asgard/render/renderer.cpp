@@ -419,7 +419,7 @@ std::variant<std::unique_ptr<Renderer>, std::string> Renderer::create() {
     return renderer;
 }
 
-bool Renderer::draw(const Drawing& drawing, const Image& into, std::optional<Surroundings>& last,
+bool Renderer::draw(const Drawing& drawing, const Image& into, std::optional<Surroundings>* last,
                     Keeps keeps) {
     Implementation& my = *implementation_;
     const Size size = into.size;
@@ -440,22 +440,19 @@ bool Renderer::draw(const Drawing& drawing, const Image& into, std::optional<Sur
     gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE);
     my.follow(drawing);
     my.keeps = keeps;
-    my.keptAround = keeps == Keeps::nothing ? std::nullopt : last;
+    my.keptAround = last && keeps != Keeps::nothing ? *last : std::nullopt;
     if (!my.paint(drawing, Frame(drawing, size)))
         return false;
-    last = my.around;
-    if (!last->ground && my.keptAround) // the grid may be shown again
-        last->ground = my.keptAround->ground;
+    if (last) {
+        *last = my.around;
+        if (!my.around.ground && my.keptAround && keeps == Keeps::all) // it may be shown again
+            (*last)->ground = my.keptAround->ground;
+    }
     my.target->read(into);
     return gl.GetError() == GL_NO_ERROR;
 }
 
 const Renderer::Surroundings& Renderer::surroundings() const { return implementation_->around; }
-
-bool Renderer::draw(const Drawing& drawing, const Image& into) {
-    std::optional<Surroundings> none;
-    return draw(drawing, into, none, Keeps::nothing);
-}
 
 int Renderer::maximumSamples() const {
     GLint most = 1;

@@ -26,15 +26,15 @@ public:
         std::optional<GroundPlane> ground; // none: there is no grid
         Vector sun = Vector::UnitY();      // the direction to it
     };
-    // Draws and reads back, with the surroundings that the scene's motion asks for. False when the
-    // context was lost; then make a new renderer.
-    [[nodiscard]] bool draw(const Drawing& drawing, const Image& into);
+    // How much of the last picture's surroundings the next one has. The sun stays while it stands
+    // as high; the ground stays until a body is a floor or gravity has another direction.
+    // `whereItFits`: the ground goes, too, where something lies below it, or all lies far above.
     enum class Keeps : std::uint8_t { nothing, whereItFits, all };
-    // One of several pictures that follow each other: it keeps the `last` surroundings as long as
-    // what falls falls along the same axis, and tells its own. The ground gives way to bodies that
-    // are a floor; `whereItFits` it stays only under everything and not far below.
+    // Draws and reads back. False when the context was lost; then make a new renderer. `last`: of
+    // the picture before, and then of this one.
     [[nodiscard]] bool draw(const Drawing& drawing, const Image& into,
-                            std::optional<Surroundings>& last, Keeps keeps);
+                            std::optional<Surroundings>* last = nullptr,
+                            Keeps keeps = Keeps::nothing);
     [[nodiscard]] const Surroundings& surroundings() const; // of the last picture
 
     [[nodiscard]] int maximumSamples() const;

@@ -271,7 +271,7 @@ TEST_F(RendererTest, TheGroundAndTheSunThatAreKeptStay) {
     const auto drawsAll = [&](Keeps keeps) {
         std::vector<std::byte> pixels(std::size_t{4} * 320 * 240);
         EXPECT_TRUE(
-            renderer_->draw(drawing_, {pixels, std::size_t{4} * 320, {320, 240}}, last, keeps));
+            renderer_->draw(drawing_, {pixels, std::size_t{4} * 320, {320, 240}}, &last, keeps));
         return *last;
     };
     const auto draws = [&](double height, Keeps keeps) {

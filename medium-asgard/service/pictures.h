@@ -16,12 +16,11 @@
 
 namespace service {
 
-// The grid and the sun of a rendition's last picture, and how much of them its next one keeps.
+// The grid and the sun of a rendition's pictures. Null: each picture has its own.
 struct Around {
-    using Keeps = render::Renderer::Keeps;
-    std::shared_ptr<std::optional<render::Renderer::Surroundings>>
-        last; // of the thread; may be null
-    Keeps keeps = Keeps::nothing;
+    using Last = std::optional<render::Renderer::Surroundings>;
+    std::shared_ptr<Last> last; // the drawing thread alone reads and writes it
+    render::Renderer::Keeps keeps = render::Renderer::Keeps::nothing;
 };
 
 // Drawn on the thread of a renderer; false: the graphics context was lost.

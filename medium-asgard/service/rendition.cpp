@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace service {
 namespace {
@@ -98,9 +99,11 @@ render::Camera Rendition::camera(double time) const {
     return followed_.view->at(time);
 }
 
-Around Rendition::around(bool isEdited) const {
-    using Keeps = Around::Keeps;
-    return {around_, turned_ ? Keeps::all : isEdited ? Keeps::whereItFits : Keeps::nothing};
+Around Rendition::around(bool isWhole) {
+    using Keeps = render::Renderer::Keeps;
+    const bool isFramedAnew = !turned_ && followed_.name.empty();
+    const bool knew = std::exchange(knowsWhole_, knowsWhole_ || isWhole);
+    return {around_, !knew ? Keeps::nothing : isFramedAnew ? Keeps::whereItFits : Keeps::all};
 }
 
 void Rendition::holdView(double time) {

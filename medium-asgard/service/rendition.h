@@ -56,8 +56,9 @@ public:
     bool input(const ipc::Input& input, double time, const render::Vector& up);
     // The picture stays as it is while what is in it moves.
     void holdView(double time);
-    // The grid and the sun stay while one edits, as long as the picture as a whole is framed anew.
-    [[nodiscard]] Around around(bool isEdited) const;
+    // For its next picture. The grid and the sun are chosen for the first whole motion, and stay
+    // when that is edited; a view that frames all of each new motion keeps the grid where it fits.
+    [[nodiscard]] Around around(bool isWhole);
     [[nodiscard]] bool beingTurned() const { return control_.active(); }
     // All of that in words that another process understands: the host hands them back to it. Other
     // words change nothing.
@@ -105,7 +106,8 @@ private:
         std::optional<render::SceneView> view;
         std::optional<std::pair<unsigned, render::Size>> of; // generation and size
     } followed_;
-    decltype(Around::last) around_ = std::make_shared<decltype(Around::last)::element_type>();
+    std::shared_ptr<Around::Last> around_ = std::make_shared<Around::Last>();
+    bool knowsWhole_ = false; // a whole motion was drawn
     Presentation presentation_ = Presentation::picture;
     bool turned_ = false; // by the user: the view is his
     render::CameraControl control_;

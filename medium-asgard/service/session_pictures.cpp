@@ -130,7 +130,8 @@ void Session::draw(ipc::Integer id, Rendition& rendition, const Look& look) {
         return send(rendition, frame);
     }
     Pictures::Wish wish{subdocument_.scene(), drawingOf(look), frame.into, frame.slot};
-    wish.around = rendition.around(subdocument_.isEdited());
+    const bool isWhole = !drawnScene().bodies.empty() && !subdocument_.computing();
+    wish.around = rendition.around(isWhole);
     if (subdocument_.scene())
         wish.drawing.handles =
             gesture_.handles.handles(subdocument_.scene(), wish.drawing, frame.into.size);
@@ -264,9 +265,6 @@ std::optional<ipc::Error> Session::take(const ipc::Id& id, const ipc::RenditionS
         return std::nullopt;
     }
     Pictures::Wish wish{subdocument_.scene(), printed(call, taken.time, image.size), image, slot};
-    if (const auto seen = call.rendition ? shown_.all.find(*call.rendition) : shown_.all.end();
-        seen != shown_.all.end())
-        wish.around = seen->second.around(subdocument_.isEdited());
     if (auto values =
             lettering::valuesBeside(wish.drawing, image.size, call.scale, sheets_.sampled());
         !values.empty())

@@ -103,7 +103,7 @@ TEST_F(SessionTest, APictureTurnsAboutWhatIsUpright) {
 }
 
 TEST_F(SessionTest, TheGridAndTheSunStayWhileOneEdits) {
-    using Keeps = Around::Keeps;
+    using Keeps = render::Renderer::Keeps;
     load("a");
     computedTo(10);
     until([&] { return told->state == ipc::MotionState::current; });
@@ -111,7 +111,7 @@ TEST_F(SessionTest, TheGridAndTheSunStayWhileOneEdits) {
     until([&] { return !frames.empty(); });
     const auto last = around.last;
     ASSERT_NE(last, nullptr);
-    EXPECT_EQ(around.keeps, Keeps::nothing); // it may change while the first motion is computed
+    EXPECT_EQ(around.keeps, Keeps::nothing);
     const auto shownAgain = [&] {
         until([&] { return !session->subdocument().computing(); });
         now += std::chrono::seconds(1);
@@ -136,13 +136,37 @@ TEST_F(SessionTest, TheGridAndTheSunStayWhileOneEdits) {
     }
     exchange();
     EXPECT_EQ(shownAgain(), Keeps::all); // the view is its user's
-    load("a", 3);
+    load("a", 3);                        // an edit that is too large for the protocol
+    EXPECT_EQ(shownAgain(), Keeps::all);
     ask(ipc::RenditionDestroy{1});
     until([&] { return !session->subdocument().computing(); });
     now += std::chrono::seconds(1);
     show();
     EXPECT_NE(around.last, last);
     EXPECT_EQ(around.keeps, Keeps::nothing);
+}
+
+// Until its first motion is whole nothing says how deep it leads.
+TEST_F(SessionTest, TheGridAndTheSunAreThoseOfTheFirstWholeMotion) {
+    using Keeps = render::Renderer::Keeps;
+    load("a");
+    computedTo(2);
+    show();
+    until([&] { return !frames.empty(); });
+    const auto shownAgain = [&] {
+        host.notify(ipc::RenditionAck{1, frames.back().serial});
+        const std::size_t before = frames.size();
+        ask(ipc::TimeSeek{0.1 * static_cast<double>(before)});
+        now += std::chrono::seconds(1);
+        exchange();
+        EXPECT_GT(frames.size(), before);
+        return around.keeps;
+    };
+    EXPECT_EQ(shownAgain(), Keeps::nothing);
+    computedTo(10);
+    until([&] { return told->state == ipc::MotionState::current; });
+    EXPECT_EQ(shownAgain(), Keeps::nothing); // of the whole motion
+    EXPECT_EQ(shownAgain(), Keeps::whereItFits);
 }
 
 TEST_F(SessionTest, PicturesAreDrawnOnceForEachLookAndNeverWhileHidden) {

@@ -39,7 +39,6 @@ void Subdocument::load(std::string text, ipc::Integer revision, Instant now) {
     text_ = std::move(text);
     revision_ = revision;
     preview_.reset();
-    isEdited_ = false;
     start(true, now);
 }
 
@@ -47,7 +46,6 @@ void Subdocument::preview(std::string text, Instant now) {
     if (text == shownText())
         return;
     preview_ = std::move(text);
-    isEdited_ = true;
     start(false, now);
 }
 
@@ -72,7 +70,6 @@ std::optional<std::string> Subdocument::edit(const text::Edits& edits, ipc::Inte
     text_ = std::move(text);
     revision_ = revision;
     preview_.reset();
-    isEdited_ = true;
     start(false, now);
     return std::nullopt;
 }
@@ -94,7 +91,6 @@ bool Subdocument::setParameter(const std::string& name, double value, Instant no
     parameters_[name] =
         std::clamp(value, found->minimum.value_or(value),
                    std::max(found->maximum.value_or(value), found->minimum.value_or(value)));
-    isEdited_ = true;
     start(true, now);
     return true;
 }

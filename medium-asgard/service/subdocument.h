@@ -53,8 +53,6 @@ public:
 
     [[nodiscard]] const std::string& text() const { return text_; }
     [[nodiscard]] ipc::Integer revision() const { return revision_; }
-    // The text or a parameter has changed since it was loaded.
-    [[nodiscard]] bool isEdited() const { return isEdited_; }
     [[nodiscard]] const ParameterValues& parameters() const { return parameters_; }
 
     // The scene that is shown, and its motion. Null before the first good text.
@@ -111,7 +109,6 @@ private:
     std::optional<std::string> preview_;
     ipc::Integer revision_ = 0;
     ParameterValues parameters_;
-    bool isEdited_ = false;
     bool accepted_ = false; // the text that is shown has become the host's
     unsigned generation_ = 0, viewGeneration_ = 0, textGeneration_ = 0;
 };

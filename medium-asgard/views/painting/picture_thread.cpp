@@ -166,7 +166,7 @@ void PictureThread::Studio::paint(Picture& picture, Kept& kept) {
     const Keeps keeps = !wish.keepsGround ? Keeps::nothing
                         : isFramedAnew    ? Keeps::whereItFits
                                           : Keeps::all;
-    if (renderer_->draw(drawing, into, kept.around.last, keeps)) {
+    if (renderer_->draw(drawing, into, &kept.around.last, keeps)) {
         image.setDevicePixelRatio(wish.size.ratio);
         picture.image = std::move(image);
         picture.ground = renderer_->surroundings().ground;

@@ -279,7 +279,9 @@ Indicated Indicating::restingOn(BegunRecipe& begun, const gestures::Picked& pick
         const double least = ground->height + heightOf(*begun.ghost(), ground->up, found.attitude);
         const double missing = least - found.point.dot(ground->up);
         const Vector along = ground->up - up.dot(ground->up) * up;
-        constexpr double steep = 0.5; // sin^2 of the face's slope
+        const bool isFlat =
+            hasFlatFaces(scene::findShapeSet(scene, scene.bodies[picked.body].shape));
+        const double steep = isFlat ? 0.5 : 1 - 1e-12; // sin^2 of the face's slope
         if (missing > 0 && along.squaredNorm() > steep)
             found.point += missing / along.squaredNorm() * along;
     }

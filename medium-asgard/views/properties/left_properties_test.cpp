@@ -9,6 +9,7 @@
 #include <QTest>
 
 #include <memory>
+#include <tuple>
 
 namespace views {
 namespace {
@@ -80,8 +81,9 @@ TEST_F(LeftPropertiesTest, ARefusedSizeOrNameIsToldToo) {
     pane.show();
     ASSERT_TRUE(pane.sizeRow());
     QLineEdit* size = pane.sizeRow()->fields()[0];
-    const std::pair<QLineEdit*, const char*> typed[] = {{size, "-3"}, {&pane.name(), "b"}};
-    for (const auto& [field, value] : typed) {
+    const std::tuple<QLineEdit*, const char*, const char*> typed[] = {
+        {size, "-3", "a, Size: "}, {&pane.name(), "b", "a, Name: "}};
+    for (const auto& [field, value, told] : typed) {
         document.select({{Kind::body, 0}});
         QTest::qWait(60);
         field->setFocus();
@@ -91,7 +93,7 @@ TEST_F(LeftPropertiesTest, ARefusedSizeOrNameIsToldToo) {
         document.select({{Kind::body, 1}});
         EXPECT_TRUE(settle(document));
         QTest::qWait(60);
-        EXPECT_THAT(pane.fault().toStdString(), HasSubstr("a, ")) << value;
+        EXPECT_THAT(pane.fault().toStdString(), HasSubstr(told)) << value;
         EXPECT_EQ(document.text(), twoBalls) << value;
     }
 }

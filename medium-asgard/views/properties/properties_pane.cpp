@@ -176,15 +176,14 @@ PropertyRow* PropertiesPane::row(const std::string& option) const {
     return nullptr;
 }
 
-// The pane forgets a refused value when something else is selected, and so it tells that.
+// A refused value goes with its rows when something else is selected: then the head tells this.
 QString PropertiesPane::refusal() const {
     QString why = head_->refusal();
     if (form_)
         for (const PropertyRow* row : form_->findChildren<PropertyRow*>())
             if (why.isEmpty())
                 why = row->refusal();
-    const QString name = head_->name().text();
-    return why.isEmpty() || name.isEmpty() ? why : tr("%1, %2").arg(name, why);
+    return PropertyHead::meant(head_->name().text(), why);
 }
 
 void PropertiesPane::refresh() {
@@ -521,7 +520,7 @@ void PropertiesPane::setSize(const Entered& entered) {
 
 void PropertiesPane::listen(PropertyRow& row, Enter enter) {
     connect(&row, &PropertyRow::entered, this, [this, &row, enter](const PropertyParts& parts) {
-        const Entered entered{&row, &row.option(), elements(), parts};
+        const Entered entered{&row, &row.option(), elements(), parts, head_->name().text()};
         later_.take(&row, [this, entered, now = following(document_, entered.elements), enter] {
             take(entered, now, enter);
         });
@@ -578,7 +577,9 @@ void PropertiesPane::answer(const Entered& entered, const QString& why) {
     else if (isShown)
         entered.row->refuse(entered.parts, why);
     else if (!why.isEmpty())
-        head_->say(QString::fromStdString(editing::captionOf(*entered.option)) + ": " + why);
+        head_->say(PropertyHead::meant(entered.name,
+                                       QString::fromStdString(editing::captionOf(*entered.option)) +
+                                           ": " + why));
     soon_.start();
 }
 

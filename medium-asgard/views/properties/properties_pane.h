@@ -100,6 +100,7 @@ private:
         const editing::OptionHint* option;
         std::vector<editing::Element> elements;
         PropertyParts parts;
+        QString name; // of the one element; "": there are several
     };
     using Enter = void (PropertiesPane::*)(const Entered& entered);
     void listen(PropertyRow& row, Enter enter);

@@ -42,6 +42,7 @@ PropertyHead::PropertyHead(SceneDocument& document, ElementCommands& commands, W
                    {[this](bool) { rename(); },
                     [this] {
                         name_->setModified(false);
+                        TypedField::setRefusal(*name_, {});
                         say({});
                     }});
     line_ = new QPushButton;
@@ -96,7 +97,9 @@ void PropertyHead::showElements(const std::vector<Element>& all) {
         title[0] = title[0].toUpper();
     title_->setText(title);
     name_->setVisible(isOne && hint->named);
-    if (isOne && !name_->isModified())
+    if (!isOne)
+        name_->clear();
+    else if (!name_->isModified())
         name_->setText(QString::fromStdString(editing::nameOf(scene, all.front())));
     line_->setVisible(source && source->line > 0);
     if (source)
@@ -125,6 +128,7 @@ QString PropertyHead::refusal() const {
 
 void PropertyHead::forget() {
     said_.clear();
+    ++forgotten_;
     TypedField::setRefusal(*name_, {});
     name_->setModified(false);
 }
@@ -132,19 +136,30 @@ void PropertyHead::forget() {
 void PropertyHead::rename() {
     if (document_.selected().size() != 1)
         return;
-    later_.take(name_,
-                [this, now = following(document_, document_.selected()), name = name_->text()] {
-                    const auto element = now();
-                    if (!element)
-                        return; // it was deleted meanwhile
-                    commands_.rename(element->front(), name, [this, name](const QString& why) {
-                        if (name_->text() == name)
-                            name_->setModified(false); // the name as it is comes back
-                        TypedField::setRefusal(*name_, why);
-                        say(why);
-                        Q_EMIT renamed();
-                    });
-                });
+    const QString before = QString::fromStdString(
+        editing::nameOf(*document_.shown().scene, document_.selected().front()));
+    const auto answer = [this, before, name = name_->text(),
+                         when = forgotten_](const QString& why) {
+        if (when != forgotten_) { // something else is selected now
+            if (!why.isEmpty())
+                say(meant(before, tr("Name: %1").arg(why)));
+            return;
+        }
+        if (name_->text() == name)
+            name_->setModified(false); // the name as it is comes back
+        TypedField::setRefusal(*name_, why);
+        say(why);
+        Q_EMIT renamed();
+    };
+    later_.take(name_, [this, now = following(document_, document_.selected()),
+                        name = name_->text(), answer] {
+        if (const auto element = now()) // else it was deleted meanwhile
+            commands_.rename(element->front(), name, answer);
+    });
+}
+
+QString PropertyHead::meant(const QString& name, const QString& why) {
+    return why.isEmpty() || name.isEmpty() ? why : tr("%1, %2").arg(name, why);
 }
 
 } // namespace views

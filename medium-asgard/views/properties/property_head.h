@@ -30,6 +30,8 @@ public:
     void say(const QString& why);
     // What was typed and said was meant for others.
     void forget();
+    // "ball, Mass: 0 is not positive": a sentence about another element than the one that is shown.
+    [[nodiscard]] static QString meant(const QString& name, const QString& why);
 
 Q_SIGNALS:
     void renamed(); // or refused
@@ -41,6 +43,7 @@ private:
     ElementCommands& commands_;
     WhenRead& later_;
     QString said_;
+    unsigned forgotten_ = 0; // times
     QLabel *title_, *fault_;
     QLineEdit* name_;
     QPushButton* line_;

@@ -139,6 +139,29 @@ TEST_F(MainWindowTest, SavingAndQuittingTakeAValueThatIsTyped) {
     EXPECT_FALSE(editor.document().isModified());
 }
 
+// The window that one left the scene from closes before the question is put, and somebody presses
+// New once more meanwhile.
+TEST_F(MainWindowTest, AWindowMayCloseWhileASceneIsLeft) {
+    SceneDocument& document = editor.document();
+    document.setText("# mine\n" + ballScene, "Edit");
+    auto* window = new QWidget;
+    window->show();
+    window->activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(window, longestWait));
+    SceneFiles* again = nullptr;
+    const auto meanwhile = [&] {
+        EXPECT_FALSE(again->newScene());
+        delete window;
+        return true;
+    };
+    SceneFiles files(document, {meanwhile, [] { return true; }});
+    again = &files;
+    answer("Discard");
+    EXPECT_TRUE(files.newScene());
+    EXPECT_EQ(asked, 1);
+    EXPECT_EQ(document.text(), "");
+}
+
 TEST_F(MainWindowTest, QuittingEndsTheFirstPageTooFromEitherWindow) {
     SceneFiles& files = editor.beginSession();
     Starting starting(editor, files);

@@ -8,6 +8,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QPointer>
+#include <QScopedValueRollback>
 
 #include <utility>
 
@@ -48,7 +49,7 @@ bool SceneFiles::open() {
     return !path.isEmpty() && open(path);
 }
 
-bool SceneFiles::saveTo(const QString& path, QWidget* from) {
+bool SceneFiles::saveTo(const QString& path, QPointer<QWidget> from) {
     (void)TypedField::settleAll(document_); // a field says why its value is not taken
     if (!drafts_.takeDrafts())
         return false;
@@ -94,8 +95,12 @@ bool SceneFiles::saveAs() {
     return saved;
 }
 
+// While it waits for a value, and while it asks, windows may close and commands may come.
 bool SceneFiles::mayLeave() {
-    QWidget* from = QApplication::activeWindow();
+    if (isLeaving_)
+        return false;
+    const QScopedValueRollback leaving(isLeaving_, true);
+    const QPointer<QWidget> from = QApplication::activeWindow();
     if (!TypedField::maySettle(document_))
         return false;
     if (exports_->isBusy() &&

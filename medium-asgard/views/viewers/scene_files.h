@@ -5,6 +5,7 @@
 #include "workbench/scene_document.h"
 
 #include <QObject>
+#include <QPointer>
 
 #include <functional>
 
@@ -29,16 +30,17 @@ public:
     bool open(const QString& path);
     bool save(); // what is typed, too
     bool saveAs();
-    // Nothing would be lost, or the user agreed to what is.
+    // Nothing would be lost, or the user agreed to what is. False, too, while one is asked that.
     bool mayLeave();
     [[nodiscard]] Exports& exports() { return *exports_; }
 
 private:
-    bool saveTo(const QString& path, QWidget* from);
+    bool saveTo(const QString& path, QPointer<QWidget> from);
 
     SceneDocument& document_;
     Drafts drafts_;
     Exports* exports_;
+    bool isLeaving_ = false;
 };
 
 } // namespace views
