@@ -130,7 +130,8 @@ public:
 private:
     struct Place {
         PartGap of;
-        Vector onFirst, onSecond, normal; // in their frames; that of the second
+        Vector onFirst;          // in the frame of the first body
+        Vector onSecond, normal; // in that of the second
     };
     [[nodiscard]] static bool replaces(const PartGap& told, const PartGap& former) {
         constexpr double alike = 0.9;     // cosine

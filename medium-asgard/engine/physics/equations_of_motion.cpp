@@ -227,6 +227,7 @@ EquationsOfMotion::EquationsOfMotion(const scene::Scene& scene,
     addContactReadings(set, scene, *scope);
     ForceReader(g, scene, *scope, multipliers, faults).read(contributions, links);
     joints.contribute(contributions);
+    joints.extendReach(bodies);
     ropes.contribute(contributions);
     multipliers.readReleases();
     jointEnergies = joints.energies();

@@ -194,10 +194,10 @@ std::vector<double> PlaceReader::times(double from, double until, Poll& poll) {
     return times;
 }
 
-double positionError(const Trace::Place& state, const Trace::Place& truth, double radius) {
+double positionError(const Trace::Place& state, const Trace::Place& truth, double reach) {
     const double angle =
         state.attitude && truth.attitude ? state.attitude->angularDistance(*truth.attitude) : 0;
-    return std::max((state.position - truth.position).norm(), angle * radius);
+    return std::max((state.position - truth.position).norm(), angle * reach);
 }
 
 void raise(double& largest, double error) {
@@ -379,7 +379,7 @@ std::vector<IslandError> compareRuns(const Problem& problem, const Run& first, c
         const std::size_t steps =
             compareBody(problem, b, first, second, poll,
                         [&](double t, const Trace::Place& place, const Trace::Place& truth) {
-                            const double error = positionError(place, truth, bodies[b].radius);
+                            const double error = positionError(place, truth, bodies[b].reach);
                             raise(largest, error);
                             if (t <= earlyUntil)
                                 raise(early, error);
@@ -409,7 +409,7 @@ std::vector<IslandError> compareRuns(const Problem& problem, const Run& first, c
         Records records(error.growth);
         (void)compareBody(problem, b, first, second, poll,
                           [&](double t, const Trace::Place& place, const Trace::Place& truth) {
-                              records.add(t, positionError(place, truth, bodies[b].radius) /
+                              records.add(t, positionError(place, truth, bodies[b].reach) /
                                                  error.size);
                           });
         if (poll.isCancelled())

@@ -329,6 +329,42 @@ TEST(Accuracy, WhatIsHitSoonAfterALateStartIsPredictable) {
         }
 }
 
+// Balls on arms of two wheels in mesh, that a couple drives: the arm makes more of an error of the
+// attitude than the ball's radius does.
+TEST(Accuracy, ErrorsOfAttitudesCountWithTheArmsOfJoints) {
+    const double arm = 0.713, couple = 0.923, inertia = 1.172, ratio = 1.0045;
+    SceneBuilder b(4.05, 1e-5);
+    for (const char* name : {"a", "b"}) {
+        scene::Body& ball = b.ball(name, {arm, 0, *name == 'a' ? 0.0 : 5.0}, 0.1);
+        ball.mass = 1;
+        ball.inertia = {inertia, inertia, inertia, 0, 0, 0};
+        scene::Joint hinge;
+        hinge.name = std::string(name) + "j";
+        hinge.type = scene::JointType::hinge;
+        hinge.body1 = name;
+        hinge.offset1 = Vector(-arm, 0, 0);
+        hinge.coordinates.resize(1);
+        b.scene.joints.push_back(hinge);
+    }
+    b.scene.joints[0].coordinates[0].motor = std::to_string(couple);
+    scene::Gear gear;
+    gear.name = "g";
+    gear.terms = {{"aj", 0, 1}, {"bj", 0, -ratio}};
+    b.scene.gears.push_back(gear);
+    const Result result = simulate(b.scene);
+    const double about = inertia + arm * arm;
+    const double acceleration = couple / (about + about / (ratio * ratio));
+    double error = 0;
+    for (int i = 1; i <= 400; ++i) {
+        const double t = 4.05 * i / 400, angle = acceleration * t * t / 2;
+        const Vector there{arm * std::cos(angle), arm * std::sin(angle), 0};
+        error = std::max(error, (result.motion->at(0, t).position - there).norm() / 5.2);
+    }
+    ASSERT_GT(error, 1e-9);
+    EXPECT_GT(*result.motion->errorEstimate(), 0.5 * error);
+    EXPECT_LT(*result.motion->errorEstimate(), 30 * error);
+}
+
 // Where the drive is 0 the first step would be as long as the motion so far: whole half periods, in
 // which an explicit method sees nothing of it, at all tolerances alike.
 TEST(Accuracy, ARectifiedDriveLosesNoHalfWave) {

@@ -19,6 +19,7 @@ struct BodyRecord {
     std::size_t firstUnknown = 0;
     double mass = 0;   // infinity when fixed
     double radius = 0; // of the shape about the centre of mass
+    double reach = 0;  // of the shape and of the points of its joints, about the same
     Vector centroid = Vector::Zero();
     // Unknowns that tell of it beyond its thirteen: angles and multipliers of joints.
     std::vector<std::size_t> more = {};
