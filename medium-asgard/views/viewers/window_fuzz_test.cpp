@@ -210,7 +210,7 @@ protected:
             endDrag();
         }
         if (isWithinAnother() || held_) {
-            constexpr int pause = 5, most = 6'000; // ms, turns: reading is waited for 20 s
+            constexpr int pause = 5, most = 12'000; // ms, turns: two loops wait 20 s each
             if (++turns_ > most)
                 return fail(whatWaits());
             QTimer::singleShot(pause, &timer_, [this] { rest(); });
