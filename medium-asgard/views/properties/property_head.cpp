@@ -98,7 +98,7 @@ void PropertyHead::showElements(const std::vector<Element>& all) {
     title_->setText(title);
     name_->setVisible(isOne && hint->named);
     if (!isOne)
-        name_->clear();
+        name_->setText({}); // clear() would count as typed
     else if (!name_->isModified())
         name_->setText(QString::fromStdString(editing::nameOf(scene, all.front())));
     line_->setVisible(source && source->line > 0);
