@@ -99,11 +99,12 @@ render::Camera Rendition::camera(double time) const {
     return followed_.view->at(time);
 }
 
-Around Rendition::around(bool isWhole) {
+Around Rendition::around() const {
     using Keeps = render::Renderer::Keeps;
     const bool isFramedAnew = !turned_ && followed_.name.empty();
-    const bool knew = std::exchange(knowsWhole_, knowsWhole_ || isWhole);
-    return {around_, !knew ? Keeps::nothing : isFramedAnew ? Keeps::whereItFits : Keeps::all};
+    return {around_, !knowsWhole_   ? Keeps::nothing
+                     : isFramedAnew ? Keeps::whereItFits
+                                    : Keeps::all};
 }
 
 void Rendition::holdView(double time) {
@@ -214,6 +215,7 @@ Rendition::Frame Rendition::begin(const Look& look) {
 }
 
 void Rendition::finish(Frame& frame) {
+    knowsWhole_ = knowsWhole_ || frame.isWhole;
     frame.message.serial = ++serial_;
     unacknowledged_[serial_] = frame.message.slot;
     shown_ = *begun_;

@@ -58,7 +58,7 @@ public:
     void holdView(double time);
     // For its next picture. The grid and the sun are chosen for the first whole motion, and stay
     // when that is edited; a view that frames all of each new motion keeps the grid where it fits.
-    [[nodiscard]] Around around(bool isWhole);
+    [[nodiscard]] Around around() const;
     [[nodiscard]] bool beingTurned() const { return control_.active(); }
     // All of that in words that another process understands: the host hands them back to it. Other
     // words change nothing.
@@ -72,6 +72,7 @@ public:
         render::Image into;          // the same
         std::shared_ptr<const MappedSlot> slot; // where that is
         std::shared_ptr<const Look> look;       // by it the rendition knows its frame
+        bool isWhole = false;                   // it shows a scene whose motion is known to its end
     };
     [[nodiscard]] bool hasFreeSlot() const { return freeSlot().has_value(); }
     [[nodiscard]] bool shows(const Look& look) const { return shown_ && covers(*shown_, look); }
@@ -107,7 +108,7 @@ private:
         std::optional<std::pair<unsigned, render::Size>> of; // generation and size
     } followed_;
     std::shared_ptr<Around::Last> around_ = std::make_shared<Around::Last>();
-    bool knowsWhole_ = false; // a whole motion was drawn
+    bool knowsWhole_ = false; // it has shown a whole motion
     Presentation presentation_ = Presentation::picture;
     bool turned_ = false; // by the user: the view is his
     render::CameraControl control_;

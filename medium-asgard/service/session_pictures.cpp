@@ -130,8 +130,8 @@ void Session::draw(ipc::Integer id, Rendition& rendition, const Look& look) {
         return send(rendition, frame);
     }
     Pictures::Wish wish{subdocument_.scene(), drawingOf(look), frame.into, frame.slot};
-    const bool isWhole = !drawnScene().bodies.empty() && !subdocument_.computing();
-    wish.around = rendition.around(isWhole);
+    wish.around = rendition.around();
+    frame.isWhole = !drawnScene().bodies.empty() && !subdocument_.computing();
     if (subdocument_.scene())
         wish.drawing.handles =
             gesture_.handles.handles(subdocument_.scene(), wish.drawing, frame.into.size);

@@ -226,6 +226,22 @@ protected:
         exchange();
     }
 
+    // A drag turns its view.
+    void turn(ipc::Integer rendition) {
+        ipc::RenditionInput input;
+        input.rendition = rendition;
+        for (const auto type :
+             {ipc::InputType::press, ipc::InputType::move, ipc::InputType::release}) {
+            input.type = type;
+            input.button = type == ipc::InputType::move ? ipc::Button::none : ipc::Button::left;
+            input.x = type == ipc::InputType::press ? 5 : 9;
+            input.y = 10;
+            host.notify(input);
+            exchange();
+            host.notify(ipc::RenditionAck{rendition, frames.back().serial});
+        }
+    }
+
     void computedTo(double time) {
         world.allow(time);
         until([&] {

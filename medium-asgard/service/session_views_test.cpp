@@ -61,18 +61,7 @@ TEST_F(SessionTest, APictureTurnsAboutWhatIsUpright) {
     show();
     const auto turned = [&](ipc::Integer rendition) {
         const render::Camera before = camera;
-        ipc::RenditionInput input;
-        input.rendition = rendition;
-        for (const auto type :
-             {ipc::InputType::press, ipc::InputType::move, ipc::InputType::release}) {
-            input.type = type;
-            input.button = type == ipc::InputType::move ? ipc::Button::none : ipc::Button::left;
-            input.x = type == ipc::InputType::press ? 5 : 9;
-            input.y = 10;
-            host.notify(input);
-            exchange();
-            host.notify(ipc::RenditionAck{rendition, frames.back().serial});
-        }
+        turn(rendition);
         now += std::chrono::seconds(1);
         exchange();
         host.notify(ipc::RenditionAck{rendition, frames.back().serial});
@@ -125,16 +114,7 @@ TEST_F(SessionTest, TheGridAndTheSunStayWhileOneEdits) {
     ask(ipc::SubdocumentEdit{2, {{0, 1, "b"}}, "Edit"});
     computedTo(10);
     EXPECT_EQ(shownAgain(), Keeps::whereItFits); // all of the motion is framed anew
-    ipc::RenditionInput input;
-    input.rendition = 1;
-    for (const auto type : {ipc::InputType::press, ipc::InputType::move, ipc::InputType::release}) {
-        input.type = type;
-        input.button = type == ipc::InputType::move ? ipc::Button::none : ipc::Button::left;
-        input.x = type == ipc::InputType::press ? 5 : 9;
-        input.y = 10;
-        host.notify(input);
-    }
-    exchange();
+    turn(1);
     EXPECT_EQ(shownAgain(), Keeps::all); // the view is its user's
     load("a", 3);                        // an edit that is too large for the protocol
     EXPECT_EQ(shownAgain(), Keeps::all);

@@ -3,10 +3,10 @@
 // Position error of a body at a time: the larger of the distance of the centres of mass and
 // (angle between the attitudes) x (reach of the body: its radius, or the arm of a joint; a motion
 // that is shown stands on its joints, and an arm turns errors of attitudes into errors of places).
-// It is scaled by the size of what moves
-// together (an island), which is never larger than the scene: the longest edge of the box that
-// holds the island's bodies, bounding spheres included, over the motion. Each edge is that of the
-// whole motion, within steps too, but for some hundredths of it.
+// It is scaled by the size of what moves together (an island), which is never larger than the
+// scene: the longest edge of the box that holds the island's bodies, bounding spheres included,
+// over the motion. Each edge is that of the whole motion, within steps too, but for some hundredths
+// of it. LIMIT: an arm counts wholly, also along the axis of its hinge.
 #pragma once
 
 #include "run/run.h"
