@@ -77,7 +77,6 @@ struct Renderer::Implementation {
     bool isSoftware = true; // no graphics processor
     Trails trails;
     Coils coils;
-    ContactForces contactForces;
     KeptExtent kept;
     Surroundings around;                    // of the last picture
     std::optional<Surroundings> keptAround; // of pictures before
@@ -263,9 +262,10 @@ void Renderer::Implementation::paintHandles(const Drawing& drawing, const Frame&
 
 // Seen through the bodies, faintly: they begin where these touch.
 void Renderer::Implementation::paintContacts(const Drawing& drawing, const Frame& frame) {
-    const std::vector<ContactForce> forces =
-        contactForces.at(*drawing.scene, drawing.motion, drawing.time);
-    addContactForces(*lines, forces, *drawing.scene, contactForces.scale(), frame, drawing.display);
+    if (!drawing.motion)
+        return;
+    addContactForces(*lines, simulation::contactForcesAt(*drawing.motion, drawing.time),
+                     contactForceScale(*drawing.motion), frame, drawing.display);
     gl.DepthMask(GL_FALSE);
     gl.DepthFunc(GL_GREATER);
     lines->show(0, 0.6F);

@@ -1,6 +1,7 @@
 #include "physics/contact_rows.h"
 
 #include "expression/rate_along.h"
+#include "physics/contact_force.h"
 
 #include <Eigen/Dense>
 
@@ -29,16 +30,6 @@ Node lengthOf(Graph& g, const NodeVector& v) { return g.apply(Op::sqrt, dot(g, v
 NodeVector unit(Graph& g, const NodeVector& v) {
     const Node length = lengthOf(g, v);
     return {g.divide(v[0], length), g.divide(v[1], length), g.divide(v[2], length)};
-}
-
-// The axis of the world that is most nearly across; of several the last, which a scene in a plane
-// of x and y has across it.
-Vector acrossAxis(const Vector& normal) {
-    int best = 2;
-    for (const int axis : {1, 0})
-        if (std::abs(normal[axis]) < std::abs(normal[best]) - 1e-9)
-            best = axis;
-    return Vector::Unit(best);
 }
 
 NodeVector nodes(const Triple<Term>& v) { return {v.x.node, v.y.node, v.z.node}; }

@@ -19,7 +19,7 @@ namespace {
 constexpr double closed = 1e-13;    // of the largest radius
 constexpr double unmoved = 1e-12;   // of the largest radius
 constexpr double longestTurn = 0.3; // radians in one step
-constexpr double isIndependent = 1e-9;
+constexpr double leastMovement = 1e-9;
 
 } // namespace
 
@@ -187,7 +187,7 @@ std::vector<Linkage::Reads> Linkage::reads() {
         const std::vector<double> after = valuesOf(tape, all.size());
         for (std::size_t k = 0; k < all.size(); ++k)
             reads[k].isLoose =
-                reads[k].isLoose && std::abs(after[k] - before[k]) <= isIndependent * size_;
+                reads[k].isLoose && std::abs(after[k] - before[k]) <= leastMovement * size_;
         values_ = first;
     }
     return reads;
@@ -414,7 +414,7 @@ std::vector<Linkage::Turning> Linkage::turning() const {
 
 Linkage::Solver Linkage::solverOf(const Eigen::MatrixXd& matrix) {
     Solver least(matrix.rows(), matrix.cols());
-    least.setThreshold(isIndependent);
+    least.setThreshold(leastMovement);
     least.compute(matrix);
     return least;
 }

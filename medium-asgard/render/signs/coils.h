@@ -7,7 +7,7 @@
 #include "drawing/drawing.h"
 #include "drawing/frame.h"
 #include "drawing/lines.h"
-#include "simulation/simulation.h"
+#include "run/quantities.h"
 
 #include <memory>
 #include <optional>

@@ -1,8 +1,7 @@
-// Coils, trails, and forces of contacts as they are read.
+// Coils, trails and the signs of joints.
 #include "framing/framing.h"
 #include "framing/test_scenes.h"
 #include "signs/coils.h"
-#include "signs/contact_forces.h"
 #include "signs/joint_signs.h"
 #include "signs/trails.h"
 
@@ -14,41 +13,6 @@ namespace render {
 namespace {
 
 const scene::Color red{0.9, 0.1, 0.1}, blue{0.1, 0.2, 0.9}, green{0.1, 0.8, 0.2};
-
-// A box that rests on a floor: its weight, upwards, within the cone of friction.
-void expectWeightOnFloor(bool isDeclared) {
-    scene::Scene scene;
-    scene::Body& floor = addBody(scene, box({4, 0.2, 4}), {0, -0.1, 0}, red);
-    floor.fixed = true;
-    floor.friction = 0.5;
-    scene::Body& block = addBody(scene, box({0.4, 0.4, 0.4}), {0.3, 0.2, 0}, blue);
-    block.mass = 2;
-    block.friction = 0.5;
-    block.restitution = 0;
-    for (scene::Body& body : scene.bodies)
-        body.restitution = 0;
-    scene.forces.push_back({scene.bodies[1].name,
-                            false,
-                            std::nullopt,
-                            scene::GravitationalForce{{0, -10, 0}},
-                            {},
-                            {}});
-    scene.simulator.finish = 1;
-    if (isDeclared) { // without a name
-        scene::Contact& contact = scene.contacts.emplace_back();
-        contact.body1 = scene.bodies[1].name;
-        contact.body2 = scene.bodies[0].name;
-    }
-    const auto motion = simulation::simulate(scene).motion;
-    ASSERT_NE(motion, nullptr);
-    ContactForces forces;
-    const auto seen = forces.at(scene, motion, 0.5);
-    ASSERT_EQ(seen.size(), 1U);
-    EXPECT_LT((seen[0].force - Vector(0, -20, 0)).norm(), 1e-3); // on the floor, the first
-    EXPECT_LT((seen[0].normal - Vector(0, -1, 0)).norm(), 1e-6);
-    EXPECT_NEAR(seen[0].friction, 0.5, 1e-12);
-    EXPECT_NEAR(seen[0].point.y(), 0, 1e-6);
-}
 
 TEST(Coil, HasItsTurnsAtAnyLength) {
     for (const double length : {0.1, 1.0, 7.0}) {
@@ -85,11 +49,6 @@ TEST(Trails, ReadAMotionPieceAfterPiece) {
     trails.follow(drawing, extent);
     EXPECT_GT(last, 35);
     EXPECT_LT(back, 0.2); // a piece is a tenth of a second
-}
-
-TEST(ContactForces, AreReadOfContactsThatTheSceneDoesNotName) {
-    expectWeightOnFloor(false);
-    expectWeightOnFloor(true);
 }
 
 // Stops and the hand of a joint that begins at -from stand as those of one that begins at 0 and has

@@ -34,7 +34,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <random>
-#include <utility>
 
 #include <execinfo.h>
 #include <sys/time.h>
@@ -68,12 +67,24 @@ void printActions() {
     }
 }
 
+void printCalls() {
+    std::array<void*, 120> calls{}; // for addr2line
+    backtrace_symbols_fd(calls.data(), backtrace(calls.data(), static_cast<int>(calls.size())),
+                         STDERR_FILENO);
+}
+
+// The scene's text, which says what is computed: of a document that lives as long as the test.
+const SceneDocument* documentOfTest = nullptr;
+
 void ended(int signal) {
     std::signal(signal, SIG_DFL);
     printActions();
-    std::array<void*, 60> calls{}; // for addr2line
-    backtrace_symbols_fd(calls.data(), backtrace(calls.data(), static_cast<int>(calls.size())),
-                         STDERR_FILENO);
+    printCalls();
+    if (documentOfTest) {
+        const std::string& text = documentOfTest->text();
+        if (write(STDERR_FILENO, text.data(), text.size()) < 0)
+            std::raise(SIGKILL);
+    }
     std::raise(signal);
 }
 
@@ -152,12 +163,14 @@ protected:
         open();
         begin();
         connect();
+        documentOfTest = &editor_.document();
         for (const int signal : ends)
             std::signal(signal, ended);
     }
     void TearDown() override {
         constexpr itimerval never{};
         setitimer(ITIMER_PROF, &never, nullptr);
+        documentOfTest = nullptr;
         for (const int signal : ends)
             std::signal(signal, SIG_DFL);
     }
@@ -230,6 +243,7 @@ protected:
     void fail(const std::string& found) {
         std::fprintf(stderr, "Failure: %s\n%s\n", found.c_str(), editor_.document().text().c_str());
         printActions();
+        printCalls();
         std::fflush(nullptr);
         std::_Exit(EXIT_FAILURE);
     }
@@ -263,7 +277,9 @@ protected:
         return found.empty() ? disagreementOfUndo(editor_, first_) : found;
     }
     void letGo() {
-        if (QWidget* from = std::exchange(held_, nullptr))
+        QWidget* from = heldNow();
+        held_ = nullptr;
+        if (from)
             send(*from, QEvent::MouseButtonRelease, {0, 0}, button_, Qt::NoModifier);
     }
 
@@ -286,6 +302,11 @@ protected:
         return shown.isEmpty()
                    ? nullptr
                    : shown[static_cast<qsizetype>(below(static_cast<std::size_t>(shown.size())))];
+    }
+    // An open menu takes the pointer, also from the button that opened it and is still held.
+    QWidget* heldNow() const {
+        QWidget* popup = held_ ? QApplication::activePopupWidget() : nullptr;
+        return popup && held_->window() != popup ? popup : held_.data();
     }
     // A hand elsewhere closes them first. Otherwise a button could open the menu again that it has
     // open: Qt knows one loop of a menu alone, and the other one would never end.
@@ -404,7 +425,7 @@ protected:
         static constexpr std::array<Qt::KeyboardModifiers::enum_type, 4> modifiers{
             Qt::NoModifier, Qt::ShiftModifier, Qt::ShiftModifier, Qt::ControlModifier};
         const Qt::KeyboardModifiers with = any(modifiers);
-        QPointer<QWidget> to = held_ ? held_.data() : anyWidget();
+        QPointer<QWidget> to = held_ ? heldNow() : anyWidget();
         if (!to)
             return;
         const int beyond = rarely(6) ? 3000 : 4;

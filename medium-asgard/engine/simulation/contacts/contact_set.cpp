@@ -11,6 +11,18 @@ namespace simulation {
 using solution::Histories;
 using solution::infinity;
 
+namespace {
+
+std::shared_ptr<const physics::ContactSurfaces> surfacesOf(const physics::ContactPlace& place) {
+    physics::ContactSurfaces made{
+        .gaps = {}, .normal = place.normal, .friction = place.friction.sticking};
+    for (const physics::ContactPoint& point : place.points)
+        made.gaps.push_back(point.gap);
+    return std::make_shared<const physics::ContactSurfaces>(std::move(made));
+}
+
+} // namespace
+
 bool ContactSet::areIn(std::size_t a, std::size_t b) const {
     return std::ranges::any_of(contacts_,
                                [&](const Contact& c) { return c.has(a) && c.has(b) && a != b; });
@@ -215,7 +227,12 @@ void ContactSet::set(std::span<const std::size_t> bodies, std::vector<LastingCon
     for (LastingContact& of : contacts) {
         concerned_.insert({of.place.body, of.place.support});
         const double phase = std::min(nextPhase(of.place.body), nextPhase(of.place.support));
-        contacts_.push_back({.of = std::move(of), .rows = {}, .from = time, .phase = phase});
+        auto surfaces = surfacesOf(of.place);
+        contacts_.push_back({.of = std::move(of),
+                             .surfaces = std::move(surfaces),
+                             .rows = {},
+                             .from = time,
+                             .phase = phase});
     }
     noteBodies();
 }
@@ -315,7 +332,10 @@ void ContactSet::note(double time, std::span<const Written> written,
         const auto rolling = static_cast<std::ptrdiff_t>(rows.size()) - (place.rolls() ? 2 : 0);
         entry.contacts.push_back({.bodies = std::minmax(place.body, place.support),
                                   .normals = {rows.begin(), rows.begin() + normals},
-                                  .friction = {rows.begin() + normals, rows.begin() + rolling}});
+                                  .friction = {rows.begin() + normals, rows.begin() + rolling},
+                                  .body = place.body,
+                                  .support = place.support,
+                                  .surfaces = one.contact->surfaces});
     }
     log_.add(std::move(entry));
 }

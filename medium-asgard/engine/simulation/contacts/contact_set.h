@@ -19,6 +19,7 @@
 #include <compare>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <span>
@@ -92,6 +93,7 @@ public:
 private:
     struct Contact {
         LastingContact of;
+        std::shared_ptr<const physics::ContactSurfaces> surfaces; // for the log
         std::vector<std::size_t> rows; // unknowns; none yet: write() gives them
         double from = 0, phase = 0;
         // The last step up to which it did not tip: those before it, where they are the same, are

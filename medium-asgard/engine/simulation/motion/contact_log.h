@@ -1,8 +1,11 @@
 // Which rows of the equations were contacts of which bodies, from when on?
 #pragma once
 
+#include "physics/contact_force.h"
+
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <set>
 #include <utility>
 #include <vector>
@@ -14,6 +17,8 @@ public:
     struct Contact {
         std::pair<std::size_t, std::size_t> bodies; // the lesser first
         std::vector<std::size_t> normals, friction; // unknowns of the equations
+        std::size_t body = 0, support = 0;          // the same two, as surfaces have them
+        std::shared_ptr<const physics::ContactSurfaces> surfaces = {};
     };
     // From that time on these are the contacts of these bodies, and no others.
     struct Entry {

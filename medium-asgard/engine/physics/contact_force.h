@@ -1,0 +1,35 @@
+// The force of a contact that lasts, in numbers: how its multipliers push at places of its bodies.
+//
+// contact_rows.h has the same as expressions.
+#pragma once
+
+#include "physics/surface_gap.h"
+
+#include <span>
+#include <vector>
+
+namespace physics {
+
+struct ContactSurfaces {
+    std::vector<SurfaceGap> gaps;    // of the contact's points
+    Vector normal = Vector::UnitX(); // world, where it was made
+    double friction = 0;             // coefficient while it sticks
+};
+
+struct ContactForce {
+    Vector normal = Vector::UnitX(); // from the support to the body, mean of the points'
+    Vector point = Vector::Zero();   // centre of pressure, world
+    Vector force = Vector::Zero();   // on the body, world; 0 where nothing presses
+};
+
+// One normal force for each gap. Of friction the first two are along the surfaces; none: it has no
+// friction.
+[[nodiscard]] ContactForce forceOf(const ContactSurfaces& surfaces, const SurfacePose& body,
+                                   const SurfacePose& support, std::span<const double> normals,
+                                   std::span<const double> friction);
+
+// The axis of the world that is most nearly across; of several the last, which a scene in a plane
+// of x and y has across it.
+[[nodiscard]] Vector acrossAxis(const Vector& normal);
+
+} // namespace physics
