@@ -132,8 +132,7 @@ void Creating::takeInputs() {
                 take(*found);
             Q_EMIT changed();
         } else if (waiting_) {
-            fault_ = tr("The click came before the scene.");
-            Q_EMIT changed();
+            refuseEarlyClick();
         }
     }
 }
@@ -220,11 +219,15 @@ std::optional<Judged> Creating::judge(const Indicated& next) const {
     return begun_->judge(*document_.shown().scene, next);
 }
 
+void Creating::refuseEarlyClick() {
+    fault_ = tr("The click came before the scene.");
+    Q_EMIT changed();
+}
+
 void Creating::click(const QPointF& position, bool holdsOff) {
     display_.bringUpToDate();
     if (waiting_) { // what will stand there is not seen yet
-        fault_ = tr("The click came before the scene.");
-        Q_EMIT changed();
+        refuseEarlyClick();
         return;
     }
     inputs_.emplace_back(Click{position, holdsOff});

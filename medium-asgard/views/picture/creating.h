@@ -82,7 +82,8 @@ private:
     };
 
     void stopWaiting(); // if the scene is there, or will not come
-    void takeInputs();  // all clicks whose picture is there, and what came behind them
+    void refuseEarlyClick();
+    void takeInputs(); // all clicks whose picture is there, and what came behind them
     void handBack(const QKeyEvent& event);
     void begin(Recipe recipe);
     void takeAim(const Aim& aim);

@@ -64,6 +64,25 @@ TEST_F(CreatingTest, BesideABodyOnAFloorANewOneStandsOnTheFloorToo) {
     EXPECT_EQ(scene().bodies[2].initialPosition.z(), 2);
 }
 
+// A click on a ball below its middle, where no ball of that size fits over the floor.
+TEST_F(CreatingTest, BesideABallOnAFloorANewOneStandsOnTheFloorToo) {
+    const std::string ball = "shape_set ball -desc {-sub {-sphere 0.5}}\n";
+    open(ball + "shape_set ground -desc {-sub {-plane}}\nbody floor ground -fixed 1\n"
+                "body b1 ball -init_pos {0 0.5 0}\n");
+    display().lookAlong(Vector(0, 0.1, 1));
+    display().grab();
+    display().creating().start(newBody("ball", scene().shapeSets[0].parts));
+    click({0.15, 0.3, std::sqrt(0.25 - 0.15 * 0.15 - 0.2 * 0.2)});
+    done();
+    const Vector at = scene().bodies[2].initialPosition;
+    EXPECT_EQ(at.y(), 0.5);
+    EXPECT_GT(at.x(), 0.1);
+    EXPECT_GT(at.z(), 0.5);
+    const double apart = (at - Vector(0, 0.5, 0)).norm();
+    EXPECT_GT(apart, 1 - 1e-7);
+    EXPECT_LT(apart, 1.01); // numbers are round along its side
+}
+
 // In a view from above; from the side one builds in the plane of the picture.
 TEST_F(CreatingTest, ABodyStandsOnTheGridThatIsClicked) {
     open("# nothing yet\n");

@@ -42,13 +42,17 @@ bool isBall(const std::vector<scene::Part>& parts) {
 }
 
 // The place on that oblique plane through it whose numbers are short: multiples of `step`, but for
-// the one that the plane tells, which is at most `depth` too low. A level coordinate stays.
-Vector shortestOn(Vector place, const Vector& up, double step, double depth) {
+// one that keeps it on the plane, or `depth` off it along the normal. `kept`: an axis along which
+// it stays where it is; -1: none.
+Vector shortestOn(Vector place, const Vector& up, double step, double depth, Eigen::Index kept) {
     Eigen::Index told = 0;
-    up.cwiseAbs().maxCoeff(&told);
+    Vector across = up.cwiseAbs();
+    if (kept >= 0)
+        across[kept] = 0;
+    across.maxCoeff(&told);
     double off = 0; // the plane, along its normal
     for (Eigen::Index i = 0; i < 3; ++i) {
-        if (i == told || std::abs(up[i]) < 1e-9)
+        if (i == told || i == kept || std::abs(up[i]) < 1e-9)
             continue;
         const double rounded = step * std::round(place[i] / step);
         off += up[i] * (rounded - place[i]);
@@ -57,6 +61,41 @@ Vector shortestOn(Vector place, const Vector& up, double step, double depth) {
     const double digit = editing::decimalStep(depth), sign = up[told] < 0 ? -1 : 1;
     place[told] = sign * digit * std::floor(sign * (place[told] - off / up[told]) / digit);
     return place;
+}
+
+// The place further up on a surface from which nothing is missing any more, or none: nothing is
+// missing, or it lies too flat. Of a face, or of what is round outwards.
+template <class Missing>
+std::optional<gestures::Picked> raisedTo(const render::Drawing& drawing,
+                                         const gestures::Picked& from, const Vector& upwards,
+                                         const Missing& missing) {
+    const auto shape = gestures::shapeOf(*drawing.scene, drawing.scene->bodies[from.body].name);
+    const double rise = from.normal.dot(upwards), most = missing(from);
+    const Vector level = from.normal - rise * upwards;
+    if (!shape || !(most > 0) || level.squaredNorm() < (rise > 0 ? 0.5 : 0.01))
+        return std::nullopt;
+    const double reach = 3 * geometry::radiusAbout(*shape, Vector::Zero());
+    if (!std::isfinite(reach))
+        return std::nullopt;
+    const Vector out = level.normalized();
+    const auto at = [&](double by) {
+        return gestures::surfaceOn(drawing, from.body,
+                                   {from.point + by * upwards + reach * out, -out});
+    };
+    const double exact = 1e-12 * reach;
+    auto raised = at(most);
+    if (!raised || missing(*raised) > exact)
+        return std::nullopt;
+    double low = 0, high = most;
+    while (high - low > exact && missing(*raised) < -exact) {
+        const double middle = (low + high) / 2;
+        const auto next = at(middle);
+        const bool isEnough = next && missing(*next) <= 0;
+        (isEnough ? high : low) = middle;
+        if (isEnough)
+            raised = next;
+    }
+    return raised;
 }
 
 bool hasFlatFaces(const scene::ShapeSet* set) {
@@ -249,7 +288,7 @@ Indicated Indicating::restingOn(BegunRecipe& begun, const gestures::Picked& pick
                                 Indicated found) {
     const geometry::Pose pose = poseOf(picked.body);
     begun.fit(display_.sight(), picked.point);
-    const Vector up = picked.normal;
+    Vector up = picked.normal;
     const bool isLevel = isUpright(up);
     const scene::Scene& scene = *display_.drawing().scene;
     const Vector upwards = render::upOf(scene);
@@ -272,25 +311,30 @@ Indicated Indicating::restingOn(BegunRecipe& begun, const gestures::Picked& pick
     } else {
         place = besideMiddle(place, up, pose.position, 1.5 * clickReach * found.resolution, step);
     }
-    found.point = place + heightOf(*begun.ghost(), up, found.attitude) * up;
+    const auto centreOn = [&](const Vector& at, const Vector& normal) -> Vector {
+        return at + heightOf(*begun.ghost(), normal, found.attitude) * normal;
+    };
+    found.point = centreOn(place, up);
+    Eigen::Index kept = -1; // the height of a body that stands on the ground, too
     if (const auto ground = display_.ground();
         ground && picked.point.dot(ground->up) > ground->height) {
-        // Beside a body that stands on the ground it stands there, too: it slides up the face.
         const double least = ground->height + heightOf(*begun.ghost(), ground->up, found.attitude);
-        const double missing = least - found.point.dot(ground->up);
-        const Vector along = ground->up - up.dot(ground->up) * up;
-        const bool isFlat =
-            hasFlatFaces(scene::findShapeSet(scene, scene.bodies[picked.body].shape));
-        const double steep = isFlat ? 0.5 : 1 - 1e-12; // sin^2 of the face's slope
-        if (missing > 0 && along.squaredNorm() > steep)
-            found.point += missing / along.squaredNorm() * along;
+        const auto missing = [&](const gestures::Picked& on) {
+            return least - centreOn(on.point, on.normal).dot(ground->up);
+        };
+        if (const auto raised =
+                raisedTo(display_.drawing(), {picked.body, place, up}, ground->up, missing)) {
+            up = raised->normal;
+            found.point = centreOn(raised->point, up);
+            ground->up.cwiseAbs().maxCoeff(&kept);
+        }
     }
     found.resolution *= 1e-3;          // so that it touches
-    if (!isLevel) {                    // and a little more: a gap would be a fall
+    if (!isUpright(up)) {              // and a little more: a gap would be a fall
         constexpr double touch = 1e-8; // of its size: an overlap that is none (docs/numerics.md)
         found.resolution =
             editing::decimalStep(touch * geometry::radiusAbout(*begun.ghost(), Vector::Zero()));
-        found.point = shortestOn(found.point, up, step, found.resolution);
+        found.point = shortestOn(found.point, up, step, found.resolution, kept);
     }
     if (found.at.empty())
         found.at = QObject::tr("on %1")

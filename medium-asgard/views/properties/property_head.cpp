@@ -81,6 +81,7 @@ QString countOf(const std::vector<Element>& all) {
 } // namespace
 
 void PropertyHead::showElements(const std::vector<Element>& all) {
+    shown_ = all;
     const scene::Scene& scene = *document_.shown().scene;
     const bool isOne = all.size() == 1;
     const editing::CommandHint* hint = isOne ? &editing::hintOf(scene, all.front()) : nullptr;
@@ -104,8 +105,12 @@ void PropertyHead::showElements(const std::vector<Element>& all) {
     line_->setVisible(source && source->line > 0);
     if (source)
         line_->setText(plain::caption(tr("Line %1").arg(source->line)));
+    showFault();
+}
+
+void PropertyHead::showFault() {
     const QString why =
-        all.empty() || document_.isPreview() ? QString() : document_.whyNotCurrent();
+        shown_.empty() || document_.isPreview() ? QString() : document_.whyNotCurrent();
     const bool isFault = document_.hasErrors() && !why.isEmpty();
     fault_->setText(isFault ? why : said_);
     fault_->setVisible(!fault_->text().isEmpty());
@@ -118,7 +123,7 @@ void PropertyHead::showElements(const std::vector<Element>& all) {
 
 void PropertyHead::say(const QString& why) {
     said_ = why;
-    showElements(document_.selected());
+    showFault();
 }
 
 QString PropertyHead::refusal() const {
@@ -134,10 +139,10 @@ void PropertyHead::forget() {
 }
 
 void PropertyHead::rename() {
-    if (document_.selected().size() != 1)
+    if (shown_.size() != 1 || shown_ != document_.selected()) // the name is another one's for now
         return;
-    const QString before = QString::fromStdString(
-        editing::nameOf(*document_.shown().scene, document_.selected().front()));
+    const QString before =
+        QString::fromStdString(editing::nameOf(*document_.shown().scene, shown_.front()));
     const auto answer = [this, before, name = name_->text(),
                          when = forgotten_](const QString& why) {
         if (when != forgotten_) { // something else is selected now
@@ -145,14 +150,16 @@ void PropertyHead::rename() {
                 say(meant(before, tr("Name: %1").arg(why)));
             return;
         }
-        if (name_->text() == name)
-            name_->setModified(false); // the name as it is comes back
+        if (name_->text() == name) {
+            if (!why.isEmpty())
+                name_->setText(before);
+            name_->setModified(false);
+        }
         TypedField::setRefusal(*name_, why);
         say(why);
         Q_EMIT renamed();
     };
-    later_.take(name_, [this, now = following(document_, document_.selected()),
-                        name = name_->text(), answer] {
+    later_.take(name_, [this, now = following(document_, shown_), name = name_->text(), answer] {
         if (const auto element = now()) // else it was deleted meanwhile
             commands_.rename(element->front(), name, answer);
     });

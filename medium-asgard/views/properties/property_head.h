@@ -38,10 +38,12 @@ Q_SIGNALS:
 
 private:
     void rename();
+    void showFault();
 
     SceneDocument& document_;
     ElementCommands& commands_;
     WhenRead& later_;
+    std::vector<editing::Element> shown_;
     QString said_;
     unsigned forgotten_ = 0; // times
     QLabel *title_, *fault_;

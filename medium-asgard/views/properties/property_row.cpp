@@ -193,11 +193,11 @@ void PropertyRow::showColor() {
 }
 
 void PropertyRow::setNames(const QStringList& names) {
-    const QString caption = names.size() == 1 ? names.front() : tr("Size");
-    caption_->setText(plain::ours(withUnit(caption, QStringLiteral("m"))));
+    name_ = names.size() == 1 ? names.front() : tr("Size");
+    setUnit(QStringLiteral("m"));
     for (std::size_t i = 0; i < fields_.size(); ++i) {
         const auto at = static_cast<qsizetype>(i);
-        fields_[i]->setAccessibleName(at < names.size() ? names[at] : caption);
+        fields_[i]->setAccessibleName(at < names.size() ? names[at] : name_);
         fields_[i]->setPlaceholderText(at < names.size() ? names[at] : QString());
     }
 }
