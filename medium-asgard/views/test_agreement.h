@@ -12,6 +12,8 @@
 #include "views/test_workshop.h"
 #include "workbench/playback.h"
 
+#include <QPointer>
+
 #include <algorithm>
 #include <string>
 
@@ -42,17 +44,26 @@ inline std::string sentenceOf(const geometry::Vector& place) {
     return all;
 }
 
+// While a test waits, events are handled: a window that was to close goes.
+template <class Window> QList<QPointer<Window>> guarded(const QList<Window*>& windows) {
+    return {windows.begin(), windows.end()};
+}
+
 // The handle of a body stands where the text says.
-inline std::string disagreementOfPicture(SceneDocument& document, GraphicalViewer& viewer) {
-    viewer.playback().pause();
-    SceneDisplay& display = viewer.display();
+inline std::string disagreementOfPicture(SceneDocument& document,
+                                         const QPointer<GraphicalViewer>& viewer) {
+    viewer->playback().pause();
+    SceneDisplay& display = viewer->display();
     if (!display.isVisible() || display.width() < 2 || display.height() < 2)
         return {};
     display.grab(); // it gets its size
     const bool shown = waitFor([&] {
-        display.bringUpToDate();
-        return display.showsNewest();
+        if (viewer)
+            display.bringUpToDate();
+        return !viewer || display.showsNewest();
     });
+    if (!viewer)
+        return {};
     if (!shown)
         return "a picture of " + std::to_string(document.shown().scene->bodies.size()) +
                " bodies does not come: " + std::to_string(display.width()) + " by " +
@@ -83,12 +94,15 @@ inline std::string disagreementOfText(const SceneDocument& document, LanguageVie
     return "a text without a draft is not the document's";
 }
 
-inline std::string disagreementOfList(const SceneDocument& document, SceneList& list) {
-    if (!list.isVisible() || !document.sceneIsCurrent())
+inline std::string disagreementOfList(const SceneDocument& document,
+                                      const QPointer<SceneList>& list) {
+    if (!list->isVisible() || !document.sceneIsCurrent())
         return {};
     const bool named = waitFor([&] { // it follows a moment later
+        if (!list)
+            return true;
         for (const editing::Element& element : editing::elementsOf(*document.shown().scene)) {
-            const QTreeWidgetItem* item = list.itemOf(element);
+            const QTreeWidgetItem* item = list->itemOf(element);
             if (element.kind == editing::Kind::body &&
                 (!item ||
                  item->text(0).toStdString() != document.shown().scene->bodies[element.index].name))
@@ -99,14 +113,15 @@ inline std::string disagreementOfList(const SceneDocument& document, SceneList& 
     return named ? std::string() : "the scene list has other bodies";
 }
 
-inline std::string disagreementOfProperties(const SceneDocument& document, PropertiesPane& pane) {
+inline std::string disagreementOfProperties(const SceneDocument& document,
+                                            const QPointer<PropertiesPane>& pane) {
     const auto& selected = document.selected();
-    if (!pane.isVisible() || selected.size() != 1 || !document.sceneIsCurrent() ||
-        selected.front().kind != editing::Kind::body || pane.name().hasFocus() ||
-        pane.name().isModified() || !pane.fault().isEmpty()) // what is typed stays
+    if (!pane->isVisible() || selected.size() != 1 || !document.sceneIsCurrent() ||
+        selected.front().kind != editing::Kind::body || pane->name().hasFocus() ||
+        pane->name().isModified() || !pane->fault().isEmpty()) // what is typed stays
         return {};
     const std::string name = document.shown().scene->bodies[selected.front().index].name;
-    const bool shown = waitFor([&] { return pane.name().text().toStdString() == name; });
+    const bool shown = waitFor([&] { return !pane || pane->name().text().toStdString() == name; });
     return shown ? std::string() : "the properties are of another body than " + name;
 }
 
@@ -117,15 +132,21 @@ inline std::string disagreement(Editor& editor) {
         return "something is computed without end";
     std::string found = disagreementOfScene(document);
     const auto add = [&](const std::string& one) { found = found.empty() ? one : found; };
-    for (GraphicalViewer* viewer : editor.graphicalViewers()) {
-        add(disagreementOfPicture(document, *viewer));
-        for (SceneList* list : viewer->findChildren<SceneList*>())
-            add(disagreementOfList(document, *list));
-        for (PropertiesPane* pane : viewer->findChildren<PropertiesPane*>())
-            add(disagreementOfProperties(document, *pane));
+    for (const QPointer<GraphicalViewer>& viewer : guarded(editor.graphicalViewers())) {
+        if (viewer)
+            add(disagreementOfPicture(document, viewer));
+        if (viewer)
+            for (const auto& list : guarded(viewer->findChildren<SceneList*>()))
+                if (list)
+                    add(disagreementOfList(document, list));
+        if (viewer)
+            for (const auto& pane : guarded(viewer->findChildren<PropertiesPane*>()))
+                if (pane)
+                    add(disagreementOfProperties(document, pane));
     }
-    for (LanguageViewer* viewer : editor.languageViewers())
-        add(disagreementOfText(document, *viewer));
+    for (const QPointer<LanguageViewer>& viewer : guarded(editor.languageViewers()))
+        if (viewer)
+            add(disagreementOfText(document, *viewer));
     return found;
 }
 

@@ -1,7 +1,7 @@
 #include "physics/contact_rows.h"
 
 #include "expression/rate_along.h"
-#include "physics/contact_force.h"
+#include "physics/contact_press.h"
 
 #include <Eigen/Dense>
 

@@ -54,6 +54,46 @@ TEST(ContactForces, AreThoseOfAMotionInParts) {
     expectWeights(*result.motion);
 }
 
+TEST(ContactForces, AreThoseOfADraftToo) {
+    SceneBuilder b = twoBoxes();
+    b.force("left", "0.1*sin(20*left.x)", "0", "0"); // which friction holds
+    int drafts = 0;
+    Observer observer;
+    observer.progress = [&](const MotionPointer& motion) {
+        if (!motion->draft() || motion->computed() < 0.5)
+            return;
+        ++drafts;
+        EXPECT_THAT(contactForcesAt(*motion, 0.5), SizeIs(2));
+    };
+    (void)simulate(b.scene, {}, observer);
+    EXPECT_GT(drafts, 0);
+}
+
+// One lies on the other: the force on the lower one is downwards, with all that lies on it.
+TEST(ContactForces, OfBodiesThatBothMoveAreOnTheFirst) {
+    SceneBuilder b = twoBoxes();
+    b.scene.bodies[2].initialPosition = b.scene.bodies[1].initialPosition + Vector(0, 0.4, 0);
+    const auto forces = contactForcesAt(*simulate(b.scene).motion, 2); // its end counts
+    ASSERT_THAT(forces, SizeIs(2));
+    for (const ContactForce& one : forces) {
+        EXPECT_EQ(one.on, 1u);
+        const bool isBetween = one.point.y() > 0.2;
+        EXPECT_LT(distance(one.force, {0, isBetween ? -2 * g : 4 * g, 0}), 1e-9);
+        EXPECT_LT(distance(one.normal, {0, isBetween ? -1.0 : 1.0, 0}), 1e-12);
+    }
+}
+
+TEST(ContactForces, OfABodyThatHasStoppedAreNone) {
+    SceneBuilder b = twoBoxes();
+    b.force("left", "0.1/(0.5-t)", "0", "0");
+    const Result result = simulate(b.scene);
+    ASSERT_TRUE(result.motion->stop(1));
+    EXPECT_THAT(contactForcesAt(*result.motion, 0.2), SizeIs(2));
+    const auto late = contactForcesAt(*result.motion, 0.9);
+    ASSERT_THAT(late, SizeIs(1));
+    EXPECT_EQ(late[0].on, 2u);
+}
+
 TEST(ContactForces, OfABallInAGrooveAreTwo) {
     SceneBuilder b(1);
     for (const double side : {-1.0, 1.0}) {
@@ -70,7 +110,8 @@ TEST(ContactForces, OfABallInAGrooveAreTwo) {
     const auto forces = contactForcesAt(*simulate(b.scene).motion, 0.5);
     ASSERT_THAT(forces, SizeIs(2));
     EXPECT_LT(distance(forces[0].force + forces[1].force, {0, 3 * g, 0}), 1e-9);
-    EXPECT_NEAR(forces[0].force.x() + forces[1].force.x(), 0, 1e-9);
+    for (const ContactForce& one : forces)
+        EXPECT_NEAR(one.force.dot(one.normal), 3 * g / std::sqrt(2), 1e-9);
     EXPECT_NEAR(forces[0].point.y(), 0.2 * std::sqrt(2) - 0.2 / std::sqrt(2), 1e-7);
 }
 

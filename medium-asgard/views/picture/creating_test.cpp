@@ -83,6 +83,37 @@ TEST_F(CreatingTest, BesideABallOnAFloorANewOneStandsOnTheFloorToo) {
     EXPECT_LT(apart, 1.01); // numbers are round along its side
 }
 
+// A box that is taller than the one at whose front it is put, and a ball before a wall that is
+// turned and has no end.
+TEST_F(CreatingTest, ANewBodyStandsOnTheFloorWhateverIsBesideIt) {
+    const std::string floor =
+        "shape_set ground -desc {-sub {-plane}}\nbody floor ground -fixed 1\n";
+    open("shape_set low -desc {-sub {-box {1 0.3 1}}}\nbody b1 low -init_pos {0 0.15 0}\n" + floor +
+         "shape_set tall -desc {-sub {-box {1 2 1}}}\n");
+    display().lookAlong(Vector(0, 0.3, 1));
+    display().grab();
+    display().creating().start(newBody("tall", scene().shapeSets[2].parts));
+    click({0.1, 0.1, 0.5});
+    done();
+    ASSERT_EQ(scene().bodies.size(), 3U);
+    EXPECT_EQ(scene().bodies[2].initialPosition.y(), 1);
+    EXPECT_EQ(scene().bodies[2].initialPosition.z(), 1);
+    for (const double turn : {0.3, 0.5, 0.8}) {
+        const double quarter = M_PI / 2;
+        open("shape_set ball -desc {-sub {-sphere 0.5}}\nshape_set wall -desc {-sub {-plane}}\n" +
+             floor + "body wall wall -fixed 1 -init_rot {" +
+             std::to_string(quarter * std::cos(turn)) + " 0 " +
+             std::to_string(-quarter * std::sin(turn)) + "}\n");
+        display().lookAlong(Vector(0, 0.3, 1));
+        display().grab();
+        display().creating().start(newBody("ball", scene().shapeSets[0].parts));
+        click({0.1, 0.1, -0.1 * std::tan(turn)});
+        done();
+        ASSERT_EQ(scene().bodies.size(), 3U) << turn;
+        EXPECT_NEAR(scene().bodies[2].initialPosition.y(), 0.5, 1e-4) << turn;
+    }
+}
+
 // In a view from above; from the side one builds in the plane of the picture.
 TEST_F(CreatingTest, ABodyStandsOnTheGridThatIsClicked) {
     open("# nothing yet\n");

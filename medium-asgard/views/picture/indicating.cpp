@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace views {
 
@@ -42,8 +43,8 @@ bool isBall(const std::vector<scene::Part>& parts) {
 }
 
 // The place on that oblique plane through it whose numbers are short: multiples of `step`, but for
-// one that keeps it on the plane, or `depth` off it along the normal. `kept`: an axis along which
-// it stays where it is; -1: none.
+// one that keeps it on the plane, or `depth` off it along the normal. `kept`: a coordinate that
+// does not change; -1: none.
 Vector shortestOn(Vector place, const Vector& up, double step, double depth, Eigen::Index kept) {
     Eigen::Index told = 0;
     Vector across = up.cwiseAbs();
@@ -63,31 +64,47 @@ Vector shortestOn(Vector place, const Vector& up, double step, double depth, Eig
     return place;
 }
 
-// The place further up on a surface from which nothing is missing any more, or none: nothing is
-// missing, or it lies too flat. Of a face, or of what is round outwards.
-template <class Missing>
-std::optional<gestures::Picked> raisedTo(const render::Drawing& drawing,
-                                         const gestures::Picked& from, const Vector& upwards,
-                                         const Missing& missing) {
+bool hasFlatFaces(const scene::ShapeSet* set) {
+    return set && std::ranges::all_of(set->parts, [](const scene::Part& part) {
+               return std::holds_alternative<scene::BoxShape>(part.shape) ||
+                      std::holds_alternative<scene::HullShape>(part.shape);
+           });
+}
+
+// How much a new body that touches a surface there is too low.
+using Missing = std::function<double(const gestures::Picked&)>;
+
+// Up the plane of a face, beyond its edge, too.
+gestures::Picked raisedAlong(const gestures::Picked& from, const Vector& upwards, double missing) {
+    const Vector along = upwards - from.normal.dot(upwards) * from.normal;
+    return {from.body, from.point + missing / along.squaredNorm() * along, from.normal};
+}
+
+// Up the outer side of a round body, straight above or below the line of the normal. None: the
+// place is no outer side, or the body ends below.
+std::optional<gestures::Picked> raisedAround(const render::Drawing& drawing,
+                                             const gestures::Picked& from, const Vector& upwards,
+                                             const Missing& missing) {
     const auto shape = gestures::shapeOf(*drawing.scene, drawing.scene->bodies[from.body].name);
-    const double rise = from.normal.dot(upwards), most = missing(from);
-    const Vector level = from.normal - rise * upwards;
-    if (!shape || !(most > 0) || level.squaredNorm() < (rise > 0 ? 0.5 : 0.01))
-        return std::nullopt;
     const double reach = 3 * geometry::radiusAbout(*shape, Vector::Zero());
-    if (!std::isfinite(reach))
-        return std::nullopt;
-    const Vector out = level.normalized();
+    const Vector out = (from.normal - from.normal.dot(upwards) * upwards).normalized();
     const auto at = [&](double by) {
         return gestures::surfaceOn(drawing, from.body,
                                    {from.point + by * upwards + reach * out, -out});
     };
-    const double exact = 1e-12 * reach;
-    auto raised = at(most);
-    if (!raised || missing(*raised) > exact)
+    if (const auto here = at(0); !here || (here->point - from.point).norm() > 1e-6 * reach)
         return std::nullopt;
-    double low = 0, high = most;
-    while (high - low > exact && missing(*raised) < -exact) {
+    constexpr int pieces = 64, halvings = 60;
+    double low = 0, high = 0;
+    std::optional<gestures::Picked> raised;
+    for (int piece = 1; piece <= pieces && !raised; ++piece) {
+        low = high;
+        high = std::min(missing(from), reach) * piece / pieces;
+        raised = at(high);
+        if (raised && missing(*raised) > 0)
+            raised.reset();
+    }
+    for (int half = 0; half < halvings && raised; ++half) {
         const double middle = (low + high) / 2;
         const auto next = at(middle);
         const bool isEnough = next && missing(*next) <= 0;
@@ -98,11 +115,23 @@ std::optional<gestures::Picked> raisedTo(const render::Drawing& drawing,
     return raised;
 }
 
-bool hasFlatFaces(const scene::ShapeSet* set) {
-    return set && std::ranges::all_of(set->parts, [](const scene::Part& part) {
-               return std::holds_alternative<scene::BoxShape>(part.shape) ||
-                      std::holds_alternative<scene::HullShape>(part.shape);
-           });
+// A place higher on the surface at which a new body stands on the ground. None: the body is high
+// enough, or the surface too flat.
+std::optional<gestures::Picked> raised(const render::Drawing& drawing, const gestures::Picked& from,
+                                       const Vector& upwards, const Missing& missing) {
+    const scene::Scene& scene = *drawing.scene;
+    const auto shape = gestures::shapeOf(scene, scene.bodies[from.body].name);
+    const double most = missing(from), rise = from.normal.dot(upwards);
+    if (!shape || !(most > 0))
+        return std::nullopt;
+    const bool isSteep = rise * rise < 0.5;
+    const bool isFlat = hasFlatFaces(scene::findShapeSet(scene, scene.bodies[from.body].shape));
+    if (isFlat || gestures::isEndless(*shape))
+        return isSteep ? std::optional(raisedAlong(from, upwards, most)) : std::nullopt;
+    if (isSteep || (rise < 0 && rise > -0.99))
+        if (auto found = raisedAround(drawing, from, upwards, missing))
+            return found;
+    return rise * rise < 1e-12 ? std::optional(raisedAlong(from, upwards, most)) : std::nullopt;
 }
 
 } // namespace
@@ -322,10 +351,10 @@ Indicated Indicating::restingOn(BegunRecipe& begun, const gestures::Picked& pick
         const auto missing = [&](const gestures::Picked& on) {
             return least - centreOn(on.point, on.normal).dot(ground->up);
         };
-        if (const auto raised =
-                raisedTo(display_.drawing(), {picked.body, place, up}, ground->up, missing)) {
-            up = raised->normal;
-            found.point = centreOn(raised->point, up);
+        if (const auto on =
+                raised(display_.drawing(), {picked.body, place, up}, ground->up, missing)) {
+            up = on->normal;
+            found.point = centreOn(on->point, up);
             ground->up.cwiseAbs().maxCoeff(&kept);
         }
     }

@@ -101,5 +101,16 @@ TEST_F(LeftPropertiesTest, ARefusedSizeOrNameIsToldToo) {
     }
 }
 
+TEST_F(LeftPropertiesTest, EscapeBringsANameBack) {
+    PropertiesPane pane{document, PropertyActions{}};
+    pane.show();
+    pane.name().setFocus();
+    pane.name().selectAll();
+    QTest::keyClicks(&pane.name(), "other");
+    QTest::keyClick(&pane.name(), Qt::Key_Escape);
+    EXPECT_EQ(pane.name().text(), "a");
+    EXPECT_FALSE(pane.name().isModified());
+}
+
 } // namespace
 } // namespace views

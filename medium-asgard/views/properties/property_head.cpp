@@ -43,6 +43,7 @@ PropertyHead::PropertyHead(SceneDocument& document, ElementCommands& commands, W
                     [this] {
                         name_->setModified(false);
                         TypedField::setRefusal(*name_, {});
+                        showName();
                         say({});
                     }});
     line_ = new QPushButton;
@@ -98,14 +99,19 @@ void PropertyHead::showElements(const std::vector<Element>& all) {
         title[0] = title[0].toUpper();
     title_->setText(title);
     name_->setVisible(isOne && hint->named);
-    if (!isOne)
-        name_->setText({}); // clear() would count as typed
-    else if (!name_->isModified())
-        name_->setText(QString::fromStdString(editing::nameOf(scene, all.front())));
+    showName();
     line_->setVisible(source && source->line > 0);
     if (source)
         line_->setText(plain::caption(tr("Line %1").arg(source->line)));
     showFault();
+}
+
+void PropertyHead::showName() {
+    if (shown_.size() != 1)
+        name_->setText({});                                          // clear() would count as typed
+    else if (!name_->isModified() && shown_ == document_.selected()) // they are in the scene
+        name_->setText(
+            QString::fromStdString(editing::nameOf(*document_.shown().scene, shown_.front())));
 }
 
 void PropertyHead::showFault() {

@@ -38,6 +38,7 @@ Q_SIGNALS:
 
 private:
     void rename();
+    void showName(); // unless one is typed
     void showFault();
 
     SceneDocument& document_;

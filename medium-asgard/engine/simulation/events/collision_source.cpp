@@ -23,11 +23,11 @@ CollisionSource::~CollisionSource() = default;
 std::optional<solution::Event> CollisionSource::next(const Histories& histories, double known) {
     world_.read(histories);
     const double until = std::min(known, finish_);
-    bool hasMet = false; // an impact may have taken long
+    bool wasImpact = false; // the last look, which may have taken long
     for (std::size_t looks = 1;; ++looks) {
-        if ((hasMet || looks % 64 == 0) && cancelled_ && cancelled_())
+        if ((wasImpact || looks % 64 == 0) && cancelled_ && cancelled_())
             return std::nullopt;
-        hasMet = false;
+        wasImpact = false;
         const EncounterSearch::Next next = search_.next();
         if (const auto released = releases_.first(histories, std::min(next.time, until))) {
             search_.release(releases_.take(histories, *released), *released);
@@ -53,7 +53,7 @@ std::optional<solution::Event> CollisionSource::next(const Histories& histories,
         if (isOffConditions(histories, hit))
             return std::nullopt;
         Handled handled = handle(histories, hit);
-        hasMet = true;
+        wasImpact = true;
         if (handled.event)
             return announced(std::move(*handled.event));
         if (!handled.isDone)

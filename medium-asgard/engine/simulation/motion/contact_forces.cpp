@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <span>
 
 namespace simulation {
@@ -12,86 +11,103 @@ namespace {
 
 using Part = ComputedMotion::Part;
 
-// The log says of some bodies at a time which contacts they have from then on: of each body its
-// last word counts.
-std::vector<const ContactLog::Contact*> contactsAt(const ContactLog& log, double time) {
-    const auto& entries = log.entries();
+// An entry of the log has all contacts of its bodies from its time on. The last entry of a body
+// counts.
+std::vector<const ContactLog::Contact*> contactsAt(const Part& part, double time) {
+    const auto entries = part.contacts.entries();
     auto after = std::ranges::upper_bound(entries, time, {}, &ContactLog::Entry::time);
-    std::set<std::size_t> told;
+    std::vector<bool> isTold(part.bodies->size());
     std::vector<const ContactLog::Contact*> found;
     while (after != entries.begin()) {
         const ContactLog::Entry& entry = *--after;
         for (const ContactLog::Contact& contact : entry.contacts)
-            if (!told.contains(contact.body) && !told.contains(contact.support))
+            if (!isTold[contact.body] && !isTold[contact.support])
                 found.push_back(&contact);
-        told.insert(entry.moving.begin(), entry.moving.end());
+        for (const std::size_t body : entry.moving)
+            isTold[body] = true;
     }
     std::ranges::reverse(found);
     return found;
 }
 
-std::vector<double> multipliersOf(const Part& part, std::span<const std::size_t> rows,
-                                  double time) {
-    std::vector<double> values;
-    for (const std::size_t row : rows) {
-        double value = 0;
-        if (!part.conditions->values(row, time, std::span(&value, 1)))
-            value = 0;
-        values.push_back(value);
+class ForcesOfPart {
+public:
+    ForcesOfPart(const ComputedMotion& motion, std::size_t index, double time)
+        : motion_(motion), part_(motion.contents().parts[index]), time_(time) {
+        const auto& places = motion.contents().places;
+        for (std::size_t b = 0; b < places.size(); ++b)
+            if (places[b].part == index)
+                shown_.emplace(places[b].body, b);
     }
-    return values;
-}
 
-physics::SurfacePose poseOf(const BodyState& state) {
-    return {state.position, state.attitude.toRotationMatrix()};
-}
+    void addTo(std::vector<ContactForce>& forces) const {
+        for (const ContactLog::Contact* contact : contactsAt(part_, time_))
+            add(*contact, forces);
+    }
 
-void addForces(const ComputedMotion& motion, std::size_t index, double time,
-               std::vector<ContactForce>& forces) {
-    const Part& part = motion.contents().parts[index];
-    if (!part.conditions || part.contacts.entries().empty())
-        return;
-    std::map<std::size_t, std::size_t> shown; // body of the scene, by the part's
-    const auto& places = motion.contents().places;
-    for (std::size_t b = 0; b < places.size(); ++b)
-        if (places[b].part == index)
-            shown.emplace(places[b].body, b);
-    // Fixed bodies stand in each part, and are shown from one of them.
-    const auto stateAt = [&](std::size_t body) -> std::optional<BodyState> {
-        const BodyRecord& record = (*part.bodies)[body];
+private:
+    // None: the body is shown of another part, or has stopped. Fixed bodies stand in each part.
+    [[nodiscard]] std::optional<physics::SurfacePose> poseOf(std::size_t body) const {
+        const auto made = [](const geometry::Pose& pose) {
+            return physics::SurfacePose{pose.position, pose.attitude.toRotationMatrix()};
+        };
+        const BodyRecord& record = (*part_.bodies)[body];
         if (record.isFixed)
-            return BodyState{.position = record.start.position, .attitude = record.start.attitude};
-        const auto at = shown.find(body);
-        return at == shown.end() ? std::nullopt : std::optional(motion.at(at->second, time));
-    };
-    for (const ContactLog::Contact* contact : contactsAt(part.contacts, time)) {
-        const auto body = stateAt(contact->body), support = stateAt(contact->support);
-        if (!body || !support)
-            continue;
-        const physics::ContactForce force =
-            physics::forceOf(*contact->surfaces, poseOf(*body), poseOf(*support),
-                             multipliersOf(part, contact->normals, time),
-                             multipliersOf(part, contact->friction, time));
-        if (force.force.isZero(0) || !force.force.allFinite() || !force.point.allFinite())
-            continue;
-        const auto [lesser, greater] = contact->bodies;
-        const std::size_t on = (*part.bodies)[lesser].isFixed ? greater : lesser;
-        const double side = on == contact->body ? 1 : -1;
-        forces.push_back({.on = shown.at(on),
-                          .point = force.point,
-                          .force = side * force.force,
-                          .normal = side * force.normal,
-                          .friction = contact->surfaces->friction});
+            return made(record.start);
+        const auto shown = shown_.find(body);
+        if (shown == shown_.end())
+            return std::nullopt;
+        const auto stop = motion_.stop(shown->second);
+        if (stop && time_ > stop->time)
+            return std::nullopt;
+        const BodyState state = motion_.at(shown->second, time_);
+        return made({state.position, state.attitude});
     }
-}
+
+    [[nodiscard]] std::vector<double> multipliersOf(std::span<const std::size_t> rows) const {
+        std::vector<double> values(rows.size());
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            if (!part_.conditions->values(rows[i], time_, std::span(&values[i], 1)))
+                values[i] = 0;
+        return values;
+    }
+
+    void add(const ContactLog::Contact& contact, std::vector<ContactForce>& forces) const {
+        const auto body = poseOf(contact.body), support = poseOf(contact.support);
+        if (!body || !support)
+            return;
+        const physics::ContactPress press =
+            physics::pressOf(*contact.surfaces, *body, *support, multipliersOf(contact.normals),
+                             multipliersOf(contact.friction));
+        if (press.force.isZero(0) || !press.force.allFinite() || !press.point.allFinite())
+            return;
+        const auto [lesser, greater] = contact.bodies;
+        const std::size_t on = (*part_.bodies)[lesser].isFixed ? greater : lesser;
+        const double side = on == contact.body ? 1 : -1;
+        forces.push_back({.on = shown_.at(on),
+                          .point = press.point,
+                          .force = side * press.force,
+                          .normal = side * press.normal,
+                          .friction = contact.surfaces->friction});
+    }
+
+    const ComputedMotion& motion_;
+    const Part& part_;
+    double time_;
+    std::map<std::size_t, std::size_t> shown_; // body of the scene, by the part's
+};
 
 } // namespace
 
 std::vector<ContactForce> contactForcesAt(const Motion& motion, double time) {
     std::vector<ContactForce> forces;
-    if (const auto* computed = dynamic_cast<const ComputedMotion*>(&motion))
-        for (std::size_t part = 0; part < computed->contents().parts.size(); ++part)
-            addForces(*computed, part, time, forces);
+    const double at = std::clamp(time, motion.start(), motion.computed());
+    if (const auto* computed = dynamic_cast<const ComputedMotion*>(&motion)) {
+        const auto& parts = computed->contents().parts;
+        for (std::size_t i = 0; i < parts.size(); ++i)
+            if (parts[i].conditions && !parts[i].contacts.entries().empty())
+                ForcesOfPart(*computed, i, at).addTo(forces);
+    }
     return forces;
 }
 

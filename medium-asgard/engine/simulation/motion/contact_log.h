@@ -1,11 +1,12 @@
 // Which rows of the equations were contacts of which bodies, from when on?
 #pragma once
 
-#include "physics/contact_force.h"
+#include "physics/contact_press.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <ranges>
 #include <set>
 #include <utility>
 #include <vector>
@@ -28,12 +29,16 @@ public:
     };
 
     // Times do not decrease.
-    void add(Entry entry) { entries_.push_back(std::move(entry)); }
-    [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
+    void add(Entry entry) { entries_.push_back(std::make_shared<const Entry>(std::move(entry))); }
+    // In order of time; a range of `const Entry&`.
+    [[nodiscard]] auto entries() const {
+        return std::views::transform(entries_,
+                                     [](const auto& entry) -> const Entry& { return *entry; });
+    }
     // A contact of these bodies, the lesser first, began at that time or later.
     [[nodiscard]] bool hasHad(const std::pair<std::size_t, std::size_t>& bodies,
                               double since) const {
-        return std::ranges::any_of(entries_, [&](const Entry& entry) {
+        return std::ranges::any_of(entries(), [&](const Entry& entry) {
             return entry.time >= since &&
                    std::ranges::find(entry.contacts, bodies, &Contact::bodies) !=
                        entry.contacts.end();
@@ -41,14 +46,14 @@ public:
     }
     [[nodiscard]] ContactLog upTo(double until) const {
         ContactLog log;
-        for (const Entry& entry : entries_)
-            if (entry.time <= until)
+        for (const auto& entry : entries_)
+            if (entry->time <= until)
                 log.entries_.push_back(entry);
         return log;
     }
 
 private:
-    std::vector<Entry> entries_;
+    std::vector<std::shared_ptr<const Entry>> entries_; // motions share them
 };
 
 } // namespace simulation

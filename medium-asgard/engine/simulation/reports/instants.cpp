@@ -269,7 +269,7 @@ void Lister::addContacts(std::size_t part) {
     for (std::size_t b = 0; b < motion_.contents().places.size(); ++b)
         if (const auto& place = motion_.contents().places[b]; place.part == part)
             bodies.emplace(place.body, b);
-    const auto& entries = of.contacts.entries();
+    const auto entries = of.contacts.entries();
     std::set<Pair> pairs;
     for (const ContactLog::Entry& entry : entries)
         for (const ContactLog::Contact& contact : entry.contacts)

@@ -4,8 +4,9 @@
 // They are read off the motion: its impacts, its ends, and the modes of multipliers, which change
 // where the solver located it; switches of expressions off their branches (switch_instants.h).
 // LIMIT: a contact that is no condition (docs/numerics.md, "Rest") is not in the list, and of a
-// contact not where its slip turns round. Of a motion that an edit put together of parts the
-// contacts with a fixed body that is shown of another part are not in it; no command lists one.
+// contact not where its slip turns round.
+// LIMIT: in a motion that is put together from parts, contacts with fixed bodies that another part
+// shows are missing. No command lists such a motion.
 //
 // A bouncing that ends in rest has one line for that, and lines of its first 100 impacts; a line
 // "omitted" has the number of the others after their names.

@@ -161,6 +161,7 @@ void OpenRun::publish(double known) {
     run.notes = problem_.equations.notes;
     if (machinery_->collisions) {
         run.impacts = machinery_->collisions->record().impacts(problem_.finish());
+        run.contacts = machinery_->collisions->contactLog().upTo(known);
         std::ranges::copy(machinery_->collisions->record().notes(problem_.finish()),
                           std::back_inserter(run.notes));
     }

@@ -1,4 +1,5 @@
-// The force of a contact that lasts, in numbers: how its multipliers push at places of its bodies.
+// How two bodies press on each other at a contact that lasts, in numbers: the force that its
+// multipliers make at places of the bodies.
 //
 // contact_rows.h has the same as expressions.
 #pragma once
@@ -16,15 +17,15 @@ struct ContactSurfaces {
     double friction = 0;             // coefficient while it sticks
 };
 
-struct ContactForce {
+struct ContactPress {
     Vector normal = Vector::UnitX(); // from the support to the body, mean of the points'
     Vector point = Vector::Zero();   // centre of pressure, world
     Vector force = Vector::Zero();   // on the body, world; 0 where nothing presses
 };
 
-// One normal force for each gap. Of friction the first two are along the surfaces; none: it has no
-// friction.
-[[nodiscard]] ContactForce forceOf(const ContactSurfaces& surfaces, const SurfacePose& body,
+// `normals`: a force for each gap. `friction`: the first two act along the surfaces, a third turns
+// and is not read; empty: no friction.
+[[nodiscard]] ContactPress pressOf(const ContactSurfaces& surfaces, const SurfacePose& body,
                                    const SurfacePose& support, std::span<const double> normals,
                                    std::span<const double> friction);
 

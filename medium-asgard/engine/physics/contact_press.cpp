@@ -1,4 +1,4 @@
-#include "physics/contact_force.h"
+#include "physics/contact_press.h"
 
 #include <array>
 #include <cmath>
@@ -38,10 +38,10 @@ Vector acrossAxis(const Vector& normal) {
     return Vector::Unit(best);
 }
 
-ContactForce forceOf(const ContactSurfaces& surfaces, const SurfacePose& body,
+ContactPress pressOf(const ContactSurfaces& surfaces, const SurfacePose& body,
                      const SurfacePose& support, std::span<const double> normals,
                      std::span<const double> friction) {
-    ContactForce found;
+    ContactPress found;
     Vector push = Vector::Zero(), first = Vector::UnitX();
     double pressure = 0;
     for (std::size_t k = 0; k < normals.size(); ++k) {
