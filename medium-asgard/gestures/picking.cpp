@@ -123,35 +123,11 @@ std::optional<render::Handle> jointAt(const render::Drawing& drawing, const Sigh
     return found ? std::optional(set.handles[*found]) : std::nullopt;
 }
 
-namespace {
-
-using Met = std::pair<double, Picked>; // how far away
-
-std::optional<Met> met(const render::Drawing& drawing, std::size_t body,
-                       const geometry::Shape& shape, const Line& line) {
-    const geometry::Pose pose =
-        render::poseOf(*drawing.scene, drawing.motion.get(), body, drawing.time);
-    const auto hit = geometry::castRay(shape, pose.toLocal(line.from),
-                                       pose.attitude.conjugate() * line.direction);
-    if (!hit)
-        return std::nullopt;
-    return Met{hit->distance, {body, pose.toWorld(hit->point), pose.attitude * hit->normal}};
-}
-
-} // namespace
-
-std::optional<Picked> surfaceOn(const render::Drawing& drawing, std::size_t body,
-                                const Line& line) {
-    const ShapePointer shape = shapeOf(*drawing.scene, drawing.scene->bodies[body].name);
-    const auto found = shape ? met(drawing, body, *shape, line) : std::nullopt;
-    return found ? std::optional(found->second) : std::nullopt;
-}
-
 std::vector<Picked> bodiesAt(const render::Drawing& drawing, const Sight& sight,
                              const Eigen::Vector2d& pixels) {
     const Line line = lineOfSight(sight, pixels);
     std::map<std::string, ShapePointer> shapes;
-    std::vector<Met> all;
+    std::vector<std::pair<double, Picked>> met;
     for (std::size_t i = 0; i < drawing.scene->bodies.size(); ++i) {
         const scene::Body& body = drawing.scene->bodies[i];
         const auto [place, isNew] = shapes.try_emplace(body.shape);
@@ -159,15 +135,20 @@ std::vector<Picked> bodiesAt(const render::Drawing& drawing, const Sight& sight,
             place->second = shapeOf(*drawing.scene, body.name);
         if (!place->second || render::isHidden(drawing.display, body))
             continue;
-        if (const auto found = met(drawing, i, *place->second, line))
-            all.push_back(*found);
+        const geometry::Pose pose =
+            render::poseOf(*drawing.scene, drawing.motion.get(), i, drawing.time);
+        const auto hit = geometry::castRay(*place->second, pose.toLocal(line.from),
+                                           pose.attitude.conjugate() * line.direction);
+        if (hit)
+            met.push_back(
+                {hit->distance, {i, pose.toWorld(hit->point), pose.attitude * hit->normal}});
     }
-    std::ranges::stable_sort(all, {}, &Met::first);
-    std::vector<Picked> bodies;
-    bodies.reserve(all.size());
-    for (const auto& [distance, picked] : all)
-        bodies.push_back(picked);
-    return bodies;
+    std::ranges::stable_sort(met, {}, &std::pair<double, Picked>::first);
+    std::vector<Picked> all;
+    all.reserve(met.size());
+    for (const auto& [distance, picked] : met)
+        all.push_back(picked);
+    return all;
 }
 
 std::optional<Picked> bodyAt(const render::Drawing& drawing, const Sight& sight,

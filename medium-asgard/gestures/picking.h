@@ -61,9 +61,6 @@ struct Picked {
     Vector point;                   // world, on its surface
     Vector normal = Vector::Zero(); // world, outward
 };
-// The surface of one body where the line meets it first.
-[[nodiscard]] std::optional<Picked> surfaceOn(const render::Drawing& drawing, std::size_t body,
-                                              const Line& line);
 // All bodies on the line of sight, the front-most first.
 [[nodiscard]] std::vector<Picked> bodiesAt(const render::Drawing& drawing, const Sight& sight,
                                            const Eigen::Vector2d& pixels);

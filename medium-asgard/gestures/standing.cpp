@@ -220,6 +220,39 @@ std::optional<Vector> standingFree(const render::Drawing& drawing, const geometr
     return std::nullopt;
 }
 
+std::optional<Vector> touchingBeside(const render::Drawing& drawing, const geometry::Shape& shape,
+                                     const geometry::Pose& wanted, std::size_t body,
+                                     const Vector& out) {
+    const scene::Scene& scene = *drawing.scene;
+    const ShapePointer its = shapeOf(scene, scene.bodies[body].name);
+    if (!its || isEndless(*its))
+        return std::nullopt;
+    const Standing other{its, render::poseOf(scene, drawing.motion.get(), body, drawing.time),
+                         geometry::Box(), false};
+    const auto isApart = [&](double by) {
+        return apart(shape, {wanted.position + by * out, wanted.attitude}, other).gap >= 0;
+    };
+    constexpr int pieces = 256, halvings = 50;
+    const double size =
+        geometry::radiusAbout(shape, Vector::Zero()) + geometry::radiusAbout(*its, Vector::Zero());
+    const double piece = (isApart(0) ? -2 : 2) * size / pieces;
+    double before = 0, after = 0;
+    for (int i = 1; after == 0; ++i) {
+        if (i > pieces)
+            return std::nullopt;
+        if (isApart(i * piece) != (piece < 0))
+            after = i * piece;
+        else
+            before = i * piece;
+    }
+    double inside = piece < 0 ? after : before, outside = piece < 0 ? before : after;
+    for (int i = 0; i < halvings; ++i) {
+        const double middle = (inside + outside) / 2;
+        (isApart(middle) ? outside : inside) = middle;
+    }
+    return wanted.position + outside * out;
+}
+
 bool isInsideOfOthers(const scene::Scene& scene, const geometry::Shape& shape,
                       const geometry::Pose& pose, std::size_t but) {
     render::Drawing start;

@@ -22,6 +22,13 @@ namespace gestures {
                                                  const geometry::Pose& wanted,
                                                  const render::GroundPlane& ground, double step);
 
+// A shape that is moved level, along `out` or against it, until it touches that body: out of it, or
+// back to it. None: not within the reach of both.
+[[nodiscard]] std::optional<Vector> touchingBeside(const render::Drawing& drawing,
+                                                   const geometry::Shape& shape,
+                                                   const geometry::Pose& wanted, std::size_t body,
+                                                   const Vector& out);
+
 // A shape there is inside of a body, where these begin, but for that one.
 [[nodiscard]] bool isInsideOfOthers(const scene::Scene& scene, const geometry::Shape& shape,
                                     const geometry::Pose& pose, std::size_t but);

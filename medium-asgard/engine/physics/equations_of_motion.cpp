@@ -227,7 +227,7 @@ EquationsOfMotion::EquationsOfMotion(const scene::Scene& scene,
     addContactReadings(set, scene, *scope);
     ForceReader(g, scene, *scope, multipliers, faults).read(contributions, links);
     joints.contribute(contributions);
-    joints.extendReach(bodies);
+    joints.addArms(bodies);
     ropes.contribute(contributions);
     multipliers.readReleases();
     jointEnergies = joints.energies();

@@ -46,8 +46,9 @@ struct BodyValues {
 struct BodyMotion {
     std::string name;
     bool isFixed = false;
-    BodyMass mass;    // the shape's own, even when the body is fixed (and so counts as infinite)
-    double reach = 0; // of the shape and of the points of joints about the centre of mass
+    BodyMass mass; // the shape's own, even when the body is fixed (and so counts as infinite)
+    // To points of joints outside the shape's bounding sphere; body frame, from the centre of mass.
+    std::vector<Vector> arms;
     BodySymbols symbols;
     geometry::Pose start;         // centre of mass; of a fixed body at all times
     std::size_t firstUnknown = 0; // thirteen in a row (see BodyUnknown); not for a fixed body

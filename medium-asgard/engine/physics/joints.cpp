@@ -37,13 +37,11 @@ void JointReader::nameJoint(std::size_t joint) {
     nodes_.push_back(std::move(nodes));
 }
 
-void JointReader::extendReach(std::span<BodyMotion> bodies) const {
-    for (BodyMotion& body : bodies)
-        body.reach = body.mass.radius;
+void JointReader::addArms(std::span<BodyMotion> bodies) const {
     for (std::size_t j = 0; j < frames_.size(); ++j)
         for (const JointEnd& end : frames_[j].ends)
-            if (end.body)
-                bodies[*end.body].reach = std::max(bodies[*end.body].reach, end.arm.norm());
+            if (end.body && end.arm.norm() > bodies[*end.body].mass.radius)
+                bodies[*end.body].arms.push_back(end.arm);
 }
 
 void JointReader::contribute(std::vector<Contribution>& contributions) {

@@ -38,8 +38,8 @@ public:
 
     // Adds the forces of joints to bodies: multipliers, motors, springs.
     void contribute(std::vector<Contribution>& contributions);
-    // To the points of their joints.
-    void extendReach(std::span<BodyMotion> bodies) const;
+    // Of the bodies, to points of their joints.
+    void addArms(std::span<BodyMotion> bodies) const;
     // Of the springs of joints.
     [[nodiscard]] const std::vector<Node>& energies() const { return energies_; }
 

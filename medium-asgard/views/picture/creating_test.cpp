@@ -1,4 +1,5 @@
 // (text, gesture, text) of Create: bodies, places, all that needs no body; and of Delete.
+#include "gestures/standing.h"
 #include "picture/creating_testing.h"
 #include "shapes/shape_names.h"
 
@@ -81,6 +82,49 @@ TEST_F(CreatingTest, BesideABallOnAFloorANewOneStandsOnTheFloorToo) {
     const double apart = (at - Vector(0, 0.5, 0)).norm();
     EXPECT_GT(apart, 1 - 1e-7);
     EXPECT_LT(apart, 1.01); // numbers are round along its side
+}
+
+// A foot with a pole, and a smaller ball.
+TEST_F(CreatingTest, ANewBallTouchesWhatItIsPutBeside) {
+    const std::string ball = "shape_set ball -desc {-sub {-sphere 0.5}}\n";
+    struct Case {
+        std::string text;
+        Vector click;
+        double least; // z
+    };
+    const std::string floor =
+        "shape_set ground -desc {-sub {-plane}}\nbody floor ground -fixed 1\n";
+    const Case cases[] = {
+        {ball + floor +
+             "shape_set stand -desc {-sub {-cylinder {0.5 0.2} -pos {0 0.1 0}} "
+             "-sub {-cylinder {0.1 2} -pos {0 1.2 0}}}\nbody b1 stand\n",
+         {0.1, 0.1, std::sqrt(0.24)},
+         0.8},
+        {ball + floor +
+             "shape_set small -desc {-sub {-sphere 0.1}}\n"
+             "body b1 small -init_pos {0 0.1 0}\n",
+         {0.02, 0.14, std::sqrt(0.01 - 0.0004 - 0.0016)},
+         0.3},
+    };
+    for (const Case& one : cases) {
+        open(one.text);
+        display().lookAlong(Vector(0, 0.1, 1));
+        display().grab();
+        display().creating().start(newBody("ball", scene().shapeSets[0].parts));
+        click(one.click);
+        done();
+        ASSERT_EQ(scene().bodies.size(), 3U) << one.text;
+        const Vector at = scene().bodies[2].initialPosition;
+        EXPECT_EQ(at.y(), 0.5) << one.text;
+        EXPECT_GT(at.z(), one.least) << one.text;
+        const auto shape = gestures::shapeOf(scene(), scene().bodies[2].name);
+        const auto touching = [&](double back) {
+            return gestures::isInsideOfOthers(
+                scene(), *shape, {at - Vector(0, 0, back), geometry::Quaternion::Identity()}, 2);
+        };
+        EXPECT_FALSE(touching(0)) << one.text;
+        EXPECT_TRUE(touching(0.02)) << one.text;
+    }
 }
 
 // A box that is taller than the one at whose front it is put, and a ball before a wall that is

@@ -66,6 +66,26 @@ TEST_F(CreatingTest, KeysWaitBehindAClickWhosePictureIsNotThere) {
     EXPECT_THAT(text(), HasSubstr("-body1 b1 -offset1 {0 2 0}"));
 }
 
+// The first picture frames the scene, and the view stays from then on. The second one, which was to
+// frame it, too, is drawn meanwhile: another one comes in its place.
+TEST_F(CreatingTest, TheNewestPictureComesThoughTheViewIsToStay) {
+    open(balls);
+    WindowPicture::setPatience(std::chrono::milliseconds(0));
+    SceneDisplay& other = editor.openGraphicalViewer()->display();
+    other.resize(400, 300);
+    other.bringUpToDate();
+    other.keepCamera(); // nothing is seen yet
+    QThread::msleep(20);
+    other.setTime(0.5, false);
+    other.bringUpToDate();
+    EXPECT_TRUE(waitFor([&] {
+        other.bringUpToDate();
+        return other.showsNewest();
+    }));
+    WindowPicture::setPatience(std::chrono::seconds(60));
+    done();
+}
+
 // The next command waits its turn, too.
 TEST_F(CreatingTest, ACommandWaitsBehindAClickWhosePictureIsNotThere) {
     open(balls);

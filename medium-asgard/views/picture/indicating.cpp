@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace views {
 
@@ -60,7 +59,9 @@ Vector shortestOn(Vector place, const Vector& up, double step, double depth, Eig
         place[i] = rounded;
     }
     const double digit = editing::decimalStep(depth), sign = up[told] < 0 ? -1 : 1;
-    place[told] = sign * digit * std::floor(sign * (place[told] - off / up[told]) / digit);
+    constexpr double rounding = 1e-3; // of the digit
+    place[told] =
+        sign * digit * std::floor(sign * (place[told] - off / up[told]) / digit + rounding);
     return place;
 }
 
@@ -69,69 +70,6 @@ bool hasFlatFaces(const scene::ShapeSet* set) {
                return std::holds_alternative<scene::BoxShape>(part.shape) ||
                       std::holds_alternative<scene::HullShape>(part.shape);
            });
-}
-
-// How much a new body that touches a surface there is too low.
-using Missing = std::function<double(const gestures::Picked&)>;
-
-// Up the plane of a face, beyond its edge, too.
-gestures::Picked raisedAlong(const gestures::Picked& from, const Vector& upwards, double missing) {
-    const Vector along = upwards - from.normal.dot(upwards) * from.normal;
-    return {from.body, from.point + missing / along.squaredNorm() * along, from.normal};
-}
-
-// Up the outer side of a round body, straight above or below the line of the normal. None: the
-// place is no outer side, or the body ends below.
-std::optional<gestures::Picked> raisedAround(const render::Drawing& drawing,
-                                             const gestures::Picked& from, const Vector& upwards,
-                                             const Missing& missing) {
-    const auto shape = gestures::shapeOf(*drawing.scene, drawing.scene->bodies[from.body].name);
-    const double reach = 3 * geometry::radiusAbout(*shape, Vector::Zero());
-    const Vector out = (from.normal - from.normal.dot(upwards) * upwards).normalized();
-    const auto at = [&](double by) {
-        return gestures::surfaceOn(drawing, from.body,
-                                   {from.point + by * upwards + reach * out, -out});
-    };
-    if (const auto here = at(0); !here || (here->point - from.point).norm() > 1e-6 * reach)
-        return std::nullopt;
-    constexpr int pieces = 64, halvings = 60;
-    double low = 0, high = 0;
-    std::optional<gestures::Picked> raised;
-    for (int piece = 1; piece <= pieces && !raised; ++piece) {
-        low = high;
-        high = std::min(missing(from), reach) * piece / pieces;
-        raised = at(high);
-        if (raised && missing(*raised) > 0)
-            raised.reset();
-    }
-    for (int half = 0; half < halvings && raised; ++half) {
-        const double middle = (low + high) / 2;
-        const auto next = at(middle);
-        const bool isEnough = next && missing(*next) <= 0;
-        (isEnough ? high : low) = middle;
-        if (isEnough)
-            raised = next;
-    }
-    return raised;
-}
-
-// A place higher on the surface at which a new body stands on the ground. None: the body is high
-// enough, or the surface too flat.
-std::optional<gestures::Picked> raised(const render::Drawing& drawing, const gestures::Picked& from,
-                                       const Vector& upwards, const Missing& missing) {
-    const scene::Scene& scene = *drawing.scene;
-    const auto shape = gestures::shapeOf(scene, scene.bodies[from.body].name);
-    const double most = missing(from), rise = from.normal.dot(upwards);
-    if (!shape || !(most > 0))
-        return std::nullopt;
-    const bool isSteep = rise * rise < 0.5;
-    const bool isFlat = hasFlatFaces(scene::findShapeSet(scene, scene.bodies[from.body].shape));
-    if (isFlat || gestures::isEndless(*shape))
-        return isSteep ? std::optional(raisedAlong(from, upwards, most)) : std::nullopt;
-    if (isSteep || (rise < 0 && rise > -0.99))
-        if (auto found = raisedAround(drawing, from, upwards, missing))
-            return found;
-    return rise * rise < 1e-12 ? std::optional(raisedAlong(from, upwards, most)) : std::nullopt;
 }
 
 } // namespace
@@ -311,6 +249,40 @@ Indicated Indicating::atOrigin(BegunRecipe& begun) {
     return standingOn(begun, *ground, std::move(found));
 }
 
+// Beside a body that stands on the ground a new one stands there, too: it goes up a face, or level
+// to where it touches what is round. Answers with the coordinate of its height where the others are
+// no round numbers then, else with -1; `up` is what it leans on.
+Eigen::Index Indicating::raise(const BegunRecipe& begun, const gestures::Picked& picked, Vector& up,
+                               Indicated& found) const {
+    const auto ground = display_.ground();
+    if (!ground || !(picked.point.dot(ground->up) > ground->height))
+        return -1;
+    const geometry::Shape& ghost = *begun.ghost();
+    const double least = ground->height + heightOf(ghost, ground->up, found.attitude);
+    const double missing = least - found.point.dot(ground->up), rise = up.dot(ground->up);
+    const Vector along = ground->up - rise * up, level = up - rise * ground->up;
+    constexpr double steep = 0.5, round = 0.01; // sin^2 of the slope
+    if (!(missing > 0) || level.squaredNorm() < round)
+        return -1;
+    const scene::Scene& scene = *display_.drawing().scene;
+    const Vector out = level.normalized(), raised = found.point + missing * ground->up;
+    const auto beside = hasFlatFaces(scene::findShapeSet(scene, scene.bodies[picked.body].shape))
+                            ? std::nullopt
+                            : gestures::touchingBeside(display_.drawing(), ghost,
+                                                       {raised, found.attitude}, picked.body, out);
+    if (beside) {
+        found.point = *beside;
+        up = out;
+    } else if (level.squaredNorm() > steep) {
+        found.point += missing / along.squaredNorm() * along;
+    }
+    if (!beside && (level.squaredNorm() <= steep || isUpright(up)))
+        return -1; // its numbers are round
+    Eigen::Index kept = 0;
+    ground->up.cwiseAbs().maxCoeff(&kept);
+    return kept;
+}
+
 // It touches the surface there, and lies on a slope: turned as the body below it is, or, on an
 // oblique face of that, by the shortest way.
 Indicated Indicating::restingOn(BegunRecipe& begun, const gestures::Picked& picked,
@@ -340,26 +312,10 @@ Indicated Indicating::restingOn(BegunRecipe& begun, const gestures::Picked& pick
     } else {
         place = besideMiddle(place, up, pose.position, 1.5 * clickReach * found.resolution, step);
     }
-    const auto centreOn = [&](const Vector& at, const Vector& normal) -> Vector {
-        return at + heightOf(*begun.ghost(), normal, found.attitude) * normal;
-    };
-    found.point = centreOn(place, up);
-    Eigen::Index kept = -1; // the height of a body that stands on the ground, too
-    if (const auto ground = display_.ground();
-        ground && picked.point.dot(ground->up) > ground->height) {
-        const double least = ground->height + heightOf(*begun.ghost(), ground->up, found.attitude);
-        const auto missing = [&](const gestures::Picked& on) {
-            return least - centreOn(on.point, on.normal).dot(ground->up);
-        };
-        if (const auto on =
-                raised(display_.drawing(), {picked.body, place, up}, ground->up, missing)) {
-            up = on->normal;
-            found.point = centreOn(on->point, up);
-            ground->up.cwiseAbs().maxCoeff(&kept);
-        }
-    }
+    found.point = place + heightOf(*begun.ghost(), up, found.attitude) * up;
+    const Eigen::Index kept = raise(begun, picked, up, found);
     found.resolution *= 1e-3;          // so that it touches
-    if (!isUpright(up)) {              // and a little more: a gap would be a fall
+    if (!isUpright(up) || kept >= 0) { // and a little more: a gap would be a fall
         constexpr double touch = 1e-8; // of its size: an overlap that is none (docs/numerics.md)
         found.resolution =
             editing::decimalStep(touch * geometry::radiusAbout(*begun.ghost(), Vector::Zero()));

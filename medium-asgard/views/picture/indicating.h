@@ -53,6 +53,8 @@ private:
                                                   Indicated found);
     [[nodiscard]] Indicated standingOn(const BegunRecipe& begun, const render::GroundPlane& ground,
                                        Indicated found);
+    [[nodiscard]] Eigen::Index raise(const BegunRecipe& begun, const gestures::Picked& picked,
+                                     Vector& up, Indicated& found) const;
     [[nodiscard]] Indicated restingOn(BegunRecipe& begun, const gestures::Picked& body,
                                       Indicated found);
     [[nodiscard]] Indicated onBody(const Step& step, std::size_t body, const Vector& point) const;

@@ -104,10 +104,17 @@ void SceneDisplay::taken() {
     if (picture_.isOfLastWish())
         seen_.turned = seen_.isDue = false;
     if (isOfThis && std::exchange(seen_.isToStay, false))
-        seen_.framesItself = seen_.turned = false;
+        stayHere();
     control_.set(picture.camera);
     seen_.framed = {picture.camera, picture.of.size};
     Q_EMIT cameraChanged();
+}
+
+// Another picture is wanted instead of one that frames the scene and is on its way.
+void SceneDisplay::stayHere() {
+    seen_.framesItself = seen_.turned = false;
+    if (!showsNewest())
+        redraw(false);
 }
 
 void SceneDisplay::setTime(double time, bool moving) {
@@ -495,9 +502,7 @@ void SceneDisplay::keepCamera() {
     seen_.isToStay = !picture_.last() || (!seen_.isEdited && !showsScene());
     if (seen_.isToStay) // nothing is seen yet, or what is seen is of a scene before
         return;
-    seen_.framesItself = seen_.turned = false;
-    if (!showsNewest()) // what is on its way may be seen from elsewhere
-        redraw(false);
+    stayHere();
 }
 
 std::vector<geometry::Vector> SceneDisplay::verticesAndHandles() {

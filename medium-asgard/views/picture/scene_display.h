@@ -169,6 +169,7 @@ private:
     // meanwhile.
     [[nodiscard]] bool isWanted(const Picture& picture) const;
     [[nodiscard]] bool isFollowed(const Picture& picture) const;
+    void stayHere();
     void taken();
     void movedByUser();
     void redraw(bool moving) { picture_.redraw(moving); }

@@ -194,10 +194,17 @@ std::vector<double> PlaceReader::times(double from, double until, Poll& poll) {
     return times;
 }
 
-double positionError(const Trace::Place& state, const Trace::Place& truth, double reach) {
-    const double angle =
-        state.attitude && truth.attitude ? state.attitude->angularDistance(*truth.attitude) : 0;
-    return std::max((state.position - truth.position).norm(), angle * reach);
+double positionError(const Trace::Place& state, const Trace::Place& truth, const BodyRecord& body) {
+    double error = (state.position - truth.position).norm();
+    if (!state.attitude || !truth.attitude)
+        return error;
+    error = std::max(error, body.radius * state.attitude->angularDistance(*truth.attitude));
+    if (body.arms.empty())
+        return error;
+    const Quaternion turned = truth.attitude->conjugate() * *state.attitude;
+    for (const Vector& arm : body.arms)
+        error = std::max(error, (turned * arm - arm).norm());
+    return error;
 }
 
 void raise(double& largest, double error) {
@@ -379,7 +386,7 @@ std::vector<IslandError> compareRuns(const Problem& problem, const Run& first, c
         const std::size_t steps =
             compareBody(problem, b, first, second, poll,
                         [&](double t, const Trace::Place& place, const Trace::Place& truth) {
-                            const double error = positionError(place, truth, bodies[b].reach);
+                            const double error = positionError(place, truth, bodies[b]);
                             raise(largest, error);
                             if (t <= earlyUntil)
                                 raise(early, error);
@@ -409,8 +416,7 @@ std::vector<IslandError> compareRuns(const Problem& problem, const Run& first, c
         Records records(error.growth);
         (void)compareBody(problem, b, first, second, poll,
                           [&](double t, const Trace::Place& place, const Trace::Place& truth) {
-                              records.add(t, positionError(place, truth, bodies[b].reach) /
-                                                 error.size);
+                              records.add(t, positionError(place, truth, bodies[b]) / error.size);
                           });
         if (poll.isCancelled())
             return errors;
@@ -455,7 +461,7 @@ double scaledError(const Problem& problem, const std::vector<std::size_t>& islan
             if (known) {
                 const BodyState state = motion.at(b, t);
                 error = positionError({.position = state.position, .attitude = state.attitude},
-                                      *place, radius);
+                                      *place, bodies[b]);
             }
             if (!(error <= errors[island[b]]))
                 errors[island[b]] = std::isnan(error) ? solution::infinity : error;

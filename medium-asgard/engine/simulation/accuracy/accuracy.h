@@ -1,12 +1,13 @@
 // How far apart are two runs of one scene? The measure of the accuracy that is promised.
 //
-// Position error of a body at a time: the larger of the distance of the centres of mass and
-// (angle between the attitudes) x (reach of the body: its radius, or the arm of a joint; a motion
-// that is shown stands on its joints, and an arm turns errors of attitudes into errors of places).
+// Position error of a body at a time: the largest of the distance of the centres of mass, (angle
+// between the attitudes) x (radius of the body), and how far the attitudes move each point of a
+// joint outside the body apart: a motion that is shown stands on its joints, and an arm turns
+// errors of attitudes into errors of places.
 // It is scaled by the size of what moves together (an island), which is never larger than the
 // scene: the longest edge of the box that holds the island's bodies, bounding spheres included,
 // over the motion. Each edge is that of the whole motion, within steps too, but for some hundredths
-// of it. LIMIT: an arm counts wholly, also along the axis of its hinge.
+// of it. LIMIT: where a joint slides, its point is that of the start.
 #pragma once
 
 #include "run/run.h"

@@ -329,20 +329,19 @@ TEST(Accuracy, WhatIsHitSoonAfterALateStartIsPredictable) {
         }
 }
 
-// Balls on arms of two wheels in mesh, that a couple drives: the arm makes more of an error of the
-// attitude than the ball's radius does.
-TEST(Accuracy, ErrorsOfAttitudesCountWithTheArmsOfJoints) {
-    const double arm = 0.713, couple = 0.923, inertia = 1.172, ratio = 1.0045;
+// Balls on two wheels in mesh, which a couple drives; each hinge is so far from its ball's centre.
+SceneBuilder wheelsInMesh(const Vector& offset, double couple, double inertia, double ratio) {
     SceneBuilder b(4.05, 1e-5);
     for (const char* name : {"a", "b"}) {
-        scene::Body& ball = b.ball(name, {arm, 0, *name == 'a' ? 0.0 : 5.0}, 0.1);
+        const Vector hinged(0, 0, *name == 'a' ? 0.0 : 5.0);
+        scene::Body& ball = b.ball(name, hinged - offset, 0.1);
         ball.mass = 1;
         ball.inertia = {inertia, inertia, inertia, 0, 0, 0};
         scene::Joint hinge;
         hinge.name = std::string(name) + "j";
         hinge.type = scene::JointType::hinge;
         hinge.body1 = name;
-        hinge.offset1 = Vector(-arm, 0, 0);
+        hinge.offset1 = offset;
         hinge.coordinates.resize(1);
         b.scene.joints.push_back(hinge);
     }
@@ -351,6 +350,13 @@ TEST(Accuracy, ErrorsOfAttitudesCountWithTheArmsOfJoints) {
     gear.name = "g";
     gear.terms = {{"aj", 0, 1}, {"bj", 0, -ratio}};
     b.scene.gears.push_back(gear);
+    return b;
+}
+
+// The arm makes more of an error of the attitude than the ball's radius does.
+TEST(Accuracy, ErrorsOfAttitudesCountWithTheArmsOfJoints) {
+    const double arm = 0.713, couple = 0.923, inertia = 1.172, ratio = 1.0045;
+    const SceneBuilder b = wheelsInMesh({-arm, 0, 0}, couple, inertia, ratio);
     const Result result = simulate(b.scene);
     const double about = inertia + arm * arm;
     const double acceleration = couple / (about + about / (ratio * ratio));
@@ -363,6 +369,16 @@ TEST(Accuracy, ErrorsOfAttitudesCountWithTheArmsOfJoints) {
     ASSERT_GT(error, 1e-9);
     EXPECT_GT(*result.motion->errorEstimate(), 0.5 * error);
     EXPECT_LT(*result.motion->errorEstimate(), 30 * error);
+}
+
+// A long axle turns with its wheel in place: that takes no more steps.
+TEST(Accuracy, AnArmAlongTheAxisOfItsHingeMovesNothing) {
+    const auto steps = [](double axle) {
+        return simulate(wheelsInMesh({0, 0, axle}, 0.923, 1.172, 1.0045).scene).statistics.steps;
+    };
+    const auto none = steps(0);
+    ASSERT_GT(none, 10U);
+    EXPECT_LT(steps(10), none + none / 4); // nearly twice as many with the whole arm
 }
 
 // Where the drive is 0 the first step would be as long as the motion so far: whole half periods, in

@@ -55,7 +55,7 @@ std::vector<BodyRecord> recordsOf(const physics::EquationsOfMotion& equations) {
                            .firstUnknown = body.firstUnknown,
                            .mass = body.isFixed ? solution::infinity : body.mass.mass,
                            .radius = body.mass.radius,
-                           .reach = body.reach,
+                           .arms = body.arms,
                            .centroid = body.mass.centroid});
     for (std::size_t u = physics::bodyUnknowns * equations.set.quaternions.size();
          u < equations.owners.size(); ++u)

@@ -17,9 +17,9 @@ struct BodyRecord {
     bool isSpinInWorldAxes = true;
     geometry::Pose start; // centre of mass; of a fixed body at all times
     std::size_t firstUnknown = 0;
-    double mass = 0;   // infinity when fixed
-    double radius = 0; // of the shape about the centre of mass
-    double reach = 0;  // of the shape and of the points of its joints, about the same
+    double mass = 0;               // infinity when fixed
+    double radius = 0;             // of the shape about the centre of mass
+    std::vector<Vector> arms = {}; // to points of joints outside that, body frame
     Vector centroid = Vector::Zero();
     // Unknowns that tell of it beyond its thirteen: angles and multipliers of joints.
     std::vector<std::size_t> more = {};
