@@ -14,12 +14,14 @@ using Part = ComputedMotion::Part;
 // An entry of the log has all contacts of its bodies from its time on. The last entry of a body
 // counts.
 std::vector<const ContactLog::Contact*> contactsAt(const Part& part, double time) {
-    const auto entries = part.contacts.entries();
-    auto after = std::ranges::upper_bound(entries, time, {}, &ContactLog::Entry::time);
+    const auto& entries = part.contacts.entries();
+    auto after = std::upper_bound(
+        entries.begin(), entries.end(), time,
+        [](double at, const ContactLog::EntryPointer& entry) { return at < entry->time; });
     std::vector<bool> isTold(part.bodies->size());
     std::vector<const ContactLog::Contact*> found;
     while (after != entries.begin()) {
-        const ContactLog::Entry& entry = *--after;
+        const ContactLog::Entry& entry = **--after;
         for (const ContactLog::Contact& contact : entry.contacts)
             if (!isTold[contact.body] && !isTold[contact.support])
                 found.push_back(&contact);

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
-#include <ranges>
 #include <set>
 #include <utility>
 #include <vector>
@@ -30,30 +29,28 @@ public:
 
     // Times do not decrease.
     void add(Entry entry) { entries_.push_back(std::make_shared<const Entry>(std::move(entry))); }
-    // In order of time; a range of `const Entry&`.
-    [[nodiscard]] auto entries() const {
-        return std::views::transform(entries_,
-                                     [](const auto& entry) -> const Entry& { return *entry; });
-    }
+    // In order of time; motions share them.
+    using EntryPointer = std::shared_ptr<const Entry>;
+    [[nodiscard]] const std::vector<EntryPointer>& entries() const { return entries_; }
     // A contact of these bodies, the lesser first, began at that time or later.
     [[nodiscard]] bool hasHad(const std::pair<std::size_t, std::size_t>& bodies,
                               double since) const {
-        return std::ranges::any_of(entries(), [&](const Entry& entry) {
-            return entry.time >= since &&
-                   std::ranges::find(entry.contacts, bodies, &Contact::bodies) !=
-                       entry.contacts.end();
+        return std::ranges::any_of(entries_, [&](const EntryPointer& entry) {
+            return entry->time >= since &&
+                   std::ranges::find(entry->contacts, bodies, &Contact::bodies) !=
+                       entry->contacts.end();
         });
     }
     [[nodiscard]] ContactLog upTo(double until) const {
         ContactLog log;
-        for (const auto& entry : entries_)
+        for (const EntryPointer& entry : entries_)
             if (entry->time <= until)
                 log.entries_.push_back(entry);
         return log;
     }
 
 private:
-    std::vector<std::shared_ptr<const Entry>> entries_; // motions share them
+    std::vector<EntryPointer> entries_;
 };
 
 } // namespace simulation

@@ -269,10 +269,10 @@ void Lister::addContacts(std::size_t part) {
     for (std::size_t b = 0; b < motion_.contents().places.size(); ++b)
         if (const auto& place = motion_.contents().places[b]; place.part == part)
             bodies.emplace(place.body, b);
-    const auto entries = of.contacts.entries();
+    const auto& entries = of.contacts.entries();
     std::set<Pair> pairs;
-    for (const ContactLog::Entry& entry : entries)
-        for (const ContactLog::Contact& contact : entry.contacts)
+    for (const auto& entry : entries)
+        for (const ContactLog::Contact& contact : entry->contacts)
             if (bodies.contains(contact.bodies.first) && bodies.contains(contact.bodies.second))
                 pairs.insert(contact.bodies);
     for (const Jam& jam : jamsOf(*of.histories, of.contacts, motion_.computed()))
@@ -306,15 +306,15 @@ void Lister::addContacts(std::size_t part) {
                 if (time < until)
                     look(time);
         };
-        for (const ContactLog::Entry& entry : entries) {
-            if (!entry.moving.contains(pair.first) && !entry.moving.contains(pair.second))
+        for (const auto& entry : entries) {
+            if (!entry->moving.contains(pair.first) && !entry->moving.contains(pair.second))
                 continue;
-            lookUpTo(entry.time);
+            lookUpTo(entry->time);
             now.clear();
             std::ranges::copy_if(
-                entry.contacts, std::back_inserter(now),
+                entry->contacts, std::back_inserter(now),
                 [&](const ContactLog::Contact& contact) { return contact.bodies == pair; });
-            from = entry.time;
+            from = entry->time;
             look(from);
         }
         lookUpTo(motion_.computed());

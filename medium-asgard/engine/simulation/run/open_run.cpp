@@ -68,8 +68,8 @@ std::vector<bool> untouchedIn(const Problem& problem, const Run& before,
     std::vector<bool> islands(bodies, true);
     for (const Impact& impact : before.impacts)
         islands[before.island[impact.first]] = islands[before.island[impact.second]] = false;
-    for (const ContactLog::Entry& entry : before.contacts.entries())
-        for (const std::size_t body : entry.moving)
+    for (const auto& entry : before.contacts.entries())
+        for (const std::size_t body : entry->moving)
             islands[before.island[body]] = false;
     for (const auto& [body, stop] : before.stops)
         islands[before.island[body]] = false;

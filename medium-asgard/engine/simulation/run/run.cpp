@@ -18,8 +18,8 @@ std::vector<std::size_t> islandsOf(const Problem& problem, const Impacts& impact
     };
     for (const Impact& impact : impacts)
         join(impact.first, impact.second);
-    for (const ContactLog::Entry& entry : contacts.entries())
-        for (const ContactLog::Contact& contact : entry.contacts)
+    for (const auto& entry : contacts.entries())
+        for (const ContactLog::Contact& contact : entry->contacts)
             join(contact.bodies.first, contact.bodies.second);
     for (const auto& [first, second] : blocked)
         groups.join(first, second);
