@@ -16,10 +16,10 @@
 namespace physics {
 namespace {
 
-constexpr double closed = 1e-13;    // of the largest radius
-constexpr double unmoved = 1e-12;   // of the largest radius
-constexpr double longestTurn = 0.3; // radians in one step
-constexpr double leastMovement = 1e-9;
+constexpr double closed = 1e-13;       // of the largest radius
+constexpr double unmoved = 1e-12;      // of the largest radius
+constexpr double longestTurn = 0.3;    // radians in one step
+constexpr double leastMovement = 1e-9; // of the size; less is rounding's
 
 } // namespace
 

@@ -115,12 +115,12 @@ TEST(ContactForces, OfABallInAGrooveAreTwo) {
     EXPECT_NEAR(forces[0].point.y(), 0.2 * std::sqrt(2) - 0.2 / std::sqrt(2), 1e-7);
 }
 
-TEST(ContactForces, OfWhatFliesAreNone) {
+TEST(ContactForces, OfFlyingBodiesAreNone) {
     SceneBuilder b = row(2);
     EXPECT_THAT(contactForcesAt(*simulate(b.scene).motion, 0.5), IsEmpty());
 }
 
-// What slides and what rolls down a slope: the forces that names of contacts read.
+// A box that slides and a ball that rolls down a slope have the forces that a named contact reads.
 TEST(ContactForces, AreThoseThatNamesRead) {
     for (const bool isBall : {false, true}) {
         SceneBuilder b(1);
