@@ -145,6 +145,18 @@ def struck_tower():
     return "\n".join(lines) + "\n"
 
 
+def flush_tower(count, finish):
+    """Equal boxes whose sides are flush, with little friction, and a ball that hits them beside their middle."""
+    lines = [f"simulator -finish {finish!r} -accuracy 1e-3", "shape_set floor -desc {-sub {-plane}}", "shape_set block -desc {-sub {-box {0.5 0.5 0.5}}}",
+             "shape_set ball -desc {-sub {-sphere 0.2}}", "body floor floor -fixed 1 -friction 0.1"]
+    for k in range(count):
+        lines.append(f"body b{k} block -init_pos {{{0.05 if k % 4 == 3 else 0.0!r} {0.25 + 0.5 * k!r} 0}} -friction 0.1 -restitution 0")
+        lines.append(f"force -body b{k} -gravitational {{0 -9.81 0}}")
+    lines += [f"body ball ball -init_pos {{-0.5 {0.34 * count!r} 0.1}} -init_dpos {{5 0 0}} -friction 0.1 -restitution 0",
+              "force -body ball -gravitational {0 -9.81 0}"]
+    return "\n".join(lines) + "\n"
+
+
 def jammed_tower():
     """Three equal boxes that a ball hits aside: they jam while slow slips turn."""
     body = "-friction 1 -restitution 0.4"
@@ -301,6 +313,8 @@ CASES = [
     ("a rough high post that tips", rough_post("1.212 3.2375 0.8319", 0.81253, "0.011106 0 0.024323", 2.3128), {"evaluations": 20000}),
     # The laws of friction went from centre to centre without end where they began at those without friction.
     ("a rough post that starts to tip", rough_post("0.34993 2.2939 0.58759", 1.1125, "-0.1643 0 0.2377", 4.8387), {"evaluations": 20000}),
+    # Corners that parted next to not at all hopped on, and corners of equal faces were found anew again and again.
+    ("six flush boxes that a ball hits", flush_tower(6, 0.13), {"steps": 850, "collisions": 450}),
     ("ten boxes at rest", stack(10, 0), {"steps": 30, "rejected_steps": 0, "evaluations": 600, "collisions": 0}),
     ("ten boxes that fall on each other", stack(10, 0.05), {"steps": 60, "rejected_steps": 10, "evaluations": 1000}),
     # Slips of next to nothing turned to and fro: 2100 steps, 2357 rejected, 75162 evaluations. With friction at each

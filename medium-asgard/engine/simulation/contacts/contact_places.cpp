@@ -1,15 +1,15 @@
 #include "contacts/contact_places.h"
 
+#include "contacts/contact_landings.h"
 #include "contacts/contact_sides.h"
 #include "contacts/in_plane.h"
 #include "geometry/patch_middle.h"
-#include "surfaces/hollow_walls.h"
 #include "surfaces/surface_pieces.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
-#include <set>
 
 namespace simulation {
 namespace {
@@ -18,7 +18,6 @@ using physics::ContactPoint;
 using physics::SurfaceGap;
 using physics::SurfacePiece;
 using Kind = SurfacePiece::Kind;
-using Ends = std::pair<Vector, Vector>; // of an edge
 
 constexpr double same = 1e-9;      // of the parts' size: a corner at a vertex, or on an edge
 constexpr double kept = 2e-9;      // of the same: a gap that stays what it is
@@ -49,22 +48,12 @@ std::vector<Ends> edgesThrough(const std::vector<Vector>& outline, const Vector&
     return found;
 }
 
-physics::NearestSurfaces nearestOf(const SurfaceGap& gap, const Placed& body,
-                                   const Placed& support) {
-    return physics::nearest(gap, poseOf(body), poseOf(support));
-}
-
-// In their owner's frame.
-SurfacePiece lineBetween(const Ends& ends) {
-    return {
-        .kind = Kind::line, .place = ends.first, .axis = (ends.second - ends.first).normalized()};
-}
-
 class Polyhedra { // in touch
 public:
-    // `beside`: features that overlap by less do not overlap.
-    Polyhedra(const Touch& touch, const Placed& body, const Placed& support, double beside)
-        : touch_(touch), body_(body), support_(support), beside_(beside) {
+    Polyhedra(const Touch& touch, const Placed& body, const Placed& support,
+              const TouchLimits& limits)
+        : touch_(touch), body_(body), support_(support), beside_(limits.gap * touch.size),
+          beyond_(limits.beyond * touch.size) {
         bodyFace_ = touch.bodyFace.size() > 2 ? geometry::inOrder(touch.bodyFace, touch.normal)
                                               : touch.bodyFace;
         supportFace_ = touch.supportFace.size() > 2
@@ -92,8 +81,28 @@ public:
         return isBodys ? overFace(point, body_, support_, supportFace_)
                        : overFace(point, support_, body_, bodyFace_);
     }
+    // Of edges with these ends, each in its body's frame.
+    [[nodiscard]] ContactPoint crossingOf(const SurfaceGap& gap, const Ends& first,
+                                          const Ends& second) const {
+        ContactPoint crossing;
+        crossing.gap = gap;
+        // The lines cross elsewhere than the outlines of faces that lie on each other with a tilt.
+        const Vector place = nearestOf(crossing.gap, body_, support_).contact;
+        Sides ofFirst = sidesAt(body_, place);
+        ofFirst.addEnds(first.first, first.second);
+        Sides ofSecond = sidesAt(support_, place);
+        ofSecond.addEnds(second.first, second.second);
+        crossing.sides = std::move(ofFirst.sides);
+        crossing.sides.insert(crossing.sides.end(), ofSecond.sides.begin(), ofSecond.sides.end());
+        return crossing;
+    }
 
 private:
+    [[nodiscard]] Sides sidesAt(const Placed& owner, const Vector& place) const {
+        Sides sides(owner.index, localOf(owner, place), touch_.size, beside_);
+        sides.stayBeyond(beyond_);
+        return sides;
+    }
     // A vertex of the one over a face of the other.
     [[nodiscard]] ContactPoint overFace(const Vector& vertex, const Placed& owner,
                                         const Placed& other,
@@ -107,7 +116,7 @@ private:
         point.gap = isBodys ? SurfaceGap{plane, at, false} : SurfaceGap{at, plane, false};
         const geometry::Part& part =
             other.shape->parts[isBodys ? touch_.bodyPart : touch_.supportPart];
-        Sides sides(other.index, localOf(other, vertex), touch_.size, beside_);
+        Sides sides = sidesAt(other, vertex);
         if (!part.curved) {
             std::vector<Vector> outline;
             outline.reserve(face.size());
@@ -121,35 +130,58 @@ private:
         point.sides = std::move(sides.sides);
         return point;
     }
-    [[nodiscard]] std::optional<ContactPoint> crossingAt(const Vector& point,
-                                                         bool isEnd = false) const {
-        const double near = 1e-5 * touch_.size;
-        Ends a, b; // those that cross most
-        double across = 0;
+    [[nodiscard]] double leastAcross() const { return touch_.isFlat ? nextToParallel : parallel; }
+    struct Crossing {
+        Ends ofBody, ofSupport;
+        double across = 0; // the sine of their angle
+    };
+    // Of the edges through a point those that cross within both, or least beyond an end: at corners
+    // of equal faces on each other two pairs cross next to it. If all are next to parallel, those
+    // that cross most.
+    [[nodiscard]] Crossing crossingEdges(const Vector& point) const {
+        constexpr double never = std::numeric_limits<double>::infinity();
+        const double near = 1e-5 * touch_.size, none = same * touch_.size;
+        Crossing best;
+        double least = never;
         for (const auto& of : edgesThrough(bodyFace_, point, touch_.normal, near))
             for (const auto& other : edgesThrough(supportFace_, point, touch_.normal, near)) {
-                const Vector first = (of.second - of.first).normalized();
-                const Vector second = (other.second - other.first).normalized();
-                if (const double turn = first.cross(second).dot(touch_.normal);
-                    std::abs(turn) > std::abs(across))
-                    a = of, b = other, across = turn;
+                const Crossing found{of, other, acrossOf(of, other)};
+                const bool crosses = std::abs(found.across) >= leastAcross();
+                const double beyond = crosses ? std::max(none, beyondEnds(found)) : never;
+                if (beyond < least ||
+                    (!(beyond > least) && std::abs(found.across) > std::abs(best.across))) {
+                    best = found;
+                    least = beyond;
+                }
             }
-        if (std::abs(across) < (touch_.isFlat ? nextToParallel : parallel))
+        return best;
+    }
+    [[nodiscard]] double acrossOf(const Ends& a, const Ends& b) const {
+        const Vector first = (a.second - a.first).normalized();
+        const Vector second = (b.second - b.first).normalized();
+        return first.cross(second).dot(touch_.normal);
+    }
+    // How far the place where they cross lies beyond the nearest of their ends; 0: within both.
+    [[nodiscard]] double beyondEnds(const Crossing& of) const {
+        const Vector first = of.ofBody.second - of.ofBody.first,
+                     second = of.ofSupport.second - of.ofSupport.first,
+                     between = of.ofSupport.first - of.ofBody.first;
+        const double across = first.cross(second).dot(touch_.normal);
+        const double onFirst = between.cross(second).dot(touch_.normal) / across,
+                     onSecond = between.cross(first).dot(touch_.normal) / across;
+        return std::max({0.0, std::max(-onFirst, onFirst - 1) * first.norm(),
+                         std::max(-onSecond, onSecond - 1) * second.norm()});
+    }
+    [[nodiscard]] std::optional<ContactPoint> crossingAt(const Vector& point,
+                                                         bool isEnd = false) const {
+        const auto [a, b, across] = crossingEdges(point);
+        if (std::abs(across) < leastAcross())
             return touch_.isFlat || isEnd ? std::nullopt : endAlong(a, b);
         const std::pair first{own(body_, a.first), own(body_, a.second)};
         const std::pair second{own(support_, b.first), own(support_, b.second)};
-        ContactPoint crossing;
-        crossing.gap = {
-            .body = lineBetween(first), .support = lineBetween(second), .isFlipped = across < 0};
-        // The lines cross elsewhere than the outlines of faces that lie on each other with a tilt.
-        const Vector place = nearestOf(crossing.gap, body_, support_).contact;
-        Sides ofFirst(body_.index, localOf(body_, place), touch_.size, beside_);
-        ofFirst.addEnds(first.first, first.second);
-        Sides ofSecond(support_.index, localOf(support_, place), touch_.size, beside_);
-        ofSecond.addEnds(second.first, second.second);
-        crossing.sides = std::move(ofFirst.sides);
-        crossing.sides.insert(crossing.sides.end(), ofSecond.sides.begin(), ofSecond.sides.end());
-        return crossing;
+        return crossingOf(
+            {.body = lineBetween(first), .support = lineBetween(second), .isFlipped = across < 0},
+            first, second);
     }
     // A box tips about an equal one's edge: its own runs along the border, next to parallel. The
     // end of their common stretch, beside the face, stands for the crossing.
@@ -200,7 +232,7 @@ private:
     const Touch& touch_;
     const Placed& body_;
     const Placed& support_;
-    double beside_;
+    double beside_, beyond_; // features that overlap by less than the first do not overlap
     std::vector<Vector> bodyFace_, supportFace_;
 };
 
@@ -226,227 +258,28 @@ SurfaceGap roundGap(const Touch& touch, const Corner::Features& of, const Placed
     return gap;
 }
 
-// Pieces that may land beside those that touch, of the one whose plane it is not: of polyhedra that
-// touch at fewer points than a face has vertices that touch and part, and their neighbours; of
-// a round end that lies flat its corners that part; of other curved parts all that may be lowest.
-class Landings {
-public:
-    Landings(const Touch& touch, const Placed& body, const Placed& support,
-             const std::optional<MotionPlane>& plane, physics::ContactPlace& place)
-        : touch_(touch), body_(body), support_(support), plane_(plane), place_(place) {}
-
-    void add() {
-        const SurfaceGap& gap = place_.points[0].gap;
-        if (touch_.hasPieces && !gap.isOnPlane())
-            return;
-        if (gap.body.kind != Kind::plane)
-            addOf(body_, touch_.bodyPart, touch_.bodyFace, true);
-        if (gap.support.kind != Kind::plane)
-            addOf(support_, touch_.supportPart, touch_.supportFace, false);
-    }
-
-private:
-    void addOf(const Placed& owner, std::size_t part, const std::vector<Vector>& face, bool above) {
-        const geometry::Part& of = owner.shape->parts[part];
-        if (of.isCapsule() || (of.curved && touch_.hasPieces))
-            return addExtremes(owner, part, above);
-        if (of.curved) { // a round end that lies flat, and what is at the other end
-            for (const Corner& corner : touch_.corners)
-                if (!corner.pieces) // what crosses a border is no point of the rim
-                    addVertex(owner, localOf(owner, corner.point), above);
-            for (const SurfacePiece& piece : extremesOf(owner, part))
-                if (std::abs(heightOf(owner, piece, above)) > touching * touch_.size)
-                    addPiece(owner, piece, above);
-            return;
-        }
-        std::set<std::size_t> vertices;
-        for (const Vector& vertex : face) {
-            const std::size_t at = vertexAt(of, localOf(owner, vertex) + owner.record->centroid);
-            vertices.insert(at);
-            vertices.insert(of.core.neighbours[at].begin(), of.core.neighbours[at].end());
-        }
-        for (const std::size_t vertex : vertices)
-            if (addVertex(owner, Vector(of.core.vertices[vertex] - owner.record->centroid), above))
-                for (const std::size_t next : of.core.neighbours[vertex])
-                    addCrossings(owner, of.core.vertices[vertex], of.core.vertices[next], above);
-    }
-    void addExtremes(const Placed& owner, std::size_t part, bool above) {
-        for (const SurfacePiece& piece : extremesOf(owner, part)) {
-            const bool isOne = std::ranges::any_of(place_.points, [&](const ContactPoint& point) {
-                return isOnePiece(above ? point.gap.body : point.gap.support, piece, touch_.size);
-            });
-            if (!isOne)
-                addPiece(owner, piece, above, !isOverFace(piece, above));
-        }
-    }
-    [[nodiscard]] bool isOverFace(const SurfacePiece& piece, bool above) const {
-        const Placed& other = above ? support_ : body_;
-        const auto face = faceTowards(other, above ? touch_.supportPart : touch_.bodyPart,
-                                      above ? touch_.normal : Vector(-touch_.normal));
-        if (!face)
-            return false;
-        const SurfaceGap gap =
-            above ? SurfaceGap{piece, face->plane, false} : SurfaceGap{face->plane, piece, false};
-        return depthIn(*face, localOf(other, nearestOf(gap, body_, support_).contact)) >= 0;
-    }
-    // True: it is beneath the other's face, beside it.
-    bool addVertex(const Placed& owner, const Vector& vertex, bool above) {
-        const Vector at = owner.state.position + owner.state.attitude * vertex;
-        for (const ContactPoint& point : place_.points) {
-            Vector off = nearestOf(point.gap, body_, support_).contact - at;
-            if (plane_)
-                off[plane_->axis] = 0;
-            if (isThere(off))
-                return false; // it is that point
-        }
-        const bool isCorner = std::ranges::any_of(
-            touch_.corners, [&](const Corner& corner) { return isThere(corner.point - at); });
-        return (isCorner || !isOnEdge(at)) &&
-               addPiece(owner, {.kind = Kind::point, .place = vertex}, above, !isCorner);
-    }
-    // An edge whose end is beneath the other's face, beside it, lands where it crosses the border.
-    void addCrossings(const Placed& owner, const Vector& from, const Vector& to, bool above) {
-        const Placed& other = above ? support_ : body_;
-        const auto face = otherFace(above);
-        const auto inWorld = [](const Placed& of, const Vector& point) {
-            return Vector(of.state.position + of.state.attitude * point);
-        };
-        const Vector& centroid = owner.record->centroid;
-        const std::pair edge{Vector(from - centroid), Vector(to - centroid)};
-        const Vector start = inWorld(owner, edge.first), way = inWorld(owner, edge.second) - start;
-        for (std::size_t i = 0; face && i < face->outline.size(); ++i) {
-            const std::pair border{face->outline[i], face->outline[(i + 1) % face->outline.size()]};
-            const Vector on = inWorld(other, border.first),
-                         along = inWorld(other, border.second) - on;
-            const double across = way.cross(along).dot(touch_.normal);
-            if (std::abs(across) <= parallel * way.norm() * along.norm())
-                continue;
-            const double ofEdge = (on - start).cross(along).dot(touch_.normal) / across,
-                         ofBorder = (on - start).cross(way).dot(touch_.normal) / across;
-            if (std::min(ofEdge, ofBorder) < 0 || std::max(ofEdge, ofBorder) > 1)
-                continue;
-            const SurfacePiece first = lineBetween(edge), second = lineBetween(border);
-            const bool isFlipped = above ? across < 0 : across > 0;
-            addLanding(owner, first, above,
-                       above ? SurfaceGap{first, second, isFlipped}
-                             : SurfaceGap{second, first, isFlipped});
-        }
-    }
-    // A piece that lies on the face already may sink by the slack before it lands.
-    [[nodiscard]] double roomAt(double height) const {
-        return std::max(0.0, sideSlack * touch_.size - height);
-    }
-    // Of a crossing, unless the contact is there already.
-    void addLanding(const Placed& owner, const SurfacePiece& piece, bool above,
-                    const SurfaceGap& gap) {
-        const physics::NearestSurfaces nearest = nearestOf(gap, body_, support_);
-        for (const ContactPoint& point : place_.points)
-            if (isThere(nearestOf(point.gap, body_, support_).contact - nearest.contact))
-                return;
-        place_.landings.push_back({.body = owner.index,
-                                   .piece = piece,
-                                   .isAbove = above,
-                                   .room = roomAt(nearest.gap),
-                                   .gap = gap});
-    }
-    // A touch may be off by this along its normal; a corner above another is not that one.
-    static constexpr double touching = 1e-4; // of the parts' size
-    [[nodiscard]] bool isThere(const Vector& off) const {
-        const double along = touch_.normal.dot(off);
-        return (off - touch_.normal * along).norm() <= same * touch_.size &&
-               std::abs(along) <= touching * touch_.size;
-    }
-    // Two points of the contact carry the edge at whose end, beside the other's face, it is: it
-    // goes up and down with them. (On a step's polynomials it seems to land again and again.)
-    [[nodiscard]] bool isOnEdge(const Vector& at) const {
-        if (place_.points.size() != 2)
-            return false;
-        const Vector first = nearestOf(place_.points[0].gap, body_, support_).contact,
-                     second = nearestOf(place_.points[1].gap, body_, support_).contact;
-        const Vector way = second - first;
-        return way.cross(at - first).norm() <= same * touch_.size * way.norm();
-    }
-    // Of its lowest point above the plane of the first point.
-    [[nodiscard]] double heightOf(const Placed& owner, const SurfacePiece& piece,
-                                  bool above) const {
-        const Vector at = owner.state.position + owner.state.attitude * piece.place;
-        const SurfaceGap& gap = place_.points[0].gap;
-        const physics::NearestSurfaces nearest = nearestOf(gap, body_, support_);
-        const Vector on =
-            gap.support.kind == Kind::plane
-                ? Vector(support_.state.position + support_.state.attitude * gap.support.place)
-            : gap.body.kind == Kind::plane
-                ? Vector(body_.state.position + body_.state.attitude * gap.body.place)
-                : nearest.contact;
-        // As the row has it: of two edges the gap's normal is not quite that of the touch.
-        const Vector up = above ? nearest.normal : Vector(-nearest.normal);
-        return up.dot(at - on) - physics::reachBelow(piece, owner.state.attitude.conjugate() * up);
-    }
-    [[nodiscard]] std::optional<FlatFace> otherFace(bool above) const {
-        return above ? faceMostTowards(support_, touch_.supportPart, touch_.normal)
-                     : faceMostTowards(body_, touch_.bodyPart, -touch_.normal);
-    }
-    // The plane of two edges that cross turns much where one of them tilts a little, and lowers far
-    // from them: there a piece is over the other's face itself.
-    [[nodiscard]] std::optional<SurfaceGap> overOtherFace(const SurfacePiece& piece,
-                                                          bool above) const {
-        if (place_.points[0].gap.isOnPlane())
-            return std::nullopt;
-        const auto face = otherFace(above);
-        if (!face)
-            return std::nullopt;
-        return above ? SurfaceGap{piece, face->plane, false}
-                     : SurfaceGap{face->plane, piece, false};
-    }
-    // True: it is beneath. mayBeBeneath: it is beside the other's face. What has crossed the border
-    // of the face there goes on beneath its plane.
-    bool addPiece(const Placed& owner, const SurfacePiece& piece, bool above,
-                  bool mayBeBeneath = false) {
-        const std::optional<SurfaceGap> gap = overOtherFace(piece, above);
-        const double height =
-            gap ? nearestOf(*gap, body_, support_).gap : heightOf(owner, piece, above);
-        const bool isBeneath = mayBeBeneath && height < 0;
-        const double room = isBeneath ? sideSlack * touch_.size : roomAt(height);
-        place_.landings.push_back({.body = owner.index,
-                                   .piece = piece,
-                                   .isAbove = above,
-                                   .isBeneath = isBeneath,
-                                   .room = room,
-                                   .gap = gap});
-        return isBeneath;
-    }
-
-    const Touch& touch_;
-    const Placed& body_;
-    const Placed& support_;
-    std::optional<MotionPlane> plane_; // in which a point stands for all across it
-    physics::ContactPlace& place_;
-};
-
-// In a hollow the other vertices, or ends of a capsule, may land on the wall: also those that touch
-// and part.
-void addLandingsInHollow(const Touch& touch, const Placed& body, const Placed& support,
-                         const TouchLimits& limits, physics::ContactPlace& place) {
-    const bool isBodys = !body.shape->parts[touch.bodyPart].isHollow(); // the vertices
-    const Placed& owner = isBodys ? body : support;
-    const geometry::Part& part = owner.shape->parts[isBodys ? touch.bodyPart : touch.supportPart];
-    for (std::size_t v = 0; v < part.core.vertices.size(); ++v) {
-        if (v == *touch.vertex)
+// Edges that have landed on the border of the other's face, with an end beside it: a touch has the
+// corners of one edge alone. Of a box that tips about the edge of an equal one, a little turned
+// against it, that is where its side crosses that edge.
+void addLanded(const Touch& touch, const Placed& body, const Placed& support,
+               const TouchLimits& limits, physics::ContactPlace& place,
+               std::vector<Vector>& corners) {
+    constexpr double nextTo = 1e-5; // of the parts' size: that point stands for it
+    physics::ContactPlace tried = place;
+    for (const EdgeCrossing& crossing : addLandings(touch, body, support, limits.plane, tried)) {
+        const physics::NearestSurfaces at = nearestOf(crossing.gap, body, support);
+        const double rate =
+            at.normal.dot(body.state.velocityAt(at.contact) - support.state.velocityAt(at.contact));
+        const bool isCarried = std::ranges::any_of(place.points, [&](const ContactPoint& point) {
+            const Vector carries = nearestOf(point.gap, body, support).contact;
+            return (carries - at.contact).norm() <= nextTo * touch.size;
+        });
+        if (isCarried || std::abs(at.gap) > limits.gap * touch.size ||
+            at.gap > sideSlack * touch.size || rate > limits.slow)
             continue;
-        const PieceTouch found = vertexAtWall(body, touch.bodyPart, support, touch.supportPart, v);
-        const SurfaceGap& gap = found.points[0].gap;
-        const bool isInside = (isBodys ? gap.support : gap.body).radius < 0;
-        const double apart = found.points[0].at.gap, least = sideSlack * touch.size;
-        const Vector& at = found.points[0].at.contact;
-        const double rate = found.normal.dot(body.state.velocityAt(body.state.position + at) -
-                                             support.state.velocityAt(body.state.position + at));
-        const bool parts = !limits.wereInContact && rate > limits.slow;
-        if (isInside && (parts || apart > limits.gap * touch.size))
-            place.landings.push_back({.body = owner.index,
-                                      .piece = isBodys ? gap.body : gap.support,
-                                      .isAbove = isBodys,
-                                      .room = apart < least ? least - apart : 0,
-                                      .gap = gap});
+        place.points.push_back(Polyhedra(touch, body, support, limits)
+                                   .crossingOf(crossing.gap, crossing.ofBody, crossing.ofSupport));
+        corners.push_back(at.contact);
     }
 }
 
@@ -475,7 +308,7 @@ std::optional<ContactPoint> pointAt(const Touch& touch, const Corner& corner, co
         return point;
     }
     if (!touch.round.isBall)
-        return Polyhedra(touch, body, support, limits.gap * touch.size).pointAt(corner);
+        return Polyhedra(touch, body, support, limits).pointAt(corner);
     point.gap = roundGap(touch, corner.features, body, support);
     point.sides = sidesOfRound(touch, body, support);
     return point;
@@ -488,7 +321,7 @@ Stand standOf(const Touch& touch, const Placed& body, const Placed& support,
         return stand.bodyPart == touch.bodyPart && stand.supportPart == touch.supportPart;
     });
     const auto onRim = [&](const Vector& at, bool isBodys) {
-        return Polyhedra(touch, body, support, limits.gap * touch.size).onRim(at, isBodys);
+        return Polyhedra(touch, body, support, limits).onRim(at, isBodys);
     };
     return chooseStand(touch, body, support, was == limits.stands.end() ? nullptr : &*was, onRim,
                        points);
@@ -510,25 +343,28 @@ LastingContact contactOf(const Touch& touch, const Placed& body, const Placed& s
     place.size = touch.size;
     place.leaving = 2 * limits.gap * touch.size;
     std::vector<Vector> corners;
-    bool isAnyOut = false;
+    std::size_t out = 0;
     for (const Corner& corner : touch.corners) {
         if ((corner.rate > limits.slow && !limits.wereInContact) ||
             corner.gap > limits.gap * touch.size)
             continue;
         std::optional<ContactPoint> point = pointAt(touch, corner, body, support, limits);
         if (!point) { // of next to parallel edges of two faces: points on both sides carry
-            isAnyOut = true;
+            ++out;
             continue;
         }
         point->parts = corner.rate > limits.slow;
         place.points.push_back(std::move(*point));
         corners.push_back(corner.point);
     }
-    found.isModelled = !isAnyOut || (touch.isFlat && !corners.empty());
+    found.isModelled = out == 0 || (touch.isFlat && !corners.empty());
     if (corners.empty())
         return found;
     found.rolls = std::ranges::any_of(place.points, rolls);
-    const bool isWhole = corners.size() == touch.corners.size() && corners.size() > 2;
+    const bool isWhole = corners.size() + out == touch.corners.size() && corners.size() > 2;
+    const bool hasLandings = !(touch.round.isBall && !touch.round.isCurved) && !isWhole;
+    if (hasLandings && !limits.plane)
+        addLanded(touch, body, support, limits, place, corners);
     const geometry::PatchMiddle middle = geometry::middleOf(corners, touch.normal);
     if (!found.rolls && corners.size() > 1)
         place.centre = withoutRounding(localOf(body, middle.centre), touch.size);
@@ -539,8 +375,8 @@ LastingContact contactOf(const Touch& touch, const Placed& body, const Placed& s
         putInPlane(place, corners, *limits.plane, body, support);
     if (place.points.size() == 1)
         place.centre.reset();
-    if (!(touch.round.isBall && !touch.round.isCurved) && !isWhole)
-        Landings(touch, body, support, limits.plane, place).add();
+    if (hasLandings)
+        (void)addLandings(touch, body, support, limits.plane, place);
     if (touch.vertex)
         addLandingsInHollow(touch, body, support, limits, place);
     for (ContactPoint& point : place.points)

@@ -31,6 +31,7 @@ struct LastingContact {
 
 struct TouchLimits {
     double gap = 1e-7;              // of the parts' size
+    double beyond = 0;              // of the same: ContactResolution
     double slow = 0;                // corners that part faster take no part
     bool wereInContact = false;     // then corners that part take part until they have parted
     bool isStart = false;           // of the motion: gaps stay what they are

@@ -30,6 +30,16 @@ physics::SurfacePose poseOf(const Placed& owner) {
     return {owner.state.position, owner.state.attitude.toRotationMatrix()};
 }
 
+physics::NearestSurfaces nearestOf(const physics::SurfaceGap& gap, const Placed& body,
+                                   const Placed& support) {
+    return physics::nearest(gap, poseOf(body), poseOf(support));
+}
+
+SurfacePiece lineBetween(const Ends& ends) {
+    return {
+        .kind = Piece::line, .place = ends.first, .axis = (ends.second - ends.first).normalized()};
+}
+
 std::size_t vertexAt(const Part& part, const Vector& place) {
     const auto& vertices = part.core.vertices;
     const auto nearest = std::ranges::min_element(
@@ -45,7 +55,7 @@ void Sides::moveAlong(const Vector& normal, double shift) {
 double Sides::roomFor(double inside) const {
     if (inside < 0)
         return std::max(slack_ - 2 * inside, beside_ + slack_);
-    return inside > slack_ ? std::min(border_, slack_) : slack_;
+    return inside > slack_ ? std::min(border_, slack_) : slack_ + beyond_;
 }
 
 void Sides::add(const Vector& inward, const Vector& on) {

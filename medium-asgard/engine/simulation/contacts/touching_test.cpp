@@ -110,6 +110,33 @@ TEST_F(Touching, AnEdgeAlongTheBorderOfAFaceCarriesAtBothEnds) {
     }
 }
 
+// A box on an equal one, shifted by less than corners are told apart: of the two pairs of edges
+// that cross at a corner those count that cross within both.
+TEST_F(Touching, EqualFacesTouchWhereTheirEdgesCrossWithinBoth) {
+    SceneBuilder b(1);
+    b.box("below", {0, -0.25, 0}, {0.5, 0.5, 0.5}).fixed = true;
+    b.box("above", {0, 2, 0}, {0.5, 0.5, 0.5});
+    build(b);
+    const Placed below = placed(0, world->records[0].start.position);
+    constexpr double shift = 2e-6;
+    TouchLimits limits;
+    limits.gap = 1e-8;
+    for (const double x : {-shift, shift})
+        for (const double z : {-shift, shift}) {
+            const Placed box = placed(1, {x, 0.25, z});
+            const auto found = lastingContacts(box, below, limits);
+            ASSERT_EQ(found.size(), 1u);
+            ASSERT_EQ(found[0].place.points.size(), 4u);
+            for (const physics::ContactPoint& point : found[0].place.points) {
+                const Vector at = physics::nearest(point.gap, poseOf(box), poseOf(below)).contact;
+                for (const auto& [along, of] : {std::pair(at.x(), x), std::pair(at.z(), z)}) {
+                    EXPECT_LE(std::abs(along), 0.25 + 1e-9);
+                    EXPECT_LE(std::abs(along - of), 0.25 + 1e-9);
+                }
+            }
+        }
+}
+
 TEST_F(Touching, ABallThatPassesAnotherNeitherPartsNorApproaches) {
     ballOnBall();
     const auto found = touches(placed(1, {0, 2, 0}, {3, 0, 0}));

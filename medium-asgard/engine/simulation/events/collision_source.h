@@ -108,6 +108,7 @@ private:
     // Both are held, and no impulse at their contact parts them.
     void passThrough(const Instant& instant, const Pair& pair);
     [[nodiscard]] std::optional<Event> press(const Instant& instant, const Pair& pair);
+    [[nodiscard]] std::optional<Event> partAnew(const Instant& instant, const Pair& pair);
     // Contacts of these bodies that last from now on; forced: though they be the same as before.
     void settle(const Instant& instant, std::span<const std::size_t> bodies,
                 const ChangedStates& states, Event& event, bool isForced = false);

@@ -84,11 +84,35 @@ CollisionSource::Handled CollisionSource::handle(const Histories& histories, con
         return std::move(*handled);
     if (auto event = meet(now, pair))
         return {std::move(event)};
-    if (cannotPart(now, pair))
+    if (cannotPart(now, pair)) {
         passThrough(now, pair);
-    else if (auto event = press(now, pair))
+        return {};
+    }
+    if (auto event = press(now, pair))
         return {std::move(event)};
-    return {};
+    return {partAnew(now, pair)};
+}
+
+// The polynomials of a step err by more than the gap, and bring two together that part by their
+// velocities. Steps that begin here part them, too.
+std::optional<Event> CollisionSource::partAnew(const Instant& at, const Pair& pair) {
+    const ImpactCluster cluster = clusterAt(at, pair);
+    const std::vector<physics::ImpactBody> bodies = bodiesOf(at, cluster);
+    bool doPart = false;
+    for (const auto* contacts : {&cluster.contacts, &cluster.corners})
+        for (const physics::ImpactContact& contact : *contacts) {
+            if (Pair(std::minmax(cluster.bodies[contact.first], cluster.bodies[contact.second])) !=
+                pair)
+                continue;
+            const Closing closing = closingAt(contact, bodies);
+            if (!(closing.rate > resolution::atRest * closing.speeds))
+                return std::nullopt;
+            doPart = true;
+        }
+    if (!doPart)
+        return std::nullopt;
+    outcome_ = {};
+    return Event{.time = at.time, .touched = at.unknownsOf(pair), .tag = 0};
 }
 
 std::optional<std::string> CollisionSource::unmodelledOf(const Instant& at,
@@ -207,6 +231,7 @@ CollisionSource::contactsBetween(const Instant& at, const Pair& pair, const Chan
     const Placed a = at.placed(first, states), b = at.placed(second, states);
     const TouchLimits limits{
         .gap = std::min(world_.resolution[first].gap, world_.resolution[second].gap),
+        .beyond = std::min(world_.resolution[first].beyond, world_.resolution[second].beyond),
         .slow = std::max(resolution::rattled * std::max({entering, speedOf(a), speedOf(b)}),
                          resolution::noRate * world_.smallerRadius(pair)),
         .wereInContact = contacts_.areIn(first, second),
@@ -214,6 +239,7 @@ CollisionSource::contactsBetween(const Instant& at, const Pair& pair, const Chan
         .stands = contacts_.standsOf(at.histories, first, second, at.time),
         .plane = plane};
     std::vector<LastingContact> found = lastingContacts(a, b, limits);
+    const double hop = lastHopHeight(at, pair);
     for (LastingContact& contact : found) {
         const double reach = contact.place.friction.reach;
         contact.place.friction = world_.frictionOf(first, second);
@@ -221,6 +247,7 @@ CollisionSource::contactsBetween(const Instant& at, const Pair& pair, const Chan
             contact.place.friction.rolling = 0;
         contact.place.friction.reach = reach;
         contact.isInPlane = plane.has_value();
+        contact.place.hop = hop;
     }
     return found;
 }

@@ -15,6 +15,7 @@ ContactResolution resolutionFor(const ContactScales& scales) {
                             ? fineBesideDepth * std::pow(part / fineBesideDepth, 0.25)
                             : std::min(part, 1.0);
     return {.gap = std::max(gap * fine, leastGap),
+            .beyond = std::min(gap, gapPart * scales.accuracy) * fine,
             .hopHeight = hopPart * scales.accuracy * fine,
             .depth = besideDepth * deep * nudged};
 }

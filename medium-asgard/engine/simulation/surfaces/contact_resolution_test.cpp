@@ -29,6 +29,8 @@ TEST(ContactResolution, FollowsTheAccuracyWithinItsBounds) {
     EXPECT_DOUBLE_EQ(at(1e-2, 1).gap, mostGap);
     EXPECT_DOUBLE_EQ(at(1e-9, 1).gap, leastGap);
     EXPECT_DOUBLE_EQ(at(1e-4, 1).hopHeight, 1e-7);
+    EXPECT_DOUBLE_EQ(at(1e-2, 1).beyond, mostGap);
+    EXPECT_DOUBLE_EQ(at(1e-9, 1).beyond, 1e-11);
 }
 
 // Runs that are compared leave out hops of different heights.
