@@ -14,7 +14,7 @@ namespace simulation {
 
 struct EdgeCrossing { // of an edge with the border of the other's face
     physics::SurfaceGap gap;
-    Ends ofBody, ofSupport; // of the two edges
+    Ends ofBody, ofSupport; // of the two edges, each in its body's frame
 };
 
 // To a place that has its points. The answer: those that are crossings.

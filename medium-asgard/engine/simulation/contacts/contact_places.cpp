@@ -100,7 +100,7 @@ public:
 private:
     [[nodiscard]] Sides sidesAt(const Placed& owner, const Vector& place) const {
         Sides sides(owner.index, localOf(owner, place), touch_.size, beside_);
-        sides.stayBeyond(beyond_);
+        sides.letBeyond(beyond_);
         return sides;
     }
     // A vertex of the one over a face of the other.
@@ -259,8 +259,8 @@ SurfaceGap roundGap(const Touch& touch, const Corner::Features& of, const Placed
 }
 
 // Edges that have landed on the border of the other's face, with an end beside it: a touch has the
-// corners of one edge alone. Of a box that tips about the edge of an equal one, a little turned
-// against it, that is where its side crosses that edge.
+// corners of one edge alone. A box that tips about the edge of an equal one, a little turned
+// against it, lands where its side crosses that edge.
 void addLanded(const Touch& touch, const Placed& body, const Placed& support,
                const TouchLimits& limits, physics::ContactPlace& place,
                std::vector<Vector>& corners) {
@@ -274,8 +274,9 @@ void addLanded(const Touch& touch, const Placed& body, const Placed& support,
             const Vector carries = nearestOf(point.gap, body, support).contact;
             return (carries - at.contact).norm() <= nextTo * touch.size;
         });
-        if (isCarried || std::abs(at.gap) > limits.gap * touch.size ||
-            at.gap > sideSlack * touch.size || rate > limits.slow)
+        const bool approaches = rate < -limits.slow && !limits.isOfBlow; // it will land
+        if (isCarried || approaches || rate > limits.slow ||
+            std::abs(at.gap) > limits.gap * touch.size || at.gap > sideSlack * touch.size)
             continue;
         place.points.push_back(Polyhedra(touch, body, support, limits)
                                    .crossingOf(crossing.gap, crossing.ofBody, crossing.ofSupport));

@@ -22,8 +22,8 @@ inline constexpr double sideSlack = 1e-9; // of the parts' size: so far a contac
 [[nodiscard]] physics::SurfacePose poseOf(const Placed& owner);
 [[nodiscard]] physics::NearestSurfaces nearestOf(const physics::SurfaceGap& gap, const Placed& body,
                                                  const Placed& support);
-using Ends = std::pair<Vector, Vector>; // of an edge, in its body's frame
-[[nodiscard]] physics::SurfacePiece lineBetween(const Ends& ends);
+using Ends = std::pair<Vector, Vector>;                            // of an edge
+[[nodiscard]] physics::SurfacePiece lineBetween(const Ends& ends); // in its body's frame
 // The vertex of a part nearest to a place in the part's frame.
 [[nodiscard]] std::size_t vertexAt(const geometry::Part& part, const Vector& place);
 
@@ -39,8 +39,8 @@ public:
     // A place that is within the borders of its cell by more than the slack ends this far beyond
     // them, which rounding needs: it comes to a border but once.
     void endAtBorders(double rounding) { border_ = rounding; }
-    // A place at a border, but for the slack, stays this far beyond it.
-    void stayBeyond(double far) { beyond_ = far; }
+    // A place at a border, but for the slack, may go this far beyond it.
+    void letBeyond(double far) { beyond_ = far; }
     // From here on a point that lies `shift` beside the place, along the contact's normal `normal`
     // (in this frame).
     void moveAlong(const Vector& normal, double shift);

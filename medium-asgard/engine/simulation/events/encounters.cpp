@@ -239,7 +239,6 @@ CollisionSource::contactsBetween(const Instant& at, const Pair& pair, const Chan
         .stands = contacts_.standsOf(at.histories, first, second, at.time),
         .plane = plane};
     std::vector<LastingContact> found = lastingContacts(a, b, limits);
-    const double hop = lastHopHeight(at, pair);
     for (LastingContact& contact : found) {
         const double reach = contact.place.friction.reach;
         contact.place.friction = world_.frictionOf(first, second);
@@ -247,7 +246,6 @@ CollisionSource::contactsBetween(const Instant& at, const Pair& pair, const Chan
             contact.place.friction.rolling = 0;
         contact.place.friction.reach = reach;
         contact.isInPlane = plane.has_value();
-        contact.place.hop = hop;
     }
     return found;
 }

@@ -22,17 +22,6 @@ double lastHopHeight(double hopHeight, double radius, double reach, double slack
                      resolution::ofMotion * reach});
 }
 
-double lastHopHeight(const Instant& at, const Pair& pair) {
-    double reach = 0, lowest = infinity;
-    for (const std::size_t body : {pair.first, pair.second}) {
-        if (!at.world.isFixed(body))
-            lowest = std::min(lowest, at.world.resolution[body].hopHeight);
-        reach += at.world.records[body].radius + at.stateOf(body).position.norm();
-    }
-    const double slack = at.mobility.slack(pair.first, pair.second, at.time);
-    return lastHopHeight(lowest, at.world.smallerRadius(pair), reach, slack);
-}
-
 namespace {
 
 struct Hop { // that an impact would lead to
@@ -98,18 +87,24 @@ std::optional<double> pushOfPieces(const Instant& at, const ImpactCluster& clust
 Hop hopOf(const Instant& at, const ImpactCluster& cluster, const ImpactContact& contact,
           const std::array<double, 2>& radii, std::span<const ImpactBody> bodies) {
     double push = pushAt(at, cluster, contact, radii, bodies);
-    double approach = 0, speed = 0;
+    double approach = 0, speed = 0, reach = 0, lowest = infinity;
     for (const auto& [index, sign] :
          {std::pair{contact.first, 1.0}, std::pair{contact.second, -1.0}}) {
+        const std::size_t body = cluster.bodies[index];
         const Vector arm = contact.point - bodies[index].centre;
         const Vector velocity = bodies[index].velocity + bodies[index].angularVelocity.cross(arm);
         approach += sign * contact.normal.dot(velocity);
         speed += bodies[index].velocity.norm() + bodies[index].angularVelocity.norm() * arm.norm();
+        if (!at.world.records[body].isFixed)
+            lowest = std::min(lowest, at.world.resolution[body].hopHeight);
+        reach += at.world.records[body].radius + bodies[index].centre.norm();
     }
     if (contact.isResting || !(approach < -collision::approachThreshold * speed))
         return {};
     const double radius = at.world.smallerRadius(cluster.pairOf(contact));
-    const double lowest = lastHopHeight(at, cluster.pairOf(contact));
+    const double slack =
+        at.mobility.slack(cluster.bodies[contact.first], cluster.bodies[contact.second], at.time);
+    lowest = lastHopHeight(lowest, radius, reach, slack);
     const double parting = -contact.restitution * approach;
     // However closely they bend around each other there, it may be low.
     constexpr double closely = 10;

@@ -31,9 +31,8 @@ struct LastHops {
 void pressTogether(const Instant& instant, ImpactCluster& cluster,
                    std::span<const physics::ImpactBody> bodies);
 
-// Hops of this height are no hops, between these two; for bodies of this least radius, at this sum
-// of radii and distances from the origin.
-[[nodiscard]] double lastHopHeight(const Instant& instant, const Pair& pair);
+// Hops of this height are no hops, for bodies of this least radius, at this sum of radii and
+// distances from the origin.
 [[nodiscard]] double lastHopHeight(double hopHeight, double radius, double reach, double slack = 0);
 
 } // namespace simulation

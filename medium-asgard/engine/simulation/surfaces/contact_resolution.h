@@ -59,7 +59,7 @@ inline constexpr double nudgedPart = 0.1;       // of both, in a run that shows 
 
 struct ContactResolution {   // of a body
     double gap = 1e-7;       // of the parts' size: touching
-    double beyond = 0;       // of the same: a point at a border stays so far beyond it
+    double beyond = 0;       // of the same: a point at a border may go so far beyond it
     double hopHeight = 1e-9; // of the body's radius: parting slower than for that is not parting
     double depth = 4e-9;     // of the smaller radius: at which balls side by side hit
 };

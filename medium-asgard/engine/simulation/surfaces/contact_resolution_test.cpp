@@ -31,6 +31,8 @@ TEST(ContactResolution, FollowsTheAccuracyWithinItsBounds) {
     EXPECT_DOUBLE_EQ(at(1e-4, 1).hopHeight, 1e-7);
     EXPECT_DOUBLE_EQ(at(1e-2, 1).beyond, mostGap);
     EXPECT_DOUBLE_EQ(at(1e-9, 1).beyond, 1e-11);
+    for (const double accuracy : {1e-2, 1e-5, 1e-8})
+        EXPECT_LE(at(accuracy, 1.0 / 8).beyond, at(accuracy, 1.0 / 8).gap);
 }
 
 // Runs that are compared leave out hops of different heights.

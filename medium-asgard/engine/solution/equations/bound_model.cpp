@@ -119,7 +119,6 @@ private:
                 if (const auto unknown = index_.of(*of.release))
                     law.release = placeOf(*unknown);
             law.leaving = of.leaving;
-            law.hop = std::max(of.hop, of.resolution);
             if (of.patch)
                 law.patch = of.patch->index;
             if (of.friction)

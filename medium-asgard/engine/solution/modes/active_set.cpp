@@ -211,8 +211,6 @@ void ActiveSet::decide(double t, std::span<double> y) {
     closed.insert(closed.end(), hit.begin(), hit.end());
     if (!settle(closed, fastest, t, y))
         (void)endJam(closed, t, y, std::vector<double>(y.size(), 0));
-    else if (closeLow(closed, none, t, y) && !settle(closed, fastest, t, y))
-        (void)endJam(closed, t, y, std::vector<double>(y.size(), 0));
     noteOpened(std::vector<State>(mode_.kept.size(), State::inside), t, y);
     refresh();
 }
@@ -473,7 +471,7 @@ void ActiveSet::slip(double fastest, double t, std::span<const double> y) {
 bool ActiveSet::hasFallenLow(std::size_t row) const {
     const double rate = multipliers_.rate(row), second = multipliers_.secondRate(row);
     const double sunk = multipliers_.gap(row) - opened_[row]; // since it touched: no height
-    return second < 0 && rate * rate / (-2 * second) + std::min(sunk, 0.0) < law(row).hop;
+    return second < 0 && rate * rate / (-2 * second) + std::min(sunk, 0.0) < law(row).resolution;
 }
 
 // With nothing that holds it, it would come back from that height.
@@ -481,50 +479,6 @@ bool ActiveSet::isLow(std::size_t row, double rate) {
     (void)solve();
     const double second = multipliers_.secondRate(row);
     return second < 0 && rate * rate / (-2 * second) < law(row).resolution;
-}
-
-// A contact that touches, and parts for a hop that is left out, closes by the least change of
-// velocities, together with what holds. So do contacts that this drives into each other. True: some
-// closed, and are among `closed`.
-bool ActiveSet::closeLow(std::vector<std::size_t>& closed, double none, double t,
-                         std::span<double> y) {
-    const auto isOpen = [&](std::size_t row) {
-        return isContact(row) && !isGone(row) && mode_.kept[row] == State::low &&
-               multipliers_.gap(row) <= law(row).resolution;
-    };
-    f_.fill(t, y);
-    multipliers_.evaluateGaps();
-    std::vector<std::size_t> low;
-    bool isSolved = false;
-    for (const std::size_t row : bounded_) {
-        const double rate = multipliers_.rate(row);
-        if (!isOpen(row) || !(rate > none))
-            continue;
-        if (!isSolved && !solve())
-            return false;
-        isSolved = true;
-        const double second = multipliers_.secondRate(row);
-        if (second < 0 && rate * rate / (-2 * second) < law(row).hop)
-            low.push_back(row);
-    }
-    if (low.empty())
-        return false;
-    const std::vector<State> before = mode_.kept;
-    for (std::vector<std::size_t> closing = low; !closing.empty();) {
-        for (const std::size_t row : closing)
-            mode_.kept[row] = State::inside;
-        multipliers_.project(t, y);
-        f_.fill(t, y);
-        multipliers_.evaluateGaps();
-        closing.clear();
-        for (const std::size_t row : bounded_)
-            if (isOpen(row) && multipliers_.rate(row) < -none)
-                closing.push_back(row);
-        low.insert(low.end(), closing.begin(), closing.end());
-    }
-    mode_.kept = before;
-    closed.insert(closed.end(), low.begin(), low.end());
-    return true;
 }
 
 // Newton's law: of what approaches the rate afterwards is -e times that before, or more. Of `shut`

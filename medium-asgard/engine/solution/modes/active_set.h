@@ -28,11 +28,8 @@
 // impact of a jam parts may stay closed until the next event. Forces of a jam that are over ten
 // times the loads count as an impact, and after eight impacts at an instant the motion ends.
 //
-// A contact that a blow of its source leaves parting, and that comes down again from no higher than
-// its `hop`, is closed at once; so is one that falls from there.
-//
-// LIMIT: hops lower than a condition's resolution, of a contact lower than its `hop`, are left out,
-// and nothing tells how high they were. A blow of a stop passes through contacts without friction.
+// LIMIT: hops lower than a condition's resolution are left out. A blow of a stop passes through
+// contacts without friction.
 #pragma once
 
 #include "complementarity/laws.h"
@@ -143,7 +140,6 @@ private:
     [[nodiscard]] std::vector<std::size_t> drivenLow(std::span<const std::size_t> hit,
                                                      std::span<const double> restitutions);
     void blow(std::span<const std::size_t> hit, double t, std::span<double> y);
-    bool closeLow(std::vector<std::size_t>& closed, double none, double t, std::span<double> y);
     void give(std::span<const std::size_t> hit, std::span<const std::size_t> shut,
               std::span<const double> restitutions, double t, std::span<double> y);
     // By fallen watches: what may hold from here on, takes a blow, and has come to rest. Folded: no
