@@ -60,7 +60,7 @@ protected:
         ASSERT_TRUE(settle(document));
         settleTimers();
     }
-    static void settleTimers() { QTest::qWait(60); }
+    static void settleTimers() { QTest::qWait(120); }
 
     TestWorkshop made;
     SceneDocument document{made.workshop()};
