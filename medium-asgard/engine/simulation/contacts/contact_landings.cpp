@@ -16,9 +16,6 @@ using physics::SurfaceGap;
 using physics::SurfacePiece;
 using Kind = SurfacePiece::Kind;
 
-constexpr double sameCorner = 1e-9;  // of the parts' size: a corner at a vertex
-constexpr double alongBorder = 1e-6; // the sine of an angle: such edges do not cross
-
 // Pieces that may land beside those that touch, of the one whose plane it is not: of polyhedra that
 // touch at fewer points than a face has vertices that touch and part, and their neighbours; of
 // a round end that lies flat its corners that part; of other curved parts all that may be lowest.
@@ -113,7 +110,7 @@ private:
             const Vector on = inWorld(other, border.first),
                          along = inWorld(other, border.second) - on;
             const double across = way.cross(along).dot(touch_.normal);
-            if (std::abs(across) <= alongBorder * way.norm() * along.norm())
+            if (std::abs(across) <= uncrossing * way.norm() * along.norm())
                 continue;
             const double ofEdge = (on - start).cross(along).dot(touch_.normal) / across,
                          ofBorder = (on - start).cross(way).dot(touch_.normal) / across;
@@ -149,7 +146,7 @@ private:
     static constexpr double touching = 1e-4; // of the parts' size
     [[nodiscard]] bool isThere(const Vector& off) const {
         const double along = touch_.normal.dot(off);
-        return (off - touch_.normal * along).norm() <= sameCorner * touch_.size &&
+        return (off - touch_.normal * along).norm() <= samePlace * touch_.size &&
                std::abs(along) <= touching * touch_.size;
     }
     // Two points of the contact carry the edge at whose end, beside the other's face, it is: it
@@ -160,7 +157,7 @@ private:
         const Vector first = nearestOf(place_.points[0].gap, body_, support_).contact,
                      second = nearestOf(place_.points[1].gap, body_, support_).contact;
         const Vector way = second - first;
-        return way.cross(at - first).norm() <= sameCorner * touch_.size * way.norm();
+        return way.cross(at - first).norm() <= samePlace * touch_.size * way.norm();
     }
     // Of its lowest point above the plane of the first point.
     [[nodiscard]] double heightOf(const Placed& owner, const SurfacePiece& piece,

@@ -17,7 +17,7 @@ struct EdgeCrossing { // of an edge with the border of the other's face
     Ends ofBody, ofSupport; // of the two edges, each in its body's frame
 };
 
-// To a place that has its points. The answer: those that are crossings.
+// Adds them to a place that has its points, and answers those that are crossings.
 [[nodiscard]] std::vector<EdgeCrossing> addLandings(const Touch& touch, const Placed& body,
                                                     const Placed& support,
                                                     const std::optional<MotionPlane>& plane,

@@ -19,15 +19,13 @@ using physics::SurfaceGap;
 using physics::SurfacePiece;
 using Kind = SurfacePiece::Kind;
 
-constexpr double same = 1e-9;      // of the parts' size: a corner at a vertex, or on an edge
-constexpr double kept = 2e-9;      // of the same: a gap that stays what it is
+constexpr double kept = 2e-9;      // of the parts' size: a gap that stays what it is
 constexpr double sunk = 5e-10;     // an overlap that does
 constexpr double rounding = 1e-13; // of the same, of what stands in a body's frame
 // The sine of an angle: where edges of two faces on each other cross at a smaller one, the crossing
 // runs along them far faster than the bodies move. It lies all but on the line between the points
 // on both sides, which carry. LIMIT: it would carry up to half of that part of an edge farther out.
 constexpr double nextToParallel = 1e-3;
-constexpr double parallel = 1e-6; // the same: such edges do not cross
 
 // ---------------------------------------------------------------------------------- polyhedra
 
@@ -62,7 +60,7 @@ public:
     }
 
     [[nodiscard]] std::optional<ContactPoint> pointAt(const Corner& corner) const {
-        const double near = same * touch_.size;
+        const double near = samePlace * touch_.size;
         const auto isAt = [&](const Vector& vertex) {
             const Vector off = vertex - corner.point;
             return (off - touch_.normal * touch_.normal.dot(off)).norm() <= near;
@@ -130,7 +128,7 @@ private:
         point.sides = std::move(sides.sides);
         return point;
     }
-    [[nodiscard]] double leastAcross() const { return touch_.isFlat ? nextToParallel : parallel; }
+    [[nodiscard]] double leastAcross() const { return touch_.isFlat ? nextToParallel : uncrossing; }
     struct Crossing {
         Ends ofBody, ofSupport;
         double across = 0; // the sine of their angle
@@ -140,7 +138,7 @@ private:
     // that cross most.
     [[nodiscard]] Crossing crossingEdges(const Vector& point) const {
         constexpr double never = std::numeric_limits<double>::infinity();
-        const double near = 1e-5 * touch_.size, none = same * touch_.size;
+        const double near = 1e-5 * touch_.size, none = samePlace * touch_.size;
         Crossing best;
         double least = never;
         for (const auto& of : edgesThrough(bodyFace_, point, touch_.normal, near))
@@ -195,7 +193,7 @@ private:
             const Vector along = other.second - other.first;
             const double part = along.dot(end - other.first) / along.squaredNorm();
             const auto isIt = [&](const Corner& at) { return (at.point - end).norm() <= beside_; };
-            const bool isBeside = std::abs(part - 0.5) <= 0.5 + parallel;
+            const bool isBeside = std::abs(part - 0.5) <= 0.5 + uncrossing;
             return isBeside && std::ranges::none_of(touch_.corners, isIt);
         };
         for (const Vector& end : {edge.first, edge.second})
@@ -258,15 +256,15 @@ SurfaceGap roundGap(const Touch& touch, const Corner::Features& of, const Placed
     return gap;
 }
 
-// Edges that have landed on the border of the other's face, with an end beside it: a touch has the
-// corners of one edge alone. A box that tips about the edge of an equal one, a little turned
-// against it, lands where its side crosses that edge.
-void addLanded(const Touch& touch, const Placed& body, const Placed& support,
-               const TouchLimits& limits, physics::ContactPlace& place,
-               std::vector<Vector>& corners) {
+// What may land; and as points of the contact edges that have landed on the border of the other's
+// face, with an end beside it: a touch has the corners of one edge alone. A box that tips about the
+// edge of an equal one, a little turned against it, lands where its side crosses that edge.
+void addLandingsAndLanded(const Touch& touch, const Placed& body, const Placed& support,
+                          const TouchLimits& limits, physics::ContactPlace& place,
+                          std::vector<Vector>& corners) {
     constexpr double nextTo = 1e-5; // of the parts' size: that point stands for it
-    physics::ContactPlace tried = place;
-    for (const EdgeCrossing& crossing : addLandings(touch, body, support, limits.plane, tried)) {
+    const std::size_t before = place.points.size();
+    for (const EdgeCrossing& crossing : addLandings(touch, body, support, limits.plane, place)) {
         const physics::NearestSurfaces at = nearestOf(crossing.gap, body, support);
         const double rate =
             at.normal.dot(body.state.velocityAt(at.contact) - support.state.velocityAt(at.contact));
@@ -282,6 +280,10 @@ void addLanded(const Touch& touch, const Placed& body, const Placed& support,
                                    .crossingOf(crossing.gap, crossing.ofBody, crossing.ofSupport));
         corners.push_back(at.contact);
     }
+    if (place.points.size() == before)
+        return;
+    place.landings.clear(); // some have landed, and others are no longer beside the contact
+    (void)addLandings(touch, body, support, limits.plane, place);
 }
 
 // A coordinate that is 0 but for rounding is 0: equations have the same form each time.
@@ -365,7 +367,7 @@ LastingContact contactOf(const Touch& touch, const Placed& body, const Placed& s
     const bool isWhole = corners.size() + out == touch.corners.size() && corners.size() > 2;
     const bool hasLandings = !(touch.round.isBall && !touch.round.isCurved) && !isWhole;
     if (hasLandings && !limits.plane)
-        addLanded(touch, body, support, limits, place, corners);
+        addLandingsAndLanded(touch, body, support, limits, place, corners);
     const geometry::PatchMiddle middle = geometry::middleOf(corners, touch.normal);
     if (!found.rolls && corners.size() > 1)
         place.centre = withoutRounding(localOf(body, middle.centre), touch.size);
@@ -376,7 +378,7 @@ LastingContact contactOf(const Touch& touch, const Placed& body, const Placed& s
         putInPlane(place, corners, *limits.plane, body, support);
     if (place.points.size() == 1)
         place.centre.reset();
-    if (hasLandings)
+    if (hasLandings && limits.plane)
         (void)addLandings(touch, body, support, limits.plane, place);
     if (touch.vertex)
         addLandingsInHollow(touch, body, support, limits, place);

@@ -15,7 +15,9 @@
 
 namespace simulation {
 
-inline constexpr double sideSlack = 1e-9; // of the parts' size: so far a contact goes beyond
+inline constexpr double sideSlack = 1e-9;  // of the parts' size: so far a contact goes beyond
+inline constexpr double samePlace = 1e-9;  // of the same: a corner at a vertex, or on an edge
+inline constexpr double uncrossing = 1e-6; // the sine of an angle: edges that do not cross
 
 [[nodiscard]] Vector localOf(const Placed& owner, const Vector& point);
 [[nodiscard]] std::vector<Vector> localOf(const Placed& owner, const std::vector<Vector>& points);

@@ -95,6 +95,7 @@ CollisionSource::Handled CollisionSource::handle(const Histories& histories, con
 
 // The polynomials of a step err by more than the gap, and bring two together that part by their
 // velocities. Steps that begin here part them, too.
+// Where they did not, MeetingCounts would end it.
 std::optional<Event> CollisionSource::partAnew(const Instant& at, const Pair& pair) {
     const ImpactCluster cluster = clusterAt(at, pair);
     const std::vector<physics::ImpactBody> bodies = bodiesOf(at, cluster);
