@@ -36,14 +36,35 @@ std::optional<Vector> byLittleSteps(const Matrix& a, const Vector& right) {
     return std::nullopt;
 }
 
-Vector leastSolution(const Matrix& a, const Vector& right) {
+bool isSymmetric(const Matrix& a) {
+    constexpr double rounding = 1e-12;
+    return (a - a.transpose()).cwiseAbs().maxCoeff() <= rounding * a.cwiseAbs().maxCoeff();
+}
+
+// What to multiply with, so that the largest number is 1.
+double inverseSize(double largest) {
+    return largest > 0 && std::isfinite(largest) ? 1 / largest : 1;
+}
+
+// Rows of edges have numbers of any size, the largest those of discs that hardly press: beside
+// them all others would look like rounding, and the rank too small. Each row is divided by its
+// largest number, which changes no solution.
+Vector leastSolution(Matrix a, Vector right) {
     constexpr Index many = 60;
     constexpr double noPivot = 1e-11; // of the largest
-    const Eigen::PartialPivLU<Matrix> lu(a);
+    const bool isAlike = isSymmetric(a);
+    if (!isAlike)
+        for (Index i = 0; i < a.rows(); ++i) {
+            const double by = inverseSize(a.row(i).cwiseAbs().maxCoeff());
+            a.row(i) *= by;
+            right[i] *= by;
+        }
+    const Vector sizes = a.cwiseAbs().colwise().maxCoeff().transpose().unaryExpr(&inverseSize);
+    const Eigen::PartialPivLU<Matrix> lu(a * sizes.asDiagonal());
     const auto pivots = lu.matrixLU().diagonal().cwiseAbs();
     if (pivots.size() > 0 && pivots.minCoeff() > noPivot * pivots.maxCoeff())
-        return lu.solve(right);
-    if (a.rows() >= many)
+        return sizes.cwiseProduct(lu.solve(right));
+    if (isAlike && a.rows() >= many)
         if (auto found = byLittleSteps(a, right))
             return *found;
     return Eigen::CompleteOrthogonalDecomposition<Matrix>(a).solve(right);
@@ -162,9 +183,8 @@ private:
             addEdge(e, forces + static_cast<Index>(e), rates, change, wrong, now);
         for (const std::size_t k : slips_)
             addSlip(laws_[k], change, wrong);
-        const Vector to = aim_ == Aim::shortest
-                              ? leastSolution(change, Vector(change * now - wrong))
-                              : Vector(now - leastSolution(change, wrong));
+        const Vector to = aim_ == Aim::shortest ? leastSolution(change, change * now - wrong)
+                                                : Vector(now - leastSolution(change, wrong));
         forces_(rows_) = to.head(forces);
         for (std::size_t e = 0; e < edges_.size(); ++e)
             speeds_[e] = to[forces + static_cast<Index>(e)];
