@@ -1,7 +1,6 @@
 #include "complementarity/newton.h"
 
-#include <Eigen/LU>
-#include <Eigen/QR>
+#include "complementarity/least.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,66 +8,6 @@
 namespace complementarity {
 
 namespace {
-
-// Of a large matrix a decomposition that finds its rank takes many times as long as elimination.
-// With a little on its diagonal it has an inverse, and steps from 0 on lead to the shortest
-// solution as fast as that little is small beside its numbers (the proximal point method;
-// Rockafellar, SIAM Journal on Control and Optimization 14, 1976). Nothing: they do not.
-std::optional<Vector> byLittleSteps(const Matrix& a, const Vector& right) {
-    constexpr double little = 1e-6, rounding = 1e-14;
-    constexpr int most = 40;
-    const double size = a.diagonal().cwiseAbs().maxCoeff();
-    Matrix firm = a;
-    firm.diagonal().array() += little * size;
-    const Eigen::PartialPivLU<Matrix> lu(firm);
-    const double none = rounding * right.cwiseAbs().maxCoeff();
-    Vector x = Vector::Zero(right.size());
-    for (int step = 0; step < most; ++step) {
-        const Vector left = right - a * x;
-        const double error = left.cwiseAbs().maxCoeff();
-        if (!std::isfinite(error))
-            return std::nullopt;
-        const double scale = size * x.cwiseAbs().maxCoeff();
-        if (error <= std::max(none, rounding * scale))
-            return x;
-        x += lu.solve(left);
-    }
-    return std::nullopt;
-}
-
-bool isSymmetric(const Matrix& a) {
-    constexpr double rounding = 1e-12;
-    return (a - a.transpose()).cwiseAbs().maxCoeff() <= rounding * a.cwiseAbs().maxCoeff();
-}
-
-// What to multiply with, so that the largest number is 1.
-double inverseSize(double largest) {
-    return largest > 0 && std::isfinite(largest) ? 1 / largest : 1;
-}
-
-// Rows of edges have numbers of any size, the largest those of discs that hardly press: beside
-// them all others would look like rounding, and the rank too small. Each row is divided by its
-// largest number, which changes no solution.
-Vector leastSolution(Matrix a, Vector right) {
-    constexpr Index many = 60;
-    constexpr double noPivot = 1e-11; // of the largest
-    const bool isAlike = isSymmetric(a);
-    if (!isAlike)
-        for (Index i = 0; i < a.rows(); ++i) {
-            const double by = inverseSize(a.row(i).cwiseAbs().maxCoeff());
-            a.row(i) *= by;
-            right[i] *= by;
-        }
-    const Vector sizes = a.cwiseAbs().colwise().maxCoeff().transpose().unaryExpr(&inverseSize);
-    const Eigen::PartialPivLU<Matrix> lu(a * sizes.asDiagonal());
-    const auto pivots = lu.matrixLU().diagonal().cwiseAbs();
-    if (pivots.size() > 0 && pivots.minCoeff() > noPivot * pivots.maxCoeff())
-        return sizes.cwiseProduct(lu.solve(right));
-    if (isAlike && a.rows() >= many)
-        if (auto found = byLittleSteps(a, right))
-            return *found;
-    return Eigen::CompleteOrthogonalDecomposition<Matrix>(a).solve(right);
-}
 
 // The force of a disc at the centre of its normal forces, with what that follows from.
 struct AtCentre {
@@ -107,7 +46,7 @@ public:
         for (std::size_t i = 0; i < rows_.size(); ++i)
             placeOf_[static_cast<std::size_t>(rows_[i])] = static_cast<Index>(i);
         unknowns_ = static_cast<Index>(rows_.size() + edges_.size());
-        if (edges_.empty() && slips_.empty() && aim == Aim::shortest) // linear: from anywhere
+        if (isLinear() && aim == Aim::shortest) // from anywhere
             forces_(rows_).setZero();
         const Vector rates = a_ * forces_ + b_;
         for (const std::size_t k : edges_) {
@@ -160,6 +99,9 @@ private:
         }
     }
 
+    // One matrix for all steps.
+    [[nodiscard]] bool isLinear() const { return edges_.empty() && slips_.empty(); }
+
     // A disc without radius: of a contact that is open.
     [[nodiscard]] bool isClosed(const Law& disc) const {
         if (disc.radius > 0 || disc.normal < 0 || disc.coefficient <= 0)
@@ -172,19 +114,22 @@ private:
     }
 
     double step() {
-        Matrix change = Matrix::Zero(unknowns_, unknowns_);
         Vector wrong(unknowns_), now(unknowns_);
         const Vector rates = a_ * forces_ + b_;
         const auto forces = static_cast<Index>(rows_.size());
-        change.topLeftCorner(forces, forces) = a_(rows_, rows_);
         wrong.head(forces) = rates(rows_);
         now.head(forces) = forces_(rows_);
-        for (std::size_t e = 0; e < edges_.size(); ++e)
-            addEdge(e, forces + static_cast<Index>(e), rates, change, wrong, now);
-        for (const std::size_t k : slips_)
-            addSlip(laws_[k], change, wrong);
-        const Vector to = aim_ == Aim::shortest ? leastSolution(change, change * now - wrong)
-                                                : Vector(now - leastSolution(change, wrong));
+        if (!isLinear() || !least_) {
+            Matrix change = Matrix::Zero(unknowns_, unknowns_);
+            change.topLeftCorner(forces, forces) = a_(rows_, rows_);
+            for (std::size_t e = 0; e < edges_.size(); ++e)
+                addEdge(e, forces + static_cast<Index>(e), rates, change, wrong, now);
+            for (const std::size_t k : slips_)
+                addSlip(laws_[k], change, wrong);
+            least_.emplace(std::move(change));
+        }
+        const Vector to = aim_ == Aim::shortest ? least_->solve(least_->matrix() * now - wrong)
+                                                : Vector(now - least_->solve(wrong));
         forces_(rows_) = to.head(forces);
         for (std::size_t e = 0; e < edges_.size(); ++e)
             speeds_[e] = to[forces + static_cast<Index>(e)];
@@ -259,6 +204,7 @@ private:
     std::vector<std::size_t> edges_, slips_;
     std::vector<double> speeds_; // of each edge: the speed, or acceleration, against its force
     Index unknowns_ = 0;
+    std::optional<Least> least_;
 };
 
 } // namespace
