@@ -58,6 +58,7 @@ struct Condition {
     // Symbol of a given unknown: from its first value that is not 0 on the condition is gone.
     std::optional<Node> release = {};
     std::optional<double> leaving = {}; // of a contact
+    double hop = 0;                     // of a contact: hops lower than that are left out
     // Of a contact: the first of the multipliers of its points. More than three points of one patch
     // are redundant, but for a tilt that the conditions keep from growing.
     std::optional<Node> patch = {};

@@ -244,6 +244,7 @@ void ContactRows::addNormals(const ContactPlace& place, std::span<const Node> mu
         Condition condition;
         condition.low = 0;
         condition.leaving = place.leaving;
+        condition.hop = place.hop;
         condition.patch = multipliers[0];
         if (k == 0)
             condition.valid = landingsOf(place);

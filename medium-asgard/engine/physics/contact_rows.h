@@ -66,6 +66,7 @@ struct ContactPlace {
     Vector normal = Vector::UnitX(); // world, there
     double size = 1;                 // of the smaller part
     double leaving = 0;              // a gap that has opened so far is none
+    double hop = 0;                  // hops lower than that are left out
     // Pieces that are on their side of the plane of the first point; one that comes through it
     // lands. One that is beneath, beside the other's face, may come up again, and over the face.
     struct Landing {

@@ -239,6 +239,10 @@ CollisionSource::contactsBetween(const Instant& at, const Pair& pair, const Chan
         .isStart = at.time == world_.start,
         .stands = contacts_.standsOf(at.histories, first, second, at.time),
         .plane = plane};
+    double hop = solution::infinity;
+    for (const std::size_t body : {first, second})
+        if (!world_.isFixed(body))
+            hop = std::min(hop, world_.resolution[body].hopHeight * world_.smallerRadius(pair));
     std::vector<LastingContact> found = lastingContacts(a, b, limits);
     for (LastingContact& contact : found) {
         const double reach = contact.place.friction.reach;
@@ -246,6 +250,7 @@ CollisionSource::contactsBetween(const Instant& at, const Pair& pair, const Chan
         if (!contact.rolls) // edges and vertices do not
             contact.place.friction.rolling = 0;
         contact.place.friction.reach = reach;
+        contact.place.hop = hop;
         contact.isInPlane = plane.has_value();
     }
     return found;

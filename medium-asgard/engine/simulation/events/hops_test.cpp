@@ -185,6 +185,29 @@ TEST(Hops, OfABoxThatRocksItselfToRestAreRight) {
                 }
 }
 
+// A box that slides, and rocks itself to rest, has lost as much speed as its weight presses with:
+// hops that are left out, too, press in sum as the weight does, and rub so.
+TEST(Hops, OfABoxThatSlidesRubAsItsWeightDoes) {
+    constexpr double slides = 3, friction = 0.3, until = 0.5;
+    for (const double accuracy : {1e-2, 1e-3, 1e-4})
+        for (const double restitution : {0.0, 0.3, 0.6})
+            for (const double tilt : {0.001, 0.003}) {
+                SceneBuilder b(until, accuracy);
+                b.floor().friction = friction;
+                scene::Body& box = b.box("box", {0, 0.105, 0}, {1, 0.2, 1});
+                box.restitution = restitution;
+                box.friction = friction;
+                box.initialAttitude = geometry::fromRotationVector({0, 0, tilt});
+                box.initialVelocity = {slides, 0, 0};
+                b.weight("box");
+                const Result result = simulate(b.scene);
+                ASSERT_FALSE(result.motion->stop(1)) << result.motion->stop(1)->sentence;
+                EXPECT_NEAR(result.motion->at(1, until).velocity.x(), slides - friction * g * until,
+                            1e-3 * accuracy)
+                    << accuracy << " " << restitution << " " << tilt;
+            }
+}
+
 // Where a ball is that falls from a height of 1 and bounces: above the floor, from its lower side.
 double bounced(double e, double time) {
     double speed = std::sqrt(2 * g), from = speed / g;

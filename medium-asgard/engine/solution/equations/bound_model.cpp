@@ -119,6 +119,7 @@ private:
                 if (const auto unknown = index_.of(*of.release))
                     law.release = placeOf(*unknown);
             law.leaving = of.leaving;
+            law.hop = of.hop;
             if (of.patch)
                 law.patch = of.patch->index;
             if (of.friction)

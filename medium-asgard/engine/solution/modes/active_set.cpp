@@ -211,6 +211,8 @@ void ActiveSet::decide(double t, std::span<double> y) {
     closed.insert(closed.end(), hit.begin(), hit.end());
     if (!settle(closed, fastest, t, y))
         (void)endJam(closed, t, y, std::vector<double>(y.size(), 0));
+    else
+        closeLow(closed, none, fastest, t, y);
     noteOpened(std::vector<State>(mode_.kept.size(), State::inside), t, y);
     refresh();
 }
@@ -250,6 +252,7 @@ bool ActiveSet::cross(std::span<const std::size_t> watches, double t, std::span<
     std::vector<std::size_t> fallen(watches.begin(), watches.end());
     addClosing(fallen, t);
     auto [candidates, hit, stopped, isFolded] = endBy(fallen, elapsed);
+    land(fallen, t, y);
     const std::vector<double> moving(y.begin(), y.end());
     const Mode ended = mode_;
     const double slowest = slowest_;
@@ -471,7 +474,8 @@ void ActiveSet::slip(double fastest, double t, std::span<const double> y) {
 bool ActiveSet::hasFallenLow(std::size_t row) const {
     const double rate = multipliers_.rate(row), second = multipliers_.secondRate(row);
     const double sunk = multipliers_.gap(row) - opened_[row]; // since it touched: no height
-    return second < 0 && rate * rate / (-2 * second) + std::min(sunk, 0.0) < law(row).resolution;
+    return second < 0 && rate * rate / (-2 * second) + std::min(sunk, 0.0) <
+                             std::max(law(row).hop, law(row).resolution);
 }
 
 // With nothing that holds it, it would come back from that height.

@@ -28,8 +28,12 @@
 // impact of a jam parts may stay closed until the next event. Forces of a jam that are over ten
 // times the loads count as an impact, and after eight impacts at an instant the motion ends.
 //
-// LIMIT: hops lower than a condition's resolution are left out. A blow of a stop passes through
-// contacts without friction.
+// A contact that an event leaves parting, and that its load brings back from no higher than its
+// `hop`, closes at once; one that has fallen from there closes without a blow of its source. Their
+// impulses have the friction of what slips (closing_impulses.h).
+//
+// LIMIT: hops lower than a condition's resolution, or a contact's hop, are left out. A blow of a
+// stop passes through contacts without friction.
 #pragma once
 
 #include "complementarity/laws.h"
@@ -140,6 +144,11 @@ private:
     [[nodiscard]] std::vector<std::size_t> drivenLow(std::span<const std::size_t> hit,
                                                      std::span<const double> restitutions);
     void blow(std::span<const std::size_t> hit, double t, std::span<double> y);
+    void closeLow(std::vector<std::size_t> closed, double none, double fastest, double t,
+                  std::span<double> y);
+    void land(std::span<const std::size_t> fallen, double t, std::span<double> y);
+    [[nodiscard]] bool endRates(std::span<const std::size_t> closing, double t,
+                                std::span<double> y);
     void give(std::span<const std::size_t> hit, std::span<const std::size_t> shut,
               std::span<const double> restitutions, double t, std::span<double> y);
     // By fallen watches: what may hold from here on, takes a blow, and has come to rest. Folded: no

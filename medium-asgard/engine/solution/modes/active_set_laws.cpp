@@ -2,6 +2,7 @@
 // where they have none.
 #include "complementarity/solve.h"
 #include "modes/active_set.h"
+#include "modes/closing_impulses.h"
 
 #include <algorithm>
 #include <cmath>
@@ -386,6 +387,70 @@ void ActiveSet::take(const Rows& rows, const Answer& answer, double faulty) {
     }
     for (std::size_t k = 0; k < discs().size(); ++k)
         setCentre(k, multipliers_.friction().centreOf(k, mode_.share.forces));
+}
+
+// ---------------------------------------------------------------------------------------------
+// Low hops
+
+// What touches and parts for a low hop closes at once, and so does what that drives together, as
+// long as there are forces behind it.
+void ActiveSet::closeLow(std::vector<std::size_t> closed, double none, double fastest, double t,
+                         std::span<double> y) {
+    const auto isOpen = [&](std::size_t row) {
+        return isContact(row) && !isGone(row) && mode_.kept[row] == State::low &&
+               multipliers_.gap(row) <= law(row).resolution;
+    };
+    for (std::size_t round = 0; round < bounded_.size() && hasForces(t, y); ++round) {
+        multipliers_.evaluateGaps();
+        std::vector<std::size_t> low;
+        for (const std::size_t row : bounded_)
+            if (const double rate = multipliers_.rate(row), second = multipliers_.secondRate(row);
+                isOpen(row) && rate > none && second < 0 &&
+                rate * rate / (-2 * second) < law(row).hop)
+                low.push_back(row);
+        if (low.empty())
+            return;
+        const Mode before = mode_;
+        const std::vector<double> moving(y.begin(), y.end());
+        bool isDone = endRates(low, t, y), isMore = true;
+        while (isDone && isMore) {
+            isMore = false;
+            for (const std::size_t row : bounded_)
+                if (isOpen(row) && multipliers_.rate(row) < -none && !isIn(low, row))
+                    low.push_back(row), isMore = true;
+            isDone = !isMore || endRates(low, t, y);
+        }
+        closed.insert(closed.end(), low.begin(), low.end());
+        if (!isDone || !settle(closed, fastest, t, y)) {
+            mode_ = before;
+            std::ranges::copy(moving, y.begin());
+            return;
+        }
+    }
+}
+
+// Of contacts that have fallen from low.
+void ActiveSet::land(std::span<const std::size_t> fallen, double t, std::span<double> y) {
+    std::vector<std::size_t> closing;
+    for (const std::size_t k : fallen)
+        if (const auto [row, kind, confine] = watches_[k];
+            kind == Kind::gap && isContact(row) && !isGone(row))
+            closing.push_back(row);
+    if (!closing.empty())
+        (void)endRates(closing, t, y); // where it cannot, the next projection does
+}
+
+bool ActiveSet::endRates(std::span<const std::size_t> closing, double t, std::span<double> y) {
+    f_.fill(t, y);
+    multipliers_.evaluateGaps();
+    for (std::size_t disc = 0; disc < discs().size(); ++disc)
+        if (multipliers_.friction().slips(disc) && !multipliers_.friction().acts(disc))
+            setSlip(disc); // it may have a force now, against the way that it goes
+    if (!close(multipliers_, rowsToClose(f_, mode_, multipliers_, closing), y))
+        return false;
+    f_.fill(t, y);
+    multipliers_.evaluateGaps();
+    return true;
 }
 
 // ---------------------------------------------------------------------------------------------

@@ -135,6 +135,13 @@ std::vector<std::size_t> Guards::activeOf(const Violation& violation) const {
     return found;
 }
 
+bool Guards::readForces(const Violation& violation) const {
+    const std::size_t first = watches_.size() + mode_.sticking.size();
+    return std::ranges::all_of(violation.watches, [&](std::size_t k) {
+        return k >= first && active_.readsForces(k - first);
+    });
+}
+
 bool Guards::isOfPlaces(const Violation& violation) const {
     return std::ranges::any_of(activeOf(violation),
                                [this](std::size_t watch) { return active_.isOfPlaces(watch); });

@@ -49,6 +49,8 @@ public:
     [[nodiscard]] std::vector<std::size_t> surfacesOf(const Violation& violation) const;
     // Watches of the active set that are violated, as it counts them.
     [[nodiscard]] std::vector<std::size_t> activeOf(const Violation& violation) const;
+    // All of them are of the active set, and read forces.
+    [[nodiscard]] bool readForces(const Violation& violation) const;
     // A contact has closed, or lost its place.
     [[nodiscard]] bool isOfPlaces(const Violation& violation) const;
     // It does not do so at the point of the functions.

@@ -11,6 +11,7 @@ namespace solution {
 void Integration::begin() {
     dropMethod();
     rest_.begin();
+    calm_ = stable;
     context_.memory.now.choice = context_.memory.now.choice.restarted();
 }
 
@@ -114,7 +115,8 @@ StepModel::Afterwards Integration::goOn(std::span<const double> y) {
 void Integration::findTurn() {
     ComponentEquations& equations = context_.equations();
     turn_ = 0;
-    if (!method_->implicit() && !context_.options.fixedStep && equations.slipsSlowly())
+    const bool mayTurn = calm_ < stable || equations.slipsSlowly();
+    if (!method_->implicit() && !context_.options.fixedStep && mayTurn)
         turn_ = equations.fastestTurn(context_.time(), context_.states());
 }
 
@@ -172,10 +174,9 @@ double Integration::spectralRadius() {
 // The stages of an explicit step beyond what is stable do not see how friction turns a slow slip
 // about: it is no larger there, and no error shows.
 double Integration::longest() const {
-    constexpr double stable = 0.9;
     const double watched =
         context_.oversight.longest(context_.time(), context_.equations(), method_->implicit());
-    return turn_ > 0 ? std::min(watched, stable * method_->stabilityLimit() / turn_) : watched;
+    return turn_ > 0 ? std::min(watched, calm_ * method_->stabilityLimit() / turn_) : watched;
 }
 
 Proposal Integration::propose() {
@@ -277,6 +278,10 @@ Proposal Integration::review(double to) {
     StateCurves curves{columns_, from, h, to};
     found_ = violationOn(curves);
     const bool atOnce = found_ && context_.passesAtOnce(*found_, curves);
+    if (swings(curves)) {
+        calm_ /= 2;
+        return lookCloser(to, h);
+    }
     if (found_)
         curves.until = found_->time;
     const ReviewedStep step{curves, found_, atOnce, method_->implicit(), shortestStep(from)};
@@ -303,6 +308,26 @@ Proposal Integration::review(double to) {
                      .end = y_,
                      .kind = StepPiece::Kind::integrated,
                      .crossing = found_ ? &*found_ : nullptr};
+}
+
+// A slow slip swings about its way within a step at the edge of stability, by less than the
+// tolerance, and the forces of its polynomials swing much. Forces of states that conditions hold
+// are then not yet where a watch of theirs falls.
+bool Integration::swings(const StateCurves& curves) {
+    constexpr double part = 0.1; // of what the watch had where the step began
+    ComponentEquations& equations = context_.equations();
+    Guards& guards = equations.guards();
+    if (!found_ || method_->implicit() || !guards.readForces(*found_) || !equations.slips())
+        return false;
+    std::vector<double> y(columns_.size()), from(equations.watches()), to(from.size());
+    curves.at(curves.origin, y);
+    guards.watch(curves.origin, y, from);
+    curves.at(found_->time, y);
+    equations.project(found_->time, y);
+    guards.watch(found_->time, y, to);
+    const auto hasFallen = [&](std::size_t k) { return !(to[k] > part * std::abs(from[k])); };
+    return std::ranges::none_of(found_->watches, hasFallen) &&
+           equations.fastestTurn(curves.origin, context_.states()) > 0;
 }
 
 // The source of events asks who touches whom at the instant at which a contact begins or loses its

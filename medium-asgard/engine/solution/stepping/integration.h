@@ -51,6 +51,7 @@ public:
     [[nodiscard]] std::size_t bytes() const;
 
 private:
+    static constexpr double stable = 0.9;
     [[nodiscard]] std::unique_ptr<Method> chosenMethod() const;
     [[nodiscard]] std::optional<Ending> beginMethod();
     [[nodiscard]] double longestFirst() const;
@@ -60,6 +61,7 @@ private:
     [[nodiscard]] Proposal review(double to);
     [[nodiscard]] Proposal lookCloser(double at, double h);
     [[nodiscard]] std::optional<Violation> violationOn(const StateCurves& curves);
+    [[nodiscard]] bool swings(const StateCurves& curves);
     [[nodiscard]] std::optional<double> endBeforeContact(const StateCurves& curves);
     [[nodiscard]] Ending underflow(Attempt::Outcome outcome, double h) const;
     [[nodiscard]] std::optional<Proposal> acrossSwitch(double h);
@@ -75,6 +77,7 @@ private:
     bool strides_ = false;           // as long as it has this method
     double lastLength_ = 0;          // of the step proposed last
     double turn_ = 0;                // how fast friction turns slow slips about where it begins
+    double calm_ = stable;           // of the stability, for a step beside such slips
     std::optional<Violation> found_; // the switch that ends the step proposed last
     std::vector<Coefficients> columns_;
     std::vector<double> y_;
