@@ -208,6 +208,32 @@ TEST(Hops, OfABoxThatSlidesRubAsItsWeightDoes) {
             }
 }
 
+// So do two that lie on each other, and rattle: their common centre of mass knows the floor alone.
+TEST(Hops, OfBoxesThatSlideTogetherRubAsTheirWeightDoes) {
+    constexpr double slides = 4, friction = 0.3, until = 0.5;
+    for (const double accuracy : {1e-3, 1e-4})
+        for (const double restitution : {0.0, 0.6}) {
+            SceneBuilder b(until, accuracy);
+            b.floor().friction = friction;
+            for (const double y : {0.105, 0.315}) {
+                scene::Body& box = b.box(y < 0.2 ? "low" : "high", {0, y, 0}, {1, 0.2, 1});
+                box.restitution = restitution;
+                box.friction = friction;
+                box.initialAttitude =
+                    geometry::fromRotationVector({0, 0, y < 0.2 ? 0.001 : -0.002});
+                box.initialVelocity = {slides, 0, 0};
+            }
+            b.weight("low");
+            b.weight("high");
+            const Result result = simulate(b.scene);
+            ASSERT_FALSE(result.motion->stop(1)) << result.motion->stop(1)->sentence;
+            const Vector mean =
+                (result.motion->at(1, until).velocity + result.motion->at(2, until).velocity) / 2;
+            EXPECT_NEAR(mean.x(), slides - friction * (g * until + mean.y()), 1e-3 * accuracy)
+                << accuracy << " " << restitution;
+        }
+}
+
 // Where a ball is that falls from a height of 1 and bounces: above the floor, from its lower side.
 double bounced(double e, double time) {
     double speed = std::sqrt(2 * g), from = speed / g;

@@ -29,7 +29,7 @@ struct BoundModel {
         bool isOnSecondRates = true;
         std::optional<std::size_t> release = {}; // place of an unknown: not 0: gone
         std::optional<double> leaving = {};      // of a contact
-        double hop = 0;                          // of a contact
+        double hop = 0;                          // of a contact: as Condition::hop
         std::optional<std::uint32_t> patch = {}; // of a contact: the same for all of its points
         std::optional<std::size_t> disc = {};    // of friction
         [[nodiscard]] bool isBounded() const {

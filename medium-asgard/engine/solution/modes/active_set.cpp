@@ -208,6 +208,12 @@ void ActiveSet::decide(double t, std::span<double> y) {
     if (!hit.empty())
         blow(hit, t, y);
     slip(fastest, t, y);
+    std::vector<std::size_t> landing; // the blow of their source has left them so
+    for (const std::size_t row : closed)
+        if (multipliers_.rate(row) < -none)
+            landing.push_back(row);
+    if (!landing.empty())
+        (void)endDriven(landing, none, t, y);
     closed.insert(closed.end(), hit.begin(), hit.end());
     if (!settle(closed, fastest, t, y))
         (void)endJam(closed, t, y, std::vector<double>(y.size(), 0));

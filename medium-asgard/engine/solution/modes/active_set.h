@@ -28,9 +28,10 @@
 // impact of a jam parts may stay closed until the next event. Forces of a jam that are over ten
 // times the loads count as an impact, and after eight impacts at an instant the motion ends.
 //
-// A contact that an event leaves parting, and that its load brings back from no higher than its
-// `hop`, closes at once; one that has fallen from there closes without a blow of its source. Their
-// impulses have the friction of what slips (closing_impulses.h).
+// A contact that a blow of its source leaves parting, and that its load brings back from no higher
+// than its `hop`, closes at once. One that has fallen from there closes without such a blow, and
+// so does one that the blow leaves approaching. Their impulses have the friction of what slips
+// (closing_impulses.h).
 //
 // LIMIT: hops lower than a condition's resolution, or a contact's hop, are left out. A blow of a
 // stop passes through contacts without friction.
@@ -146,6 +147,9 @@ private:
     void blow(std::span<const std::size_t> hit, double t, std::span<double> y);
     void closeLow(std::vector<std::size_t> closed, double none, double fastest, double t,
                   std::span<double> y);
+    [[nodiscard]] bool isOpenContact(std::size_t row) const;
+    [[nodiscard]] bool endDriven(std::vector<std::size_t>& closing, double none, double t,
+                                 std::span<double> y);
     void land(std::span<const std::size_t> fallen, double t, std::span<double> y);
     [[nodiscard]] bool endRates(std::span<const std::size_t> closing, double t,
                                 std::span<double> y);

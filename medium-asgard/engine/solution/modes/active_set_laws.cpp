@@ -392,34 +392,42 @@ void ActiveSet::take(const Rows& rows, const Answer& answer, double faulty) {
 // ---------------------------------------------------------------------------------------------
 // Low hops
 
-// What touches and parts for a low hop closes at once, and so does what that drives together, as
-// long as there are forces behind it.
+bool ActiveSet::isOpenContact(std::size_t row) const {
+    return isContact(row) && !isGone(row) && mode_.kept[row] == State::low &&
+           multipliers_.gap(row) <= law(row).resolution;
+}
+
+// Of contacts that close, and of those that this drives into each other: they join `closing`.
+bool ActiveSet::endDriven(std::vector<std::size_t>& closing, double none, double t,
+                          std::span<double> y) {
+    for (std::size_t before = 0; before != closing.size();) {
+        before = closing.size();
+        if (!endRates(closing, t, y))
+            return false;
+        for (const std::size_t row : bounded_)
+            if (isOpenContact(row) && multipliers_.rate(row) < -none && !isIn(closing, row))
+                closing.push_back(row);
+    }
+    return true;
+}
+
+// A contact that touches and parts for a low hop closes at once, and so do contacts that its
+// impulse drives into each other, as long as there are forces behind it.
 void ActiveSet::closeLow(std::vector<std::size_t> closed, double none, double fastest, double t,
                          std::span<double> y) {
-    const auto isOpen = [&](std::size_t row) {
-        return isContact(row) && !isGone(row) && mode_.kept[row] == State::low &&
-               multipliers_.gap(row) <= law(row).resolution;
-    };
     for (std::size_t round = 0; round < bounded_.size() && hasForces(t, y); ++round) {
         multipliers_.evaluateGaps();
         std::vector<std::size_t> low;
         for (const std::size_t row : bounded_)
             if (const double rate = multipliers_.rate(row), second = multipliers_.secondRate(row);
-                isOpen(row) && rate > none && second < 0 &&
+                isOpenContact(row) && rate > none && second < 0 &&
                 rate * rate / (-2 * second) < law(row).hop)
                 low.push_back(row);
         if (low.empty())
             return;
         const Mode before = mode_;
         const std::vector<double> moving(y.begin(), y.end());
-        bool isDone = endRates(low, t, y), isMore = true;
-        while (isDone && isMore) {
-            isMore = false;
-            for (const std::size_t row : bounded_)
-                if (isOpen(row) && multipliers_.rate(row) < -none && !isIn(low, row))
-                    low.push_back(row), isMore = true;
-            isDone = !isMore || endRates(low, t, y);
-        }
+        const bool isDone = endDriven(low, none, t, y);
         closed.insert(closed.end(), low.begin(), low.end());
         if (!isDone || !settle(closed, fastest, t, y)) {
             mode_ = before;
@@ -441,13 +449,16 @@ void ActiveSet::land(std::span<const std::size_t> fallen, double t, std::span<do
 }
 
 bool ActiveSet::endRates(std::span<const std::size_t> closing, double t, std::span<double> y) {
+    const std::vector<Mode::Disc> before = mode_.discs;
     f_.fill(t, y);
     multipliers_.evaluateGaps();
     for (std::size_t disc = 0; disc < discs().size(); ++disc)
         if (multipliers_.friction().slips(disc) && !multipliers_.friction().acts(disc))
             setSlip(disc); // it may have a force now, against the way that it goes
-    if (!close(multipliers_, rowsToClose(f_, mode_, multipliers_, closing), y))
+    if (!close(multipliers_, rowsToClose(f_, mode_, multipliers_, closing), y)) {
+        mode_.discs = before;
         return false;
+    }
     f_.fill(t, y);
     multipliers_.evaluateGaps();
     return true;

@@ -43,9 +43,6 @@ ClosingRows rowsToClose(const ModelFunctions& functions, const Mode& mode,
     const DiscFriction& friction = multipliers.friction();
     ClosingRows of;
     of.closing.assign(closing.begin(), closing.end());
-    double fastest = 0;
-    for (const std::size_t row : closing)
-        fastest = std::max(fastest, std::abs(multipliers.rate(row)));
     std::vector<char> isPart(mode.kept.size(), 0);
     for (std::size_t row = 0; row < mode.kept.size(); ++row) {
         const BoundModel::Law& law = bound.laws[row];
@@ -61,11 +58,17 @@ ClosingRows rowsToClose(const ModelFunctions& functions, const Mode& mode,
         if (mode.kept[disc.rows[0]] == Mode::gone ||
             std::ranges::none_of(disc.normals, [&](std::size_t row) { return isPart[row] != 0; }))
             continue;
-        const bool sticks =
-            !friction.slips(k) || (!friction.acts(k) && friction.slipOf(k).norm() <= fastest);
-        if (sticks)
+        double closes = 0;
+        for (const std::size_t row : disc.normals)
+            if (std::ranges::find(closing, row) != closing.end())
+                closes = std::max(closes, std::abs(multipliers.rate(row)));
+        const bool slips = friction.slips(k);
+        const bool isSlow = !friction.acts(k) && friction.slipOf(k).norm() <= closes;
+        if (slips && disc.sliding == 0)
+            continue;
+        if (!slips || isSlow)
             of.rows.insert(of.rows.end(), disc.rows.begin(), disc.rows.end());
-        else if (disc.sliding != 0)
+        else
             of.slipping.push_back(k);
     }
     return of;
@@ -95,7 +98,8 @@ bool close(Multipliers& multipliers, const ClosingRows& of, std::span<double> y)
     least.setThreshold(redundant);
     least.compute(matrix);
     const Eigen::VectorXd scaled = least.solve(rates);
-    if (!((matrix * scaled - rates).norm() <= left * rates.norm()))
+    const bool isClosed = (matrix * scaled - rates).norm() <= left * rates.norm();
+    if (!isClosed || !(rates.dot(scaled) >= 0)) // what approaches would be pulled: friction jams
         return false;
     Eigen::VectorXd impulses(toIndex(all.size()));
     impulses.head(held) = scale.cwiseProduct(scaled);

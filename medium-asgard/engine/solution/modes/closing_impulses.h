@@ -2,8 +2,9 @@
 //
 //     a box lands on a corner and slides:   the corner presses with P, and its friction with mu P
 //
-// With P the impulses of what holds or closes, and f = F P the friction of discs that slip, each
-// against its own velocity (disc_friction.h):
+// P are the impulses of what holds or closes, F P those of discs that slip, each against its own
+// velocity (disc_friction.h). A and S are the rates of what holds or closes that impulses of 1
+// give: its own, and those of the discs.
 //
 //     (A + S F) P = -rates     of what closes; 0 of all else
 //
@@ -28,12 +29,12 @@ struct ClosingRows {
 };
 
 // All that holds in the mode, and the contacts that close. A contact that had no force so far
-// sticks where it slips slower than they close: its slip stays what it is.
+// sticks where it slips slower than it closes: its slip stays what it is.
 [[nodiscard]] ClosingRows rowsToClose(const ModelFunctions& functions, const Mode& mode,
                                       const Multipliers& multipliers,
                                       std::span<const std::size_t> closing);
-// At the point of the functions, once gaps are evaluated. False: no impulses close them, and y is
-// as before.
+// At the point of the functions, once gaps are evaluated. False: no impulses close them, or they
+// pull what approaches, and y is as before.
 [[nodiscard]] bool close(Multipliers& multipliers, const ClosingRows& rows, std::span<double> y);
 
 } // namespace solution

@@ -311,13 +311,15 @@ Proposal Integration::review(double to) {
 }
 
 // A slow slip swings about its way within a step at the edge of stability, by less than the
-// tolerance, and the forces of its polynomials swing much. Forces of states that conditions hold
-// are then not yet where a watch of theirs falls.
+// tolerance. A force on the step's polynomials then falls below its bound, and that of the states
+// which conditions hold does not. Such a step is refused, and the next ones are half as long.
 bool Integration::swings(const StateCurves& curves) {
-    constexpr double part = 0.1; // of what the watch had where the step began
+    constexpr double part = 0.1;              // of what the watch had where the step began
+    constexpr double calmest = stable / 16.0; // then it is taken as it is
     ComponentEquations& equations = context_.equations();
     Guards& guards = equations.guards();
-    if (!found_ || method_->implicit() || !guards.readForces(*found_) || !equations.slips())
+    if (!found_ || method_->implicit() || context_.options.fixedStep || !(calm_ > calmest) ||
+        !guards.readForces(*found_) || !equations.slips())
         return false;
     std::vector<double> y(columns_.size()), from(equations.watches()), to(from.size());
     curves.at(curves.origin, y);
@@ -326,7 +328,7 @@ bool Integration::swings(const StateCurves& curves) {
     equations.project(found_->time, y);
     guards.watch(found_->time, y, to);
     const auto hasFallen = [&](std::size_t k) { return !(to[k] > part * std::abs(from[k])); };
-    return std::ranges::none_of(found_->watches, hasFallen) &&
+    return guards.knowForces() && std::ranges::none_of(found_->watches, hasFallen) &&
            equations.fastestTurn(curves.origin, context_.states()) > 0;
 }
 

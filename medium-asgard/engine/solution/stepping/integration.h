@@ -77,7 +77,7 @@ private:
     bool strides_ = false;           // as long as it has this method
     double lastLength_ = 0;          // of the step proposed last
     double turn_ = 0;                // how fast friction turns slow slips about where it begins
-    double calm_ = stable;           // of the stability, for a step beside such slips
+    double calm_ = stable;           // of the stability that such a step may use
     std::optional<Violation> found_; // the switch that ends the step proposed last
     std::vector<Coefficients> columns_;
     std::vector<double> y_;
