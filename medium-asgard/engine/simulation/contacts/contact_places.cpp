@@ -256,9 +256,10 @@ SurfaceGap roundGap(const Touch& touch, const Corner::Features& of, const Placed
     return gap;
 }
 
-// What may land; and as points of the contact edges that have landed on the border of the other's
-// face, with an end beside it: a touch has the corners of one edge alone. A box that tips about the
-// edge of an equal one, a little turned against it, lands where its side crosses that edge.
+// Adds the pieces that may land. Edges that have landed on the border of the other's face, with an
+// end beside it, become points of the contact: a touch has the corners of one edge alone. A box
+// that tips about the edge of an equal one, a little turned against it, lands where its side
+// crosses that edge.
 void addLandingsAndLanded(const Touch& touch, const Placed& body, const Placed& support,
                           const TouchLimits& limits, physics::ContactPlace& place,
                           std::vector<Vector>& corners) {

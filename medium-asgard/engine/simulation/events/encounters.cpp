@@ -94,8 +94,7 @@ CollisionSource::Handled CollisionSource::handle(const Histories& histories, con
 }
 
 // The polynomials of a step err by more than the gap, and bring two together that part by their
-// velocities. Steps that begin here part them, too.
-// Where they did not, MeetingCounts would end it.
+// velocities. Steps that begin here part them, too. MeetingCounts bounds how often.
 std::optional<Event> CollisionSource::partAnew(const Instant& at, const Pair& pair) {
     const ImpactCluster cluster = clusterAt(at, pair);
     const std::vector<physics::ImpactBody> bodies = bodiesOf(at, cluster);
@@ -239,10 +238,6 @@ CollisionSource::contactsBetween(const Instant& at, const Pair& pair, const Chan
         .isStart = at.time == world_.start,
         .stands = contacts_.standsOf(at.histories, first, second, at.time),
         .plane = plane};
-    double hop = solution::infinity;
-    for (const std::size_t body : {first, second})
-        if (!world_.isFixed(body))
-            hop = std::min(hop, world_.resolution[body].hopHeight * world_.smallerRadius(pair));
     std::vector<LastingContact> found = lastingContacts(a, b, limits);
     for (LastingContact& contact : found) {
         const double reach = contact.place.friction.reach;
@@ -250,7 +245,7 @@ CollisionSource::contactsBetween(const Instant& at, const Pair& pair, const Chan
         if (!contact.rolls) // edges and vertices do not
             contact.place.friction.rolling = 0;
         contact.place.friction.reach = reach;
-        contact.place.hop = hop;
+        contact.place.hop = hopHeightOf(world_, pair) * world_.smallerRadius(pair);
         contact.isInPlane = plane.has_value();
     }
     return found;

@@ -80,14 +80,12 @@ bool FlightView::isLastHop(const Present& first, const Present& second, const Ve
                         (second.flight ? 2 * normal.dot(second.flight->half) : 0);
     if (!(push < 0))
         return false;
-    double reach = 0, lowest = solution::infinity;
-    for (const Present* one : {&first, &second}) {
-        if (!world.records[one->body].isFixed)
-            lowest = std::min(lowest, world.resolution[one->body].hopHeight);
+    double reach = 0;
+    for (const Present* one : {&first, &second})
         reach += world.records[one->body].radius + (one->flight ? one->ball.centre.norm() : 0);
-    }
+    const Pair pair(first.body, second.body);
     return speed * speed / (-2 * push) <
-           2 * lastHopHeight(lowest, world.smallerRadius({first.body, second.body}), reach);
+           2 * lastHopHeight(hopHeightOf(world, pair), world.smallerRadius(pair), reach);
 }
 
 std::optional<Push> FlightView::pushOf(const Present& first, const Present& second,

@@ -15,6 +15,14 @@ using physics::ImpactBody;
 using physics::ImpactContact;
 using solution::infinity;
 
+double hopHeightOf(const Colliders& world, const Pair& pair) {
+    double least = infinity;
+    for (const std::size_t body : {pair.first, pair.second})
+        if (!world.isFixed(body))
+            least = std::min(least, world.resolution[body].hopHeight);
+    return least;
+}
+
 // Hops that the search may pass over (time_of_impact.h) are lower still; where a body rests, what
 // sinks in unnoticed would hop again by that much without end.
 double lastHopHeight(double hopHeight, double radius, double reach, double slack) {
@@ -87,7 +95,7 @@ std::optional<double> pushOfPieces(const Instant& at, const ImpactCluster& clust
 Hop hopOf(const Instant& at, const ImpactCluster& cluster, const ImpactContact& contact,
           const std::array<double, 2>& radii, std::span<const ImpactBody> bodies) {
     double push = pushAt(at, cluster, contact, radii, bodies);
-    double approach = 0, speed = 0, reach = 0, lowest = infinity;
+    double approach = 0, speed = 0, reach = 0;
     for (const auto& [index, sign] :
          {std::pair{contact.first, 1.0}, std::pair{contact.second, -1.0}}) {
         const std::size_t body = cluster.bodies[index];
@@ -95,8 +103,6 @@ Hop hopOf(const Instant& at, const ImpactCluster& cluster, const ImpactContact& 
         const Vector velocity = bodies[index].velocity + bodies[index].angularVelocity.cross(arm);
         approach += sign * contact.normal.dot(velocity);
         speed += bodies[index].velocity.norm() + bodies[index].angularVelocity.norm() * arm.norm();
-        if (!at.world.records[body].isFixed)
-            lowest = std::min(lowest, at.world.resolution[body].hopHeight);
         reach += at.world.records[body].radius + bodies[index].centre.norm();
     }
     if (contact.isResting || !(approach < -collision::approachThreshold * speed))
@@ -104,7 +110,8 @@ Hop hopOf(const Instant& at, const ImpactCluster& cluster, const ImpactContact& 
     const double radius = at.world.smallerRadius(cluster.pairOf(contact));
     const double slack =
         at.mobility.slack(cluster.bodies[contact.first], cluster.bodies[contact.second], at.time);
-    lowest = lastHopHeight(lowest, radius, reach, slack);
+    const double least = hopHeightOf(at.world, cluster.pairOf(contact));
+    const double lowest = lastHopHeight(least, radius, reach, slack);
     const double parting = -contact.restitution * approach;
     // However closely they bend around each other there, it may be low.
     constexpr double closely = 10;

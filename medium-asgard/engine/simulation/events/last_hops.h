@@ -31,6 +31,8 @@ struct LastHops {
 void pressTogether(const Instant& instant, ImpactCluster& cluster,
                    std::span<const physics::ImpactBody> bodies);
 
+// The least hop of the two that counts, as a part of a radius.
+[[nodiscard]] double hopHeightOf(const Colliders& world, const Pair& pair);
 // Hops of this height are no hops, for bodies of this least radius, at this sum of radii and
 // distances from the origin.
 [[nodiscard]] double lastHopHeight(double hopHeight, double radius, double reach, double slack = 0);

@@ -480,15 +480,14 @@ void ActiveSet::slip(double fastest, double t, std::span<const double> y) {
 bool ActiveSet::hasFallenLow(std::size_t row) const {
     const double rate = multipliers_.rate(row), second = multipliers_.secondRate(row);
     const double sunk = multipliers_.gap(row) - opened_[row]; // since it touched: no height
-    return second < 0 && rate * rate / (-2 * second) + std::min(sunk, 0.0) <
-                             std::max(law(row).hop, law(row).resolution);
+    return hopOf(rate, second) + std::min(sunk, 0.0) < std::max(law(row).hop, law(row).resolution);
 }
 
 // With nothing that holds it, it would come back from that height.
 bool ActiveSet::isLow(std::size_t row, double rate) {
     (void)solve();
     const double second = multipliers_.secondRate(row);
-    return second < 0 && rate * rate / (-2 * second) < law(row).resolution;
+    return hopOf(rate, second) < law(row).resolution;
 }
 
 // Newton's law: of what approaches the rate afterwards is -e times that before, or more. Of `shut`

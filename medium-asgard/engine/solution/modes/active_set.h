@@ -34,7 +34,8 @@
 // (closing_impulses.h).
 //
 // LIMIT: hops lower than a condition's resolution, or a contact's hop, are left out. A blow of a
-// stop passes through contacts without friction.
+// stop passes through contacts without friction. Brakes and motors that hold take the impulse of a
+// low hop whole. Low hops that do not close together stay hops, all of them.
 #pragma once
 
 #include "complementarity/laws.h"
@@ -108,6 +109,10 @@ private:
     static constexpr double rateOf = 1e-3;   // of a resolution, in the unit of time
     [[nodiscard]] static bool isIn(std::span<const std::size_t> list, std::size_t value) {
         return std::ranges::find(list, value) != list.end();
+    }
+    // From how high a gap with this rate and second rate comes, or comes back.
+    [[nodiscard]] static double hopOf(double rate, double second) {
+        return second < 0 ? rate * rate / (-2 * second) : complementarity::unbounded;
     }
     enum class Kind { gap, least, most, forward, backward, parted, invalid, cone, turn, folded };
     struct Watch {

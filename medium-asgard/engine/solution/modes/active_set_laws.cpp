@@ -420,8 +420,7 @@ void ActiveSet::closeLow(std::vector<std::size_t> closed, double none, double fa
         std::vector<std::size_t> low;
         for (const std::size_t row : bounded_)
             if (const double rate = multipliers_.rate(row), second = multipliers_.secondRate(row);
-                isOpenContact(row) && rate > none && second < 0 &&
-                rate * rate / (-2 * second) < law(row).hop)
+                isOpenContact(row) && rate > none && hopOf(rate, second) < law(row).hop)
                 low.push_back(row);
         if (low.empty())
             return;
