@@ -322,8 +322,9 @@ CASES = [
     ("a tray, slips that turn", pile(1, 0.38), {"steps": 500, "rejected_steps": 500, "evaluations": 15000}),
     # An edge of a tilted box landed anew at the instant at which it had landed: 20002 events.
     ("a tray, edges on each other", pile(4, 0.55), {"steps": 6000, "collisions": 300}),
-    # Corners of boxes without friction landed again from less than a ten-thousandth of the accuracy: 14386 steps.
-    ("a wall without friction", pile(6, 0.55), {"steps": 3000, "collisions": 6000}),
+    # Corners of boxes without friction landed again from less than a ten-thousandth of the accuracy: 14386 steps. At accuracies
+    # that differ by hundredths 530 to 2600, and 3000 to 9700 collisions.
+    ("a wall without friction", pile(6, 0.55), {"steps": 5000, "collisions": 15000}),
     # A slow slip that swung within steps ended a contact each microsecond: over 20000 steps.
     ("dropped boxes, a slow slip", pile(14, 0.65), {"steps": 6000, "collisions": 400}),
     # Where edges of two boxes are next to parallel, their crossing ended a contact at one instant without end.
@@ -351,7 +352,8 @@ CASES = [
     # Every fourth corner of its rim carried, and none where the rim crosses the edge of the table: no end at 0.18 s.
     ("a can that slides off a table", can_off("1.8 0 0"), {"steps": 900, "collisions": 20}),
     ("a can that slides off a table askew", can_off("1.8 0 0.3"), {"steps": 1300, "collisions": 60}),
-    ("a tablecloth", tablecloth(), {"steps": 3300, "collisions": 60}),
+    # Slips that die away turn to and fro: at accuracies that differ by hundredths 1600 to 15800.
+    ("a tablecloth", tablecloth(), {"steps": 20000, "collisions": 60}),
     # Each slides a hundredth as fast as the next: the slowest counted as at rest with the first that stopped, which stopped all at
     # 1.2497 s; more of them ended likewise. Of seven the steps were 1746.
     ("five dominoes in a row", row_of_dominoes(5, 1.6), {"steps": 900, "collisions": 250}),
@@ -390,7 +392,7 @@ CASES = [
     ("a can that is hit from under another one", can_hit_from_under_another(), {"evaluations": 5500, "pair_tests": 500}),
     # Redundant forces that just held: each step found that they did not.
     ("a disc that leans on a loose box", dropped("box -mass 1 -init_pos {0 0.05 0} -init_rot {0 0.432 0}", "disc -mass 0.7 -init_pos "
-     "{0.095 0.460 -0.055} -init_rot {-0.308 -1.394 1.380} -init_dpos {-0.03 0 0.00}", 0.6, 0), {"steps": 3200}),
+     "{0.095 0.460 -0.055} -init_rot {-0.308 -1.394 1.380} -init_dpos {-0.03 0 0.00}", 0.6, 0), {"steps": 5500}),
     # Friction that shifts the centre at which it acts had several answers, which steps took in turns, and came to an end of one:
     # "no forces keep the conditions" at 0.0593 s.
     ("a tower that a ball hits", struck_tower(), {"steps": 1000, "collisions": 100}),

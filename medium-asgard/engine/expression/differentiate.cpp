@@ -218,13 +218,15 @@ std::vector<std::vector<Partial>> gradients(Graph& graph, std::span<const Node> 
 }
 
 std::vector<Node> ratesAlong(Graph& graph, std::span<const Node> roots,
-                             std::span<const Node> symbols, std::span<const Node> rates) {
+                             std::span<const Node> moving, std::span<const Node> rates) {
     const Node zero = graph.constant(0);
     ChainRule chainRule(graph);
     NodeMap<Node> made; // absent: 0
-    for (std::size_t i = 0; i < symbols.size(); ++i)
-        made.insert(symbols[i], rates[i]);
+    for (std::size_t i = 0; i < moving.size(); ++i)
+        made.insert(moving[i], rates[i]);
     for (const Node n : reachable(graph, roots)) {
+        if (made.find(n))
+            continue;
         std::array<Node, 3> d{zero, zero, zero};
         bool changes = false;
         const auto arguments = graph.arguments(n);

@@ -140,9 +140,13 @@ ContactRows::Frame ContactRows::frameOf(const ContactPlace& place) {
 NodeVector ContactRows::velocityAt(std::size_t body, const NodeVector& point,
                                    const Vector& surface) {
     const BodySymbols& s = symbols(body);
-    const NodeVector arm = subtract(g_, point, s.position);
-    return add(g_, add(g_, s.velocity, cross(g_, s.worldSpin(g_), arm)),
+    return add(g_, velocityOf(body, subtract(g_, point, s.position)),
                s.toWorld(g_, numbersOf(surface)));
+}
+
+NodeVector ContactRows::velocityOf(std::size_t body, const NodeVector& arm) {
+    const BodySymbols& s = symbols(body);
+    return add(g_, s.velocity, cross(g_, s.worldSpin(g_), arm));
 }
 
 // --------------------------------------------------------------------------------------- rows
@@ -229,13 +233,23 @@ std::optional<Node> ContactRows::tiltOf(const ContactPlace& place, const Surface
     return g_.subtract(g_.multiply(g_.constant(2), reach), numberOf(lying * place.size));
 }
 
+// From a body's centre to where its surface is nearest, or along the normal from there: of a point
+// its middle, about which it may turn without a gap's change.
+NodeVector ContactRows::armOf(std::size_t body, const SurfacePiece& piece, const Meeting& meeting) {
+    const BodySymbols& of = symbols(body);
+    if (piece.kind == Kind::point)
+        return of.toWorld(g_, numbersOf(piece.place));
+    return subtract(g_, meeting.place, of.position);
+}
+
 // Nearest points are at their nearest: a gap changes as the bodies move there, whatever the way of
-// the points on the curves.
-Node ContactRows::openingOf(const ContactPlace& place, const Meeting& meeting) {
-    const Vector none = Vector::Zero();
-    return dot(g_, meeting.normal,
-               subtract(g_, velocityAt(place.body, meeting.contact, none),
-                        velocityAt(place.support, meeting.contact, none)));
+// the points on their surfaces.
+Node ContactRows::openingOf(const ContactPlace& place, const SurfaceGap& gap,
+                            const Meeting& meeting) {
+    const NodeVector body = velocityOf(place.body, armOf(place.body, gap.body, meeting));
+    const NodeVector support =
+        velocityOf(place.support, armOf(place.support, gap.support, meeting));
+    return dot(g_, meeting.normal, subtract(g_, body, support));
 }
 
 void ContactRows::addNormals(const ContactPlace& place, std::span<const Node> multipliers) {
@@ -256,8 +270,7 @@ void ContactRows::addNormals(const ContactPlace& place, std::span<const Node> mu
         if (point.gap.isCrossing())
             condition.valid.push_back(g_.subtract(meeting.steady, numberOf(leastSteady)));
         const Node gap = g_.subtract(meeting.gap, amountOf(point.start));
-        const Node rate =
-            point.gap.isCrossing() ? openingOf(place, meeting) : along(std::span(&gap, 1))[0];
+        const Node rate = openingOf(place, point.gap, meeting);
         addRow(place, multipliers[k], gap, rate, std::move(condition));
     }
 }
@@ -336,6 +349,7 @@ void ContactRows::addRolling(const ContactPlace& place, const Frame& frame,
 }
 
 void ContactRows::addContact(const ContactPlace& place, std::span<const Node> multipliers) {
+    bodies_.insert({place.body, place.support});
     owner_ = multipliers[0];
     amounts_ = 0;
     addNormals(place, multipliers);
@@ -393,6 +407,39 @@ std::vector<ContactRows::Equation> ContactRows::velocities(std::span<const std::
     return equations;
 }
 
+// The rates of attitudes' matrices, R' = w x R, and of spins along the world's axes, R w, but for
+// those of velocities with forces of contacts: shorter than what differentiation makes.
+void ContactRows::addTurning(std::vector<Node>& moving, std::vector<Node>& rates) {
+    std::set<std::uint32_t> known;
+    const auto add = [&](Node node, Node rate) {
+        if (g_.op(node) != Op::constant && known.insert(node.index).second) {
+            moving.push_back(node);
+            rates.push_back(rate);
+        }
+    };
+    const auto rateOfSpin = [&](Node symbol) {
+        const auto unknown = unknownOf_.find(symbol.index);
+        return unknown == unknownOf_.end() || rates_.contains(unknown->second)
+                   ? g_.constant(0)
+                   : rateOf(unknown->second);
+    };
+    for (const std::size_t body : bodies_) {
+        const BodySymbols& of = symbols(body);
+        const NodeVector spin = of.worldSpin(g_);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const NodeVector turning =
+                cross(g_, spin, {of.rotation[0][k], of.rotation[1][k], of.rotation[2][k]});
+            for (std::size_t i = 0; i < 3; ++i)
+                add(of.rotation[i][k], turning[i]);
+        }
+        const NodeVector given = {rateOfSpin(of.spin[0]), rateOfSpin(of.spin[1]),
+                                  rateOfSpin(of.spin[2])};
+        const NodeVector along = times(g_, of.rotation, given);
+        for (std::size_t i = 0; i < 3 && !of.isSpinInWorldAxes; ++i)
+            add(spin[i], along[i]);
+    }
+}
+
 // As along(), of rates: of the velocities, whose own rates are long, by one derivative each; of all
 // else together.
 std::vector<Node> ContactRows::secondRates(std::span<const Node> rates) {
@@ -403,6 +450,7 @@ std::vector<Node> ContactRows::secondRates(std::span<const Node> rates) {
             (isVelocity ? velocities : others).push_back(symbol);
             (isVelocity ? ofVelocities : ofOthers).push_back(rateOf(unknown->second));
         }
+    addTurning(others, ofOthers);
     std::vector<Node> found = expression::ratesAlong(g_, rates, others, ofOthers);
     const auto rows = gradients(g_, rates, velocities);
     for (std::size_t i = 0; i < rows.size(); ++i)

@@ -28,6 +28,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -150,8 +151,13 @@ private:
                                              const Meeting& meeting);
     [[nodiscard]] NodeVector velocityAt(std::size_t body, const NodeVector& point,
                                         const Vector& surface);
+    // Of the point at that arm from its centre, in the world.
+    [[nodiscard]] NodeVector velocityOf(std::size_t body, const NodeVector& arm);
     [[nodiscard]] std::vector<Node> landingsOf(const ContactPlace& place);
-    [[nodiscard]] Node openingOf(const ContactPlace& place, const Meeting& meeting);
+    [[nodiscard]] NodeVector armOf(std::size_t body, const SurfacePiece& piece,
+                                   const Meeting& meeting);
+    [[nodiscard]] Node openingOf(const ContactPlace& place, const SurfaceGap& gap,
+                                 const Meeting& meeting);
     void addNormals(const ContactPlace& place, std::span<const Node> multipliers);
     void addFriction(const ContactPlace& place, const Frame& frame,
                      std::span<const Node> multipliers);
@@ -164,6 +170,7 @@ private:
                 expression::Condition condition);
     [[nodiscard]] std::vector<Node> along(std::span<const Node> values);
     [[nodiscard]] std::vector<Node> secondRates(std::span<const Node> rates);
+    void addTurning(std::vector<Node>& moving, std::vector<Node>& rates);
     [[nodiscard]] Twist byVelocityOf(Node value, const BodySymbols& body); // the derivatives
     [[nodiscard]] Node rateOf(std::size_t unknown) const;
     [[nodiscard]] const BodySymbols& symbols(std::size_t body) const {
@@ -176,6 +183,7 @@ private:
     double time_;
     std::unordered_map<std::uint32_t, std::size_t> unknownOf_; // by symbol
     std::map<std::size_t, Node> rates_;                        // by unknown: others than in force
+    std::set<std::size_t> bodies_;                             // in contacts that were added
     std::vector<Push> pushes_;
     std::vector<Row> rows_;
     Node owner_; // of the numbers of the contact that is written

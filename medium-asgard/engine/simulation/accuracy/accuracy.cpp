@@ -207,6 +207,12 @@ double positionError(const Trace::Place& state, const Trace::Place& truth, const
     return error;
 }
 
+bool isElsewhere(const Trace::Place& place, const Trace::Place& start) {
+    return place.position != start.position ||
+           (place.attitude && start.attitude &&
+            place.attitude->coeffs() != start.attitude->coeffs());
+}
+
 void raise(double& largest, double error) {
     if (!(error <= largest))
         largest = std::isnan(error) ? solution::infinity : error;
@@ -373,8 +379,9 @@ std::vector<IslandError> compareRuns(const Problem& problem, const Run& first, c
     const auto& bodies = *problem.bodies;
     const double earlyUntil = problem.start() + earlyPart * (problem.finish() - problem.start());
     Poll poll(cancelled);
-    std::vector<IslandError> errors(bodies.size(),
-                                    {.size = 0, .far = 0, .largest = 0, .early = 0, .growth = {}});
+    std::vector<IslandError> errors(
+        bodies.size(),
+        {.size = 0, .far = 0, .largest = 0, .early = 0, .growth = {}, .moves = false});
     std::vector<Eigen::AlignedBox3d> boxes(bodies.size()); // by island, as errors
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         if (poll.isCancelled())
@@ -383,10 +390,16 @@ std::vector<IslandError> compareRuns(const Problem& problem, const Run& first, c
             continue;
         const std::size_t island = second.island[b];
         double &largest = errors[island].largest, &early = errors[island].early;
+        std::optional<Trace::Place> start;
         const std::size_t steps =
             compareBody(problem, b, first, second, poll,
                         [&](double t, const Trace::Place& place, const Trace::Place& truth) {
                             const double error = positionError(place, truth, bodies[b]);
+                            if (!start)
+                                start = truth;
+                            errors[island].moves = errors[island].moves ||
+                                                   isElsewhere(place, *start) ||
+                                                   isElsewhere(truth, *start);
                             raise(largest, error);
                             if (t <= earlyUntil)
                                 raise(early, error);

@@ -26,6 +26,7 @@ struct IslandError {
     // How it grows, where it exceeds what compareRuns() was told: times, and the largest scaled
     // error up to then.
     std::vector<std::pair<double, double>> growth;
+    bool moves = true; // some body of it, in either run
 
     // The first time at which the scaled error exceeds `limit`; infinity: never.
     [[nodiscard]] double beyondFrom(double limit) const;

@@ -138,7 +138,8 @@ std::vector<IslandError> differencesOf(const Problem& problem, const Run& first,
 }
 
 // What rounding does, by body, where impacts amplify it. Written into the errors where nothing is
-// integrated; answered where something is, and rounding alone takes the motion beyond the accuracy.
+// integrated; answered where something is, and rounding alone takes the motion beyond the accuracy:
+// of bodies that are not beyond it by their errors, which say more.
 std::vector<std::optional<BodyError>> judgeRounding(const Problem& problem, const Run& run,
                                                     const Observer& silent,
                                                     const std::vector<double>& tolerances,
@@ -147,19 +148,18 @@ std::vector<std::optional<BodyError>> judgeRounding(const Problem& problem, cons
     std::vector<std::optional<BodyError>> beside(solved.errors.size());
     const Amplifying islands = amplifying(problem, run);
     const auto concerns = [&](std::size_t b) {
-        return islands.alone[run.island[b]] || islands.beside[run.island[b]];
+        return islands.alone[run.island[b]] ||
+               (islands.beside[run.island[b]] && solved.errors[b].estimate <= problem.accuracy());
     };
-    if (std::ranges::find(islands.alone, true) == islands.alone.end() &&
-        std::ranges::find(islands.beside, true) == islands.beside.end())
-        return beside;
     std::vector<bool> concerned;
     for (std::size_t b = 0; b < solved.errors.size(); ++b)
         concerned.push_back(concerns(b));
-    const auto nudged = runs.next(problem,
-                                  {.kind = RunSource::Kind::nudged,
-                                   .tolerances = tolerances,
-                                   .concerned = std::move(concerned)},
-                                  silent);
+    if (std::ranges::find(concerned, true) == concerned.end())
+        return beside;
+    const auto nudged = runs.next(
+        problem,
+        {.kind = RunSource::Kind::nudged, .tolerances = tolerances, .concerned = concerned},
+        silent);
     if (!nudged)
         return beside;
     addWork(*nudged, solved);
@@ -170,7 +170,7 @@ std::vector<std::optional<BodyError>> judgeRounding(const Problem& problem, cons
         sizes[b] = differences[b].size;
         if (islands.alone[run.island[b]])
             solved.errors[b] = error;
-        else if (concerns(b) && std::isfinite(error.predictableUntil))
+        else if (concerned[b] && std::isfinite(error.predictableUntil))
             beside[b] = error;
     }
     return beside;
@@ -210,19 +210,21 @@ void takeRounding(const std::vector<std::optional<BodyError>>& rounding,
                              std::min(errors[b].predictableUntil, rounding[b]->predictableUntil)};
 }
 
-// Runs that are equal, by rounding, say nothing. A rougher one does.
-void compareRougher(const Problem& problem, const Run& run, const Observer& silent,
-                    Tightening& search, std::vector<IslandError>& differences, RunSource& runs,
-                    Solved& solved) {
+// Runs that are equal, by rounding, say nothing. One that is rougher than `loose` does.
+void compareRougher(const Problem& problem, const Run& loose, const Run& run,
+                    const Observer& silent, Tightening& search,
+                    std::vector<IslandError>& differences, RunSource& runs, Solved& solved) {
     const std::vector<double> before = search.loose();
     search.roughen(differences);
     std::vector<bool> concerned;
     for (std::size_t b = 0; b < before.size(); ++b)
         concerned.push_back(search.loose()[b] != before[b]);
-    const auto rough = runs.next(
-        problem,
-        {.kind = RunSource::Kind::rougher, .tolerances = search.loose(), .concerned = concerned},
-        silent);
+    const auto rough = runs.next(problem,
+                                 {.kind = RunSource::Kind::rougher,
+                                  .tolerances = search.loose(),
+                                  .concerned = concerned,
+                                  .base = RunSource::Base{loose, concerned}},
+                                 silent);
     if (!rough)
         return;
     addWork(*rough, solved);
@@ -232,20 +234,35 @@ void compareRougher(const Problem& problem, const Run& run, const Observer& sile
             differences[b] = rougher[b];
 }
 
-// Compares runs until the search ends. False: it was cancelled, or such a run was not made before.
+// A run that proved another wrong.
+struct Proof {
+    Run run;
+    std::vector<double> tolerances;
+};
+
+// Compares runs until the search ends, `proof` the first of them where it is that. False: it was
+// cancelled, or such a run was not made before.
 bool tighten(const Problem& problem, const Observer& silent, Tightening& search, RunSource& runs,
-             Run& run, Solved& solved) {
+             std::optional<Proof> proof, Run& run, Solved& solved) {
+    const bool isExplained = problem.options.explain; // what is taken brings no equations with it
     while (search.goesOn() && !solved.result.cancelled) {
-        RunSource::Wanted wanted{.tolerances = search.tight(), .concerned = search.unsettled()};
-        if (!problem.options.explain) // what is taken brings no equations with it
-            wanted.base.emplace(RunSource::Base{run, search.runsAgain()});
-        auto tight = runs.next(problem, wanted, silent);
+        std::optional<Run> tight;
+        if (proof && !isExplained && proof->tolerances == search.tight()) {
+            tight = std::move(proof->run);
+        } else {
+            RunSource::Wanted wanted{.tolerances = search.tight(), .concerned = search.unsettled()};
+            if (!isExplained)
+                wanted.base.emplace(RunSource::Base{run, search.runsAgain()});
+            tight = runs.next(problem, wanted, silent);
+            if (tight)
+                addWork(*tight, solved);
+        }
+        proof.reset();
         if (!tight)
             return false;
-        addWork(*tight, solved);
         auto differences = differencesOf(problem, run, *tight, silent, solved);
         if (!solved.result.cancelled && search.needsRougher(differences))
-            compareRougher(problem, *tight, silent, search, differences, runs, solved);
+            compareRougher(problem, run, *tight, silent, search, differences, runs, solved);
         if (solved.result.cancelled)
             return false;
         search.judge(differences, tight->island, solved.errors);
@@ -266,28 +283,30 @@ void doubtImpacts(const Problem& problem, const Run& run, Tightening& search,
             search.doubt(b);
 }
 
-// What is open is measured by one run more. True: the search goes on.
-bool prove(const Problem& problem, const Run& run, const Observer& silent, Tightening& search,
-           RunSource& runs, Solved& solved) {
+// What is open is measured by one run more: where the search goes on from it, that run.
+std::optional<Proof> prove(const Problem& problem, const Run& run, const Observer& silent,
+                           Tightening& search, RunSource& runs, Solved& solved) {
     doubtImpacts(problem, run, search, solved);
     const std::vector<bool> unproven = search.unproven();
     if (std::ranges::find(unproven, true) == unproven.end())
-        return false;
+        return std::nullopt;
     const std::vector<double> tolerances = search.proof();
-    const auto proof = runs.next(problem,
-                                 {.kind = RunSource::Kind::proving,
-                                  .tolerances = tolerances,
-                                  .concerned = unproven,
-                                  .base = RunSource::Base{run, unproven}},
-                                 silent);
+    auto proof = runs.next(problem,
+                           {.kind = RunSource::Kind::proving,
+                            .tolerances = tolerances,
+                            .concerned = unproven,
+                            .base = RunSource::Base{run, unproven}},
+                           silent);
     if (!proof)
-        return false;
+        return std::nullopt;
     addWork(*proof, solved);
     const auto differences = differencesOf(problem, run, *proof, silent, solved);
     if (solved.result.cancelled)
-        return false;
+        return std::nullopt;
     search.prove(differences, solved.errors);
-    return search.goesOn();
+    if (!search.goesOn())
+        return std::nullopt;
+    return Proof{std::move(*proof), tolerances};
 }
 
 // Runs that differ from where the motion stops on, or a little before, say what the stop says:
@@ -328,14 +347,19 @@ Solved solveToAccuracy(const Problem& problem, const Observer& observer, RunSour
         return solved;
     }
     solved.errors.resize(problem.bodies->size());
-    std::vector<double> sizes(solved.errors.size());
-    const auto rounding = judgeRounding(problem, run, silent, search.loose(), runs, solved, sizes);
     if (observer.progress && !isExact(run))
         observer.progress(run.motion(problem, true));
     search.leaveExact(run);
-    while (tighten(problem, silent, search, runs, run, solved) &&
-           prove(problem, run, silent, search, runs, solved)) {
-    }
+    const Run first = run;
+    const std::vector<double> firstTolerances = search.loose();
+    std::optional<Proof> proof;
+    while (tighten(problem, silent, search, runs, std::exchange(proof, std::nullopt), run, solved))
+        if (!(proof = prove(problem, run, silent, search, runs, solved)))
+            break;
+    std::vector<double> sizes(solved.errors.size());
+    std::vector<std::optional<BodyError>> rounding(solved.errors.size());
+    if (!solved.result.cancelled)
+        rounding = judgeRounding(problem, first, silent, firstTolerances, runs, solved, sizes);
     solved.isEstimated = !solved.result.cancelled;
     takeRounding(rounding, solved.errors);
     endWithStops(problem, run, solved.errors);

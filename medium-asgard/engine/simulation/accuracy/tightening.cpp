@@ -157,9 +157,10 @@ std::vector<bool> Tightening::runsAgain() const {
     return again;
 }
 
+// What rests is equal at all tolerances.
 bool Tightening::isEqual(std::size_t b, const IslandError& difference) const {
-    return difference.largest == 0 && difference.size > 0 && tight_[b] != loose_[b] &&
-           !bodies_[b].isSettled && bodies_[b].before < 0;
+    return difference.largest == 0 && difference.moves && difference.size > 0 &&
+           tight_[b] != loose_[b] && !bodies_[b].isSettled && bodies_[b].before < 0;
 }
 
 bool Tightening::needsRougher(const std::vector<IslandError>& differences) const {

@@ -2,7 +2,10 @@
 // real scenes.
 #include "accuracy/tightening.h"
 
+#include "accuracy/solve.h"
 #include "simulation/testing.h"
+
+#include <set>
 
 namespace simulation::testing {
 namespace {
@@ -95,6 +98,14 @@ TEST(Tightening, AnIslandIsJudgedByItselfAlone) {
     }
     EXPECT_EQ(errors[0].estimate, search(1e-6, quick).estimate);
     EXPECT_EQ(errors[1].estimate, search(1e-6, slow).estimate);
+}
+
+TEST(Tightening, AsksForARougherRunOfWhatMovesEqually) {
+    const Tightening tightening(1e-6, 1);
+    IslandError equal{.size = 1, .far = 1, .largest = 0, .steps = 500, .growth = {}};
+    EXPECT_TRUE(tightening.needsRougher({equal}));
+    equal.moves = false;
+    EXPECT_FALSE(tightening.needsRougher({equal}));
 }
 
 TEST(Tightening, MeasuresTheErrorOfAFewSteps) {
@@ -217,6 +228,75 @@ TEST(Islands, AreSolvedAsOftenAsTheyWouldBeAlone) {
     EXPECT_EQ(together.statistics.evaluations, apart);
     const Result slow = simulate(pendulums({10}).scene);
     EXPECT_EQ(rows(*together.motion, 0), rows(*slow.motion, 0));
+}
+
+// Tells which tolerances the last body had in each run.
+class ToldRuns final : public RunSource {
+public:
+    void begin(std::size_t bodies) override { fresh_.begin(bodies); }
+    std::optional<Run> next(const Problem& problem, const Wanted& wanted,
+                            const Observer& observer) override {
+        told.emplace_back(wanted.kind, wanted.tolerances.back());
+        return fresh_.next(problem, wanted, observer);
+    }
+    std::vector<std::pair<Kind, double>> told;
+
+private:
+    FreshRuns fresh_;
+};
+
+// Two tilted cubes that fall on each other.
+SceneBuilder fallingCubes(double accuracy) {
+    SceneBuilder b(1, accuracy);
+    b.box("floor", {0, -0.5, 0}, {8, 1, 8}).fixed = true;
+    const auto add = [&](const char* name, const Vector& place, const Vector& turn) {
+        b.box(name, place, {1, 1, 1}).initialAttitude =
+            Quaternion(Eigen::AngleAxisd(turn.norm(), turn.normalized()));
+        b.weight(name);
+    };
+    add("low", {0, 1.5, 0}, {0.3, 0.2, 0.42});
+    add("high", {0.3, 3.2, 0.1}, {0.1, 0.5, -0.4});
+    for (scene::Body& body : b.scene.bodies) {
+        body.friction = 0.3;
+        body.restitution = 0;
+    }
+    return b;
+}
+
+// A run that proves another wrong is not made a second time: the search goes on from it.
+TEST(Proofs, AreRunsOfTheSearchWhereTheyProveOneWrong) {
+    std::size_t goneOn = 0;
+    for (const double accuracy : {1e-3, 9e-4, 8e-4, 7e-4, 6e-4, 5e-4}) {
+        const SceneBuilder b = fallingCubes(accuracy);
+        const auto problem = problemOf(b.scene, {});
+        ToldRuns runs;
+        (void)solve(**std::get_if<0>(&problem), {}, runs);
+        std::set<double> tolerances;
+        for (std::size_t i = 0; i < runs.told.size(); ++i) {
+            const auto& [kind, tolerance] = runs.told[i];
+            if (kind != RunSource::Kind::nudged) {
+                EXPECT_TRUE(tolerances.insert(tolerance).second) << tolerance;
+            }
+            goneOn += kind == RunSource::Kind::proving && i + 1 < runs.told.size() ? 1 : 0;
+        }
+    }
+    EXPECT_GT(goneOn, 0u);
+}
+
+// Where a body rests, no third run at a rougher tolerance is made: it would be equal, too.
+TEST(Rest, IsEqualAtAllTolerances) {
+    SceneBuilder b(1, 1e-4);
+    b.box("floor", {0, -0.5, 0}, {4, 1, 4}).fixed = true;
+    for (const double x : {-1.0, 1.0}) {
+        const std::string name = x < 0 ? "one" : "other";
+        b.box(name, {x, 0.5, 0}, {1, 1, 1});
+        b.weight(name);
+    }
+    const auto problem = problemOf(b.scene, {});
+    ToldRuns runs;
+    (void)solve(**std::get_if<0>(&problem), {}, runs);
+    for (const auto& [kind, tolerance] : runs.told)
+        EXPECT_NE(kind, RunSource::Kind::rougher);
 }
 
 // A ball between a fixed one and a wall: each bounce off the round one multiplies what is off.
