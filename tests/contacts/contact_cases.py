@@ -374,7 +374,7 @@ for name, part, falls in (("grip_holds", 1 + 1e-9, False), ("grip_slides", 1 - 1
          "".join(f"body jaw{k} cube -mass 1 -init_pos {{{(-0.2, 0.2)[k - 1]:.1f} 1 0}} -friction {mu} -restitution 0\n"
                  f"joint rail{k} -type slider -body1 jaw{k} -axis {{1 0 0}}\nforce -body jaw{k} -x {force if k == 1 else -force!r}\n"
                  for k in (1, 2)) + gravity("box"),
-         [(200, 0.1, 1 - lag / m * 200 ** 2 / 2, "box.y")] if falls else [(1000, 1, 1, "box.y")])
+         [(200, 0.6, 1 - lag / m * 200 ** 2 / 2, "box.y")] if falls else [(1000, 1, 1, "box.y")])
 
 # A seesaw whose heavier box goes down: both boxes stick, and all turns as one; a'' is integrated by many small steps of Runge and
 # Kutta. It falls on its end after 0.687 s and again, each box slips, flies and lands; at last it lies on its end.

@@ -88,22 +88,21 @@ ContactForces ContactRows::forcesOf(const ContactPlace& place, std::span<const N
     for (const Row& row : rows_) {
         if (std::ranges::find(multipliers, row.multiplier) == multipliers.end())
             continue;
-        auto [linear, angular] = byVelocityOf(row.rate, s);
-        if (!s.isSpinInWorldAxes)
-            angular = s.toWorld(g_, angular);
-        forces.force = add(g_, forces.force, scaled(g_, row.multiplier, linear));
-        forces.couple = add(g_, forces.couple, scaled(g_, row.multiplier, angular));
+        for (const auto& [body, by] : row.by) {
+            if (body != on)
+                continue;
+            const NodeVector couple = s.isSpinInWorldAxes ? by.angular : s.toWorld(g_, by.angular);
+            forces.force = add(g_, forces.force, scaled(g_, row.multiplier, by.linear));
+            forces.couple = add(g_, forces.couple, scaled(g_, row.multiplier, couple));
+        }
     }
     for (std::size_t k = 0; k < place.points.size(); ++k) {
-        const NodeVector arm =
-            subtract(g_, meetingOf(place, place.points[k].gap).contact, s.position);
+        const NodeVector arm = meetingOf(place, place.points[k].gap).arms[on == place.body ? 0 : 1];
         forces.normal = g_.add(forces.normal, multipliers[k]);
         forces.moment = add(g_, forces.moment, scaled(g_, multipliers[k], arm));
     }
     const Frame frame = frameOf(place);
-    const NodeVector speed =
-        subtract(g_, velocityAt(place.body, frame.point, place.friction.bodySurface),
-                 velocityAt(place.support, frame.point, place.friction.supportSurface));
+    const NodeVector speed = slipOf(place, frame);
     for (const NodeVector& along : frame.along)
         forces.slip = add(g_, forces.slip, scaled(g_, dot(g_, along, speed), along));
     return forces;

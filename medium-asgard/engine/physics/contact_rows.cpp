@@ -66,16 +66,6 @@ std::vector<Node> ContactRows::along(std::span<const Node> values) {
     return found;
 }
 
-ContactRows::Twist ContactRows::byVelocityOf(Node value, const BodySymbols& body) {
-    std::array<Node, 6> symbols{}, found{};
-    std::ranges::copy(body.spin, std::ranges::copy(body.velocity, symbols.begin()).out);
-    found.fill(g_.constant(0));
-    const auto rows = gradients(g_, std::span(&value, 1), symbols);
-    for (const expression::Partial& partial : rows[0])
-        found[partial.symbol] = partial.derivative;
-    return {{found[0], found[1], found[2]}, {found[3], found[4], found[5]}};
-}
-
 // ----------------------------------------------------------------------------------- geometry
 
 Triple<Term> ContactRows::terms(const NodeVector& v) {
@@ -97,8 +87,8 @@ surfaces::Place<Term> ContactRows::poseOf(std::size_t body) {
 ContactRows::Meeting ContactRows::meetingOf(const ContactPlace& place, const SurfaceGap& gap) {
     const surfaces::Nearest<Term> found =
         surfaces::nearestOf(gap, poseOf(place.body), poseOf(place.support));
-    return {found.gap.node, nodes(found.normal), nodes(found.contact), nodes(found.place),
-            found.steady.node};
+    return {found.gap.node,     nodes(found.normal), nodes(found.contact),
+            nodes(found.place), found.steady.node,   {nodes(found.arms[0]), nodes(found.arms[1])}};
 }
 
 // Directions follow the normal.
@@ -117,6 +107,9 @@ ContactRows::Frame ContactRows::frameOf(const ContactPlace& place) {
         const auto count = static_cast<double>(place.points.size());
         frame.point = scaled(g_, g_.constant(1 / count), frame.point);
     }
+    // By places, so that friction reads what its normal forces move, and is found with them.
+    frame.arms = {subtract(g_, frame.point, body.position),
+                  subtract(g_, frame.point, symbols(place.support).position)};
     if (gap.isOnPlane()) { // directions of the plane
         const bool isBodys = gap.body.kind == Kind::plane;
         const Vector n = isBodys ? gap.body.axis : gap.support.axis;
@@ -137,39 +130,47 @@ ContactRows::Frame ContactRows::frameOf(const ContactPlace& place) {
     return frame;
 }
 
-NodeVector ContactRows::velocityAt(std::size_t body, const NodeVector& point,
-                                   const Vector& surface) {
-    const BodySymbols& s = symbols(body);
-    return add(g_, velocityOf(body, subtract(g_, point, s.position)),
-               s.toWorld(g_, numbersOf(surface)));
-}
-
-NodeVector ContactRows::velocityOf(std::size_t body, const NodeVector& arm) {
+NodeVector ContactRows::velocityAt(std::size_t body, const NodeVector& arm) {
     const BodySymbols& s = symbols(body);
     return add(g_, s.velocity, cross(g_, s.worldSpin(g_), arm));
 }
 
+NodeVector ContactRows::slipOf(const ContactPlace& place, const Frame& frame) {
+    const auto speed = [&](std::size_t body, std::size_t side, const Vector& surface) {
+        return add(g_, velocityAt(body, frame.arms[side]),
+                   symbols(body).toWorld(g_, numbersOf(surface)));
+    };
+    return subtract(g_, speed(place.body, 0, place.friction.bodySurface),
+                    speed(place.support, 1, place.friction.supportSurface));
+}
+
 // --------------------------------------------------------------------------------------- rows
 
+// Of the rate  d . (velocity of the body at its arm - velocity of the support at its own).
+ContactRows::Twists ContactRows::alongAt(const ContactPlace& place, const NodeVector& d,
+                                         const Arms& arms) {
+    const NodeVector back = scaled(g_, g_.constant(-1), d);
+    return {Twist{d, symbols(place.body).toSpinAxes(g_, cross(g_, arms[0], d))},
+            Twist{back, symbols(place.support).toSpinAxes(g_, cross(g_, arms[1], back))}};
+}
+
+// Of the rate  axis . (spin of the body - spin of the support).
+ContactRows::Twists ContactRows::aboutAxis(const ContactPlace& place, const NodeVector& axis) {
+    const NodeVector none = constant(g_, Vector::Zero()), back = scaled(g_, g_.constant(-1), axis);
+    return {Twist{none, symbols(place.body).toSpinAxes(g_, axis)},
+            Twist{none, symbols(place.support).toSpinAxes(g_, back)}};
+}
+
 void ContactRows::addRow(const ContactPlace& place, Node multiplier, std::optional<Node> gap,
-                         Node rate, Condition condition) {
+                         const Rate& rate, Condition condition) {
     condition.gap = gap;
-    condition.rate = rate;
+    condition.rate = rate.value;
     condition.resolution = resolved * place.size;
-    rows_.push_back({multiplier, gap, rate, std::move(condition)});
-    for (const std::size_t body : {place.body, place.support}) {
-        const BodyMotion& motion = free_.bodies[body];
-        if (motion.isFixed)
-            continue;
-        const Held held = unyieldingAt(free_, body, time_);
-        Push push{body, byVelocityOf(rate, motion.symbols), multiplier};
-        for (std::size_t i = 0; i < 3; ++i)
-            if (held.position[i])
-                push.by.linear[i] = g_.constant(0);
-        if (held.attitude)
-            push.by.angular = constant(g_, Vector::Zero());
-        pushes_.push_back(push);
-    }
+    rows_.push_back({multiplier, rate.value, std::move(condition), {}});
+    for (std::size_t k = 0; k < 2; ++k)
+        if (const std::size_t body = k == 0 ? place.body : place.support;
+            !free_.bodies[body].isFixed)
+            rows_.back().by.emplace_back(body, rate.by[k]);
 }
 
 std::vector<Node> ContactRows::landingsOf(const ContactPlace& place) {
@@ -233,23 +234,18 @@ std::optional<Node> ContactRows::tiltOf(const ContactPlace& place, const Surface
     return g_.subtract(g_.multiply(g_.constant(2), reach), numberOf(lying * place.size));
 }
 
-// From a body's centre to where its surface is nearest, or along the normal from there: of a point
-// its middle, about which it may turn without a gap's change.
-NodeVector ContactRows::armOf(std::size_t body, const SurfacePiece& piece, const Meeting& meeting) {
-    const BodySymbols& of = symbols(body);
-    if (piece.kind == Kind::point)
-        return of.toWorld(g_, numbersOf(piece.place));
-    return subtract(g_, meeting.place, of.position);
-}
-
 // Nearest points are at their nearest: a gap changes as the bodies move there, whatever the way of
-// the points on their surfaces.
-Node ContactRows::openingOf(const ContactPlace& place, const SurfaceGap& gap,
-                            const Meeting& meeting) {
-    const NodeVector body = velocityOf(place.body, armOf(place.body, gap.body, meeting));
-    const NodeVector support =
-        velocityOf(place.support, armOf(place.support, gap.support, meeting));
-    return dot(g_, meeting.normal, subtract(g_, body, support));
+// the points on their surfaces. A point piece may turn about its middle without a gap's change.
+ContactRows::Rate ContactRows::openingOf(const ContactPlace& place, const SurfaceGap& gap,
+                                         const Meeting& meeting) {
+    Arms arms = meeting.arms;
+    if (gap.body.kind == Kind::point)
+        arms[0] = symbols(place.body).toWorld(g_, numbersOf(gap.body.place));
+    if (gap.support.kind == Kind::point)
+        arms[1] = symbols(place.support).toWorld(g_, numbersOf(gap.support.place));
+    const NodeVector opening =
+        subtract(g_, velocityAt(place.body, arms[0]), velocityAt(place.support, arms[1]));
+    return {dot(g_, meeting.normal, opening), alongAt(place, meeting.normal, arms)};
 }
 
 void ContactRows::addNormals(const ContactPlace& place, std::span<const Node> multipliers) {
@@ -270,8 +266,8 @@ void ContactRows::addNormals(const ContactPlace& place, std::span<const Node> mu
         if (point.gap.isCrossing())
             condition.valid.push_back(g_.subtract(meeting.steady, numberOf(leastSteady)));
         const Node gap = g_.subtract(meeting.gap, amountOf(point.start));
-        const Node rate = openingOf(place, point.gap, meeting);
-        addRow(place, multipliers[k], gap, rate, std::move(condition));
+        addRow(place, multipliers[k], gap, openingOf(place, point.gap, meeting),
+               std::move(condition));
     }
 }
 
@@ -288,17 +284,20 @@ void ContactRows::addFriction(const ContactPlace& place, const Frame& frame,
     disc.sliding = of.sliding;
     Condition condition;
     condition.friction = disc;
-    const NodeVector speed = subtract(g_, velocityAt(place.body, frame.point, of.bodySurface),
-                                      velocityAt(place.support, frame.point, of.supportSurface));
+    const NodeVector slip = slipOf(place, frame);
     for (std::size_t i = 0; i < 2; ++i)
-        addRow(place, multipliers[first + i], std::nullopt, dot(g_, frame.along[i], speed),
+        addRow(place, multipliers[first + i], std::nullopt,
+               {dot(g_, frame.along[i], slip), alongAt(place, frame.along[i], frame.arms)},
                condition);
     if (count < 3)
         return;
     const NodeVector turning =
         subtract(g_, symbols(place.body).worldSpin(g_), symbols(place.support).worldSpin(g_));
+    const Node reach = numberOf(of.reach);
     addRow(place, multipliers[first + 2], std::nullopt,
-           g_.multiply(numberOf(of.reach), dot(g_, frame.normal, turning)), condition);
+           {g_.multiply(reach, dot(g_, frame.normal, turning)),
+            aboutAxis(place, scaled(g_, reach, frame.normal))},
+           condition);
     addLevers(place, frame, multipliers);
 }
 
@@ -343,9 +342,12 @@ void ContactRows::addRolling(const ContactPlace& place, const Frame& frame,
     condition.friction = disc;
     const NodeVector turning =
         subtract(g_, symbols(place.body).worldSpin(g_), symbols(place.support).worldSpin(g_));
+    const Node size = numberOf(place.size);
     for (std::size_t i = 0; i < 2; ++i)
         addRow(place, multipliers[first + i], std::nullopt,
-               g_.multiply(numberOf(place.size), dot(g_, frame.along[i], turning)), condition);
+               {g_.multiply(size, dot(g_, frame.along[i], turning)),
+                aboutAxis(place, scaled(g_, size, frame.along[i]))},
+               condition);
 }
 
 void ContactRows::addContact(const ContactPlace& place, std::span<const Node> multipliers) {
@@ -372,11 +374,15 @@ std::vector<ContactRows::Equation> ContactRows::velocities(std::span<const std::
             continue;
         const Held held = unyieldingAt(free_, body, time_);
         NodeVector linear = constant(g_, Vector::Zero()), angular = linear;
-        for (const Push& push : pushes_)
-            if (push.body == body) {
-                linear = add(g_, linear, scaled(g_, push.multiplier, push.by.linear));
-                angular = add(g_, angular, scaled(g_, push.multiplier, push.by.angular));
-            }
+        for (const Row& row : rows_)
+            for (const auto& [pushed, by] : row.by)
+                if (pushed == body) {
+                    linear = add(g_, linear, scaled(g_, row.multiplier, by.linear));
+                    angular = add(g_, angular, scaled(g_, row.multiplier, by.angular));
+                }
+        for (std::size_t i = 0; i < 3; ++i)
+            if (held.position[i])
+                linear[i] = g_.constant(0);
         const Matrix inverse =
             held.attitude ? Matrix(Matrix::Zero()) : Matrix(motion.mass.inertia.inverse());
         NodeMatrix rows;
@@ -440,31 +446,36 @@ void ContactRows::addTurning(std::vector<Node>& moving, std::vector<Node>& rates
     }
 }
 
-// As along(), of rates: of the velocities, whose own rates are long, by one derivative each; of all
-// else together.
-std::vector<Node> ContactRows::secondRates(std::span<const Node> rates) {
-    std::vector<Node> velocities, others{set_.time}, ofVelocities, ofOthers{g_.constant(1)};
+// Of the rows: of the velocities that contacts push, whose own rates are long, by one product each;
+// of all else together.
+std::vector<Node> ContactRows::secondRates() {
+    std::vector<Node> rates, others{set_.time}, ofOthers{g_.constant(1)};
+    for (const Row& row : rows_)
+        rates.push_back(row.rate);
+    const auto isPushed = [&](std::size_t unknown) { return rates_.contains(unknown); };
     for (const Node symbol : symbolsOf(g_, rates))
-        if (const auto unknown = unknownOf_.find(symbol.index); unknown != unknownOf_.end()) {
-            const bool isVelocity = rates_.contains(unknown->second);
-            (isVelocity ? velocities : others).push_back(symbol);
-            (isVelocity ? ofVelocities : ofOthers).push_back(rateOf(unknown->second));
+        if (const auto unknown = unknownOf_.find(symbol.index);
+            unknown != unknownOf_.end() && !isPushed(unknown->second)) {
+            others.push_back(symbol);
+            ofOthers.push_back(rateOf(unknown->second));
         }
     addTurning(others, ofOthers);
     std::vector<Node> found = expression::ratesAlong(g_, rates, others, ofOthers);
-    const auto rows = gradients(g_, rates, velocities);
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        for (const expression::Partial& partial : rows[i])
-            found[i] =
-                g_.add(found[i], g_.multiply(partial.derivative, ofVelocities[partial.symbol]));
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+        for (const auto& [body, by] : rows_[i].by) {
+            const BodyMotion& motion = free_.bodies[body];
+            for (std::size_t k = 0; k < 3; ++k)
+                for (const auto& [unknown, factor] :
+                     {std::pair(motion.unknown(dx) + k, by.linear[k]),
+                      std::pair(motion.unknown(w1) + k, by.angular[k])})
+                    if (isPushed(unknown))
+                        found[i] = g_.add(found[i], g_.multiply(factor, rateOf(unknown)));
+        }
     return found;
 }
 
 std::vector<Phase> ContactRows::conditions() {
-    std::vector<Node> rates;
-    for (const Row& row : rows_)
-        rates.push_back(row.rate);
-    const std::vector<Node> changing = secondRates(rates);
+    const std::vector<Node> changing = secondRates();
     std::vector<Phase> phases;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         Phase phase;

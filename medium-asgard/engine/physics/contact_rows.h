@@ -17,9 +17,10 @@
 // a uniform pressure, mu N reach. LIMIT: between pure sliding and pure turning the bound is an
 // ellipse.
 //
-// Rates follow from gaps and velocities by differentiation along the motion, as for joints; forces
-// act on both bodies by the derivatives of the rates (Jacobian transposed). Coordinates that a
-// trajectory holds take no part.
+// The rate of a gap is the speed, along the normal, at which the bodies part where they are
+// nearest. Second rates follow by differentiation along the motion, as for joints; forces act on
+// both bodies by the derivatives of the rates (Jacobian transposed). Coordinates that a trajectory
+// holds take no part.
 #pragma once
 
 #include "physics/contact_readings.h"
@@ -114,28 +115,30 @@ public:
     [[nodiscard]] std::vector<Equation> others(std::span<const std::size_t> bodies);
 
 private:
-    struct Twist { // along the axes of a body's unknowns
+    using Arms = std::array<NodeVector, 2>; // from the centres of the body and of the support
+    struct Twist {                          // along the axes of a body's unknowns
         NodeVector linear, angular;
     };
-    struct Push { // on one body
-        std::size_t body = 0;
-        Twist by;
-        Node multiplier;
+    using Twists = std::array<Twist, 2>; // of the body, of the support
+    struct Rate {
+        Node value;
+        Twists by; // its derivatives by their velocities
     };
     struct Row {
-        Node multiplier;
-        std::optional<Node> gap;
-        Node rate;
+        Node multiplier, rate;
         expression::Condition condition;
+        std::vector<std::pair<std::size_t, Twist>> by; // of the bodies that move
     };
-    struct Frame { // of the surfaces that touch
-        NodeVector point, normal;
+    struct Frame {                // of the surfaces that touch
+        NodeVector point, normal; // the middle of the patch
+        Arms arms;                // to it
         std::array<NodeVector, 2> along;
     };
     struct Meeting { // of two pieces
         Node gap;
         NodeVector normal, contact, place;
         Node steady;
+        Arms arms; // to the contact
     };
     [[nodiscard]] surfaces::Triple<surfaces::Term> terms(const NodeVector& v);
     // Numbers of the contact that is written (node_vector.h).
@@ -149,14 +152,12 @@ private:
     [[nodiscard]] Node sideOf(const ContactPoint::Side& side, const Meeting& meeting);
     [[nodiscard]] std::optional<Node> tiltOf(const ContactPlace& place, const SurfaceGap& gap,
                                              const Meeting& meeting);
-    [[nodiscard]] NodeVector velocityAt(std::size_t body, const NodeVector& point,
-                                        const Vector& surface);
     // Of the point at that arm from its centre, in the world.
-    [[nodiscard]] NodeVector velocityOf(std::size_t body, const NodeVector& arm);
+    [[nodiscard]] NodeVector velocityAt(std::size_t body, const NodeVector& arm);
+    // Of the surfaces along each other.
+    [[nodiscard]] NodeVector slipOf(const ContactPlace& place, const Frame& frame);
     [[nodiscard]] std::vector<Node> landingsOf(const ContactPlace& place);
-    [[nodiscard]] NodeVector armOf(std::size_t body, const SurfacePiece& piece,
-                                   const Meeting& meeting);
-    [[nodiscard]] Node openingOf(const ContactPlace& place, const SurfaceGap& gap,
+    [[nodiscard]] Rate openingOf(const ContactPlace& place, const SurfaceGap& gap,
                                  const Meeting& meeting);
     void addNormals(const ContactPlace& place, std::span<const Node> multipliers);
     void addFriction(const ContactPlace& place, const Frame& frame,
@@ -166,12 +167,13 @@ private:
                    std::span<const Node> multipliers);
     void addRolling(const ContactPlace& place, const Frame& frame,
                     std::span<const Node> multipliers);
-    void addRow(const ContactPlace& place, Node multiplier, std::optional<Node> gap, Node rate,
-                expression::Condition condition);
+    [[nodiscard]] Twists alongAt(const ContactPlace& place, const NodeVector& d, const Arms& arms);
+    [[nodiscard]] Twists aboutAxis(const ContactPlace& place, const NodeVector& axis);
+    void addRow(const ContactPlace& place, Node multiplier, std::optional<Node> gap,
+                const Rate& rate, expression::Condition condition);
     [[nodiscard]] std::vector<Node> along(std::span<const Node> values);
-    [[nodiscard]] std::vector<Node> secondRates(std::span<const Node> rates);
+    [[nodiscard]] std::vector<Node> secondRates();
     void addTurning(std::vector<Node>& moving, std::vector<Node>& rates);
-    [[nodiscard]] Twist byVelocityOf(Node value, const BodySymbols& body); // the derivatives
     [[nodiscard]] Node rateOf(std::size_t unknown) const;
     [[nodiscard]] const BodySymbols& symbols(std::size_t body) const {
         return free_.bodies[body].symbols;
@@ -184,7 +186,6 @@ private:
     std::unordered_map<std::uint32_t, std::size_t> unknownOf_; // by symbol
     std::map<std::size_t, Node> rates_;                        // by unknown: others than in force
     std::set<std::size_t> bodies_;                             // in contacts that were added
-    std::vector<Push> pushes_;
     std::vector<Row> rows_;
     Node owner_; // of the numbers of the contact that is written
     std::uint32_t amounts_ = 0;

@@ -71,6 +71,9 @@ template <class S> struct Nearest {
     S gap;
     Triple<S> normal, contact, place;
     S steady; // of curves with feet, else 1
+    // From the centres of the body and of the support to the contact: exact however far these are
+    // from the origin.
+    std::array<Triple<S>, 2> arms = {};
 };
 
 // Of one piece below the other's plane: how deep it reaches along -n, and where.
@@ -255,9 +258,12 @@ Nearest<S> nearestOf(const SurfaceGap& gap, const Place<S>& body, const Place<S>
         isSwapped ? std::pair(&gap.support, &gap.body) : std::pair(&gap.body, &gap.support);
     const Place<S>&a = isSwapped ? support : body, &b = isSwapped ? body : support;
     const Triple<S> place = a.toWorld(first->place);
-    const Triple<S> d = (a.centre - b.centre) + (place - b.toWorld(second->place));
+    const Triple<S> apart = a.centre - b.centre;
+    const Triple<S> d = apart + (place - b.toWorld(second->place));
     Nearest<S> found = between(*first, a, *second, b, d, gap);
-    const Triple<S> at = a.centre + place;
+    const Triple<S> at = a.centre + place, own = place + found.contact;
+    found.arms[isSwapped ? 1 : 0] = own;
+    found.arms[isSwapped ? 0 : 1] = apart + own;
     found.contact = at + found.contact;
     found.place = at + found.place;
     if (isSwapped)

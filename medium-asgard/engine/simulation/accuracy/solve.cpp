@@ -138,8 +138,7 @@ std::vector<IslandError> differencesOf(const Problem& problem, const Run& first,
 }
 
 // What rounding does, by body, where impacts amplify it. Written into the errors where nothing is
-// integrated; answered where something is, and rounding alone takes the motion beyond the accuracy:
-// of bodies that are not beyond it by their errors, which say more.
+// integrated; answered where something is, and rounding alone takes the motion beyond the accuracy.
 std::vector<std::optional<BodyError>> judgeRounding(const Problem& problem, const Run& run,
                                                     const Observer& silent,
                                                     const std::vector<double>& tolerances,
@@ -148,18 +147,19 @@ std::vector<std::optional<BodyError>> judgeRounding(const Problem& problem, cons
     std::vector<std::optional<BodyError>> beside(solved.errors.size());
     const Amplifying islands = amplifying(problem, run);
     const auto concerns = [&](std::size_t b) {
-        return islands.alone[run.island[b]] ||
-               (islands.beside[run.island[b]] && solved.errors[b].estimate <= problem.accuracy());
+        return islands.alone[run.island[b]] || islands.beside[run.island[b]];
     };
+    if (std::ranges::find(islands.alone, true) == islands.alone.end() &&
+        std::ranges::find(islands.beside, true) == islands.beside.end())
+        return beside;
     std::vector<bool> concerned;
     for (std::size_t b = 0; b < solved.errors.size(); ++b)
         concerned.push_back(concerns(b));
-    if (std::ranges::find(concerned, true) == concerned.end())
-        return beside;
-    const auto nudged = runs.next(
-        problem,
-        {.kind = RunSource::Kind::nudged, .tolerances = tolerances, .concerned = concerned},
-        silent);
+    const auto nudged = runs.next(problem,
+                                  {.kind = RunSource::Kind::nudged,
+                                   .tolerances = tolerances,
+                                   .concerned = std::move(concerned)},
+                                  silent);
     if (!nudged)
         return beside;
     addWork(*nudged, solved);
@@ -170,7 +170,7 @@ std::vector<std::optional<BodyError>> judgeRounding(const Problem& problem, cons
         sizes[b] = differences[b].size;
         if (islands.alone[run.island[b]])
             solved.errors[b] = error;
-        else if (concerned[b] && std::isfinite(error.predictableUntil))
+        else if (concerns(b) && std::isfinite(error.predictableUntil))
             beside[b] = error;
     }
     return beside;
@@ -347,19 +347,15 @@ Solved solveToAccuracy(const Problem& problem, const Observer& observer, RunSour
         return solved;
     }
     solved.errors.resize(problem.bodies->size());
+    std::vector<double> sizes(solved.errors.size());
+    const auto rounding = judgeRounding(problem, run, silent, search.loose(), runs, solved, sizes);
     if (observer.progress && !isExact(run))
         observer.progress(run.motion(problem, true));
     search.leaveExact(run);
-    const Run first = run;
-    const std::vector<double> firstTolerances = search.loose();
     std::optional<Proof> proof;
     while (tighten(problem, silent, search, runs, std::exchange(proof, std::nullopt), run, solved))
         if (!(proof = prove(problem, run, silent, search, runs, solved)))
             break;
-    std::vector<double> sizes(solved.errors.size());
-    std::vector<std::optional<BodyError>> rounding(solved.errors.size());
-    if (!solved.result.cancelled)
-        rounding = judgeRounding(problem, first, silent, firstTolerances, runs, solved, sizes);
     solved.isEstimated = !solved.result.cancelled;
     takeRounding(rounding, solved.errors);
     endWithStops(problem, run, solved.errors);
