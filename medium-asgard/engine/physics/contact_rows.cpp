@@ -107,7 +107,8 @@ ContactRows::Frame ContactRows::frameOf(const ContactPlace& place) {
         const auto count = static_cast<double>(place.points.size());
         frame.point = scaled(g_, g_.constant(1 / count), frame.point);
     }
-    // By places, so that friction reads what its normal forces move, and is found with them.
+    // Differences of places, so that friction's rates read the places that its normal forces move:
+    // the partition puts both into one component by that alone.
     frame.arms = {subtract(g_, frame.point, body.position),
                   subtract(g_, frame.point, symbols(place.support).position)};
     if (gap.isOnPlane()) { // directions of the plane

@@ -240,8 +240,8 @@ struct Proof {
     std::vector<double> tolerances;
 };
 
-// Compares runs until the search ends, `proof` the first of them where it is that. False: it was
-// cancelled, or such a run was not made before.
+// Compares runs until the search ends. `proof` is the first of them if it has the tolerances that
+// are next. False: the search was cancelled, or such a run was not made before.
 bool tighten(const Problem& problem, const Observer& silent, Tightening& search, RunSource& runs,
              std::optional<Proof> proof, Run& run, Solved& solved) {
     const bool isExplained = problem.options.explain; // what is taken brings no equations with it
@@ -283,7 +283,7 @@ void doubtImpacts(const Problem& problem, const Run& run, Tightening& search,
             search.doubt(b);
 }
 
-// What is open is measured by one run more: where the search goes on from it, that run.
+// One run more measures the errors that are open. Answers with it if the search goes on from it.
 std::optional<Proof> prove(const Problem& problem, const Run& run, const Observer& silent,
                            Tightening& search, RunSource& runs, Solved& solved) {
     doubtImpacts(problem, run, search, solved);

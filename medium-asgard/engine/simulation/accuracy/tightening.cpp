@@ -157,7 +157,7 @@ std::vector<bool> Tightening::runsAgain() const {
     return again;
 }
 
-// What rests is equal at all tolerances.
+// A body at rest has the same motion at all tolerances: a rougher run would tell nothing.
 bool Tightening::isEqual(std::size_t b, const IslandError& difference) const {
     return difference.largest == 0 && difference.moves && difference.size > 0 &&
            tight_[b] != loose_[b] && !bodies_[b].isSettled && bodies_[b].before < 0;

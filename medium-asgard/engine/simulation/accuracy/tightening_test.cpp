@@ -283,7 +283,7 @@ TEST(Proofs, AreRunsOfTheSearchWhereTheyProveOneWrong) {
     EXPECT_GT(goneOn, 0u);
 }
 
-// Where a body rests, no third run at a rougher tolerance is made: it would be equal, too.
+// Bodies at rest get no third run at a rougher tolerance: it would be equal, too.
 TEST(Rest, IsEqualAtAllTolerances) {
     SceneBuilder b(1, 1e-4);
     b.box("floor", {0, -0.5, 0}, {4, 1, 4}).fixed = true;
