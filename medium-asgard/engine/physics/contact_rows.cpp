@@ -147,19 +147,24 @@ NodeVector ContactRows::slipOf(const ContactPlace& place, const Frame& frame) {
 
 // --------------------------------------------------------------------------------------- rows
 
-// Of the rate  d . (velocity of the body at its arm - velocity of the support at its own).
-ContactRows::Twists ContactRows::alongAt(const ContactPlace& place, const NodeVector& d,
-                                         const Arms& arms) {
+// The part along d of the velocity of the body at its arm less that of the support at its own.
+ContactRows::Rate ContactRows::rateAlong(const ContactPlace& place, const NodeVector& d,
+                                         const NodeVector& velocity, const Arms& arms) {
     const NodeVector back = scaled(g_, g_.constant(-1), d);
-    return {Twist{d, symbols(place.body).toSpinAxes(g_, cross(g_, arms[0], d))},
-            Twist{back, symbols(place.support).toSpinAxes(g_, cross(g_, arms[1], back))}};
+    return {dot(g_, d, velocity),
+            {Twist{d, symbols(place.body).toSpinAxes(g_, cross(g_, arms[0], d))},
+             Twist{back, symbols(place.support).toSpinAxes(g_, cross(g_, arms[1], back))}}};
 }
 
-// Of the rate  axis . (spin of the body - spin of the support).
-ContactRows::Twists ContactRows::aboutAxis(const ContactPlace& place, const NodeVector& axis) {
-    const NodeVector none = constant(g_, Vector::Zero()), back = scaled(g_, g_.constant(-1), axis);
-    return {Twist{none, symbols(place.body).toSpinAxes(g_, axis)},
-            Twist{none, symbols(place.support).toSpinAxes(g_, back)}};
+// The spin of the body against the support about an axis, times a length.
+ContactRows::Rate ContactRows::rateAbout(const ContactPlace& place, const NodeVector& axis,
+                                         Node length) {
+    const BodySymbols &body = symbols(place.body), &support = symbols(place.support);
+    const NodeVector spin = subtract(g_, body.worldSpin(g_), support.worldSpin(g_));
+    const NodeVector none = constant(g_, Vector::Zero()), by = scaled(g_, length, axis),
+                     back = scaled(g_, g_.constant(-1), by);
+    return {g_.multiply(length, dot(g_, axis, spin)),
+            {Twist{none, body.toSpinAxes(g_, by)}, Twist{none, support.toSpinAxes(g_, back)}}};
 }
 
 void ContactRows::addRow(const ContactPlace& place, Node multiplier, std::optional<Node> gap,
@@ -246,7 +251,7 @@ ContactRows::Rate ContactRows::openingOf(const ContactPlace& place, const Surfac
         arms[1] = symbols(place.support).toWorld(g_, numbersOf(gap.support.place));
     const NodeVector opening =
         subtract(g_, velocityAt(place.body, arms[0]), velocityAt(place.support, arms[1]));
-    return {dot(g_, meeting.normal, opening), alongAt(place, meeting.normal, arms)};
+    return rateAlong(place, meeting.normal, opening, arms);
 }
 
 void ContactRows::addNormals(const ContactPlace& place, std::span<const Node> multipliers) {
@@ -288,17 +293,11 @@ void ContactRows::addFriction(const ContactPlace& place, const Frame& frame,
     const NodeVector slip = slipOf(place, frame);
     for (std::size_t i = 0; i < 2; ++i)
         addRow(place, multipliers[first + i], std::nullopt,
-               {dot(g_, frame.along[i], slip), alongAt(place, frame.along[i], frame.arms)},
-               condition);
+               rateAlong(place, frame.along[i], slip, frame.arms), condition);
     if (count < 3)
         return;
-    const NodeVector turning =
-        subtract(g_, symbols(place.body).worldSpin(g_), symbols(place.support).worldSpin(g_));
-    const Node reach = numberOf(of.reach);
     addRow(place, multipliers[first + 2], std::nullopt,
-           {g_.multiply(reach, dot(g_, frame.normal, turning)),
-            aboutAxis(place, scaled(g_, reach, frame.normal))},
-           condition);
+           rateAbout(place, frame.normal, numberOf(of.reach)), condition);
     addLevers(place, frame, multipliers);
 }
 
@@ -341,14 +340,9 @@ void ContactRows::addRolling(const ContactPlace& place, const Frame& frame,
     disc.sticking = disc.sliding = place.friction.rolling / place.size;
     Condition condition;
     condition.friction = disc;
-    const NodeVector turning =
-        subtract(g_, symbols(place.body).worldSpin(g_), symbols(place.support).worldSpin(g_));
-    const Node size = numberOf(place.size);
     for (std::size_t i = 0; i < 2; ++i)
         addRow(place, multipliers[first + i], std::nullopt,
-               {g_.multiply(size, dot(g_, frame.along[i], turning)),
-                aboutAxis(place, scaled(g_, size, frame.along[i]))},
-               condition);
+               rateAbout(place, frame.along[i], numberOf(place.size)), condition);
 }
 
 void ContactRows::addContact(const ContactPlace& place, std::span<const Node> multipliers) {

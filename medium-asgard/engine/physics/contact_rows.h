@@ -119,10 +119,9 @@ private:
     struct Twist {                          // along the axes of a body's unknowns
         NodeVector linear, angular;
     };
-    using Twists = std::array<Twist, 2>; // of the body, of the support
     struct Rate {
         Node value;
-        Twists by; // its derivatives by their velocities
+        std::array<Twist, 2> by; // its derivatives by the velocities of the body and of the support
     };
     struct Row {
         Node multiplier, rate;
@@ -167,8 +166,9 @@ private:
                    std::span<const Node> multipliers);
     void addRolling(const ContactPlace& place, const Frame& frame,
                     std::span<const Node> multipliers);
-    [[nodiscard]] Twists alongAt(const ContactPlace& place, const NodeVector& d, const Arms& arms);
-    [[nodiscard]] Twists aboutAxis(const ContactPlace& place, const NodeVector& axis);
+    [[nodiscard]] Rate rateAlong(const ContactPlace& place, const NodeVector& d,
+                                 const NodeVector& velocity, const Arms& arms);
+    [[nodiscard]] Rate rateAbout(const ContactPlace& place, const NodeVector& axis, Node length);
     void addRow(const ContactPlace& place, Node multiplier, std::optional<Node> gap,
                 const Rate& rate, expression::Condition condition);
     [[nodiscard]] std::vector<Node> along(std::span<const Node> values);
