@@ -33,8 +33,8 @@ struct AtCentre {
     Matrix byNormals; // changes of the force with each normal force
 };
 
-// Unknown: the forces of the laws inside, at edges and of slips, then for each edge s times its
-// radius.
+// Unknown: the forces of the laws inside and at edges, then for each edge s times its radius. Those
+// of slips follow from their normal forces.
 class Equations {
 public:
     Equations(const Matrix& a, const Vector& b, const Laws& laws, const States& states,
@@ -48,6 +48,7 @@ public:
         unknowns_ = static_cast<Index>(rows_.size() + edges_.size());
         if (isLinear() && aim == Aim::shortest) // from anywhere
             forces_(rows_).setZero();
+        followSlips();
         const Vector rates = a_ * forces_ + b_;
         for (const std::size_t k : edges_) {
             const AtCentre at(laws[k], forces_);
@@ -62,7 +63,9 @@ public:
         if (unknowns_ == 0)
             return true;
         constexpr double small = 1e-13; // Newton's steps shrink from here on until rounding is left
-        constexpr int most = 50, patience = 8; // rounds, and those since the best one
+        constexpr double apart = 1e-4;  // a step that leads nowhere
+        // Rounds, and those since the best one.
+        const int most = edges_.empty() ? 20 : 50, patience = edges_.empty() ? 4 : 8;
         double last = 1, least = unbounded;
         for (int round = 0, inVain = 0; round < most && inVain < patience; ++round, ++inVain) {
             const double change = step();
@@ -76,7 +79,7 @@ public:
                 inVain = 0;
             }
         }
-        return true; // the caller judges what was met
+        return !edges_.empty() || last <= apart; // of edges the caller judges what was met
     }
 
     [[nodiscard]] Answer answer() const {
@@ -87,9 +90,12 @@ public:
 private:
     void place(std::size_t k) {
         const Law& law = laws_[k];
-        if (states_[k] == State::inside || (states_[k] == State::edge && !isClosed(law))) {
-            if (states_[k] == State::edge)
-                (law.kind == Law::Kind::slip ? slips_ : edges_).push_back(k);
+        const bool isEdge = states_[k] == State::edge && !isClosed(law);
+        if (isEdge && law.kind == Law::Kind::slip) {
+            slips_.push_back(k);
+        } else if (isEdge || states_[k] == State::inside) {
+            if (isEdge)
+                edges_.push_back(k);
             for (Index i = 0; i < law.rows; ++i)
                 rows_.push_back(law.first + i);
         } else if (law.kind == Law::Kind::interval) {
@@ -125,12 +131,13 @@ private:
             for (std::size_t e = 0; e < edges_.size(); ++e)
                 addEdge(e, forces + static_cast<Index>(e), rates, change, wrong, now);
             for (const std::size_t k : slips_)
-                addSlip(laws_[k], change, wrong);
+                addSlip(laws_[k], change.topRows(forces));
             least_.emplace(std::move(change));
         }
         const Vector to = aim_ == Aim::shortest ? least_->solve(least_->matrix() * now - wrong)
                                                 : Vector(now - least_->solve(wrong));
         forces_(rows_) = to.head(forces);
+        followSlips();
         for (std::size_t e = 0; e < edges_.size(); ++e)
             speeds_[e] = to[forces + static_cast<Index>(e)];
         const double size = std::max(to.cwiseAbs().maxCoeff(), 1e-300);
@@ -168,22 +175,31 @@ private:
     }
 
     // At the centre  f + r d = 0  with the direction d there.
-    void addSlip(const Law& law, Matrix& change, Vector& wrong) const {
+    void followSlips() {
+        for (const std::size_t k : slips_) {
+            const Law& law = laws_[k];
+            const Vector centre = centreOf(law, forces_);
+            forces_.segment(law.first, law.rows) =
+                forcesFrom(centre, -radiusOf(law, forces_) * directionAt(centre, law));
+        }
+    }
+
+    // To the changes of rates with each unknown: those that a slip's force brings.
+    void addSlip(const Law& law, Eigen::Ref<Matrix> rates) const {
         const AtCentre at(law, forces_);
-        const double radius = radiusOf(law, forces_), stiff = a_.diagonal().maxCoeff();
+        const double radius = radiusOf(law, forces_);
         const Vector velocity = ratesAt(at.centre, law.velocity) + law.beside;
         const double speed = std::max(velocity.norm(), 1e-300);
-        const Vector direction = velocity / speed;
-        const Index first = placeOf(law.first);
-        wrong.segment(first, law.rows) = stiff * (at.force + radius * direction);
-        change.middleRows(first, law.rows).setZero();
-        change.block(first, first, law.rows, law.rows) = stiff * at.byRows;
+        const Vector direction = velocity / speed, ahead = -radius * direction;
+        const Index last = law.rows - 1;
+        const Matrix columns = a_.middleCols(law.first, law.rows)(rows_, Eigen::all);
         eachNormal(law, [&](Index n, Index normal) {
             Vector moved = Vector::Zero(law.rows); // of the velocity
-            moved.head(law.rows - 1) = law.velocity[law.rows - 1] * at.moves.col(n);
+            moved.head(last) = law.velocity[last] * at.moves.col(n);
             const Vector turned = (moved - direction.dot(moved) * direction) / speed;
-            change.col(normal).segment(first, law.rows) =
-                stiff * (at.byNormals.col(n) + law.coefficient * direction + radius * turned);
+            Vector force = forcesFrom(at.centre, -law.coefficient * direction - radius * turned);
+            force[last] += at.moves.col(n).dot(ahead.head(last));
+            rates.col(normal) += columns * force;
         });
     }
 
