@@ -64,6 +64,7 @@ public:
         InDisc slip = {};   // of the velocities of the rows
         Centre moment = {}; // of the sum of normal forces times their levers
     };
+    [[nodiscard]] Change noChange(std::size_t disc) const;
     // By these normal forces.
     [[nodiscard]] Change changeBy(std::size_t disc, std::span<const double> forces) const;
     // Of one that slips, by these normal forces; and against a velocity: linear in what presses.
@@ -90,7 +91,6 @@ private:
     [[nodiscard]] InDisc ratesAmong(std::span<const double> gaps, std::size_t disc) const;
     [[nodiscard]] Centre centreIn(std::size_t disc) const; // the mode
     [[nodiscard]] Centre centreFrom(std::size_t disc, const std::array<double, 2>& levers) const;
-    [[nodiscard]] Change noChange(std::size_t disc) const;
     [[nodiscard]] double pressedBy(std::size_t disc, std::span<const double> forces) const;
     // The force is against it.
     [[nodiscard]] InDisc wayOf(std::size_t disc, const Centre& centre) const;

@@ -10,6 +10,11 @@ std::span<const double> spanOf(const Eigen::Ref<const Eigen::VectorXd>& values) 
     return {values.data(), static_cast<std::size_t>(values.size())};
 }
 
+// What presses a disc, and its moments.
+Eigen::Index effectsOf(const BoundModel::Disc& disc) {
+    return disc.hasLevers ? static_cast<Eigen::Index>(disc.rows.size()) : 1;
+}
+
 } // namespace
 
 void SlipForces::find(std::size_t discs) {
@@ -28,8 +33,12 @@ void SlipForces::find(std::size_t discs) {
 
 // Of each disc, where its forces begin.
 template <class Visit> void SlipForces::each(const Visit& visit) const {
-    for (const std::size_t disc : discs_)
-        visit(disc, placeOf_[friction_.disc(disc).rows[0]]);
+    Eigen::Index effect = 0;
+    for (const std::size_t disc : discs_) {
+        const BoundModel::Disc& of = friction_.disc(disc);
+        visit(disc, Place{placeOf_[of.rows[0]], effect});
+        effect += effectsOf(of);
+    }
 }
 
 bool SlipForces::solve(std::span<const double> entries, HeldConditions& held,
@@ -40,6 +49,7 @@ bool SlipForces::solve(std::span<const double> entries, HeldConditions& held,
             responses_(row, placeOf_[column]) = entries[k];
     for (Eigen::Index i = 0; i < rows_; ++i)
         held.solve(responses_.col(i));
+    findEffects();
     beginAtLast(without);
     if (forces_.allFinite() && improve(without))
         return true;
@@ -47,26 +57,50 @@ bool SlipForces::solve(std::span<const double> entries, HeldConditions& held,
     return improve(without);
 }
 
+// What a disc follows from is linear in all forces.
+void SlipForces::findEffects() {
+    Eigen::Index effects = 0;
+    for (const std::size_t disc : discs_)
+        effects += effectsOf(friction_.disc(disc));
+    effects_.setZero(effects, rows_);
+    each([&](std::size_t disc, const Place& at) {
+        const std::vector<std::size_t>& normals = friction_.disc(disc).normals;
+        const Eigen::Index moments = effectsOf(friction_.disc(disc)) - 1;
+        for (std::size_t n = 0; n < normals.size(); ++n) {
+            const auto response = responses_.row(static_cast<Eigen::Index>(normals[n]));
+            effects_.row(at.effect) += response;
+            if (moments > 0)
+                effects_.middleRows(at.effect + 1, moments) +=
+                    friction_.leversOf(disc, n) * response;
+        }
+    });
+}
+
 // Of Newton's matrix the rows of a disc: its own forces less those that follow from all others.
-// `force`: that of the disc by a change of what it follows from.
+// `force`: that of the disc by a change of what it follows from, linear in it.
 template <class Force>
-void SlipForces::setSlopes(std::size_t disc, Eigen::Index first, const Force& force) {
-    for (Eigen::Index i = 0; i < rows_; ++i) {
-        const DiscFriction::InDisc by = force(friction_.changeBy(disc, spanOf(responses_.col(i))));
-        slopes_.col(i).segment(first, by.size()) -= by;
+void SlipForces::setSlopes(std::size_t disc, const Place& at, const Force& force) {
+    const auto rows = static_cast<Eigen::Index>(friction_.disc(disc).rows.size());
+    const Eigen::Index effects = effectsOf(friction_.disc(disc));
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3> by(rows, effects);
+    for (Eigen::Index i = 0; i < effects; ++i) {
+        DiscFriction::Change one = friction_.noChange(disc);
+        (i == 0 ? one.pressed : one.moment[i - 1]) = 1;
+        by.col(i) = force(one);
     }
+    slopes_.middleRows(at.force, rows).noalias() -= by * effects_.middleRows(at.effect, effects);
 }
 
 void SlipForces::beginAtLast(const Eigen::VectorXd& without) {
     slopes_.setIdentity(rows_, rows_);
     forces_.resize(rows_);
-    each([&](std::size_t disc, Eigen::Index first) {
+    each([&](std::size_t disc, const Place& at) {
         const DiscFriction::InDisc way = friction_.lastWay(disc);
         const auto force = [&](const DiscFriction::Change& all) {
             return friction_.forceAgainst(disc, way, all);
         };
-        forces_.segment(first, way.size()) = force(friction_.changeBy(disc, spanOf(without)));
-        setSlopes(disc, first, force);
+        forces_.segment(at.force, way.size()) = force(friction_.changeBy(disc, spanOf(without)));
+        setSlopes(disc, at, force);
     });
     lu_.compute(slopes_);
     forces_ = lu_.solve(forces_);
@@ -102,18 +136,18 @@ bool SlipForces::improve(const Eigen::VectorXd& without) {
 // By how much the laws' forces differ.
 Eigen::VectorXd SlipForces::errors(const Eigen::VectorXd& multipliers) const {
     Eigen::VectorXd errors = -forces_;
-    each([&](std::size_t disc, Eigen::Index first) {
+    each([&](std::size_t disc, const Place& at) {
         const DiscFriction::InDisc force = friction_.forceOf(disc, spanOf(multipliers));
-        errors.segment(first, force.size()) += force;
+        errors.segment(at.force, force.size()) += force;
     });
     return errors;
 }
 
 void SlipForces::linearise(std::span<const double> multipliers) {
     slopes_.setIdentity(rows_, rows_);
-    each([&](std::size_t disc, Eigen::Index first) {
+    each([&](std::size_t disc, const Place& at) {
         const DiscFriction::Slope slope = friction_.slopeOf(disc, multipliers);
-        setSlopes(disc, first, [&](const DiscFriction::Change& by) {
+        setSlopes(disc, at, [&](const DiscFriction::Change& by) {
             return friction_.changeOf(disc, slope, by);
         });
     });
@@ -124,12 +158,12 @@ void SlipForces::change(std::span<const double> multipliers, std::span<const dou
                         HeldConditions& held, Eigen::Ref<Eigen::VectorXd> change) const {
     held.solve(change);
     Eigen::VectorXd forces = Eigen::VectorXd::Zero(rows_);
-    each([&](std::size_t disc, Eigen::Index first) {
+    each([&](std::size_t disc, const Place& at) {
         DiscFriction::Change by = friction_.changeBy(disc, spanOf(change));
         friction_.addGaps(disc, multipliers, gaps, by);
         const DiscFriction::InDisc of =
             friction_.changeOf(disc, friction_.slopeOf(disc, multipliers), by);
-        forces.segment(first, of.size()) = of;
+        forces.segment(at.force, of.size()) = of;
     });
     forces = lu_.solve(forces);
     change += responses_ * forces;

@@ -49,8 +49,12 @@ public:
                 HeldConditions& held, Eigen::Ref<Eigen::VectorXd> change) const;
 
 private:
+    struct Place { // of a disc: of its first force, and of its first row of effects
+        Eigen::Index force, effect;
+    };
     template <class Visit> void each(const Visit& visit) const;
-    template <class Force> void setSlopes(std::size_t disc, Eigen::Index first, const Force& force);
+    void findEffects();
+    template <class Force> void setSlopes(std::size_t disc, const Place& at, const Force& force);
     void beginAtLast(const Eigen::VectorXd& without);
     [[nodiscard]] bool improve(const Eigen::VectorXd& without);
     [[nodiscard]] Eigen::VectorXd errors(const Eigen::VectorXd& multipliers) const;
@@ -60,7 +64,8 @@ private:
     std::vector<std::size_t> discs_;
     Eigen::Index rows_ = 0;
     std::vector<Eigen::Index> placeOf_; // of a multiplier among the forces, or none
-    Eigen::MatrixXd responses_, slopes_;
+    // By force: of multipliers; and of what presses each disc, and of its moments. Newton's matrix.
+    Eigen::MatrixXd responses_, effects_, slopes_;
     Eigen::VectorXd forces_;
     Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
 };
