@@ -312,6 +312,7 @@ std::optional<Answer> solveFromCentres(const Matrix& a, const Vector& b, const L
     // The centres that forces without friction have may lie far from all answers. One start may
     // wander where another is there in a few rounds: first each has few of them.
     constexpr int few = 8, many = 60;
+    const bool isAlongSlips = hasGuess && guess.states.empty(); // it asked, and does so once
     const bool haveLevers = std::ranges::any_of(
         laws, [](const Law& law) { return law.kind == Law::Kind::disc && law.levers.size() > 0; });
     std::vector<FromCentres> ways;
@@ -321,7 +322,7 @@ std::optional<Answer> solveFromCentres(const Matrix& a, const Vector& b, const L
     for (FromCentres& way : ways) {
         if (auto found = way.solve(few, at, a, b, laws, counts))
             return found;
-        if (&way == &ways[0] && haveLevers)
+        if (&way == &ways[0] && haveLevers && !isAlongSlips)
             if (auto found = alongSlips(a, b, laws, forces, counts))
                 return found;
     }

@@ -63,7 +63,7 @@ public:
         if (unknowns_ == 0)
             return true;
         constexpr double small = 1e-13; // Newton's steps shrink from here on until rounding is left
-        constexpr double apart = 1e-4;  // a step that leads nowhere
+        constexpr double apart = 1e-4;  // a last step over this leads nowhere
         // Rounds, and those since the best one.
         const int most = edges_.empty() ? 20 : 50, patience = edges_.empty() ? 4 : 8;
         double last = 1, least = unbounded;
@@ -128,10 +128,10 @@ private:
         if (!isLinear() || !least_) {
             Matrix change = Matrix::Zero(unknowns_, unknowns_);
             change.topLeftCorner(forces, forces) = a_(rows_, rows_);
-            for (std::size_t e = 0; e < edges_.size(); ++e)
-                addEdge(e, forces + static_cast<Index>(e), rates, change, wrong, now);
             for (const std::size_t k : slips_)
                 addSlip(laws_[k], change.topRows(forces));
+            for (std::size_t e = 0; e < edges_.size(); ++e)
+                addEdge(e, forces + static_cast<Index>(e), rates, change, wrong, now);
             least_.emplace(std::move(change));
         }
         const Vector to = aim_ == Aim::shortest ? least_->solve(least_->matrix() * now - wrong)
@@ -152,12 +152,13 @@ private:
         const double radius = std::max(radiusOf(law, forces_), 1e-300);
         const double slip = speeds_[e] / radius;
         const Index first = placeOf(law.first), turn = law.first + law.rows - 1;
+        const auto forces = static_cast<Index>(rows_.size());
         const double square = at.force.squaredNorm();
         now[last] = speeds_[e];
         for (Index i = 0; i + 1 < law.rows && law.levers.size() > 0; ++i) {
             wrong[first + i] += at.centre[i] * rates[turn];
-            change.row(first + i).head(static_cast<Index>(rows_.size())) +=
-                at.centre[i] * a_(turn, rows_);
+            change.row(first + i).head(forces) +=
+                at.centre[i] * change.row(first + law.rows - 1).head(forces);
         }
         wrong.segment(first, law.rows) += slip * at.force;
         change.block(first, first, law.rows, law.rows) += slip * at.byRows;
@@ -174,7 +175,7 @@ private:
         });
     }
 
-    // At the centre  f + r d = 0  with the direction d there.
+    // The force of a slip at its centre is  -r d  with the direction d there.
     void followSlips() {
         for (const std::size_t k : slips_) {
             const Law& law = laws_[k];
@@ -184,8 +185,10 @@ private:
         }
     }
 
-    // To the changes of rates with each unknown: those that a slip's force brings.
+    // Adds to the changes of rates with each normal force what the force of a slip brings.
     void addSlip(const Law& law, Eigen::Ref<Matrix> rates) const {
+        if (pulls(law)) // it has none
+            return;
         const AtCentre at(law, forces_);
         const double radius = radiusOf(law, forces_);
         const Vector velocity = ratesAt(at.centre, law.velocity) + law.beside;
@@ -203,6 +206,11 @@ private:
         });
     }
 
+    [[nodiscard]] bool pulls(const Law& disc) const {
+        return disc.normal >= 0 &&
+               disc.radius + disc.coefficient * forces_.segment(disc.normal, disc.normals).sum() <
+                   0;
+    }
     template <class Visit> void eachNormal(const Law& law, const Visit& visit) const {
         for (Index n = 0; law.normal >= 0 && n < law.normals; ++n)
             if (const Index normal = placeOf(law.normal + n); normal >= 0)
