@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <initializer_list>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -23,35 +22,22 @@ constexpr int deepest = 24;
 constexpr int shortPiece = 8; // the depth from which a watch far above 0 may jump
 constexpr int mostPieces = 500, mostSearches = 100;
 
-// Points of interpolation, each list with all that were looked at before it.
-constexpr std::array<std::size_t, 3> threePoints = {0, 4, 8};
-constexpr std::array<std::size_t, 5> fivePoints = {0, 2, 4, 6, 8};
-
-// By point of interpolation, what each of these points counts in the polynomial through them.
-template <std::size_t Count>
-using Weights = std::array<std::array<double, Count>, maximumCoefficients>;
-template <std::size_t Count>
-Weights<Count> weightsOf(const std::array<std::size_t, Count>& through) {
+// Every other point of interpolation; and, by point, what each of these counts in the polynomial
+// through them.
+constexpr std::array<std::size_t, 5> halfOfPoints = {0, 2, 4, 6, 8};
+using Weights = std::array<std::array<double, halfOfPoints.size()>, maximumCoefficients>;
+Weights weightsOfHalf() {
     const auto& points = interpolationPoints();
-    Weights<Count> weights{};
+    Weights weights{};
     for (std::size_t i = 0; i < points.size(); ++i)
-        for (std::size_t k = 0; k < Count; ++k) {
+        for (std::size_t k = 0; k < halfOfPoints.size(); ++k) {
             weights[i][k] = 1;
-            for (std::size_t other = 0; other < Count; ++other)
+            for (std::size_t other = 0; other < halfOfPoints.size(); ++other)
                 if (other != k)
-                    weights[i][k] *= (points[i] - points[through[other]]) /
-                                     (points[through[k]] - points[through[other]]);
+                    weights[i][k] *= (points[i] - points[halfOfPoints[other]]) /
+                                     (points[halfOfPoints[k]] - points[halfOfPoints[other]]);
         }
     return weights;
-}
-
-template <std::size_t Count>
-double foretold(const Samples& samples, std::size_t point,
-                const std::array<std::size_t, Count>& through, const Weights<Count>& weights) {
-    double value = 0;
-    for (std::size_t k = 0; k < Count; ++k)
-        value += weights[point][k] * samples[through[k]];
-    return value;
 }
 
 class Search {
@@ -96,54 +82,33 @@ public:
     }
 
 private:
-    // Most pieces are short beside what the watches do there. Where a polynomial through three of
-    // the points foretells two more, one through these five gives the others; where that one
-    // foretells the others, all nine need no check.
     void sample(double a, double b) {
-        static const Weights<3> byThree = weightsOf(threePoints);
-        static const Weights<5> byFive = weightsOf(fivePoints);
+        const auto& points = interpolationPoints();
         --budget_;
-        lookAt(a, b, {0, 4, 8});
-        lookAt(a, b, {2, 6});
-        const auto byThreeOf = [](const Samples& samples, std::size_t point) {
-            return foretold(samples, point, threePoints, byThree);
-        };
-        const auto byFiveOf = [](const Samples& samples, std::size_t point) {
-            return foretold(samples, point, fivePoints, byFive);
-        };
-        isForetold_ = isAsForetold({2, 6}, byThreeOf);
-        if (!isForetold_) {
-            lookAt(a, b, {1, 3, 5, 7});
-            isForetold_ = isAsForetold({1, 3, 5, 7}, byFiveOf);
-            return;
-        }
-        for (Samples& samples : samples_)
-            for (const std::size_t point : {1, 3, 5, 7})
-                samples[point] = byFiveOf(samples, point);
-    }
-    void lookAt(double a, double b, std::initializer_list<std::size_t> points) {
-        for (const std::size_t i : points) {
-            evaluate_(i + 1 == maximumCoefficients ? b : a + interpolationPoints()[i] * (b - a),
-                      values_);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            evaluate_(i + 1 == points.size() ? b : a + points[i] * (b - a), values_);
             for (std::size_t k = 0; k < values_.size(); ++k)
                 samples_[k][i] = values_[k];
         }
     }
-    // Of all watches: a value far above 0 need not be foretold closely.
-    template <class Foretold>
-    [[nodiscard]] bool isAsForetold(std::initializer_list<std::size_t> points,
-                                    const Foretold& foretoldOf) const {
+
+    // Half of the samples foretell the others, of each watch: all of them need no check. What is
+    // far above 0 need not be foretold closely.
+    [[nodiscard]] bool areForetold() const {
+        static const Weights weights = weightsOfHalf();
         constexpr double close = 1e-6, far = 0.01; // of the size, and of the least value
-        return std::ranges::all_of(samples_, [&](const Samples& samples) {
-            double size = 0, least = std::numeric_limits<double>::infinity();
-            for (const std::size_t i : fivePoints) {
-                size = std::max(size, std::abs(samples[i]));
-                least = std::min(least, samples[i]);
+        return std::ranges::all_of(samples_, [](const Samples& samples) {
+            const auto [low, high] = std::minmax_element(samples.begin(), samples.end());
+            const double size = std::max(std::abs(*low), std::abs(*high));
+            const double enough = std::max(close * size, far * *low);
+            for (std::size_t i = 1; i < samples.size(); i += 2) {
+                double foretold = 0;
+                for (std::size_t k = 0; k < halfOfPoints.size(); ++k)
+                    foretold += weights[i][k] * samples[halfOfPoints[k]];
+                if (!(std::abs(foretold - samples[i]) <= enough))
+                    return false;
             }
-            const double enough = std::max(close * size, far * least);
-            return std::ranges::all_of(points, [&](std::size_t i) {
-                return std::abs(foretoldOf(samples, i) - samples[i]) <= enough;
-            });
+            return true;
         });
     }
 
@@ -220,7 +185,7 @@ private:
     // Does a polynomial of degree 8 follow the watches here? Far above 0 it need not do so closely,
     // and in a short piece not at all: a force jumps where a slip passes by 0 and turns.
     bool explained(double a, double b, int depth) {
-        if (isForetold_)
+        if (areForetold())
             return true;
         std::vector<Coefficients> curves;
         for (const Samples& samples : samples_)
@@ -403,7 +368,6 @@ private:
     const OneWatch& one_;
     std::vector<double> values_;
     std::vector<Samples> samples_;
-    bool isForetold_ = false; // between the points of the piece that was sampled last
     double from_;
     Next next_;
     Care care_;

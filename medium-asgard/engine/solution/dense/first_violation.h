@@ -22,10 +22,9 @@ struct Violation {
 //
 // On pieces of the interval, cut where a watch has fallen, or else halved, until a polynomial of
 // degree 8 agrees with the watches, its Bernstein form isolates the first root. A polynomial
-// through nine values needs four more for that check; none where the one through five of them
-// foretells the others; and five values do where the one through three of them foretells the other
-// two. False position on that watch itself, after Illinois, with bisection where it gets on slowly,
-// finishes: a dozen values of this one watch.
+// through nine values needs four more for that check, and none where the one through five of them
+// foretells the other four. False position on that watch itself, after Illinois, with bisection
+// where it gets on slowly, finishes: a dozen values of this one watch.
 //
 // A graze: a watch that starts at 0, rises for less than the samples see and falls is followed to
 // the end of that rise, down to a 2^-40th of the interval.
