@@ -163,6 +163,7 @@ bool HeldConditions::factoriseDense(std::span<const double> values, double none)
     if (way_ == Way::least) {
         dense_.least.setThreshold(none);
         dense_.least.compute(dense_.matrix);
+        findIdle();
     }
     return true;
 }
@@ -183,20 +184,24 @@ std::string HeldConditions::how() const {
            std::to_string(n * (n + 1) * (n - 1) / 6) + ")";
 }
 
+void HeldConditions::findIdle() {
+    const Eigen::Index free = dense_.matrix.rows() - dense_.least.rank();
+    dense_.idle.resize(dense_.matrix.rows(), free);
+    if (free == 0)
+        return;
+    dense_.idle = dense_.least.colsPermutation() *
+                  Eigen::MatrixXd(dense_.least.matrixZ().transpose().rightCols(free));
+    dense_.inRooms.compute(scale_.cwiseQuotient(rooms_).asDiagonal() * dense_.idle);
+}
+
 // Of the m = S y with  A y = right,  A scaled by S, the one next to what is wanted: the shortest y,
 // and of what leaves A y as it is the part that brings m nearer.
-Eigen::VectorXd HeldConditions::leastSolution(const Eigen::VectorXd& wanted) const {
-    Eigen::VectorXd y = dense_.least.solve(right_);
-    const Eigen::Index free = y.size() - dense_.least.rank();
-    if (free == 0)
-        return y;
-    const Eigen::MatrixXd idle =
-        dense_.least.colsPermutation() *
-        Eigen::MatrixXd(dense_.least.matrixZ().transpose().rightCols(free));
-    const Eigen::VectorXd unit = scale_.cwiseQuotient(rooms_);
-    const Eigen::MatrixXd forces = unit.asDiagonal() * idle;
-    y -= idle *
-         forces.colPivHouseholderQr().solve(unit.cwiseProduct(y) - wanted.cwiseQuotient(rooms_));
+Eigen::MatrixXd HeldConditions::leastSolutions(const Eigen::MatrixXd& right,
+                                               const Eigen::MatrixXd& wanted) const {
+    Eigen::MatrixXd y = dense_.least.solve(right);
+    if (dense_.idle.cols() > 0)
+        y -= dense_.idle * dense_.inRooms.solve(rooms_.cwiseInverse().asDiagonal() *
+                                                (scale_.asDiagonal() * y - wanted));
     return y;
 }
 
@@ -224,10 +229,30 @@ void HeldConditions::solve(Eigen::Ref<Eigen::VectorXd> rates, std::span<const do
         return;
     }
     right_ = scale_.cwiseProduct(right_);
-    answer_ =
-        way_ == Way::dense ? Eigen::VectorXd(dense_.lu.solve(right_)) : leastSolution(wanted_);
+    if (way_ == Way::dense)
+        answer_ = dense_.lu.solve(right_);
+    else
+        answer_ = leastSolutions(right_, wanted_);
     for (std::size_t i = 0; i < n; ++i)
         rates[count(plan_.rows[i])] = scale_[count(i)] * answer_[count(i)];
+}
+
+void HeldConditions::solveEach(Eigen::Ref<Eigen::MatrixXd> rates) {
+    if (way_ == Way::sparse) {
+        for (Eigen::Index i = 0; i < rates.cols(); ++i)
+            solve(rates.col(i));
+        return;
+    }
+    const Eigen::Index n = count(plan_.rows.size());
+    Eigen::MatrixXd right(n, rates.cols());
+    for (Eigen::Index i = 0; i < n; ++i)
+        right.row(i) = -scale_[i] * rates.row(count(plan_.rows[static_cast<std::size_t>(i)]));
+    const Eigen::MatrixXd answers =
+        way_ == Way::dense ? Eigen::MatrixXd(dense_.lu.solve(right))
+                           : leastSolutions(right, Eigen::MatrixXd::Zero(n, rates.cols()));
+    rates.setZero();
+    for (Eigen::Index i = 0; i < n; ++i)
+        rates.row(count(plan_.rows[static_cast<std::size_t>(i)])) = scale_[i] * answers.row(i);
 }
 
 } // namespace solution

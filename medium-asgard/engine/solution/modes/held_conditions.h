@@ -45,6 +45,8 @@ public:
     // several the one next to `wanted`, one for each condition; empty: the shortest. Distance and
     // length are in units of Mode::rooms.
     void solve(Eigen::Ref<Eigen::VectorXd> rates, std::span<const double> wanted = {});
+    // The same of many rates, column by column: of several the shortest. What is left is not told.
+    void solveEach(Eigen::Ref<Eigen::MatrixXd> rates);
     // Conditions are not redundant.
     [[nodiscard]] bool isRegular() const {
         return way_ == Way::dense || (way_ == Way::sparse && redundancy_.kernel.cols() == 0);
@@ -82,7 +84,9 @@ private:
     void findKernel(std::span<const double> values);
     [[nodiscard]] bool factoriseDense(std::span<const double> values, double none);
     void putMatrix(std::span<const double> values);
-    [[nodiscard]] Eigen::VectorXd leastSolution(const Eigen::VectorXd& wanted) const;
+    void findIdle();
+    [[nodiscard]] Eigen::MatrixXd leastSolutions(const Eigen::MatrixXd& right,
+                                                 const Eigen::MatrixXd& wanted) const;
 
     const ComponentModel::Conditions& conditions_;
     const BoundModel& bound_;
@@ -100,6 +104,8 @@ private:
         Eigen::MatrixXd matrix; // scaled
         Eigen::PartialPivLU<Eigen::MatrixXd> lu;
         Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> least;
+        Eigen::MatrixXd idle; // what redundant conditions may have; scaled
+        Eigen::ColPivHouseholderQR<Eigen::MatrixXd> inRooms; // the same, in units of Mode::rooms
     } dense_;
     Eigen::VectorXd scale_, right_, answer_, wanted_, rooms_;
 };

@@ -47,8 +47,7 @@ bool SlipForces::solve(std::span<const double> entries, HeldConditions& held,
     for (std::size_t k = 0; k < entries.size(); ++k)
         if (const auto [row, column] = conditions_.matrix[k]; placeOf_[column] != none)
             responses_(row, placeOf_[column]) = entries[k];
-    for (Eigen::Index i = 0; i < rows_; ++i)
-        held.solve(responses_.col(i));
+    held.solveEach(responses_);
     findEffects();
     beginAtLast(without);
     if (forces_.allFinite() && improve(without))
