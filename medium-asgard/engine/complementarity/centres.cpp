@@ -307,25 +307,17 @@ std::optional<Answer> solveFromCentres(const Matrix& a, const Vector& b, const L
                                        const Answer& guess, Work& counts) {
     const AtCentres at(a, b, laws);
     const bool hasGuess = guess.forces.size() == b.size();
-    const Vector forces = hasGuess ? guess.forces : withoutDiscs(a, b, laws);
-    const Vector start = at.centresOf(forces);
+    const Vector start = at.centresOf(hasGuess ? guess.forces : withoutDiscs(a, b, laws));
     // The centres that forces without friction have may lie far from all answers. One start may
     // wander where another is there in a few rounds: first each has few of them.
     constexpr int few = 8, many = 60;
-    const bool isAlongSlips = hasGuess && guess.states.empty(); // it asked, and does so once
-    const bool haveLevers = std::ranges::any_of(
-        laws, [](const Law& law) { return law.kind == Law::Kind::disc && law.levers.size() > 0; });
     std::vector<FromCentres> ways;
     for (const double part : {1.0, 0.0, -1.0, 0.5})
         if (part == 1 || !start.isZero(0))
             ways.emplace_back(part * start, guess);
-    for (FromCentres& way : ways) {
+    for (FromCentres& way : ways)
         if (auto found = way.solve(few, at, a, b, laws, counts))
             return found;
-        if (&way == &ways[0] && haveLevers && !isAlongSlips)
-            if (auto found = alongSlips(a, b, laws, forces, counts))
-                return found;
-    }
     if (auto found = ByMoreFriction(a, b, laws, counts).solve())
         return found;
     for (FromCentres& way : ways)

@@ -187,7 +187,7 @@ private:
 
     // Adds to the changes of rates with each normal force what the force of a slip brings.
     void addSlip(const Law& law, Eigen::Ref<Matrix> rates) const {
-        if (pulls(law)) // it has none
+        if (pulls(law)) // no force follows; where they are just 0, that of a press does
             return;
         const AtCentre at(law, forces_);
         const double radius = radiusOf(law, forces_);
@@ -206,6 +206,7 @@ private:
         });
     }
 
+    // The sum of its normal forces.
     [[nodiscard]] bool pulls(const Law& disc) const {
         return disc.normal >= 0 &&
                disc.radius + disc.coefficient * forces_.segment(disc.normal, disc.normals).sum() <

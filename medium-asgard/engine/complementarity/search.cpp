@@ -50,13 +50,6 @@ public:
         return answer ? answer : nearest_;
     }
 
-    // As alongSlips(), or what all but keeps the laws.
-    std::optional<Answer> alongSlipsFrom(const Vector& forces) {
-        if (auto answer = alongSlips({.forces = forces, .states = {}}))
-            return answer;
-        return nearest_;
-    }
-
     std::optional<Answer> fromNothing() {
         const Approach inside = approach(a_, b_, laws_);
         work_.steps = inside.steps;
@@ -169,7 +162,6 @@ private:
             }
             Work work;
             auto next = complementarity::solve(a_, b_, laws, answer, &work);
-            work_.rounds += work.rounds;
             work_.steps += work.steps;
             work_.sweeps += work.sweeps;
             work_.tries += work.tries;
@@ -319,11 +311,6 @@ std::optional<Answer> solveAtMiddles(const Matrix& a, const Vector& b, const Law
 std::optional<Answer> around(const Matrix& a, const Vector& b, const Laws& laws,
                              const Answer& guess, Work& work) {
     return Search(a, b, laws, work).around(guess);
-}
-
-std::optional<Answer> alongSlips(const Matrix& a, const Vector& b, const Laws& laws,
-                                 const Vector& forces, Work& work) {
-    return Search(a, b, laws, work).alongSlipsFrom(forces);
 }
 
 } // namespace complementarity

@@ -20,9 +20,4 @@ solveAtMiddles(const Matrix& a, const Vector& b, const Laws& laws, const Answer&
 [[nodiscard]] std::optional<Answer> around(const Matrix& a, const Vector& b, const Laws& laws,
                                            const Answer& guess, Work& work);
 
-// Discs that slip fast at these forces become slips, and these turn with the answer. Nothing where
-// no disc is fast, or no answer was found.
-[[nodiscard]] std::optional<Answer> alongSlips(const Matrix& a, const Vector& b, const Laws& laws,
-                                               const Vector& forces, Work& work);
-
 } // namespace complementarity

@@ -92,7 +92,7 @@ private:
         }
     }
 
-    // Half of the samples foretell the others, of each watch: all of them need no check. What is
+    // Half of the samples foretell the others, of each watch: all of them need no check. A watch
     // far above 0 need not be foretold closely.
     [[nodiscard]] bool areForetold() const {
         static const Weights weights = weightsOfHalf();

@@ -35,7 +35,7 @@ public:
         : conditions_(model.conditions()), bound_(bound), mode_(mode) {}
 
     // `values`: of Conditions::matrix. False: they are not finite. Without a heap allocation where
-    // the same conditions hold as before.
+    // the same conditions hold as before and none is redundant.
     [[nodiscard]] bool factorise(std::span<const double> values);
     // The same matrix once more, of which less counts as redundant: where conditions that are next
     // to redundant keep more than rounding.
@@ -45,7 +45,7 @@ public:
     // several the one next to `wanted`, one for each condition; empty: the shortest. Distance and
     // length are in units of Mode::rooms.
     void solve(Eigen::Ref<Eigen::VectorXd> rates, std::span<const double> wanted = {});
-    // The same of many rates, column by column: of several the shortest. What is left is not told.
+    // The same of many rates, column by column: of several the shortest. left() knows none of them.
     void solveEach(Eigen::Ref<Eigen::MatrixXd> rates);
     // Conditions are not redundant.
     [[nodiscard]] bool isRegular() const {
@@ -104,7 +104,7 @@ private:
         Eigen::MatrixXd matrix; // scaled
         Eigen::PartialPivLU<Eigen::MatrixXd> lu;
         Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> least;
-        Eigen::MatrixXd idle; // what redundant conditions may have; scaled
+        Eigen::MatrixXd idle;                                // the kernel; scaled
         Eigen::ColPivHouseholderQR<Eigen::MatrixXd> inRooms; // the same, in units of Mode::rooms
     } dense_;
     Eigen::VectorXd scale_, right_, answer_, wanted_, rooms_;

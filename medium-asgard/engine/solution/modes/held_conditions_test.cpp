@@ -33,6 +33,28 @@ TEST(HeldConditions, TakeTheShortestForces) {
     EXPECT_LT((m - Eigen::Vector3d::Constant(3.27)).norm(), 1e-14);
 }
 
+TEST(HeldConditions, AreKeptOfManyRatesAsOfEach) {
+    const PreparedEquations prepared = massOnThreePoints();
+    const auto& bound = *prepared.components.at(0).bound;
+    Mode mode(*bound.model);
+    mode.share.rooms = {2, 1, 1e-3};
+    HeldConditions held(*bound.model, bound, mode);
+    for (const double tie : {1.0, 0.5}) { // redundant, and not
+        Eigen::Matrix3d matrix = Eigen::Matrix3d::Constant(tie);
+        matrix.diagonal().setOnes();
+        ASSERT_TRUE(held.factorise({matrix.data(), 9}));
+        Eigen::MatrixXd many = matrix * Eigen::Matrix3d{{1, 2, -3}, {0, 5, 1}, {4, 0, 1}};
+        const Eigen::MatrixXd rates = many;
+        held.solveEach(many);
+        for (Eigen::Index i = 0; i < 3; ++i) {
+            Eigen::VectorXd one = rates.col(i);
+            held.solve(one);
+            EXPECT_LT((many.col(i) - one).norm(), 1e-13 * one.norm()) << tie << " " << i;
+            EXPECT_LT((matrix * one + rates.col(i)).norm(), 1e-13 * rates.norm()) << tie;
+        }
+    }
+}
+
 // A point that hardly presses takes hardly a part of what changes.
 TEST(HeldConditions, ChangeForcesInProportionToTheSquaresOfTheirRooms) {
     const PreparedEquations prepared = massOnThreePoints();

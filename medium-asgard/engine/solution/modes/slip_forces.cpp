@@ -10,7 +10,7 @@ std::span<const double> spanOf(const Eigen::Ref<const Eigen::VectorXd>& values) 
     return {values.data(), static_cast<std::size_t>(values.size())};
 }
 
-// What presses a disc, and its moments.
+// Their number for a disc: the force that presses it, and the moments of that force.
 Eigen::Index effectsOf(const BoundModel::Disc& disc) {
     return disc.hasLevers ? static_cast<Eigen::Index>(disc.rows.size()) : 1;
 }
@@ -56,7 +56,7 @@ bool SlipForces::solve(std::span<const double> entries, HeldConditions& held,
     return improve(without);
 }
 
-// What a disc follows from is linear in all forces.
+// The force and the moments that press a disc are linear in all forces.
 void SlipForces::findEffects() {
     Eigen::Index effects = 0;
     for (const std::size_t disc : discs_)
@@ -76,7 +76,7 @@ void SlipForces::findEffects() {
 }
 
 // Of Newton's matrix the rows of a disc: its own forces less those that follow from all others.
-// `force`: that of the disc by a change of what it follows from, linear in it.
+// `force`: that of the disc by a change of its effects, linear in it.
 template <class Force>
 void SlipForces::setSlopes(std::size_t disc, const Place& at, const Force& force) {
     const auto rows = static_cast<Eigen::Index>(friction_.disc(disc).rows.size());

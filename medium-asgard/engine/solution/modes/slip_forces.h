@@ -64,7 +64,8 @@ private:
     std::vector<std::size_t> discs_;
     Eigen::Index rows_ = 0;
     std::vector<Eigen::Index> placeOf_; // of a multiplier among the forces, or none
-    // By force: of multipliers; and of what presses each disc, and of its moments. Newton's matrix.
+    // By force: the changes of multipliers, and of each disc's sum of normal forces and its moments
+    // (effects). Newton's matrix.
     Eigen::MatrixXd responses_, effects_, slopes_;
     Eigen::VectorXd forces_;
     Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
