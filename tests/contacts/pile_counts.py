@@ -376,7 +376,8 @@ CASES = [
     # At rest nothing is fast: each slip was as slow as the rounding, and turned back within 1e-11 s.
     ("a box that creeps about", creeping(), {"steps": 150}),
     # A slip kept a part of the way in which it began, and the first implicit step the stiffness of its start: no end at 0.809 s.
-    ("a car that drives down a kerb", car(), {"steps": 320}),
+    # At one of fifty accuracies its wheels tremble, and slip when the rear ones come off the kerb: 1400 to 3900 steps.
+    ("a car that drives down a kerb", car(1.02e-4), {"steps": 320}),
     # Wheels that hardly approach closed 1e-11 s after each other by rounding, and slipped in turns: no end at 0.82 s.
     ("a car that drives down a kerb, coarsely", car(1e-3), {"steps": 270}),
     # Two corners of faces next to parallel counted as bodies that pass each other: no end at 4.044 s.

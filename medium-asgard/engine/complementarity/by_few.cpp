@@ -11,12 +11,13 @@ namespace {
 // The laws of some of their rows: the others have no force.
 class Reduced {
 public:
-    Reduced(const Laws& laws, Index rows) : laws_(laws) {
+    Reduced(const Laws& laws, Index rows, const Answer& guess) : laws_(laws), guess_(guess) {
         constexpr Index few = 4, many = 8;
         std::vector<char> isSpare(static_cast<std::size_t>(rows), 0);
         for (const Law& law : laws)
             for (Index i = 0; law.normals > many && i < law.normals; ++i)
-                if (i % (law.normals / few) != 0)
+                if (i % (law.normals / few) != 0 &&
+                    !(hasGuess() && guess.forces[law.normal + i] > 0))
                     isSpare[static_cast<std::size_t>(law.normal + i)] = 1;
         for (Index row = 0; row < rows; ++row)
             (isSpare[static_cast<std::size_t>(row)] != 0 ? spare_ : rows_).push_back(row);
@@ -24,7 +25,7 @@ public:
 
     [[nodiscard]] bool isWhole() const { return spare_.empty(); }
     [[nodiscard]] std::optional<Answer> solve(const Matrix& a, const Vector& b) const {
-        const auto found = complementarity::solve(a(rows_, rows_), b(rows_), laws());
+        const auto found = complementarity::solve(a(rows_, rows_), b(rows_), laws(), guess());
         if (!found)
             return std::nullopt;
         Answer answer{Vector::Zero(b.size()), {}, {}};
@@ -61,6 +62,17 @@ private:
     [[nodiscard]] Index placeOf(Index row) const {
         return std::ranges::lower_bound(rows_, row) - rows_.begin();
     }
+    [[nodiscard]] bool hasGuess() const { return guess_.forces.size() > 0; }
+    [[nodiscard]] Answer guess() const {
+        Answer reduced;
+        if (!hasGuess())
+            return reduced;
+        reduced.forces = guess_.forces(rows_);
+        for (std::size_t k = 0; k < laws_.size(); ++k)
+            if (isIn(laws_[k].first))
+                reduced.states.push_back(guess_.states[k]);
+        return reduced;
+    }
     [[nodiscard]] Laws laws() const {
         Laws reduced;
         for (Law law : laws_) {
@@ -83,13 +95,15 @@ private:
     }
 
     const Laws& laws_;
+    const Answer& guess_;
     std::vector<Index> rows_, spare_; // in order
 };
 
 } // namespace
 
-std::optional<Answer> solveByFew(const Matrix& a, const Vector& b, const Laws& laws) {
-    Reduced reduced(laws, b.size());
+std::optional<Answer> solveByFew(const Matrix& a, const Vector& b, const Laws& laws,
+                                 const Answer& guess) {
+    Reduced reduced(laws, b.size(), guess);
     constexpr double none = 1e-11; // of the largest rate: rounding
     const double rounding = b.size() > 0 ? none * b.cwiseAbs().maxCoeff() : 0;
     while (!reduced.isWhole()) {
@@ -99,7 +113,7 @@ std::optional<Answer> solveByFew(const Matrix& a, const Vector& b, const Laws& l
         if (!reduced.takeIn(found->rates, rounding))
             return found;
     }
-    return solve(a, b, laws);
+    return solve(a, b, laws, guess);
 }
 
 } // namespace complementarity

@@ -12,8 +12,9 @@
 
 namespace complementarity {
 
-// As solve() of solve.h, without a guess. Normal forces that stand in their order round the patch
-// are taken in best.
-[[nodiscard]] std::optional<Answer> solveByFew(const Matrix& a, const Vector& b, const Laws& laws);
+// As solve() of solve.h. Normal forces that stand in their order round the patch are taken in best;
+// those that have a force in the guess are in from the start.
+[[nodiscard]] std::optional<Answer> solveByFew(const Matrix& a, const Vector& b, const Laws& laws,
+                                               const Answer& guess = {});
 
 } // namespace complementarity

@@ -9,34 +9,98 @@ namespace complementarity {
 
 namespace {
 
-// One law: its room to the bounds, and the multipliers of these.
-struct Barrier {
-    double low = 0, high = 0; // multipliers of an interval
-    double slip = 0;          // s of a disc
-    Vector rate;              // w of a disc, which the equations give in the limit
+// Points of a cone  head >= |tail|,  of rays where there is no tail, and their algebra.
+double depthOf(const Vector& point) { // squared
+    return point[0] * point[0] - point.tail(point.size() - 1).squaredNorm();
+}
+Vector product(const Vector& one, const Vector& other) {
+    Vector p = one[0] * other + other[0] * one;
+    p[0] = one.dot(other);
+    return p;
+}
+Vector quotient(const Vector& above, const Vector& below) {
+    Vector q(below.size());
+    const Index n = below.size() - 1;
+    q[0] = (below[0] * above[0] - below.tail(n).dot(above.tail(n))) / depthOf(below);
+    q.tail(n) = (above.tail(n) - q[0] * below.tail(n)) / below[0];
+    return q;
+}
+Vector mirrored(Vector point) {
+    point.tail(point.size() - 1) *= -1;
+    return point;
+}
+// How much of the way stays in the cone; unbounded: all ways as long.
+double lengthInside(const Vector& point, const Vector& way) {
+    const double a = depthOf(way), b = mirrored(point).dot(way), c = depthOf(point);
+    double length = way[0] < 0 ? -point[0] / way[0] : unbounded;
+    const double root = b * b - a * c;
+    if (root < 0 || way.size() == 1)
+        return length;
+    const double sum = -(b + std::copysign(std::sqrt(root), b));
+    for (const double zero : {a != 0 ? sum / a : -1, sum != 0 ? c / sum : -1})
+        if (zero > 0)
+            length = std::min(length, zero);
+    return length;
+}
+
+// A law's room, and what pushes its force off the bounds: of an interval (f - low, l) and
+// (high - f, h), of a disc (r, f) and (s, w).
+struct Cone {
+    std::size_t law = 0;
+    double side = 1; // of an interval: 1 at low, -1 at high
+    Vector room = {}, push = {};
+    // The scaling of Nesterov and Todd, and its inverse, which make one point of both.
+    Matrix scaling = {}, inverse = {};
+    Vector middle = {};
+
+    void scale() {
+        const double rooms = std::sqrt(depthOf(room)), pushes = std::sqrt(depthOf(push));
+        const Vector at = room / rooms, from = push / pushes;
+        const Vector between = (at + mirrored(from)) / std::sqrt(2 * (1 + at.dot(from)));
+        Vector axis = between;
+        axis[0] += 1;
+        axis /= std::sqrt(2 * axis[0]);
+        const double size = std::sqrt(rooms / pushes);
+        scaling = size * reflection(axis);
+        inverse = reflection(mirrored(axis)) / size;
+        middle = scaling * push;
+    }
+    static Matrix reflection(const Vector& axis) {
+        Matrix through = 2 * axis * axis.transpose();
+        through.diagonal().array() += 1;
+        through(0, 0) -= 2;
+        return through;
+    }
 };
 
 class Path {
 public:
     Path(const Matrix& a, const Vector& b, const Laws& laws)
-        : a_(a), b_(b), laws_(laws), forces_(Vector::Zero(b.size())), barriers_(laws.size()) {
+        : a_(a), b_(b), laws_(laws), forces_(Vector::Zero(b.size())) {
         const double stiff = std::max(a.diagonal().maxCoeff(), 1e-300);
         rate_ = std::max(b.cwiseAbs().maxCoeff(), 1e-300);
         force_ = rate_ / stiff;
         for (std::size_t k = 0; k < laws.size(); ++k)
-            begin(k, force_);
+            begin(k);
+        for (Cone& cone : cones_) {
+            cone.room = roomOf(cone);
+            cone.push = Vector::Unit(cone.room.size(), 0) * rate_;
+        }
     }
 
     Approach follow() {
+        constexpr int most = 100;
         int steps = 0;
-        const double first = complementarity(), firstWrong = residual().cwiseAbs().maxCoeff();
-        for (constexpr int most = 100; steps < most; ++steps) {
-            const double gap = complementarity(), wrong = residual().cwiseAbs().maxCoeff();
-            if (gap <= 1e-11 * size_ && wrong <= 1e-8 * rate_)
+        for (double fraction = 1; steps < most; ++steps) {
+            const double wrong = residual().cwiseAbs().maxCoeff(), gap = meanProduct() / size();
+            // The smaller the gap, the clearer are states of laws at their limits, while it goes on
+            // to fall by whole steps.
+            constexpr double whole = 0.9;
+            const bool isThere = gap <= 1e-11 && wrong <= 1e-8 * rate_;
+            if (isThere && (fraction < whole || gap <= 1e-18))
                 break;
-            // The gap may not fall while the equations are still wrong.
-            const bool isBehind = wrong > 1e-8 * rate_ && wrong * first > 10 * firstWrong * gap;
-            if (!step(isBehind ? gap : target_ * gap))
+            fraction = step();
+            if (!(fraction > 1e-8))
                 break;
         }
         return {forces_, states(), steps};
@@ -44,243 +108,192 @@ public:
 
 private:
     [[nodiscard]] static bool isInterval(const Law& law) { return law.kind == Law::Kind::interval; }
+    [[nodiscard]] const Law& lawOf(const Cone& cone) const { return laws_[cone.law]; }
     [[nodiscard]] bool hasRoom(std::size_t k) const {
         const Law& law = laws_[k];
         return isInterval(law) ? law.low < law.high
                                : law.radius > 0 || (law.normal >= 0 && law.coefficient > 0);
     }
-    // The square of a disc's radius less that of its force.
-    [[nodiscard]] double roomOf(const Law& disc, const Vector& forces) const {
-        const double radius = radiusOf(disc, forces);
-        return radius * radius - forces.segment(disc.first, disc.rows).squaredNorm();
-    }
-    [[nodiscard]] static double roomOf(const Barrier& disc) {
-        return disc.slip * disc.slip - disc.rate.squaredNorm();
-    }
 
-    void begin(std::size_t k, double force) {
+    void begin(std::size_t k) {
         const Law& law = laws_[k];
-        Barrier& barrier = barriers_[k];
         if (!isInterval(law)) {
-            barrier.slip = rate_;
-            barrier.rate = Vector::Zero(law.rows);
+            if (hasRoom(k))
+                cones_.push_back({.law = k});
             return;
         }
         const bool hasLow = law.low > -unbounded, hasHigh = law.high < unbounded;
         double& f = forces_[law.first];
         f = hasLow && hasHigh ? (law.low + law.high) / 2
-            : hasLow          ? std::max(law.low + force, 0.0)
-            : hasHigh         ? std::min(law.high - force, 0.0)
+            : hasLow          ? std::max(law.low + force_, 0.0)
+            : hasHigh         ? std::min(law.high - force_, 0.0)
                               : 0;
-        if (hasLow && f <= law.low && law.low < law.high)
-            f = law.low + force;
-        barrier.low = hasLow ? rate_ : 0;
-        barrier.high = hasHigh ? rate_ : 0;
+        if (!hasRoom(k))
+            return;
+        if (hasLow && f <= law.low)
+            f = law.low + force_;
+        if (hasLow)
+            cones_.push_back({.law = k, .side = 1});
+        if (hasHigh)
+            cones_.push_back({.law = k, .side = -1});
     }
 
-    // The mean product of room and multiplier; size_ becomes that of forces times rates.
-    double complementarity() {
-        double sum = 0, most = force_;
-        int count = 0;
-        const auto add = [&](double product) {
-            sum += product;
-            ++count;
-        };
-        for (std::size_t k = 0; k < laws_.size(); ++k) {
-            const Law& law = laws_[k];
-            most = std::max(most, forces_.segment(law.first, law.rows).norm());
-            if (!hasRoom(k))
-                continue;
-            if (!isInterval(law)) {
-                add(radiusOf(law, forces_) * barriers_[k].slip +
-                    forces_.segment(law.first, law.rows).dot(barriers_[k].rate));
-                continue;
-            }
-            if (law.low > -unbounded)
-                add(barriers_[k].low * (forces_[law.first] - law.low));
-            if (law.high < unbounded)
-                add(barriers_[k].high * (law.high - forces_[law.first]));
-        }
-        size_ = most * rate_;
-        return count > 0 ? sum / count : 0;
+    [[nodiscard]] Vector roomOf(const Cone& cone) const {
+        const Law& law = lawOf(cone);
+        if (isInterval(law))
+            return Vector::Constant(1, cone.side > 0 ? forces_[law.first] - law.low
+                                                     : law.high - forces_[law.first]);
+        Vector room(law.rows + 1);
+        room << radiusOf(law, forces_), forces_.segment(law.first, law.rows);
+        return room;
+    }
+    // How the room changes where the forces go this way.
+    [[nodiscard]] Vector changeOf(const Cone& cone, const Vector& way) const {
+        const Law& law = lawOf(cone);
+        if (isInterval(law))
+            return Vector::Constant(1, cone.side * way[law.first]);
+        Vector change(law.rows + 1);
+        change << (law.normal < 0 ? 0
+                                  : law.coefficient * way.segment(law.normal, law.normals).sum()),
+            way.segment(law.first, law.rows);
+        return change;
+    }
+    // Adds what pushes to the rates of the law.
+    void addPush(const Cone& cone, const Vector& push, Vector& rates) const {
+        const Law& law = lawOf(cone);
+        if (isInterval(law))
+            rates[law.first] += cone.side * push[0];
+        else
+            rates.segment(law.first, law.rows) += push.tail(law.rows);
     }
 
+    // Of rooms and pushes.
+    [[nodiscard]] double meanProduct() const {
+        double sum = 0;
+        for (const Cone& cone : cones_)
+            sum += cone.room.dot(cone.push);
+        return cones_.empty() ? 0 : sum / static_cast<double>(cones_.size());
+    }
+    // Of forces times rates.
+    [[nodiscard]] double size() const {
+        return std::max(force_, forces_.cwiseAbs().maxCoeff()) * rate_;
+    }
+    // What the rates are more than the pushes.
     [[nodiscard]] Vector residual() const {
-        Vector wrong = a_ * forces_ + b_;
-        for (std::size_t k = 0; k < laws_.size(); ++k) {
-            const Law& law = laws_[k];
+        Vector wrong = a_ * forces_ + b_, pushes = Vector::Zero(b_.size());
+        for (const Cone& cone : cones_)
+            addPush(cone, cone.push, pushes);
+        wrong -= pushes;
+        for (std::size_t k = 0; k < laws_.size(); ++k)
             if (!hasRoom(k))
-                wrong.segment(law.first, law.rows).setZero();
-            else if (isInterval(law))
-                wrong[law.first] -= barriers_[k].low - barriers_[k].high;
-            else
-                wrong.segment(law.first, law.rows) -= barriers_[k].rate;
-        }
+                wrong.segment(laws_[k].first, laws_[k].rows).setZero();
         return wrong;
     }
 
-    // The Newton step to the point of the path at t; as much of it as stays inside.
-    bool step(double t) {
+    // The linear equations of one step.
+    [[nodiscard]] Eigen::PartialPivLU<Matrix> equations() const {
+        // Redundant laws share their forces in many ways: a pull to where the forces are leaves one
+        // of them, and slows what the laws tell by next to nothing (the proximal point method).
+        constexpr double pull = 1e-5;
         Matrix change = a_;
-        change.diagonal() += 1e-14 * a_.diagonal(); // redundant laws
-        Vector right = -(a_ * forces_ + b_);
+        change.diagonal() += pull * a_.diagonal();
+        for (const Cone& cone : cones_) {
+            const Law& law = lawOf(cone);
+            const Matrix stiffness = cone.inverse * cone.inverse;
+            if (isInterval(law)) {
+                change(law.first, law.first) += stiffness(0, 0);
+                continue;
+            }
+            change.block(law.first, law.first, law.rows, law.rows) +=
+                stiffness.bottomRightCorner(law.rows, law.rows);
+            if (law.normal >= 0)
+                change.block(law.first, law.normal, law.rows, law.normals).colwise() +=
+                    law.coefficient * stiffness.bottomLeftCorner(law.rows, 1).col(0);
+        }
         for (std::size_t k = 0; k < laws_.size(); ++k)
-            if (!hasRoom(k))
-                addFixed(laws_[k], change, right);
-            else if (isInterval(laws_[k]))
-                addInterval(k, t, change, right);
-            else
-                addDisc(k, t, change, right);
-        const Vector way = change.partialPivLu().solve(right);
-        if (!way.allFinite())
-            return false;
-        const std::vector<Barrier> ways = waysOf(way, t);
-        double fraction = 1;
-        while (!isInside(way, ways, fraction))
-            if ((fraction *= 0.8) < 1e-8)
-                return false;
-        forces_ += fraction * way;
-        for (std::size_t k = 0; k < laws_.size(); ++k) {
-            barriers_[k].low += fraction * ways[k].low;
-            barriers_[k].high += fraction * ways[k].high;
-            barriers_[k].slip += fraction * ways[k].slip;
-            if (laws_[k].kind == Law::Kind::disc && hasRoom(k))
-                barriers_[k].rate += fraction * ways[k].rate;
-        }
-        target_ = fraction > 0.9 ? 0.05 : fraction > 0.5 ? 0.2 : 0.7;
-        return true;
-    }
-
-    static void addFixed(const Law& law, Matrix& change, Vector& right) {
-        for (Index i = law.first; i < law.first + law.rows; ++i) {
-            change.row(i).setZero();
-            change(i, i) = 1;
-            right[i] = 0;
-        }
-    }
-
-    void addInterval(std::size_t k, double t, Matrix& change, Vector& right) const {
-        const Law& law = laws_[k];
-        const Index i = law.first;
-        if (law.low > -unbounded) {
-            const double room = forces_[i] - law.low;
-            change(i, i) += barriers_[k].low / room;
-            right[i] += t / room;
-        }
-        if (law.high < unbounded) {
-            const double room = law.high - forces_[i];
-            change(i, i) += barriers_[k].high / room;
-            right[i] -= t / room;
-        }
-    }
-
-    // Maps the cone's point (r, f) to (slip, w), the scaling of Nesterov and Todd; symmetric and
-    // positive definite. d(slip, w) = t (r, -f)/room - (slip, w) - scaling d(r, f).
-    [[nodiscard]] Matrix scalingOf(std::size_t k) const {
-        const Law& law = laws_[k];
-        const Barrier& now = barriers_[k];
-        const double room = std::sqrt(roomOf(law, forces_)), other = std::sqrt(roomOf(now));
-        Vector point(law.rows + 1), image(law.rows + 1);
-        point << radiusOf(law, forces_), forces_.segment(law.first, law.rows);
-        image << now.slip, now.rate;
-        const double cosine = std::sqrt((1 + point.dot(image) / room / other) / 2);
-        point.tail(law.rows) *= -1;
-        const Vector between = (image / other + point / room) / (2 * cosine);
-        Matrix scaling = 2 * between * between.transpose();
-        scaling(0, 0) -= 1;
-        scaling.diagonal().tail(law.rows).array() += 1;
-        return scaling * (other / room);
-    }
-
-    void addDisc(std::size_t k, double t, Matrix& change, Vector& right) const {
-        const Law& law = laws_[k];
-        const Matrix scaling = scalingOf(k);
-        change.block(law.first, law.first, law.rows, law.rows) +=
-            scaling.bottomRightCorner(law.rows, law.rows);
-        if (law.normal >= 0)
-            change.block(law.first, law.normal, law.rows, law.normals).colwise() +=
-                law.coefficient * scaling.bottomLeftCorner(law.rows, 1).col(0);
-        right.segment(law.first, law.rows) -=
-            t / roomOf(law, forces_) * forces_.segment(law.first, law.rows);
-    }
-
-    // The steps of the multipliers that belong to that of the forces.
-    [[nodiscard]] std::vector<Barrier> waysOf(const Vector& way, double t) const {
-        std::vector<Barrier> ways(laws_.size());
-        const Vector rates = a_ * (forces_ + way) + b_;
-        for (std::size_t k = 0; k < laws_.size(); ++k) {
-            const Law& law = laws_[k];
-            const Barrier& now = barriers_[k];
-            if (!hasRoom(k))
-                continue;
-            if (!isInterval(law)) {
-                const double wider =
-                    law.normal < 0 ? 0
-                                   : law.coefficient * way.segment(law.normal, law.normals).sum();
-                const Matrix scaling = scalingOf(k);
-                ways[k].rate = rates.segment(law.first, law.rows) - now.rate;
-                ways[k].slip = t * radiusOf(law, forces_) / roomOf(law, forces_) - now.slip -
-                               scaling(0, 0) * wider -
-                               scaling.topRightCorner(1, law.rows)
-                                   .row(0)
-                                   .dot(way.segment(law.first, law.rows));
-                continue;
+            for (Index i = laws_[k].first; !hasRoom(k) && i < laws_[k].first + laws_[k].rows; ++i) {
+                change.row(i).setZero();
+                change(i, i) = 1;
             }
-            const double f = forces_[law.first], step = way[law.first];
-            if (law.low > -unbounded)
-                ways[k].low = (t - now.low * step) / (f - law.low) - now.low;
-            if (law.high < unbounded)
-                ways[k].high = (t + now.high * step) / (law.high - f) - now.high;
-        }
-        return ways;
+        return change.partialPivLu();
     }
 
-    [[nodiscard]] bool isInside(const Vector& way, const std::vector<Barrier>& ways,
-                                double fraction) const {
-        constexpr double left = 0.01; // of each room
-        const Vector forces = forces_ + fraction * way;
-        const auto keeps = [&](double now, double change) {
-            return now + fraction * change >= left * now;
+    struct Way {
+        Vector forces;
+        std::vector<Vector> rooms, pushes;
+        double length = unbounded; // inside
+    };
+    // The way on which the products of rooms and pushes change so, to first order.
+    template <class Wanted>
+    [[nodiscard]] Way wayTo(const Eigen::PartialPivLU<Matrix>& equations, const Vector& wrong,
+                            const Wanted& wanted) const {
+        std::vector<Vector> halves;
+        Vector right = -wrong;
+        for (std::size_t c = 0; c < cones_.size(); ++c) {
+            halves.push_back(quotient(wanted(c), cones_[c].middle));
+            addPush(cones_[c], cones_[c].inverse * halves.back(), right);
+        }
+        Way way{equations.solve(right), {}, {}};
+        for (std::size_t c = 0; c < cones_.size(); ++c) {
+            const Cone& cone = cones_[c];
+            way.rooms.push_back(changeOf(cone, way.forces));
+            way.pushes.push_back(cone.inverse * (halves[c] - cone.inverse * way.rooms.back()));
+            way.length = std::min({way.length, lengthInside(cone.room, way.rooms.back()),
+                                   lengthInside(cone.push, way.pushes.back())});
+        }
+        return way;
+    }
+
+    // Towards the end of the path, with what its curvature brings (Mehrotra, SIAM Journal on
+    // Optimization 2, 1992). The part of it that stays inside; 0: none.
+    double step() {
+        constexpr double inside = 0.99;
+        for (Cone& cone : cones_)
+            cone.scale();
+        const Vector wrong = residual();
+        const auto linear = equations();
+        const auto square = [&](std::size_t c) {
+            return product(cones_[c].middle, cones_[c].middle);
         };
-        for (std::size_t k = 0; k < laws_.size(); ++k) {
-            const Law& law = laws_[k];
-            if (!hasRoom(k))
-                continue;
-            if (!isInterval(law)) {
-                const Barrier then{.slip = barriers_[k].slip + fraction * ways[k].slip,
-                                   .rate = barriers_[k].rate + fraction * ways[k].rate};
-                if (!keeps(barriers_[k].slip, ways[k].slip) ||
-                    !(roomOf(then) >= left * left * roomOf(barriers_[k])) ||
-                    !(radiusOf(law, forces) >= left * radiusOf(law, forces_)) ||
-                    !(roomOf(law, forces) >= left * left * roomOf(law, forces_)))
-                    return false;
-                continue;
-            }
-            if (!keeps(barriers_[k].low, ways[k].low) || !keeps(barriers_[k].high, ways[k].high) ||
-                !(forces[law.first] - law.low >= left * (forces_[law.first] - law.low)) ||
-                !(law.high - forces[law.first] >= left * (law.high - forces_[law.first])))
-                return false;
+        const Way ahead = wayTo(linear, wrong, [&](std::size_t c) { return Vector(-square(c)); });
+        if (!ahead.forces.allFinite())
+            return 0;
+        const double left = 1 - std::min(1.0, ahead.length);
+        const double next = std::max(left * left * left, 1e-6) * meanProduct();
+        const Way way = wayTo(linear, wrong, [&](std::size_t c) {
+            const Cone& cone = cones_[c];
+            Vector wanted =
+                -square(c) - product(cone.inverse * ahead.rooms[c], cone.scaling * ahead.pushes[c]);
+            wanted[0] += next;
+            return wanted;
+        });
+        const double fraction = std::min(1.0, inside * way.length);
+        if (!way.forces.allFinite() || !std::isfinite(fraction))
+            return 0;
+        forces_ += fraction * way.forces;
+        for (std::size_t c = 0; c < cones_.size(); ++c) {
+            cones_[c].room = roomOf(cones_[c]);
+            cones_[c].push += fraction * way.pushes[c];
+            if (!(depthOf(cones_[c].room) > 0) || !(depthOf(cones_[c].push) > 0))
+                return 0;
         }
-        return true;
+        return fraction;
     }
 
-    // A law is at its bound if its multiplier is larger than its room, both in the row's units.
+    // A law is at its bound if the push is larger than the room, both in the row's units.
     [[nodiscard]] States states() const {
         States states(laws_.size(), State::inside);
-        for (std::size_t k = 0; k < laws_.size(); ++k) {
-            const Law& law = laws_[k];
-            const double stiff = std::max(a_(law.first, law.first), 1e-300), f = forces_[law.first];
-            if (!hasRoom(k)) {
-                states[k] = isInterval(law) ? State::low : State::edge;
-            } else if (!isInterval(law)) {
-                const double length = forces_.segment(law.first, law.rows).norm();
-                if (barriers_[k].slip > stiff * (radiusOf(law, forces_) - length))
-                    states[k] = State::edge;
-            } else if (law.low > -unbounded && barriers_[k].low > stiff * (f - law.low)) {
-                states[k] = State::low;
-            } else if (law.high < unbounded && barriers_[k].high > stiff * (law.high - f)) {
-                states[k] = State::high;
-            }
+        for (std::size_t k = 0; k < laws_.size(); ++k)
+            if (!hasRoom(k))
+                states[k] = isInterval(laws_[k]) ? State::low : State::edge;
+        for (const Cone& cone : cones_) {
+            const Law& law = lawOf(cone);
+            const double stiff = std::max(a_(law.first, law.first), 1e-300);
+            const double room = cone.room[0] - cone.room.tail(cone.room.size() - 1).norm();
+            if (cone.push[0] > stiff * room)
+                states[cone.law] = !isInterval(law) ? State::edge
+                                   : cone.side > 0  ? State::low
+                                                    : State::high;
         }
         return states;
     }
@@ -289,9 +302,8 @@ private:
     const Vector& b_;
     const Laws& laws_;
     Vector forces_;
-    std::vector<Barrier> barriers_;
-    double rate_ = 0, force_ = 0, size_ = 1; // sizes: of rates, of forces, of their products
-    double target_ = 0.2;                    // the next t, as a part of the gap
+    std::vector<Cone> cones_;
+    double rate_ = 0, force_ = 0; // sizes
 };
 
 } // namespace

@@ -125,7 +125,7 @@ TEST(Pivots, FindTheForcesInAPyramidThatIsPushed) {
             EXPECT_LE(violation(a, b, boxes.laws(), *answer), 1e-8) << friction << " " << pushed;
             Work work;
             ASSERT_TRUE(solve(a, b, boxes.laws(), {}, &work)) << friction << " " << pushed;
-            EXPECT_EQ(work.sweeps, 0) << friction << " " << pushed;
+            EXPECT_EQ(work.pulls, 0) << friction << " " << pushed;
         }
 }
 
@@ -150,13 +150,11 @@ TEST(Pivots, FindTheForcesInAPyramidThatFalls) {
                 law.velocity = Vector::Constant(1, one(random));
                 law.beside = Vector::Zero(1);
             }
-        Work work;
-        const auto answer = solve(a, b, laws, {}, &work);
+        const auto answer = solve(a, b, laws);
         if (!answer)
             continue;
         ++found;
         EXPECT_LE(violation(a, b, laws, *answer), 1e-8) << round;
-        EXPECT_EQ(work.sweeps, 0) << round;
     }
     EXPECT_GE(found, 36); // a direction of slip need not allow any forces
 }

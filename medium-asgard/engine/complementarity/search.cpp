@@ -5,7 +5,6 @@
 #include "complementarity/newton.h"
 #include "complementarity/pivots.h"
 #include "complementarity/solve.h"
-#include "complementarity/sweeps.h"
 
 #include <Eigen/Cholesky>
 
@@ -64,13 +63,8 @@ public:
             if (nearest_) // the laws themselves err by as much: no other way finds a better one
                 return nearest_;
         }
-        using Way = std::optional<Answer> (Search::*)(const Approach&);
-        for (const Way way : {&Search::alongSlips, &Search::bySmallerSteps, &Search::bySweeps}) {
-            if (auto answer = (this->*way)(inside))
-                return answer;
-            if (nearestFault_ <= hardly)
-                break;
-        }
+        if (auto answer = bySmallerSteps(inside))
+            return answer;
         return nearest_;
     }
 
@@ -117,14 +111,15 @@ private:
     // Bodies that jam, as dominoes that lean on each other, have many answers that are all but
     // alike, and the states of one lead to another. A pull towards the last answer leaves one of
     // them; the pull fades (the proximal point method; Rockafellar, SIAM Journal on Control and
-    // Optimization 14, 1976).
+    // Optimization 14, 1976). Faces with a tilt leave a violation that no pull makes smaller.
     std::optional<Answer> bySmallerSteps(const Approach& from) {
-        constexpr double strongest = 1, least = 1e-9, less = 0.1, more = 10;
+        constexpr double strongest = 1, weakest = 1e-9, less = 0.1, more = 10;
         constexpr int most = 60;
         Vector forces = from.forces;
         States states = from.states;
-        double pull = 1e-3;
+        double pull = 1e-3, before = unbounded;
         for (int step = 0; step < most && pull <= strongest; ++step) {
+            ++work_.pulls;
             const Vector added = pull * a_.diagonal();
             const Matrix firm = a_ + Matrix(added.asDiagonal());
             const Vector b = b_ - added.cwiseProduct(forces);
@@ -136,95 +131,14 @@ private:
             forces = answer->forces;
             states = answer->states;
             answer->rates = a_ * forces + b_;
-            if (violation(a_, b_, laws_, *answer) <= kept)
+            const double faulty = violation(a_, b_, laws_, *answer);
+            keep(*answer, faulty);
+            if (faulty <= kept || (faulty <= hardly && faulty >= 0.5 * before))
                 return answer;
-            pull = std::max(least, less * pull);
+            before = faulty;
+            pull = std::max(weakest, less * pull);
         }
         return std::nullopt;
-    }
-
-    // Friction of what slips so fast that the forces hardly turn the slip is known but for its
-    // normal force: it goes into the columns of that, and the slips are out of sight of the rest,
-    // whose rates may be millions of times smaller. Then the slips are turned, and all is again.
-    std::optional<Answer> alongSlips(const Approach& from) {
-        constexpr int most = 20, patience = 3; // rounds, and those since the best one
-        const std::vector<std::size_t> fast = fastDiscs(from.forces);
-        if (fast.empty())
-            return std::nullopt;
-        Laws laws = laws_;
-        Answer answer{from.forces, a_ * from.forces + b_, {}};
-        double least = unbounded;
-        for (int round = 0, inVain = 0; round < most && inVain < patience; ++round, ++inVain) {
-            for (const std::size_t k : fast) {
-                laws[k].kind = Law::Kind::slip;
-                laws[k].velocity = answer.rates.segment(laws[k].first, laws[k].rows);
-                laws[k].beside.setZero(laws[k].rows);
-            }
-            Work work;
-            auto next = complementarity::solve(a_, b_, laws, answer, &work);
-            work_.steps += work.steps;
-            work_.sweeps += work.sweeps;
-            work_.tries += work.tries;
-            if (!next)
-                break;
-            const double faulty = violation(a_, b_, laws_, *next);
-            if (faulty <= kept)
-                return next;
-            keep(*next, faulty);
-            if (faulty < 0.5 * least) {
-                least = faulty;
-                inVain = 0;
-            }
-            answer = std::move(*next);
-        }
-        return std::nullopt;
-    }
-
-    [[nodiscard]] std::vector<std::size_t> fastDiscs(const Vector& estimate) const {
-        constexpr double fast = 10; // times what the forces change
-        const Vector change = a_ * estimate;
-        std::vector<std::size_t> discs;
-        for (std::size_t k = 0; k < laws_.size(); ++k)
-            if (const Law& law = laws_[k]; law.kind == Law::Kind::disc &&
-                                           b_.segment(law.first, law.rows).norm() >
-                                               fast * change.segment(law.first, law.rows).norm())
-                discs.push_back(k);
-        return discs;
-    }
-
-    // A little on the diagonal leads redundant laws to short forces. Where the states do not tell
-    // the forces, as with many bodies at the limit of sticking, the sweeps' own do, if they settle.
-    std::optional<Answer> bySweeps(const Approach& /*from*/) {
-        constexpr int most = 4096;
-        const Matrix firm = a_ + 1e-10 * Matrix(a_.diagonal().asDiagonal());
-        Vector forces = Vector::Zero(b_.size());
-        for (int next = 16; work_.sweeps < most; next *= 4) {
-            const double change = sweepOn(firm, next, forces);
-            if (auto answer = near(statesOf(firm, b_, laws_, forces), forces))
-                return answer;
-            if (nearestFault_ <= hardly || !(change > 1e-15 * forces.cwiseAbs().maxCoeff()))
-                break;
-        }
-        const auto isWanted = [&] {
-            return nearestFault_ > hardly && work_.sweeps < most && forces.allFinite();
-        };
-        for (int next = work_.sweeps + 16; isWanted(); next *= 2) {
-            sweepOn(a_, next, forces);
-            const Answer swept{forces, a_ * forces + b_, statesOf(a_, b_, laws_, forces)};
-            const double faulty = violation(a_, b_, laws_, swept);
-            if (faulty <= kept)
-                return swept;
-            keep(swept, faulty);
-        }
-        return std::nullopt;
-    }
-
-    // The last change of a force.
-    double sweepOn(const Matrix& a, int upTo, Vector& forces) {
-        double change = 0;
-        for (; work_.sweeps < upTo; ++work_.sweeps)
-            change = sweep(a, b_, laws_, forces);
-        return change;
     }
 
     const Matrix& a_;

@@ -1,5 +1,6 @@
 #include "complementarity/by_few.h"
 #include "complementarity/solve.h"
+#include "complementarity/testing.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -305,38 +306,6 @@ TEST(Solve, AnEdgeWithoutForceIsNoAnswer) {
     addDisc(laws, 2, 5);
     const Vector zero = Vector::Zero(2), rate = Vector::Unit(2, 0);
     EXPECT_GT(violation(Matrix::Zero(2, 2), rate, laws, {zero, rate, {State::edge}}), 0.5);
-}
-
-// Rows of bodies in a random heap, as J M^-1 J' of 6 freedoms each.
-struct Heap {
-    Matrix a;
-    Vector b;
-    Laws laws;
-};
-
-Heap randomHeap(std::mt19937_64& random, Index bodies, Index contacts, double friction) {
-    std::normal_distribution<double> normal;
-    std::uniform_int_distribution<Index> body(0, bodies - 1);
-    Matrix j = Matrix::Zero(3 * contacts, 6 * bodies);
-    Heap heap;
-    for (Index c = 0; c < contacts; ++c) {
-        for (const double sign : {1.0, -1.0}) {
-            const Index of = body(random);
-            for (Index row = 0; row < 3; ++row)
-                for (Index k = 0; k < 6; ++k)
-                    j(3 * c + row, 6 * of + k) += sign * normal(random);
-        }
-        addUnilateral(heap.laws);
-        addFriction(heap.laws, 2, 3 * c, friction);
-    }
-    Vector inverse(6 * bodies), free(6 * bodies);
-    for (Index i = 0; i < inverse.size(); ++i) {
-        inverse[i] = std::pow(10, -std::abs(normal(random))); // masses of 1 to some 1000
-        free[i] = normal(random);
-    }
-    heap.a = j * inverse.asDiagonal() * j.transpose();
-    heap.b = j * free;
-    return heap;
 }
 
 TEST(Solve, RandomHeapsKeepTheirLaws) {

@@ -175,8 +175,11 @@ public:
     // On the chosen contacts such that each parts at its restitution or more: first those along the
     // normals, in order, then those on stops. None: there are none such. Contacts of one patch are
     // chosen one after the other.
+    // `answer`: what the same contacts had with another restitution, from where the search begins,
+    // then what they have; empty at first.
     [[nodiscard]] std::vector<Impulse> impulses(const std::vector<std::size_t>& chosen,
-                                                double restitution) {
+                                                double restitution,
+                                                complementarity::Answer& answer) {
         std::vector<Impulse> found;
         found.reserve(3 * chosen.size() + stops_);
         for (const std::size_t c : chosen)
@@ -210,12 +213,13 @@ public:
                 a(i, j) = mobility(line, found[static_cast<std::size_t>(j)].line);
         }
         const bool hasFriction = found.size() > withoutFriction;
-        const auto answer = hasFriction ? complementarity::solveByFew(a, b, laws)
-                                        : complementarity::solveConvex(a, b, laws);
-        if (!answer)
+        const auto next = hasFriction ? complementarity::solveByFew(a, b, laws, answer)
+                                      : complementarity::solveConvex(a, b, laws);
+        if (!next)
             return {};
+        answer = *next;
         for (Eigen::Index i = 0; i < n; ++i)
-            found[static_cast<std::size_t>(i)].size = answer->forces[i];
+            found[static_cast<std::size_t>(i)].size = answer.forces[i];
         return found;
     }
     // The kinetic energy that they add.
@@ -368,7 +372,7 @@ bool takesPart(const Round& round, const ImpactContact& contact, std::size_t c, 
 // same: the rule of false position, after Illinois.
 std::vector<Round::Impulse> withoutGain(Round& round, const std::vector<std::size_t>& chosen,
                                         std::vector<Round::Impulse> impulses,
-                                        ImpactResult& result) {
+                                        complementarity::Answer& answer, ImpactResult& result) {
     constexpr double rounding = 1e-12, unknown = std::numeric_limits<double>::infinity();
     double scale = 0;
     for (const Round::Impulse& impulse : impulses)
@@ -377,13 +381,13 @@ std::vector<Round::Impulse> withoutGain(Round& round, const std::vector<std::siz
         return impulses;
     result.loweredRestitution = true;
     double low = 0, high = 1, gained = round.energyOf(impulses);
-    impulses = round.impulses(chosen, 0);
+    impulses = round.impulses(chosen, 0, answer);
     double lost = -round.energyOf(impulses);
     int onSide = 0; // how often the same end moved
     for (int i = 0; i < 60 && lost > rounding * scale; ++i) {
         const double part = gained < unknown ? lost / (lost + gained) : 0.5;
         const double factor = low + std::clamp(part, 1e-3, 1 - 1e-3) * (high - low);
-        auto tried = round.impulses(chosen, factor);
+        auto tried = round.impulses(chosen, factor, answer);
         const double energy = tried.empty() ? unknown : round.energyOf(tried);
         if (energy > rounding * scale) {
             onSide = std::max(onSide, 0) + 1;
@@ -406,7 +410,8 @@ std::vector<Round::Impulse> withoutGain(Round& round, const std::vector<std::siz
 // Gives the impulses to the chosen contacts. False when there are none that part them.
 bool solveTogether(Round& round, std::span<const ImpactContact> contacts,
                    const std::vector<std::size_t>& chosen, bool plastic, ImpactResult& result) {
-    std::vector<Round::Impulse> impulses = round.impulses(chosen, plastic ? 0 : 1);
+    complementarity::Answer answer;
+    std::vector<Round::Impulse> impulses = round.impulses(chosen, plastic ? 0 : 1, answer);
     if (impulses.empty())
         return false;
     const bool isDriven =
@@ -415,7 +420,7 @@ bool solveTogether(Round& round, std::span<const ImpactContact> contacts,
         std::ranges::any_of(chosen, [&](std::size_t c) { return contacts[c].friction > 0; }) &&
         std::ranges::any_of(chosen, [&](std::size_t c) { return contacts[c].restitution > 0; });
     if (!plastic && !isDriven && mayGain)
-        impulses = withoutGain(round, chosen, std::move(impulses), result);
+        impulses = withoutGain(round, chosen, std::move(impulses), answer, result);
     for (std::size_t i = 0; i < impulses.size(); ++i)
         if (impulses[i].size != 0)
             round.apply(impulses[i]);
