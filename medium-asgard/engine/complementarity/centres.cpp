@@ -220,7 +220,7 @@ private:
         centres_.moveFrom((weights.array() > hardly).select(now, centres_.at()), weights);
     }
 
-    static constexpr int mostRounds = 60;
+    static constexpr int mostRounds = 30;
     FixedPoint centres_;
     Answer last_, best_;
     double least_ = unbounded;
@@ -310,7 +310,7 @@ std::optional<Answer> solveFromCentres(const Matrix& a, const Vector& b, const L
     const Vector start = at.centresOf(hasGuess ? guess.forces : withoutDiscs(a, b, laws));
     // The centres that forces without friction have may lie far from all answers. One start may
     // wander where another is there in a few rounds: first each has few of them.
-    constexpr int few = 8, many = 60;
+    constexpr int few = 8, many = 20;
     std::vector<FromCentres> ways;
     for (const double part : {1.0, 0.0, -1.0, 0.5})
         if (part == 1 || !start.isZero(0))

@@ -178,7 +178,7 @@ private:
     [[nodiscard]] double size() const {
         return std::max(force_, forces_.cwiseAbs().maxCoeff()) * rate_;
     }
-    // What the rates are more than the pushes.
+    // Rates less the pushes that they are in the end.
     [[nodiscard]] Vector residual() const {
         Vector wrong = a_ * forces_ + b_, pushes = Vector::Zero(b_.size());
         for (const Cone& cone : cones_)
@@ -193,7 +193,8 @@ private:
     // The linear equations of one step.
     [[nodiscard]] Eigen::PartialPivLU<Matrix> equations() const {
         // Redundant laws share their forces in many ways: a pull to where the forces are leaves one
-        // of them, and slows what the laws tell by next to nothing (the proximal point method).
+        // of them, and hardly shortens the steps of forces that the laws tell (the proximal point
+        // method).
         constexpr double pull = 1e-5;
         Matrix change = a_;
         change.diagonal() += pull * a_.diagonal();
@@ -271,13 +272,13 @@ private:
         if (!way.forces.allFinite() || !std::isfinite(fraction))
             return 0;
         forces_ += fraction * way.forces;
+        bool isInside = true; // but for rounding
         for (std::size_t c = 0; c < cones_.size(); ++c) {
             cones_[c].room = roomOf(cones_[c]);
             cones_[c].push += fraction * way.pushes[c];
-            if (!(depthOf(cones_[c].room) > 0) || !(depthOf(cones_[c].push) > 0))
-                return 0;
+            isInside = isInside && depthOf(cones_[c].room) > 0 && depthOf(cones_[c].push) > 0;
         }
-        return fraction;
+        return isInside ? fraction : 0;
     }
 
     // A law is at its bound if the push is larger than the room, both in the row's units.

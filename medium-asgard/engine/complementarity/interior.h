@@ -6,7 +6,9 @@
 // Newton's method follows the solutions as t goes to 0. Some twenty steps lead there, whatever the
 // masses and however many contacts share a load (Wright, Primal-dual interior-point methods, 1997;
 // for discs, as second-order cones: Alizadeh and Goldfarb, 2003; where they follow a normal force:
-// Acary, Armand, Nguyen and Shpakovych, 2023).
+// Acary, Armand, Nguyen and Shpakovych, 2023). Mehrotra's correction follows the curvature of the
+// path along the discs. Contacts that share a load may do so in many ways: a pull towards the
+// forces of the step before leaves one.
 #pragma once
 
 #include "complementarity/laws.h"

@@ -5,6 +5,7 @@
 #include "complementarity/newton.h"
 #include "complementarity/pivots.h"
 #include "complementarity/solve.h"
+#include "complementarity/sweeps.h"
 
 #include <Eigen/Cholesky>
 
@@ -65,6 +66,9 @@ public:
         }
         if (auto answer = bySmallerSteps(inside))
             return answer;
+        if (nearestFault_ > hardly)
+            if (auto answer = bySweeps())
+                return answer;
         return nearest_;
     }
 
@@ -114,11 +118,11 @@ private:
     // Optimization 14, 1976). Faces with a tilt leave a violation that no pull makes smaller.
     std::optional<Answer> bySmallerSteps(const Approach& from) {
         constexpr double strongest = 1, weakest = 1e-9, less = 0.1, more = 10;
-        constexpr int most = 60;
+        constexpr int most = 60, patience = 3; // steps, and those since the violation was halved
         Vector forces = from.forces;
         States states = from.states;
-        double pull = 1e-3, before = unbounded;
-        for (int step = 0; step < most && pull <= strongest; ++step) {
+        double pull = 1e-3, least = unbounded;
+        for (int step = 0, inVain = 0; step < most && pull <= strongest; ++step) {
             ++work_.pulls;
             const Vector added = pull * a_.diagonal();
             const Matrix firm = a_ + Matrix(added.asDiagonal());
@@ -133,12 +137,52 @@ private:
             answer->rates = a_ * forces + b_;
             const double faulty = violation(a_, b_, laws_, *answer);
             keep(*answer, faulty);
-            if (faulty <= kept || (faulty <= hardly && faulty >= 0.5 * before))
+            if (faulty <= kept)
                 return answer;
-            before = faulty;
+            inVain = faulty < 0.5 * least ? 0 : inVain + 1;
+            least = std::min(least, faulty);
+            if (inVain >= patience && nearestFault_ <= hardly)
+                return nearest_;
             pull = std::max(weakest, less * pull);
         }
         return std::nullopt;
+    }
+
+    // Where forces that push each other grow from step to step, one law after the other may find
+    // them. A little on the diagonal leads redundant laws to short forces. Where the states do not
+    // tell the forces, as with many bodies at the limit of sticking, the sweeps' own do, if they
+    // settle.
+    std::optional<Answer> bySweeps() {
+        constexpr int most = 4096;
+        const Matrix firm = a_ + 1e-10 * Matrix(a_.diagonal().asDiagonal());
+        Vector forces = Vector::Zero(b_.size());
+        for (int next = 16; work_.sweeps < most; next *= 4) {
+            const double change = sweepOn(firm, next, forces);
+            if (auto answer = near(statesOf(firm, b_, laws_, forces), forces))
+                return answer;
+            if (nearestFault_ <= hardly || !(change > 1e-15 * forces.cwiseAbs().maxCoeff()))
+                break;
+        }
+        const auto isWanted = [&] {
+            return nearestFault_ > hardly && work_.sweeps < most && forces.allFinite();
+        };
+        for (int next = work_.sweeps + 16; isWanted(); next *= 2) {
+            sweepOn(a_, next, forces);
+            const Answer swept{forces, a_ * forces + b_, statesOf(a_, b_, laws_, forces)};
+            const double faulty = violation(a_, b_, laws_, swept);
+            if (faulty <= kept)
+                return swept;
+            keep(swept, faulty);
+        }
+        return std::nullopt;
+    }
+
+    // The last change of a force.
+    double sweepOn(const Matrix& a, int upTo, Vector& forces) {
+        double change = 0;
+        for (; work_.sweeps < upTo; ++work_.sweeps)
+            change = sweep(a, b_, laws_, forces);
+        return change;
     }
 
     const Matrix& a_;

@@ -169,8 +169,10 @@ TEST(Rest, ACanTipsOverItsRimToAllSides) {
             ASSERT_FALSE(result.motion->stop(1));
             const BodyState end = result.motion->at(1, 1);
             if (lean < 1) {
-                EXPECT_LT(distance(end.position, {0, height / 2, 0}), 1e-14);
-                EXPECT_LT(end.velocity.norm(), 1e-14);
+                // Next to where it tips its forces have several answers, which may leave rounding.
+                const double none = lean > 0.9999 ? 1e-11 : 1e-14;
+                EXPECT_LT(distance(end.position, {0, height / 2, 0}), none);
+                EXPECT_LT(end.velocity.norm(), none);
                 continue;
             }
             const Vector across(std::sin(to), 0, -std::cos(to)); // about which it tips
