@@ -174,36 +174,52 @@ public:
     };
     // On the chosen contacts such that each parts at its restitution or more: first those along the
     // normals, in order, then those on stops. None: there are none such. Contacts of one patch are
-    // chosen one after the other. A long blow runs to and fro and chooses the same contacts again:
-    // the search begins at their last impulses, in proportion to their speeds, and may find another
-    // one of several answers than it would from nothing.
+    // chosen one after the other.
+    // `answer`: what the same contacts had with another restitution, from where the search begins,
+    // then what they have; empty at first.
     [[nodiscard]] std::vector<Impulse> impulses(const std::vector<std::size_t>& chosen,
-                                                double restitution) {
-        constexpr std::size_t most = 32; // problems at a time, each with a matrix
-        if (problems_.size() >= most && !problems_.contains(chosen))
-            problems_.clear();
-        const auto [place, isNew] = problems_.try_emplace(chosen);
-        Problem& problem = place->second;
-        if (isNew)
-            problem = problemOf(chosen);
-        Eigen::VectorXd b(problem.a.rows());
-        for (Eigen::Index i = 0; i < b.size(); ++i)
-            b[i] = wantedOf(problem.lines[static_cast<std::size_t>(i)], restitution);
-        const double speed = b.size() > 0 ? b.cwiseAbs().maxCoeff() : 0;
-        if (problem.speed > 0)
-            problem.answer.forces *= speed / problem.speed;
-        problem.speed = speed;
-        const auto answer =
-            problem.hasFriction
-                ? complementarity::solveByFew(problem.a, b, problem.laws, problem.answer)
-                : complementarity::solveConvex(problem.a, b, problem.laws);
-        if (!answer)
-            return {};
-        problem.answer = *answer;
+                                                double restitution,
+                                                complementarity::Answer& answer) {
         std::vector<Impulse> found;
-        found.reserve(problem.lines.size());
-        for (std::size_t i = 0; i < problem.lines.size(); ++i)
-            found.push_back({problem.lines[i], answer->forces[static_cast<Eigen::Index>(i)]});
+        found.reserve(3 * chosen.size() + stops_);
+        for (const std::size_t c : chosen)
+            found.push_back({c});
+        for (std::size_t s = 0; s < stops_; ++s)
+            found.push_back({contacts_.size() + s});
+        complementarity::Laws laws;
+        for (std::size_t k = 0; k < found.size(); ++k)
+            complementarity::addUnilateral(laws);
+        const std::size_t withoutFriction = found.size();
+        for (std::size_t k = 0; k < chosen.size();) {
+            const auto patch = patchFrom(std::span(chosen).subspan(k));
+            if (const double friction = contacts_[patch[0]].friction; friction > 0) {
+                const Lines along = frictionOf(patch);
+                for (std::size_t i = 0; i < along.count; ++i)
+                    found.push_back({along.first + i});
+                complementarity::addFriction(laws, static_cast<Eigen::Index>(along.count),
+                                             static_cast<Eigen::Index>(k), friction,
+                                             static_cast<Eigen::Index>(patch.size()));
+                laws.back().levers = along.levers;
+            }
+            k += patch.size();
+        }
+        const auto n = static_cast<Eigen::Index>(found.size());
+        Eigen::MatrixXd a(n, n);
+        Eigen::VectorXd b(n);
+        for (Eigen::Index i = 0; i < n; ++i) {
+            const std::size_t line = found[static_cast<std::size_t>(i)].line;
+            b[i] = wantedOf(line, restitution);
+            for (Eigen::Index j = 0; j < n; ++j)
+                a(i, j) = mobility(line, found[static_cast<std::size_t>(j)].line);
+        }
+        const bool hasFriction = found.size() > withoutFriction;
+        const auto next = hasFriction ? complementarity::solveByFew(a, b, laws, answer)
+                                      : complementarity::solveConvex(a, b, laws);
+        if (!next)
+            return {};
+        answer = *next;
+        for (Eigen::Index i = 0; i < n; ++i)
+            found[static_cast<std::size_t>(i)].size = answer.forces[i];
         return found;
     }
     // The kinetic energy that they add.
@@ -228,44 +244,6 @@ public:
     }
 
 private:
-    // The laws of impulses on some contacts, but for how fast these approach.
-    struct Problem {
-        std::vector<std::size_t> lines;
-        complementarity::Laws laws;
-        Eigen::MatrixXd a;
-        bool hasFriction = false;
-        complementarity::Answer answer; // the last one; empty at first
-        double speed = 0;               // the largest wanted then
-    };
-    [[nodiscard]] Problem problemOf(const std::vector<std::size_t>& chosen) {
-        Problem problem;
-        problem.lines = chosen;
-        for (std::size_t s = 0; s < stops_; ++s)
-            problem.lines.push_back(contacts_.size() + s);
-        for (std::size_t k = 0; k < problem.lines.size(); ++k)
-            complementarity::addUnilateral(problem.laws);
-        for (std::size_t k = 0; k < chosen.size();) {
-            const auto patch = patchFrom(std::span(chosen).subspan(k));
-            if (const double friction = contacts_[patch[0]].friction; friction > 0) {
-                const Lines along = frictionOf(patch);
-                for (std::size_t i = 0; i < along.count; ++i)
-                    problem.lines.push_back(along.first + i);
-                complementarity::addFriction(problem.laws, static_cast<Eigen::Index>(along.count),
-                                             static_cast<Eigen::Index>(k), friction,
-                                             static_cast<Eigen::Index>(patch.size()));
-                problem.laws.back().levers = along.levers;
-                problem.hasFriction = true;
-            }
-            k += patch.size();
-        }
-        const auto n = static_cast<Eigen::Index>(problem.lines.size());
-        problem.a.resize(n, n);
-        for (Eigen::Index i = 0; i < n; ++i)
-            for (Eigen::Index j = 0; j < n; ++j)
-                problem.a(i, j) = mobility(problem.lines[static_cast<std::size_t>(i)],
-                                           problem.lines[static_cast<std::size_t>(j)]);
-        return problem;
-    }
     [[nodiscard]] double wantedOf(std::size_t line, double restitution) const {
         if (line < contacts_.size())
             return (1 + restitution * contacts_[line].restitution) * speed(line);
@@ -357,8 +335,7 @@ private:
     JointResponse joints_;
     std::vector<Line> lines_; // of the contacts' normals, then of stops, then of friction
     std::size_t stops_ = 0;
-    std::map<std::vector<std::size_t>, Lines> frictions_;  // by the contacts of a patch
-    std::map<std::vector<std::size_t>, Problem> problems_; // by the contacts that are chosen
+    std::map<std::vector<std::size_t>, Lines> frictions_; // by the contacts of a patch
 };
 
 // What approaches so much slower than the fastest is at relative rest, but for rounding and, of
@@ -395,7 +372,7 @@ bool takesPart(const Round& round, const ImpactContact& contact, std::size_t c, 
 // same: the rule of false position, after Illinois.
 std::vector<Round::Impulse> withoutGain(Round& round, const std::vector<std::size_t>& chosen,
                                         std::vector<Round::Impulse> impulses,
-                                        ImpactResult& result) {
+                                        complementarity::Answer& answer, ImpactResult& result) {
     constexpr double rounding = 1e-12, unknown = std::numeric_limits<double>::infinity();
     double scale = 0;
     for (const Round::Impulse& impulse : impulses)
@@ -404,7 +381,7 @@ std::vector<Round::Impulse> withoutGain(Round& round, const std::vector<std::siz
         return impulses;
     result.loweredRestitution = true;
     double low = 0, high = 1, gained = round.energyOf(impulses);
-    impulses = round.impulses(chosen, 0);
+    impulses = round.impulses(chosen, 0, answer);
     if (impulses.empty())
         return impulses;
     double lost = -round.energyOf(impulses);
@@ -412,7 +389,7 @@ std::vector<Round::Impulse> withoutGain(Round& round, const std::vector<std::siz
     for (int i = 0; i < 60 && lost > rounding * scale; ++i) {
         const double part = gained < unknown ? lost / (lost + gained) : 0.5;
         const double factor = low + std::clamp(part, 1e-3, 1 - 1e-3) * (high - low);
-        auto tried = round.impulses(chosen, factor);
+        auto tried = round.impulses(chosen, factor, answer);
         const double energy = tried.empty() ? unknown : round.energyOf(tried);
         if (energy > rounding * scale) {
             onSide = std::max(onSide, 0) + 1;
@@ -435,7 +412,8 @@ std::vector<Round::Impulse> withoutGain(Round& round, const std::vector<std::siz
 // Gives the impulses to the chosen contacts. False when there are none that part them.
 bool solveTogether(Round& round, std::span<const ImpactContact> contacts,
                    const std::vector<std::size_t>& chosen, bool plastic, ImpactResult& result) {
-    std::vector<Round::Impulse> impulses = round.impulses(chosen, plastic ? 0 : 1);
+    complementarity::Answer answer;
+    std::vector<Round::Impulse> impulses = round.impulses(chosen, plastic ? 0 : 1, answer);
     if (impulses.empty())
         return false;
     const bool isDriven =
@@ -444,7 +422,7 @@ bool solveTogether(Round& round, std::span<const ImpactContact> contacts,
         std::ranges::any_of(chosen, [&](std::size_t c) { return contacts[c].friction > 0; }) &&
         std::ranges::any_of(chosen, [&](std::size_t c) { return contacts[c].restitution > 0; });
     if (!plastic && !isDriven && mayGain)
-        impulses = withoutGain(round, chosen, std::move(impulses), result);
+        impulses = withoutGain(round, chosen, std::move(impulses), answer, result);
     if (impulses.empty())
         return false;
     for (std::size_t i = 0; i < impulses.size(); ++i)
