@@ -43,8 +43,8 @@ double lengthInside(const Vector& point, const Vector& way) {
     return length;
 }
 
-// A law's room, and what pushes its force off the bounds: of an interval (f - low, l) and
-// (high - f, h), of a disc (r, f) and (s, w).
+// The room of a law's force, and the push off its bounds: (f - low, l) and (high - f, h) of an
+// interval, (r, f) and (s, w) of a disc.
 struct Cone {
     std::size_t law = 0;
     double side = 1; // of an interval: 1 at low, -1 at high
@@ -158,7 +158,7 @@ private:
             way.segment(law.first, law.rows);
         return change;
     }
-    // Adds what pushes to the rates of the law.
+    // Adds the push to the rates of its law.
     void addPush(const Cone& cone, const Vector& push, Vector& rates) const {
         const Law& law = lawOf(cone);
         if (isInterval(law))

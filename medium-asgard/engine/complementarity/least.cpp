@@ -13,12 +13,12 @@ double inverseSize(double largest) {
     return largest > 0 && std::isfinite(largest) ? 1 / largest : 1;
 }
 
-bool isAlike(const Eigen::MatrixXd& a) {
+} // namespace
+
+bool isSymmetric(const Eigen::MatrixXd& a) {
     constexpr double rounding = 1e-12;
     return (a - a.transpose()).cwiseAbs().maxCoeff() <= rounding * a.cwiseAbs().maxCoeff();
 }
-
-} // namespace
 
 // Rows of edges have numbers of any size, the largest those of discs that hardly press: beside
 // them all others would look like rounding, and the rank too small. So each row is divided by its
@@ -36,7 +36,7 @@ Least::Least(Matrix a) : a_(std::move(a)) {
     isRegular_ = pivots.minCoeff() > noPivot * pivots.maxCoeff();
     if (isRegular_)
         return;
-    isSymmetric_ = isAlike(a_);
+    isSymmetric_ = isSymmetric(a_);
     size_ = a_.diagonal().cwiseAbs().maxCoeff();
 }
 

@@ -8,6 +8,9 @@
 
 namespace complementarity {
 
+// But for rounding.
+[[nodiscard]] bool isSymmetric(const Eigen::MatrixXd& a);
+
 // Of one matrix, for many right sides. What a solution needs is computed when it is needed first.
 class Least {
 public:

@@ -2,6 +2,7 @@
 
 #include "complementarity/convex.h"
 #include "complementarity/interior.h"
+#include "complementarity/least.h"
 #include "complementarity/newton.h"
 #include "complementarity/pivots.h"
 #include "complementarity/solve.h"
@@ -19,11 +20,6 @@ constexpr double nearly =
     1e-8; // a violation under this counts as none where no answer has a smaller one
 constexpr double hardly = 1e-9; // under this none is looked for by the slower ways
 constexpr std::size_t fewLaws = 6;
-
-bool isMirrored(const Matrix& a) {
-    constexpr double rounding = 1e-12;
-    return (a - a.transpose()).cwiseAbs().maxCoeff() <= rounding * a.cwiseAbs().maxCoeff();
-}
 
 std::vector<State> possibleStates(const Law& law) {
     std::vector<State> states = {State::inside};
@@ -71,9 +67,9 @@ public:
         }
         if (auto answer = bySmallerSteps(inside))
             return answer;
-        // Where slips make A unsymmetric, there may be no forces, and slips jam: those that sweeps
-        // find there last for microseconds.
-        if (nearestFault_ > hardly && isMirrored(a_))
+        // Slips make A unsymmetric. Then there may be no forces, and the slips jam; forces that
+        // sweeps find there last for microseconds.
+        if (nearestFault_ > hardly && isSymmetric(a_))
             if (auto answer = bySweeps())
                 return answer;
         return nearest_;
@@ -155,10 +151,9 @@ private:
         return std::nullopt;
     }
 
-    // Where forces that push each other grow from step to step, one law after the other may find
-    // them. A little on the diagonal leads redundant laws to short forces. Where the states do not
-    // tell the forces, as with many bodies at the limit of sticking, the sweeps' own do, if they
-    // settle.
+    // Each law in turn, with the forces of the others as they are. A little on the diagonal leads
+    // redundant laws to short forces. The states do not always tell the forces, as with many bodies
+    // at the limit of sticking: then the sweeps' own forces count, if they settle.
     std::optional<Answer> bySweeps() {
         constexpr int most = 4096;
         const Matrix firm = a_ + 1e-10 * Matrix(a_.diagonal().asDiagonal());
@@ -219,7 +214,7 @@ bool areFew(const Laws& laws) {
 bool isConvex(const Matrix& a, const Laws& laws) {
     const double largest = a.cwiseAbs().maxCoeff();
     if (std::ranges::any_of(laws, [](const Law& law) { return law.kind != Law::Kind::interval; }) ||
-        !isMirrored(a))
+        !isSymmetric(a))
         return false;
     return Eigen::LDLT<Matrix>(a).vectorD().minCoeff() >= -1e-12 * largest;
 }

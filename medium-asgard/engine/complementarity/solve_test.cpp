@@ -333,6 +333,22 @@ TEST(Solve, RandomHeapsKeepTheirLaws) {
     EXPECT_LE(tries, 3 * tried);
 }
 
+struct Tally {
+    int tried = 0, found = 0, rounds = 0, steps = 0;
+
+    void add(const Heap& heap, double allowed) {
+        Work work;
+        const auto answer = solve(heap.a, heap.b, heap.laws, {}, &work);
+        ++tried;
+        rounds += work.rounds;
+        steps += work.steps;
+        if (!answer)
+            return;
+        ++found;
+        EXPECT_LE(violation(heap.a, heap.b, heap.laws, *answer), allowed);
+    }
+};
+
 // Rows of cubes of side 1 on each other, the lowest on the floor.
 class Cubes {
 public:
@@ -409,7 +425,7 @@ Heap randomTower(std::mt19937_64& random, Index count, double friction) {
 // Each corner has friction of its own, more than there are freedoms.
 TEST(Solve, CornersOfTowersOfAnyMassesKeepTheirLaws) {
     std::mt19937_64 random(8);
-    int found = 0, tried = 0, steps = 0;
+    Tally tally;
     for (const double friction : {0.1, 0.3, 0.6, 1.0})
         for (Index count = 1; count <= 6; ++count) {
             Cubes cubes(count);
@@ -421,36 +437,20 @@ TEST(Solve, CornersOfTowersOfAnyMassesKeepTheirLaws) {
                 addFriction(heap.laws, 2, 3 * row, friction);
             }
             cubes.move(random, 6, heap);
-            Work work;
-            const auto answer = solve(heap.a, heap.b, heap.laws, {}, &work);
-            ++tried;
-            steps += work.steps;
-            if (!answer)
-                continue;
-            ++found;
-            EXPECT_LE(violation(heap.a, heap.b, heap.laws, *answer), 1e-11);
+            tally.add(heap, 1e-11);
         }
-    EXPECT_EQ(found, tried);
-    EXPECT_LE(steps, 40 * tried);
+    EXPECT_EQ(tally.found, tally.tried);
+    EXPECT_LE(tally.steps, 40 * tally.tried);
 }
 
 TEST(Solve, RandomTowersThatSlipKeepTheirLaws) {
     std::mt19937_64 random(3);
-    int found = 0, rounds = 0, tried = 0;
+    Tally tally;
     for (const double friction : {0.1, 0.3, 0.6})
-        for (int k = 0; k < 20; ++k) {
-            const Heap tower = randomTower(random, 2 + k % 4, friction);
-            Work work;
-            const auto answer = solve(tower.a, tower.b, tower.laws, {}, &work);
-            ++tried;
-            rounds += work.rounds;
-            if (!answer)
-                continue;
-            ++found;
-            EXPECT_LE(violation(tower.a, tower.b, tower.laws, *answer), 1e-8);
-        }
-    EXPECT_EQ(found, tried);
-    EXPECT_LE(rounds, 2 * tried); // without Newton's method at moving centres: 453
+        for (int k = 0; k < 20; ++k)
+            tally.add(randomTower(random, 2 + k % 4, friction), 1e-8);
+    EXPECT_EQ(tally.found, tally.tried);
+    EXPECT_LE(tally.rounds, 2 * tally.tried); // without Newton's method at moving centres: 453
 }
 
 // Three slabs stand on an edge; one foot slides, and the rates of the others are rounding.
