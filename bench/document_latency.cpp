@@ -165,25 +165,45 @@ private:
         });
     }
 
-    // Takes hold of it: the pointer looks for it all over the picture.
+    // Takes hold of it: the pointer looks for it all over the picture. An answer may come late,
+    // when the pointer is some places further on: it then goes back, with more patience.
     QPointF find(const QString& what) {
         const QRectF all = place();
         constexpr double step = 12;
+        std::vector<QPointF> places;
         for (double y = all.top() + step; y < all.bottom(); y += step)
             for (double x = all.left() + step; x < all.right(); x += step) {
-                said_.clear();
-                send(QEvent::MouseButtonPress, {x, y}, Qt::LeftButton);
-                send(QEvent::MouseMove, {x, y}, Qt::NoButton);
-                const auto begin = Clock::now();
-                while (said_.isEmpty() && between(begin, Clock::now()) < 0.02)
-                    QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 2);
-                if (said_.contains(what))
-                    return {x, y};
-                send(QEvent::MouseButtonRelease, {x, y}, Qt::LeftButton);
-                if (!said_.isEmpty())
-                    rest();
+                places.emplace_back(x, y);
+                if (!holds(what, places.back(), 0.02))
+                    continue;
+                letGo(places.back());
+                for (std::size_t back = 1; back <= std::min<std::size_t>(places.size(), 20);
+                     ++back) {
+                    const QPointF at = places[places.size() - back];
+                    if (holds(what, at, 0.5))
+                        return at;
+                }
             }
         stop("nothing can be dragged");
+    }
+
+    // Presses there: does that say, within so many seconds, that it holds what is looked for? It
+    // lets go of anything else.
+    bool holds(const QString& what, const QPointF& at, double seconds) {
+        said_.clear();
+        send(QEvent::MouseButtonPress, at, Qt::LeftButton);
+        send(QEvent::MouseMove, at, Qt::NoButton);
+        waitFor(seconds, [&] { return !said_.isEmpty(); });
+        if (said_.contains(what))
+            return true;
+        letGo(at);
+        return false;
+    }
+
+    void letGo(const QPointF& at) {
+        send(QEvent::MouseButtonRelease, at, Qt::LeftButton);
+        if (!said_.isEmpty())
+            rest();
     }
 
     void send(QEvent::Type type, const QPointF& at, Qt::MouseButton button = Qt::NoButton,
