@@ -128,7 +128,7 @@ class Round {
 public:
     Round(std::vector<ImpactBody>& bodies, std::span<const ImpactContact> contacts,
           std::span<const ImpactRow> joints)
-        : bodies_(bodies), contacts_(contacts), joints_(bodies, joints) {
+        : bodies_(bodies), contacts_(contacts), joints_(bodies, joints), blows_(contacts.size()) {
         for (const ImpactContact& c : contacts)
             addLine(between(c, c.point, c.normal));
         for (const ImpactRow& row : joints)
@@ -166,6 +166,15 @@ public:
         constexpr double rounding = 1e-12; // of what joints hold altogether
         const double left = sum + joints_.between(lines_[i].effect, lines_[j].effect);
         return i == j && left <= rounding * sum ? 0 : left;
+    }
+
+    // Its next one. A contact bounces back until its restitutions multiply to next to nothing.
+    [[nodiscard]] double restitution(std::size_t contact) const {
+        constexpr double leastOfAll = 1e-3; // of the first approach
+        constexpr int mostBounces = 50;     // where restitution is all but 1
+        const double e = contacts_[contact].restitution;
+        const int before = blows_[contact];
+        return e == 1 || (before < mostBounces && std::pow(e, before) > leastOfAll) ? e : 0;
     }
 
     struct Impulse {
@@ -235,6 +244,8 @@ public:
 
     void apply(const Impulse& impulse) {
         const Line& line = lines_[impulse.line];
+        if (impulse.line < contacts_.size() && impulse.size > 0)
+            ++blows_[impulse.line];
         for (const Response& r : line.responses) {
             bodies_[r.body].velocity += impulse.size * r.velocity;
             bodies_[r.body].angularVelocity += impulse.size * r.angularVelocity;
@@ -244,9 +255,10 @@ public:
     }
 
 private:
-    [[nodiscard]] double wantedOf(std::size_t line, double restitution) const {
+    // With this part of the restitution.
+    [[nodiscard]] double wantedOf(std::size_t line, double part) const {
         if (line < contacts_.size())
-            return (1 + restitution * contacts_[line].restitution) * speed(line);
+            return (1 + part * restitution(line)) * speed(line);
         const Line& of = lines_[line];
         return speedAlong(of) + of.responses[0].linear.dot(of.surface);
     }
@@ -336,6 +348,7 @@ private:
     std::vector<Line> lines_; // of the contacts' normals, then of stops, then of friction
     std::size_t stops_ = 0;
     std::map<std::vector<std::size_t>, Lines> frictions_; // by the contacts of a patch
+    std::vector<int> blows_;                              // that a contact has had
 };
 
 // What approaches so much slower than the fastest is at relative rest, but for rounding and, of
@@ -352,9 +365,9 @@ void leaveTheSlow(const Round& round, std::span<const ImpactContact> contacts,
 
 // A blow without any bounce reaches all contacts without bounce at once: one after the other, the
 // impulses of the later ones would part the earlier ones again. False: some contact has a bounce.
-bool joinInelastic(std::span<const ImpactContact> contacts,
-                   const std::vector<std::size_t>& yielding, std::vector<std::size_t>& chosen) {
-    const auto isInelastic = [&](std::size_t c) { return contacts[c].restitution == 0; };
+bool joinInelastic(const Round& round, const std::vector<std::size_t>& yielding,
+                   std::vector<std::size_t>& chosen) {
+    const auto isInelastic = [&](std::size_t c) { return round.restitution(c) == 0; };
     if (!std::ranges::all_of(chosen, isInelastic))
         return false;
     chosen.clear();
@@ -420,7 +433,7 @@ bool solveTogether(Round& round, std::span<const ImpactContact> contacts,
         std::ranges::any_of(chosen, [&](std::size_t c) { return !contacts[c].surface.isZero(0); });
     const bool mayGain =
         std::ranges::any_of(chosen, [&](std::size_t c) { return contacts[c].friction > 0; }) &&
-        std::ranges::any_of(chosen, [&](std::size_t c) { return contacts[c].restitution > 0; });
+        std::ranges::any_of(chosen, [&](std::size_t c) { return round.restitution(c) > 0; });
     if (!plastic && !isDriven && mayGain)
         impulses = withoutGain(round, chosen, std::move(impulses), answer, result);
     if (impulses.empty())
@@ -452,20 +465,10 @@ ImpactResult resolveImpact(std::vector<ImpactBody> bodies, std::span<const Impac
     // between walls never end, and what is left is then taken up without bounce.
     constexpr double isNothing = 1e-12; // of the first approach
     const std::size_t most = 100 + 20 * yielding.size() * yielding.size();
-    // So is the rattle of a wall or a tower, whose blows run to and fro in it, each a little
-    // weaker.
-    const bool isElastic =
-        std::ranges::all_of(yielding, [&](std::size_t c) { return contacts[c].restitution == 1; });
-    std::size_t patience = isElastic ? most : 20 + 4 * result.bodies.size();
     std::size_t rounds = 0;
     double first = 0;
     bool wasInelastic = false;
     for (; rounds < most; ++rounds) {
-        if (rounds == patience) {
-            if (solveTogether(round, contacts, yielding, true, result))
-                return result;
-            patience *= 2;
-        }
         std::vector<std::size_t> approaching;
         for (std::size_t c : yielding)
             if (takesPart(round, contacts[c], c, rounds == 0))
@@ -479,7 +482,7 @@ ImpactResult resolveImpact(std::vector<ImpactBody> bodies, std::span<const Impac
         if (fastest < isNothing * first)
             break;
         leaveTheSlow(round, contacts, approaching);
-        const bool isInelastic = joinInelastic(contacts, yielding, approaching);
+        const bool isInelastic = joinInelastic(round, yielding, approaching);
         if (isInelastic && wasInelastic)
             break; // rounding is left
         wasInelastic = isInelastic;

@@ -352,17 +352,24 @@ TEST(Impact, OfWhatIsHeldAlongAxesChangesTheOthersOnly) {
 
 // A lossy ball between two fixed walls that touch it: rounds would go on forever.
 TEST(Impact, EndsWhenLossyBouncingWouldNot) {
-    std::vector<ImpactBody> bodies(4);
-    bodies[0].inverseMass = bodies[1].inverseMass = 1;
-    bodies[0].velocity = {1, 0, 0};
-    const std::vector<ImpactContact> contacts{{1, 0, Vector::Zero(), {1, 0, 0}, 0.9},
-                                              {1, 2, Vector::Zero(), {-1, 0, 0}, 0.9},
-                                              {0, 3, Vector::Zero(), {1, 0, 0}, 0.9}};
-    const auto result = resolveImpact(bodies, contacts);
-    EXPECT_TRUE(result.settled);
-    EXPECT_GE(result.bodies[1].velocity.x() - result.bodies[0].velocity.x(), -1e-12);
-    EXPECT_LE(result.bodies[1].velocity.x(), 1e-12);
-    EXPECT_LE(result.impulses.size(), 60U); // 20 rounds and four for each body
+    struct Case {
+        double restitution;
+        std::size_t bounces; // of one contact, at most
+    };
+    for (const auto& [restitution, bounces] : {Case{0.2, 5}, Case{0.5, 10}, Case{0.9, 50}}) {
+        std::vector<ImpactBody> bodies(4);
+        bodies[0].inverseMass = bodies[1].inverseMass = 1;
+        bodies[0].velocity = {1, 0, 0};
+        const std::vector<ImpactContact> contacts{{1, 0, Vector::Zero(), {1, 0, 0}, restitution},
+                                                  {1, 2, Vector::Zero(), {-1, 0, 0}, restitution},
+                                                  {0, 3, Vector::Zero(), {1, 0, 0}, restitution}};
+        const auto result = resolveImpact(bodies, contacts);
+        EXPECT_TRUE(result.settled);
+        EXPECT_FALSE(result.jammed);
+        EXPECT_GE(result.bodies[1].velocity.x() - result.bodies[0].velocity.x(), -1e-12);
+        EXPECT_LE(result.bodies[1].velocity.x(), 1e-12);
+        EXPECT_LE(result.impulses.size(), 3 * (bounces + 3)) << restitution; // a few without
+    }
 }
 
 // A bar that lies with one end on the floor is hit at the other: that end is thrown up first, and
