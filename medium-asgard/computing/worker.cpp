@@ -203,6 +203,7 @@ void Worker::move(const Job& job) {
             tell(Progress{job.serial, job.scene, std::move(motion), Clock::now() - began});
     };
     simulation::Options options;
+    options.threads = 0; // as many as there are cores
     options.parameters = job.order.parameters;
     Moved moved;
     moved.serial = job.serial;

@@ -5,27 +5,44 @@
 
 namespace simulation {
 
-std::unique_ptr<OpenRun> openRun(const Problem& problem, const RunSource::Wanted& wanted,
-                                 OpenRun::Use use) {
+void RunSource::expect(const Problem& problem, const std::vector<double>& tolerances) {
+    const int threads = problem.options.threads;
+    const bool hasTwo = threads > 0 ? threads > 1 : std::thread::hardware_concurrency() > 1;
+    expected_.reset();
+    if (hasTwo && makesRuns())
+        expected_ = std::make_unique<RunAhead>(problem, tolerances, use_);
+}
+
+void RunSource::beginExpected() {
+    constexpr std::chrono::milliseconds worthwhile(50); // a short search needs no second thread
+    if (expected_)
+        expected_->begin(worthwhile);
+}
+
+std::unique_ptr<OpenRun> RunSource::open(const Problem& problem, const Wanted& wanted,
+                                         const Observer& observer) {
     std::vector<bool> taken;
     if (wanted.base)
         taken = untouchedIn(problem, wanted.base->before, wanted.base->again);
     if (std::ranges::find(taken, true) == taken.end())
         taken.clear();
     const bool isNudged = wanted.kind == RunSource::Kind::nudged;
+    if (expects(wanted.tolerances) && !isNudged && taken.empty())
+        if (auto solved = std::exchange(expected_, nullptr)->take(observer))
+            return solved;
     return std::make_unique<OpenRun>(problem, wanted.tolerances,
-                                     isNudged ? Rounding::nudged : Rounding::asItIs, use,
+                                     isNudged ? Rounding::nudged : Rounding::asItIs, use_,
                                      std::move(taken));
 }
 
 std::optional<Run> FreshRuns::next(const Problem& problem, const Wanted& wanted,
                                    const Observer& observer) {
     const Run* const before = wanted.base ? &wanted.base->before : nullptr;
-    Run run = openRun(problem, wanted, OpenRun::Use::once)->upToFinish(observer, before);
+    Run run = open(problem, wanted, observer)->upToFinish(observer, before);
     if (!run.isDisturbed)
         return run;
     const Wanted alone{.kind = wanted.kind, .tolerances = wanted.tolerances};
-    return openRun(problem, alone, OpenRun::Use::once)->upToFinish(observer, nullptr);
+    return open(problem, alone, observer)->upToFinish(observer, nullptr);
 }
 
 } // namespace simulation

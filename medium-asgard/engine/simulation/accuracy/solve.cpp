@@ -240,6 +240,18 @@ struct Proof {
     std::vector<double> tolerances;
 };
 
+// Runs that hit something mostly want a proof.
+bool hits(const Run& run) { return !run.impacts.empty() || !run.contacts.entries().empty(); }
+
+// At first, if what is not fixed is integrated.
+std::vector<double> tighterOf(const Problem& problem, const Tightening& search) {
+    std::vector<double> tolerances = search.tight();
+    for (std::size_t b = 0; b < tolerances.size(); ++b)
+        if ((*problem.bodies)[b].isFixed)
+            tolerances[b] = search.loose()[b];
+    return tolerances;
+}
+
 // Compares runs until the search ends. `proof` is the first of them if it has the tolerances that
 // are next. False: the search was cancelled, or such a run was not made before.
 bool tighten(const Problem& problem, const Observer& silent, Tightening& search, RunSource& runs,
@@ -253,6 +265,9 @@ bool tighten(const Problem& problem, const Observer& silent, Tightening& search,
             RunSource::Wanted wanted{.tolerances = search.tight(), .concerned = search.unsettled()};
             if (!isExplained)
                 wanted.base.emplace(RunSource::Base{run, search.runsAgain()});
+            if (const auto next = search.tighter();
+                next && !runs.expects(search.tight()) && hits(run))
+                runs.expect(problem, *next);
             tight = runs.next(problem, wanted, silent);
             if (tight)
                 addWork(*tight, solved);
@@ -338,9 +353,15 @@ std::optional<double> sizeOfWorst(const std::vector<BodyError>& errors,
 Solved solveToAccuracy(const Problem& problem, const Observer& observer, RunSource& runs) {
     Solved solved;
     Tightening search(problem.accuracy(), problem.bodies->size());
-    const Observer silent{
-        .cancelled = observer.cancelled, .progress = {}, .working = observer.working};
-    Run run = *runs.next(problem, {.tolerances = search.loose()}, observer);
+    const auto cancelled = [&] {
+        runs.beginExpected();
+        return observer.cancelled && observer.cancelled();
+    };
+    const Observer silent{.cancelled = cancelled, .progress = {}, .working = observer.working};
+    runs.expect(problem, tighterOf(problem, search));
+    Run run = *runs.next(
+        problem, {.tolerances = search.loose()},
+        {.cancelled = cancelled, .progress = observer.progress, .working = observer.working});
     addWork(run, solved);
     if (run.cancelled) {
         deliver(problem, std::move(run), solved);
@@ -371,8 +392,13 @@ Solved solveToAccuracy(const Problem& problem, const Observer& observer, RunSour
 } // namespace
 
 Solved solve(const Problem& problem, const Observer& observer, RunSource& runs) {
+    struct Expecting { // ends with the search
+        RunSource& runs;
+        ~Expecting() { runs.expectNothing(); }
+    };
     const double begin = cpuSeconds();
     runs.begin(problem.bodies->size());
+    const Expecting expecting{runs};
     Solved solved = problem.scene.simulator.method == "auto" && !problem.options.fixedStep
                         ? solveToAccuracy(problem, observer, runs)
                         : solvePlainly(problem, observer, runs);

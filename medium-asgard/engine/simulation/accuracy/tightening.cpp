@@ -223,6 +223,18 @@ std::vector<double> Tightening::proof() const {
     return tolerances;
 }
 
+std::optional<std::vector<double>> Tightening::tighter() const {
+    std::vector<double> tolerances = tight_;
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        const bool isExact = bodies_[b].isSettled && bodies_[b].before < 0;
+        if (bodies_[b].isSettled && !isExact)
+            return std::nullopt;
+        if (!isExact)
+            tolerances[b] *= tightening;
+    }
+    return tolerances;
+}
+
 void Tightening::prove(const std::vector<IslandError>& differences,
                        std::vector<BodyError>& errors) {
     const std::vector<double> proven = proof();

@@ -19,6 +19,7 @@
 
 #include "accuracy/accuracy.h"
 
+#include <optional>
 #include <vector>
 
 namespace simulation {
@@ -54,6 +55,9 @@ public:
     // tighter still; of one that leapt to the tolerance of rounding by one that is a little looser.
     [[nodiscard]] std::vector<bool> unproven() const;
     [[nodiscard]] std::vector<double> proof() const;
+    // The same before the run at tight() is known, if all of it settles and is to be proved. None
+    // where some is settled and some is not: then nobody knows.
+    [[nodiscard]] std::optional<std::vector<double>> tighter() const;
     // A settled body is worth a tighter run for another reason, where there is one.
     void doubt(std::size_t body);
     // By body, of its island: what errors are scaled by.

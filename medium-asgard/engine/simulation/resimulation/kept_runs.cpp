@@ -39,15 +39,15 @@ std::optional<Run> KeptRuns::next(const Problem& problem, const Wanted& wanted,
                                   const Observer& observer) {
     if (areForgotten_ && !isRepeated_)
         return FreshRuns().next(problem, wanted, observer);
-    std::optional<Run> run = kept(problem, wanted, observer);
+    std::optional<Run> run = keptRun(problem, wanted, observer);
     for (std::size_t b = 0; b < wanted.concerned.size() && !run; ++b)
         if (wanted.concerned[b])
             marked_[b] = true;
     return run;
 }
 
-std::optional<Run> KeptRuns::kept(const Problem& problem, const Wanted& wanted,
-                                  const Observer& observer) {
+std::optional<Run> KeptRuns::keptRun(const Problem& problem, const Wanted& wanted,
+                                     const Observer& observer) {
     const Run* const before = wanted.base ? &wanted.base->before : nullptr;
     auto& runs = runs_[static_cast<std::size_t>(wanted.kind)];
     const std::size_t index = asked_[static_cast<std::size_t>(wanted.kind)]++;
@@ -55,20 +55,20 @@ std::optional<Run> KeptRuns::kept(const Problem& problem, const Wanted& wanted,
         return std::nullopt;
     if (index >= runs.size()) {
         runs.resize(index + 1);
-        runs[index] = openRun(problem, wanted, OpenRun::Use::again);
+        runs[index] = open(problem, wanted, observer);
     }
-    std::unique_ptr<OpenRun>& open = runs[index];
-    markOthers(*open, wanted);
+    std::unique_ptr<OpenRun>& kept = runs[index];
+    markOthers(*kept, wanted);
     if (saysNothing(problem))
         return std::nullopt;
-    const std::vector<double> own = open->tolerances();
+    const std::vector<double> own = kept->tolerances();
     const Wanted alone{.kind = wanted.kind, .tolerances = own};
-    if (!open->canGoOn(before))
-        open = openRun(problem, alone, OpenRun::Use::again);
-    std::optional<Run> run = open->upToFinish(observer, before);
+    if (!kept->canGoOn(before))
+        kept = open(problem, alone, observer);
+    std::optional<Run> run = kept->upToFinish(observer, before);
     if (run->isDisturbed) {
-        open = openRun(problem, alone, OpenRun::Use::again);
-        run = open->upToFinish(observer, nullptr);
+        kept = open(problem, alone, observer);
+        run = kept->upToFinish(observer, nullptr);
     }
     if (bytes() > most_)
         forget();

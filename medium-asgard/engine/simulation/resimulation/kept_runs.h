@@ -20,7 +20,7 @@ namespace simulation {
 class KeptRuns final : public RunSource {
 public:
     // Runs that together take more than `most` bytes are all forgotten, and none is kept any more.
-    explicit KeptRuns(std::size_t most) : most_(most) {}
+    explicit KeptRuns(std::size_t most) : RunSource(OpenRun::Use::again), most_(most) {}
 
     void begin(std::size_t bodies) override;
     // The next run of this kind; none when the search before made no such run, or all is marked.
@@ -32,8 +32,9 @@ public:
     [[nodiscard]] bool areForgotten() const { return areForgotten_; }
 
 private:
-    [[nodiscard]] std::optional<Run> kept(const Problem& problem, const Wanted& wanted,
-                                          const Observer& observer);
+    [[nodiscard]] bool makesRuns() const override { return !isRepeated_ && !areForgotten_; }
+    [[nodiscard]] std::optional<Run> keptRun(const Problem& problem, const Wanted& wanted,
+                                             const Observer& observer);
     // Whose run is another one than is wanted now.
     void markOthers(const OpenRun& open, const Wanted& wanted);
     // All that moves is marked.

@@ -229,12 +229,8 @@ Run OpenRun::collect(double until) {
     return run;
 }
 
-Run OpenRun::upToFinish(const Observer& observer, const Run* before) {
+solution::Advance OpenRun::advance(const std::shared_ptr<const solution::TakenMotion>& taken) {
     const double begin = cpuSeconds(), finish = problem_.finish();
-    observer_ = observer;
-    std::shared_ptr<const solution::TakenMotion> taken;
-    if (!taken_.empty() && !(finish <= advanced_))
-        taken = motionOf(problem_, *before, taken_);
     if (machinery_ && machinery_->collisions)
         machinery_->collisions->lengthen(finish);
     if (!machinery_)
@@ -242,19 +238,39 @@ Run OpenRun::upToFinish(const Observer& observer, const Run* before) {
     else if (taken)
         machinery_->solver->takeLonger(taken);
     const double ready = cpuSeconds();
-    solution::Advance advance{.reached = finish, .cancelled = false, .disturbed = false};
+    solution::Advance advanced{.reached = finish, .cancelled = false, .disturbed = false};
     if (!(finish <= advanced_)) {
         furthest_ = std::max(furthest_, finish);
-        advance = machinery_->solver->advanceTo(finish);
-        if (!advance.cancelled)
+        advanced = machinery_->solver->advanceTo(finish);
+        if (!advanced.cancelled)
             advanced_ = finish;
     }
+    secondsSettingUp_ += ready - begin;
+    secondsMoving_ += cpuSeconds() - ready;
+    return advanced;
+}
+
+void OpenRun::solve(const Observer& observer) {
+    observer_ = observer;
+    (void)advance(nullptr);
+    observer_ = {};
+}
+
+Run OpenRun::upToFinish(const Observer& observer, const Run* before) {
+    const double finish = problem_.finish();
+    observer_ = observer;
+    std::shared_ptr<const solution::TakenMotion> taken;
+    if (!taken_.empty() && !(finish <= advanced_))
+        taken = motionOf(problem_, *before, taken_);
+    const solution::Advance advanced = advance(taken);
+    const double begin = cpuSeconds();
     Run run = collect(finish);
     run.reached = run.histories->known();
-    run.cancelled = advance.cancelled;
-    run.secondsSettingUp = ready - begin;
-    run.secondsMoving = cpuSeconds() - ready + (taken ? secondsOf(*before, *taken) : 0);
-    run.isDisturbed = advance.disturbed;
+    run.cancelled = advanced.cancelled;
+    run.secondsSettingUp = std::exchange(secondsSettingUp_, 0);
+    run.secondsMoving = std::exchange(secondsMoving_, 0) + cpuSeconds() - begin +
+                        (taken ? secondsOf(*before, *taken) : 0);
+    run.isDisturbed = advanced.disturbed;
     run.isTaken = taken_;
     observer_ = {};
     return run;

@@ -32,6 +32,8 @@ public:
     // does not in a shorter one, or something touched what is taken. Then a run from the start
     // tells.
     [[nodiscard]] bool canGoOn(const Run* before) const;
+    // To the problem's finish, and no run yet. Of one that takes nothing.
+    void solve(const Observer& observer);
     // The run to the problem's finish, solved on if need be. Progress is published as a draft. Its
     // statistics count everything, Run::before what was counted earlier.
     // `before`: the run that something is taken from, to the same finish. When it is disturbed
@@ -42,6 +44,7 @@ public:
 private:
     struct Machinery;
     void makeMachinery(const std::shared_ptr<const solution::TakenMotion>& taken);
+    solution::Advance advance(const std::shared_ptr<const solution::TakenMotion>& taken);
     [[nodiscard]] Run collect(double until);
     void publish(double known);
 
@@ -55,6 +58,7 @@ private:
     double advanced_ = -solution::infinity; // all is solved up to here
     double furthest_ = -solution::infinity; // something beyond that up to here
     double published_ = 0;
+    double secondsSettingUp_ = 0, secondsMoving_ = 0; // since the last run was collected
     solution::Statistics counted_;
     std::size_t countedPairTests_ = 0;
 };
