@@ -118,6 +118,17 @@ std::string meantBy(std::string_view command) {
     return "";
 }
 
+std::vector<std::string> meantWords() {
+    std::vector<std::string> words;
+    for (const Meaning& meaning : meanings)
+        for (std::size_t from = 0; from < meaning.words.size();) {
+            const std::size_t to = std::min(meaning.words.find(' ', from), meaning.words.size());
+            words.emplace_back(meaning.words.substr(from, to - from));
+            from = to + 1;
+        }
+    return words;
+}
+
 std::string meantByOption(std::string_view option, std::span<const std::string> existing) {
     std::string_view word = option;
     for (const std::string_view beginning : {"-init_", "-"})

@@ -322,17 +322,39 @@ force -body high -gravitational {{0 -{G} 0}}
 """
 
 
+# A press that is held comes down on a box.
+PRESS = f"""simulator -finish 2
+shape_set ground -desc {{-sub {{-plane}}}}
+shape_set box -desc {{-sub {{-box {{0.4 0.4 0.4}}}}}}
+body floor ground -fixed 1
+body a box -restitution 0 -init_pos {{0 0.2 0}}
+body press box -restitution 0 -init_pos {{0 0.7 0}}
+trajectory still -bezier {{{{0 2 {{0 0 0}}}}}}
+trajectory down -points {{{{0 0 0.7 0}} {{1 0 0.4 0}}}}
+constrain press -pos down
+constrain press -rot still
+force -body a -gravitational {{0 -{G} 0}}
+"""
+
+
 def check_names():
     """A contact that ends a motion is told by its bodies, also one that is not modelled."""
     run = subprocess.run([sys.argv[1], "simulate", "-", "--csv", os.devnull], input=EGGS, capture_output=True, text=True, check=False)
     if not ('"low"' in run.stderr and '"high"' in run.stderr and "an ellipsoid" in run.stderr):
         print(f"FAIL an egg on an egg: {run.stderr}")
         return 1
-    run = subprocess.run([sys.argv[1], "simulate", "-", "--csv", os.devnull], input=PAINLEVE, capture_output=True, text=True, check=False)
-    if run.returncode or '"ground" and "rod" jam at t = 0' not in run.stderr:
-        print(f"FAIL a rod that jams: {run.stderr}")
+    run = subprocess.run([sys.argv[1], "simulate", "-", "--csv", os.devnull], input=PRESS, capture_output=True, text=True, check=False)
+    if 'Stopped at t = 0.333333: body "a" is pressed between "floor" and "press"' not in run.stderr:
+        print(f"FAIL a box in a press: {run.stderr}")
         return 1
-    return 0
+    faults = 0
+    for speed in (3, 5, 8):  # behind the jam it sticks, sticks and slips again, lifts off
+        scene = PAINLEVE.replace("-init_dpos {3 0 0}", f"-init_dpos {{{speed} 0 0}}")
+        run = subprocess.run([sys.argv[1], "simulate", "-", "--csv", os.devnull], input=scene, capture_output=True, text=True, check=False)
+        if run.returncode or '"ground" and "rod" jam at t = 0' not in run.stderr:
+            faults += 1
+            print(f"FAIL a rod that jams at {speed} m/s: {run.stderr}")
+    return faults
 
 
 def stiff_floor(stiffness, damping, step, until):

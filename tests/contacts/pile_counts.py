@@ -29,6 +29,16 @@ def pile(seed, finish):
     return re.sub(r"-finish \S+", f"-finish {finish!r}", random_piles.Pile(seed).text(), count=1)
 
 
+def chain(links, finish):
+    """Links on hinges that swing in a plane until one hits another."""
+    lines = [f"simulator -finish {finish!r} -accuracy 1e-6", "shape_set l -desc {-sub {-box {0.1 0.02 0.02}}}"]
+    for k in range(links):
+        to = f" -body2 l{k - 1} -offset2 {{0.05 0 0}}" if k else ""
+        lines += [f"body l{k} l -mass 0.1 -init_pos {{{0.05 + 0.1 * k!r} 0 0}}", f"joint j{k} -type hinge -body1 l{k} -offset1 {{-0.05 0 0}}{to}",
+                  f"force -body l{k} -gravitational {{0 -9.81 0}}"]
+    return "\n".join(lines) + "\n"
+
+
 def struck(ball, finish):
     """Three equal boxes on each other, without friction and with full bounce as in a new scene, and a ball that flies at them."""
     lines = [f"simulator -finish {finish!r} -accuracy 1e-3", "shape_set floor -desc {-sub {-plane}}",
@@ -399,6 +409,8 @@ CASES = [
     ("a tower that a ball hits", struck_tower(), {"steps": 1000, "collisions": 100}),
     # Forces that its jam left followed slips that they turned, and were none: "there is no solution" at 0.2439 s.
     ("a tower that jams", jammed_tower(), {"steps": 15000, "collisions": 6000}),
+    # Rounding beside the plane woke 180 unknowns.
+    ("a chain in a plane whose links hit each other", chain(20, 2), {"largest_component": 220, "steps": 1500}),
     # Velocities of 1e-34 hit each other without end.
     ("a wall that stands", pile(5, 0.1), {"steps": 200, "collisions": 20}),
 ]

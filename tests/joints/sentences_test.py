@@ -39,6 +39,13 @@ CASES = (
     (PIN + "-motor {log(1-t)}", 'the joint "pin" on body "a", -motor "log(1-t)", is not finite'),
     ("joint u -type universal -body1 a -axis {1 0 0} -axis2 {1 0 0}",
      ':4:1: error: joint "u": -axis and -axis2 are parallel, and a universal joint wants two directions'),
+    ("joint u -type universal -body1 a -axis {1 0 0} -axis2 {1 1 0}",
+     ':4:1: error: joint "u": -axis and -axis2 are not perpendicular at the start, and they are to stay so'),
+    ("hindge u -body1 a", "a hinge: joint NAME -type hinge -body1 B"),
+    ("body c rod -mass 1 -ct 1 -init_pos {0.4 3 0}\nbody p rod -mass 1 -ct 1 -init_pos {1.1 3 0}\n"
+     "joint main -type hinge -body1 c -offset1 {-0.4 0 0} -speed 2\n"
+     "joint big -type distance -body1 c -offset1 {0.4 0 0} -body2 p -offset2 {0 0 0}\njoint guide -type slider -body1 p -axis {1 0 0}",
+     'no forces keep the conditions of main, big, guide: the joints lock there, and joint "main" drives on, as a crank that is longer than its rod does'),
     ("joint p -type planar -body1 a -axis {0 0 1} -axis2 {0 0 -2}",
      ':4:1: error: joint "p": -axis and -axis2 are parallel, and a planar joint wants two directions'),
     ("rope r -points {{a} {0 1 0}} -length 1",

@@ -369,7 +369,12 @@ void JointMultipliers::checkStart(const expression::EquationSet& set, std::size_
     std::vector<double> found(outputs.size());
     expression::Tape::Scratch scratch;
     expression::Tape(g_, inputs, outputs).evaluate(values, found, scratch);
-    std::map<std::string, std::pair<double, double>> worst; // by element
+    struct Miss {
+        double gap = 0, rate = 0;
+        double before = 0; // without its last condition
+        bool isUniversal = false;
+    };
+    std::map<std::string, Miss> worst; // by element
     for (std::size_t k = 0; k < kept_.size(); ++k) {
         const Element& element = kept_[k].element;
         if (set.unknowns[first + k].initial == expression::goneFromStart)
@@ -385,18 +390,32 @@ void JointMultipliers::checkStart(const expression::EquationSet& set, std::size_
             tellDrive(nameOf(element), found[2 * k]);
             continue;
         }
-        auto& [gap, rate] = worst[nameOf(element)];
-        gap = std::hypot(gap, found[2 * k]);
-        rate = std::hypot(rate, found[2 * k + 1]);
+        Miss& miss = worst[nameOf(element)];
+        miss.before = miss.gap;
+        miss.gap = std::hypot(miss.gap, found[2 * k]);
+        miss.rate = std::hypot(miss.rate, found[2 * k + 1]);
+        miss.isUniversal = element.kind == "joint" && isUniversal(element.name);
     }
+    const double none = startResolution * extents().first;
     for (const auto& [element, miss] : worst)
-        tell(element + ": ", miss.first, miss.second, notes);
+        if (miss.isUniversal && miss.before <= none && miss.gap > none) // the last is of its axes
+            faults_.push_back(element +
+                              ": -axis and -axis2 are not perpendicular at the start, and "
+                              "they are to stay so; turn one of them, or a body");
+        else
+            tell(element + ": ", miss.gap, miss.rate, notes);
 }
 
 // `values`: the time, and the unknowns.
 bool JointMultipliers::isReleased(const Kept& kept, const std::vector<double>& values) const {
     const auto place = kept.release ? unknownOf_.find(kept.release->index) : unknownOf_.end();
     return place != unknownOf_.end() && values[1 + place->second] != 0;
+}
+
+bool JointMultipliers::isUniversal(const std::string& joint) const {
+    return std::ranges::any_of(scene_.joints, [&](const scene::Joint& one) {
+        return one.name == joint && one.type == scene::JointType::universal;
+    });
 }
 
 // A drive takes its speed without a word.

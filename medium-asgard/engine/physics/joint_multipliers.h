@@ -119,6 +119,7 @@ private:
     void checkStart(const expression::EquationSet& set, std::size_t first,
                     std::vector<std::string>& notes);
     [[nodiscard]] bool isReleased(const Kept& kept, const std::vector<double>& values) const;
+    [[nodiscard]] bool isUniversal(const std::string& joint) const;
     void tellDrive(const std::string& element, double gap);
     void tell(const std::string& where, double gap, double rate, std::vector<std::string>& notes);
     [[nodiscard]] std::pair<double, double> extents() const;

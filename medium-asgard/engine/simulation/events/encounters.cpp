@@ -30,6 +30,14 @@ bool isStill(const Instant& at, const ImpactCluster& cluster,
            std::ranges::all_of(cluster.corners, isNone);
 }
 
+// What moves in a plane does so behind a blow in it.
+void keepInPlane(int axis, const physics::ImpactBody& before, BodyState& after) {
+    after.velocity[axis] = before.velocity[axis];
+    for (int other = 0; other < 3; ++other)
+        if (other != axis)
+            after.angularVelocity[other] = before.angularVelocity[other];
+}
+
 double speedOf(const Placed& body) {
     if (body.record->isFixed)
         return 0;
@@ -183,7 +191,7 @@ std::optional<Event> CollisionSource::meet(const Instant& at, const Pair& pair) 
     pressTogether(at, cluster, before);
     const physics::ImpactResult result = resolve(cluster, before);
     if (!result.settled)
-        return end(at, pair, sentences::unsolved(world_, pair));
+        return end(at, pair, whyUnsolved(at, cluster, pair));
     if (result.jammed)
         noteJam(at, cluster, result);
     keepImpulses(at, cluster, result, last.settling);
@@ -197,8 +205,10 @@ std::optional<Event> CollisionSource::meet(const Instant& at, const Pair& pair) 
         after[body] = at.stateOf(body);
         after[body].velocity = result.bodies[i].velocity;
         after[body].angularVelocity = result.bodies[i].angularVelocity;
-        if (before[i].velocity != result.bodies[i].velocity ||
-            before[i].angularVelocity != result.bodies[i].angularVelocity)
+        if (cluster.plane) // joints answer with rounding beside it
+            keepInPlane(cluster.plane->axis, before[i], after[body]);
+        if (before[i].velocity != after[body].velocity ||
+            before[i].angularVelocity != after[body].angularVelocity)
             outcome_.jump(world_.equations.bodies[body], at.stateOf(body), after[body], event);
     }
     if (event.touched.empty())
@@ -214,6 +224,21 @@ std::optional<Event> CollisionSource::meet(const Instant& at, const Pair& pair) 
     }
     settle(at, settling, after, event, true);
     return event;
+}
+
+std::string CollisionSource::whyUnsolved(const Instant& at, const ImpactCluster& cluster,
+                                         const Pair& pair) const {
+    std::map<std::size_t, std::set<std::size_t>> held; // by body that gives way: which it meets
+    for (const physics::ImpactContact& contact : cluster.contacts) {
+        const auto [a, b] = cluster.pairOf(contact);
+        for (const auto& [body, other] : {std::pair(a, b), std::pair(b, a)})
+            if (at.canGiveWay(body) && !at.canGiveWay(other))
+                held[body].insert(other);
+    }
+    for (const auto& [body, others] : held)
+        if (others.size() > 1)
+            return sentences::crushed(world_, body, others);
+    return sentences::unsolved(world_, pair);
 }
 
 void CollisionSource::refuse(const Instant& at, const Pair& pair, const std::string& sentence,

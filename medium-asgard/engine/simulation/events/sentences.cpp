@@ -107,6 +107,15 @@ std::string unsolved(const Colliders& world, const Pair& pair) {
            quoted(world, pair.second) + " were not found";
 }
 
+std::string crushed(const Colliders& world, std::size_t body,
+                    const std::set<std::size_t>& between) {
+    std::string others;
+    for (const std::size_t other : between)
+        others += (others.empty() ? "" : " and ") + quoted(world, other);
+    return "body " + quoted(world, body) + " is pressed between " + others +
+           ", none of which gives way: it would be crushed";
+}
+
 std::string noHinge(const Colliders& world, std::size_t body) {
     return "Body " + quoted(world, body) +
            " is held at a place beside its centre of mass, which makes no hinge: what hits it or "

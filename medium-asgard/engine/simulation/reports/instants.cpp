@@ -20,10 +20,11 @@ namespace {
 using Pair = std::pair<std::size_t, std::size_t>;
 
 // Of a multiplier, as its history keeps it.
-enum class Mode { none, holds, low, high, gone, jammed };
+enum class Mode { none, holds, low, high, gone, jammed, jammedLoose };
 static_assert(static_cast<int>(Mode::holds) == static_cast<int>(solution::heldMode));
 static_assert(static_cast<int>(Mode::gone) == static_cast<int>(solution::releasedMode));
 static_assert(static_cast<int>(Mode::jammed) == static_cast<int>(solution::jammedMode));
+static_assert(static_cast<int>(Mode::jammedLoose) == static_cast<int>(solution::jammedLooseMode));
 
 Mode modeAt(const solution::Histories& histories, std::size_t row, double time) {
     const double value = row < histories.unknowns() ? histories.value(row, time) : 0;

@@ -12,7 +12,7 @@ std::vector<double> marksOf(const solution::Histories& histories, std::size_t ro
     bool wasMarked = false;
     for (double time = from; time < until;) {
         const solution::Piece piece = histories.piece(row, time);
-        const bool isMarked = piece.value(time) == solution::jammedMode;
+        const bool isMarked = solution::isJammed(piece.value(time));
         if (isMarked && !wasMarked)
             times.push_back(time);
         wasMarked = isMarked;

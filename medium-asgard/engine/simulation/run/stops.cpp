@@ -182,6 +182,13 @@ Why whyOf(const Problem& problem, const physics::Suspects& suspects,
             ": there are several solutions: the joints stand in a singular position, as a flat "
             "linkage does, from which they can move in two ways; let them start a little "
             "beside it";
+    else if (const auto drives = drivenOf(problem.scene, bodies);
+             blames.empty() && ((stop.reason == Reason::notFinite && !drives.empty()) ||
+                                (contradicts && drives.size() == 1)))
+        reason = reason.substr(0, reason.find(", which")) +
+                 ": the joints lock there, and joint \"" + drives[0]->name +
+                 "\" drives on, as a crank that is longer than its rod does; make a part longer, "
+                 "or give it a -motor in place of its -speed or -position";
     if (stop.reason == Reason::unheld)
         reason += ": there is no solution";
     Bounded bounded;
@@ -366,23 +373,39 @@ void addOverflows(const Problem& problem, const solution::Histories& histories, 
 
 } // namespace
 
+namespace {
+
+bool isAnyOf(const scene::Scene& scene, const std::vector<std::size_t>& bodies,
+             const std::string& name) {
+    return std::ranges::any_of(bodies, [&](std::size_t b) { return scene.bodies[b].name == name; });
+}
+
+bool isJointOf(const scene::Scene& scene, const std::vector<std::size_t>& bodies,
+               const scene::Joint& joint) {
+    return isAnyOf(scene, bodies, joint.body1) ||
+           (joint.body2 && isAnyOf(scene, bodies, *joint.body2));
+}
+
+} // namespace
+
+std::vector<const scene::Joint*> drivenOf(const scene::Scene& scene,
+                                          const std::vector<std::size_t>& bodies) {
+    const auto isDriven = [](const scene::JointCoordinate& c) { return c.speed || c.position; };
+    std::vector<const scene::Joint*> driven;
+    for (const scene::Joint& joint : scene.joints)
+        if (isJointOf(scene, bodies, joint) && std::ranges::any_of(joint.coordinates, isDriven))
+            driven.push_back(&joint);
+    return driven;
+}
+
 bool areSingular(const scene::Scene& scene, const std::vector<std::size_t>& bodies) {
-    const auto isOne = [&](const std::string& name) {
-        return std::ranges::any_of(bodies,
-                                   [&](std::size_t b) { return scene.bodies[b].name == name; });
-    };
-    const auto isTheirs = [&](const scene::Joint& joint) {
-        return isOne(joint.body1) || (joint.body2 && isOne(*joint.body2));
-    };
-    const auto isDriven = [](const scene::Joint& joint) {
-        return std::ranges::any_of(joint.coordinates, [](const scene::JointCoordinate& c) {
-            return c.speed || c.position;
-        });
-    };
-    return std::ranges::any_of(scene.joints, isTheirs) &&
-           std::ranges::none_of(scene.joints,
-                                [&](const auto& one) { return isTheirs(one) && isDriven(one); }) &&
-           std::ranges::none_of(scene.constraints, isOne, &scene::Constraint::body);
+    return std::ranges::any_of(scene.joints,
+                               [&](const auto& one) { return isJointOf(scene, bodies, one); }) &&
+           drivenOf(scene, bodies).empty() &&
+           std::ranges::none_of(
+               scene.constraints,
+               [&](const std::string& body) { return isAnyOf(scene, bodies, body); },
+               &scene::Constraint::body);
 }
 
 std::map<std::size_t, Stop> stopsOf(const Problem& problem, const solution::Histories& histories,

@@ -13,6 +13,10 @@ namespace simulation {
 // stand in a singular position: they can move on in several ways.
 [[nodiscard]] bool areSingular(const scene::Scene& scene, const std::vector<std::size_t>& bodies);
 
+// The joints of these bodies that have a -speed or a -position.
+[[nodiscard]] std::vector<const scene::Joint*> drivenOf(const scene::Scene& scene,
+                                                        const std::vector<std::size_t>& bodies);
+
 // By body, of what is known up to a time.
 [[nodiscard]] std::map<std::size_t, Stop>
 stopsOf(const Problem& problem, const solution::Histories& histories, double until);

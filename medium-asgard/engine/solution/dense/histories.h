@@ -22,9 +22,12 @@
 namespace solution {
 
 // In the history of a multiplier, which keeps 1 and its mode (modes/mode.h), and 0 while it sleeps:
-// its condition holds, or is gone; of friction, it holds since the contact jammed, up to the next
-// event (modes/active_set.h).
-inline constexpr double heldMode = 1, releasedMode = 4, jammedMode = 5;
+// its condition holds, or is gone; of friction, up to the next event, its contact has jammed, and
+// it holds since or does not (modes/active_set.h).
+inline constexpr double heldMode = 1, releasedMode = 4, jammedMode = 5, jammedLooseMode = 6;
+[[nodiscard]] constexpr bool isJammed(double mode) {
+    return mode == jammedMode || mode == jammedLooseMode;
+}
 
 inline constexpr double largestValue = 1e100; // of anything; beyond it motion ends
 

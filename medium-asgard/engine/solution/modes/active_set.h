@@ -98,10 +98,8 @@ public:
     // One of them slipped slowly at the last event.
     [[nodiscard]] bool slipsSlowly() const;
     // Of friction: it jammed at the last event. No forces kept the laws of its slip, which an
-    // impact without a collision has ended.
-    [[nodiscard]] bool hasJammed(std::size_t row) const {
-        return jammed_[row] != 0 && mode_.kept[row] == complementarity::State::inside;
-    }
+    // impact without a collision has changed.
+    [[nodiscard]] bool hasJammed(std::size_t row) const { return jammed_[row] != 0; }
 
 private:
     static constexpr double atRest = 1e-12;  // of the rates that enter: none

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <tuple>
 #include <utility>
 
@@ -507,7 +508,11 @@ bool ActiveSet::endJam(std::span<const std::size_t> candidates, double t, std::s
         }
         held.assign(candidates.begin(), candidates.end());
         held.insert(held.end(), step->held.begin(), step->held.end());
-        slipped.insert(slipped.end(), step->slipped.begin(), step->slipped.end());
+        std::ranges::copy_if(step->slipped, std::back_inserter(slipped), [&](std::size_t disc) {
+            return std::ranges::any_of(discs()[disc].normals, [&](std::size_t normal) {
+                return isIn(step->held, normal); // the impact presses there
+            });
+        });
         isDone = settleWith({}, held, {}, t, y, rates) && hasForces(t, y);
     }
     if (!isDone) {
@@ -517,7 +522,7 @@ bool ActiveSet::endJam(std::span<const std::size_t> candidates, double t, std::s
     }
     for (const std::size_t disc : slipped)
         for (const std::size_t row : discs()[disc].rows)
-            jammed_[row] = 1; // if it holds (hasJammed)
+            jammed_[row] = 1;
     return true;
 }
 

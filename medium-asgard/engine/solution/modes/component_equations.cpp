@@ -111,14 +111,17 @@ std::vector<std::size_t> ComponentEquations::notFinite(double t, std::span<const
 std::vector<double> ComponentEquations::kept() const {
     std::vector<double> modes;
     for (std::size_t k = 0; k < mode_.kept.size(); ++k)
-        modes.push_back(active_.hasJammed(k) ? jammedMode : 1 + static_cast<double>(mode_.kept[k]));
+        modes.push_back(!active_.hasJammed(k) ? 1 + static_cast<double>(mode_.kept[k])
+                        : mode_.kept[k] == complementarity::State::inside ? jammedMode
+                                                                          : jammedLooseMode);
     return modes;
 }
 
 void ComponentEquations::takeKept(std::span<const double> states) {
     using enum complementarity::State;
     for (std::size_t k = 0; k < states.size(); ++k) {
-        const int mode = static_cast<int>(states[k]) - 1;
+        const int mode =
+            static_cast<int>(states[k] == jammedLooseMode ? releasedMode : states[k]) - 1;
         const bool isOpen = mode < 0 && bound()->laws[k].isStop; // nothing moves
         const bool holds = mode < 0 || states[k] == jammedMode;
         mode_.kept[k] = isOpen ? low : holds ? inside : static_cast<complementarity::State>(mode);

@@ -189,7 +189,7 @@ void Component::takeModes() {
     const std::vector<double> modes = equations_->kept();
     for (std::size_t k = 0; k < multipliers.size(); ++k) {
         double& value = progress_.values[multipliers[k]];
-        if (modes[k] == jammedMode && value != jammedMode)
+        if (isJammed(modes[k]) && !isJammed(value))
             ++counts_.jams;
         value = modes[k];
     }
