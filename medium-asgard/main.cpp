@@ -39,7 +39,8 @@ void addSimulate(CLI::App& app, batch::SimulateArguments& a) {
     c.add_option("--fixed-step", a.fixedStep, "steps of exactly this length")->needs(method);
     c.add_flag("--whole", a.whole, "solve the scene as one component");
     c.add_flag("--no-events", a.noEvents, "finish each component before the next");
-    c.add_option("--threads", a.threads, "how many components are computed at a time");
+    c.add_option("--threads", a.threads,
+                 "how many components are computed at a time; from 2 on, two runs");
     c.add_flag("--verbose", a.verbose, "say how accurate the motion is, as is always done");
     c.add_option("--memory", a.memory,
                  "MB of history that each of the compared runs may keep (80)");

@@ -173,7 +173,8 @@ scene::Diagnostic tclError(std::string_view text, const Structure& structure,
             suggestion = std::move(meant);
         else if (const std::string near = nearest(name, existing); !near.empty())
             suggestion = "did you mean \"" + near + "\"?";
-        else if (const std::string word = nearest(name, meantWords()); !word.empty())
+        else if (const std::string word = name.size() > 4 ? nearest(name, meantWords()) : "";
+                 !word.empty())
             suggestion = meantBy(word);
         else if (name == "DOCUMENT" || name.starts_with('<'))
             suggestion = "documents are opened by ensemble";

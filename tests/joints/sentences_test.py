@@ -40,7 +40,7 @@ CASES = (
     ("joint u -type universal -body1 a -axis {1 0 0} -axis2 {1 0 0}",
      ':4:1: error: joint "u": -axis and -axis2 are parallel, and a universal joint wants two directions'),
     ("joint u -type universal -body1 a -axis {1 0 0} -axis2 {1 1 0}",
-     ':4:1: error: joint "u": -axis and -axis2 are not perpendicular at the start, and they are to stay so'),
+     ':4:1: error: joint "u": -axis and -axis2 must be perpendicular; change one of them'),
     ("hindge u -body1 a", "a hinge: joint NAME -type hinge -body1 B"),
     ("body c rod -mass 1 -ct 1 -init_pos {0.4 3 0}\nbody p rod -mass 1 -ct 1 -init_pos {1.1 3 0}\n"
      "joint main -type hinge -body1 c -offset1 {-0.4 0 0} -speed 2\n"

@@ -168,13 +168,15 @@ public:
         return i == j && left <= rounding * sum ? 0 : left;
     }
 
-    // Its next one. A contact bounces back until its restitutions multiply to next to nothing.
+    // Of the contact's next blow: none once its powers are next to nothing.
     [[nodiscard]] double restitution(std::size_t contact) const {
         constexpr double leastOfAll = 1e-3; // of the first approach
         constexpr int mostBounces = 50;     // where restitution is all but 1
         const double e = contacts_[contact].restitution;
         const int before = blows_[contact];
-        return e == 1 || (before < mostBounces && std::pow(e, before) > leastOfAll) ? e : 0;
+        return e == 1 || (before < mostBounces && std::pow(e, before) > leastOfAll * (1 + 1e-9))
+                   ? e
+                   : 0;
     }
 
     struct Impulse {
@@ -255,7 +257,7 @@ public:
     }
 
 private:
-    // With this part of the restitution.
+    // `part`: of the restitution that counts.
     [[nodiscard]] double wantedOf(std::size_t line, double part) const {
         if (line < contacts_.size())
             return (1 + part * restitution(line)) * speed(line);

@@ -9,11 +9,11 @@
 // several solutions (redundant contacts) the velocities are the same; the impulses are the
 // shortest. Contacts that touch at relative rest take part one after another: after each solution,
 // those that now approach make the next one (Newton's cradle), until none approaches. A blow runs
-// to and fro in a wall or a tower, each time a little weaker: a contact bounces until the product
-// of its restitutions is a thousandth, fifty times at most, and not at all then. A contact
-// that approaches a billion times slower than the fastest does so by rounding, and is at relative
-// rest; for balls side by side (simulation/side_by_side.h), a hundred times. Bodies that a force
-// presses together move as one: their contacts are solved together from the start.
+// to and fro in a wall or a tower, each time a little weaker: a contact bounces until the
+// powers of its restitution are below a thousandth, fifty times at most, and not at all then. A
+// contact that approaches a billion times slower than the fastest does so by rounding, and is at
+// relative rest; for balls side by side (simulation/side_by_side.h), a hundred times. Bodies that a
+// force presses together move as one: their contacts are solved together from the start.
 //
 // Friction is Coulomb's law for impulses, with the coefficient of sliding: along the surfaces each
 // contact takes an impulse of at most mu j that leaves no sliding velocity, or of mu j against the

@@ -400,8 +400,8 @@ void JointMultipliers::checkStart(const expression::EquationSet& set, std::size_
     for (const auto& [element, miss] : worst)
         if (miss.isUniversal && miss.before <= none && miss.gap > none) // the last is of its axes
             faults_.push_back(element +
-                              ": -axis and -axis2 are not perpendicular at the start, and "
-                              "they are to stay so; turn one of them, or a body");
+                              ": -axis and -axis2 must be perpendicular; change one of them, "
+                              "turn a body, or let \"asgard assemble SCENE\" do it");
         else
             tell(element + ": ", miss.gap, miss.rate, notes);
 }

@@ -33,7 +33,8 @@ struct Seconds {               // CPU
     double seconds = 0;        // of the motion
     double secondsSolving = 0; // of these, without making the equations
     // Of the seconds: equations, partition and code of all runs; and the run that is delivered,
-    // alone. What is left is the estimate of its error: other runs, and comparing them.
+    // alone. What is left is the estimate of its error: other runs, and comparing them. Of runs
+    // that are solved side by side each counts the other's, too.
     double secondsSettingUp = 0, secondsMoving = 0;
 };
 

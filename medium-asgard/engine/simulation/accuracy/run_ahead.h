@@ -1,7 +1,7 @@
 // A run that is solved on a thread of its own, beside another one that is wanted first.
 //
 //     RunAhead ahead(problem, tolerances, use)
-//     the first run:    ahead.begin() once it has taken long enough
+//     the first run:    ahead.begin(50 ms), every now and then: it begins once these have passed
 //     its run is next:  ahead.take(observer), which waits for it
 //
 // Runs do not depend on each other, so its numbers are those that it would have later. Its

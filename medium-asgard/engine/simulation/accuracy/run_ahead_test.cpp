@@ -113,7 +113,11 @@ TEST(RunSource, HasTheRunThatItExpects) {
     EXPECT_GT(runs.expected(*problem, tight, {.tolerances = tight}), 0u);
     EXPECT_EQ(runs.bytesOf(*problem, {.tolerances = tight}), 0u) << "once";
     EXPECT_EQ(runs.expected(*problem, tight, {.tolerances = other}), 0u);
-    EXPECT_TRUE(runs.expects(tight)) << "still";
+    EXPECT_TRUE(runs.expects(tight)) << "the other one was solved beside it";
+    EXPECT_EQ(runs.bytesOf(*problem, {.kind = RunSource::Kind::nudged, .tolerances = other}), 0u);
+    EXPECT_TRUE(runs.expects(tight));
+    EXPECT_EQ(runs.bytesOf(*problem, {.tolerances = other}), 0u);
+    EXPECT_FALSE(runs.expects(tight)) << "nobody wants it any more";
     EXPECT_EQ(
         runs.expected(*problem, tight, {.kind = RunSource::Kind::nudged, .tolerances = tight}), 0u);
     EXPECT_EQ(runs.expected(*alone, tight, {.tolerances = tight}), 0u) << "one thread";

@@ -9,6 +9,7 @@ void RunSource::expect(const Problem& problem, const std::vector<double>& tolera
     const int threads = problem.options.threads;
     const bool hasTwo = threads > 0 ? threads > 1 : std::thread::hardware_concurrency() > 1;
     expected_.reset();
+    isBeside_ = true;
     if (hasTwo && makesRuns())
         expected_ = std::make_unique<RunAhead>(problem, tolerances, use_);
 }
@@ -27,9 +28,13 @@ std::unique_ptr<OpenRun> RunSource::open(const Problem& problem, const Wanted& w
     if (std::ranges::find(taken, true) == taken.end())
         taken.clear();
     const bool isNudged = wanted.kind == RunSource::Kind::nudged;
-    if (expects(wanted.tolerances) && !isNudged && taken.empty())
+    const bool isBeside = std::exchange(isBeside_, false);
+    if (expects(wanted.tolerances) && !isNudged && taken.empty()) {
         if (auto solved = std::exchange(expected_, nullptr)->take(observer))
             return solved;
+    } else if (!isBeside && (wanted.kind == Kind::compared || wanted.kind == Kind::proving)) {
+        expected_.reset(); // another one is wanted
+    }
     return std::make_unique<OpenRun>(problem, wanted.tolerances,
                                      isNudged ? Rounding::nudged : Rounding::asItIs, use_,
                                      std::move(taken));

@@ -60,6 +60,7 @@ protected:
 private:
     OpenRun::Use use_;
     std::unique_ptr<RunAhead> expected_;
+    bool isBeside_ = false; // the next run is the one beside which it is solved
 };
 
 class FreshRuns final : public RunSource {

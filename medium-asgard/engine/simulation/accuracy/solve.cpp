@@ -243,7 +243,7 @@ struct Proof {
 // Runs that hit something mostly want a proof.
 bool hits(const Run& run) { return !run.impacts.empty() || !run.contacts.entries().empty(); }
 
-// At first, if what is not fixed is integrated.
+// The tolerances of the second run, if all that is not fixed is integrated.
 std::vector<double> tighterOf(const Problem& problem, const Tightening& search) {
     std::vector<double> tolerances = search.tight();
     for (std::size_t b = 0; b < tolerances.size(); ++b)

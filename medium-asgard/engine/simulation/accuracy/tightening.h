@@ -55,8 +55,8 @@ public:
     // tighter still; of one that leapt to the tolerance of rounding by one that is a little looser.
     [[nodiscard]] std::vector<bool> unproven() const;
     [[nodiscard]] std::vector<double> proof() const;
-    // The same before the run at tight() is known, if all of it settles and is to be proved. None
-    // where some is settled and some is not: then nobody knows.
+    // What proof() will be if all bodies settle with the run at tight() and want a proof. None
+    // where some are settled before: nobody knows then.
     [[nodiscard]] std::optional<std::vector<double>> tighter() const;
     // A settled body is worth a tighter run for another reason, where there is one.
     void doubt(std::size_t body);

@@ -81,7 +81,7 @@ std::optional<solution::Event> CollisionSource::renew(const Histories& histories
         else if (hasMet(now, pair) && !lost)
             lost = search_.hasAnyEnded(pair) ? meetEnded(now, pair).event
                                              : end(now, pair, sentences::missed(world_, pair));
-        else if (!search_.hasAnyEnded(pair))
+        else
             record_.addNote(pair, now.time,
                             now.time <= world_.start ? overlapSentence(world_.scene, pair, depth,
                                                                        Begin::throughEachOther)

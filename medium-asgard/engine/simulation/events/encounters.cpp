@@ -8,9 +8,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <set>
+#include <tuple>
 #include <utility>
 
 namespace simulation {
@@ -30,12 +32,20 @@ bool isStill(const Instant& at, const ImpactCluster& cluster,
            std::ranges::all_of(cluster.corners, isNone);
 }
 
-// What moves in a plane does so behind a blow in it.
-void keepInPlane(int axis, const physics::ImpactBody& before, BodyState& after) {
-    after.velocity[axis] = before.velocity[axis];
-    for (int other = 0; other < 3; ++other)
+// What moves in a plane does so behind a blow in it: joints answer with rounding beside it.
+void keepInPlane(int axis, const physics::ImpactBody& before, double radius, BodyState& after) {
+    constexpr double rounding = 1e-12; // of the speeds
+    const double most =
+        rounding * (before.velocity.norm() + before.angularVelocity.norm() * radius +
+                    after.velocity.norm() + after.angularVelocity.norm() * radius);
+    const auto keep = [](double& now, double was, double within) {
+        if (std::abs(now - was) <= within)
+            now = was;
+    };
+    keep(after.velocity[axis], before.velocity[axis], most);
+    for (int other = 0; other < 3 && radius > 0; ++other)
         if (other != axis)
-            after.angularVelocity[other] = before.angularVelocity[other];
+            keep(after.angularVelocity[other], before.angularVelocity[other], most / radius);
 }
 
 double speedOf(const Placed& body) {
@@ -205,8 +215,8 @@ std::optional<Event> CollisionSource::meet(const Instant& at, const Pair& pair) 
         after[body] = at.stateOf(body);
         after[body].velocity = result.bodies[i].velocity;
         after[body].angularVelocity = result.bodies[i].angularVelocity;
-        if (cluster.plane) // joints answer with rounding beside it
-            keepInPlane(cluster.plane->axis, before[i], after[body]);
+        if (cluster.plane)
+            keepInPlane(cluster.plane->axis, before[i], world_.records[body].radius, after[body]);
         if (before[i].velocity != after[body].velocity ||
             before[i].angularVelocity != after[body].angularVelocity)
             outcome_.jump(world_.equations.bodies[body], at.stateOf(body), after[body], event);
@@ -226,18 +236,26 @@ std::optional<Event> CollisionSource::meet(const Instant& at, const Pair& pair) 
     return event;
 }
 
+// A body that gives way, between two that do not and lie on opposite sides of it.
 std::string CollisionSource::whyUnsolved(const Instant& at, const ImpactCluster& cluster,
                                          const Pair& pair) const {
-    std::map<std::size_t, std::set<std::size_t>> held; // by body that gives way: which it meets
+    constexpr double opposite = -0.9; // the cosine of the normals
+    struct Held {
+        std::size_t body, by;
+        Vector normal; // towards the body
+    };
+    std::vector<Held> held;
     for (const physics::ImpactContact& contact : cluster.contacts) {
         const auto [a, b] = cluster.pairOf(contact);
-        for (const auto& [body, other] : {std::pair(a, b), std::pair(b, a)})
+        for (const auto& [body, other, sign] : {std::tuple(a, b, 1), std::tuple(b, a, -1)})
             if (at.canGiveWay(body) && !at.canGiveWay(other))
-                held[body].insert(other);
+                held.push_back({body, other, sign * contact.normal});
     }
-    for (const auto& [body, others] : held)
-        if (others.size() > 1)
-            return sentences::crushed(world_, body, others);
+    for (const Held& one : held)
+        for (const Held& other : held)
+            if (one.body == other.body && one.by < other.by &&
+                one.normal.dot(other.normal) < opposite)
+                return sentences::crushed(world_, one.body, one.by, other.by);
     return sentences::unsolved(world_, pair);
 }
 

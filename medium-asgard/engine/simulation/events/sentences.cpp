@@ -107,13 +107,9 @@ std::string unsolved(const Colliders& world, const Pair& pair) {
            quoted(world, pair.second) + " were not found";
 }
 
-std::string crushed(const Colliders& world, std::size_t body,
-                    const std::set<std::size_t>& between) {
-    std::string others;
-    for (const std::size_t other : between)
-        others += (others.empty() ? "" : " and ") + quoted(world, other);
-    return "body " + quoted(world, body) + " is pressed between " + others +
-           ", none of which gives way: it would be crushed";
+std::string crushed(const Colliders& world, std::size_t body, std::size_t one, std::size_t other) {
+    return "body " + quoted(world, body) + " is pressed between " + quoted(world, one) + " and " +
+           quoted(world, other) + ", neither of which gives way: it would be crushed";
 }
 
 std::string noHinge(const Colliders& world, std::size_t body) {

@@ -28,9 +28,9 @@ namespace simulation::sentences {
 [[nodiscard]] std::string restless(const Colliders& world, std::size_t body);
 
 [[nodiscard]] std::string unsolved(const Colliders& world, const Pair& pair);
-// Between bodies that are fixed or held.
-[[nodiscard]] std::string crushed(const Colliders& world, std::size_t body,
-                                  const std::set<std::size_t>& between);
+// Between two that are fixed or held.
+[[nodiscard]] std::string crushed(const Colliders& world, std::size_t body, std::size_t one,
+                                  std::size_t other);
 // What is noted beside a motion that goes on.
 [[nodiscard]] std::string passThrough(const Colliders& world, const Pair& pair);
 [[nodiscard]] std::string overlap(const Colliders& world, const Pair& pair);

@@ -21,6 +21,7 @@ bool KeptRuns::saysNothing(const Problem& problem) const {
 // A search that is repeated says nothing without them.
 void KeptRuns::forget() {
     areForgotten_ = true;
+    expectNothing();
     for (auto& runs : runs_)
         for (auto& run : runs)
             run.reset();
@@ -53,7 +54,8 @@ std::optional<Run> KeptRuns::keptRun(const Problem& problem, const Wanted& wante
     const std::size_t index = asked_[static_cast<std::size_t>(wanted.kind)]++;
     if (isRepeated_ && (areForgotten_ || index >= runs.size()))
         return std::nullopt;
-    if (index >= runs.size()) {
+    const bool isNew = index >= runs.size();
+    if (isNew) {
         runs.resize(index + 1);
         runs[index] = open(problem, wanted, observer);
     }
@@ -63,7 +65,7 @@ std::optional<Run> KeptRuns::keptRun(const Problem& problem, const Wanted& wante
         return std::nullopt;
     const std::vector<double> own = kept->tolerances();
     const Wanted alone{.kind = wanted.kind, .tolerances = own};
-    if (!kept->canGoOn(before))
+    if (!isNew && !kept->canGoOn(before))
         kept = open(problem, alone, observer);
     std::optional<Run> run = kept->upToFinish(observer, before);
     if (run->isDisturbed) {

@@ -1,6 +1,6 @@
 // The instants at which contacts jam. The friction of a slip presses a body in faster than any
-// force pushes it away (Painleve's rod): no forces keep the laws, and an impact without a collision
-// ends the slip. The solver marks it in the histories of friction (solution/modes/active_set.h).
+// force pushes it away (Painleve's rod): no forces keep the laws, and there is an impact without a
+// collision. The solver marks it in the histories of friction (solution/modes/active_set.h).
 #pragma once
 
 #include "dense/histories.h"

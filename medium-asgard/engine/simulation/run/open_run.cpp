@@ -185,7 +185,7 @@ void addJamNotes(const Problem& problem, Run& run, double until) {
                             "\" jam at t = " + at +
                             ": no forces keep them sliding (no solution), since friction presses "
                             "them together faster than they push each other away; an impact "
-                            "without a collision ends this.");
+                            "without a collision stands for their forces.");
     }
 }
 

@@ -18,7 +18,8 @@ struct Options {
     std::optional<double> fixedStep;
     bool whole = false;      // one component for the whole scene (dissertation 5.2.1, 5.2.4)
     bool eventDriven = true; // false: finish each component before the next (5.2.4, case 5)
-    int threads = 1;         // 0: as many as the machine has cores; the motion is the same
+    int threads = 1;         // 0: as many as the machine has cores; from 2 on, two runs at a
+                             // time; the motion is the same
     // These expressions are all that will be read of the motion, as Quantities: an orientation that
     // neither they nor anything in the scene read is not solved. None: all may be read.
     std::optional<std::vector<std::string>> only = std::nullopt;

@@ -4,6 +4,7 @@
 #include "scene/joint_types.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 
@@ -154,6 +155,42 @@ Bounded boundedIn(const Problem& problem, const solution::Stop& stop) {
     return {bounds, remedy};
 }
 
+bool isAnyOf(const scene::Scene& scene, const std::vector<std::size_t>& bodies,
+             const std::string& name) {
+    return std::ranges::any_of(bodies, [&](std::size_t b) { return scene.bodies[b].name == name; });
+}
+
+bool isJointOf(const scene::Scene& scene, const std::vector<std::size_t>& bodies,
+               const scene::Joint& joint) {
+    return isAnyOf(scene, bodies, joint.body1) ||
+           (joint.body2 && isAnyOf(scene, bodies, *joint.body2));
+}
+
+bool isNumber(const scene::Expression& expression) {
+    const std::string& text = expression;
+    double value = 0;
+    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return fault == std::errc() && end == text.data() + text.size();
+}
+
+// The one joint that drives a linkage of these bodies, at a speed that never fails, where nothing
+// else moves them in its own way; null: there is none.
+const scene::Joint* lockedDrive(const Problem& problem, const std::vector<std::size_t>& bodies) {
+    constexpr std::ptrdiff_t least = 3; // joints of a linkage
+    const scene::Scene& scene = problem.scene;
+    const auto drives = drivenOf(scene, bodies);
+    const auto joints = std::ranges::count_if(
+        scene.joints, [&](const auto& one) { return isJointOf(scene, bodies, one); });
+    const auto isHeld = [&](const std::string& body) { return isAnyOf(scene, bodies, body); };
+    if (drives.size() != 1 || joints < least || !scene.gears.empty() ||
+        std::ranges::any_of(scene.constraints, isHeld, &scene::Constraint::body))
+        return nullptr;
+    for (const scene::JointCoordinate& c : drives[0]->coordinates)
+        if (c.position || (c.speed && !isNumber(*c.speed)))
+            return nullptr;
+    return drives[0];
+}
+
 struct Why {
     std::string reason; // no time in it
     std::optional<Stop::Culprit> culprit = {};
@@ -182,11 +219,11 @@ Why whyOf(const Problem& problem, const physics::Suspects& suspects,
             ": there are several solutions: the joints stand in a singular position, as a flat "
             "linkage does, from which they can move in two ways; let them start a little "
             "beside it";
-    else if (const auto drives = drivenOf(problem.scene, bodies);
-             blames.empty() && ((stop.reason == Reason::notFinite && !drives.empty()) ||
-                                (contradicts && drives.size() == 1)))
+    else if (const scene::Joint* drive = lockedDrive(problem, bodies);
+             drive && blames.empty() && stop.time > problem.start() &&
+             (contradicts || stop.reason == Reason::notFinite))
         reason = reason.substr(0, reason.find(", which")) +
-                 ": the joints lock there, and joint \"" + drives[0]->name +
+                 ": the joints lock there, and joint \"" + drive->name +
                  "\" drives on, as a crank that is longer than its rod does; make a part longer, "
                  "or give it a -motor in place of its -speed or -position";
     if (stop.reason == Reason::unheld)
@@ -369,21 +406,6 @@ void addOverflows(const Problem& problem, const solution::Histories& histories, 
                                                       " grows over 1e100")};
         }
     }
-}
-
-} // namespace
-
-namespace {
-
-bool isAnyOf(const scene::Scene& scene, const std::vector<std::size_t>& bodies,
-             const std::string& name) {
-    return std::ranges::any_of(bodies, [&](std::size_t b) { return scene.bodies[b].name == name; });
-}
-
-bool isJointOf(const scene::Scene& scene, const std::vector<std::size_t>& bodies,
-               const scene::Joint& joint) {
-    return isAnyOf(scene, bodies, joint.body1) ||
-           (joint.body2 && isAnyOf(scene, bodies, *joint.body2));
 }
 
 } // namespace

@@ -152,7 +152,8 @@ bool ComponentEquations::movesContacts(const Violation& violation, std::span<con
 void ComponentEquations::takeGone(std::span<const double> values) {
     for (std::size_t k = 0; k < multipliers().size(); ++k) {
         complementarity::State& kept = mode_.kept[k];
-        if (values[multipliers()[k]] == releasedMode)
+        const double mode = values[multipliers()[k]];
+        if (mode == releasedMode || mode == jammedLooseMode)
             kept = Mode::gone;
         else if (kept == Mode::gone)
             kept = complementarity::State::inside;
