@@ -17,7 +17,7 @@ void RunAhead::end() {
         thread_.join();
 }
 
-// Where the system gives no more threads it does not begin.
+// A system without another thread to give leaves the run to the caller.
 void RunAhead::begin(std::chrono::milliseconds after) {
     if (thread_.joinable() || isCancelled_ || Clock::now() - made_ < after)
         return;

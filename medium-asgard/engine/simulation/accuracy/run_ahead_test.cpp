@@ -86,7 +86,7 @@ TEST(RunAhead, EndsWhereTheCallerIsCancelled) {
     other.begin(0ms); // and with it its run
 }
 
-// What it opens has memory where it is solved already.
+// A run that it opens has memory if it is solved already.
 class Opening final : public RunSource {
 public:
     void begin(std::size_t) override {}

@@ -1,16 +1,17 @@
 #include "accuracy/run_source.h"
 
+#include "solution/workers.h"
+
 #include <algorithm>
 #include <utility>
 
 namespace simulation {
 
 void RunSource::expect(const Problem& problem, const std::vector<double>& tolerances) {
-    const int threads = problem.options.threads;
-    const bool hasTwo = threads > 0 ? threads > 1 : std::thread::hardware_concurrency() > 1;
+    const auto threads = static_cast<std::size_t>(std::max(problem.options.threads, 0));
     expected_.reset();
     isBeside_ = true;
-    if (hasTwo && makesRuns())
+    if (solution::Workers(threads).threads() > 1 && makesRuns())
         expected_ = std::make_unique<RunAhead>(problem, tolerances, use_);
 }
 

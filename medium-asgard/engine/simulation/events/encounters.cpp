@@ -32,7 +32,8 @@ bool isStill(const Instant& at, const ImpactCluster& cluster,
            std::ranges::all_of(cluster.corners, isNone);
 }
 
-// What moves in a plane does so behind a blow in it: joints answer with rounding beside it.
+// A body that moves in a plane does so behind a blow in it, too: joints answer a blow with rounding
+// beside the plane, which would wake unknowns that are 0.
 void keepInPlane(int axis, const physics::ImpactBody& before, double radius, BodyState& after) {
     constexpr double rounding = 1e-12; // of the speeds
     const double most =
