@@ -206,6 +206,12 @@ public:
         return isOver_ && least_ <= close ? std::optional(best_) : std::nullopt;
     }
 
+    // From the best of these rounds on, at the answers' own centres.
+    [[nodiscard]] std::optional<Answer> pulled(const Matrix& a, const Vector& b, const Laws& laws,
+                                               Work& counts) const {
+        return best_.forces.size() > 0 ? pulledFrom(a, b, laws, best_, counts) : std::nullopt;
+    }
+
 private:
     void take(const Answer& answer, double faulty) {
         if (faulty >= least_)
@@ -315,9 +321,12 @@ std::optional<Answer> solveFromCentres(const Matrix& a, const Vector& b, const L
     for (const double part : {1.0, 0.0, -1.0, 0.5})
         if (part == 1 || !start.isZero(0))
             ways.emplace_back(part * start, guess);
-    for (FromCentres& way : ways)
+    for (FromCentres& way : ways) {
         if (auto found = way.solve(few, at, a, b, laws, counts))
             return found;
+        if (auto found = way.pulled(a, b, laws, counts))
+            return found;
+    }
     if (auto found = ByMoreFriction(a, b, laws, counts).solve())
         return found;
     for (FromCentres& way : ways)

@@ -51,6 +51,12 @@ public:
         return answer ? answer : nearest_;
     }
 
+    // From this one on by pulls to the last answer; or what all but keeps the laws.
+    std::optional<Answer> pulledFrom(const Answer& guess) {
+        auto answer = bySmallerSteps(guess.forces, guess.states);
+        return answer ? answer : nearest_;
+    }
+
     std::optional<Answer> fromNothing() {
         const Approach inside = approach(a_, b_, laws_);
         work_.steps = inside.steps;
@@ -65,7 +71,7 @@ public:
             if (nearest_) // the laws themselves err by as much: no other way finds a better one
                 return nearest_;
         }
-        if (auto answer = bySmallerSteps(inside))
+        if (auto answer = bySmallerSteps(inside.forces, inside.states))
             return answer;
         // Slips make A unsymmetric. Then there may be no forces, and the slips jam; forces that
         // sweeps find there last for microseconds.
@@ -119,11 +125,9 @@ private:
     // alike, and the states of one lead to another. A pull towards the last answer leaves one of
     // them; the pull fades (the proximal point method; Rockafellar, SIAM Journal on Control and
     // Optimization 14, 1976). Faces with a tilt leave a violation that no pull makes smaller.
-    std::optional<Answer> bySmallerSteps(const Approach& from) {
+    std::optional<Answer> bySmallerSteps(Vector forces, States states) {
         constexpr double strongest = 1, weakest = 1e-9, less = 0.1, more = 10;
         constexpr int most = 60, patience = 3; // steps, and those since the violation was halved
-        Vector forces = from.forces;
-        States states = from.states;
         double pull = 1e-3, least = unbounded;
         for (int step = 0, inVain = 0; step < most && pull <= strongest; ++step) {
             ++work_.pulls;
@@ -271,6 +275,11 @@ std::optional<Answer> solveAtMiddles(const Matrix& a, const Vector& b, const Law
 std::optional<Answer> around(const Matrix& a, const Vector& b, const Laws& laws,
                              const Answer& guess, Work& work) {
     return Search(a, b, laws, work).around(guess);
+}
+
+std::optional<Answer> pulledFrom(const Matrix& a, const Vector& b, const Laws& laws,
+                                 const Answer& guess, Work& work) {
+    return Search(a, b, laws, work).pulledFrom(guess);
 }
 
 } // namespace complementarity

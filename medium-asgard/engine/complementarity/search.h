@@ -19,5 +19,9 @@ solveAtMiddles(const Matrix& a, const Vector& b, const Laws& laws, const Answer&
 // From the states and forces of a guess, and those that their faults ask for; of laws of any kind.
 [[nodiscard]] std::optional<Answer> around(const Matrix& a, const Vector& b, const Laws& laws,
                                            const Answer& guess, Work& work);
+// By steps to answers that a pull keeps near the last one, while the pull fades; of laws of any
+// kind.
+[[nodiscard]] std::optional<Answer> pulledFrom(const Matrix& a, const Vector& b, const Laws& laws,
+                                               const Answer& guess, Work& work);
 
 } // namespace complementarity

@@ -469,7 +469,7 @@ ImpactResult resolveImpact(std::vector<ImpactBody> bodies, std::span<const Impac
     const std::size_t most = 100 + 20 * yielding.size() * yielding.size();
     std::size_t rounds = 0;
     double first = 0;
-    bool wasInelastic = false;
+    bool wasInelastic = false, isWithoutAnswer = false;
     for (; rounds < most; ++rounds) {
         std::vector<std::size_t> approaching;
         for (std::size_t c : yielding)
@@ -488,11 +488,14 @@ ImpactResult resolveImpact(std::vector<ImpactBody> bodies, std::span<const Impac
         if (isInelastic && wasInelastic)
             break; // rounding is left
         wasInelastic = isInelastic;
-        if (!solveTogether(round, contacts, approaching, false, result))
+        if (!solveTogether(round, contacts, approaching, false, result)) {
+            isWithoutAnswer = isInelastic && approaching == yielding;
             break;
+        }
     }
     result.jammed = rounds == most;
-    result.settled = solveTogether(round, contacts, yielding, true, result);
+    // Without bounce on all contacts at once: a blow of these laws may have been the last round.
+    result.settled = !isWithoutAnswer && solveTogether(round, contacts, yielding, true, result);
     return result;
 }
 
