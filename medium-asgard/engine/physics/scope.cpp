@@ -219,7 +219,9 @@ Node Scope::contactQuantity(Graph& g, const scene::ContactName& name) const {
     if (name.quantity == slip)
         return lengthOf(nodes.slip);
     constexpr double rounding = 1e-12; // of the velocities
-    Node fastest = g.constant(0);
+    constexpr double leastSpeed =
+        1e-3; // radii a second: bodies at rest have velocities of rounding
+    Node fastest = g.constant(leastSpeed * masses_[nodes.moving].radius);
     for (const std::size_t body : {nodes.moving, nodes.other})
         fastest = g.add(fastest, g.add(lengthOf(bodies_[body].velocity),
                                        g.multiply(g.constant(masses_[body].radius),
