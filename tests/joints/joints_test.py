@@ -49,7 +49,15 @@ def simulate(asgard, scene, times, accuracy, quantities, folder):
         text = file.read()
     with open(paths[2], encoding="utf-8") as file:
         estimate = json.load(file)["error_estimate"]
-    return text, estimate, float(re.search(r" of (\S+) m[ ,]", run.stderr).group(1))
+    stated = re.search(r" of (\S+) m[ ,]", run.stderr)
+    return text, estimate, float(stated.group(1)) if stated else width(text)
+
+
+def width(text):
+    """Of the box of the centres, where a run that is accurate to rounding states no size."""
+    columns = list(zip(*rows_of(text)))
+    return max(max(column) - min(column) for column, name in zip(columns, text.splitlines()[0].split(","))
+               if re.fullmatch(r"\w+\.[xyz]", name)) or 1.0
 
 
 def rows_of(text):
