@@ -5,7 +5,7 @@ import os
 import pages
 
 NAMES = dict(pages.NAMES, siconos="Siconos")
-OURS = "asgard"
+OURS, PLAIN = "asgard", "plain"
 LEVELS = (1e-3, 1e-6)
 SPANS = {"slope": 2, "car": 2, "walking machine": 2, "box tips": 0.5}  # seconds of motion; else 1
 
@@ -48,13 +48,32 @@ def table(rows):
         own = [r for r in rows if r.scene == scene]
         for level in LEVELS:
             motion, everything = (cheapest(own, level, ours(s)) for s in ("motion", "all"))
-            other = cheapest(own, level, lambda r: r.program != OURS)
+            other = cheapest(own, level, lambda r: r.program not in (OURS, PLAIN))
             cells = [cell(motion), pages.time_text(everything.least / span(scene)) if everything else "-", cell(other)]
             for row in (motion, everything):
                 cells.append(pages.ratio_text(other and other.least, row and row.least))
             first = level == LEVELS[0]
-            cells += [least_error([r for r in own if (r.program == OURS) == mine]) if first else "" for mine in (True, False)]
+            for chosen in (lambda r: r.program == OURS, lambda r: r.program not in (OURS, PLAIN)):
+                cells.append(least_error([r for r in own if chosen(r)]) if first else "")
             lines.append(f"| {scene if first else ''} | {level:g} | " + " | ".join(cells) + " |")
+    return "\n".join(lines)
+
+
+def loops(rows):
+    """Our engine beside the loops written by hand, at the errors that both reach."""
+    lines = ["| case | error | hand-written loop | our motion | with its error and set-up | motion / loop | error of the loop | ours |",
+             "|---|---|---|---|---|---|---|---|"]
+    for scene in dict.fromkeys(r.scene for r in rows if r.program == PLAIN and r.scene != "calibration"):
+        own = [r for r in rows if r.scene == scene]
+        for level in LEVELS:
+            loop = cheapest(own, level, lambda r: r.program == PLAIN)
+            motion, everything = (cheapest(own, level, ours(s)) for s in ("motion", "all"))
+            if not loop or not motion or not everything:
+                continue
+            cells = [f"{pages.time_text(loop.least / span(scene))} {loop.setting} @{loop.parameter:.3g}", cell(motion),
+                     pages.time_text(everything.least / span(scene)), pages.ratio_text(motion.least, loop.least),
+                     f"{loop.error:.0e}", f"{motion.error:.0e}"]
+            lines.append(f"| {scene if level == LEVELS[0] else ''} | {level:g} | " + " | ".join(cells) + " |")
     return "\n".join(lines)
 
 
@@ -85,13 +104,22 @@ def charts(out, folder, rows):
 
 
 def write(source, folder, rows):
+    """Rows of the loops and our engine alone leave what other engines have as it is."""
     out = os.path.join(source, "docs", "performance")
-    pages.write_rows(os.path.join(out, "contacts.csv"), pages.ROW_HEADER, pages.row_texts(rows))
-    charts(out, folder, rows)
     file = os.path.join(source, "docs", "performance.md")
     with open(file, encoding="utf-8") as stream:
         page = stream.read()
-    page = pages.put(page, "contacts", table(rows))
-    page = pages.put(page, "contacts machine", pages.machine(rows))
+    programs = {r.program for r in rows}
+    if PLAIN in programs:
+        beside = [r for r in rows if r.program in (PLAIN, OURS) and r.scene in {p.scene for p in rows if p.program == PLAIN}]
+        pages.write_rows(os.path.join(out, "contacts-loops.csv"), pages.ROW_HEADER, pages.row_texts(beside))
+        page = pages.put(page, "contacts loops", loops(rows))
+        page = pages.put(page, "contacts loops machine", pages.machine(beside))
+    if programs - {PLAIN, OURS}:
+        engines = [r for r in rows if r.program != PLAIN]
+        pages.write_rows(os.path.join(out, "contacts.csv"), pages.ROW_HEADER, pages.row_texts(engines))
+        charts(out, folder, engines)
+        page = pages.put(page, "contacts", table(engines))
+        page = pages.put(page, "contacts machine", pages.machine(engines))
     with open(file, "w", encoding="utf-8") as stream:
         stream.write(page)
