@@ -151,3 +151,44 @@ def crane():
         state = states[-1]
         rows.put(begin + 2.0, 5, {"trolley.x": places[begin + 2], "load.x": places[begin + 2] + 4 * math.sin(state[0])})
     return rows
+
+
+def percussion():
+    """With I of the rod about its hinge and d to the blow:  I w = m (v - u) d  and  w d - u = e v. Then the rod swings."""
+    rows, m, d, e, v, inertia = Rows(), 0.5, 0.6, 0.6, 4, 2 * 0.81 / 3
+    meet = 0.4 / v
+    w = (1 + e) * m * v * d / (inertia + m * d * d)
+    u = w * d - e * v
+    for t in [0.05, 0.3, 0.5, 0.8]:
+        s = max(0, t - meet)
+        q, rate = solve(lambda _, y: [y[1], -G * 2 * 0.45 / inertia * math.sin(y[0])], [0, w], [s])[0] if s else (0, 0)
+        rows.put(t, 1, {"ball.x": -0.47 + v * (t - s) + u * s, "pin.q": q, "rod.x": 0.45 * math.sin(q)})
+        rows.put(t, 5, {"pin.dq": rate})
+    return rows
+
+
+def climbing_monkey():
+    """The ring goes down as far as the bananas go up; with 10 kg on both sides  20 y'' = 9 s''  for the way s along the rope."""
+    rows = Rows()
+    for t in [0.5, 1.0, 1.5, 2.0, 3.0]:
+        s = min(t / 2, 1)
+        way = 1.2 * s * s * (3 - 2 * s)
+        rows.put(t, 4, {"bananas.y": -3 + 0.45 * way, "ring.y": -3 - 0.45 * way, "monkey.y": -3 + 0.55 * way})
+        push = 1.2 * 6 / 4 * (1 - 2 * s) if t < 2 else 0
+        if t != 2:
+            rows.put(t, 200, {"rope.tension": 10 * (G + 0.45 * push)})
+    return rows
+
+
+def tilted_rod():
+    """The lower end strikes with v, beside the middle by x:  m u = (1 + e) v / (1/m + x^2 / I), which turns it by x / I of that."""
+    rows, inertia, a = Rows(), 0.09, 0.5
+    fall = 1.5 - 0.5 * math.sin(a) - 0.02
+    strikes, x = math.sqrt(2 * fall / G), 0.5 * math.cos(a)
+    v = G * strikes
+    blow = 1.5 * v / (1 + x * x / inertia)
+    for t in [0.2, 0.4, strikes + 0.02, 0.55]:
+        s = max(0, t - strikes)
+        rows.put(t, 2, {"rod.y": 1.5 - G * (t - s) ** 2 / 2 - v * s + blow * s - G * s * s / 2, "rod.x": 0})
+        rows.put(t, 10, {"rod.wz": -blow * x / inertia if s > 0 else 0})
+    return rows

@@ -196,3 +196,34 @@ def ladder_climbed():
         rows.put(t, 1, {"foot.state": 1})
     rows.put(slips + 0.01, 1, {"foot.state": 2})
     return rows
+
+
+def ball_on_rails():
+    """The axis at which it turns is h below the middle:  (m + I / h^2) a = m g sin a."""
+    rows, a, h = Rows(), 0.2, 0.08
+    gain = G * math.sin(a) / (1 + 0.4 * 0.01 / h ** 2)
+    for t in steps(1.5, 5):
+        s = gain * t * t / 2
+        rows.place(t, 4, "ball", [(s - 2) * math.cos(a) + h * math.sin(a), (2 - s) * math.sin(a) + h * math.cos(a), 0])
+        rows.put(t, 40, {"ball.wz": -gain * t / h})
+    return rows
+
+
+def wheel_on_axle():
+    rows, a, r = Rows(), 0.1, 0.01
+    gain = G * math.sin(a) / (1 + 0.011 / r ** 2)
+    for t in steps(6, 6):
+        s = gain * t * t / 2
+        rows.place(t, 1, "wheel", [(s - 1) * math.cos(a) + r * math.sin(a), (1 - s) * math.sin(a) + r * math.cos(a), 0])
+        rows.put(t, 10, {"wheel.rz": -s / r})
+    return rows
+
+
+def overhang():
+    rows, x = Rows(), -0.12
+    for n in (4, 3, 2, 1):
+        x += 0.99 * 0.24 / (2 * n)
+        for t in (1.0, 100.0):
+            rows.place(t, 0.5, f"book{n}", [x, 0.03 * (4 - n) + 0.015, 0])
+            rows.put(t, 1, {f"book{n}.rz": 0})
+    return rows

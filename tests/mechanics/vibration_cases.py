@@ -69,3 +69,18 @@ def buoy():
     for t in steps(4, 8):
         rows.put(t, 0.6, {"buoy.y": -0.1 * math.cos(w * t)})
     return rows
+
+
+def swing():
+    """J q'' = -J' q' - g (m l + M L) sin q, with J = 4/3 M + 2/5 m r^2 + m l^2 and l = 2 - s of the child."""
+    rows, at = Rows(), steps(10, 10)
+
+    def swings(t, y):
+        length, rate = 2 - 0.1 * (1 - math.cos(4.4 * t)), -0.44 * math.sin(4.4 * t)
+        inertia = 1 * (4 + 0.0004) / 12 + 1 + 30 * (0.4 * 0.25 ** 2 + length ** 2)
+        return [y[1], (-60 * length * rate * y[1] - G * (30 * length + 1) * math.sin(y[0])) / inertia]
+
+    for t, (q, w) in zip(at, solve(swings, [0.2, 0], at)):
+        length = 2 - 0.1 * (1 - math.cos(4.4 * t))
+        rows.put(t, 4, {"hook.q": q, "hook.dq": w, "child.x": length * math.sin(q)})
+    return rows
