@@ -1,7 +1,5 @@
 #include "geometry/curved.h"
 
-#include "geometry/hollow.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -231,7 +229,6 @@ Vector normalAt(const Curved& curved, const Vector& point) {
         break;
     case Curved::Kind::tube:
     case Curved::Kind::bowl:
-        return nearestOf(curved, point).normal;
     case Curved::Kind::plane:
         break;
     }

@@ -45,7 +45,7 @@ struct Curved {
 [[nodiscard]] std::optional<std::pair<double, double>>
 insideAlong(const Curved& curved, const Vector& origin, const Vector& direction);
 
-// Outward, at a point on the surface.
+// Outward, at a point on the surface; of a hollow one that is nearestOf() (hollow.h).
 [[nodiscard]] Vector normalAt(const Curved& curved, const Vector& point);
 
 } // namespace geometry

@@ -156,7 +156,9 @@ std::optional<RayHit> hitCurved(const Part& part, const Vector& origin, const Ve
     if (!distance)
         return std::nullopt;
     const Vector point = origin + *distance * direction;
-    return RayHit{*distance, point, normalAt(*part.curved, point), 0, std::nullopt};
+    const Vector normal =
+        part.isHollow() ? nearestOf(*part.curved, point).normal : normalAt(*part.curved, point);
+    return RayHit{*distance, point, normal, 0, std::nullopt};
 }
 
 // Inside the tube or one of the balls: convex, and so one stretch.
