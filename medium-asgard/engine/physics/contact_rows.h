@@ -25,6 +25,7 @@
 
 #include "physics/contact_readings.h"
 #include "physics/equations_of_motion.h"
+#include "physics/surface_gap.h"
 #include "physics/surface_nearest.h"
 
 #include <map>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "physics/node_vector.h"
-#include "physics/surface_gap.h"
+#include "physics/surface_piece.h"
 
 #include <array>
 #include <cmath>
