@@ -4,8 +4,8 @@
 // the bodies touch otherwise.
 #pragma once
 
-#include "contacts/contact_places.h"
 #include "contacts/contact_sides.h"
+#include "contacts/touch_limits.h"
 
 #include <optional>
 #include <vector>

@@ -10,8 +10,7 @@
 // have no contact that lasts.
 #pragma once
 
-#include "contacts/in_plane.h"
-#include "contacts/stand.h"
+#include "contacts/touch_limits.h"
 #include "contacts/touching.h"
 #include "physics/contact_rows.h"
 
@@ -27,17 +26,6 @@ struct LastingContact {
     bool isInPlane = false;      // its points are those of a motion in a plane
     Stand stand = {};            // without parts
     physics::ContactPlace place; // without friction
-};
-
-struct TouchLimits {
-    double gap = 1e-7;              // of the parts' size
-    double beyond = 0;              // of the same: ContactResolution
-    double slow = 0;                // corners that part faster take no part
-    bool wereInContact = false;     // then corners that part take part until they have parted
-    bool isStart = false;           // of the motion: gaps stay what they are
-    bool isOfBlow = false;          // a round end touches with all points that may carry
-    std::vector<Stand> stands = {}; // of round ends, so far
-    std::optional<MotionPlane> plane;
 };
 
 [[nodiscard]] std::vector<LastingContact> lastingContacts(const Placed& body, const Placed& support,
