@@ -42,11 +42,11 @@ bool Multipliers::isSolved() {
         return true;
     const Eigen::VectorXd errors = held_.left().cwiseAbs();
     const double most = rounding * std::max(held_.right().cwiseAbs().maxCoeff(), 1e-100);
-    contradictory_.clear();
+    unheld_.contradictory.clear();
     for (std::size_t i = 0; i < held_.rows().size(); ++i)
         if (!(errors[indexOf(i)] <= most))
-            contradictory_.push_back(held_.rows()[i]);
-    return contradictory_.empty();
+            unheld_.contradictory.push_back(held_.rows()[i]);
+    return unheld_.contradictory.empty();
 }
 
 void Multipliers::findApart() {
@@ -56,7 +56,8 @@ void Multipliers::findApart() {
         if (!holds(row))
             continue;
         const double gap = law.isBounded() ? 0 : std::abs(gaps_[row]);
-        for (const auto& [most, list] : {std::pair(few, &apart_), std::pair(many, &farApart_)})
+        for (const auto& [most, list] :
+             {std::pair(few, &unheld_.apart), std::pair(many, &unheld_.farApart)})
             if (gap > most * law.resolution && std::ranges::find(*list, row) == list->end())
                 list->push_back(row);
     }
@@ -81,11 +82,11 @@ bool Multipliers::findContradictory(std::span<const double> y) {
         const double most = std::max(f_.bound()->laws[row].resolution, tilt * fastest);
         areNone = areNone && std::abs(rate(row)) <= most;
         if (std::abs(left[indexOf(i)] / held_.scale(i)) > most)
-            contradictory_.push_back(row);
+            unheld_.contradictory.push_back(row);
     }
-    const bool isWorse = areNone && !contradictory_.empty();
+    const bool isWorse = areNone && !unheld_.contradictory.empty();
     if (isWorse)
-        contradictory_.clear();
+        unheld_.contradictory.clear();
     return !isWorse;
 }
 
@@ -112,7 +113,7 @@ bool Multipliers::solve() {
         return true;
     if (held_.isRegular() || !held_.factoriseClosely(matrix()))
         return false;
-    contradictory_.clear();
+    unheld_.contradictory.clear();
     rest_ = rest;
     return solveHeld();
 }
@@ -389,7 +390,7 @@ bool Multipliers::moveOntoGaps(double t, std::span<double> y) {
 void Multipliers::project(double t, std::span<double> y) {
     if (size() == 0)
         return;
-    contradictory_.clear();
+    unheld_.contradictory.clear();
     if (!moveOntoGaps(t, y))
         return;
     found_ = Eigen::Map<const Eigen::VectorXd>(gaps_.data() + size(), indexOf(size()));

@@ -65,16 +65,18 @@ public:
     // Moves the states onto the conditions that hold.
     void project(double t, std::span<double> y);
     // Conditions that no forces, and after project() no velocities, keep together with the others.
-    [[nodiscard]] const std::vector<std::size_t>& contradictory() const { return contradictory_; }
+    [[nodiscard]] const std::vector<std::size_t>& contradictory() const {
+        return unheld_.contradictory;
+    }
     // Conditions without bounds off which places were by more than rounding, before project() moved
     // them, since forgetApart().
-    [[nodiscard]] const std::vector<std::size_t>& apart() const { return apart_; }
+    [[nodiscard]] const std::vector<std::size_t>& apart() const { return unheld_.apart; }
     void forgetApart() {
-        apart_.clear();
-        farApart_.clear();
+        unheld_.apart.clear();
+        unheld_.farApart.clear();
     }
     // The same for a motion that went on: by more than the errors of any steps.
-    [[nodiscard]] const std::vector<std::size_t>& farApart() const { return farApart_; }
+    [[nodiscard]] const std::vector<std::size_t>& farApart() const { return unheld_.farApart; }
 
     // All velocities that multipliers push become 0 if they are 0 but for this.
     void rest(double none, std::span<double> y) const;
@@ -150,7 +152,9 @@ private:
     SlipForces slips_;
     bool areBalanced_ = true;
     Eigen::VectorXd rest_, found_; // second rates without the multipliers that hold; by row
-    std::vector<std::size_t> apart_, farApart_, contradictory_;
+    struct Unheld {                // rows
+        std::vector<std::size_t> apart, farApart, contradictory;
+    } unheld_;
 };
 
 } // namespace solution
