@@ -227,3 +227,16 @@ def overhang():
             rows.place(t, 0.5, f"book{n}", [x, 0.03 * (4 - n) + 0.015, 0])
             rows.put(t, 1, {f"book{n}.rz": 0})
     return rows
+
+
+def log_on_wedge():
+    """Down the wedge by s, back by X:  (m + M) X'' = m s'' cos a  and  3/2 s'' = g sin a + X'' cos a."""
+    rows, m, big, a = Rows(), 1, 3, math.atan2(1, 2)
+    down = G * math.sin(a) / (1.5 - m * math.cos(a) ** 2 / (m + big))
+    back = m * down * math.cos(a) / (m + big)
+    for t in steps(0.5, 5):
+        s, x = down * t * t / 2, back * t * t / 2
+        rows.put(t, 3, {"wedge.dx": -back * t, "log.x": 0.2 + 0.1 * math.sin(a) + s * math.cos(a) - x,
+                        "log.y": 0.9 + 0.1 * math.cos(a) - s * math.sin(a)})
+        rows.put(t, 30, {"log.wz": -down * t / 0.1})
+    return rows
