@@ -14,6 +14,11 @@ void CollisionRecord::addNote(const Pair& pair, double time, const std::string& 
         notes_.push_back({time, sentence});
 }
 
+void CollisionRecord::addOverlap(const Pair& pair, double depth) {
+    if (noted_.insert(pair).second)
+        overlaps_.emplace(pair, depth);
+}
+
 bool CollisionRecord::hasEventAt(double time) const {
     return std::ranges::binary_search(events_, time);
 }

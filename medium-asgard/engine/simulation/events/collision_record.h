@@ -7,6 +7,7 @@
 #include "motion/impacts.h"
 #include "motion/lost_hops.h"
 
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -23,6 +24,8 @@ public:
     void addEvent(double time);
     // Once for each pair; a body alone is a pair with itself.
     void addNote(const Pair& pair, double time, const std::string& sentence);
+    // At the start; once for each pair.
+    void addOverlap(const Pair& pair, double depth);
     // One of them met the other where its motion had ended.
     void addBlocked(const Pair& pair, double time) { blocked_.push_back({pair, time}); }
 
@@ -35,6 +38,8 @@ public:
         return lostHops_.upTo(until);
     }
     [[nodiscard]] std::vector<std::string> notes(double until) const;
+    // Those at the start, with their depths.
+    [[nodiscard]] const std::map<Pair, double>& overlaps() const { return overlaps_; }
     [[nodiscard]] std::vector<Pair> blocked(double until) const;
     [[nodiscard]] std::size_t bytesBefore(double t) const { return impacts_.bytesBefore(t); }
 
@@ -51,6 +56,7 @@ private:
     LostHops lostHops_;
     std::set<Pair> noted_;
     std::vector<Note> notes_;
+    std::map<Pair, double> overlaps_;
     std::vector<Blocked> blocked_;
     std::vector<double> events_; // times
 };

@@ -1,7 +1,6 @@
 #include "events/collision_source.h"
 
 #include "events/sentences.h"
-#include "placing/placing.h"
 
 #include <algorithm>
 #include <utility>
@@ -81,11 +80,10 @@ std::optional<solution::Event> CollisionSource::renew(const Histories& histories
         else if (hasMet(now, pair) && !lost)
             lost = search_.hasAnyEnded(pair) ? meetEnded(now, pair).event
                                              : end(now, pair, sentences::missed(world_, pair));
+        else if (now.time <= world_.start)
+            record_.addOverlap(pair, depth);
         else
-            record_.addNote(pair, now.time,
-                            now.time <= world_.start ? overlapSentence(world_.scene, pair, depth,
-                                                                       Begin::throughEachOther)
-                                                     : sentences::overlap(world_, pair));
+            record_.addNote(pair, now.time, sentences::overlap(world_, pair));
     }
     return lost;
 }

@@ -4,6 +4,7 @@
 #include "collision/contact_points.h"
 #include "collision/separation.h"
 #include "physics/carried_points.h"
+#include "scene/connections.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,6 +38,20 @@ double sizeOf(const Part& part) {
 }
 
 } // namespace
+
+std::vector<char> looseBodies(const scene::Scene& scene,
+                              const physics::EquationsOfMotion& equations) {
+    const scene::Connections connections(scene);
+    std::vector<char> all;
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+        const physics::BodyMotion& body = equations.bodies[b];
+        const physics::Held& held = body.heldAt(scene.simulator.start);
+        const bool isHeld = held.attitude || std::ranges::count(held.position, true) > 0;
+        all.push_back(!body.isFixed && !isHeld && connections.joints.of(b).empty() &&
+                      connections.gears.of(b).empty() && connections.ropes.of(b).empty());
+    }
+    return all;
+}
 
 Overlaps::Overlaps(const scene::Scene& scene, const physics::EquationsOfMotion& equations,
                    const std::vector<geometry::Shape>& shapes)
@@ -127,8 +142,8 @@ std::vector<PartGap> Overlaps::at(const std::vector<Pose>& poses, Depth depth) {
     return found;
 }
 
-std::vector<PartGap> Overlaps::narrowGaps(const std::vector<Pose>& poses,
-                                          const Asked& isAsked) const {
+std::vector<PartGap> Overlaps::nearGaps(const std::vector<Pose>& poses, Near near,
+                                        const Asked& isAsked) const {
     std::vector<PartGap> found;
     const auto look = [&](std::size_t a, std::size_t b) {
         for (std::size_t i = 0; i < shapes_[a].parts.size(); ++i)
@@ -140,9 +155,11 @@ std::vector<PartGap> Overlaps::narrowGaps(const std::vector<Pose>& poses,
                 collision::WarmStart warm;
                 const collision::Separation apart = collision::separate(one, other, warm);
                 const double size = std::min(sizeOf(first), sizeOf(second));
-                if (apart.gap <= touches * size || apart.gap > little * size)
+                const double least = near == Near::apart ? touches : -little;
+                if (apart.gap <= least * size || apart.gap > little * size)
                     continue;
-                const auto places = collision::contactPoints(one, other, apart.gap).points;
+                const auto places =
+                    collision::contactPoints(one, other, std::abs(apart.gap)).points;
                 const Vector at = apart.touch      ? *apart.touch
                                   : places.empty() ? Vector(Vector::Zero())
                                                    : places.front();
@@ -150,15 +167,15 @@ std::vector<PartGap> Overlaps::narrowGaps(const std::vector<Pose>& poses,
             }
     };
     collision::BoxTree tree(poses.size());
-    std::vector<std::size_t> near;
+    std::vector<std::size_t> beside;
     for (std::size_t b = 0; b < poses.size(); ++b) {
         geometry::Box box = boxOf(shapes_[b], frameOf(equations_.bodies[b], poses[b]));
         const Vector margin = Vector::Constant(little * box.diagonal().norm());
         box = geometry::Box(box.min() - margin, box.max() + margin);
-        near.clear();
-        tree.overlapping(box, near);
-        std::ranges::sort(near);
-        for (const std::size_t a : near)
+        beside.clear();
+        tree.overlapping(box, beside);
+        std::ranges::sort(beside);
+        for (const std::size_t a : beside)
             if (mayMeet_(a, b) && isAsked(a, b))
                 look(a, b);
         tree.put(b, box);

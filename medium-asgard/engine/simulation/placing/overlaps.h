@@ -22,6 +22,10 @@
 
 namespace simulation {
 
+// By body: it may be moved, and hangs on nothing.
+[[nodiscard]] std::vector<char> looseBodies(const scene::Scene& scene,
+                                            const physics::EquationsOfMotion& equations);
+
 class Overlaps {
 public:
     // All outlive it. `shapes`: by body.
@@ -34,11 +38,12 @@ public:
     // several places.
     [[nodiscard]] std::vector<physics::PartGap> at(const std::vector<geometry::Pose>& poses,
                                                    Depth depth);
-    // Of bodies that are asked for and do not touch: where they are apart by at most 1e-3 of the
-    // smaller part, at one place of each pair of parts.
+    // Of bodies that are asked for, at one place of each pair of parts: where they are apart by at
+    // most 1e-3 of the smaller part, or also touch, or overlap by as little.
+    enum class Near { apart, apartOrTouching };
     using Asked = std::function<bool(std::size_t first, std::size_t second)>;
-    [[nodiscard]] std::vector<physics::PartGap> narrowGaps(const std::vector<geometry::Pose>& poses,
-                                                           const Asked& isAsked) const;
+    [[nodiscard]] std::vector<physics::PartGap> nearGaps(const std::vector<geometry::Pose>& poses,
+                                                         Near near, const Asked& isAsked) const;
     // Their poses at the start, those of bodies that trajectories hold included.
     [[nodiscard]] std::vector<geometry::Pose> startPoses() const;
 

@@ -1,13 +1,13 @@
 #include "placing/placing.h"
 
+#include "placing/hops.h"
+#include "placing/least_ways.h"
 #include "placing/overlaps.h"
-#include "scene/connections.h"
-#include "scene/contact_pairs.h"
+#include "placing/told_heaps.h"
 #include "scene/shape_of.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -40,26 +40,12 @@ std::optional<std::vector<geometry::Shape>> shapesOf(const scene::Scene& scene) 
     return shapes;
 }
 
-// By body: it may be moved, and hangs on nothing.
-std::vector<char> looseOf(const scene::Scene& scene, const physics::EquationsOfMotion& equations) {
-    const scene::Connections connections(scene);
-    std::vector<char> all;
-    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-        const physics::BodyMotion& body = equations.bodies[b];
-        const physics::Held& held = body.heldAt(scene.simulator.start);
-        const bool isHeld = held.attitude || std::ranges::count(held.position, true) > 0;
-        all.push_back(!body.isFixed && !isHeld && connections.joints.of(b).empty() &&
-                      connections.gears.of(b).empty() && connections.ropes.of(b).empty());
-    }
-    return all;
-}
-
 // The places of bodies that are moved apart, one heap of bodies that overlap after the other.
 class Heaps {
 public:
     Heaps(const scene::Scene& scene, const physics::EquationsOfMotion& equations,
           const Poses& start)
-        : isLoose_(looseOf(scene, equations)), start_(start), poses_(start) {
+        : isLoose_(looseBodies(scene, equations)), start_(start), poses_(start) {
         for (const physics::BodyMotion& body : equations.bodies)
             radii_.push_back(body.mass.radius);
     }
@@ -127,40 +113,15 @@ private:
         return heaps;
     }
 
-    // Hildreth's method: ways as short as they can be, by one force after the other. False: they
-    // have not come to an end.
+    // False: the ways have not come to an end.
     bool openHeap(const std::vector<physics::PartGap>& gaps) {
         constexpr int most = 4000;
         constexpr double rounding = 1e-16; // of sizes
-        std::vector<double> forces(gaps.size(), 0);
-        std::map<std::size_t, Vector> ways;
-        for (const physics::PartGap& of : gaps)
-            for (const std::size_t body : {of.first, of.second})
-                if (isLoose(body))
-                    ways.emplace(body, Vector::Zero());
-        const auto wayOf = [&](std::size_t body) {
-            const auto found = ways.find(body);
-            return found == ways.end() ? Vector(Vector::Zero()) : found->second;
-        };
-        bool isOpen = false;
-        for (int sweep = 0; sweep < most && !isOpen; ++sweep) {
-            isOpen = true;
-            for (std::size_t k = 0; k < gaps.size(); ++k) {
-                const physics::PartGap& of = gaps[k];
-                const double sides = isLoose(of.first) && isLoose(of.second) ? 2 : 1;
-                const double left = of.gap + of.normal.dot(wayOf(of.first) - wayOf(of.second));
-                const double change = std::max(-left / sides, -forces[k]);
-                isOpen = isOpen && std::abs(change) <= rounding * sizeOf(of);
-                forces[k] += change;
-                if (isLoose(of.first))
-                    ways[of.first] += change * of.normal;
-                if (isLoose(of.second))
-                    ways[of.second] -= change * of.normal;
-            }
-        }
-        for (const auto& [body, way] : ways)
+        const LeastWays least = leastWays(gaps, isLoose_, most,
+                                          [this](const auto& of) { return rounding * sizeOf(of); });
+        for (const auto& [body, way] : least.ways)
             poses_[body].position += way;
-        return isOpen;
+        return least.isDone;
     }
 
     std::vector<char> isLoose_;
@@ -180,25 +141,27 @@ std::map<collision::Pair, double> depthsOf(const std::vector<physics::PartGap>& 
 
 } // namespace
 
-std::string overlapSentence(const scene::Scene& scene, const collision::Pair& bodies, double depth,
-                            Begin begin) {
-    const auto [first, second] =
-        scene.bodies[bodies.first].fixed ? collision::Pair(bodies.second, bodies.first) : bodies;
-    const auto stands = [&](std::size_t body) {
-        return scene.bodies[body].fixed ||
-               std::ranges::any_of(scene.constraints, [&](const scene::Constraint& of) {
-                   return of.body == scene.bodies[body].name;
-               });
-    };
-    char by[40];
-    std::snprintf(by, sizeof by, "%.3g", depth);
-    const std::string sentence = "Bodies \"" + scene.bodies[first].name + "\" and \"" +
-                                 scene.bodies[second].name + "\" overlap by " + by +
-                                 " at the start, and ";
-    if (begin == Begin::movedApart)
-        return sentence + "begin moved apart; " + physics::partButton + " writes it into the text.";
-    return sentence + "pass through each other until they are apart" +
-           (stands(first) && stands(second) ? "." : "; " + physics::partAdvice() + ".");
+std::vector<std::string> overlapSentences(const scene::Scene& scene,
+                                          const std::map<collision::Pair, double>& depths,
+                                          Begin begin) {
+    std::vector<std::string> sentences;
+    for (const ToldHeap& heap : toldHeaps(scene, depths)) {
+        const std::string sentence = bodiesOf(scene, heap.first) + " overlap by " +
+                                     lengthOf(heap.size) + " at the start, and " +
+                                     othersOf(scene, heap, "by no more");
+        const auto stands = [&](const collision::Pair& pair) {
+            return isHeld(scene, pair.first) && isHeld(scene, pair.second);
+        };
+        if (begin == Begin::movedApart)
+            sentences.push_back(sentence + "begin moved apart; " + physics::partButton +
+                                " writes it into the text.");
+        else
+            sentences.push_back(sentence + "pass through each other until they are apart" +
+                                (stands(heap.first) && std::ranges::all_of(heap.others, stands)
+                                     ? "."
+                                     : "; " + physics::partAdvice() + "."));
+    }
+    return sentences;
 }
 
 std::vector<std::string> startSentences(const scene::Scene& scene) {
@@ -215,55 +178,10 @@ std::vector<std::string> startSentences(const scene::Scene& scene) {
     for (const Moved& moved : begun.moved)
         poses[moved.body].position +=
             moved.pose.position - scene.bodies[moved.body].initialPosition;
-    for (const auto& [bodies, depth] : depthsOf(overlaps.at(poses, Overlaps::Depth::any)))
-        sentences.push_back(overlapSentence(scene, bodies, depth, Begin::throughEachOther));
+    std::ranges::copy(overlapSentences(scene, depthsOf(overlaps.at(poses, Overlaps::Depth::any)),
+                                       Begin::throughEachOther),
+                      std::back_inserter(sentences));
     std::ranges::copy(hopSentences(scene, equations, *shapes), std::back_inserter(sentences));
-    return sentences;
-}
-
-std::vector<std::string> hopSentences(const scene::Scene& scene,
-                                      const physics::EquationsOfMotion& equations,
-                                      const std::vector<geometry::Shape>& shapes) {
-    const scene::ContactPairs laws(scene);
-    const std::vector<char> isLoose = looseOf(scene, equations);
-    std::vector<Vector> pulls(scene.bodies.size(), Vector::Zero());
-    for (const scene::Force& force : scene.forces)
-        if (const auto* weight = std::get_if<scene::GravitationalForce>(&force.kind))
-            for (std::size_t b = 0; b < scene.bodies.size(); ++b)
-                if (scene.bodies[b].name == force.body && isLoose[b])
-                    pulls[b] += weight->acceleration;
-    const auto isPulled = [&](std::size_t body) { return !pulls[body].isZero(0); };
-    const Overlaps overlaps(scene, equations, shapes);
-    const Poses poses = overlaps.startPoses();
-    const auto speedOf = [&](std::size_t body, const Vector& at) -> Vector {
-        const scene::Body& said = scene.bodies[body];
-        if (said.fixed)
-            return Vector::Zero();
-        return said.initialVelocity + said.initialAngularVelocity.cross(at - poses[body].position);
-    };
-    std::map<collision::Pair, double> hops;
-    for (const physics::PartGap& of :
-         overlaps.narrowGaps(poses, [&](std::size_t first, std::size_t second) {
-             return (isPulled(first) || isPulled(second)) && laws.restitutionOf(first, second) == 1;
-         })) {
-        constexpr double still = 1e-9; // of their speeds
-        const Vector one = speedOf(of.first, of.at), other = speedOf(of.second, of.at);
-        const bool isDrawn = of.normal.dot(pulls[of.first] - pulls[of.second]) < 0;
-        if (isDrawn && std::abs(of.normal.dot(one - other)) <= still * (one.norm() + other.norm()))
-            hops[isPulled(of.first) ? collision::Pair(of.first, of.second)
-                                    : collision::Pair(of.second, of.first)] = of.gap;
-    }
-    std::vector<std::string> sentences;
-    for (const auto& [bodies, gap] : hops) {
-        char by[40];
-        std::snprintf(by, sizeof by, "%.3g", gap);
-        const std::string& name = scene.bodies[bodies.first].name;
-        sentences.push_back("Bodies \"" + name + "\" and \"" + scene.bodies[bodies.second].name +
-                            "\" are " + by +
-                            " apart at the start, and bounce without loss: they hop for ever; "
-                            "with -restitution 0 body \"" +
-                            name + "\" rests.");
-    }
     return sentences;
 }
 
@@ -319,9 +237,12 @@ Touching touching(const scene::Scene& scene, const physics::EquationsOfMotion& e
         const double radius = equations.bodies[body].mass.radius;
         return radius > 0 ? radius : HUGE_VAL; // of a half space
     };
-    for (const auto& [bodies, depth] : depthsOf(mended))
-        if (depth > untold * std::min(radiusOf(bodies.first), radiusOf(bodies.second)))
-            all.notes.push_back(overlapSentence(scene, bodies, depth, Begin::movedApart));
+    auto told = depthsOf(mended);
+    std::erase_if(told, [&](const auto& of) {
+        const auto& [bodies, depth] = of;
+        return depth <= untold * std::min(radiusOf(bodies.first), radiusOf(bodies.second));
+    });
+    all.notes = overlapSentences(scene, told, Begin::movedApart);
     return all;
 }
 

@@ -10,6 +10,7 @@
 #include "physics/equations_of_motion.h"
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -24,19 +25,14 @@ namespace simulation {
 [[nodiscard]] physics::Assembly placed(const scene::Scene& scene,
                                        const std::function<bool()>& cancelled = nullptr);
 
-// That two bodies overlap at the start, how deep, and what comes of it. The fault stands at the
-// first of them that is not fixed.
+// That bodies overlap at the start, how deep, and what comes of it: one for each heap
+// (told_heaps.h), by its deepest pair.
 enum class Begin { movedApart, throughEachOther };
-[[nodiscard]] std::string overlapSentence(const scene::Scene& scene, const collision::Pair& bodies,
-                                          double depth, Begin begin);
-// Those of a scene, one for each pair of bodies, by its deepest parts; and that bodies hop.
+[[nodiscard]] std::vector<std::string>
+overlapSentences(const scene::Scene& scene, const std::map<collision::Pair, double>& depths,
+                 Begin begin);
+// Those of a scene; and that bodies hop (hops.h).
 [[nodiscard]] std::vector<std::string> startSentences(const scene::Scene& scene);
-
-// Of each free body that its weight pulls onto another one, from rest at a narrow gap, and that
-// bounces there without loss. It hops for ever, unseen, and every hop is computed.
-[[nodiscard]] std::vector<std::string> hopSentences(const scene::Scene& scene,
-                                                    const physics::EquationsOfMotion& equations,
-                                                    const std::vector<geometry::Shape>& shapes);
 
 // Bodies that overlap others by little (overlaps.h), where they touch them. They are moved by the
 // least way and not turned, again where that makes a new overlap, each heap by itself, so that what

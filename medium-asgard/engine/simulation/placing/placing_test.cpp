@@ -14,6 +14,8 @@ double heightOf(const physics::Assembly& made, std::size_t body, double otherwis
     return otherwise;
 }
 
+using ::testing::ElementsAre;
+
 TEST(Placing, ABoxInTheFloorMovesUpByItsDepthAndDoesNotTurn) {
     SceneBuilder b(1);
     b.floor();
@@ -173,6 +175,51 @@ TEST(Placing, ABodyThatWouldHopForEverIsTold) {
     EXPECT_TRUE(startSentences(b.scene).empty()) << "it comes to rest";
 }
 
+// The floor holds the lower one, which holds the upper one, though both are pulled alike.
+TEST(Placing, ABoxOnAnotherBoxThatStandsWouldHop) {
+    SceneBuilder b(1);
+    b.box("low", {0, 0.5, 0}, {1, 1, 1});
+    b.box("high", {0, 1.50001, 0}, {1, 1, 1});
+    b.weight("low");
+    b.weight("high");
+    EXPECT_TRUE(startSentences(b.scene).empty()) << "both fall";
+    b.floor();
+    const auto told = startSentences(b.scene);
+    ASSERT_EQ(told.size(), 1u);
+    EXPECT_THAT(told[0], ::testing::HasSubstr("\"high\" and \"low\" are 1e-05 apart"));
+    EXPECT_THAT(told[0], ::testing::HasSubstr("-restitution 0 body \"high\" rests"));
+    b.box("highest", {0, 2.50002, 0}, {1, 1, 1});
+    b.weight("highest");
+    EXPECT_THAT(startSentences(b.scene),
+                ElementsAre("Bodies \"high\" and \"low\" are 1e-05 apart at the start, and 1 more "
+                            "pair by no more (\"high\" and \"highest\"); they bounce "
+                            "without loss: they hop for ever; with -restitution 0 they rest."));
+    b.scene.bodies[1].restitution = 0;
+    EXPECT_TRUE(startSentences(b.scene).empty()) << "it comes to rest";
+}
+
+// A box slides away under the next one on a smooth slope, as fast, unless a wall stops it.
+TEST(Placing, ABoxThatSlidesBesideAnotherOneDoesNotHop) {
+    const double tilt = 0.3;
+    const geometry::Quaternion turn = geometry::fromRotationVector({0, 0, tilt});
+    SceneBuilder b(1);
+    const auto put = [&](const std::string& name, const Vector& at, const Vector& edges) {
+        scene::Body& made = b.box(name, turn * at, edges);
+        made.initialAttitude = turn;
+        return &made;
+    };
+    put("slope", {0, -0.5, 0}, {20, 1, 4})->fixed = true;
+    put("low", {0, 0.5, 0}, {1, 1, 1});
+    put("high", {1.00001, 0.5, 0}, {1, 1, 1});
+    b.weight("low");
+    b.weight("high");
+    EXPECT_TRUE(startSentences(b.scene).empty());
+    put("wall", {-1, 0.5, 0}, {1, 1, 1})->fixed = true;
+    const auto told = startSentences(b.scene);
+    ASSERT_EQ(told.size(), 1u);
+    EXPECT_THAT(told[0], ::testing::HasSubstr("\"high\" and \"low\" are 1e-05 apart"));
+}
+
 TEST(Placing, ABallBesideAnotherOneDoesNotHop) {
     SceneBuilder b(0.1);
     b.ball("left", {0, 0, 0});
@@ -231,6 +278,27 @@ TEST(Placing, OverlapsAreToldWithoutAMotion) {
     EXPECT_THAT(told[0],
                 ::testing::StartsWith(
                     "Bodies \"near\" and \"floor\" overlap by 0.0001 at the start, and begin"));
+}
+
+// One mistake, and one message; another heap has its own.
+TEST(Placing, AHeapIsToldOnceByItsDeepestPair) {
+    SceneBuilder b(1);
+    b.floor();
+    for (int i = 0; i < 4; ++i)
+        b.box("box" + std::to_string(i), {0, 0.5 + (i == 3 ? 2.65 : 0.9 * i), 0}, {1, 1, 1});
+    b.box("elsewhere", {5, 0.4, 0}, {1, 1, 1});
+    const std::string heap = "Bodies \"box2\" and \"box3\" overlap by 0.15 at the start, and 2 "
+                             "more pairs by no more (\"box0\" and \"box1\", \"box1\" and "
+                             "\"box2\"); they pass through each other until they are apart; " +
+                             physics::partAdvice() + ".";
+    const auto told = startSentences(b.scene);
+    ASSERT_EQ(told.size(), 2u);
+    EXPECT_EQ(told[0], heap);
+    EXPECT_THAT(told[1], ::testing::HasSubstr("\"elsewhere\" and \"floor\" overlap by 0.1 at"));
+    EXPECT_THAT(simulate(b.scene).motion->notes(), ::testing::UnorderedElementsAreArray(told));
+    for (int i = 4; i < 9; ++i)
+        b.box("box" + std::to_string(i), {0, 0.15 + 0.9 * i, 0}, {1, 1, 1});
+    EXPECT_THAT(startSentences(b.scene)[0], ::testing::HasSubstr("and 7 more pairs by no more; "));
 }
 
 // A body that an edit does not concern keeps all bits, also when two places are mended.

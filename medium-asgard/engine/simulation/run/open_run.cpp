@@ -1,6 +1,7 @@
 #include "run/open_run.h"
 
 #include "events/collision_source.h"
+#include "placing/placing.h"
 #include "run/cpu_seconds.h"
 #include "run/jams.h"
 #include "run/nudge.h"
@@ -144,6 +145,16 @@ bool OpenRun::canGoOn(const Run* before) const {
     return !isBack && !isOnward;
 }
 
+namespace {
+
+void addNotes(const Problem& problem, const CollisionRecord& record, double until, Run& run) {
+    std::ranges::copy(overlapSentences(problem.scene, record.overlaps(), Begin::throughEachOther),
+                      std::back_inserter(run.notes));
+    std::ranges::copy(record.notes(until), std::back_inserter(run.notes));
+}
+
+} // namespace
+
 void OpenRun::publish(double known) {
     if (!observer_.progress)
         return;
@@ -162,8 +173,7 @@ void OpenRun::publish(double known) {
     if (machinery_->collisions) {
         run.impacts = machinery_->collisions->record().impacts(problem_.finish());
         run.contacts = machinery_->collisions->contactLog().upTo(known);
-        std::ranges::copy(machinery_->collisions->record().notes(problem_.finish()),
-                          std::back_inserter(run.notes));
+        addNotes(problem_, machinery_->collisions->record(), problem_.finish(), run);
     }
     observer_.progress(run.motion(problem_, true));
 }
@@ -210,7 +220,7 @@ Run OpenRun::collect(double until) {
         const CollisionRecord& record = collisions.record();
         blocked = record.blocked(until);
         run.impacts = record.impacts(until);
-        std::ranges::copy(record.notes(until), std::back_inserter(run.notes));
+        addNotes(problem_, record, until, run);
         run.lostHops = record.lostHops(until);
         run.contacts = collisions.contactLog().upTo(until);
         addJamNotes(problem_, run, until);

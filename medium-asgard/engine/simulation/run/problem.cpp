@@ -2,6 +2,7 @@
 
 #include "equations/partition.h"
 #include "motion/groups.h"
+#include "placing/hops.h"
 #include "placing/placing.h"
 #include "run/budget.h"
 #include "run/quantities.h"

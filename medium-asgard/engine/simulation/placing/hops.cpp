@@ -1,0 +1,122 @@
+#include "placing/hops.h"
+
+#include "placing/least_ways.h"
+#include "placing/overlaps.h"
+#include "placing/told_heaps.h"
+#include "scene/contact_pairs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <variant>
+
+namespace simulation {
+namespace {
+
+using geometry::Vector;
+using physics::PartGap;
+
+// By body: the acceleration of its weight. None of those that something holds.
+std::vector<Vector> pullsOf(const scene::Scene& scene, const std::vector<char>& isLoose) {
+    std::vector<Vector> pulls(scene.bodies.size(), Vector::Zero());
+    for (const scene::Force& force : scene.forces)
+        if (const auto* weight = std::get_if<scene::GravitationalForce>(&force.kind))
+            for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+                if (scene.bodies[b].name == force.body && isLoose[b])
+                    pulls[b] += weight->acceleration;
+    return pulls;
+}
+
+// The bodies of the gap neither meet nor part there.
+bool isStill(const scene::Scene& scene, const std::vector<geometry::Pose>& poses,
+             const PartGap& of) {
+    constexpr double still = 1e-9; // of their speeds
+    const auto speedOf = [&](std::size_t body) -> Vector {
+        const scene::Body& said = scene.bodies[body];
+        if (said.fixed)
+            return Vector::Zero();
+        return said.initialVelocity +
+               said.initialAngularVelocity.cross(of.at - poses[body].position);
+    };
+    const Vector one = speedOf(of.first), other = speedOf(of.second);
+    return std::abs(of.normal.dot(one - other)) <= still * (one.norm() + other.norm());
+}
+
+// Those that would bear if they were closed.
+std::vector<PartGap> bearing(const std::vector<PartGap>& gaps, const std::vector<char>& isLoose,
+                             const std::vector<Vector>& pulls) {
+    constexpr int sweeps = 1000;
+    constexpr double none = 1e-6; // of the pulls
+    const auto pullOf = [&](const PartGap& of) {
+        return pulls[of.first].norm() + pulls[of.second].norm();
+    };
+    std::vector<PartGap> rates = gaps;
+    for (PartGap& of : rates)
+        of.gap = of.normal.dot(pulls[of.first] - pulls[of.second]);
+    const LeastWays least = leastWays(rates, isLoose, sweeps,
+                                      [&](const PartGap& of) { return 1e-3 * none * pullOf(of); });
+    std::vector<PartGap> bear;
+    for (std::size_t k = 0; k < gaps.size(); ++k)
+        if (least.forces[k] > none * pullOf(gaps[k]))
+            bear.push_back(gaps[k]);
+    return bear;
+}
+
+// `upper`, by pair: the one that is pulled onto the other.
+std::vector<std::string> sentencesOf(const scene::Scene& scene,
+                                     const std::map<collision::Pair, double>& hops,
+                                     const std::map<collision::Pair, std::size_t>& upper) {
+    std::vector<std::string> sentences;
+    for (const ToldHeap& heap : toldHeaps(scene, hops)) {
+        const auto [one, other] = heap.first;
+        const std::size_t above = upper.at(heap.first);
+        const std::string rest =
+            heap.others.empty() ? "body \"" + scene.bodies[above].name + "\" rests." : "they rest.";
+        sentences.push_back(bodiesOf(scene, above == one ? heap.first : std::pair(other, one)) +
+                            " are " + lengthOf(heap.size) + " apart at the start, and " +
+                            othersOf(scene, heap, "by no more") +
+                            "bounce without loss: they hop for ever; with -restitution 0 " + rest);
+    }
+    return sentences;
+}
+
+} // namespace
+
+std::vector<std::string> hopSentences(const scene::Scene& scene,
+                                      const physics::EquationsOfMotion& equations,
+                                      const std::vector<geometry::Shape>& shapes) {
+    const scene::ContactPairs laws(scene);
+    const std::vector<char> isLoose = looseBodies(scene, equations);
+    const std::vector<Vector> pulls = pullsOf(scene, isLoose);
+    const Overlaps overlaps(scene, equations, shapes);
+    const std::vector<geometry::Pose> poses = overlaps.startPoses();
+    const auto isPulled = [&](std::size_t body) { return !pulls[body].isZero(0); };
+    const auto mayHop = [&](std::size_t first, std::size_t second) {
+        return (isPulled(first) || isPulled(second)) && laws.restitutionOf(first, second) == 1;
+    };
+    const auto narrow = overlaps.nearGaps(poses, Overlaps::Near::apart, mayHop);
+    if (narrow.empty())
+        return {};
+    auto gaps = overlaps.nearGaps(
+        poses, Overlaps::Near::apartOrTouching,
+        [&](std::size_t first, std::size_t second) { return isLoose[first] || isLoose[second]; });
+    std::erase_if(gaps, [&](const PartGap& of) { return !isStill(scene, poses, of); });
+    const auto isNarrow = [&](const PartGap& of) {
+        return std::ranges::any_of(narrow, [&](const PartGap& other) {
+            return of.first == other.first && of.second == other.second &&
+                   of.firstPart == other.firstPart && of.secondPart == other.secondPart;
+        });
+    };
+    std::map<collision::Pair, double> hops;
+    std::map<collision::Pair, std::size_t> upper;
+    for (const PartGap& of : bearing(gaps, isLoose, pulls))
+        if (isNarrow(of)) {
+            const collision::Pair pair = std::minmax(of.first, of.second);
+            const bool isFirst = of.normal.dot(pulls[of.first]) <= -of.normal.dot(pulls[of.second]);
+            hops[pair] = std::max(hops[pair], of.gap);
+            upper[pair] = isFirst ? of.first : of.second;
+        }
+    return sentencesOf(scene, hops, upper);
+}
+
+} // namespace simulation

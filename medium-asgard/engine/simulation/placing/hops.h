@@ -1,0 +1,26 @@
+// Which bodies would hop for ever on those that they seem to stand on?
+//
+// A stack that is written with its boxes a millionth too high hops, unseen, and every hop is
+// computed. A narrow gap closes under the weights where bodies that cannot follow stop it: the
+// floor, and in turn all that stands on it. Gauss's principle (least_ways.h) over all contacts and
+// narrow gaps at rest tells which of them would bear: two boxes that fall together do not meet.
+//
+// LIMIT: bodies count as equally heavy, without friction and turning. A box that friction holds on
+// a slope a hair above another one is told to hop.
+#pragma once
+
+#include "geometry/shape.h"
+#include "physics/equations_of_motion.h"
+#include "scene/scene.h"
+
+#include <string>
+#include <vector>
+
+namespace simulation {
+
+// `equations`, and `shapes` by body: of the scene.
+[[nodiscard]] std::vector<std::string> hopSentences(const scene::Scene& scene,
+                                                    const physics::EquationsOfMotion& equations,
+                                                    const std::vector<geometry::Shape>& shapes);
+
+} // namespace simulation
