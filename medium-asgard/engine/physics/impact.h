@@ -77,6 +77,7 @@ struct ImpactRow {
     };
     std::vector<Part> parts;
     bool isStop = false; // closed: the sum may grow, and an impulse only makes it grow
+    std::optional<std::size_t> multiplier = {}; // of the equations, whose name is the joint's
 };
 
 struct ImpulseGiven {

@@ -108,7 +108,7 @@ std::vector<ImpactRow> JointRows::rowsAt(std::span<const std::size_t> bodies, do
     for (const std::size_t r : rows) {
         const JointRow& of = equations_.jointRows[r];
         const double gap = *next++;
-        ImpactRow row{.parts = {}, .isStop = of.gap.has_value()};
+        ImpactRow row{.parts = {}, .isStop = of.gap.has_value(), .multiplier = of.multiplier};
         for (const JointPush& push : of.pushes) {
             const auto place = std::ranges::find(bodies, push.body) - bodies.begin();
             row.parts.push_back({.body = static_cast<std::size_t>(place),

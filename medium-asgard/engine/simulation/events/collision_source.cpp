@@ -82,7 +82,7 @@ std::optional<solution::Event> CollisionSource::renew(const Histories& histories
                                              : end(now, pair, sentences::missed(world_, pair));
         else if (now.time <= world_.start)
             record_.addOverlap(pair, depth);
-        else
+        else if (!search_.hasAnyEnded(pair))
             record_.addNote(pair, now.time, sentences::overlap(world_, pair));
     }
     return lost;

@@ -125,9 +125,6 @@ private:
     [[nodiscard]] std::optional<std::string> unmodelledOf(const Instant& instant,
                                                           const Pair& pair) const;
     [[nodiscard]] std::optional<Event> crossWall(const Histories& histories, double until);
-    // No impulses part what meets.
-    [[nodiscard]] std::string whyUnsolved(const Instant& instant, const ImpactCluster& cluster,
-                                          const Pair& pair) const;
     void refuse(const Instant& instant, const Pair& pair, const std::string& sentence,
                 Event& event);
     [[nodiscard]] Event renewContacts(const Instant& instant, const Pair& pair);

@@ -1,5 +1,6 @@
 // What happens where bodies meet: the second half of collision_source.h.
 #include "events/collision_source.h"
+#include "events/crushed.h"
 
 #include "events/cluster_impulses.h"
 #include "events/last_hops.h"
@@ -96,9 +97,13 @@ CollisionSource::Handled CollisionSource::handle(const Histories& histories, con
         return {end(now, pair, sentences::leaning(world_, pair))};
     if (meetsWithoutEnd(now, pair, counts_))
         return {endWithoutEnd(now, pair)};
-    if (hit.pressing)
+    if (hit.pressing) {
+        // Blows come first: of what touches at the start, some may approach.
+        if (auto event = now.time <= world_.start ? meet(now, pair) : std::nullopt)
+            return {std::move(event)};
         if (auto event = press(now, pair))
             return {std::move(event)};
+    }
     if (auto handled = meetInFlight(now, pair))
         return std::move(*handled);
     if (auto event = meet(now, pair))
@@ -201,8 +206,10 @@ std::optional<Event> CollisionSource::meet(const Instant& at, const Pair& pair) 
         record_.addLostHop(hop);
     pressTogether(at, cluster, before);
     const physics::ImpactResult result = resolve(cluster, before);
-    if (!result.settled)
-        return end(at, pair, whyUnsolved(at, cluster, pair));
+    if (!result.settled) {
+        const std::string crushed = crushedIn(at, cluster, before);
+        return end(at, pair, crushed.empty() ? sentences::unsolved(world_, pair) : crushed);
+    }
     if (result.jammed)
         noteJam(at, cluster, result);
     keepImpulses(at, cluster, result, last.settling);
@@ -235,29 +242,6 @@ std::optional<Event> CollisionSource::meet(const Instant& at, const Pair& pair) 
     }
     settle(at, settling, after, event, true);
     return event;
-}
-
-// A body that gives way, between two that do not and lie on opposite sides of it.
-std::string CollisionSource::whyUnsolved(const Instant& at, const ImpactCluster& cluster,
-                                         const Pair& pair) const {
-    constexpr double opposite = -0.9; // the cosine of the normals
-    struct Held {
-        std::size_t body, by;
-        Vector normal; // towards the body
-    };
-    std::vector<Held> held;
-    for (const physics::ImpactContact& contact : cluster.contacts) {
-        const auto [a, b] = cluster.pairOf(contact);
-        for (const auto& [body, other, sign] : {std::tuple(a, b, 1), std::tuple(b, a, -1)})
-            if (at.canGiveWay(body) && !at.canGiveWay(other))
-                held.push_back({body, other, sign * contact.normal});
-    }
-    for (const Held& one : held)
-        for (const Held& other : held)
-            if (one.body == other.body && one.by < other.by &&
-                one.normal.dot(other.normal) < opposite)
-                return sentences::crushed(world_, one.body, one.by, other.by);
-    return sentences::unsolved(world_, pair);
 }
 
 void CollisionSource::refuse(const Instant& at, const Pair& pair, const std::string& sentence,

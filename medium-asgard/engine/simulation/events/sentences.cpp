@@ -107,9 +107,29 @@ std::string unsolved(const Colliders& world, const Pair& pair) {
            quoted(world, pair.second) + " were not found";
 }
 
-std::string crushed(const Colliders& world, std::size_t body, std::size_t one, std::size_t other) {
-    return "body " + quoted(world, body) + " is pressed between " + quoted(world, one) + " and " +
-           quoted(world, other) + ", neither of which gives way: it would be crushed";
+std::string crushed(const Colliders& world, const std::set<std::size_t>& pressed,
+                    const std::set<std::size_t>& between, const std::set<std::string>& drives) {
+    const auto all = [&](const std::set<std::size_t>& of) {
+        std::string text;
+        for (const std::size_t body : of)
+            text += (text.empty() ? "" : " and ") + quoted(world, body);
+        return text;
+    };
+    const bool areMany = pressed.size() > 1;
+    const std::string none = between.size() == 1   ? "which does not give way"
+                             : between.size() == 2 ? "neither of which gives way"
+                                                   : "none of which gives way";
+    std::string text =
+        pressed.empty()
+            ? "bodies " + all(between) + " are pressed together, " + none
+            : (areMany ? "bodies " : "body ") + all(pressed) + (areMany ? " are" : " is") +
+                  " pressed " + (between.size() == 1 ? "against " : "between ") + all(between) +
+                  ", " + none + ": " + (areMany ? "they" : "it") + " would be crushed";
+    for (const std::string& joint : drives)
+        text += "; joint \"" + joint +
+                "\" drives on with whatever force it takes: let it stop before, or give it "
+                "-max_motor";
+    return text;
 }
 
 std::string noHinge(const Colliders& world, std::size_t body) {

@@ -28,9 +28,10 @@ namespace simulation::sentences {
 [[nodiscard]] std::string restless(const Colliders& world, std::size_t body);
 
 [[nodiscard]] std::string unsolved(const Colliders& world, const Pair& pair);
-// Between two that are fixed or held.
-[[nodiscard]] std::string crushed(const Colliders& world, std::size_t body, std::size_t one,
-                                  std::size_t other);
+// Those that give way between those that do not; joints that drive these.
+[[nodiscard]] std::string crushed(const Colliders& world, const std::set<std::size_t>& pressed,
+                                  const std::set<std::size_t>& between,
+                                  const std::set<std::string>& drives);
 // What is noted beside a motion that goes on.
 [[nodiscard]] std::string passThrough(const Colliders& world, const Pair& pair);
 [[nodiscard]] std::string overlap(const Colliders& world, const Pair& pair);
