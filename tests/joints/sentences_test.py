@@ -14,10 +14,10 @@ DRUM = ("body h rod -fixed 1 -init_pos {0 3 0}\nbody b rod -mass 1 -init_pos %s\
 PIN = "joint pin -type hinge -body1 a -offset1 {-0.5 0 0} "
 HELD = "body h rod -mass 1 -init_pos {0 3 0}\n"
 # Two boxes on a floor, below a press.
-PRESS = ("shape_set ground -desc {-sub {-plane}}\nbody floor ground -fixed 1 -friction 0.5 -init_pos {0 -5 0}\nshape_set b -desc {-sub {-box {0.4 0.4 0.4}}}\n"
-         "foreach {n h} {low -4.8 high -4.4} {body $n b -restitution 0 -friction 0.5 -init_pos [list 0 $h 0]; force -body $n -gravitational {0 -9.81 0}}\n"
-         "body press b -restitution 0 -friction 0.5 -init_pos {0 %s 0}\n")
-HOLD = "trajectory way -points {{0 0 %s 0} {2 0 -4.1 0}}\ntrajectory turn -bezier {{0 2 {0 0 0}}}\nconstrain press -pos way\nconstrain press -rot turn"
+PRESS = ("shape_set ground -desc {-sub {-box {4 0.2 4}}}\nbody floor ground -fixed 1 -friction 0.5 -init_pos {10 -0.1 0}\nshape_set b -desc {-sub {-box {0.4 0.4 0.4}}}\n"
+         "foreach {n h} {low 0.2 high 0.6} {body $n b -restitution 0 -friction 0.5 -init_pos [list 10 $h 0]; force -body $n -gravitational {0 -9.81 0}}\n"
+         "body press b -restitution 0 -friction 0.5 -init_pos {10 %s 0}\n")
+HOLD = "trajectory way -points {{0 10 %s 0} {2 10 0.9 0}}\ntrajectory turn -bezier {{0 2 {0 0 0}}}\nconstrain press -pos way\nconstrain press -rot turn"
 RAM = "joint ram -type slider -body1 press -axis {0 1 0} "
 CRUSH = 'bodies "low" and "high" are pressed between "floor" and "press", neither of which gives way: they would be crushed'
 # What is added, and what asgard says; "": nothing, and the motion reaches its end.
@@ -41,11 +41,11 @@ CASES = (
      "joint c1 -type hinge -body1 k -offset1 {-0.5 0 0} -body2 v\njoint c2 -type hinge -body1 k -offset1 {0.5 0 0} -body2 w\n"
      "force -body k -gravitational {0 -9.81 0}\nbody u rod -init_pos {30 0 0}\njoint far -type hinge -body1 u -speed 1",
      "the joints stand in a singular position, as a flat linkage does"),
-    (PRESS % "-3.8" + HOLD % "-3.8", CRUSH + "."),
-    (PRESS % "-4" + HOLD % "-4", CRUSH + "."),
-    (PRESS % "-3.8" + RAM + "-speed -0.2", CRUSH + '; joint "ram" drives on with whatever force it takes: let it stop before, or give it -max_motor.'),
-    (PRESS % "-3.8" + RAM + "-position {-0.2*t}", CRUSH + '; joint "ram" drives on'),
-    (PRESS % "-3.8" + RAM + "-speed -0.2 -max_motor 50", ""),
+    (PRESS % "1.2" + HOLD % "1.2", CRUSH + "."),
+    (PRESS % "1" + HOLD % "1", CRUSH + "."),
+    (PRESS % "1.2" + RAM + "-speed -0.2", CRUSH + '; joint "ram" drives on with whatever force it takes: let it stop before, or give it -max_motor.'),
+    (PRESS % "1.2" + RAM + "-position {-0.2*t}", CRUSH + '; joint "ram" drives on'),
+    (PRESS % "1.2" + RAM + "-speed -0.2 -max_motor 50", ""),
     (PIN + "-offset2 {0 2 0} -release 1", ""),
     (PIN + "-offset2 {0 2 0} -release {t > 1}", "its bodies miss each other by 2 at the start"),
     (PIN + "-motor {log(1-t)}", 'the joint "pin" on body "a", -motor "log(1-t)", is not finite'),
