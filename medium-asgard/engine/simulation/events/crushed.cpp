@@ -4,7 +4,6 @@
 #include "physics/crushing.h"
 
 #include <algorithm>
-#include <set>
 
 namespace simulation {
 namespace {
@@ -17,11 +16,11 @@ bool isDriven(const scene::Joint& joint) {
 
 } // namespace
 
-std::string crushedIn(const Instant& instant, const ImpactCluster& cluster,
-                      std::span<const physics::ImpactBody> before) {
+std::optional<Crushed> crushedIn(const Instant& instant, const ImpactCluster& cluster,
+                                 std::span<const physics::ImpactBody> before) {
     const physics::Crushing found = physics::crushingOf(before, cluster.contacts, cluster.joints);
     if (found.contacts.empty())
-        return "";
+        return std::nullopt;
     const Colliders& world = instant.world;
     std::set<std::string> drives;
     for (const std::size_t row : found.joints)
@@ -36,7 +35,8 @@ std::string crushedIn(const Instant& instant, const ImpactCluster& cluster,
             bodies.insert(cluster.bodies[place]);
         return bodies;
     };
-    return sentences::crushed(world, inScene(found.pressed), inScene(found.between), drives);
+    const auto pressed = inScene(found.pressed);
+    return Crushed{sentences::crushed(world, pressed, inScene(found.between), drives), pressed};
 }
 
 } // namespace simulation

@@ -3,13 +3,19 @@
 
 #include "events/impact_cluster.h"
 
+#include <optional>
+#include <set>
 #include <span>
 #include <string>
 
 namespace simulation {
 
-// A clause; "": they have room (physics/crushing.h), and there must be another reason.
-[[nodiscard]] std::string crushedIn(const Instant& instant, const ImpactCluster& cluster,
-                                    std::span<const physics::ImpactBody> before);
+struct Crushed {
+    std::string sentence;         // a clause
+    std::set<std::size_t> bodies; // of the scene, that would be crushed
+};
+// None: they have room (physics/crushing.h), and there must be another reason.
+[[nodiscard]] std::optional<Crushed> crushedIn(const Instant& instant, const ImpactCluster& cluster,
+                                               std::span<const physics::ImpactBody> before);
 
 } // namespace simulation

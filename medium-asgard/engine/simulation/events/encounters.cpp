@@ -206,10 +206,8 @@ std::optional<Event> CollisionSource::meet(const Instant& at, const Pair& pair) 
         record_.addLostHop(hop);
     pressTogether(at, cluster, before);
     const physics::ImpactResult result = resolve(cluster, before);
-    if (!result.settled) {
-        const std::string crushed = crushedIn(at, cluster, before);
-        return end(at, pair, crushed.empty() ? sentences::unsolved(world_, pair) : crushed);
-    }
+    if (!result.settled)
+        return endUnsolved(at, cluster, before, pair);
     if (result.jammed)
         noteJam(at, cluster, result);
     keepImpulses(at, cluster, result, last.settling);
@@ -241,6 +239,18 @@ std::optional<Event> CollisionSource::meet(const Instant& at, const Pair& pair) 
             settling.push_back(body);
     }
     settle(at, settling, after, event, true);
+    return event;
+}
+
+Event CollisionSource::endUnsolved(const Instant& at, const ImpactCluster& cluster,
+                                   std::span<const physics::ImpactBody> before, const Pair& pair) {
+    const auto crushed = crushedIn(at, cluster, before);
+    if (!crushed)
+        return end(at, pair, sentences::unsolved(world_, pair));
+    Event event = end(at, pair, crushed->sentence);
+    for (const std::size_t body : crushed->bodies)
+        if (body != pair.first && body != pair.second)
+            refuse(at, {body, body}, crushed->sentence, event);
     return event;
 }
 
