@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
+#include <tuple>
 #include <variant>
 
 namespace simulation {
@@ -101,16 +103,16 @@ std::vector<std::string> hopSentences(const scene::Scene& scene,
         poses, Overlaps::Near::apartOrTouching,
         [&](std::size_t first, std::size_t second) { return isLoose[first] || isLoose[second]; });
     std::erase_if(gaps, [&](const PartGap& of) { return !isStill(scene, poses, of); });
-    const auto isNarrow = [&](const PartGap& of) {
-        return std::ranges::any_of(narrow, [&](const PartGap& other) {
-            return of.first == other.first && of.second == other.second &&
-                   of.firstPart == other.firstPart && of.secondPart == other.secondPart;
-        });
+    const auto partsOf = [](const PartGap& of) {
+        return std::tuple(of.first, of.firstPart, of.second, of.secondPart);
     };
+    std::set<std::tuple<std::size_t, std::size_t, std::size_t, std::size_t>> mayBear;
+    for (const PartGap& of : narrow)
+        mayBear.insert(partsOf(of));
     std::map<collision::Pair, double> hops;
     std::map<collision::Pair, std::size_t> upper;
     for (const PartGap& of : bearing(gaps, isLoose, pulls))
-        if (isNarrow(of)) {
+        if (mayBear.contains(partsOf(of))) {
             const collision::Pair pair = std::minmax(of.first, of.second);
             const bool isFirst = of.normal.dot(pulls[of.first]) <= -of.normal.dot(pulls[of.second]);
             hops[pair] = std::max(hops[pair], of.gap);
