@@ -56,10 +56,30 @@ private:
             vertices.insert(at);
             vertices.insert(of.core.neighbours[at].begin(), of.core.neighbours[at].end());
         }
+        bool isAnyBeneath = false;
         for (const std::size_t vertex : vertices)
-            if (addVertex(owner, Vector(of.core.vertices[vertex] - owner.record->centroid), above))
+            if (addVertex(owner, Vector(of.core.vertices[vertex] - owner.record->centroid),
+                          above)) {
+                isAnyBeneath = true;
                 for (const std::size_t next : of.core.neighbours[vertex])
                     addCrossings(owner, of.core.vertices[vertex], of.core.vertices[next], above);
+            }
+        if (isAnyBeneath)
+            addCornersOver(owner, above);
+    }
+    // Where a vertex is beneath the other's face, beside it, a corner of that face may be over the
+    // face of the vertex: it lands there, though no edges cross.
+    void addCornersOver(const Placed& owner, bool above) {
+        const auto face = otherFace(above), own = otherFace(!above);
+        if (!face || !own)
+            return;
+        for (const Vector& corner : face->outline) {
+            const SurfacePiece piece{.kind = Kind::point, .place = corner};
+            const SurfaceGap gap =
+                above ? SurfaceGap{own->plane, piece, false} : SurfaceGap{piece, own->plane, false};
+            if (depthIn(*own, localOf(owner, nearestOf(gap, body_, support_).contact)) >= 0)
+                addLanding(above ? support_ : body_, piece, !above, gap);
+        }
     }
     void addExtremes(const Placed& owner, std::size_t part, bool above) {
         for (const SurfacePiece& piece : extremesOf(owner, part)) {
@@ -152,7 +172,8 @@ private:
     // Two points of the contact carry the edge at whose end, beside the other's face, it is: it
     // goes up and down with them. (On a step's polynomials it seems to land again and again.)
     [[nodiscard]] bool isOnEdge(const Vector& at) const {
-        if (place_.points.size() != 2)
+        if (place_.points.size() != 2 ||
+            std::ranges::any_of(place_.points, &ContactPoint::parts)) // that one carries nothing
             return false;
         const Vector first = nearestOf(place_.points[0].gap, body_, support_).contact,
                      second = nearestOf(place_.points[1].gap, body_, support_).contact;
