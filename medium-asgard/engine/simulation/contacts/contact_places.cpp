@@ -19,11 +19,9 @@ using physics::SurfaceGap;
 using physics::SurfacePiece;
 using Kind = SurfacePiece::Kind;
 
-constexpr double kept = 2e-9; // of the parts' size: a gap that stays what it is
-// A corner that rattles comes back before its gap is so wide, and its equations are still there.
-constexpr double leftBehind = 1e-5; // of the parts' size: a gap that ends a contact
-constexpr double sunk = 5e-10;      // an overlap that does
-constexpr double rounding = 1e-13;  // of the same, of what stands in a body's frame
+constexpr double kept = 2e-9;      // of the parts' size: a gap that stays what it is
+constexpr double sunk = 5e-10;     // an overlap that does
+constexpr double rounding = 1e-13; // of the same, of what stands in a body's frame
 // The sine of an angle: where edges of two faces on each other cross at a smaller one, the crossing
 // runs along them far faster than the bodies move. It lies all but on the line between the points
 // on both sides, which carry. LIMIT: it would carry up to half of that part of an edge farther out.
@@ -347,7 +345,7 @@ LastingContact contactOf(const Touch& touch, const Placed& body, const Placed& s
         return found;
     place.normal = touch.normal;
     place.size = touch.size;
-    place.leaving = std::max(2 * limits.gap, leftBehind) * touch.size;
+    place.leaving = 2 * limits.gap * touch.size;
     std::vector<Vector> corners;
     std::size_t out = 0;
     for (const Corner& corner : touch.corners) {
