@@ -186,7 +186,7 @@ public:
     // On the chosen contacts such that each parts at its restitution or more: first those along the
     // normals, in order, then those on stops. None: there are none such. Contacts of one patch are
     // chosen one after the other.
-    // `answer`: what the same contacts had with another restitution, from where the search begins,
+    // `answer`: what the same contacts had with other velocities, from where the search begins,
     // then what they have; empty at first.
     [[nodiscard]] std::vector<Impulse> impulses(const std::vector<std::size_t>& chosen,
                                                 double restitution,
@@ -232,6 +232,11 @@ public:
         for (Eigen::Index i = 0; i < n; ++i)
             found[static_cast<std::size_t>(i)].size = answer.forces[i];
         return found;
+    }
+    // Of the last round with these contacts, where bodies went to and fro between rounds; else
+    // empty.
+    [[nodiscard]] complementarity::Answer& lastAnswer(const std::vector<std::size_t>& chosen) {
+        return answers_[chosen];
     }
     // The kinetic energy that they add.
     [[nodiscard]] double energyOf(std::span<const Impulse> impulses) const {
@@ -351,6 +356,7 @@ private:
     std::size_t stops_ = 0;
     std::map<std::vector<std::size_t>, Lines> frictions_; // by the contacts of a patch
     std::vector<int> blows_;                              // that a contact has had
+    std::map<std::vector<std::size_t>, complementarity::Answer> answers_; // by the contacts
 };
 
 // What approaches so much slower than the fastest is at relative rest, but for rounding and, of
@@ -427,7 +433,7 @@ std::vector<Round::Impulse> withoutGain(Round& round, const std::vector<std::siz
 // Gives the impulses to the chosen contacts. False when there are none that part them.
 bool solveTogether(Round& round, std::span<const ImpactContact> contacts,
                    const std::vector<std::size_t>& chosen, bool plastic, ImpactResult& result) {
-    complementarity::Answer answer;
+    complementarity::Answer& answer = round.lastAnswer(chosen);
     std::vector<Round::Impulse> impulses = round.impulses(chosen, plastic ? 0 : 1, answer);
     if (impulses.empty())
         return false;
