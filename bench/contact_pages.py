@@ -65,6 +65,7 @@ def loops(rows):
              "|---|---|---|---|---|---|---|---|"]
     for scene in dict.fromkeys(r.scene for r in rows if r.program == PLAIN and r.scene != "calibration"):
         own = [r for r in rows if r.scene == scene]
+        name = scene
         for level in LEVELS:
             loop = cheapest(own, level, lambda r: r.program == PLAIN)
             motion, everything = (cheapest(own, level, ours(s)) for s in ("motion", "all"))
@@ -73,7 +74,8 @@ def loops(rows):
             cells = [f"{pages.time_text(loop.least / span(scene))} {loop.setting} @{loop.parameter:.3g}", cell(motion),
                      pages.time_text(everything.least / span(scene)), pages.ratio_text(motion.least, loop.least),
                      f"{loop.error:.0e}", f"{motion.error:.0e}"]
-            lines.append(f"| {scene if level == LEVELS[0] else ''} | {level:g} | " + " | ".join(cells) + " |")
+            lines.append(f"| {name} | {level:g} | " + " | ".join(cells) + " |")
+            name = ""
     return "\n".join(lines)
 
 

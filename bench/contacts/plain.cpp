@@ -14,6 +14,7 @@
 #include "measurement.h"
 
 #include <cmath>
+#include <cstdio>
 #include <string>
 
 namespace {
@@ -146,6 +147,9 @@ int main(int argc, char** argv) {
         case 200:
             play<200>(m, scene);
             break;
+        default:
+            std::fprintf(stderr, "plain: no loop for %s\n", scene.name.c_str());
+            return 1;
         }
     }
     m.add({"calibration", "sine and division", 1, 0, calibration(m), ""});

@@ -207,9 +207,12 @@ public:
     }
 
     // From the best of these rounds on, at the answers' own centres.
-    [[nodiscard]] std::optional<Answer> pulled(const Matrix& a, const Vector& b, const Laws& laws,
-                                               Work& counts) const {
-        return best_.forces.size() > 0 ? pulledFrom(a, b, laws, best_, counts) : std::nullopt;
+    std::optional<Answer> pulled(const Matrix& a, const Vector& b, const Laws& laws, Work& counts) {
+        if (best_.forces.size() == 0)
+            return std::nullopt;
+        if (const auto answer = pulledFrom(a, b, laws, best_, counts))
+            take(*answer, violation(a, b, laws, *answer));
+        return least_ <= hardly ? std::optional(best_) : std::nullopt;
     }
 
 private:

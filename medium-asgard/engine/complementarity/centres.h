@@ -2,8 +2,8 @@
 // the forces of a slip follow them there. The search holds the centres, solves, and moves them to
 // the answer's (fixed_point.h), from several starts. Forces that bodies share in many ways, as in a
 // wall, may lead it from one centre to another without end: then a pull to the last answer, at its
-// own centres, leaves one way to share them. Where no start leads to an end, friction grows from
-// none to its own.
+// own centres, leaves one way to share them. If no start leads to an end, friction grows from none
+// to its own.
 #pragma once
 
 #include "complementarity/solve.h"

@@ -18,7 +18,6 @@ namespace {
 
 constexpr double nearly =
     1e-8; // a violation under this counts as none where no answer has a smaller one
-constexpr double hardly = 1e-9; // under this none is looked for by the slower ways
 constexpr std::size_t fewLaws = 6;
 
 std::vector<State> possibleStates(const Law& law) {

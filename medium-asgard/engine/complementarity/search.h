@@ -6,7 +6,8 @@
 
 namespace complementarity {
 
-inline constexpr double kept = 1e-11; // a violation under this is rounding
+inline constexpr double kept = 1e-11;  // a violation under this is rounding
+inline constexpr double hardly = 1e-9; // under this no slower way looks for a better answer
 
 // Intervals on a symmetric A without a negative direction.
 [[nodiscard]] bool isConvex(const Matrix& a, const Laws& laws);

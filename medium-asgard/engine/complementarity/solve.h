@@ -7,7 +7,7 @@
 // of pivots where each disc has one row that moves, a pull to the last answer that fades, and
 // sweeps where A is symmetric; of few laws at last all states. Discs and slips with levers are
 // solved at the centres of the last answer; where that answer leads, Newton's method looks for one
-// that keeps the laws at its own centres, and then the fading pull. Where none comes to an end,
+// that keeps the laws at its own centres, and then the fading pull. If none comes to an end,
 // friction grows from none to its own.
 //
 // Of answers that all but keep the laws (1e-8) the nearest counts where there is no better one:

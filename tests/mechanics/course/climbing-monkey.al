@@ -1,4 +1,4 @@
-# A monkey of 9 kg climbs a rope that goes over a wheel; its other end holds 10 kg of bananas, as much as the monkey and its ring. Both rise alike.
+# A monkey of 9 kg climbs a rope that goes over a wheel; its other end holds 10 kg of bananas, as much as the monkey and its ring, which goes down by as much as the bananas rise.
 simulator -finish 3
 shape_set thing -desc {-sub {-box {0.2 0.2 0.2}}}
 shape_set ring -desc {-sub {-box {0.1 0.1 0.1}}}

@@ -5,7 +5,7 @@ shape_set ladder -desc {-sub {-box {4 0.04 0.4}}}
 shape_set man -desc {-sub {-sphere 0.2}}
 set a [expr {acos(-1)/3}]
 set up [expr {acos(-1) - $a}]
-# A point so far up the ladder, from its middle; its lower corner stands on the ground, its upper one at the wall.
+# The point lies that far up the ladder from its middle; its lower corner stands on the ground, its upper one at the wall.
 proc on_ladder {s} {
     global a
     return [list [expr {(2 - $s)*cos($a) + 0.02*sin($a)}] [expr {(2 + $s)*sin($a) + 0.02*cos($a)}] 0]

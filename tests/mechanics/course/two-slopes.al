@@ -5,7 +5,7 @@ shape_set block -desc {-sub {-box {0.2 0.1 0.2}}}
 set a [expr {acos(-1)/6}]
 set b [expr {acos(-1)/3}]
 body roof roof -fixed 1 -friction 0.1
-# So far down a slope and 0.05 above it; the thread goes over the point that is 0.05 above both.
+# The blocks lie so far down a slope and 0.05 above it; the thread goes over the point that is 0.05 above both.
 body left block -mass 4 -friction 0.1 -restitution 0 -init_rot [list 0 0 $a] \
     -init_pos [list [expr {-0.5*cos($a) - 0.05*sin($a)}] [expr {-0.5*sin($a) + 0.05*cos($a)}] 0]
 body right block -mass 1 -friction 0.1 -restitution 0 -init_rot [list 0 0 [expr {-$b}]] \

@@ -64,11 +64,11 @@ private:
                 for (const std::size_t next : of.core.neighbours[vertex])
                     addCrossings(owner, of.core.vertices[vertex], of.core.vertices[next], above);
             }
-        if (isAnyBeneath)
+        if (isAnyBeneath && place_.points[0].gap.isOnPlane())
             addCornersOver(owner, above);
     }
-    // Where a vertex is beneath the other's face, beside it, a corner of that face may be over the
-    // face of the vertex: it lands there, though no edges cross.
+    // A corner of the other's face may be over the face of a vertex that is beneath the other's
+    // face, beside it: the corner lands there, though no edges cross.
     void addCornersOver(const Placed& owner, bool above) {
         const auto face = otherFace(above), own = otherFace(!above);
         if (!face || !own)
@@ -77,7 +77,8 @@ private:
             const SurfacePiece piece{.kind = Kind::point, .place = corner};
             const SurfaceGap gap =
                 above ? SurfaceGap{own->plane, piece, false} : SurfaceGap{piece, own->plane, false};
-            if (depthIn(*own, localOf(owner, nearestOf(gap, body_, support_).contact)) >= 0)
+            const Vector at = nearestOf(gap, body_, support_).contact;
+            if (depthIn(*own, localOf(owner, at)) >= 0 && !isOnEdge(at))
                 addLanding(above ? support_ : body_, piece, !above, gap);
         }
     }
