@@ -20,6 +20,10 @@ PRESS = ("shape_set ground -desc {-sub {-box {4 0.2 4}}}\nbody floor ground -fix
 HOLD = "trajectory way -points {{0 10 %s 0} {2 10 0.9 0}}\ntrajectory turn -bezier {{0 2 {0 0 0}}}\nconstrain press -pos way\nconstrain press -rot turn"
 RAM = "joint ram -type slider -body1 press -axis {0 1 0} "
 CRUSH = 'bodies "low" and "high" are pressed between "floor" and "press", neither of which gives way: they would be crushed'
+FLOOR = "shape_set ground -desc {-sub {-plane}}\nbody floor ground -fixed 1 -init_pos {0 %s 0}%s\n"
+DOWN = "joint ram -type slider -body1 a -axis {0 1 0} "
+AGAINST = 'body "a" is pressed against "floor", which does not give way'
+DRIVES = AGAINST + ': joint "%s" drives on with whatever force it takes: let it stop before, or give it -max_motor.'
 # What is added, and what asgard says; "": nothing, and the motion reaches its end.
 CASES = (
     (PIN + "-speed {t>1 ? 1 : 0}\njoint pin2 -type hinge -body1 a -offset1 {-0.5 0 0} -speed 0",
@@ -46,6 +50,15 @@ CASES = (
     (PRESS % "1.2" + RAM + "-speed -0.2", CRUSH + '; joint "ram" drives on with whatever force it takes: let it stop before, or give it -max_motor.'),
     (PRESS % "1.2" + RAM + "-position {-0.2*t}", CRUSH + '; joint "ram" drives on'),
     (PRESS % "1.2" + RAM + "-speed -0.2 -max_motor 50", ""),
+    (FLOOR % (-0.3, "") + DOWN + "-speed -0.5", "Stopped at t = 0.5: " + DRIVES % "ram"),
+    (FLOOR % (-0.3, " -restitution 0") + DOWN + "-position {-0.5*t}", "Stopped at t = 0.5: " + DRIVES % "ram"),
+    (FLOOR % (-0.05, "") + DOWN + "-speed -0.5", "Stopped at t = 0: " + DRIVES % "ram"),
+    (FLOOR % (-0.05, " -restitution 0") + DOWN + "-position {-0.5*t}", "Stopped at t = 0: " + DRIVES % "ram"),
+    (FLOOR % (-0.3, " -restitution 0") + DOWN + "-speed -0.5 -max_motor 50", ""),
+    (FLOOR % (-0.3, " -restitution 0") + PIN + "-speed -0.5", DRIVES % "pin"),
+    (FLOOR % (-0.3, " -restitution 0") + "trajectory r -points {{0 0.5 0 0} {2 0.5 -1 0}}\nconstrain a -pos r", AGAINST + "."),
+    ("body b rod -init_pos {2 0 0}\njoint left -type slider -body1 a -axis {1 0 0} -speed 0.5\njoint right -type slider -body1 b -axis {1 0 0} -speed -0.5",
+     'bodies "a" and "b" are pressed together, neither of which gives way: joint "left" drives on'),
     (PIN + "-offset2 {0 2 0} -release 1", ""),
     (PIN + "-offset2 {0 2 0} -release {t > 1}", "its bodies miss each other by 2 at the start"),
     (PIN + "-motor {log(1-t)}", 'the joint "pin" on body "a", -motor "log(1-t)", is not finite'),

@@ -125,9 +125,11 @@ private:
     [[nodiscard]] std::optional<std::string> unmodelledOf(const Instant& instant,
                                                           const Pair& pair) const;
     [[nodiscard]] std::optional<Event> crossWall(const Histories& histories, double until);
-    // No impulses part what meets.
-    [[nodiscard]] Event endUnsolved(const Instant& instant, const ImpactCluster& cluster,
-                                    std::span<const physics::ImpactBody> before, const Pair& pair);
+    // No impulses part what meets. None: they are settled, and nothing is crushed.
+    [[nodiscard]] std::optional<Event> endUnparted(const Instant& instant,
+                                                   const ImpactCluster& cluster,
+                                                   std::span<const physics::ImpactBody> before,
+                                                   const Pair& pair, bool isSettled);
     void refuse(const Instant& instant, const Pair& pair, const std::string& sentence,
                 Event& event);
     [[nodiscard]] Event renewContacts(const Instant& instant, const Pair& pair);

@@ -17,8 +17,9 @@ bool isDriven(const scene::Joint& joint) {
 } // namespace
 
 std::optional<Crushed> crushedIn(const Instant& instant, const ImpactCluster& cluster,
+                                 std::span<const physics::ImpactContact> contacts,
                                  std::span<const physics::ImpactBody> before) {
-    const physics::Crushing found = physics::crushingOf(before, cluster.contacts, cluster.joints);
+    const physics::Crushing found = physics::crushingOf(before, contacts, cluster.joints);
     if (found.contacts.empty())
         return std::nullopt;
     const Colliders& world = instant.world;

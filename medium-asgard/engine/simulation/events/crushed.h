@@ -14,8 +14,10 @@ struct Crushed {
     std::string sentence;         // a clause
     std::set<std::size_t> bodies; // of the scene, that would be crushed
 };
-// None: they have room (physics/crushing.h), and there must be another reason.
+// `contacts`: of the bodies of the cluster. None: they have room (physics/crushing.h), and there
+// must be another reason.
 [[nodiscard]] std::optional<Crushed> crushedIn(const Instant& instant, const ImpactCluster& cluster,
+                                               std::span<const physics::ImpactContact> contacts,
                                                std::span<const physics::ImpactBody> before);
 
 } // namespace simulation

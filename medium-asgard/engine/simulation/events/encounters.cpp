@@ -206,8 +206,10 @@ std::optional<Event> CollisionSource::meet(const Instant& at, const Pair& pair) 
         record_.addLostHop(hop);
     pressTogether(at, cluster, before);
     const physics::ImpactResult result = resolve(cluster, before);
-    if (!result.settled)
-        return endUnsolved(at, cluster, before, pair);
+    const bool isStuck = !result.unyielding.empty() && !cannotPart(at, pair);
+    if (isStuck || !result.settled)
+        if (auto ended = endUnparted(at, cluster, before, pair, result.settled))
+            return ended;
     if (result.jammed)
         noteJam(at, cluster, result);
     keepImpulses(at, cluster, result, last.settling);
@@ -242,9 +244,17 @@ std::optional<Event> CollisionSource::meet(const Instant& at, const Pair& pair) 
     return event;
 }
 
-Event CollisionSource::endUnsolved(const Instant& at, const ImpactCluster& cluster,
-                                   std::span<const physics::ImpactBody> before, const Pair& pair) {
-    const auto crushed = crushedIn(at, cluster, before);
+std::optional<Event> CollisionSource::endUnparted(const Instant& at, const ImpactCluster& cluster,
+                                                  std::span<const physics::ImpactBody> before,
+                                                  const Pair& pair, bool isSettled) {
+    auto crushed = crushedIn(at, cluster, cluster.contacts, before);
+    if (!crushed && isSettled)
+        return std::nullopt;
+    if (!crushed) { // a flat blow turns nothing, and its corners do
+        std::vector<physics::ImpactContact> all = cluster.contacts;
+        all.insert(all.end(), cluster.corners.begin(), cluster.corners.end());
+        crushed = crushedIn(at, cluster, all, before);
+    }
     if (!crushed)
         return end(at, pair, sentences::unsolved(world_, pair));
     Event event = end(at, pair, crushed->sentence);

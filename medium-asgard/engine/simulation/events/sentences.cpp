@@ -115,18 +115,28 @@ std::string crushed(const Colliders& world, const std::set<std::size_t>& pressed
             text += (text.empty() ? "" : " and ") + quoted(world, body);
         return text;
     };
-    const bool areMany = pressed.size() > 1;
-    const std::string none = between.size() == 1   ? "which does not give way"
-                             : between.size() == 2 ? "neither of which gives way"
-                                                   : "none of which gives way";
-    std::string text =
-        pressed.empty()
-            ? "bodies " + all(between) + " are pressed together, " + none
-            : (areMany ? "bodies " : "body ") + all(pressed) + (areMany ? " are" : " is") +
-                  " pressed " + (between.size() == 1 ? "against " : "between ") + all(between) +
-                  ", " + none + ": " + (areMany ? "they" : "it") + " would be crushed";
+    std::set<std::size_t> told = pressed, firm = between;
+    if (pressed.empty()) {
+        firm.clear();
+        for (const std::size_t body : between)
+            (world.isFixed(body) ? firm : told).insert(body);
+    }
+    const bool areMany = told.size() > 1;
+    const std::size_t others = firm.empty() ? told.size() : firm.size();
+    const std::string none = others == 1   ? "which does not give way"
+                             : others == 2 ? "neither of which gives way"
+                                           : "none of which gives way";
+    std::string text = (areMany ? "bodies " : "body ") + all(told) + (areMany ? " are" : " is") +
+                       " pressed " +
+                       (firm.empty()       ? "together"
+                        : firm.size() == 1 ? "against " + all(firm)
+                                           : "between " + all(firm)) +
+                       ", " + none;
+    if (!pressed.empty())
+        text += std::string(": ") + (areMany ? "they" : "it") + " would be crushed";
     for (const std::string& joint : drives)
-        text += "; joint \"" + joint +
+        text += (pressed.empty() && joint == *drives.begin() ? ": joint \"" : "; joint \"") +
+                joint +
                 "\" drives on with whatever force it takes: let it stop before, or give it "
                 "-max_motor";
     return text;
