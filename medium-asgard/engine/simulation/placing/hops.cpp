@@ -3,6 +3,7 @@
 #include "placing/least_ways.h"
 #include "placing/overlaps.h"
 #include "placing/told_heaps.h"
+#include "scene/connections.h"
 #include "scene/contact_pairs.h"
 
 #include <algorithm>
@@ -27,6 +28,19 @@ std::vector<Vector> pullsOf(const scene::Scene& scene, const std::vector<char>& 
                 if (scene.bodies[b].name == force.body && isLoose[b])
                     pulls[b] += weight->acceleration;
     return pulls;
+}
+
+// By body: whether its weights alone pull it.
+std::vector<char> onlyWeighs(const scene::Scene& scene) {
+    const scene::Connections connections(scene);
+    std::vector<char> all;
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+        all.push_back(connections.firstEnds.of(b).empty() && connections.secondEnds.of(b).empty() &&
+                      std::ranges::all_of(connections.forces.of(b), [&](std::size_t force) {
+                          return std::holds_alternative<scene::GravitationalForce>(
+                              scene.forces[force].kind);
+                      }));
+    return all;
 }
 
 // The bodies of the gap neither meet nor part there.
@@ -70,14 +84,12 @@ std::vector<std::string> sentencesOf(const scene::Scene& scene,
                                      const std::map<collision::Pair, std::size_t>& upper) {
     std::vector<std::string> sentences;
     for (const ToldHeap& heap : toldHeaps(scene, hops)) {
-        const auto [one, other] = heap.first;
-        const std::size_t above = upper.at(heap.first);
-        const std::string rest =
-            heap.others.empty() ? "body \"" + scene.bodies[above].name + "\" rests." : "they rest.";
-        sentences.push_back(bodiesOf(scene, above == one ? heap.first : std::pair(other, one)) +
-                            " are " + lengthOf(heap.size) + " apart at the start, and " +
-                            othersOf(scene, heap, "by no more") +
-                            "bounce without loss: they hop for ever; with -restitution 0 " + rest);
+        const std::string& above = scene.bodies[upper.at(heap.first)].name;
+        sentences.push_back(
+            bodiesOf(scene, heap.first) + " are " + lengthOf(heap.size) +
+            " apart at the start, and " + othersOf(scene, heap, "no farther") +
+            "bounce without loss: they hop for ever; with -restitution 0 " +
+            (heap.others.empty() ? "body \"" + above + "\" hops no more." : "they hop no more."));
     }
     return sentences;
 }
@@ -92,16 +104,19 @@ std::vector<std::string> hopSentences(const scene::Scene& scene,
     const std::vector<Vector> pulls = pullsOf(scene, isLoose);
     const Overlaps overlaps(scene, equations, shapes);
     const std::vector<geometry::Pose> poses = overlaps.startPoses();
+    const std::vector<char> isKnown = onlyWeighs(scene);
     const auto isPulled = [&](std::size_t body) { return !pulls[body].isZero(0); };
     const auto mayHop = [&](std::size_t first, std::size_t second) {
-        return (isPulled(first) || isPulled(second)) && laws.restitutionOf(first, second) == 1;
+        return isKnown[first] && isKnown[second] && (isPulled(first) || isPulled(second)) &&
+               laws.restitutionOf(first, second) == 1;
     };
     const auto narrow = overlaps.nearGaps(poses, Overlaps::Near::apart, mayHop);
     if (narrow.empty())
         return {};
     auto gaps = overlaps.nearGaps(
-        poses, Overlaps::Near::apartOrTouching,
-        [&](std::size_t first, std::size_t second) { return isLoose[first] || isLoose[second]; });
+        poses, Overlaps::Near::apartOrTouching, [&](std::size_t first, std::size_t second) {
+            return isKnown[first] && isKnown[second] && (isLoose[first] || isLoose[second]);
+        });
     std::erase_if(gaps, [&](const PartGap& of) { return !isStill(scene, poses, of); });
     const auto partsOf = [](const PartGap& of) {
         return std::tuple(of.first, of.firstPart, of.second, of.secondPart);

@@ -6,7 +6,8 @@
 // narrow gaps at rest tells which of them would bear: two boxes that fall together do not meet.
 //
 // LIMIT: bodies count as equally heavy, without friction and turning. A box that friction holds on
-// a slope a hair above another one is told to hop.
+// a slope a hair above another one is told to hop. Bodies with a spring, a link, or a force other
+// than a weight are left out: no hop of theirs is told, nor one on them.
 #pragma once
 
 #include "geometry/shape.h"

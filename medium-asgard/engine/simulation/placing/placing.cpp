@@ -148,7 +148,7 @@ std::vector<std::string> overlapSentences(const scene::Scene& scene,
     for (const ToldHeap& heap : toldHeaps(scene, depths)) {
         const std::string sentence = bodiesOf(scene, heap.first) + " overlap by " +
                                      lengthOf(heap.size) + " at the start, and " +
-                                     othersOf(scene, heap, "by no more");
+                                     othersOf(scene, heap, "no deeper");
         const auto stands = [&](const collision::Pair& pair) {
             return isHeld(scene, pair.first) && isHeld(scene, pair.second);
         };

@@ -186,16 +186,34 @@ TEST(Placing, ABoxOnAnotherBoxThatStandsWouldHop) {
     b.floor();
     const auto told = startSentences(b.scene);
     ASSERT_EQ(told.size(), 1u);
-    EXPECT_THAT(told[0], ::testing::HasSubstr("\"high\" and \"low\" are 1e-05 apart"));
-    EXPECT_THAT(told[0], ::testing::HasSubstr("-restitution 0 body \"high\" rests"));
+    EXPECT_THAT(told[0], ::testing::HasSubstr("\"low\" and \"high\" are 1e-05 apart"));
+    EXPECT_THAT(told[0], ::testing::HasSubstr("-restitution 0 body \"high\" hops no more"));
     b.box("highest", {0, 2.50002, 0}, {1, 1, 1});
     b.weight("highest");
     EXPECT_THAT(startSentences(b.scene),
-                ElementsAre("Bodies \"high\" and \"low\" are 1e-05 apart at the start, and 1 more "
-                            "pair by no more (\"high\" and \"highest\"); they bounce "
-                            "without loss: they hop for ever; with -restitution 0 they rest."));
+                ElementsAre("Bodies \"low\" and \"high\" are 1e-05 apart at the start, and 1 more "
+                            "pair no farther (\"high\" and \"highest\"); they bounce without "
+                            "loss: they hop for ever; with -restitution 0 they hop no more."));
     b.scene.bodies[1].restitution = 0;
     EXPECT_TRUE(startSentences(b.scene).empty()) << "it comes to rest";
+}
+
+// A spring may carry it, and a force lift it.
+TEST(Placing, ABodyWithASpringOrAForceIsNotSaidToHop) {
+    SceneBuilder b(1);
+    b.floor();
+    b.box("box", {0, 0.50001, 0}, {1, 1, 1});
+    b.weight("box");
+    EXPECT_EQ(startSentences(b.scene).size(), 1u);
+    SceneBuilder lifted = b;
+    lifted.force("box", "0", "20", "0");
+    EXPECT_TRUE(startSentences(lifted.scene).empty());
+    scene::Link spring;
+    spring.first.body = "box";
+    spring.second = scene::PointEnd{{"0", "3", "0"}};
+    spring.tightness = 10;
+    b.scene.links.push_back(spring);
+    EXPECT_TRUE(startSentences(b.scene).empty());
 }
 
 // A box slides away under the next one on a smooth slope, as fast, unless a wall stops it.
@@ -217,7 +235,7 @@ TEST(Placing, ABoxThatSlidesBesideAnotherOneDoesNotHop) {
     put("wall", {-1, 0.5, 0}, {1, 1, 1})->fixed = true;
     const auto told = startSentences(b.scene);
     ASSERT_EQ(told.size(), 1u);
-    EXPECT_THAT(told[0], ::testing::HasSubstr("\"high\" and \"low\" are 1e-05 apart"));
+    EXPECT_THAT(told[0], ::testing::HasSubstr("\"low\" and \"high\" are 1e-05 apart"));
 }
 
 TEST(Placing, ABallBesideAnotherOneDoesNotHop) {
@@ -288,7 +306,7 @@ TEST(Placing, AHeapIsToldOnceByItsDeepestPair) {
         b.box("box" + std::to_string(i), {0, 0.5 + (i == 3 ? 2.65 : 0.9 * i), 0}, {1, 1, 1});
     b.box("elsewhere", {5, 0.4, 0}, {1, 1, 1});
     const std::string heap = "Bodies \"box2\" and \"box3\" overlap by 0.15 at the start, and 2 "
-                             "more pairs by no more (\"box0\" and \"box1\", \"box1\" and "
+                             "more pairs no deeper (\"box0\" and \"box1\", \"box1\" and "
                              "\"box2\"); they pass through each other until they are apart; " +
                              physics::partAdvice() + ".";
     const auto told = startSentences(b.scene);
@@ -298,7 +316,7 @@ TEST(Placing, AHeapIsToldOnceByItsDeepestPair) {
     EXPECT_THAT(simulate(b.scene).motion->notes(), ::testing::UnorderedElementsAreArray(told));
     for (int i = 4; i < 9; ++i)
         b.box("box" + std::to_string(i), {0, 0.15 + 0.9 * i, 0}, {1, 1, 1});
-    EXPECT_THAT(startSentences(b.scene)[0], ::testing::HasSubstr("and 7 more pairs by no more; "));
+    EXPECT_THAT(startSentences(b.scene)[0], ::testing::HasSubstr("and 7 more pairs no deeper; "));
 }
 
 // A body that an edit does not concern keeps all bits, also when two places are mended.
