@@ -1,6 +1,6 @@
 // Which contacts and joints leave the bodies between them no room?
 //
-// Contacts may only part, with rates  u + J dv >= 0,  and joints keep theirs,  K dv = 0.  Where no
+// Contacts may only part, with rates  u + J dv >= 0,  and joints keep theirs,  K dv = 0.  If no
 // change dv of the velocities does all that, the one that breaks it least, in the measure of the
 // kinetic energy, leaves breaches r. These are impulses in balance,  J' r + K' s = 0  on every body
 // that gives way, and  r u < 0: a proof (Farkas) that no impulses part what they lead through,

@@ -233,8 +233,8 @@ public:
             found[static_cast<std::size_t>(i)].size = answer.forces[i];
         return found;
     }
-    // Of the last round with these contacts, where bodies went to and fro between rounds; else
-    // empty.
+    // Of the last round with these contacts, empty if there was none: a blow that runs to and fro
+    // comes back to them with the same states, but for slower bodies.
     [[nodiscard]] complementarity::Answer& lastAnswer(const std::vector<std::size_t>& chosen) {
         return answers_[chosen];
     }
