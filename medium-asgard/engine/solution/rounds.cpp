@@ -21,7 +21,7 @@ void Rounds::advanceGroup(std::size_t group, const Leg& leg) {
         if (!behind || interruption_.isCancelled())
             return;
         Component& component = network_.readyFor(*network_.components[*behind]);
-        const std::size_t before = component.history()->bytes();
+        const std::size_t before = component.history()->bytes(), switches = component.switches();
         component.step();
         added += component.history()->bytes() - std::min(before, component.history()->bytes());
         schedule.stepped(network_.componentOf[component.unknowns()[0]]);
@@ -29,6 +29,8 @@ void Rounds::advanceGroup(std::size_t group, const Leg& leg) {
             network_.areStopsNew = true;
             return;
         }
+        if (haveEvents_ && component.switches() != switches)
+            return;
     }
 }
 
@@ -37,7 +39,7 @@ void Rounds::advanceAlone(std::size_t place, const Leg& leg) {
     const bool isCaller = interruption_.isCaller();
     Component& component = *network_.components[place];
     const History& history = *component.history();
-    const std::size_t most = history.bytes() + leg.share;
+    const std::size_t most = history.bytes() + leg.share, switches = component.switches();
     for (bool any = network_.options.eventDriven; !interruption_.isCancelled(); any = false) {
         if (isCaller)
             interruption_.poll(component.time());
@@ -48,6 +50,8 @@ void Rounds::advanceAlone(std::size_t place, const Leg& leg) {
         component.step();
         if (component.ended())
             network_.areStopsNew = true;
+        if (haveEvents_ && component.switches() != switches)
+            break;
     }
     network_.schedule.stepped(place);
 }

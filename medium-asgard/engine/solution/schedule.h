@@ -8,8 +8,10 @@
 //     round. Each group then steps until all of it has reached the end of the round.
 //
 // So no group is ever further ahead of the others than one step of its own, and little is thrown
-// away at an event. Rounds follow from times and steps alone: the threads that share one, and their
-// number, change neither motion nor counts.
+// away at an event. Where there are events, a group whose component passes a switch leaves the
+// round: the step that was foreseen is none any more, and an event may come first. Rounds follow
+// from times and steps alone: the threads that share one, and their number, change neither motion
+// nor counts.
 #pragma once
 
 #include "equations/partition.h"

@@ -88,6 +88,7 @@ public:
 
     [[nodiscard]] ComponentStatistics statistics() const;
     [[nodiscard]] std::size_t evaluations() const;
+    [[nodiscard]] std::size_t switches() const { return counts_.switches; } // that it has passed
     [[nodiscard]] std::size_t bytes() const; // beside its history, about
     [[nodiscard]] std::size_t checkpointBytesBefore(double t) const;
 
