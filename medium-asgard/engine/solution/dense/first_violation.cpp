@@ -40,13 +40,44 @@ Weights weightsOfHalf() {
     return weights;
 }
 
+// Values of all watches at the times that were asked for last: many are asked for again, as those
+// at the ends of a piece for each watch that is sought between them.
+class Recent {
+public:
+    Recent(std::size_t watches, const Watches& evaluate) : evaluate_(evaluate) {
+        for (Values& values : last_)
+            values.second.resize(watches);
+    }
+    [[nodiscard]] const std::vector<double>* find(double t) {
+        const auto found = std::ranges::find(last_, t, &Values::first);
+        if (found == last_.end())
+            return nullptr;
+        std::rotate(last_.begin(), found, found + 1);
+        return &last_.front().second;
+    }
+    [[nodiscard]] const std::vector<double>& at(double t) {
+        if (const auto* const known = find(t))
+            return *known;
+        std::rotate(last_.begin(), last_.end() - 1, last_.end());
+        last_.front().first = t;
+        evaluate_(t, last_.front().second);
+        return last_.front().second;
+    }
+
+private:
+    using Values = std::pair<double, std::vector<double>>;
+    static constexpr Values none = {std::numeric_limits<double>::quiet_NaN(), {}};
+    const Watches& evaluate_;
+    std::array<Values, 8> last_ = {none, none, none, none, none, none, none, none};
+};
+
 class Search {
 public:
     enum class Next { none, another }; // search, from where this one runs out of pieces
     Search(std::size_t watches, const Watches& evaluate, const OneWatch& one, double from,
            Search::Next next, Care care)
-        : evaluate_(evaluate), one_(one), values_(watches), samples_(watches), from_(from),
-          next_(next), care_(care) {}
+        : recent_(watches, evaluate), one_(one), samples_(watches), from_(from), next_(next),
+          care_(care) {}
 
     // Where the search ended for lack of pieces; what is later is left to the next one.
     [[nodiscard]] std::optional<double> unsearchedFrom() const { return unsearched_; }
@@ -85,29 +116,66 @@ private:
     void sample(double a, double b) {
         const auto& points = interpolationPoints();
         --budget_;
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            evaluate_(i + 1 == points.size() ? b : a + points[i] * (b - a), values_);
-            for (std::size_t k = 0; k < values_.size(); ++k)
-                samples_[k][i] = values_[k];
-        }
+        const auto take = [&](std::size_t i) {
+            const auto& values = recent_.at(i + 1 == points.size() ? b : a + points[i] * (b - a));
+            for (std::size_t k = 0; k < values.size(); ++k)
+                samples_[k][i] = values[k];
+        };
+        for (const std::size_t i : halfOfPoints)
+            take(i);
+        if (areOnParabolas())
+            foretell();
+        else
+            for (std::size_t i = 1; i < points.size(); i += 2)
+                take(i);
+    }
+
+    // How near a value that is foretold must be.
+    static double enoughFor(double low, double high) {
+        constexpr double close = 1e-6, far = 0.01; // of the size, and of the least value
+        return std::max(close * std::max(std::abs(low), std::abs(high)), far * low);
+    }
+
+    // Of every other sample, those at the ends and in the middle foretell the two between.
+    [[nodiscard]] bool areOnParabolas() const {
+        return std::ranges::all_of(samples_, [](const Samples& samples) {
+            const auto& points = interpolationPoints();
+            const auto [low, high] =
+                std::minmax({samples[0], samples[2], samples[4], samples[6], samples[8]});
+            const double enough = enoughFor(low, high);
+            return std::ranges::all_of(std::array<std::size_t, 2>{2, 6}, [&](std::size_t i) {
+                const double s = points[i];
+                const double foretold = samples[0] * (1 - s) * (1 - 2 * s) +
+                                        samples[4] * 4 * s * (1 - s) - samples[8] * s * (1 - 2 * s);
+                return std::abs(foretold - samples[i]) <= enough;
+            });
+        });
+    }
+
+    // The others, by every other sample.
+    void foretell() {
+        for (Samples& samples : samples_)
+            for (std::size_t i = 1; i < samples.size(); i += 2)
+                samples[i] = foretold(samples, i);
+    }
+
+    static double foretold(const Samples& samples, std::size_t i) {
+        static const Weights weights = weightsOfHalf();
+        double value = 0;
+        for (std::size_t k = 0; k < halfOfPoints.size(); ++k)
+            value += weights[i][k] * samples[halfOfPoints[k]];
+        return value;
     }
 
     // Half of the samples foretell the others, of each watch: all of them need no check. A watch
     // far above 0 need not be foretold closely.
     [[nodiscard]] bool areForetold() const {
-        static const Weights weights = weightsOfHalf();
-        constexpr double close = 1e-6, far = 0.01; // of the size, and of the least value
         return std::ranges::all_of(samples_, [](const Samples& samples) {
             const auto [low, high] = std::minmax_element(samples.begin(), samples.end());
-            const double size = std::max(std::abs(*low), std::abs(*high));
-            const double enough = std::max(close * size, far * *low);
-            for (std::size_t i = 1; i < samples.size(); i += 2) {
-                double foretold = 0;
-                for (std::size_t k = 0; k < halfOfPoints.size(); ++k)
-                    foretold += weights[i][k] * samples[halfOfPoints[k]];
-                if (!(std::abs(foretold - samples[i]) <= enough))
+            const double enough = enoughFor(*low, *high);
+            for (std::size_t i = 1; i < samples.size(); i += 2)
+                if (!(std::abs(foretold(samples, i) - samples[i]) <= enough))
                     return false;
-            }
             return true;
         });
     }
@@ -191,13 +259,13 @@ private:
         for (const Samples& samples : samples_)
             curves.push_back(interpolate(samples));
         for (const double point : checkPoints) {
-            evaluate_(a + point * (b - a), values_);
-            for (std::size_t k = 0; k < values_.size(); ++k) {
+            const std::vector<double>& values = recent_.at(a + point * (b - a));
+            for (std::size_t k = 0; k < values.size(); ++k) {
                 const auto [low, high] =
                     std::minmax_element(samples_[k].begin(), samples_[k].end());
                 const double size = std::max(std::abs(*low), std::abs(*high));
-                const double wrong = std::abs(evaluate(curves[k], point) - values_[k]);
-                const bool jumps = depth >= shortPiece && std::min(*low, values_[k]) > 0.2 * size;
+                const double wrong = std::abs(evaluate(curves[k], point) - values[k]);
+                const bool jumps = depth >= shortPiece && std::min(*low, values[k]) > 0.2 * size;
                 if (!jumps && !(wrong <= std::max(1e-4 * size, 0.02 * *low)))
                     return false;
             }
@@ -350,10 +418,12 @@ private:
     }
 
     double watch(std::size_t k, double t) {
+        if (const auto* const known = recent_.find(t))
+            return (*known)[k];
         if (one_)
-            return one_(t, k);
-        evaluate_(t, values_);
-        return values_[k];
+            if (const auto value = one_(t, k))
+                return *value;
+        return recent_.at(t)[k];
     }
 
     Violation atStart() const {
@@ -364,9 +434,8 @@ private:
         return violation;
     }
 
-    const Watches& evaluate_;
+    Recent recent_;
     const OneWatch& one_;
-    std::vector<double> values_;
     std::vector<Samples> samples_;
     double from_;
     Next next_;

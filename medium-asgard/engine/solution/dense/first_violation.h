@@ -23,7 +23,8 @@ struct Violation {
 // On pieces of the interval, cut where a watch has fallen, or else halved, until a polynomial of
 // degree 8 agrees with the watches, its Bernstein form isolates the first root. A polynomial
 // through nine values needs four more for that check, and none where the one through five of them
-// foretells the other four. False position on that watch itself, after Illinois, with bisection
+// foretells the other four; of five that lie on one through three of them the four are not asked
+// for. False position on that watch itself, after Illinois, with bisection
 // where it gets on slowly, finishes: a dozen values of this one watch.
 //
 // A graze: a watch that starts at 0, rises for less than the samples see and falls is followed to
@@ -42,8 +43,8 @@ enum class Care {
     great
 };
 using Watches = std::function<void(double t, std::span<double> values)>;
-using OneWatch = std::function<double(double t, std::size_t watch)>;
-// `one`: the value of one watch, where that costs less than all of them.
+using OneWatch = std::function<std::optional<double>(double t, std::size_t watch)>;
+// `one`: the value of one watch, where that costs less than all of them; none: it does not.
 [[nodiscard]] std::optional<Violation> firstViolation(std::size_t watches, const Watches& evaluate,
                                                       double from, double to,
                                                       Care care = Care::great,

@@ -65,6 +65,13 @@ public:
     void refresh();
     // Functions that end it when they fall below 0, of the mode that was refreshed last.
     [[nodiscard]] std::size_t size() const { return watches_.size(); }
+    // The watch of a disc that slips.
+    [[nodiscard]] std::size_t turnOf(std::size_t disc) const {
+        const auto isIt = [disc](const Watch& watch) {
+            return watch.kind == Kind::turn && watch.row == disc;
+        };
+        return static_cast<std::size_t>(std::ranges::find_if(watches_, isIt) - watches_.begin());
+    }
     // The multiplier of a watch; of friction, the first of its disc.
     [[nodiscard]] std::size_t rowOf(std::size_t watch) const;
     // At the point of the functions, for which the multipliers are solved.

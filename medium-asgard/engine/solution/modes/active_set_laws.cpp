@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <tuple>
 #include <utility>
 
 namespace solution {
@@ -121,7 +120,9 @@ void ActiveSet::addLaw(Rows& rows, std::size_t disc, std::span<const std::size_t
     }
     if (slips) {
         law.kind = Law::Kind::slip;
-        std::tie(law.velocity, law.beside) = friction.velocityOf(disc);
+        const DiscFriction::Velocity velocity = friction.velocityOf(disc);
+        law.velocity = velocity.rows;
+        law.beside = velocity.beside;
     } else {
         rows.discs.push_back(disc);
     }

@@ -40,9 +40,9 @@ bool areFinite(std::span<const double> values) {
 
 } // namespace
 
-double ComponentEquations::fastestTurn(double t, std::span<const double> y) {
+ComponentEquations::Turns ComponentEquations::turns(double t, std::span<const double> y) {
     std::vector<double> slopes(states().size());
-    return rates(t, y, slopes) ? field_.multipliers().fastestTurn() : 0;
+    return rates(t, y, slopes) ? field_.multipliers().turns() : Turns{};
 }
 
 bool ComponentEquations::rates(double t, std::span<const double> y, std::span<double> out) {

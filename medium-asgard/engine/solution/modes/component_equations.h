@@ -138,8 +138,9 @@ public:
     // A contact slips.
     [[nodiscard]] bool slips() const { return active_.slips(); }
     [[nodiscard]] bool slipsSlowly() const { return active_.slipsSlowly(); }
-    // How fast friction turns slips about there, at most; 0 where the equations have no rates.
-    [[nodiscard]] double fastestTurn(double t, std::span<const double> y);
+    // How friction turns slips about there; not at all where the equations have no rates.
+    using Turns = Multipliers::Turns;
+    [[nodiscard]] Turns turns(double t, std::span<const double> y);
     // Contacts that slip do so as these states move.
     void takeSlips(double t, std::span<const double> y) { active_.takeSlips(t, y); }
     // Forces of slips are sought from those at the end of a step on (ActiveSet::followCentres).

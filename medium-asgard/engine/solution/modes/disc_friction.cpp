@@ -15,6 +15,12 @@ DiscFriction::InDisc at(const DiscFriction::Centre& centre, DiscFriction::InDisc
     return rates;
 }
 
+// The force is against it.
+DiscFriction::InDisc wayAt(const DiscFriction::Centre& centre,
+                           const DiscFriction::Velocity& velocity) {
+    return at(centre, velocity.rows) + velocity.beside;
+}
+
 } // namespace
 
 DiscFriction::DiscFriction(const BoundModel& bound, const Mode& mode,
@@ -69,8 +75,7 @@ DiscFriction::Change DiscFriction::changeBy(std::size_t k, std::span<const doubl
 }
 
 DiscFriction::Centre DiscFriction::centreOf(std::size_t k, std::span<const double> forces) const {
-    const Change all = changeBy(k, forces);
-    return all.pressed > 0 ? Centre(all.moment / all.pressed) : noChange(k).moment;
+    return centreBy(changeBy(k, forces));
 }
 
 DiscFriction::Centre DiscFriction::centreFrom(std::size_t k,
@@ -83,7 +88,7 @@ DiscFriction::Centre DiscFriction::centreIn(std::size_t k) const {
 }
 
 DiscFriction::InDisc DiscFriction::lastWay(std::size_t k) const {
-    return wayOf(k, centreFrom(k, mode_.discs[k].last));
+    return wayAt(centreFrom(k, mode_.discs[k].last), velocityOf(k));
 }
 
 void DiscFriction::follow(std::size_t k, std::span<const double> forces,
@@ -92,7 +97,7 @@ void DiscFriction::follow(std::size_t k, std::span<const double> forces,
     constexpr double another = 1e-3;  // of an angle
     const Centre now = centreOf(k, forces);
     if ((now - centreFrom(k, last)).norm() > elsewhere &&
-        (wayOf(k, now).normalized() - lastWay(k).normalized()).norm() > another)
+        (wayAt(now, velocityOf(k)).normalized() - lastWay(k).normalized()).norm() > another)
         std::ranges::copy(now, last.begin());
 }
 
@@ -101,8 +106,12 @@ DiscFriction::InDisc DiscFriction::beganOf(std::size_t k) const {
         .head(indexOf(disc(k).rows.size()));
 }
 
+DiscFriction::InDisc DiscFriction::atCentre(std::size_t k, const InDisc& rates) const {
+    return at(centreIn(k), rates);
+}
+
 DiscFriction::InDisc DiscFriction::slipOf(std::size_t k) const {
-    return at(centreIn(k), ratesAmong(gaps_, k));
+    return atCentre(k, ratesAmong(gaps_, k));
 }
 
 double DiscFriction::aheadOf(std::size_t k) const {
@@ -110,28 +119,19 @@ double DiscFriction::aheadOf(std::size_t k) const {
     return slipOf(k).dot(began.normalized()) + 0.5 * began.norm();
 }
 
-double DiscFriction::senseOf(std::size_t k) const {
-    const InDisc slip = slipOf(k);
-    const double along = slip.dot(beganOf(k).normalized());
-    const bool hasTurnedBack = aheadOf(k) < 0 && 2 * along * along > slip.squaredNorm();
-    return hasTurnedBack ? -1 : 1;
-}
-
-std::pair<DiscFriction::InDisc, DiscFriction::InDisc>
-DiscFriction::velocityOf(std::size_t k) const {
-    const InDisc began = beganOf(k);
+DiscFriction::Velocity DiscFriction::velocityOf(std::size_t k) const {
+    const InDisc began = beganOf(k), direction = began.normalized();
     if (began.size() == 1)
-        return {InDisc::Zero(1), began.normalized()};
+        return {InDisc::Zero(1), direction};
     // It is whole below a hundred times the slow speed, and fades beyond: so little of it is left
     // there that changeOf() may take it as constant.
     constexpr double fast = 100; // times the speed of a slow slip
-    const double grown = slipOf(k).squaredNorm() / (fast * fast * began.squaredNorm());
-    return {senseOf(k) * ratesAmong(gaps_, k), began / (1 + grown)};
-}
-
-DiscFriction::InDisc DiscFriction::wayOf(std::size_t k, const Centre& centre) const {
-    const auto [velocity, beside] = velocityOf(k);
-    return at(centre, velocity) + beside;
+    const InDisc rates = ratesAmong(gaps_, k), slip = at(centreIn(k), rates);
+    const double along = slip.dot(direction), square = slip.squaredNorm();
+    const double length = began.norm();
+    const bool hasTurnedBack = along + 0.5 * length < 0 && 2 * along * along > square;
+    const double sense = hasTurnedBack ? -1 : 1;
+    return {sense * rates, began / (1 + square / (fast * fast * length * length)), sense};
 }
 
 double DiscFriction::leewayOf(std::size_t k, std::span<const double> forces) const {
@@ -155,8 +155,10 @@ DiscFriction::InDisc DiscFriction::forceAgainst(std::size_t k, const InDisc& way
     return -disc(k).sliding * force;
 }
 
-DiscFriction::InDisc DiscFriction::forceOf(std::size_t k, std::span<const double> forces) const {
-    return forceAgainst(k, wayOf(k, centreOf(k, forces)), changeBy(k, forces));
+DiscFriction::InDisc DiscFriction::forceOf(std::size_t k, const Velocity& velocity,
+                                           std::span<const double> forces) const {
+    const Change all = changeBy(k, forces);
+    return forceAgainst(k, wayAt(centreBy(all), velocity), all);
 }
 
 void DiscFriction::addGaps(std::size_t k, std::span<const double> forces,
@@ -167,14 +169,15 @@ void DiscFriction::addGaps(std::size_t k, std::span<const double> forces,
         change.moment += forces[of.normals[n]] * leversAmong(gaps, k, n);
 }
 
-DiscFriction::Slope DiscFriction::slopeOf(std::size_t k, std::span<const double> forces) const {
-    Slope slope{
-        .all = changeBy(k, forces), .centre = centreOf(k, forces), .way = {}, .direction = {}};
-    slope.way = wayOf(k, slope.centre);
+DiscFriction::Slope DiscFriction::slopeOf(std::size_t k, const Velocity& velocity,
+                                          std::span<const double> forces) const {
+    Slope slope{.all = changeBy(k, forces), .centre = {}, .way = {}, .direction = {}};
+    slope.centre = centreBy(slope.all);
+    slope.way = wayAt(slope.centre, velocity);
     slope.direction = slope.way.normalized();
     if (slope.way.size() > 1) {
-        slope.turning = senseOf(k) / slope.way.norm();
-        slope.spin = ratesAmong(gaps_, k)[slope.way.size() - 1];
+        slope.turning = velocity.sense / slope.way.norm();
+        slope.spin = velocity.sense * velocity.rows[slope.way.size() - 1];
     }
     return slope;
 }

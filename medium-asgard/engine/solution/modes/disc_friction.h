@@ -14,7 +14,6 @@
 #include <Eigen/Core>
 
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace solution {
@@ -36,6 +35,14 @@ public:
 
     // The velocities of its rows at the centre of the mode.
     [[nodiscard]] InDisc slipOf(std::size_t disc) const;
+    // The same of other rates, by multiplier.
+    template <class Rate> [[nodiscard]] InDisc slipBy(std::size_t k, const Rate& rateOf) const {
+        const std::vector<std::size_t>& rows = disc(k).rows;
+        InDisc rates(static_cast<Eigen::Index>(rows.size()));
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            rates[static_cast<Eigen::Index>(i)] = rateOf(rows[i]);
+        return atCentre(k, rates);
+    }
     // The direction in which a slip began, as long as the speed below which that direction counts.
     [[nodiscard]] InDisc beganOf(std::size_t disc) const;
     // How far a slip is from the turn that ends it: behind rest by half of the speed under which
@@ -49,9 +56,16 @@ public:
         return leversAmong(gaps_, disc, normal);
     }
 
-    // Of one that slips, the velocity of its rows that gives its direction, and what this has
-    // besides at every centre: the direction in which it began, less and less as it grows.
-    [[nodiscard]] std::pair<InDisc, InDisc> velocityOf(std::size_t disc) const;
+    // Of one that slips, whatever its forces: the velocity of its rows that gives its direction,
+    // and what this has besides at every centre: the direction in which it began, less and less as
+    // it grows. -1 behind the turn of a slip that comes back, within 45 degrees of its way, so that
+    // its friction goes on there. Else +1: a slip that goes round passes its turn with the friction
+    // of its own direction.
+    struct Velocity {
+        InDisc rows, beside;
+        double sense = 1;
+    };
+    [[nodiscard]] Velocity velocityOf(std::size_t disc) const;
     // That velocity at the centre from which forces are sought (Mode::Disc::last).
     [[nodiscard]] InDisc lastWay(std::size_t disc) const;
     // The centre of these forces becomes that one, if it has moved and the disc slips another way.
@@ -68,7 +82,8 @@ public:
     // By these normal forces.
     [[nodiscard]] Change changeBy(std::size_t disc, std::span<const double> forces) const;
     // Of one that slips, by these normal forces; and against a velocity: linear in what presses.
-    [[nodiscard]] InDisc forceOf(std::size_t disc, std::span<const double> forces) const;
+    [[nodiscard]] InDisc forceOf(std::size_t disc, const Velocity& velocity,
+                                 std::span<const double> forces) const;
     [[nodiscard]] InDisc forceAgainst(std::size_t disc, const InDisc& way, const Change& all) const;
     // Adds what these changes of gaps, of their rates and of levers bring.
     void addGaps(std::size_t disc, std::span<const double> forces, std::span<const double> gaps,
@@ -81,7 +96,8 @@ public:
         double turning = 0; // part of a change of slip that turns the direction
         double spin = 0;    // the rate of the last row
     };
-    [[nodiscard]] Slope slopeOf(std::size_t disc, std::span<const double> forces) const;
+    [[nodiscard]] Slope slopeOf(std::size_t disc, const Velocity& velocity,
+                                std::span<const double> forces) const;
     [[nodiscard]] InDisc changeOf(std::size_t disc, const Slope& slope, const Change& change) const;
 
 private:
@@ -89,15 +105,13 @@ private:
     [[nodiscard]] Levers leversAmong(std::span<const double> gaps, std::size_t disc,
                                      std::size_t normal) const;
     [[nodiscard]] InDisc ratesAmong(std::span<const double> gaps, std::size_t disc) const;
-    [[nodiscard]] Centre centreIn(std::size_t disc) const; // the mode
+    [[nodiscard]] Centre centreIn(std::size_t disc) const;                      // the mode
+    [[nodiscard]] InDisc atCentre(std::size_t disc, const InDisc& rates) const; // of the mode
     [[nodiscard]] Centre centreFrom(std::size_t disc, const std::array<double, 2>& levers) const;
     [[nodiscard]] double pressedBy(std::size_t disc, std::span<const double> forces) const;
-    // The force is against it.
-    [[nodiscard]] InDisc wayOf(std::size_t disc, const Centre& centre) const;
-    // -1 behind the turn of a slip that comes back, within 45 degrees of its way, so that its
-    // friction goes on there. Else +1: a slip that goes round passes its turn with the friction of
-    // its own direction.
-    [[nodiscard]] double senseOf(std::size_t disc) const;
+    [[nodiscard]] static Centre centreBy(const Change& all) {
+        return all.pressed > 0 ? Centre(all.moment / all.pressed) : Centre(0 * all.moment);
+    }
 
     const BoundModel& bound_;
     const Mode& mode_;

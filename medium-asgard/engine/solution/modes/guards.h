@@ -47,6 +47,10 @@ public:
     [[nodiscard]] bool grazesByRounding(const Violation& violation, double t,
                                         std::span<const double> y);
     [[nodiscard]] std::vector<std::size_t> surfacesOf(const Violation& violation) const;
+    // That the slip of a disc of friction turns.
+    [[nodiscard]] std::size_t turnOf(std::size_t disc) const {
+        return watches_.size() + mode_.sticking.size() + active_.turnOf(disc);
+    }
     // Watches of the active set that are violated, as it counts them.
     [[nodiscard]] std::vector<std::size_t> activeOf(const Violation& violation) const;
     // All of them are of the active set, and read forces.

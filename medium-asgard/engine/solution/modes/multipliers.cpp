@@ -166,25 +166,50 @@ double Multipliers::secondRate(std::size_t row) const {
     return rate;
 }
 
-double Multipliers::fastestTurn() {
+Multipliers::Turns Multipliers::turns() {
+    constexpr double often = 10; // times on the way to rest
     evaluateGaps();
     const std::vector<ComponentModel::Entry>& entries = model_.conditions().matrix;
     std::vector<double> ofRow(size(), 0);
     for (std::size_t i = 0; i < entries.size(); ++i)
         if (entries[i].row == entries[i].column)
             ofRow[entries[i].row] = std::abs(second_[i]);
-    double fastest = 0;
+    Turns turns;
     for (std::size_t k = 0; k < f_.bound()->discs.size(); ++k) {
         if (!friction_.acts(k))
             continue;
         double most = 0;
         for (const std::size_t row : friction_.disc(k).rows)
             most = std::max(most, ofRow[row]);
-        const DiscFriction::Slope slope = friction_.slopeOf(k, values());
-        fastest = std::max(fastest, most * friction_.disc(k).sliding * slope.all.pressed *
-                                        std::abs(slope.turning));
+        const DiscFriction::Slope slope = friction_.slopeOf(k, friction_.velocityOf(k), values());
+        const double rate =
+            most * friction_.disc(k).sliding * slope.all.pressed * std::abs(slope.turning);
+        turns.fastest = std::max(turns.fastest, rate);
+        const auto duration = rate > 0 ? stopOf(k) : std::nullopt;
+        if (duration && rate * *duration > often &&
+            !(turns.stop && turns.stop->duration <= *duration))
+            turns.stop = {k, *duration};
     }
-    return fastest;
+    return turns;
+}
+
+// How long until little is left of a slip that comes to rest straight along its rates: ten times
+// what it has across its way then, and some times the speed under which the direction counts in
+// which it began. It keeps its direction up to there.
+std::optional<double> Multipliers::stopOf(std::size_t disc) const {
+    constexpr double straight = 0.01, ofAcross = 10, ofBegan = 4, little = 0.1;
+    const DiscFriction::InDisc slip = friction_.slipOf(disc);
+    const DiscFriction::InDisc rate =
+        friction_.slipBy(disc, [this](std::size_t row) { return secondRate(row); });
+    const double braked = -slip.dot(rate), speed = slip.norm();
+    if (!(braked > 0))
+        return std::nullopt;
+    const double duration = speed * speed / braked;
+    const double across = (slip + duration * rate).norm();
+    const double left = std::max(ofAcross * across, ofBegan * friction_.beganOf(disc).norm());
+    if (!(across < straight * speed && left < little * speed))
+        return std::nullopt;
+    return duration * (1 - left / speed);
 }
 
 double Multipliers::weight() const {

@@ -104,11 +104,20 @@ public:
     [[nodiscard]] double secondRate(std::size_t row) const;
     // After solve(): the largest second rate that the force of a contact gives its own gap.
     [[nodiscard]] double weight() const;
-    // After solve(): the fastest of the rates at which friction turns slips about. It acts against
-    // the slip, so that what a slip has across its way fades with the rate  mu N A / |slip|, A
-    // being the second rate that a force of 1 gives. Of slow slips this is the largest eigenvalue
-    // of the Jacobian.
-    [[nodiscard]] double fastestTurn();
+    // After solve(): how friction turns slips about. It acts against the slip, so that what a slip
+    // has across its way fades with the rate  mu N A / |slip|, A being the second rate that a force
+    // of 1 gives. Of slow slips the fastest of these is the largest eigenvalue of the Jacobian.
+    struct Turns {
+        double fastest = 0;
+        // The slip that comes to rest first along the rates that it has here, of those that turn
+        // many times on that way: explicit steps would become ever shorter there.
+        struct Stop {
+            std::size_t disc;
+            double duration; // up to where so little is left of it
+        };
+        std::optional<Stop> stop = std::nullopt;
+    };
+    [[nodiscard]] Turns turns();
     // Second rates of these conditions as matrix times their multipliers and a rest, in which the
     // others stand at their bounds; those that are not on second rates have their own values.
     struct System {
@@ -121,6 +130,7 @@ public:
               std::span<double> y);
 
 private:
+    [[nodiscard]] std::optional<double> stopOf(std::size_t disc) const;
     [[nodiscard]] bool holds(std::size_t row) const {
         return mode_.kept[row] == complementarity::State::inside;
     }

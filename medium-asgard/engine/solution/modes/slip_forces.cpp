@@ -26,6 +26,7 @@ void SlipForces::find(std::size_t discs) {
     if (empty())
         return;
     placeOf_.assign(conditions_.isTie.size(), none);
+    velocities_.resize(discs);
     for (const std::size_t disc : discs_)
         for (const std::size_t row : friction_.disc(disc).rows)
             placeOf_[row] = rows_++;
@@ -48,6 +49,8 @@ bool SlipForces::solve(std::span<const double> entries, HeldConditions& held,
         if (const auto [row, column] = conditions_.matrix[k]; placeOf_[column] != none)
             responses_(row, placeOf_[column]) = entries[k];
     held.solveEach(responses_);
+    for (const std::size_t disc : discs_)
+        velocities_[disc] = friction_.velocityOf(disc);
     findEffects();
     beginAtLast(without);
     if (forces_.allFinite() && improve(without))
@@ -118,7 +121,8 @@ bool SlipForces::improve(const Eigen::VectorXd& without) {
         Eigen::VectorXd step = lu_.solve(error);
         const Eigen::VectorXd from = forces_, ofFrom = multipliers;
         bool isLess = false;
-        for (int halving = 0; halving < halvings && !isLess; ++halving, step /= 2) {
+        const int tries = size <= close * multipliers.norm() ? 1 : halvings;
+        for (int halving = 0; halving < tries && !isLess; ++halving, step /= 2) {
             forces_ = from + step;
             multipliers = without + responses_ * forces_;
             error = errors(multipliers);
@@ -136,7 +140,8 @@ bool SlipForces::improve(const Eigen::VectorXd& without) {
 Eigen::VectorXd SlipForces::errors(const Eigen::VectorXd& multipliers) const {
     Eigen::VectorXd errors = -forces_;
     each([&](std::size_t disc, const Place& at) {
-        const DiscFriction::InDisc force = friction_.forceOf(disc, spanOf(multipliers));
+        const DiscFriction::InDisc force =
+            friction_.forceOf(disc, velocities_[disc], spanOf(multipliers));
         errors.segment(at.force, force.size()) += force;
     });
     return errors;
@@ -145,7 +150,7 @@ Eigen::VectorXd SlipForces::errors(const Eigen::VectorXd& multipliers) const {
 void SlipForces::linearise(std::span<const double> multipliers) {
     slopes_.setIdentity(rows_, rows_);
     each([&](std::size_t disc, const Place& at) {
-        const DiscFriction::Slope slope = friction_.slopeOf(disc, multipliers);
+        const DiscFriction::Slope slope = friction_.slopeOf(disc, velocities_[disc], multipliers);
         setSlopes(disc, at, [&](const DiscFriction::Change& by) {
             return friction_.changeOf(disc, slope, by);
         });
@@ -161,7 +166,7 @@ void SlipForces::change(std::span<const double> multipliers, std::span<const dou
         DiscFriction::Change by = friction_.changeBy(disc, spanOf(change));
         friction_.addGaps(disc, multipliers, gaps, by);
         const DiscFriction::InDisc of =
-            friction_.changeOf(disc, friction_.slopeOf(disc, multipliers), by);
+            friction_.changeOf(disc, friction_.slopeOf(disc, velocities_[disc], multipliers), by);
         forces.segment(at.force, of.size()) = of;
     });
     forces = lu_.solve(forces);

@@ -31,9 +31,9 @@ public:
     // The discs that slip with a force at this point, out of so many.
     void find(std::size_t discs);
     [[nodiscard]] bool empty() const { return discs_.empty(); }
-    // `entries`: of Conditions::matrix at the point, for which `held` is factorised. `without`:
-    // what holds, by multiplier, where there is no friction of slip. False: none were found; then
-    // they are those that err least.
+    // Once gaps are evaluated. `entries`: of Conditions::matrix at the point, for which `held` is
+    // factorised. `without`: what holds, by multiplier, where there is no friction of slip. False:
+    // none were found; then they are those that err least.
     [[nodiscard]] bool solve(std::span<const double> entries, HeldConditions& held,
                              const Eigen::VectorXd& without);
     // To second rates, what the forces give.
@@ -62,6 +62,7 @@ private:
     const ComponentModel::Conditions& conditions_;
     const DiscFriction& friction_;
     std::vector<std::size_t> discs_;
+    std::vector<DiscFriction::Velocity> velocities_; // by disc, of these
     Eigen::Index rows_ = 0;
     std::vector<Eigen::Index> placeOf_; // of a multiplier among the forces, or none
     // By force: the changes of multipliers, and of each disc's sum of normal forces and its moments

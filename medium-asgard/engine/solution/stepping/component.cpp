@@ -177,8 +177,8 @@ void Component::makeControl() {
         scales.push_back(scale);
     }
     memory_.now.control = ErrorControl(std::move(scales), context_.tolerance);
-    constexpr double ofTolerance = 0.01; // of what a step may err in velocities
-    constexpr double least = 1e-9;       // below, a slip would turn as fast as rounding does
+    constexpr double ofTolerance = 0.1; // of what a step may err in velocities
+    constexpr double least = 1e-9;      // below, a slip would turn as fast as rounding does
     const double part = ofTolerance * context_.tolerance;
     equations_->setSlow({.part = std::max(part, least), .extent = extent, .way = part * extent});
 }

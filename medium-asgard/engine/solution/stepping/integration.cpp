@@ -114,10 +114,15 @@ StepModel::Afterwards Integration::goOn(std::span<const double> y) {
 
 void Integration::findTurn() {
     ComponentEquations& equations = context_.equations();
-    turn_ = 0;
-    const bool mayTurn = calm_ < stable || equations.slipsSlowly();
-    if (!method_->implicit() && !context_.options.fixedStep && mayTurn)
-        turn_ = equations.fastestTurn(context_.time(), context_.states());
+    constexpr double stiff = 0.5; // of the stability of an explicit method
+    turns_ = {};
+    const bool mayTurn =
+        equations.slips() && (method_->implicit() || calm_ < stable || equations.slipsSlowly() ||
+                              method_->stabilityUsed() > stiff);
+    if (!context_.options.fixedStep && mayTurn)
+        turns_ = equations.turns(context_.time(), context_.states());
+    if (method_->implicit())
+        turns_.fastest = 0; // it bounds no step
 }
 
 std::optional<Ending> Integration::reconsider() {
@@ -125,7 +130,7 @@ std::optional<Ending> Integration::reconsider() {
         return std::nullopt;
     MethodChoice& choice = context_.memory.now.choice;
     const bool wasTrial = choice.isTrial();
-    if (choice.changesAfter(*method_, lastLength_, context_.control().crossing(), turn_) ||
+    if (choice.changesAfter(*method_, lastLength_, context_.control().crossing(), turns_.fastest) ||
         (choice.wantsSpectralRadius() && choice.changesFor(spectralRadius(), lastLength_)))
         return changeMethod();
     if (wasTrial && !choice.isTrial()) // it was won
@@ -176,7 +181,9 @@ double Integration::spectralRadius() {
 double Integration::longest() const {
     const double watched =
         context_.oversight.longest(context_.time(), context_.equations(), method_->implicit());
-    return turn_ > 0 ? std::min(watched, calm_ * method_->stabilityLimit() / turn_) : watched;
+    return turns_.fastest > 0
+               ? std::min(watched, calm_ * method_->stabilityLimit() / turns_.fastest)
+               : watched;
 }
 
 Proposal Integration::propose() {
@@ -189,6 +196,9 @@ Proposal Integration::propose() {
     if (!method_)
         if (auto ending = beginMethod())
             return std::move(*ending);
+    if (turns_.stop)
+        if (auto piece = toStop(*turns_.stop))
+            return std::move(*piece);
     context_.oversight.prepare(time, context_.equations(), method_->implicit(), context_.control());
     for (;;) { // every refusal shortens the step, until it cannot be
         const double wanted =
@@ -209,6 +219,49 @@ Proposal Integration::propose() {
             proposed = std::max(proposed, options.fixedStep ? *options.fixedStep : wanted);
         return review(to);
     }
+}
+
+// A slip goes to rest along the rates that it has where these hardly change up to there.
+std::optional<StepPiece> Integration::toStop(const ComponentEquations::Turns::Stop& stop) {
+    constexpr double certain = 0.1; // of the error that a step may have
+    ComponentEquations& equations = context_.equations();
+    const double from = context_.time(), to = from + stop.duration, h = to - from;
+    if (!(h > shortestStep(from)) || to >= context_.limit())
+        return std::nullopt;
+    y_ = context_.states();
+    std::vector<double> first(y_.size()), last(y_.size());
+    context_.counts.evaluations += 2;
+    if (!equations.rates(from, y_, first))
+        return std::nullopt;
+    columns_.assign(y_.size(), Coefficients{});
+    for (std::size_t i = 0; i < y_.size(); ++i) {
+        columns_[i][0] = y_[i];
+        columns_[i][1] = h * first[i];
+    }
+    for (const auto& [x, v] : equations.integrals())
+        columns_[x][2] = 0.5 * h * h * first[v];
+    for (std::size_t i = 0; i < y_.size(); ++i)
+        y_[i] = evaluate(columns_[i], 1);
+    if (!equations.rates(to, y_, last))
+        return std::nullopt;
+    std::vector<double> error(y_.size());
+    for (std::size_t i = 0; i < y_.size(); ++i)
+        error[i] = 0.5 * h * (last[i] - first[i]);
+    for (const auto& [x, v] : equations.integrals())
+        error[x] = h / 3 * error[v];
+    context_.control().prepare(y_, h);
+    if (!(context_.control().norm(error) <= certain))
+        return std::nullopt;
+    StateCurves curves{columns_, from, h, to};
+    found_ = violationOn(curves);
+    if (found_ && context_.passesAtOnce(*found_, curves))
+        return std::nullopt;
+    if (!found_)
+        found_ = Violation{to, {equations.guards().turnOf(stop.disc)}};
+    curves.until = found_->time;
+    curves.at(curves.until, y_);
+    return StepPiece{
+        .curves = curves, .end = y_, .kind = StepPiece::Kind::integrated, .crossing = &*found_};
 }
 
 // Nothing: a shorter step is to be tried.
@@ -329,7 +382,7 @@ bool Integration::swings(const StateCurves& curves) {
     guards.watch(found_->time, y, to);
     const auto hasFallen = [&](std::size_t k) { return !(to[k] > part * std::abs(from[k])); };
     return guards.knowForces() && std::ranges::none_of(found_->watches, hasFallen) &&
-           equations.fastestTurn(curves.origin, context_.states()) > 0;
+           equations.turns(curves.origin, context_.states()).fastest > 0;
 }
 
 // The source of events asks who touches whom at the instant at which a contact begins or loses its

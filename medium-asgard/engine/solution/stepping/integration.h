@@ -56,6 +56,7 @@ private:
     [[nodiscard]] std::optional<Ending> beginMethod();
     [[nodiscard]] double longestFirst() const;
     void findTurn();
+    [[nodiscard]] std::optional<StepPiece> toStop(const ComponentEquations::Turns::Stop& stop);
     [[nodiscard]] double longest() const;
     [[nodiscard]] bool mayStride() const;
     [[nodiscard]] Proposal review(double to);
@@ -73,12 +74,12 @@ private:
     const StepContext& context_;
     RestApproach rest_;
     std::unique_ptr<Method> method_;
-    bool mayChange_ = false;         // the method, by cost
-    bool strides_ = false;           // as long as it has this method
-    double lastLength_ = 0;          // of the step proposed last
-    double turn_ = 0;                // how fast friction turns slow slips about where it begins
-    double calm_ = stable;           // of the stability that such a step may use
-    std::optional<Violation> found_; // the switch that ends the step proposed last
+    bool mayChange_ = false;          // the method, by cost
+    bool strides_ = false;            // as long as it has this method
+    double lastLength_ = 0;           // of the step proposed last
+    ComponentEquations::Turns turns_; // of slow slips by their friction, where it begins
+    double calm_ = stable;            // of the stability that such a step may use
+    std::optional<Violation> found_;  // the switch that ends the step proposed last
     std::vector<Coefficients> columns_;
     std::vector<double> y_;
 };

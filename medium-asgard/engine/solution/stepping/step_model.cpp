@@ -13,13 +13,9 @@ std::optional<Violation> StepContext::violationOn(const StateCurves& curves) con
         curves.at(t, y);
         equations().guards().watch(t, y, values);
     };
-    std::vector<double> all(equations().watches());
     const auto one = [&](double t, std::size_t k) {
         curves.at(t, y);
-        if (const auto value = equations().guards().watchOfPlaces(k, t, y))
-            return *value;
-        equations().guards().watch(t, y, all);
-        return all[k];
+        return equations().guards().watchOfPlaces(k, t, y);
     };
     // A switch for a moment only is looked at in its middle.
     const ComponentModel::PeakFunctions& peaks = equations().model().guardPeaks();
