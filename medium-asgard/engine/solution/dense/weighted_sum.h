@@ -62,10 +62,10 @@ inline void weightedBlock(std::span<const Term> terms, const double* slopes, std
     weightedPairs<Width>(terms, slopes, stride, out, std::make_index_sequence<Width / 2>());
 }
 
-// The same for any number, eight at a time, and the rest.
+// The same for any number from the first on, eight at a time, and the rest.
 inline void weightedBlocks(std::span<const Term> terms, const double* slopes, std::size_t stride,
-                           double* out) {
-    std::size_t i = 0;
+                           double* out, std::size_t first = 0) {
+    std::size_t i = first;
     for (; i + 8 <= stride; i += 8)
         weightedBlock<8>(terms, slopes + i, stride, out + i);
     if (stride - i >= 4) {
@@ -117,11 +117,73 @@ __attribute__((target("avx"))) inline void weightedFours(std::span<const Term> t
     if constexpr (Width % 2 == 1)
         out[Width - 1] = last;
 }
+
+// What is made of sums: out = start + h * sum.
+struct FromStart {
+    const double* start;
+    double h;
+};
+
+template <std::size_t... I>
+__attribute__((target("avx"))) inline void
+fourBlock(std::span<const Term> terms, const double* slopes, std::size_t stride,
+          const FromStart* from, std::size_t first, double* out, std::index_sequence<I...>) {
+    Four sum[sizeof...(I)];
+    ((sum[I] = Four{}), ...);
+    for (const Term& term : terms) {
+        const double* slope = slopes + term.stage * stride + first;
+        const Four weight = {term.weight, term.weight, term.weight, term.weight};
+        ((sum[I] += weight * fourAt(slope + 4 * I)), ...);
+    }
+    if (from) {
+        const Four h = {from->h, from->h, from->h, from->h};
+        ((sum[I] = fourAt(from->start + first + 4 * I) + h * sum[I]), ...);
+    }
+    (put(out + first + 4 * I, sum[I]), ...);
+}
+// Of as many as come in fours; how many these are. Without `from` the sums themselves.
+__attribute__((target("avx"))) inline std::size_t fourBlocks(std::span<const Term> terms,
+                                                             const double* slopes,
+                                                             std::size_t stride,
+                                                             const FromStart* from, double* out) {
+    std::size_t i = 0;
+    for (; i + 32 <= stride; i += 32)
+        fourBlock(terms, slopes, stride, from, i, out, std::make_index_sequence<8>());
+    for (; i + 4 <= stride; i += 4)
+        fourBlock(terms, slopes, stride, from, i, out, std::make_index_sequence<1>());
+    return i;
+}
+
 [[nodiscard]] inline bool takesFour() {
     static const bool takes = __builtin_cpu_supports("avx") != 0;
     return takes;
 }
 #endif
+
+// Of any number.
+inline void weightedMany(std::span<const Term> terms, const double* slopes, std::size_t stride,
+                         double* out) {
+    std::size_t first = 0;
+#if defined(__x86_64__)
+    if (takesFour())
+        first = fourBlocks(terms, slopes, stride, nullptr, out);
+#endif
+    weightedBlocks(terms, slopes, stride, out, first);
+}
+
+// out = start + h * sum, of any number.
+inline void advanceMany(std::span<const Term> terms, const double* slopes, std::size_t stride,
+                        const double* start, double h, double* out) {
+    std::size_t first = 0;
+#if defined(__x86_64__)
+    const FromStart from{start, h};
+    if (takesFour())
+        first = fourBlocks(terms, slopes, stride, &from, out);
+#endif
+    weightedBlocks(terms, slopes, stride, out, first);
+    for (; first < stride; ++first)
+        out[first] = start[first] + h * out[first];
+}
 
 // Of `Width` unknowns, where the compiler may know how many; 0: of any number.
 template <std::size_t Width>
@@ -133,7 +195,7 @@ inline void weightedSumOf(std::span<const Term> terms, const double* slopes, std
             return weightedFours<Width>(terms, slopes, out, std::make_index_sequence<Width / 4>());
 #endif
     if constexpr (Width == 0)
-        weightedBlocks(terms, slopes, stride, out);
+        weightedMany(terms, slopes, stride, out);
     else
         weightedBlock<Width>(terms, slopes, Width, out);
 }
@@ -151,7 +213,7 @@ inline void weightedSum(std::span<const Term> terms, const double* slopes, std::
     case 4:
         return weightedBlock<4>(terms, slopes, 4, out);
     default:
-        return weightedBlocks(terms, slopes, stride, out);
+        return weightedMany(terms, slopes, stride, out);
     }
 }
 

@@ -28,6 +28,11 @@ void check(const Terms& terms, std::mt19937& random, std::size_t stages) {
     weightedSum(terms, slopes.data(), Size, any.data());
     EXPECT_EQ(out, oneByOne(terms, slopes, Size)) << Size;
     EXPECT_EQ(any, out) << Size;
+    std::vector<double> advanced(Size);
+    const std::vector<double> start(Size, 0.7);
+    advanceMany(terms, slopes.data(), Size, start.data(), 0.3, advanced.data());
+    for (std::size_t i = 0; i < Size; ++i)
+        EXPECT_EQ(advanced[i], start[i] + 0.3 * out[i]) << Size;
 }
 
 } // namespace
@@ -45,5 +50,8 @@ TEST(WeightedSum, HasTheSameBitsHoweverManyAreAddedAtOnce) {
             (check<Size + 1>(terms, random, stages), ...);
         }
         (std::make_index_sequence<24>());
+        check<31>(terms, random, stages);
+        check<32>(terms, random, stages);
+        check<71>(terms, random, stages);
     }
 }

@@ -82,12 +82,15 @@ inline void addTo(const double* start, double h, const double* sum, std::size_t 
 template <std::size_t Size> bool ExplicitRungeKutta::stage(std::size_t i, double* at) {
     const std::size_t size = Size == 0 ? size_ : Size;
     double* const sum = sum_.data();
-    weightedSumOf<Size>(tableau_.rows[i], k_.data(), size, sum);
-    const double* const start = start_.data();
-    if (i == tableau_.stages)
-        finishStages(size);
-    else
-        addTo<Size>(start, h_, sum, size, at);
+    if (Size == 0 && i != tableau_.stages) {
+        advanceMany(tableau_.rows[i], k_.data(), size, start_.data(), h_, at);
+    } else {
+        weightedSumOf<Size>(tableau_.rows[i], k_.data(), size, sum);
+        if (i == tableau_.stages)
+            finishStages(size);
+        else
+            addTo<Size>(start_.data(), h_, sum, size, at);
+    }
     return rates(t_ + tableau_.c[i] * h_, {at, size}, {k_.data() + i * size, size});
 }
 
