@@ -380,7 +380,9 @@ std::string named(Place place) {
 
 Routine makeRoutine(const Sequence& sequence, Purpose purpose, Ability ability) {
     // The given order has more that does not wait for each other; the other needs less memory.
-    constexpr std::uint32_t many = 64;
+    constexpr std::uint32_t few = 64, part = 8; // of the operations
+    const auto operations = static_cast<std::uint32_t>(sequence.instructions.size());
+    const std::uint32_t many = std::max(few, operations / part);
     Routine routine = Planner(sequence, purpose, ability, Program::Order::asGiven).run(many);
     if (routine.spills > many)
         routine = Planner(sequence, purpose, ability, Program::Order::byOutput).run();
