@@ -1,6 +1,6 @@
 #include "answers.h"
 
-#include "integrators.h"
+#include "extrapolation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,51 +11,7 @@
 namespace bench::contacts {
 namespace {
 
-using Real = long double;
 using Vector = std::array<Real, 2>;
-
-// gbsStep for a number of unknowns that only the scene knows.
-template <class F> void extrapolate(const F& f, Real h, std::vector<Real>& y) {
-    constexpr int columns = 8;
-    static constexpr auto weights = extrapolationWeights<Real, columns>();
-    std::vector<Real> slope0(y.size()), slope(y.size()), before, now(y.size()), sum(y.size(), 0);
-    f(y, slope0);
-    for (int j = 0; j < columns; ++j) {
-        const int substeps = 2 * (j + 1);
-        const Real step = h / Real(substeps);
-        before = y;
-        for (std::size_t i = 0; i < y.size(); ++i)
-            now[i] = y[i] + step * slope0[i];
-        for (int m = 1; m < substeps; ++m) {
-            f(now, slope);
-            for (std::size_t i = 0; i < y.size(); ++i) {
-                const Real next = before[i] + 2 * step * slope[i];
-                before[i] = now[i];
-                now[i] = next;
-            }
-        }
-        for (std::size_t i = 0; i < y.size(); ++i)
-            sum[i] += weights[static_cast<std::size_t>(j)] * now[i];
-    }
-    y = sum;
-}
-
-// The state at each time, by steps of at most `step`.
-template <class F>
-std::vector<std::vector<Real>> along(const F& f, std::vector<Real> y, Real step,
-                                     const std::vector<double>& times) {
-    std::vector<std::vector<Real>> states;
-    Real now = 0;
-    for (const double time : times) {
-        const long steps = std::lround(std::ceil((time - now) / step));
-        const Real h = (time - now) / static_cast<Real>(steps);
-        for (long i = 0; i < steps; ++i)
-            extrapolate(f, h, y);
-        now = time;
-        states.push_back(y);
-    }
-    return states;
-}
 
 struct Matrix {
     Real xx = 0, xy = 0, yy = 0; // symmetric
@@ -193,6 +149,15 @@ std::vector<std::vector<Place>> SliderCrank::places(const std::vector<double>& t
     std::vector<std::vector<Place>> all;
     for (const auto& state : along(f, {Real(angle)}, 0.002L, times)) {
         const auto at = pose(state[0]).at;
+        all.emplace_back(at.begin(), at.end());
+    }
+    return all;
+}
+
+std::vector<std::vector<Place>> SliderCrank::placesHeld(const std::vector<double>& times) const {
+    std::vector<std::vector<Place>> all;
+    for (const double time : times) {
+        const auto at = pose(angle + Real(rate) * time).at;
         all.emplace_back(at.begin(), at.end());
     }
     return all;

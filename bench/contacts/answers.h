@@ -30,6 +30,9 @@ struct SliderCrank {
     };
     [[nodiscard]] Pose pose(long double crankAngle) const;
     [[nodiscard]] std::vector<std::vector<Place>> places(const std::vector<double>& times) const;
+    // Of a crank that a motor holds to its rate.
+    [[nodiscard]] std::vector<std::vector<Place>>
+    placesHeld(const std::vector<double>& times) const;
 };
 
 // A machine that walks on level ground along +x: a wheel of legs that end in round feet, and a

@@ -26,13 +26,13 @@ int print(const char* name) {
 }
 
 void play(Driver& driver, const Case& scene) {
-    const std::size_t floor = scene.floor ? 1 : 0; // it is the first body of the text
+    const std::size_t first = scene.planes.size(); // they are the first bodies of the text
     const auto errorOf = [&](const simulation::Motion& motion) {
         std::vector<std::vector<Place>> places;
         for (const double time : scene.times) {
             std::vector<Place>& now = places.emplace_back();
             for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-                const auto p = motion.at(floor + b, time).position;
+                const auto p = motion.at(first + b, time).position;
                 now.push_back({p.x(), p.y(), p.z()});
             }
         }

@@ -25,12 +25,15 @@ public:
     BulletWorld(const Case& scene, double h, int iterations) : scene_(scene), h_(h) {
         world_.setGravity(vector({0, -scene.gravity, 0}));
         world_.getSolverInfo().m_numIterations = iterations;
-        if (scene.floor)
+        // A pair has the product of the values, of friction and of restitution.
+        const double friction = std::sqrt(scene.friction);
+        for (const Plane& plane : scene.planes)
             add(std::make_unique<btStaticPlaneShape>(
-                    vector({-std::sin(scene.slope), std::cos(scene.slope), 0}), scalar(0)),
-                {.name = "floor", .mass = 0});
+                    vector({-std::sin(plane.slope), std::cos(plane.slope), 0}), scalar(0)),
+                {.name = plane.name, .mass = 0},
+                scene.friction > 0 ? scene.planeFriction / friction : 0);
         for (const Body& body : scene.bodies)
-            addBody(body);
+            addBody(body, friction);
         for (const Joint& joint : scene.joints)
             join(joint);
     }
@@ -46,9 +49,8 @@ public:
     void advance(double span) override {
         const long steps = stepsIn(span, h_);
         for (long i = 0; i < steps; ++i) {
-            for (const Joint& joint : scene_.joints)
-                if (joint.couple != 0)
-                    turn(joint);
+            for (std::size_t j = 0; j < joints_.size(); ++j)
+                drive(scene_.joints[j], *joints_[j], span / static_cast<double>(steps));
             world_.stepSimulation(scalar(span / static_cast<double>(steps)), 0);
         }
         count(steps);
@@ -59,26 +61,34 @@ public:
     }
 
 private:
-    // The engine forgets it after each step.
-    void turn(const Joint& joint) {
-        const btVector3 couple = vector({0, 0, joint.couple});
-        of(joint.body1).applyTorque(couple);
+    // The engine forgets couples after each step, and knows of impulses of a motor, not couples.
+    void drive(const Joint& joint, btTypedConstraint& constraint, double step) {
+        if (joint.type != Joint::Type::hinge)
+            return;
+        auto& hinge = static_cast<btHingeConstraint&>(constraint);
+        if (joint.dryCouple > 0)
+            hinge.enableAngularMotor(true, 0, scalar(joint.dryCouple * step));
+        const double couple = joint.couple + springCouple(joint, hinge.getHingeAngle());
+        if (couple == 0)
+            return;
+        const btVector3 about = scalar(couple) * vector(joint.axis); // which stays where it is
+        of(joint.body1).applyTorque(about);
         if (joint.body2 >= 0)
-            of(joint.body2).applyTorque(-couple);
+            of(joint.body2).applyTorque(-about);
     }
-    void addBody(const Body& body) {
+    void addBody(const Body& body, double friction) {
         if (body.shape == Body::Shape::box)
-            return add(std::make_unique<btBoxShape>(vector(body.size) / 2), body);
+            return add(std::make_unique<btBoxShape>(vector(body.size) / 2), body, friction);
         auto ball = std::make_unique<btSphereShape>(scalar(body.size[0]));
         if (body.shape == Body::Shape::ball)
-            return add(std::move(ball), body);
+            return add(std::move(ball), body, friction);
         auto all = std::make_unique<btCompoundShape>();
         for (const Place& at : body.balls())
             all->addChildShape(btTransform(btQuaternion::getIdentity(), vector(at)), ball.get());
         shapes_.push_back(std::move(ball));
-        add(std::move(all), body);
+        add(std::move(all), body, friction);
     }
-    void add(std::unique_ptr<btCollisionShape> shape, const Body& body) {
+    void add(std::unique_ptr<btCollisionShape> shape, const Body& body, double friction) {
         btVector3 inertia(0, 0, 0);
         if (body.mass > 0)
             inertia = vector(body.inertia());
@@ -86,8 +96,8 @@ private:
                                                       inertia);
         info.m_startWorldTransform =
             btTransform(btQuaternion(vector({0, 0, 1}), scalar(body.angle)), vector(body.at));
-        info.m_friction = scalar(std::sqrt(scene_.friction)); // a pair has the product
-        info.m_restitution = 0;
+        info.m_friction = scalar(friction);
+        info.m_restitution = scalar(std::sqrt(scene_.restitution));
         bodies_.push_back(std::make_unique<btRigidBody>(info));
         btRigidBody& added = *bodies_.back();
         added.setActivationState(DISABLE_DEACTIVATION);
@@ -100,28 +110,38 @@ private:
         shapes_.push_back(std::move(shape));
     }
     [[nodiscard]] btRigidBody& of(int body) const {
-        return *bodies_[static_cast<std::size_t>(body + (scene_.floor ? 1 : 0))];
+        return *bodies_[static_cast<std::size_t>(body) + scene_.planes.size()];
     }
     void join(const Joint& joint) {
-        btRigidBody& one = of(joint.body1);
+        // A slider's frame has its x along the axis, a hinge's its z.
+        const bool slides = joint.type == Joint::Type::slider;
+        const btVector3 own = slides ? btVector3(1, 0, 0) : btVector3(0, 0, 1);
+        const btTransform frame(shortestArcQuat(own, vector(joint.axis)), vector(joint.at));
         const auto in = [&](const btRigidBody& body) {
-            return body.getWorldTransform().inverse() * vector(joint.at);
+            return body.getWorldTransform().inverse() * frame;
         };
-        const btVector3 axis = vector({0, 0, 1}); // all bodies turn about z
-        if (joint.type == Joint::Type::slider) {
-            auto slider = std::make_unique<btSliderConstraint>(
-                one, btTransform(btQuaternion::getIdentity(), in(one)), true);
+        btRigidBody& one = of(joint.body1);
+        if (slides) {
+            auto slider = std::make_unique<btSliderConstraint>(one, in(one), true);
             slider->setLowerLinLimit(1); // above the upper one: free
             slider->setUpperLinLimit(-1);
             slider->setLowerAngLimit(0);
             slider->setUpperAngLimit(0);
             joints_.push_back(std::move(slider));
-        } else if (joint.body2 < 0) {
-            joints_.push_back(std::make_unique<btHingeConstraint>(one, in(one), axis));
         } else {
-            btRigidBody& other = of(joint.body2);
-            joints_.push_back(
-                std::make_unique<btHingeConstraint>(one, other, in(one), in(other), axis, axis));
+            btRigidBody& other =
+                joint.body2 < 0 ? btTypedConstraint::getFixedBody() : of(joint.body2);
+            auto hinge = std::make_unique<btHingeConstraint>(one, other, in(one), in(other));
+            if (joint.speed)
+                hinge->enableAngularMotor(true, scalar(*joint.speed), scalar(1e10));
+            if (joint.least) {
+                // With its other frames, and with less than all of the error put right at once, it
+                // does not rebound as it is told.
+                hinge->setUseFrameOffset(false);
+                hinge->setLimit(scalar(*joint.least), scalar(*joint.least + 3), scalar(1),
+                                scalar(1), scalar(scene_.restitution));
+            }
+            joints_.push_back(std::move(hinge));
         }
         world_.addConstraint(joints_.back().get(), true);
     }

@@ -40,28 +40,28 @@ public:
         world_->setGravity({0, -scene.gravity, 0});
         world_->getConstraintSolver()->setCollisionDetector(
             dart::collision::DARTCollisionDetector::create());
-        if (scene.floor)
-            addFloor();
+        for (const Plane& plane : scene.planes)
+            add(plane);
         for (std::size_t b = 0; b < scene.bodies.size(); ++b)
             add(b);
         for (const dynamics::SkeletonPtr& skeleton : skeletons_)
             world_->addSkeleton(skeleton);
         for (const std::size_t loop : loopJoints(scene)) {
             const Joint& joint = scene.joints[loop];
-            world_->getConstraintSolver()->addConstraint(
-                std::make_shared<dart::constraint::BallJointConstraint>(
-                    bodies_[static_cast<std::size_t>(joint.body1)],
-                    bodies_[static_cast<std::size_t>(joint.body2)], vector(joint.at)));
+            for (const Place& at : closingPoints(scene, joint))
+                world_->getConstraintSolver()->addConstraint(closing(joint, at));
         }
     }
     void advance(double span) override {
         const long steps = stepsIn(span, h_);
         world_->setTimeStep(span / static_cast<double>(steps));
         for (long i = 0; i < steps; ++i) {
-            for (std::size_t b = 0; b < bodies_.size(); ++b)
-                if (const auto joint = treeJoint(scene_, b); joint && scene_.joints[*joint].couple)
-                    bodies_[b]->getParentJoint()->setForce(0, scene_.joints[*joint].couple);
-            world_->step(); // forgets it
+            for (const auto& [joint, described] : driven_)
+                if (described->speed)
+                    joint->setCommand(0, *described->speed);
+                else
+                    joint->setForce(0, described->couple);
+            world_->step(); // forgets them
         }
         count(steps);
     }
@@ -71,21 +71,30 @@ public:
     }
 
 private:
-    void shape(dynamics::BodyNode* node, const dynamics::ShapePtr& shape, const Place& at = {}) {
+    dart::constraint::ConstraintBasePtr closing(const Joint& joint, const Place& at) const {
+        dynamics::BodyNode* one = bodies_[static_cast<std::size_t>(joint.body1)];
+        if (joint.body2 < 0)
+            return std::make_shared<dart::constraint::BallJointConstraint>(one, vector(at));
+        return std::make_shared<dart::constraint::BallJointConstraint>(
+            one, bodies_[static_cast<std::size_t>(joint.body2)], vector(at));
+    }
+    // A pair has the smaller friction and the product of the restitutions.
+    void shape(dynamics::BodyNode* node, const dynamics::ShapePtr& shape, double friction,
+               const Place& at = {}) {
         auto* shown =
             node->createShapeNodeWith<dynamics::CollisionAspect, dynamics::DynamicsAspect>(shape);
         shown->setRelativeTranslation(vector(at));
-        shown->getDynamicsAspect()->setFrictionCoeff(scene_.friction);
-        shown->getDynamicsAspect()->setRestitutionCoeff(0);
+        shown->getDynamicsAspect()->setFrictionCoeff(friction);
+        shown->getDynamicsAspect()->setRestitutionCoeff(std::sqrt(scene_.restitution));
     }
-    void addFloor() {
+    void add(const Plane& plane) {
         constexpr double depth = 2;
-        const dynamics::SkeletonPtr skeleton = dynamics::Skeleton::create("floor");
+        const dynamics::SkeletonPtr skeleton = dynamics::Skeleton::create(plane.name);
         auto [joint, node] = skeleton->createJointAndBodyNodePair<dynamics::WeldJoint>();
-        const Place at = {depth / 2 * std::sin(scene_.slope), -depth / 2 * std::cos(scene_.slope),
-                          0};
-        joint->setTransformFromParentBodyNode(poseOf(at, scene_.slope));
-        shape(node, std::make_shared<dynamics::BoxShape>(Eigen::Vector3d(60, depth, 20)));
+        const Place at = {depth / 2 * std::sin(plane.slope), -depth / 2 * std::cos(plane.slope), 0};
+        joint->setTransformFromParentBodyNode(poseOf(at, plane.slope));
+        shape(node, std::make_shared<dynamics::BoxShape>(Eigen::Vector3d(60, depth, 20)),
+              scene_.planeFriction);
         skeletons_.push_back(skeleton);
     }
     // Frames of a joint's ends, in the bodies that it connects.
@@ -128,29 +137,34 @@ private:
             const dynamics::SkeletonPtr skeleton =
                 parent ? parent->getSkeleton() : skeletons_.back();
             node = joint.type == Joint::Type::slider
-                       ? hang<dynamics::PrismaticJoint>(skeleton, parent, index, joint, properties,
-                                                        Eigen::Vector3d::UnitX())
-                       : hang<dynamics::RevoluteJoint>(skeleton, parent, index, joint, properties,
-                                                       Eigen::Vector3d::UnitZ());
+                       ? hang<dynamics::PrismaticJoint>(skeleton, parent, index, joint, properties)
+                       : hang<dynamics::RevoluteJoint>(skeleton, parent, index, joint, properties);
         }
         if (scene_.collide)
             for (const Place& at : body.balls())
-                shape(node, std::make_shared<dynamics::SphereShape>(body.size[0]), at);
+                shape(node, std::make_shared<dynamics::SphereShape>(body.size[0]), scene_.friction,
+                      at);
         if (scene_.collide && body.shape == Body::Shape::box)
-            shape(node, std::make_shared<dynamics::BoxShape>(vector(body.size)));
+            shape(node, std::make_shared<dynamics::BoxShape>(vector(body.size)), scene_.friction);
         bodies_.push_back(node);
     }
     template <class Type>
     dynamics::BodyNode* hang(const dynamics::SkeletonPtr& skeleton, dynamics::BodyNode* parent,
                              std::size_t index, const Joint& joint,
-                             const dynamics::BodyNode::Properties& body,
-                             const Eigen::Vector3d& axis) const {
+                             const dynamics::BodyNode::Properties& body) {
         typename Type::Properties properties;
         properties.mName = "joint of " + scene_.bodies[index].name;
-        properties.mAxis = axis;
+        properties.mAxis = vector(joint.axis); // the frames are along the world's axes
         place(properties, index, joint);
         auto [made, node] = skeleton->createJointAndBodyNodePair<Type>(parent, properties, body);
         made->setVelocity(0, treeRate(scene_, index));
+        made->setSpringStiffness(0, joint.stiffness);
+        made->setRestPosition(0, joint.rest);
+        made->setCoulombFriction(0, joint.dryCouple);
+        if (joint.speed)
+            made->setActuatorType(dynamics::Joint::VELOCITY);
+        if (joint.speed || joint.couple != 0)
+            driven_.emplace_back(made, &joint);
         return node;
     }
 
@@ -159,14 +173,16 @@ private:
     dart::simulation::WorldPtr world_ = dart::simulation::World::create();
     std::vector<dynamics::SkeletonPtr> skeletons_;
     std::vector<dynamics::BodyNode*> bodies_;
+    std::vector<std::pair<dynamics::Joint*, const Joint*>> driven_;
 };
 
 } // namespace
 
 int main(int argc, char** argv) {
     const Measurement m("dart", argc, argv);
-    playAll(m, {{"Dantzig", usualSteps, [](const Case& scene, double h) {
-                     return std::make_unique<DartWorld>(scene, h);
-                 }}});
+    const auto build = [](const Case& scene, double h) {
+        return std::make_unique<DartWorld>(scene, h);
+    };
+    playAll(m, {{"Dantzig", usualSteps, build, {Feature::stop}}}); // its stops do not rebound
     return 0;
 }

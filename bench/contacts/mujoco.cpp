@@ -35,40 +35,56 @@ std::string attribute(const char* name, const std::vector<double>& values) {
     return std::string(" ") + name + "=\"" + numbers(values) + "\"";
 }
 
+// What turns about z only carries its frame along.
+Place turned(double angle, const Place& place) {
+    const double c = std::cos(angle), s = std::sin(angle);
+    return {c * place[0] + s * place[1], c * place[1] - s * place[0], place[2]};
+}
+Place inBody(const Body& body, const Place& place) {
+    return turned(body.angle,
+                  {place[0] - body.at[0], place[1] - body.at[1], place[2] - body.at[2]});
+}
+std::string place(const char* name, const Place& p) { return attribute(name, {p[0], p[1], p[2]}); }
+
+// What holds a motor to its speed: a damper so strong that its error is none, which the engine
+// takes implicitly but for RK4.
+constexpr double holding = 1e8;
+
+std::string jointText(const Body& body, const Joint& joint) {
+    std::string text = joint.type == Joint::Type::slider ? "<joint type=\"slide\"" : "<joint";
+    text += place("axis", turned(body.angle, joint.axis)) + place("pos", inBody(body, joint.at));
+    if (joint.stiffness != 0)
+        text += attribute("stiffness", {joint.stiffness}) + attribute("springref", {joint.rest});
+    if (joint.dryCouple != 0)
+        text += attribute("frictionloss", {joint.dryCouple});
+    if (joint.speed)
+        text += attribute("damping", {holding});
+    return text + "/>";
+}
+
 // A body, and those that hang on it, in the frame of what it hangs on. At the start all frames are
 // along the world's axes but for the bodies' own angles.
 std::string bodyText(const Case& scene, std::size_t index, const Place& from, double angle) {
     const Body& body = scene.bodies[index];
-    const double x = body.at[0] - from[0], y = body.at[1] - from[1];
-    const double c = std::cos(angle), s = std::sin(angle), turn = body.angle - angle;
-    std::string text = "<body name=\"" + body.name + "\"" +
-                       attribute("pos", {c * x + s * y, c * y - s * x, body.at[2] - from[2]}) +
+    const double turn = body.angle - angle;
+    const Place at = {body.at[0] - from[0], body.at[1] - from[1], body.at[2] - from[2]};
+    std::string text = "<body name=\"" + body.name + "\"" + place("pos", turned(angle, at)) +
                        attribute("quat", {std::cos(turn / 2), 0, 0, std::sin(turn / 2)}) + ">";
-    const double bc = std::cos(body.angle), bs = std::sin(body.angle);
-    if (const auto joint = treeJoint(scene, index)) {
-        const Joint& j = scene.joints[*joint];
-        const double jx = j.at[0] - body.at[0], jy = j.at[1] - body.at[1];
-        text += "<joint" +
-                std::string(j.type == Joint::Type::slider ? " type=\"slide\" axis=\"1 0 0\""
-                                                          : " type=\"hinge\" axis=\"0 0 1\"") +
-                attribute("pos", {bc * jx + bs * jy, bc * jy - bs * jx, j.at[2] - body.at[2]}) +
-                "/>";
-    } else {
-        text += "<freejoint/>";
-    }
+    const auto joint = treeJoint(scene, index);
+    text += joint ? jointText(body, scene.joints[*joint]) : "<freejoint/>";
     const Place inertia = body.inertia();
     text += "<inertial pos=\"0 0 0\"" + attribute("mass", {body.mass}) +
             attribute("diaginertia", {inertia[0], inertia[1], inertia[2]}) + "/>";
     if (scene.collide)
-        for (const Place& at : body.balls())
+        for (const Place& ball : body.balls())
             text += "<geom type=\"sphere\"" + attribute("size", {body.size[0]}) +
-                    attribute("pos", {at[0], at[1], at[2]}) + "/>";
+                    place("pos", ball) + "/>";
     if (scene.collide && body.shape == Body::Shape::box)
         text += "<geom type=\"box\"" +
                 attribute("size", {body.size[0] / 2, body.size[1] / 2, body.size[2] / 2}) + "/>";
     for (std::size_t b = 0; b < scene.bodies.size(); ++b)
-        if (const auto joint = treeJoint(scene, b);
-            joint && scene.joints[*joint].body2 == static_cast<int>(index))
+        if (const auto found = treeJoint(scene, b);
+            found && scene.joints[*found].body2 == static_cast<int>(index))
             text += bodyText(scene, b, body.at, body.angle);
     return text + "</body>";
 }
@@ -77,6 +93,14 @@ struct Manner {
     const char* integrator;
     bool stiff;
 };
+
+// How soft conditions give way: not at all, as far as the step allows.
+std::string softness(double h, bool stiff, const std::string& what = "") {
+    if (!stiff)
+        return "";
+    return attribute(("solref" + what).c_str(), {2 * h, 1}) + " solimp" + what +
+           "=\"0.9999 0.9999 0.001\"";
+}
 
 std::string documentOf(const Case& scene, double h, const Manner& way) {
     const auto count = static_cast<double>(scene.bodies.size());
@@ -87,13 +111,13 @@ std::string documentOf(const Case& scene, double h, const Manner& way) {
         " cone=\"elliptic\" tolerance=\"1e-12\" integrator=\"" + way.integrator + "\"" +
         (way.stiff ? " noslip_iterations=\"50\" noslip_tolerance=\"1e-14\"" : "") +
         "/><default><geom" + attribute("friction", {scene.friction, 0, 0}) +
-        (way.stiff ? attribute("solref", {2 * h, 1}) + " solimp=\"0.9999 0.9999 0.001\"" : "") +
-        "/><equality" +
-        (way.stiff ? attribute("solref", {2 * h, 1}) + " solimp=\"0.9999 0.9999 0.001\"" : "") +
-        "/></default><worldbody>";
-    if (scene.floor)
+        softness(h, way.stiff) + "/><joint" + softness(h, way.stiff, "friction") + "/><equality" +
+        softness(h, way.stiff) + "/></default><worldbody>";
+    // Of two geoms the one with the priority says the friction.
+    for (const Plane& plane : scene.planes)
         text += "<geom type=\"plane\" size=\"0 0 1\"" +
-                attribute("zaxis", {-std::sin(scene.slope), std::cos(scene.slope), 0}) + "/>";
+                attribute("zaxis", {-std::sin(plane.slope), std::cos(plane.slope), 0}) +
+                " priority=\"1\"" + attribute("friction", {scene.planeFriction, 0, 0}) + "/>";
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
         const auto joint = treeJoint(scene, b);
         if (!joint || scene.joints[*joint].body2 < 0)
@@ -103,11 +127,13 @@ std::string documentOf(const Case& scene, double h, const Manner& way) {
     for (const std::size_t loop : loopJoints(scene)) {
         const Joint& joint = scene.joints[loop];
         const Body& body = scene.bodies[static_cast<std::size_t>(joint.body1)];
-        const double x = joint.at[0] - body.at[0], y = joint.at[1] - body.at[1];
-        const double c = std::cos(body.angle), s = std::sin(body.angle);
-        text += "<connect body1=\"" + body.name + "\" body2=\"" +
-                scene.bodies[static_cast<std::size_t>(joint.body2)].name + "\"" +
-                attribute("anchor", {c * x + s * y, c * y - s * x, 0}) + "/>";
+        for (const Place& at : closingPoints(scene, joint)) {
+            text += "<connect body1=\"" + body.name + "\"";
+            if (joint.body2 >= 0)
+                text +=
+                    " body2=\"" + scene.bodies[static_cast<std::size_t>(joint.body2)].name + "\"";
+            text += place("anchor", inBody(body, at)) + "/>";
+        }
     }
     return text + "</equality></mujoco>";
 }
@@ -135,7 +161,9 @@ public:
             mjtNum* rate = data_->qvel + model_->body_dofadr[ids_.back()];
             if (const auto joint = treeJoint(scene, b)) {
                 rate[0] = treeRate(scene, b);
-                data_->qfrc_applied[model_->body_dofadr[ids_.back()]] = scene.joints[*joint].couple;
+                const Joint& driven = scene.joints[*joint];
+                data_->qfrc_applied[model_->body_dofadr[ids_.back()]] =
+                    driven.couple + holding * driven.speed.value_or(0);
                 continue;
             }
             for (std::size_t a = 0; a < 3; ++a)
@@ -174,9 +202,12 @@ Build with(const Manner& way) {
 
 int main(int argc, char** argv) {
     const Measurement m("mujoco", argc, argv);
-    playAll(m, {{"RK4", usualSteps, with({"RK4", false})},
-                {"Euler", usualSteps, with({"Euler", false})},
-                {"RK4;stiff;noslip", usualSteps, with({"RK4", true})},
-                {"Euler;stiff;noslip", usualSteps, with({"Euler", true})}});
+    // It knows no coefficient of restitution.
+    const std::vector<Feature> lacks{Feature::rebound, Feature::stop},
+        explicitly{Feature::rebound, Feature::stop, Feature::heldSpeed};
+    playAll(m, {{"RK4", usualSteps, with({"RK4", false}), explicitly},
+                {"Euler", usualSteps, with({"Euler", false}), lacks},
+                {"RK4;stiff;noslip", usualSteps, with({"RK4", true}), explicitly},
+                {"Euler;stiff;noslip", usualSteps, with({"Euler", true}), lacks}});
     return 0;
 }

@@ -16,8 +16,8 @@ public:
     OdeWorld(const Case& scene, double h, bool fast) : scene_(scene), h_(h), fast_(fast) {
         dWorldSetGravity(world_, 0, -scene.gravity, 0);
         dWorldSetQuickStepNumIterations(world_, 50);
-        if (scene.floor)
-            dCreatePlane(space_, -std::sin(scene.slope), std::cos(scene.slope), 0, 0);
+        for (const Plane& plane : scene.planes)
+            dCreatePlane(space_, -std::sin(plane.slope), std::cos(plane.slope), 0, 0);
         for (const Body& body : scene.bodies)
             add(body);
         for (const Joint& joint : scene.joints)
@@ -36,8 +36,9 @@ public:
         for (long i = 0; i < steps; ++i) {
             if (scene_.collide)
                 dSpaceCollide(space_, this, meet);
-            for (const auto& [joint, couple] : motors_)
-                dJointAddHingeTorque(joint, couple);
+            for (const auto& [id, joint] : driven_)
+                dJointAddHingeTorque(id,
+                                     joint->couple + springCouple(*joint, dJointGetHingeAngle(id)));
             if (fast_)
                 dWorldQuickStep(world_, span / static_cast<double>(steps));
             else
@@ -61,7 +62,12 @@ private:
         const int found = dCollide(a, b, 8, &contacts[0].geom, sizeof contacts[0]);
         for (int i = 0; i < found; ++i) {
             contacts[i].surface.mode = dContactApprox1;
-            contacts[i].surface.mu = self.scene_.friction;
+            contacts[i].surface.mu =
+                bodyA && bodyB ? self.scene_.friction : self.scene_.planeFriction;
+            if (self.scene_.restitution > 0) {
+                contacts[i].surface.mode |= dContactBounce;
+                contacts[i].surface.bounce = self.scene_.restitution;
+            }
             dJointAttach(dJointCreateContact(self.world_, self.contacts_, &contacts[i]), bodyA,
                          bodyB);
         }
@@ -94,13 +100,22 @@ private:
             slides ? dJointCreateSlider(world_, nullptr) : dJointCreateHinge(world_, nullptr);
         dJointAttach(id, bodies_[static_cast<std::size_t>(joint.body1)],
                      joint.body2 < 0 ? nullptr : bodies_[static_cast<std::size_t>(joint.body2)]);
+        const auto [x, y, z] = joint.axis;
         if (slides) {
-            dJointSetSliderAxis(id, 1, 0, 0);
-        } else {
-            dJointSetHingeAnchor(id, joint.at[0], joint.at[1], joint.at[2]);
-            dJointSetHingeAxis(id, 0, 0, 1);
-            if (joint.couple != 0)
-                motors_.emplace_back(id, joint.couple);
+            dJointSetSliderAxis(id, x, y, z);
+            return;
+        }
+        dJointSetHingeAnchor(id, joint.at[0], joint.at[1], joint.at[2]);
+        dJointSetHingeAxis(id, x, y, z);
+        if (joint.couple != 0 || joint.stiffness != 0)
+            driven_.emplace_back(id, &joint);
+        if (joint.speed || joint.dryCouple > 0) {
+            dJointSetHingeParam(id, dParamVel, joint.speed.value_or(0));
+            dJointSetHingeParam(id, dParamFMax, joint.speed ? dInfinity : joint.dryCouple);
+        }
+        if (joint.least) {
+            dJointSetHingeParam(id, dParamLoStop, *joint.least);
+            dJointSetHingeParam(id, dParamBounce, scene_.restitution);
         }
     }
 
@@ -111,7 +126,7 @@ private:
     dSpaceID space_ = dHashSpaceCreate(nullptr);
     dJointGroupID contacts_ = dJointGroupCreate(0);
     std::vector<dBodyID> bodies_;
-    std::vector<std::pair<dJointID, double>> motors_;
+    std::vector<std::pair<dJointID, const Joint*>> driven_; // by couples of our own
 };
 
 Build with(bool fast) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <exception>
 #include <limits>
+#include <numbers>
 
 namespace bench::contacts {
 namespace {
@@ -73,6 +74,10 @@ bool playOne(const Measurement& m, const Case& scene, const Way& way, double par
 
 } // namespace
 
+double springCouple(const Joint& hinge, double angle) {
+    return -hinge.stiffness * std::remainder(angle - hinge.rest, 2 * std::numbers::pi);
+}
+
 long stepsIn(double span, double step) {
     return std::max(1L, std::lround(std::ceil(span / step * (1 - 1e-9))));
 }
@@ -83,9 +88,10 @@ void playAll(const Measurement& m, const std::vector<Way>& ways) {
         if (!m.wants(scene.name))
             continue;
         for (const Way& way : ways)
-            for (const double parameter : m.sweep(way.parameters))
-                if (!playOne(m, scene, way, parameter))
-                    break;
+            if (std::ranges::none_of(way.lacks, [&](Feature f) { return scene.needs(f); }))
+                for (const double parameter : m.sweep(way.parameters))
+                    if (!playOne(m, scene, way, parameter))
+                        break;
     }
     m.add({"calibration", "sine and division", 1, 0, calibration(m), ""});
 }

@@ -36,6 +36,7 @@ struct Way {
     std::string setting;
     std::vector<double> parameters; // the coarsest first
     Build build;
+    std::vector<Feature> lacks{}; // a case that needs one of them has no row
 };
 
 // advance() goes on by the same span so many times.
@@ -47,6 +48,9 @@ inline const std::vector<double> usualSteps = {1.0 / 60,   1.0 / 240, 1.0 / 1000
 // Plays every wanted case in every way. A run is cut off after some seconds; then the row has no
 // error, and finer parameters are left out.
 void playAll(const Measurement& m, const std::vector<Way>& ways);
+
+// The couple of a hinge's spring, for engines without one; they may tell the angle to a whole turn.
+[[nodiscard]] double springCouple(const Joint& hinge, double angle);
 
 // The number of steps of about `step` in `span`: at least one.
 [[nodiscard]] long stepsIn(double span, double step);

@@ -17,9 +17,21 @@ std::string list(const Place& place) {
 
 bool any(const Place& place) { return place[0] != 0 || place[1] != 0 || place[2] != 0; }
 
+// Where the place, from the body's centre, lies in its frame, which turns about z only.
+Place turned(const Body& body, double x, double y, double z) {
+    const double c = std::cos(body.angle), s = std::sin(body.angle);
+    return {c * x + s * y, c * y - s * x, z};
+}
+
+Place inBody(const Body& body, const Place& place) {
+    return turned(body, place[0] - body.at[0], place[1] - body.at[1], place[2] - body.at[2]);
+}
+
 std::string partsOf(const Body& body) {
     if (body.shape == Body::Shape::box)
         return "-sub {-box " + list(body.size) + "}";
+    if (body.shape == Body::Shape::capsule)
+        return "-sub {-capsule {" + number(body.size[0]) + " " + number(body.size[1]) + "}}";
     std::string parts;
     for (const Place& at : body.balls())
         parts += std::string(parts.empty() ? "" : " ") + "-sub {" +
@@ -28,9 +40,38 @@ std::string partsOf(const Body& body) {
     return parts;
 }
 
+std::string surface(const Case& scene, double friction) {
+    return (friction > 0 ? " -friction " + number(friction) : std::string()) + " -restitution " +
+           number(scene.restitution);
+}
+
+// Whether planes have a friction that does not follow from the bodies' own.
+bool ownFriction(const Case& scene) {
+    return scene.planeFriction > 0 && scene.planeFriction != scene.friction;
+}
+
+std::string planeText(const Case& scene, const Plane& plane) {
+    std::string text = "body " + plane.name + " ground -fixed 1";
+    if (plane.slope != 0)
+        text += " -init_rot " + list({0, 0, plane.slope});
+    return text + surface(scene, ownFriction(scene) ? 0 : scene.planeFriction) + "\n";
+}
+
+std::string pairText(const Case& scene) {
+    std::string text;
+    if (ownFriction(scene))
+        for (const Plane& plane : scene.planes)
+            for (const Body& body : scene.bodies)
+                text += "contact -body1 " + body.name + " -body2 " + plane.name + " -friction " +
+                        number(scene.planeFriction) + "\n";
+    return text;
+}
+
 std::string bodyText(const Case& scene, const Body& body) {
     std::string text = "shape_set " + body.name + "_shape -desc {" + partsOf(body) + "}\n";
     text += "body " + body.name + " " + body.name + "_shape -mass " + number(body.mass);
+    if (body.moments)
+        text += " -inertia " + list(*body.moments);
     text += " -init_pos " + list(body.at);
     if (body.angle != 0)
         text += " -init_rot " + list({0, 0, body.angle});
@@ -38,9 +79,8 @@ std::string bodyText(const Case& scene, const Body& body) {
         text += " -init_dpos " + list(body.velocity);
     if (body.spin != 0)
         text += " -init_drot " + list({0, 0, body.spin});
-    if (scene.floor)
-        text +=
-            " -friction " + number(scene.friction) + " -restitution " + number(scene.restitution);
+    if (!scene.planes.empty())
+        text += surface(scene, scene.friction);
     text += "\n";
     if (scene.gravity != 0)
         text +=
@@ -48,23 +88,27 @@ std::string bodyText(const Case& scene, const Body& body) {
     return text;
 }
 
-// Where the place lies in the frame of a body that turns about z only.
-Place inBody(const Body& body, const Place& place) {
-    const double x = place[0] - body.at[0], y = place[1] - body.at[1];
-    const double c = std::cos(body.angle), s = std::sin(body.angle);
-    return {c * x + s * y, c * y - s * x, place[2] - body.at[2]};
-}
-
 std::string jointText(const Case& scene, const Joint& joint, std::size_t index) {
     const Body& body = scene.bodies[static_cast<std::size_t>(joint.body1)];
-    const bool slides = joint.type == Joint::Type::slider;
+    const Place axis = turned(body, joint.axis[0], joint.axis[1], joint.axis[2]);
     std::string text = "joint j" + std::to_string(index) + " -type ";
-    text += slides ? "slider -axis {1 0 0}" : "hinge";
+    text += joint.type == Joint::Type::slider ? "slider" : "hinge";
+    if (joint.type == Joint::Type::slider || axis != Place{0, 0, 1}) // by default a hinge's is z
+        text += " -axis " + list(axis);
     text += " -body1 " + body.name + " -offset1 " + list(inBody(body, joint.at));
     if (joint.body2 >= 0)
         text += " -body2 " + scene.bodies[static_cast<std::size_t>(joint.body2)].name;
     if (joint.couple != 0)
         text += " -motor " + number(joint.couple);
+    if (joint.speed)
+        text += " -speed " + number(*joint.speed);
+    if (joint.least)
+        text += " -limits {" + number(*joint.least) + " {}} -limit_restitution " +
+                number(scene.restitution);
+    if (joint.stiffness != 0)
+        text += " -stiffness " + number(joint.stiffness) + " -rest " + number(joint.rest);
+    if (joint.dryCouple != 0)
+        text += " -friction " + number(joint.dryCouple);
     return text + "\n";
 }
 
@@ -73,18 +117,15 @@ std::string jointText(const Case& scene, const Joint& joint, std::size_t index) 
 std::string sceneText(const Case& scene) {
     std::string text = "simulator -finish " + number(scene.times.back());
     text += scene.collide ? "\n" : " -collisions 0\n";
-    if (scene.floor) {
-        text += "shape_set ground -desc {-sub {-plane}}\nbody floor ground -fixed 1";
-        if (scene.slope != 0)
-            text += " -init_rot " + list({0, 0, scene.slope});
-        text += " -friction " + number(scene.friction) + " -restitution " +
-                number(scene.restitution) + "\n";
-    }
+    if (!scene.planes.empty())
+        text += "shape_set ground -desc {-sub {-plane}}\n";
+    for (const Plane& plane : scene.planes)
+        text += planeText(scene, plane);
     for (const Body& body : scene.bodies)
         text += bodyText(scene, body);
     for (std::size_t i = 0; i < scene.joints.size(); ++i)
         text += jointText(scene, scene.joints[i], i);
-    return text;
+    return text + pairText(scene);
 }
 
 } // namespace bench::contacts

@@ -5,7 +5,6 @@
 
 #include <Simbody.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace {
@@ -25,25 +24,41 @@ struct Material {
     double stiffness, transition; // Pa, m/s
 };
 
+SimTK::ContactMaterial materialOf(const Material& material, double friction) {
+    return SimTK::ContactMaterial(material.stiffness, 1, friction, friction, 0);
+}
+
 class SimbodyWorld : public bench::contacts::World {
 public:
     SimbodyWorld(const Case& scene, double accuracy, const Material& material, bool stiff)
-        : scene_(scene), surface_(material.stiffness, 1, scene.friction, scene.friction, 0) {
+        : scene_(scene), surface_(materialOf(material, scene.friction)) {
         contact_.setTransitionVelocity(material.transition);
         const SimTK::Force::UniformGravity gravity(forces_, matter_, Vec3(0, -scene.gravity, 0));
-        if (scene.floor) // a half space lies behind its own +x
+        // A pair has the harmonic mean of the frictions.
+        const double planes =
+            scene.planeFriction > 0
+                ? scene.planeFriction * scene.friction / (2 * scene.friction - scene.planeFriction)
+                : 0;
+        for (const Plane& plane : scene.planes) // a half space lies behind its own +x
             matter_.updGround().updBody().addContactSurface(
-                SimTK::Transform(SimTK::Rotation(scene.slope - SimTK::Pi / 2, SimTK::ZAxis),
+                SimTK::Transform(SimTK::Rotation(plane.slope - SimTK::Pi / 2, SimTK::ZAxis),
                                  Vec3(0)),
-                SimTK::ContactSurface(SimTK::ContactGeometry::HalfSpace(), surface_));
+                SimTK::ContactSurface(SimTK::ContactGeometry::HalfSpace(),
+                                      materialOf(material, planes)));
         for (std::size_t b = 0; b < scene.bodies.size(); ++b)
             add(b);
         for (const std::size_t loop : loopJoints(scene)) {
             const Joint& joint = scene.joints[loop];
-            const auto one = static_cast<std::size_t>(joint.body1),
-                       other = static_cast<std::size_t>(joint.body2);
-            const SimTK::Constraint::Ball ball(bodies_[one], inBody(one, joint.at), bodies_[other],
-                                               inBody(other, joint.at));
+            for (const Place& at : closingPoints(scene, joint)) {
+                MobilizedBody other = matter_.updGround();
+                if (joint.body2 >= 0)
+                    other = bodies_[static_cast<std::size_t>(joint.body2)];
+                const auto one = static_cast<std::size_t>(joint.body1);
+                const SimTK::Constraint::Ball ball(
+                    bodies_[one], inBody(one, at), other,
+                    joint.body2 < 0 ? vector(at)
+                                    : inBody(static_cast<std::size_t>(joint.body2), at));
+            }
         }
         start();
         if (stiff)
@@ -100,7 +115,11 @@ private:
         }
         const Joint& joint = scene_.joints[*found];
         const bool slides = joint.type == Joint::Type::slider;
-        const SimTK::Transform at = poseOf(joint.at, 0), here = ~poseOfBody(index) * at;
+        // A slider slides along the x of its frame, a hinge turns about the z.
+        const SimTK::CoordinateAxis own(slides ? 0 : 2);
+        const SimTK::Transform at(SimTK::Rotation(SimTK::UnitVec3(vector(joint.axis)), own),
+                                  vector(joint.at));
+        const SimTK::Transform here = ~poseOfBody(index) * at;
         MobilizedBody parent = matter_.updGround();
         SimTK::Transform there = at;
         if (joint.body2 >= 0) {
@@ -114,6 +133,8 @@ private:
         if (joint.couple != 0)
             const SimTK::Force::MobilityConstantForce motor(forces_, bodies_.back(), 0,
                                                             joint.couple);
+        if (joint.speed)
+            const SimTK::Motion::Steady held(bodies_.back(), *joint.speed);
     }
     void start() {
         system_.realizeTopology();
@@ -145,11 +166,6 @@ private:
 
 Build with(const Material& material, bool stiff) {
     return [=](const Case& scene, double accuracy) -> std::unique_ptr<bench::contacts::World> {
-        const auto boxes =
-            std::count_if(scene.bodies.begin(), scene.bodies.end(),
-                          [](const Body& body) { return body.shape == Body::Shape::box; });
-        if (scene.collide && boxes > 1)
-            return nullptr;
         if (!scene.collide && material.stiffness > 1e7)
             return nullptr; // the same once more
         return std::make_unique<SimbodyWorld>(scene, accuracy, material, stiff);
@@ -162,9 +178,11 @@ int main(int argc, char** argv) {
     const Measurement m("simbody", argc, argv);
     const std::vector<double> accuracies = {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-8};
     const Material soft{1e7, 1e-2}, hard{1e9, 1e-4};
-    playAll(m, {{"RKMerson;1e7 Pa;1e-2 m/s", accuracies, with(soft, false)},
-                {"RKMerson;1e9 Pa;1e-4 m/s", accuracies, with(hard, false)},
-                {"CPodes-BDF;1e7 Pa;1e-2 m/s", accuracies, with(soft, true)},
-                {"CPodes-BDF;1e9 Pa;1e-4 m/s", accuracies, with(hard, true)}});
+    const std::vector<Feature> lacks{Feature::boxOnBox, Feature::rebound, Feature::stop,
+                                     Feature::dryCouple};
+    playAll(m, {{"RKMerson;1e7 Pa;1e-2 m/s", accuracies, with(soft, false), lacks},
+                {"RKMerson;1e9 Pa;1e-4 m/s", accuracies, with(hard, false), lacks},
+                {"CPodes-BDF;1e7 Pa;1e-2 m/s", accuracies, with(soft, true), lacks},
+                {"CPodes-BDF;1e9 Pa;1e-4 m/s", accuracies, with(hard, true), lacks}});
     return 0;
 }
