@@ -7,7 +7,9 @@ import pages
 NAMES = dict(pages.NAMES, siconos="Siconos")
 OURS, PLAIN = "asgard", "plain"
 LEVELS = (1e-3, 1e-6)
-SPANS = {"slope": 2, "car": 2, "walking machine": 2, "box tips": 0.5}  # seconds of motion; else 1
+SPANS = {"slope": 2, "ball slides": 2, "block on cart": 2, "bounce": 0.5, "rod slips back": 1.3, "rod slips forward": 1.5,
+         "ladder": 0.8, "rod on stop": 2.5, "Bricard": 5, "torsion pendulum": 14, "car": 2, "walking machine": 2,
+         "box tips": 0.5}  # seconds of motion; else 1
 
 
 def span(scene):
@@ -83,6 +85,8 @@ SERIES = (("our motion", ours("motion")), ("with its error*", ours("with estimat
           *((NAMES[name], lambda r, name=name: r.program.split("_")[0] == name)
             for name in ("siconos", "mujoco", "simbody", "ode", "bullet", "dart")))
 CASES = {"slope slides": "A block slides up a slope and stops, 2 s", "ball rolls": "A ball slides, then rolls, 1 s",
+         "rod slips back": "A rod tips and its foot slips, 1.3 s", "rod on stop": "A rod on a hinge meets a stop, 2.5 s",
+         "Bricard": "Bricard's mechanism, five rods, 5 s", "torsion pendulum": "Spring and dry friction, 14 s",
          "box tips": "A box tips over its edge, 0.5 s", "slider-crank": "A slider-crank, three turns in 1 s",
          "car": "A car rolls down a slope, 2 s", "walking machine": "A machine walks on eight legs, 2 s"}
 SIZES = {"stack": "Boxes at rest on each other", "chain": "Rods on hinges, let go level"}
