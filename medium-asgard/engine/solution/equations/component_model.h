@@ -157,17 +157,6 @@ public:
         Derived moves; // entries of pushes, then of shifts
     };
     [[nodiscard]] const Conditions& conditions() const { return conditions_; }
-    // Where all conditions but ties hold and nothing switches: outputs, then multipliers, then what
-    // is positive where these keep the conditions (solved_conditions.h).
-    struct Solved {
-        expression::Function all;
-        // Of rates of these conditions, one for each multiplier behind the symbols, the multipliers
-        // that keep them; then the same checks.
-        expression::Function given;
-        std::size_t rows = 0, multiplications = 0;
-    };
-    // Null: they are not to be had so.
-    [[nodiscard]] const Solved* solved() const;
     // g'' of one, a node of graph().
     [[nodiscard]] expression::Node secondRate(std::size_t multiplier) const {
         return conditionNodes_[3 * multiplier + 2];
@@ -185,7 +174,6 @@ private:
     [[nodiscard]] std::vector<expression::Node> attitudes() const;
     [[nodiscard]] std::unique_ptr<Jacobian> derivedJacobian() const;
     [[nodiscard]] Gradient gradientOf(expression::Node node) const;
-    [[nodiscard]] std::unique_ptr<Solved> derivedSolution() const;
     [[nodiscard]] Derived derive(expression::Graph& graph, std::span<const expression::Node> nodes,
                                  std::span<const expression::Node> more = {}) const;
     struct FoundDirections {
@@ -241,8 +229,6 @@ private:
         std::mutex making;
         std::unique_ptr<const Jacobian> jacobian;
         std::vector<std::unique_ptr<const Gradient>> gradients;
-        std::unique_ptr<const Solved> solved;
-        bool isSolvedKnown = false;
     };
     mutable Derivatives derivatives_;
 };

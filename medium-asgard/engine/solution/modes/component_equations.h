@@ -64,7 +64,7 @@ public:
     [[nodiscard]] std::size_t size() const override { return states().size(); }
     [[nodiscard]] bool rates(double t, std::span<const double> y, std::span<double> out) override;
     [[nodiscard]] double* place() override {
-        return isPlain_ || field_.findsRatesAtOnce() ? functions_.in().data() + 1 : nullptr;
+        return isPlain_ ? functions_.in().data() + 1 : nullptr;
     }
     [[nodiscard]] Direct direct() override {
         if (!isPlain_ || !functions_.code().entry)

@@ -1,7 +1,5 @@
 #include "modes/elimination.h"
 
-#include "equations/solved_conditions.h"
-
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -10,25 +8,53 @@ namespace solution {
 namespace {
 
 // Of the diagonal:
-constexpr double rounding = 1e-13;  // less is that
-constexpr double ofTilt = 1e-7;     // less is a patch's tilt, where three of its rows are done
-constexpr double ofLine = 1e-10;    // less is that of three points in a line
-constexpr double narrow = 1e-3;     // less is better taken from another row of the patch,
-constexpr double better = 10;       // ... one that has as many times more
-constexpr double differing = 1e-11; // mirrored entries do by rounding
+constexpr double leastPivot = 1e-10; // less may be what rounding leaves of 0
+constexpr double rounding = 1e-13;   // less is that
+constexpr double ofTilt = 1e-7;      // less is a patch's tilt, where three of its rows are done
+constexpr double ofLine = 1e-10;     // less is that of three points in a line
+constexpr double narrow = 1e-3;      // less is better taken from another row of the patch,
+constexpr double better = 10;        // ... one that has as many times more
+constexpr double differing = 1e-11;  // mirrored entries do by rounding
 
 } // namespace
 
 bool Elimination::plan(std::size_t size, std::span<const Place> places, double most) {
+    std::vector<std::vector<Index>> next(size); // of each row, in order
+    for (const auto& [row, column] : places)
+        if (row != column) {
+            next[row].push_back(column);
+            next[column].push_back(row);
+        }
+    for (std::vector<Index>& of : next) {
+        std::ranges::sort(of);
+        of.erase(std::unique(of.begin(), of.end()), of.end());
+    }
+    rowOf_.clear();
     mates_.clear();
-    const auto order = eliminationOrder(size, places, most);
-    if (!order)
-        return false;
-    rowOf_ = order->rows;
-    rankOf_.resize(size);
-    for (std::size_t rank = 0; rank < size; ++rank)
-        rankOf_[rowOf_[rank]] = static_cast<Index>(rank);
-    layOut(order->later);
+    rankOf_.assign(size, 0);
+    std::vector<char> isDone(size, 0);
+    std::vector<Index> joined;
+    double multiplications = 0;
+    while (rowOf_.size() < size) {
+        std::size_t least = size;
+        for (std::size_t row = 0; row < size; ++row)
+            if (isDone[row] == 0 && (least == size || next[row].size() < next[least].size()))
+                least = row;
+        const auto count = static_cast<double>(next[least].size());
+        multiplications += count * (count + 1) / 2;
+        if (multiplications > most)
+            return false;
+        rankOf_[least] = static_cast<Index>(rowOf_.size());
+        rowOf_.push_back(static_cast<Index>(least));
+        isDone[least] = 1;
+        for (const Index row : next[least]) {
+            joined.clear();
+            std::ranges::set_union(next[row], next[least], std::back_inserter(joined));
+            std::erase_if(joined, [&](Index i) { return i == row || i == least; });
+            next[row] = joined;
+        }
+    }
+    layOut(next);
     return true;
 }
 

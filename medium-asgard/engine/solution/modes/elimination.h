@@ -1,8 +1,10 @@
 // Gauss' elimination of a sparse symmetric matrix, L D L', in an order that is found once.
 //
 // A joint couples its conditions with those of neighbouring joints alone. From the leaves of a tree
-// of joints on, elimination makes no entry that was 0 another number, so that the multiplications
-// are in proportion to the joints (equations/elimination_order.h). Loops leave a small dense rest.
+// of joints on, elimination makes no entry that was 0 another number (Featherstone, Rigid Body
+// Dynamics Algorithms, 2008, 8.5), so that the multiplications are in proportion to the joints.
+// Loops leave a small dense rest. The order is that of least degree (Tinney and Walker, Proc. IEEE
+// 55, 1967), the first of equals.
 //
 // Of a positive definite matrix, as J M^-1 J' is, elimination needs no search for pivots: its
 // backward error is rounding for each product (Higham, Accuracy and Stability of Numerical
@@ -15,8 +17,6 @@
 // same entries.
 #pragma once
 
-#include "equations/elimination_order.h"
-
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -25,8 +25,10 @@ namespace solution {
 
 class Elimination {
 public:
-    using Index = EliminationOrder::Index;
-    using Place = EliminationOrder::Place;
+    using Index = std::uint32_t;
+    struct Place {
+        Index row, column;
+    };
 
     // For matrices whose entries are 0 but on the diagonal, at these places and at those that
     // mirror them. False: a factorization takes more than `most` multiplications. Then nothing is

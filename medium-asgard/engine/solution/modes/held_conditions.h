@@ -28,9 +28,6 @@
 
 namespace solution {
 
-// A clause: that many conditions are solved for one after the other.
-[[nodiscard]] std::string howEliminated(std::size_t rows, std::size_t multiplications);
-
 class HeldConditions {
 public:
     // `mode` outlives them, and says which conditions hold. Ties are not among them.

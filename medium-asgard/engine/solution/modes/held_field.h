@@ -38,16 +38,6 @@ public:
     [[nodiscard]] bool weigh();
     // values() in the mode; where it slides and has no solution, on its branches.
     void find();
-    // Rates of a model without held values, without values(). False: they are to be had by find().
-    [[nodiscard]] bool findRatesAtOnce(std::span<double> rates) {
-        const bool isFound = findsRatesAtOnce() && multipliers_.solveWith(rates);
-        isContradictory_ = isContradictory_ && !isFound;
-        return isFound;
-    }
-    // As long as rows are far from redundant.
-    [[nodiscard]] bool findsRatesAtOnce() {
-        return !mode_.isHeld() && model_.held() == 0 && multipliers_.areSolvedAtOnce();
-    }
     [[nodiscard]] std::vector<double> here() {
         find();
         return values_;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace solution {
 
@@ -101,76 +100,8 @@ void Multipliers::addBounds() {
             rest_[matrix[k].row] += bound(matrix[k].column) * second_[k];
 }
 
-bool Multipliers::holdAlways() const {
-    return std::ranges::none_of(f_.bound()->laws, [](const BoundModel::Law& law) {
-        return law.isBounded() || law.isStop || law.release || law.leaving;
-    });
-}
-
-// Whatever the point, which is one that nothing distinguishes: entries that are no expressions of
-// each other differ there, as where forces read forces.
-bool Multipliers::isSymmetric() {
-    constexpr double step = 0.6180339887498949, rounding = 1e-9;
-    const std::vector<double> here = f_.in();
-    double part = 0.1;
-    for (std::size_t i = 0; i < model_.variables(); ++i) {
-        part += part + step < 1 ? step : step - 1;
-        f_.in()[i] = 0.5 + part;
-    }
-    evaluate();
-    f_.in() = here;
-    const auto& entries = model_.conditions().matrix; // in order of rows, then of columns
-    const auto placeOf = [](const ComponentModel::Entry& entry) {
-        return std::pair(entry.row, entry.column);
-    };
-    double largest = 0;
-    for (std::size_t k = 0; k < entries.size(); ++k)
-        largest = std::max(largest, std::abs(second_[k]));
-    for (std::size_t k = 0; k < entries.size(); ++k) {
-        const auto [row, column] = entries[k];
-        const auto mirrored =
-            std::ranges::lower_bound(entries, std::pair(column, row), {}, placeOf);
-        const bool isThere =
-            mirrored != entries.end() && placeOf(*mirrored) == std::pair(column, row);
-        const double other =
-            isThere ? second_[static_cast<std::size_t>(mirrored - entries.begin())] : 0;
-        if (!(std::abs(second_[k] - other) <= rounding * largest))
-            return false;
-    }
-    return true;
-}
-
-void Multipliers::askForAll() {
-    atOnce_.isAsked = true;
-    if (size() > 0 && holdAlways() && isSymmetric())
-        atOnce_.model = model_.solved();
-}
-
-bool Multipliers::solveWith(std::span<double> outputs) {
-    atOnce_.isLast = false;
-    if (!areSolvedAtOnce() || !mode_.sticking.empty())
-        return false;
-    atOnce_.values.resize(atOnce_.model->all.tape().outputs());
-    atOnce_.model->all.evaluate(f_.in(), atOnce_.values, f_.scratch());
-    const double* const values = atOnce_.values.data();
-    const std::size_t forces = model_.outputs().size();
-    if (!atOnce_.isPositive(forces + size()))
-        return false;
-    std::copy_n(values, outputs.size(), outputs.begin());
-    std::copy_n(values + forces, size(), std::span(f_.in()).last(size()).begin());
-    areBalanced_ = true;
-    atOnce_.isLast = true;
-    return true;
-}
-
-std::string Multipliers::how() const {
-    return atOnce_.isLast ? howEliminated(atOnce_.model->rows, atOnce_.model->multiplications)
-                          : held_.how();
-}
-
 bool Multipliers::solve() {
     areBalanced_ = true;
-    atOnce_.isLast = false;
     if (size() == 0)
         return true;
     evaluate();
@@ -237,8 +168,6 @@ double Multipliers::secondRate(std::size_t row) const {
 
 Multipliers::Turns Multipliers::turns() {
     constexpr double often = 10; // times on the way to rest
-    if (f_.bound()->discs.empty())
-        return {};
     evaluateGaps();
     const std::vector<ComponentModel::Entry>& entries = model_.conditions().matrix;
     std::vector<double> ofRow(size(), 0);
@@ -424,35 +353,15 @@ bool Multipliers::factoriseMoves() {
     ties_.resize(conditions.ofTies.size());
     if (!ties_.empty())
         f_.evaluate(conditions.ties, ties_);
-    if (atOnce_.projects) {
-        atOnce_.in = f_.in();
-    } else {
-        evaluate();
-        if (!factorise())
-            return false;
-    }
+    evaluate();
+    if (!factorise())
+        return false;
     evaluateMoves();
     return true;
 }
 
-// Of these rates, in found_, the multipliers that keep them, in their place; by the matrix of the
-// point where factoriseMoves() was called.
-bool Multipliers::solveRates() {
-    if (!atOnce_.projects) {
-        held_.solve(found_);
-        return true;
-    }
-    const expression::Function& given = atOnce_.model->given;
-    atOnce_.in.resize(f_.in().size());
-    atOnce_.in.insert(atOnce_.in.end(), found_.data(), found_.data() + found_.size());
-    atOnce_.values.resize(given.tape().outputs());
-    given.evaluate(atOnce_.in, atOnce_.values, f_.scratch());
-    std::copy_n(atOnce_.values.data(), size(), found_.data());
-    return atOnce_.isPositive(size());
-}
-
 // Multipliers that move states onto their gaps. A tie moves an angle of its own, which others read.
-bool Multipliers::solveForGaps() {
+void Multipliers::solveForGaps() {
     const std::vector<ComponentModel::Entry>& entries = model_.conditions().ofTies;
     const auto putTies = [&] {
         for (std::size_t k = 0; k < entries.size(); ++k)
@@ -464,10 +373,8 @@ bool Multipliers::solveForGaps() {
     for (std::size_t k = 0; k < entries.size(); ++k)
         if (const auto [row, column] = entries[k]; row != column)
             found_[indexOf(row)] += ties_[k] * found_[indexOf(column)];
-    if (!solveRates())
-        return false;
+    held_.solve(found_);
     putTies();
-    return true;
 }
 
 // Newton's method, with the matrix of before where that lets gaps shrink fast enough. At its end
@@ -494,8 +401,7 @@ bool Multipliers::moveOntoGaps(double t, std::span<double> y) {
             isFar = false;
         }
         isFar = isFar || gap > near;
-        if (!solveForGaps())
-            return false;
+        solveForGaps();
         if (!found_.allFinite())
             break;
         move(model_.conditions().shifts, model_.conditions().pushes.size(), found_, y);
@@ -510,26 +416,12 @@ void Multipliers::project(double t, std::span<double> y) {
     if (size() == 0)
         return;
     unheld_.contradictory.clear();
-    atOnce_.projects = areSolvedAtOnce() && mode_.sticking.empty();
-    if (atOnce_.projects)
-        atOnce_.before.assign(y.begin(), y.end());
-    if (!moveOntoConditions(t, y) && atOnce_.projects) {
-        std::ranges::copy(atOnce_.before, y.begin());
-        atOnce_.projects = false;
-        (void)moveOntoConditions(t, y);
-    }
-}
-
-// False: rows are next to redundant.
-bool Multipliers::moveOntoConditions(double t, std::span<double> y) {
     if (!moveOntoGaps(t, y))
-        return false;
+        return;
     found_ = Eigen::Map<const Eigen::VectorXd>(gaps_.data() + size(), indexOf(size()));
-    if (!solveRates())
-        return false;
-    if ((atOnce_.projects || findContradictory(y)) && found_.allFinite())
+    held_.solve(found_);
+    if (findContradictory(y) && found_.allFinite())
         move(model_.conditions().pushes, 0, found_, y);
-    return true;
 }
 
 } // namespace solution

@@ -19,7 +19,6 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -39,16 +38,6 @@ public:
     // Puts them into the point of the functions, on the branches of the mode. False: none keep the
     // conditions that hold; then they are what errs least.
     bool solve();
-    // The same, and as many of the model's outputs with them, where machine code has both: where
-    // all conditions hold always, and no row is next to redundant. False: it has not.
-    [[nodiscard]] bool solveWith(std::span<double> outputs);
-    [[nodiscard]] bool areSolvedAtOnce() {
-        if (!atOnce_.isAsked)
-            askForAll();
-        return atOnce_.model && std::ranges::all_of(mode_.kept, [](complementarity::State kept) {
-                   return kept == complementarity::State::inside;
-               });
-    }
     // At the point that was solved for last, once linearise() was called, how they change where the
     // point does. `change`: of second rates with multipliers as they are; then of the multipliers.
     // `gaps`: of the values of Conditions::gaps.
@@ -59,7 +48,7 @@ public:
     // Conditions that hold are redundant there.
     [[nodiscard]] bool isRedundant() const { return !held_.isRegular(); }
     // How the last forces were found: a clause; "": there are none.
-    [[nodiscard]] std::string how() const;
+    [[nodiscard]] std::string how() const { return held_.how(); }
     [[nodiscard]] std::span<const double> values() const { return std::span(f_.in()).last(size()); }
     void put(std::size_t row, double value) { f_.in()[f_.in().size() - size() + row] = value; }
     // The answer of the last solve(): the values, and the second rates of the conditions.
@@ -145,9 +134,6 @@ private:
     [[nodiscard]] bool holds(std::size_t row) const {
         return mode_.kept[row] == complementarity::State::inside;
     }
-    [[nodiscard]] bool holdAlways() const;
-    [[nodiscard]] bool isSymmetric();
-    void askForAll();
     void evaluate();
     [[nodiscard]] std::span<const double> matrix() const { // once evaluated
         return std::span(second_).first(model_.conditions().matrix.size());
@@ -164,10 +150,8 @@ private:
               const Eigen::VectorXd& by, std::span<double> y) const;
     void evaluateMoves();
     [[nodiscard]] double largestGap() const;
-    [[nodiscard]] bool solveRates();
-    [[nodiscard]] bool solveForGaps();
+    void solveForGaps();
     [[nodiscard]] bool moveOntoGaps(double t, std::span<double> y);
-    [[nodiscard]] bool moveOntoConditions(double t, std::span<double> y);
 
     ModelFunctions& f_;
     const ComponentModel& model_;
@@ -177,19 +161,6 @@ private:
     DiscFriction friction_;
     SlipForces slips_;
     bool areBalanced_ = true;
-    struct AtOnce {
-        bool isAsked = false, isLast = false;          // was the last solution
-        const ComponentModel::Solved* model = nullptr; // none: never
-        bool projects = false;                         // now
-        std::vector<double> in, values;                // in: of the matrix that projects, and rates
-        std::vector<double> before;                    // it projects
-        [[nodiscard]] bool isPositive(std::size_t first) const {
-            bool isPositive = true;
-            for (std::size_t k = first; k < values.size(); ++k)
-                isPositive = isPositive && values[k] > 0;
-            return isPositive;
-        }
-    } atOnce_;
     Eigen::VectorXd rest_, found_; // second rates without the multipliers that hold; by row
     struct Unheld {                // rows
         std::vector<std::size_t> apart, farApart, contradictory;
