@@ -102,6 +102,36 @@ TEST(Multipliers, RedundantConditionsChangeNothing) {
     EXPECT_NEAR(twice.histories().value(1, 3), std::sin(angle.histories().value(0, 3)), 1e-7);
 }
 
+// A second condition that the first makes on the circle alone: off it, as within a step, both are
+// two, and no forces keep them. The same motion at the same cost, and its steps end on the circle.
+TEST(Multipliers, WhatIsRedundantOnItsPlacesAloneCostsNothing) {
+    const std::string push = "((2+x)*x+(x^2+y^2-1)/2)";
+    const std::string ddx = "(m1*x+m2*" + push + ")", ddy = "(-9.81+m1*y+m2*(2+x)*y)";
+    const std::string gap = "(x^2+y^2-1)/2", rate = "(x*dx+y*dy)";
+    const std::string second = "(dx^2+dy^2+x*" + ddx + "+y*" + ddy + ")";
+    const std::vector<Line> lines = {
+        {"x", "dx", 1, 1}, {"y", "dy", 0, 1}, {"dx", ddx}, {"dy", ddy}};
+    const Kept one = {"m1", gap, rate, second};
+    const Kept other = {"m2", gap + "*(2+x)", rate + "*(2+x)+" + gap + "*dx",
+                        second + "*(2+x)+2*" + rate + "*dx+" + gap + "*" + ddx};
+    const std::vector<Line> alone = {
+        {"x", "dx", 1, 1}, {"y", "dy", 0, 1}, {"dx", "m1*x"}, {"dy", "-9.81+m1*y"}};
+    const Kept rod = {"m1", gap, rate, "(dx^2+dy^2+m1*x^2+y*(-9.81+m1*y))"};
+    const Solver angle =
+        solved(equationsOf({{"a", "da", 0, 1}, {"da", "-9.81*cos(a)", 0}}), 3, tolerance(1e-12));
+    const double truth = std::sin(angle.histories().value(0, 3));
+    for (const double asked : {1e-3, 1e-5, 1e-7}) {
+        const Solver twice = solved(keeping(lines, {one, other}), 3, tolerance(asked));
+        const Solver once = solved(keeping(alone, {rod}), 3, tolerance(asked));
+        ASSERT_TRUE(twice.histories().stops().empty());
+        EXPECT_LT(std::abs(twice.histories().value(1, 3) - truth), asked);
+        EXPECT_LT(twice.statistics().evaluations,
+                  1.1 * static_cast<double>(once.statistics().evaluations))
+            << asked;
+        EXPECT_LE(twice.statistics().rejectedSteps, once.statistics().rejectedSteps + 2) << asked;
+    }
+}
+
 // A condition that says that 1 = 0 stops what it reads.
 TEST(Multipliers, AContradictionStopsTheMotion) {
     const std::vector<Line> lines = {{"x", "dx", 1, 1}, {"dx", "m1+m2-9.81*x", 0}};

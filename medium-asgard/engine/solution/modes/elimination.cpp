@@ -8,8 +8,8 @@ namespace solution {
 namespace {
 
 // Of the diagonal:
-constexpr double leastPivot = 1e-10; // less may be what rounding leaves of 0
 constexpr double rounding = 1e-13;   // less is that
+constexpr double ofContacts = 1e-10; // less is no pivot, where rows that others make are expected
 constexpr double ofTilt = 1e-7;      // less is a patch's tilt, where three of its rows are done
 constexpr double ofLine = 1e-10;     // less is that of three points in a line
 constexpr double narrow = 1e-3;      // less is better taken from another row of the patch,
@@ -175,12 +175,13 @@ bool Elimination::factorise(Take take) {
     double* const values = values_.data();
     double* const lower = values + size;
     const Index* target = targets_.data();
+    const double least = take == Take::all ? ofContacts : leastPivot;
     for (std::size_t rank = 0; rank < size; ++rank) {
         if (take == Take::all && !mates_.empty() && values[rank] <= narrow * own_[rank])
             takeBetterMate(rank);
         const double pivot = values[rank];
         const bool isNone = take == Take::all && std::abs(pivot) <= leastOf(rank) * own_[rank];
-        if (!isNone && !(pivot > leastPivot * own_[rank]))
+        if (!isNone && !(pivot > least * own_[rank]))
             return false;
         const double inverse = invert(rank, isNone);
         const Index begin = firstBelow_[rank];

@@ -23,6 +23,10 @@
 
 namespace solution {
 
+// A pivot that is less, of what the diagonal had, may be what rounding leaves of 0, or what places
+// off their conditions, as those within a step, make of it.
+inline constexpr double leastPivot = 1e-6;
+
 class Elimination {
 public:
     using Index = std::uint32_t;

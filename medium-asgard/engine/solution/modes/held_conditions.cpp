@@ -138,28 +138,35 @@ void HeldConditions::takeRooms() {
             rooms_[count(i)] = mode_.share.rooms[plan_.rows[i]];
 }
 
-bool HeldConditions::factorise(std::span<const double> values) {
+bool HeldConditions::factorise(std::span<const double> values, const Off& off) {
     followMode();
     takeRooms();
     way_ = Way::sparse;
     if (plan_.isSparse && eliminate(values))
         return true;
-    return factoriseDense(values, plan_.hasFaces ? noPivotOfFaces : noPivot);
+    return factoriseDense(values, plan_.hasFaces ? noPivotOfFaces : noPivot, off);
 }
 
 bool HeldConditions::factoriseClosely(std::span<const double> values) {
-    return factoriseDense(values, noPivot);
+    return factoriseDense(values, noPivot, {});
 }
 
-bool HeldConditions::factoriseDense(std::span<const double> values, double none) {
+bool HeldConditions::factoriseDense(std::span<const double> values, double none, const Off& off) {
     way_ = Way::dense;
     putMatrix(values);
     if (!dense_.matrix.allFinite())
         return false;
     dense_.lu.compute(dense_.matrix);
-    for (Eigen::Index i = 0; i < dense_.matrix.rows(); ++i)
-        if (!(std::abs(dense_.lu.matrixLU()(i, i)) > none))
-            way_ = Way::least;
+    const auto hasLess = [this](double pivot) {
+        return !(dense_.lu.matrixLU().diagonal().cwiseAbs().array() > pivot).all();
+    };
+    if (off && hasLess(leastPivot)) {
+        const double way = off();
+        if (way * way > none)
+            none = std::min(way * way, leastPivot);
+    }
+    if (hasLess(none))
+        way_ = Way::least;
     if (way_ == Way::least) {
         dense_.least.setThreshold(none);
         dense_.least.compute(dense_.matrix);

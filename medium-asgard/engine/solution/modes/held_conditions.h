@@ -22,6 +22,7 @@
 #include <Eigen/LU>
 #include <Eigen/QR>
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -34,9 +35,13 @@ public:
     HeldConditions(const ComponentModel& model, const BoundModel& bound, const Mode& mode)
         : conditions_(model.conditions()), bound_(bound), mode_(mode) {}
 
+    // Ways from the places of a point to its conditions, over the size of what these join.
+    using Off = std::function<double()>;
     // `values`: of Conditions::matrix. False: they are not finite. Without a heap allocation where
-    // the same conditions hold as before and none is redundant.
-    [[nodiscard]] bool factorise(std::span<const double> values);
+    // the same conditions hold as before and none is redundant. `off` is asked where some are next
+    // to redundant: where places are off their conditions by d, as within a step, a condition that
+    // others make has a pivot of the order of d^2, which says nothing of it.
+    [[nodiscard]] bool factorise(std::span<const double> values, const Off& off = {});
     // The same matrix once more, of which less counts as redundant: where conditions that are next
     // to redundant keep more than rounding.
     [[nodiscard]] bool factoriseClosely(std::span<const double> values);
@@ -82,7 +87,7 @@ private:
     void makePlan();
     [[nodiscard]] bool eliminate(std::span<const double> values);
     void findKernel(std::span<const double> values);
-    [[nodiscard]] bool factoriseDense(std::span<const double> values, double none);
+    [[nodiscard]] bool factoriseDense(std::span<const double> values, double none, const Off& off);
     void putMatrix(std::span<const double> values);
     void findIdle();
     [[nodiscard]] Eigen::MatrixXd leastSolutions(const Eigen::MatrixXd& right,

@@ -55,6 +55,35 @@ TEST(HeldConditions, AreKeptOfManyRatesAsOfEach) {
     }
 }
 
+// A condition that two others make, but for how far places are off them, has a pivot of its own.
+TEST(HeldConditions, AreRedundantWherePlacesOffThemMakeAPivot) {
+    const PreparedEquations prepared = massOnThreePoints();
+    const auto& bound = *prepared.components.at(0).bound;
+    const Mode mode(*bound.model);
+    HeldConditions held(*bound.model, bound, mode);
+    constexpr double off = 1e-5;
+    Eigen::Matrix3d rows;
+    rows << 1, 0, 0, 0, 1, 0, 0.6, 0.8, 0.1 * off;
+    const Eigen::Matrix3d matrix = rows * rows.transpose();
+    const Eigen::Vector3d rates = rows * Eigen::Vector3d(-9.81, 1, 1);
+    const std::span<const double> values(matrix.data(), 9);
+    Eigen::VectorXd forces = rates;
+    ASSERT_TRUE(held.factorise(values));
+    EXPECT_TRUE(held.isRegular());
+    held.solve(forces);
+    EXPECT_GT(forces.norm(), 1e5);
+    ASSERT_TRUE(held.factorise(values, [] { return off; }));
+    EXPECT_FALSE(held.isRegular());
+    forces = rates;
+    held.solve(forces);
+    EXPECT_LT(forces.norm(), 10);
+    EXPECT_LT((matrix * forces + rates).cwiseAbs().maxCoeff(), off);
+    ASSERT_TRUE(held.factorise(std::vector<double>{1, 0, 0, 0, 1, 0, 0, 0, 1}, [] {
+        ADD_FAILURE() << "nothing is next to redundant";
+        return off;
+    }));
+}
+
 // A point that hardly presses takes hardly a part of what changes.
 TEST(HeldConditions, ChangeForcesInProportionToTheSquaresOfTheirRooms) {
     const PreparedEquations prepared = massOnThreePoints();

@@ -10,6 +10,9 @@ using complementarity::State;
 
 namespace {
 
+// Of the size of what a condition joins: its resolution; one without any is of a thing of size 1.
+constexpr double resolved = 1e-9;
+
 Eigen::Index indexOf(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
 } // namespace
@@ -35,13 +38,34 @@ double Multipliers::bound(std::size_t row) const {
     return mode_.kept[row] == State::high ? law.high : law.low;
 }
 
+// Places of the point off the conditions that hold, over the sizes of what these join.
+double Multipliers::placesOff() {
+    evaluateGaps();
+    return resolved * largestGap();
+}
+
+// What the places and velocities of a point off its conditions, as within a step, leave at most of
+// the second rates of redundant ones; scaled. No forces change it, and at the step's end, which is
+// on the conditions, it is none.
+double Multipliers::leftOff() {
+    constexpr double caution = 10;
+    const double places = placesOff();
+    double rates = 0;
+    for (std::size_t i = 0; i < held_.rows().size(); ++i)
+        rates = std::max(rates, held_.scale(i) * std::abs(rate(held_.rows()[i])));
+    return caution * (places * held_.right().cwiseAbs().maxCoeff() +
+                      rates * fastest(std::span(f_.in()).subspan(1)));
+}
+
 // The last solution keeps all conditions that hold.
 bool Multipliers::isSolved() {
     constexpr double rounding = 1e-7;
     if (held_.isRegular() || held_.rows().empty())
         return true;
     const Eigen::VectorXd errors = held_.left().cwiseAbs();
-    const double most = rounding * std::max(held_.right().cwiseAbs().maxCoeff(), 1e-100);
+    double most = rounding * std::max(held_.right().cwiseAbs().maxCoeff(), 1e-100);
+    if (errors.maxCoeff() > most)
+        most = std::max(most, leftOff());
     unheld_.contradictory.clear();
     for (std::size_t i = 0; i < held_.rows().size(); ++i)
         if (!(errors[indexOf(i)] <= most))
@@ -193,9 +217,9 @@ Multipliers::Turns Multipliers::turns() {
     return turns;
 }
 
-// How long until little is left of a slip that comes to rest straight along its rates: ten times
-// what it has across its way then, and some times the speed under which the direction counts in
-// which it began. It keeps its direction up to there.
+// How long until little is left of a slip that comes to rest straight along its rates: the larger
+// of ten times what it has across its way then, and of some times the speed under which the
+// direction counts in which it began. It keeps its direction up to there.
 std::optional<double> Multipliers::stopOf(std::size_t disc) const {
     constexpr double straight = 0.01, ofAcross = 10, ofBegan = 4, little = 0.1;
     const DiscFriction::InDisc slip = friction_.slipOf(disc);
@@ -331,22 +355,23 @@ void Multipliers::move(std::span<const ComponentModel::Entry> entries, std::size
         y[entries[k].row] += moves_[first + k] * by(entries[k].column);
 }
 
-// The largest over the resolution of its condition; one without any is of a thing of size 1.
+// The largest over the resolution of its condition.
 double Multipliers::largestGap() const {
-    constexpr double ofSizeOne = 1e-9;
     double largest = 0;
     for (std::size_t row = 0; row < size(); ++row) {
         if (!holds(row))
             continue;
         const double resolution = f_.bound()->laws[row].resolution;
-        const double gap = std::abs(gaps_[row]) / (resolution > 0 ? resolution : ofSizeOne);
+        const double gap = std::abs(gaps_[row]) / (resolution > 0 ? resolution : resolved);
         if (!(gap <= largest)) // no number stays
             largest = gap;
     }
     return largest;
 }
 
-bool Multipliers::factorise() { return held_.factorise(matrix()); }
+bool Multipliers::factorise() {
+    return held_.factorise(matrix(), [this] { return placesOff(); });
+}
 
 bool Multipliers::factoriseMoves() {
     const ComponentModel::Conditions& conditions = model_.conditions();

@@ -150,6 +150,8 @@ private:
               const Eigen::VectorXd& by, std::span<double> y) const;
     void evaluateMoves();
     [[nodiscard]] double largestGap() const;
+    [[nodiscard]] double placesOff();
+    [[nodiscard]] double leftOff();
     void solveForGaps();
     [[nodiscard]] bool moveOntoGaps(double t, std::span<double> y);
 
