@@ -198,7 +198,7 @@ Proposal Integration::propose() {
             return std::move(*ending);
     if (turns_.stop)
         if (auto piece = toStop(*turns_.stop))
-            return std::move(*piece);
+            return *piece;
     context_.oversight.prepare(time, context_.equations(), method_->implicit(), context_.control());
     for (;;) { // every refusal shortens the step, until it cannot be
         const double wanted =
