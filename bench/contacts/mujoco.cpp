@@ -35,7 +35,7 @@ std::string attribute(const char* name, const std::vector<double>& values) {
     return std::string(" ") + name + "=\"" + numbers(values) + "\"";
 }
 
-// What turns about z only carries its frame along.
+// A place in the frame of a body that is turned about z.
 Place turned(double angle, const Place& place) {
     const double c = std::cos(angle), s = std::sin(angle);
     return {c * place[0] + s * place[1], c * place[1] - s * place[0], place[2]};
@@ -46,8 +46,8 @@ Place inBody(const Body& body, const Place& place) {
 }
 std::string place(const char* name, const Place& p) { return attribute(name, {p[0], p[1], p[2]}); }
 
-// What holds a motor to its speed: a damper so strong that its error is none, which the engine
-// takes implicitly but for RK4.
+// A damper holds a motor to its speed, so strong that its error is none; the engine takes it
+// implicitly but for RK4.
 constexpr double holding = 1e8;
 
 std::string jointText(const Body& body, const Joint& joint) {

@@ -17,7 +17,7 @@ std::string list(const Place& place) {
 
 bool any(const Place& place) { return place[0] != 0 || place[1] != 0 || place[2] != 0; }
 
-// Where the place, from the body's centre, lies in its frame, which turns about z only.
+// A place, from the body's centre, in the frame of a body that is turned about z.
 Place turned(const Body& body, double x, double y, double z) {
     const double c = std::cos(body.angle), s = std::sin(body.angle);
     return {c * x + s * y, c * y - s * x, z};

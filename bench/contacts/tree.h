@@ -12,7 +12,7 @@ namespace bench::contacts {
 [[nodiscard]] std::optional<std::size_t> treeJoint(const Case& scene, std::size_t body);
 // All others; hinges only.
 [[nodiscard]] std::vector<std::size_t> loopJoints(const Case& scene);
-// Where a hinge that closes a loop holds its bodies together: at a point of its axis, which
+// A hinge that closes a loop holds its bodies together there: at a point of its axis, which
 // suffices in a plane, or else at two, a metre apart.
 [[nodiscard]] std::vector<Place> closingPoints(const Case& scene, const Joint& hinge);
 // The rate of a body's tree joint at the start.

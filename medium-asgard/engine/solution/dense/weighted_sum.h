@@ -118,7 +118,7 @@ __attribute__((target("avx"))) inline void weightedFours(std::span<const Term> t
         out[Width - 1] = last;
 }
 
-// What is made of sums: out = start + h * sum.
+// Values from sums: out = start + h * sum.
 struct FromStart {
     const double* start;
     double h;

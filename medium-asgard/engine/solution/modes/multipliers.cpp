@@ -44,9 +44,9 @@ double Multipliers::placesOff() {
     return resolved * largestGap();
 }
 
-// What the places and velocities of a point off its conditions, as within a step, leave at most of
-// the second rates of redundant ones; scaled. No forces change it, and at the step's end, which is
-// on the conditions, it is none.
+// The most of the second rates of redundant conditions, scaled, that is left because places and
+// velocities are off the conditions, as within a step. No forces change it, and at the step's end,
+// which is on the conditions, it is none.
 double Multipliers::leftOff() {
     constexpr double caution = 10;
     const double places = placesOff();

@@ -50,7 +50,19 @@ double RestApproach::partOfWay(const ComponentEquations::Approach& approach) {
     return falling.part;
 }
 
-// Along the rates of velocities, which move places too.
+void goAlong(const ComponentEquations& equations, std::span<const double> rates, double h,
+             std::vector<double>& y, std::vector<Coefficients>& curves) {
+    curves.assign(y.size(), Coefficients{});
+    for (std::size_t i = 0; i < y.size(); ++i) {
+        curves[i][0] = y[i];
+        curves[i][1] = h * rates[i];
+    }
+    for (const auto& [x, v] : equations.integrals())
+        curves[x][2] = 0.5 * h * h * rates[v];
+    for (std::size_t i = 0; i < y.size(); ++i)
+        y[i] = evaluate(curves[i], 1);
+}
+
 std::optional<StepPiece> RestApproach::goTo(std::size_t direction, double duration) {
     ComponentEquations& equations = context_.equations();
     const double from = context_.time();
@@ -61,15 +73,7 @@ std::optional<StepPiece> RestApproach::goTo(std::size_t direction, double durati
     ++context_.counts.evaluations;
     if (!equations.rates(from, y_, slopes))
         return std::nullopt;
-    line_.assign(y_.size(), Coefficients{});
-    for (std::size_t i = 0; i < y_.size(); ++i) {
-        line_[i][0] = y_[i];
-        line_[i][1] = h * slopes[i];
-    }
-    for (const auto& [x, v] : equations.integrals())
-        line_[x][2] = 0.5 * h * h * slopes[v];
-    for (std::size_t i = 0; i < y_.size(); ++i)
-        y_[i] = evaluate(line_[i], 1);
+    goAlong(equations, slopes, h, y_, line_);
     equations.inputs().window(infinity);
     if (!equations.rest(std::span(&direction, 1), to, y_))
         return std::nullopt;

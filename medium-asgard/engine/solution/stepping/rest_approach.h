@@ -16,6 +16,11 @@
 
 namespace solution {
 
+// The motion along these rates of the states for a time h, into `curves` and, at its end, into y:
+// rates of velocities move places, too.
+void goAlong(const ComponentEquations& equations, std::span<const double> rates, double h,
+             std::vector<double>& y, std::vector<Coefficients>& curves);
+
 class RestApproach {
 public:
     explicit RestApproach(const StepContext& context) : context_(context) {}
