@@ -78,9 +78,9 @@ public:
 
     // isHit: the search found that these two hit each other.
     void add(bool isHit) {
-        const auto contacts = collision::contactsAt(at_.world.moving[a_], at_.world.moving[b_],
-                                                    at_.time, at_.contactTolerance({a_, b_}),
-                                                    at_.mobility.slack(a_, b_, at_.time));
+        const auto contacts =
+            collision::contactsAt(at_.world.moving[a_], at_.world.moving[b_], at_.time,
+                                  toleranceOf(isHit), at_.mobility.slack(a_, b_, at_.time));
         // Each corner counts if gaps have errors of the integration, which are more than rounding.
         const bool isUnsure = contacts.empty() && isHit && !at_.contacts.areIn(a_, b_);
         if (isUnsure && freedom(a_) != freedom(b_))
@@ -96,6 +96,15 @@ public:
     }
 
 private:
+    // The end of a step moves balls on joints onto these, and deeper into each other than they
+    // were: those that hit or go side by side touch however deep.
+    [[nodiscard]] double toleranceOf(bool isHit) const {
+        const double tolerance = at_.contactTolerance({a_, b_});
+        const double known = at_.search.depth({a_, b_});
+        if (!at_.areFreeBalls({a_, b_}) || !(isHit || known > 0))
+            return tolerance;
+        return tolerance + std::max(0.0, -at_.search.gapOfBalls({a_, b_}, at_.time) - known);
+    }
     // How freely it moves; the freer one may rest on the other.
     [[nodiscard]] int freedom(std::size_t body) const {
         return at_.mobility.isFree(body, at_.time) ? 2 : at_.canGiveWay(body) ? 1 : 0;

@@ -82,6 +82,7 @@ public:
     [[nodiscard]] SideBySide& sideBySide() { return sideBySide_; }
     [[nodiscard]] const SideBySide& sideBySide() const { return sideBySide_; }
     [[nodiscard]] double depth(const Pair& pair) const { return sideBySide_.depth(pair); }
+    [[nodiscard]] double gapOfBalls(const Pair& pair, double time) const;
     // They let each other pass until then.
     void letPass(const Pair& pair, double until) { near_.mayMeet.letPass(pair, until); }
 
@@ -155,7 +156,6 @@ private:
     void searchAround(std::size_t body, double time, std::size_t but = nobody);
     void searchFlight(std::size_t body, std::size_t other, double time);
     void searchGenerally(const Pair& pair, collision::Interval during);
-    [[nodiscard]] double gapOfBalls(const Pair& pair, double time) const;
     void search(const Pair& pair, double from);
     [[nodiscard]] bool keep(const Pair& pair, const collision::FlightMeeting& met);
 
