@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """Random piles of 3 to 20 bodies as people build them: do they come to rest, without sinking in, without new energy?
 
-usage: random_piles.py ASGARD [--count N] [--seed S] [--seeds S,S,...] [--seconds T] [--most M] [--kind K] [--keep FOLDER]
+usage: random_piles.py ASGARD [--count N] [--seed S] [--seeds S,S,...] [--seconds T] [--most M] [--kind K] [--accuracy A]
+                       [--keep FOLDER]
 
 Kinds: boxes dropped on each other, boxes and balls into a tray, dominoes, a tower and a wall hit by a ball, what is
-round on boxes. Frictions and restitutions differ from pile to pile. A pile is right when it reaches its end without a
+round on boxes; of `pair`, two boxes that tumble, by its name alone. Frictions and restitutions differ from pile to pile. A pile is right when it reaches its end without a
 word and within M seconds of a processor, when no two bodies overlap by more than SUNK of the smaller one at any of its times (by the
 separating axes of boxes and balls, computed here), and when its energy grows by less than GAIN of what it could lose.
 Piles that stop are told, and may be few. T ends the trial early: piles so far count. Too many piles take too long yet
@@ -84,7 +85,7 @@ class Pile:
         self.restitution = dice.choice((0, 0, 0.2, 0.5))
         self.finish = 3
         self.box("floor", FLOOR, (0, -0.5, 0), fixed=True)
-        KINDS[self.kind](self, dice.randint(3, 20))
+        {**KINDS, **ASKED}[self.kind](self, dice.randint(3, 20))
 
     def shape(self, desc):
         if desc not in self.shapes:
@@ -115,8 +116,8 @@ class Pile:
         dice = self.dice
         return "-init_rot {" + " ".join(repr(dice.uniform(-most, most)) for _ in range(3)) + "}"
 
-    def text(self):
-        return f"simulator -finish {self.finish} -accuracy {ACCURACY!r}\n" + "\n".join(self.lines) + "\n"
+    def text(self, accuracy=ACCURACY):
+        return f"simulator -finish {self.finish} -accuracy {accuracy!r}\n" + "\n".join(self.lines) + "\n"
 
 
 def dropped(pile, count):
@@ -207,7 +208,17 @@ def rounds(pile, count):
             pile.body(pile.name(), f"-{form} {{{radius} {high}}}", place, "other", math.hypot(radius, high), turn)
 
 
+def pair(pile, _):
+    """Two boxes that tumble onto a floor, one onto the other."""
+    dice = pile.dice
+    pile.finish = 1.5
+    for k in range(2):
+        place = (dice.uniform(-0.05, 0.05), 0.4 + 0.6 * k, dice.uniform(-0.05, 0.05))
+        pile.box(pile.name(), [dice.uniform(0.2, 0.4) for _ in range(3)], place, pile.turned(0.5))
+
+
 KINDS = {"dropped": dropped, "tray": tray, "dominoes": dominoes, "tower": tower, "wall": wall, "rounds": rounds}
+ASKED = {"pair": pair}  # by --kind alone
 
 
 # ------------------------------------------------------------------------------------------------ judgement
@@ -258,7 +269,7 @@ def check(asgard, seed, options, folder):
     pile = Pile(seed, options.kind)
     path = os.path.join(folder, f"{seed}.al")
     with open(path, "w", encoding="utf-8") as file:
-        file.write(pile.text())
+        file.write(pile.text(options.accuracy))
     # On one thread: with more, the limit would count what is solved ahead, too.
     command = [asgard, "simulate", path, "--csv", "-", "--at", f"0:0.05:{pile.finish}", "--quantities", "scene.energy", "--threads", "1"]
     limit = int(options.most)
@@ -294,7 +305,8 @@ def main():
     parser.add_argument("--seeds", default="")
     parser.add_argument("--seconds", type=float, default=math.inf)
     parser.add_argument("--most", type=float, default=60)
-    parser.add_argument("--kind", default="", choices=["", *KINDS])
+    parser.add_argument("--kind", default="", choices=["", *KINDS, *ASKED])
+    parser.add_argument("--accuracy", type=float, default=ACCURACY)
     parser.add_argument("--keep", default="")
     options = parser.parse_args()
     began, answers = time.monotonic(), []

@@ -24,6 +24,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -88,9 +89,12 @@ public:
     // An event of these unknowns is to be at `time`. Nothing: their values there are on the
     // conditions of their multipliers, or no shorter step would bring them nearer. Else their
     // steps, and those of all that read them, end at this time now, a little before, from where the
-    // source must look again.
-    [[nodiscard]] virtual std::optional<double> approach(double time,
-                                                         std::span<const std::size_t> unknowns) = 0;
+    // source must look again. `isBefore`: with these values the event is yet to come. Where the
+    // conditions have moved them beyond it, steps end earlier.
+    using Values = std::function<double(std::size_t unknown)>;
+    [[nodiscard]] virtual std::optional<double>
+    approach(double time, std::span<const std::size_t> unknowns,
+             const std::function<bool(const Values&)>& isBefore) = 0;
     // At `time`, which is that of an event. True: it is done, and the values are what they became.
     // False: the source must announce the event, as if it had not asked.
     [[nodiscard]] virtual bool turn(double time, std::span<Turn> turns) = 0;

@@ -1,8 +1,11 @@
 #include "events/collision_source.h"
 
+#include "collision/separation.h"
 #include "events/sentences.h"
+#include "surfaces/posed_parts.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace simulation {
@@ -133,12 +136,45 @@ solution::Event CollisionSource::announced(Event event) {
     return event;
 }
 
+// LIMIT: of hollows this is not asked.
+bool CollisionSource::areApart(const Instant& at, const Pair& pair, const ChangedStates& states,
+                               double tolerance) const {
+    if (world_.isHollow(pair.first) || world_.isHollow(pair.second))
+        return true;
+    const Placed one = at.placed(pair.first, states), other = at.placed(pair.second, states);
+    const Vector origin = one.state.position;
+    for (std::size_t i = 0; i < one.shape->parts.size(); ++i)
+        for (std::size_t j = 0; j < other.shape->parts.size(); ++j) {
+            collision::WarmStart cold;
+            if (!contacts_.areIn(pair.first, i, pair.second, j) &&
+                collision::separate(posed(one, i, origin), posed(other, j, origin), cold).gap <
+                    -tolerance)
+                return false;
+        }
+    return true;
+}
+
 // A blow reads which contacts hold, and how near and how fast all is, from places and velocities.
 bool CollisionSource::isOffConditions(const Histories& histories, const Found& hit) {
     if (!turns_ || !(contacts_.isIn(hit.pair.first) || contacts_.isIn(hit.pair.second)))
         return false;
-    const std::vector<std::size_t> unknowns = at(histories, hit.time).unknownsOf(hit.pair);
-    const auto end = turns_->approach(hit.time, unknowns);
+    const Instant now = at(histories, hit.time);
+    const std::vector<std::size_t> unknowns = now.unknownsOf(hit.pair);
+    constexpr double ofSize = 1e-9; // no body sinks in deeper
+    const double tolerance =
+        std::max(now.contactTolerance(hit.pair), ofSize * world_.smallerRadius(hit.pair));
+    const auto isBefore = [&](const solution::Turns::Values& valueOf) {
+        ChangedStates states;
+        for (const std::size_t body : {hit.pair.first, hit.pair.second})
+            if (now.canGiveWay(body)) {
+                std::array<double, physics::bodyUnknowns> values;
+                for (std::size_t i = 0; i < values.size(); ++i)
+                    values[i] = valueOf(world_.records[body].firstUnknown + i);
+                states[body] = stateOf(world_.records[body], values);
+            }
+        return areApart(now, hit.pair, states, tolerance);
+    };
+    const auto end = turns_->approach(hit.time, unknowns, isBefore);
     if (end)
         cut({.time = *end, .touched = unknowns, .tag = 0});
     return end.has_value();

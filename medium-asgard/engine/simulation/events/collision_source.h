@@ -88,6 +88,9 @@ private:
     void cut(const Event& event);
     // Steps of the two are ended before it: it must be found again.
     [[nodiscard]] bool isOffConditions(const Histories& histories, const Found& hit);
+    // With these states they overlap by no more than that, beside what is in contact already.
+    [[nodiscard]] bool areApart(const Instant& instant, const Pair& pair,
+                                const ChangedStates& states, double tolerance) const;
     // Windows and partners. An event: two that had met overlap without having met again, which ends
     // their motion.
     [[nodiscard]] std::optional<Event> renew(const Histories& histories);

@@ -43,9 +43,10 @@ public:
 
 private:
     [[nodiscard]] bool turn(double time, std::span<solution::Turn> turns) override;
-    [[nodiscard]] std::optional<double> approach(double time,
-                                                 std::span<const std::size_t> unknowns) override {
-        return turns_->approach(time, unknowns);
+    [[nodiscard]] std::optional<double>
+    approach(double time, std::span<const std::size_t> unknowns,
+             const std::function<bool(const Values&)>& isBefore) override {
+        return turns_->approach(time, unknowns, isBefore);
     }
     // The velocity that becomes `velocity`, where the largest coordinate is `farthest`.
     [[nodiscard]] double given(double velocity, std::size_t unknown, double time,

@@ -143,10 +143,20 @@ bool ComponentEquations::isOff(double t, std::span<const double> y, std::span<co
 bool ComponentEquations::movesContacts(const Violation& violation, std::span<const double> y) {
     if (!guards_.isOfPlaces(violation))
         return false;
-    std::vector<double> landed(y.begin(), y.end());
-    project(violation.time, landed);
-    functions_.fill(violation.time, landed);
+    fillProjected(violation.time, y);
     return guards_.isOffPlaces(violation);
+}
+
+bool ComponentEquations::hasMovedContacts(const Violation& violation, double t,
+                                          std::span<const double> y) {
+    fillProjected(t, y);
+    return guards_.isBeyondPlaces(violation);
+}
+
+void ComponentEquations::fillProjected(double t, std::span<const double> y) {
+    std::vector<double> projected(y.begin(), y.end());
+    project(t, projected);
+    functions_.fill(t, projected);
 }
 
 void ComponentEquations::takeGone(std::span<const double> values) {

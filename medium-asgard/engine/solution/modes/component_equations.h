@@ -133,6 +133,9 @@ public:
     // A contact closes or loses its place on a step's polynomials, and elsewhere on states that the
     // conditions hold.
     [[nodiscard]] bool movesContacts(const Violation& violation, std::span<const double> y);
+    // It has done so before t, on states that the conditions hold.
+    [[nodiscard]] bool hasMovedContacts(const Violation& violation, double t,
+                                        std::span<const double> y);
     // Contacts that slip slower than that rest (active_set.h).
     void setSlow(const ActiveSet::Slow& slow) { active_.setSlow(slow); }
     // A contact slips.
@@ -174,6 +177,7 @@ private:
             places.push_back(multipliers()[row]);
         return places;
     }
+    void fillProjected(double t, std::span<const double> y);
     void addMultipliers(std::span<const double> derivatives, std::span<double> entries);
     [[nodiscard]] bool differences(double t, std::span<const double> y, std::span<double> entries);
 

@@ -153,6 +153,12 @@ bool Guards::isOffPlaces(const Violation& violation) {
     });
 }
 
+bool Guards::isBeyondPlaces(const Violation& violation) {
+    return std::ranges::any_of(activeOf(violation), [this](std::size_t watch) {
+        return active_.isOfPlaces(watch) && active_.watchOfPlaces(watch) < 0;
+    });
+}
+
 std::vector<std::size_t> Guards::multipliersOf(const Violation& violation) const {
     std::vector<std::size_t> found;
     for (const std::size_t watch : activeOf(violation))

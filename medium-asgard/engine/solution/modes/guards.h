@@ -61,6 +61,8 @@ public:
     [[nodiscard]] bool isOfPlaces(const Violation& violation) const;
     // It does not do so at the point of the functions.
     [[nodiscard]] bool isOffPlaces(const Violation& violation);
+    // It has done so there, or before.
+    [[nodiscard]] bool isBeyondPlaces(const Violation& violation);
     // Multipliers whose bounds are violated.
     [[nodiscard]] std::vector<std::size_t> multipliersOf(const Violation& violation) const;
     // Directions whose watches are violated.

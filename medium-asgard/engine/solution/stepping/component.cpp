@@ -331,6 +331,11 @@ void Component::landOnConditions() {
     progress_.put(equations_->states(), y);
 }
 
+double Component::valueOf(std::size_t unknown) const {
+    const auto column = std::ranges::lower_bound(unknowns_, unknown) - unknowns_.begin();
+    return progress_.values[static_cast<std::size_t>(column)];
+}
+
 std::optional<double> Component::endBefore(double t) {
     const History& history = *writer_.history();
     if (!equations_ || stop_ || equations_->multipliers().empty() || history.empty())

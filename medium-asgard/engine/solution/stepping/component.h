@@ -42,6 +42,7 @@ public:
     [[nodiscard]] bool ended() const { return stop_.has_value(); }
     [[nodiscard]] const std::optional<Stop>& stop() const { return stop_; }
     [[nodiscard]] const std::vector<double>& values() const { return progress_.values; }
+    [[nodiscard]] double valueOf(std::size_t unknown) const; // of one of its own
     [[nodiscard]] const ComponentEquations& equations() const { return *equations_; }
     [[nodiscard]] ErrorControl& control() { return memory_.now.control; }
 
