@@ -54,6 +54,38 @@ TEST(Solver, LinearMotionTakesNoSteps) {
     EXPECT_LT(statistics.evaluations, 2000u);
 }
 
+// Where all rates are 0, and read neither time nor other components, one look is enough for ever.
+TEST(Solver, WhatRestsTakesNoStep) {
+    const Solver solver =
+        solved(equationsOf({{"x", "dx", 1, 1}, {"dx", "1-x*x*x", 0}}), 1000, tolerance(1e-4));
+    EXPECT_EQ(solver.histories().value(0, 1000), 1);
+    EXPECT_EQ(solver.histories().reached(0), infinity);
+    const Statistics statistics = solver.statistics();
+    EXPECT_EQ(statistics.steps, 0u);
+    EXPECT_EQ(statistics.evaluations, 1u);
+    EXPECT_EQ(statistics.componentList[0].model, "closed-form");
+    EXPECT_EQ(statistics.integrated.size(), 2u); // at another tolerance it may move
+}
+
+TEST(Solver, RestEndsWithItsPhase) {
+    auto set = equationsOf({{"x", "dx", 1, 1}, {"dx", "1-x*x*x", 0}});
+    addPhase(set, 1, 2, "-x*x*x", "", "3");
+    const Solver solver = solved(std::move(set), 3, tolerance(1e-6));
+    EXPECT_EQ(solver.histories().value(0, 2), 1);
+    EXPECT_NEAR(solver.histories().value(0, 2.01), 1.03, 1e-4);
+}
+
+// At the start they are 0 here, too.
+TEST(Solver, RatesThatReadTimeOrOthersDoNotRest) {
+    const Solver timed =
+        solved(equationsOf({{"x", "dx", 1, 1}, {"dx", "1-x*x*x+sin(t)", 0}}), 1, tolerance(1e-6));
+    EXPECT_GT(timed.histories().value(0, 1), 1.05);
+    const Solver reading =
+        solved(equationsOf({{"x", "dx", 1, 1}, {"dx", "u-x*x*x", 0}, {"u", "u*u", 1}}), 0.5,
+               tolerance(1e-6));
+    EXPECT_GT(reading.histories().value(0, 0.5), 1.01);
+}
+
 // A velocity that is not linear is integrated; its position follows from it without a step.
 TEST(Solver, APositionFollowsItsVelocityExactly) {
     const Solver solver =

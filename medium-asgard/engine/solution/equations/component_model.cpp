@@ -70,6 +70,7 @@ void ComponentModel::readKey() {
         const std::uint32_t word = next();
         if (word == key::time) {
             entries.push_back(symbols_.all[0]);
+            structure_.readsTime = true;
         } else if (word == key::state) {
             entries.push_back(symbols_.all[1 + next()]);
         } else if (word == key::multiplier) {

@@ -56,6 +56,8 @@ public:
     [[nodiscard]] bool readsStates() const {
         return structure_.readsStates;
     } // other than in guards
+    // Anything of it does: rates, held values, guards, conditions.
+    [[nodiscard]] bool readsTime() const { return structure_.readsTime; }
     // peaks.h: with these constants.
     [[nodiscard]] bool canPeak(std::span<const double> values) const;
     // Where it can peak (peaks.h): values of causes, then their rates, from symbols() and the
@@ -205,7 +207,7 @@ private:
     std::vector<expression::Node> outputs_;
     expression::Function function_;
     struct Structure {
-        bool readsStates = false, canPeak = false;
+        bool readsStates = false, readsTime = false, canPeak = false;
         std::vector<std::pair<std::size_t, std::size_t>> integrals;
         std::vector<std::size_t> configuration;
     };

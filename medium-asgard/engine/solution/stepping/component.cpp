@@ -275,8 +275,10 @@ void Component::placeAnchor() {
     const std::vector<double> y = states();
     std::vector<double> slopes(y.size(), 0.0);
     ++counts_.evaluations;
-    if (!equations_->rates(progress_.time, y, slopes))
+    const bool hasRates = equations_->rates(progress_.time, y, slopes);
+    if (!hasRates)
         std::fill(slopes.begin(), slopes.end(), 0.0);
+    progress_.isStill = hasRates && std::ranges::all_of(slopes, [](double s) { return s == 0; });
     std::vector<double> rows(2 * unknowns_.size(), 0.0);
     for (std::size_t place = 0; place < unknowns_.size(); ++place)
         rows[2 * place] = progress_.values[place];

@@ -118,9 +118,10 @@ void Component::accept(const StepPiece& piece) {
 void Component::write(const StepPiece& piece) {
     if (piece.kind == StepPiece::Kind::nothing)
         return;
-    if (piece.kind != StepPiece::Kind::uncounted)
+    using enum StepPiece::Kind;
+    if (piece.kind == step || piece.kind == integrated)
         ++counts_.steps;
-    if (piece.kind == StepPiece::Kind::integrated) {
+    if (piece.kind == integrated || piece.kind == atRest) {
         ++counts_.integratedSteps;
         counts_.integratedFrom = std::min(counts_.integratedFrom, progress_.time);
     }

@@ -98,6 +98,31 @@ Proposal LinearModel::propose() {
     return StepPiece{.curves = {columns_, from, h, until}, .end = y_};
 }
 
+bool RestModel::applies() const {
+    const ComponentEquations& equations = context_.equations();
+    return context_.progress.isStill && !context_.options.fixedStep && !equations.readsInputs() &&
+           !equations.model().readsTime();
+}
+
+// A guard is what it is here for ever: one look at it is enough.
+Proposal RestModel::propose() {
+    const ComponentEquations& equations = context_.equations();
+    const std::vector<double>& values = context_.progress.values;
+    const auto constants = [&](std::span<const std::size_t> places, auto& columns) {
+        columns.assign(places.size(), Coefficients{});
+        for (std::size_t i = 0; i < places.size(); ++i)
+            columns[i][0] = values[places[i]];
+    };
+    constants(equations.states(), columns_);
+    constants(equations.held(), held_);
+    const double from = context_.time();
+    StateCurves curves{columns_, from, 1, std::min(from + 1, context_.limit())};
+    if (context_.violationOn(curves))
+        return NextModel{};
+    curves.until = context_.limit();
+    return StepPiece{.curves = curves, .held = held_, .kind = StepPiece::Kind::atRest};
+}
+
 // No error is estimated of them, so that they fit to rounding; where rounding is worse than one
 // would think, which never ends, as well as those that follow states.
 Proposal HeldModel::propose() {

@@ -1,4 +1,4 @@
-// Models that need no integrator: polynomials in time, linear motion, and held values alone.
+// Models that need no integrator: polynomials in time, linear motion, rest, and held values alone.
 #pragma once
 
 #include "exact/linear_motion.h"
@@ -39,6 +39,20 @@ private:
     double lost_ = 0; // by the rounding of times, of the time to which linear motion has come
     std::vector<double> y_;
     std::vector<Coefficients> columns_;
+};
+
+// Rates that read neither time nor other components are 0 for ever where they are 0 once: bodies
+// that lie on each other stay until an event, or the end of a phase.
+class RestModel final : public StepModel {
+public:
+    explicit RestModel(const StepContext& context) : context_(context) {}
+    // Where the component has just begun anew.
+    [[nodiscard]] bool applies() const;
+    [[nodiscard]] Proposal propose() override;
+
+private:
+    const StepContext& context_;
+    std::vector<Coefficients> columns_, held_;
 };
 
 // Held values, as polynomials of degree 8 over steps that are halved until they fit.

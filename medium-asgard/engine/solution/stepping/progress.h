@@ -29,6 +29,7 @@ struct Progress {
     std::vector<double> values; // of all unknowns at `time`
     std::vector<double> ended;  // of the states, with quaternions normalized at the last step's end
     double proposed = 0;        // length of the next step; 0: not known yet
+    bool isStill = false;       // all rates were 0 where it began anew last
     bool isRead = true;         // by other components, which its trembling may move
     // Places of the four parts of quaternions, without parts that stay 0.
     std::vector<std::vector<std::size_t>> quaternions;

@@ -2,8 +2,8 @@
 // (Component::accept()).
 //
 // Models, least first: `closed-form` (exact/closed_form.h), `linear` (exact/linear_motion.h), held
-// values alone, and integration by a method, which is `quadrature` (a single unknown whose rate
-// reads time and other components only), `explicit` or `implicit` (method_choice.h).
+// values alone, rest, and integration by a method, which is `quadrature` (a single unknown whose
+// rate reads time and other components only), `explicit` or `implicit` (method_choice.h).
 #pragma once
 
 #include "dense/piece_writer.h"
@@ -37,7 +37,8 @@ struct StepPiece {
         nothing,   // no time goes on: nothing is written
         uncounted, // as long as a formula holds
         step,
-        integrated // by a method
+        integrated, // by a method
+        atRest      // no step, but another tolerance may find it moving
     };
     Kind kind = Kind::uncounted;
     const Violation* crossing = nullptr; // switches to be passed at its end; none: null

@@ -19,6 +19,14 @@ void StepModels::take(StepModel& model, const char* name, const char* method, co
     context_.counts.why = why;
 }
 
+// Of a component that was integrated before, its method is told.
+void StepModels::takeRest() {
+    if (context_.counts.steps == 0)
+        take(rest_, "closed-form", "exact", "at rest, until something happens");
+    else
+        current_ = &rest_;
+}
+
 void StepModels::decide(bool isPlain) {
     const bool ladder = context_.options.method == "auto";
     const bool hasStates = !context_.equations().states().empty();
@@ -29,6 +37,8 @@ void StepModels::decide(bool isPlain) {
     else if (ladder && linear_.applies())
         take(linear_, "linear", "exponential",
              "linear, with constant coefficients: exact at the ends of its pieces");
+    else if (ladder && rest_.applies())
+        takeRest();
     else
         current_ = &integration_;
 }

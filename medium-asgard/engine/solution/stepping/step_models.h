@@ -25,7 +25,7 @@ private:
 class StepModels {
 public:
     explicit StepModels(const StepContext& context)
-        : context_(context), held_(context), closedForm_(context), linear_(context),
+        : context_(context), held_(context), closedForm_(context), linear_(context), rest_(context),
           values_(context, held_), integration_(context) {}
 
     // None: it is to be decided.
@@ -46,11 +46,13 @@ public:
 
 private:
     void take(StepModel& model, const char* name, const char* method, const char* why);
+    void takeRest();
 
     const StepContext& context_;
     HeldUnknowns held_;
     ClosedFormModel closedForm_;
     LinearModel linear_;
+    RestModel rest_;
     HeldModel values_;
     Integration integration_;
     StepModel* current_ = nullptr;
