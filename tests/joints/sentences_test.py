@@ -55,10 +55,13 @@ CASES = (
     (FLOOR % (-0.05, "") + DOWN + "-speed -0.5", "Stopped at t = 0: " + DRIVES % "ram"),
     (FLOOR % (-0.05, " -restitution 0") + DOWN + "-position {-0.5*t}", "Stopped at t = 0: " + DRIVES % "ram"),
     (FLOOR % (-0.3, " -restitution 0") + DOWN + "-speed -0.5 -max_motor 50", ""),
+    ("body b rod -mass 1 -init_pos {0.5 -1 0}\nshape_set k -desc {-sub {-box {0.4 0.4 0.4}}}\nbody c k -init_pos {0.5 -0.5 0}\n" + DOWN + "-speed -0.5\n"
+     "joint lift -type slider -body1 b -axis {0 1 0} -speed 0.5", 'body "c" is pressed between "a" and "b", neither of which gives way: it would be crushed; '
+     'joints "lift" and "ram" drive on with whatever force they take: let them stop before, or give them -max_motor.'),
     (FLOOR % (-0.3, " -restitution 0") + PIN + "-speed -0.5", DRIVES % "pin"),
     (FLOOR % (-0.3, " -restitution 0") + "trajectory r -points {{0 0.5 0 0} {2 0.5 -1 0}}\nconstrain a -pos r", AGAINST + "."),
     ("body b rod -init_pos {2 0 0}\njoint left -type slider -body1 a -axis {1 0 0} -speed 0.5\njoint right -type slider -body1 b -axis {1 0 0} -speed -0.5",
-     'bodies "a" and "b" are pressed together, neither of which gives way: joint "left" drives on'),
+     'bodies "a" and "b" are pressed together, neither of which gives way: joints "left" and "right" drive on'),
     (PIN + "-offset2 {0 2 0} -release 1", ""),
     (PIN + "-offset2 {0 2 0} -release {t > 1}", "its bodies miss each other by 2 at the start"),
     (PIN + "-motor {log(1-t)}", 'the joint "pin" on body "a", -motor "log(1-t)", is not finite'),

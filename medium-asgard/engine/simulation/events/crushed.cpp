@@ -37,7 +37,7 @@ std::optional<Crushed> crushedIn(const Instant& instant, const ImpactCluster& cl
         return bodies;
     };
     const auto pressed = inScene(found.pressed);
-    return Crushed{sentences::crushed(world, pressed, inScene(found.between), drives), pressed};
+    return Crushed{sentences::crushed(world.scene, pressed, inScene(found.between), drives), pressed};
 }
 
 } // namespace simulation
