@@ -55,6 +55,11 @@ CASES = (
     (FLOOR % (-0.05, "") + DOWN + "-speed -0.5", "Stopped at t = 0: " + DRIVES % "ram"),
     (FLOOR % (-0.05, " -restitution 0") + DOWN + "-position {-0.5*t}", "Stopped at t = 0: " + DRIVES % "ram"),
     (FLOOR % (-0.3, " -restitution 0") + DOWN + "-speed -0.5 -max_motor 50", ""),
+    (FLOOR % (-0.05, " -restitution 0") + DOWN + "-speed {t < 1 ? 0 : 1-t}", "Stopped at t = 1: " + DRIVES % "ram"),
+    (PRESS % "1" + RAM + "-speed {t < 1 ? 0 : 1-t}", "Stopped at t = 1: " + CRUSH + '; joint "ram" drives on with whatever force it takes'),
+    (PRESS % "1" + RAM + "-position {t < 1 ? 0 : -0.2*(t-1)^2}", "Stopped at t = 1: " + CRUSH + '; joint "ram" drives on'),
+    (PRESS.replace("{10 %s 0}", "{10 1.2 0} -init_rot {0 0 0.1}") + RAM + "-speed -0.2", CRUSH + '; joint "ram" drives on'),
+    (PRESS.replace("{10 %s 0}", "{10 1.2 0} -init_rot {0.03 0 0.05}") + RAM + "-speed -0.2", CRUSH + '; joint "ram" drives on'),
     ("body b rod -mass 1 -init_pos {0.5 -1 0}\nshape_set k -desc {-sub {-box {0.4 0.4 0.4}}}\nbody c k -init_pos {0.5 -0.5 0}\n" + DOWN + "-speed -0.5\n"
      "joint lift -type slider -body1 b -axis {0 1 0} -speed 0.5", 'body "c" is pressed between "a" and "b", neither of which gives way: it would be crushed; '
      'joints "lift" and "ram" drive on with whatever force they take: let them stop before, or give them -max_motor.'),
