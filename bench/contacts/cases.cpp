@@ -12,6 +12,17 @@
 
 namespace bench::contacts {
 
+Place turned(double angle, const Place& direction) {
+    const auto [x, y, z] = direction;
+    const double c = std::cos(angle), s = std::sin(angle);
+    return {c * x + s * y, c * y - s * x, z};
+}
+
+Place inBody(const Body& body, const Place& place) {
+    return turned(body.angle,
+                  {place[0] - body.at[0], place[1] - body.at[1], place[2] - body.at[2]});
+}
+
 std::vector<Place> Body::balls() const {
     if (shape == Shape::box)
         return {};

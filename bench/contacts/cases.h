@@ -37,6 +37,11 @@ struct Body {
     [[nodiscard]] std::vector<Place> balls() const;
 };
 
+// In the frame of a body that is turned about z by that angle.
+[[nodiscard]] Place turned(double angle, const Place& direction);
+// From the body's centre, in its frame.
+[[nodiscard]] Place inBody(const Body& body, const Place& place);
+
 struct Joint {
     enum class Type { hinge, slider };
     Type type = Type::hinge;

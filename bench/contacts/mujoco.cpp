@@ -35,15 +35,6 @@ std::string attribute(const char* name, const std::vector<double>& values) {
     return std::string(" ") + name + "=\"" + numbers(values) + "\"";
 }
 
-// A place in the frame of a body that is turned about z.
-Place turned(double angle, const Place& place) {
-    const double c = std::cos(angle), s = std::sin(angle);
-    return {c * place[0] + s * place[1], c * place[1] - s * place[0], place[2]};
-}
-Place inBody(const Body& body, const Place& place) {
-    return turned(body.angle,
-                  {place[0] - body.at[0], place[1] - body.at[1], place[2] - body.at[2]});
-}
 std::string place(const char* name, const Place& p) { return attribute(name, {p[0], p[1], p[2]}); }
 
 // A damper holds a motor to its speed, so strong that its error is none; the engine takes it

@@ -17,16 +17,6 @@ std::string list(const Place& place) {
 
 bool any(const Place& place) { return place[0] != 0 || place[1] != 0 || place[2] != 0; }
 
-// A place, from the body's centre, in the frame of a body that is turned about z.
-Place turned(const Body& body, double x, double y, double z) {
-    const double c = std::cos(body.angle), s = std::sin(body.angle);
-    return {c * x + s * y, c * y - s * x, z};
-}
-
-Place inBody(const Body& body, const Place& place) {
-    return turned(body, place[0] - body.at[0], place[1] - body.at[1], place[2] - body.at[2]);
-}
-
 std::string partsOf(const Body& body) {
     if (body.shape == Body::Shape::box)
         return "-sub {-box " + list(body.size) + "}";
@@ -90,7 +80,7 @@ std::string bodyText(const Case& scene, const Body& body) {
 
 std::string jointText(const Case& scene, const Joint& joint, std::size_t index) {
     const Body& body = scene.bodies[static_cast<std::size_t>(joint.body1)];
-    const Place axis = turned(body, joint.axis[0], joint.axis[1], joint.axis[2]);
+    const Place axis = turned(body.angle, joint.axis);
     std::string text = "joint j" + std::to_string(index) + " -type ";
     text += joint.type == Joint::Type::slider ? "slider" : "hinge";
     if (joint.type == Joint::Type::slider || axis != Place{0, 0, 1}) // by default a hinge's is z

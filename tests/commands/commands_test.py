@@ -228,6 +228,17 @@ class Commands(unittest.TestCase):
         self.assertEqual(ran.returncode, 0, ran.stderr)
         self.assertIn("all joints are closed", self.run_asgard("assemble", scene).stderr)
 
+    def test_places_that_a_loop_makes_are_the_authors(self):
+        pendulums = ("shape_set rod -desc {-sub {-box {1 0.1 0.1}}}\nforeach {b x} {a 0.6 b 1.6} {\n    body $b rod -init_pos [list $x 0 0]\n}\n"
+                     "joint pin -type hinge -body1 a -offset1 {-0.5 0 0} -offset2 {0 0 0}\n"
+                     "joint next -type hinge -body1 b -offset1 {-0.5 0 0} -body2 a -offset2 {0.5 0 0}\n")
+        said = self.run_asgard("simulate", self.file("loop.al", pendulums), "--csv", os.devnull).stderr
+        self.assertIn('miss each other by 0.1 at the start; place them so that the joint closes, by hand, since line 3 makes "a" and other bodies at once', said)
+        self.assertNotIn("asgard assemble", said)
+        boxes = ("shape_set box -desc {-sub {-box {1 1 1}}}\nforeach {b x} {a 0 b 0.9} {\n    body $b box -init_pos [list $x 0 0]\n}\n")
+        said = self.run_asgard("check", self.file("boxes.al", boxes)).stdout
+        self.assertIn('place them apart, by hand, since line 3 makes "a" and other bodies at once.', said)
+
     def test_a_motion_says_in_one_line_up_to_when_it_is_accurate(self):
         chaos = ("-29.43*sin(a.x) - 9.81*sin(a.x-2*b.x) - 2*sin(a.x-b.x)*(b.dx^2+a.dx^2*cos(a.x-b.x))",
                  "2*sin(a.x-b.x)*(2*a.dx^2+19.62*cos(a.x)+b.dx^2*cos(a.x-b.x))")

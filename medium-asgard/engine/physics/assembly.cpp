@@ -273,4 +273,30 @@ Assembly assembled(const scene::Scene& written, const std::function<bool()>& can
     return made;
 }
 
+std::optional<std::string> madeAtOnce(const scene::Scene& scene,
+                                      const std::vector<std::size_t>& bodies) {
+    const auto isOneOfSeveral = [&](std::size_t b) {
+        const scene::Body& body = scene.bodies[b];
+        return body.source.runs > 1 && !body.fixed &&
+               std::ranges::find(scene.constraints, body.name, &scene::Constraint::body) ==
+                   scene.constraints.end();
+    };
+    const auto one = std::ranges::find_if(bodies, isOneOfSeveral);
+    if (one == bodies.end())
+        return std::nullopt;
+    const scene::Body& body = scene.bodies[*one];
+    return "line " + std::to_string(body.source.line) + " makes \"" + body.name +
+           "\" and other bodies at once";
+}
+
+std::string closeAdvice(const scene::Scene& scene, const std::vector<std::size_t>& bodies) {
+    const auto why = madeAtOnce(scene, bodies);
+    return why ? "place them so that the joint closes, by hand, since " + *why : closeAdvice();
+}
+
+std::string partAdvice(const scene::Scene& scene, const std::vector<std::size_t>& bodies) {
+    const auto why = madeAtOnce(scene, bodies);
+    return why ? "place them apart, by hand, since " + *why : partAdvice();
+}
+
 } // namespace physics

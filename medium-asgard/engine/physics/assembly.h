@@ -32,6 +32,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -77,6 +78,15 @@ inline constexpr const char* partButton = "the button Move Apart";
 [[nodiscard]] inline std::string partAdvice() {
     return std::string("place them apart, or let ") + partButton + " place them";
 }
+// 'line 4 makes "b0" and other bodies at once': the text has no numbers of that one of these bodies
+// alone, which a button could rewrite. None: no command makes several bodies.
+[[nodiscard]] std::optional<std::string> madeAtOnce(const scene::Scene& scene,
+                                                    const std::vector<std::size_t>& bodies);
+// For these bodies, all of which have to move: by the button where it can.
+[[nodiscard]] std::string closeAdvice(const scene::Scene& scene,
+                                      const std::vector<std::size_t>& bodies);
+[[nodiscard]] std::string partAdvice(const scene::Scene& scene,
+                                     const std::vector<std::size_t>& bodies);
 [[nodiscard]] inline bool asksToClose(std::string_view sentence) {
     return sentence.find(closeAdvice()) != std::string_view::npos;
 }

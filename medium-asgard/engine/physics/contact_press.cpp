@@ -68,4 +68,16 @@ ContactPress pressOf(const ContactSurfaces& surfaces, const SurfacePose& body,
     return found;
 }
 
+double slipSpeedOf(const ContactSurfaces& surfaces, std::size_t point, const SurfaceMotion& body,
+                   const SurfaceMotion& support) {
+    const NearestSurfaces at = nearest(surfaces.gaps[point], body.pose, support.pose);
+    const auto velocityOf = [&](const SurfaceMotion& of, const Vector& surface) -> Vector {
+        return of.velocity + of.spin.cross(at.contact - of.pose.centre) +
+               of.pose.rotation * surface;
+    };
+    const Vector v =
+        velocityOf(body, surfaces.bodySurface) - velocityOf(support, surfaces.supportSurface);
+    return (v - at.normal * at.normal.dot(v)).norm();
+}
+
 } // namespace physics

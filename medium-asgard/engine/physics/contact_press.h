@@ -15,6 +15,9 @@ struct ContactSurfaces {
     std::vector<SurfaceGap> gaps;    // of the contact's points
     Vector normal = Vector::UnitX(); // world, where it was made
     double friction = 0;             // coefficient while it sticks
+    // Velocities of the surfaces along themselves, in each body's frame.
+    Vector bodySurface = Vector::Zero(), supportSurface = Vector::Zero();
+    double resolution = 0; // a way that is no longer is none
 };
 
 struct ContactPress {
@@ -28,6 +31,10 @@ struct ContactPress {
 [[nodiscard]] ContactPress pressOf(const ContactSurfaces& surfaces, const SurfacePose& body,
                                    const SurfacePose& support, std::span<const double> normals,
                                    std::span<const double> friction);
+
+// How fast the surfaces move along each other at one of the contact's points.
+[[nodiscard]] double slipSpeedOf(const ContactSurfaces& surfaces, std::size_t point,
+                                 const SurfaceMotion& body, const SurfaceMotion& support);
 
 // The axis of the world that is most nearly across; of several the last, which a scene in a plane
 // of x and y has across it.

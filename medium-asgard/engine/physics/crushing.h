@@ -9,7 +9,12 @@
 // Solved by its dual, with a stiffness for the breaches that is 1e-9 of the bodies':
 //     min f (A + d) f / 2 + u f,   f >= 0 of contacts and closed stops,   r = d f.
 //
-// LIMIT: friction is no part of it. Bodies that are wedged fast by friction have room.
+// Sides that grip may push along all directions of their cones of friction. Between these a wedge
+// that is blunter than the friction is in balance, and has no room either. The breaches count along
+// the normals alone.
+//
+// LIMIT: a cone has eight edges; what needs more than 0.92 of the friction between two of them has
+// room.
 #pragma once
 
 #include "physics/impact.h"
@@ -26,8 +31,9 @@ struct Crushing {
     // something else holds against them.
     std::vector<std::size_t> pressed, between;
 };
+enum class Sides { slip, grip };
 [[nodiscard]] Crushing crushingOf(std::span<const ImpactBody> bodies,
                                   std::span<const ImpactContact> contacts,
-                                  std::span<const ImpactRow> joints);
+                                  std::span<const ImpactRow> joints, Sides sides = Sides::slip);
 
 } // namespace physics

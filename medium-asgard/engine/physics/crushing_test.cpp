@@ -73,6 +73,26 @@ TEST_F(UnderAPress, AnAskewContactIsRoom) {
     EXPECT_THAT(found().contacts, IsEmpty());
 }
 
+// Friction holds a blunt wedge fast, and not a sharp one.
+TEST_F(UnderAPress, ABluntWedgeIsCrushedBySidesThatGrip) {
+    for (const std::size_t contact : {2u, 3u})
+        contacts_[contact].normal = Vector(0.1, 1, 0).normalized();
+    for (ImpactContact& contact : contacts_)
+        contact.friction = 0.2;
+    EXPECT_THAT(found().contacts, IsEmpty());
+    const Crushing gripped = crushingOf(bodies_, contacts_, joints_, Sides::grip);
+    EXPECT_THAT(gripped.pressed, ElementsAre(1, 2));
+    EXPECT_THAT(gripped.between, ElementsAre(0, 3));
+    for (ImpactContact& contact : contacts_)
+        contact.friction = 0.02;
+    EXPECT_THAT(crushingOf(bodies_, contacts_, joints_, Sides::grip).contacts, IsEmpty());
+    for (ImpactContact& contact : contacts_)
+        contact.friction = 1;
+    bodies_[3].velocity = {0, 0.2, 0};
+    EXPECT_THAT(crushingOf(bodies_, contacts_, joints_, Sides::grip).contacts, IsEmpty())
+        << "the press goes up";
+}
+
 // The same with a press of a mass, which a joint drives.
 TEST_F(UnderAPress, AJointThatDrivesThePressHasAPartInIt) {
     bodies_[3].inverseMass = 1;

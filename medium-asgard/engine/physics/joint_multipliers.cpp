@@ -373,6 +373,7 @@ void JointMultipliers::checkStart(const expression::EquationSet& set, std::size_
         double gap = 0, rate = 0;
         double before = 0; // without its last condition
         bool isUniversal = false;
+        std::size_t body = 0; // one of its own
     };
     std::map<std::string, Miss> worst; // by element
     for (std::size_t k = 0; k < kept_.size(); ++k) {
@@ -395,15 +396,32 @@ void JointMultipliers::checkStart(const expression::EquationSet& set, std::size_
         miss.gap = std::hypot(miss.gap, found[2 * k]);
         miss.rate = std::hypot(miss.rate, found[2 * k + 1]);
         miss.isUniversal = element.kind == "joint" && isUniversal(element.name);
+        miss.body = element.moving.front();
     }
     const double none = startResolution * extents().first;
     for (const auto& [element, miss] : worst)
         if (miss.isUniversal && miss.before <= none && miss.gap > none) // the last is of its axes
             faults_.push_back(element +
-                              ": -axis and -axis2 must be perpendicular; change one of them, "
-                              "turn a body, or let \"asgard assemble SCENE\" do it");
+                              ": -axis and -axis2 must be perpendicular; change one of them" +
+                              (madeAtOnce(scene_, connectedWith(miss.body))
+                                   ? " or turn a body"
+                                   : ", turn a body, or let \"asgard assemble SCENE\" do it"));
         else
-            tell(element + ": ", miss.gap, miss.rate, notes);
+            tell({element + ": ", miss.body}, miss.gap, miss.rate, notes);
+}
+
+// By elements, those that move among them; that one first.
+std::vector<std::size_t> JointMultipliers::connectedWith(std::size_t body) const {
+    std::vector<std::size_t> found{body};
+    const auto isIn = [&](std::size_t one) { return std::ranges::find(found, one) != found.end(); };
+    for (std::size_t before = 0; before != found.size();) {
+        before = found.size();
+        for (const Kept& kept : kept_)
+            if (std::ranges::any_of(kept.element.moving, isIn))
+                std::ranges::copy_if(kept.element.moving, std::back_inserter(found),
+                                     [&](std::size_t one) { return !isIn(one); });
+    }
+    return found;
 }
 
 // `values`: the time, and the unknowns.
@@ -430,20 +448,19 @@ void JointMultipliers::tellDrive(const std::string& element, double gap) {
     faults_.push_back(element + text);
 }
 
-void JointMultipliers::tell(const std::string& where, double gap, double rate,
+void JointMultipliers::tell(const Where& where, double gap, double rate,
                             std::vector<std::string>& notes) {
     const auto [size, speed] = extents();
     char text[200];
     if (!(gap <= startResolution * size)) {
-        std::snprintf(text, sizeof text, "its bodies miss each other by %.4g at the start; %s", gap,
-                      closeAdvice().c_str());
-        faults_.push_back(where + text);
+        std::snprintf(text, sizeof text, "its bodies miss each other by %.4g at the start; ", gap);
+        faults_.push_back(where.sentence + text + closeAdvice(scene_, connectedWith(where.body)));
     } else if (!(rate <= startResolution * speed)) {
         std::snprintf(text, sizeof text,
                       "the velocities at the start differ by %.4g from what it allows; they are "
                       "changed by as little energy as possible",
                       rate);
-        notes.push_back(where + text);
+        notes.push_back(where.sentence + text);
     }
 }
 

@@ -121,7 +121,12 @@ private:
     [[nodiscard]] bool isReleased(const Kept& kept, const std::vector<double>& values) const;
     [[nodiscard]] bool isUniversal(const std::string& joint) const;
     void tellDrive(const std::string& element, double gap);
-    void tell(const std::string& where, double gap, double rate, std::vector<std::string>& notes);
+    struct Where {
+        std::string sentence;
+        std::size_t body = 0; // of that element
+    };
+    void tell(const Where& where, double gap, double rate, std::vector<std::string>& notes);
+    [[nodiscard]] std::vector<std::size_t> connectedWith(std::size_t body) const;
     [[nodiscard]] std::pair<double, double> extents() const;
 
     Graph& g_;

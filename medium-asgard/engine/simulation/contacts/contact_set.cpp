@@ -14,8 +14,12 @@ using solution::infinity;
 namespace {
 
 std::shared_ptr<const physics::ContactSurfaces> surfacesOf(const physics::ContactPlace& place) {
-    physics::ContactSurfaces made{
-        .gaps = {}, .normal = place.normal, .friction = place.friction.sticking};
+    physics::ContactSurfaces made{.gaps = {},
+                                  .normal = place.normal,
+                                  .friction = place.friction.sticking,
+                                  .bodySurface = place.friction.bodySurface,
+                                  .supportSurface = place.friction.supportSurface,
+                                  .resolution = place.leaving};
     for (const physics::ContactPoint& point : place.points)
         made.gaps.push_back(point.gap);
     return std::make_shared<const physics::ContactSurfaces>(std::move(made));

@@ -1,7 +1,6 @@
 #include "events/crushed.h"
 
 #include "events/sentences.h"
-#include "physics/crushing.h"
 
 #include <algorithm>
 
@@ -18,8 +17,9 @@ bool isDriven(const scene::Joint& joint) {
 
 std::optional<Crushed> crushedIn(const Instant& instant, const ImpactCluster& cluster,
                                  std::span<const physics::ImpactContact> contacts,
-                                 std::span<const physics::ImpactBody> before) {
-    const physics::Crushing found = physics::crushingOf(before, contacts, cluster.joints);
+                                 std::span<const physics::ImpactBody> before,
+                                 physics::Sides sides) {
+    const physics::Crushing found = physics::crushingOf(before, contacts, cluster.joints, sides);
     if (found.contacts.empty())
         return std::nullopt;
     const Colliders& world = instant.world;
@@ -37,7 +37,8 @@ std::optional<Crushed> crushedIn(const Instant& instant, const ImpactCluster& cl
         return bodies;
     };
     const auto pressed = inScene(found.pressed);
-    return Crushed{sentences::crushed(world, pressed, inScene(found.between), drives), pressed};
+    return Crushed{sentences::crushed(world.scene, pressed, inScene(found.between), drives),
+                   pressed};
 }
 
 } // namespace simulation

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "events/impact_cluster.h"
+#include "physics/crushing.h"
 
 #include <optional>
 #include <set>
@@ -14,10 +15,11 @@ struct Crushed {
     std::string sentence;         // a clause
     std::set<std::size_t> bodies; // of the scene, that would be crushed
 };
-// `contacts`: of the bodies of the cluster. None: they have room (physics/crushing.h), and there
-// must be another reason.
+// `contacts`: of the bodies of the cluster. None: they have room (physics/crushing.h), where their
+// sides slip or grip, and there must be another reason.
 [[nodiscard]] std::optional<Crushed> crushedIn(const Instant& instant, const ImpactCluster& cluster,
                                                std::span<const physics::ImpactContact> contacts,
-                                               std::span<const physics::ImpactBody> before);
+                                               std::span<const physics::ImpactBody> before,
+                                               physics::Sides sides);
 
 } // namespace simulation

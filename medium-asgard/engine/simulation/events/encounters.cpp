@@ -247,14 +247,15 @@ std::optional<Event> CollisionSource::meet(const Instant& at, const Pair& pair) 
 std::optional<Event> CollisionSource::endUnparted(const Instant& at, const ImpactCluster& cluster,
                                                   std::span<const physics::ImpactBody> before,
                                                   const Pair& pair, bool isSettled) {
-    auto crushed = crushedIn(at, cluster, cluster.contacts, before);
+    using enum physics::Sides;
+    auto crushed = crushedIn(at, cluster, cluster.contacts, before, slip);
     if (!crushed && isSettled)
         return std::nullopt;
-    if (!crushed) { // a flat blow turns nothing, and its corners do
-        std::vector<physics::ImpactContact> all = cluster.contacts;
-        all.insert(all.end(), cluster.corners.begin(), cluster.corners.end());
-        crushed = crushedIn(at, cluster, all, before);
-    }
+    std::vector<physics::ImpactContact> all = cluster.contacts;
+    all.insert(all.end(), cluster.corners.begin(), cluster.corners.end());
+    for (const physics::Sides sides : {slip, grip}) // a flat blow turns nothing, and its corners do
+        if (!crushed)
+            crushed = crushedIn(at, cluster, all, before, sides);
     if (!crushed)
         return end(at, pair, sentences::unsolved(world_, pair));
     Event event = end(at, pair, crushed->sentence);

@@ -107,19 +107,19 @@ std::string unsolved(const Colliders& world, const Pair& pair) {
            quoted(world, pair.second) + " were not found";
 }
 
-std::string crushed(const Colliders& world, const std::set<std::size_t>& pressed,
+std::string crushed(const scene::Scene& scene, const std::set<std::size_t>& pressed,
                     const std::set<std::size_t>& between, const std::set<std::string>& drives) {
     const auto all = [&](const std::set<std::size_t>& of) {
         std::string text;
         for (const std::size_t body : of)
-            text += (text.empty() ? "" : " and ") + quoted(world, body);
+            text += (text.empty() ? "\"" : " and \"") + scene.bodies[body].name + "\"";
         return text;
     };
     std::set<std::size_t> told = pressed, firm = between;
     if (pressed.empty()) {
         firm.clear();
         for (const std::size_t body : between)
-            (world.isFixed(body) ? firm : told).insert(body);
+            (scene.bodies[body].fixed ? firm : told).insert(body);
     }
     const bool areMany = told.size() > 1;
     const std::size_t others = firm.empty() ? told.size() : firm.size();
@@ -134,12 +134,17 @@ std::string crushed(const Colliders& world, const std::set<std::size_t>& pressed
                        ", " + none;
     if (!pressed.empty())
         text += std::string(": ") + (areMany ? "they" : "it") + " would be crushed";
+    if (drives.empty())
+        return text;
+    std::string joints;
     for (const std::string& joint : drives)
-        text += (pressed.empty() && joint == *drives.begin() ? ": joint \"" : "; joint \"") +
-                joint +
-                "\" drives on with whatever force it takes: let it stop before, or give it "
-                "-max_motor";
-    return text;
+        joints += (joints.empty() ? "\"" : " and \"") + joint + "\"";
+    const bool isOne = drives.size() == 1;
+    return text + (pressed.empty() ? ": " : "; ") + (isOne ? "joint " : "joints ") + joints +
+           (isOne
+                ? " drives on with whatever force it takes: let it stop before, or give it "
+                : " drive on with whatever force they take: let them stop before, or give them ") +
+           "-max_motor";
 }
 
 std::string noHinge(const Colliders& world, std::size_t body) {

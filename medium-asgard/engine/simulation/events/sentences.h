@@ -29,7 +29,7 @@ namespace simulation::sentences {
 
 [[nodiscard]] std::string unsolved(const Colliders& world, const Pair& pair);
 // Those that give way between those that do not; joints that drive these.
-[[nodiscard]] std::string crushed(const Colliders& world, const std::set<std::size_t>& pressed,
+[[nodiscard]] std::string crushed(const scene::Scene& scene, const std::set<std::size_t>& pressed,
                                   const std::set<std::size_t>& between,
                                   const std::set<std::string>& drives);
 // What is noted beside a motion that goes on.

@@ -1,5 +1,7 @@
 #include "placing/hops.h"
 
+#include "physics/carried_points.h"
+#include "physics/linkage.h"
 #include "placing/least_ways.h"
 #include "placing/overlaps.h"
 #include "placing/told_heaps.h"
@@ -8,8 +10,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
+#include <memory>
 #include <set>
+#include <span>
 #include <tuple>
 #include <variant>
 
@@ -43,20 +48,91 @@ std::vector<char> onlyWeighs(const scene::Scene& scene) {
     return all;
 }
 
-// The bodies of the gap neither meet nor part there.
-bool isStill(const scene::Scene& scene, const std::vector<geometry::Pose>& poses,
-             const PartGap& of) {
-    constexpr double still = 1e-9; // of their speeds
-    const auto speedOf = [&](std::size_t body) -> Vector {
-        const scene::Body& said = scene.bodies[body];
-        if (said.fixed)
-            return Vector::Zero();
-        return said.initialVelocity +
-               said.initialAngularVelocity.cross(of.at - poses[body].position);
-    };
-    const Vector one = speedOf(of.first), other = speedOf(of.second);
-    return std::abs(of.normal.dot(one - other)) <= still * (one.norm() + other.norm());
+bool hasDrive(const scene::Scene& scene, const std::string& body) {
+    return std::ranges::any_of(scene.joints, [&](const scene::Joint& joint) {
+        return (joint.body1 == body || joint.body2 == body) &&
+               std::ranges::any_of(joint.coordinates, [](const scene::JointCoordinate& of) {
+                   return of.speed || of.position;
+               });
+    });
 }
+
+// How bodies move at the start.
+class StartMotions {
+public:
+    StartMotions(const scene::Scene& scene, const physics::EquationsOfMotion& equations,
+                 const std::vector<char>& isLoose)
+        : scene_(scene), isLoose_(isLoose), motions_(equations.bodies.size()),
+          isDriven_(motions_.size(), 0) {
+        const double start = scene.simulator.start;
+        std::vector<double> values{start};
+        for (const expression::Unknown& unknown : equations.set.unknowns)
+            values.push_back(unknown.initial);
+        physics::putGiven(equations.set.graph, equations.set, start, values);
+        for (std::size_t b = 0; b < motions_.size(); ++b)
+            if (const physics::BodyMotion& body = equations.bodies[b]; body.isFixed)
+                motions_[b].position = body.start.position;
+            else
+                motions_[b] = body.valuesOf(std::span(values)
+                                                .subspan(1 + body.firstUnknown)
+                                                .first<physics::bodyUnknowns>());
+    }
+
+    // The bodies of the gap neither meet nor part there.
+    [[nodiscard]] bool isStill(const PartGap& of) {
+        constexpr double still = 1e-9; // of their speeds
+        const Vector one = velocityAt(of.first, of.at), other = velocityAt(of.second, of.at);
+        return std::abs(of.normal.dot(one - other)) <= still * (one.norm() + other.norm());
+    }
+
+private:
+    Vector velocityAt(std::size_t body, const Vector& at) {
+        if (isLoose_[body] == 0 && isDriven_[body] == 0 &&
+            hasDrive(scene_, scene_.bodies[body].name))
+            drive(body);
+        const physics::BodyValues& of = motions_[body];
+        return of.velocity + of.angularVelocity.cross(at - of.position);
+    }
+
+    // Drives and joints change the velocities of the bodies that hang together as little as they
+    // can: that takes no time, and is no blow.
+    void drive(std::size_t body) {
+        isDriven_[body] = 1;
+        if (!own_)
+            own_ = std::make_unique<physics::EquationsOfMotion>(
+                scene_, std::function<void()>(), nullptr,
+                physics::EquationsOfMotion::Start::mayMiss);
+        physics::Linkage linkage(scene_, *own_, body);
+        const physics::Linkage::Rates rates = linkage.rates();
+        const auto& bodies = linkage.bodies();
+        Eigen::VectorXd moves(6 * static_cast<Eigen::Index>(bodies.size()));
+        for (std::size_t i = 0; i < bodies.size(); ++i)
+            moves.segment<6>(6 * static_cast<Eigen::Index>(i)) << motions_[bodies[i]].velocity,
+                linkage.radiusOf(i) * motions_[bodies[i]].angularVelocity;
+        Eigen::VectorXd missed = rates.by * moves + rates.led;
+        Eigen::MatrixXd by = rates.by;
+        for (Eigen::Index row = 0; row < missed.size(); ++row)
+            if (rates.isRope[static_cast<std::size_t>(row)] != 0) { // may part
+                missed[row] = 0;
+                by.row(row).setZero();
+            }
+        if (missed.size() == 0)
+            return;
+        moves -= physics::Linkage::solverOf(by).solve(missed);
+        for (std::size_t i = 0; i < bodies.size(); ++i) {
+            const auto first = 6 * static_cast<Eigen::Index>(i);
+            isDriven_[bodies[i]] = 1;
+            motions_[bodies[i]].velocity = moves.segment<3>(first);
+            motions_[bodies[i]].angularVelocity = moves.segment<3>(first + 3) / linkage.radiusOf(i);
+        }
+    }
+
+    const scene::Scene& scene_;
+    const std::vector<char>& isLoose_;
+    std::vector<physics::BodyValues> motions_;
+    std::vector<char> isDriven_; // by body: its drives have been asked
+    std::unique_ptr<physics::EquationsOfMotion> own_;
+};
 
 // Those that would bear if they were closed.
 std::vector<PartGap> bearing(const std::vector<PartGap>& gaps, const std::vector<char>& isLoose,
@@ -117,7 +193,8 @@ std::vector<std::string> hopSentences(const scene::Scene& scene,
         poses, Overlaps::Near::apartOrTouching, [&](std::size_t first, std::size_t second) {
             return isKnown[first] && isKnown[second] && (isLoose[first] || isLoose[second]);
         });
-    std::erase_if(gaps, [&](const PartGap& of) { return !isStill(scene, poses, of); });
+    StartMotions motions(scene, equations, isLoose);
+    std::erase_if(gaps, [&](const PartGap& of) { return !motions.isStill(of); });
     const auto partsOf = [](const PartGap& of) {
         return std::tuple(of.first, of.firstPart, of.second, of.secondPart);
     };

@@ -5,10 +5,14 @@
 // floor, and in turn all that stands on it. Gauss's principle (least_ways.h) over all contacts and
 // narrow gaps at rest tells which of them would bear: two boxes that fall together do not meet.
 //
-// LIMIT: bodies count as equally heavy, without friction and turning. A box that friction holds on
-// a slope a hair above another one is told to hop. Bodies with a spring, a link, or a force other
-// than a weight are left out: no hop of theirs is told, nor one on them. The search for what bears
-// ends after a thousand sweeps, and of very tall stacks the last forces may then be wrong.
+// Bodies that trajectories, or joints with a -speed or a -position, move at the start do so here: a
+// stack may ride on a lift.
+//
+// LIMIT: how these bodies gather speed is not read. Bodies count as equally heavy, without friction
+// and turning. A box that friction holds on a slope a hair above another one is told to hop. Bodies
+// with a spring, a link, or a force other than a weight are left out: no hop of theirs is told, nor
+// one on them. The search for what bears ends after a thousand sweeps, and of very tall stacks the
+// last forces may then be wrong.
 #pragma once
 
 #include "geometry/shape.h"

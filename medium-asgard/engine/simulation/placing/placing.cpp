@@ -152,14 +152,20 @@ std::vector<std::string> overlapSentences(const scene::Scene& scene,
         const auto stands = [&](const collision::Pair& pair) {
             return isHeld(scene, pair.first) && isHeld(scene, pair.second);
         };
-        if (begin == Begin::movedApart)
-            sentences.push_back(sentence + "begin moved apart; " + physics::partButton +
-                                " writes it into the text.");
-        else
+        const std::vector<std::size_t> bodies = bodiesIn(heap);
+        if (begin == Begin::movedApart) {
+            const auto why = physics::madeAtOnce(scene, bodies);
+            sentences.push_back(
+                sentence + "begin moved apart; " +
+                (why ? "the text stays as it is, since " + *why
+                     : physics::partButton + std::string(" writes it into the text")) +
+                ".");
+        } else {
             sentences.push_back(sentence + "pass through each other until they are apart" +
                                 (stands(heap.first) && std::ranges::all_of(heap.others, stands)
                                      ? "."
-                                     : "; " + physics::partAdvice() + "."));
+                                     : "; " + physics::partAdvice(scene, bodies) + "."));
+        }
     }
     return sentences;
 }

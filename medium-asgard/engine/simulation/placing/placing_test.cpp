@@ -198,6 +198,31 @@ TEST(Placing, ABoxOnAnotherBoxThatStandsWouldHop) {
     EXPECT_TRUE(startSentences(b.scene).empty()) << "it comes to rest";
 }
 
+// A lift takes its boxes along as a floor that stands still bears them.
+TEST(Placing, ABoxOnALiftWouldHop) {
+    SceneBuilder b(1);
+    b.box("lift", {0, -0.5, 0}, {4, 1, 4});
+    scene::Joint rail;
+    rail.name = "rail";
+    rail.type = scene::JointType::slider;
+    rail.body1 = "lift";
+    rail.axis = {0, 1, 0};
+    rail.coordinates.resize(1);
+    rail.coordinates[0].speed = "0.5";
+    b.scene.joints.push_back(rail);
+    b.box("box", {0, 0.50001, 0}, {1, 1, 1});
+    b.weight("box");
+    EXPECT_TRUE(startSentences(b.scene).empty()) << "the lift hits it from below";
+    b.scene.bodies.back().initialVelocity = {0, 0.5, 0};
+    const auto told = startSentences(b.scene);
+    ASSERT_EQ(told.size(), 1u);
+    EXPECT_THAT(told[0], ::testing::HasSubstr("are 1e-05 apart"));
+    b.scene.joints[0].coordinates[0].maxMotor = 1;
+    EXPECT_TRUE(startSentences(b.scene).empty()) << "the motor takes its time";
+    b.scene.bodies[0].initialVelocity = {0, 0.5, 0};
+    EXPECT_EQ(startSentences(b.scene).size(), 1u);
+}
+
 // A spring may carry it, and a force lift it.
 TEST(Placing, ABodyWithASpringOrAForceIsNotSaidToHop) {
     SceneBuilder b(1);

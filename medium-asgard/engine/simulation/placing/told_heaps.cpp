@@ -73,6 +73,13 @@ std::vector<ToldHeap> toldHeaps(const scene::Scene& scene,
     return all;
 }
 
+std::vector<std::size_t> bodiesIn(const ToldHeap& heap) {
+    std::vector<std::size_t> bodies{heap.first.first, heap.first.second};
+    for (const auto& [first, second] : heap.others)
+        bodies.insert(bodies.end(), {first, second});
+    return bodies;
+}
+
 std::string bodiesOf(const scene::Scene& scene, const collision::Pair& pair) {
     return "Bodies " + namesIn(scene, pair);
 }

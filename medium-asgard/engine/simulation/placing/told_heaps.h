@@ -22,6 +22,9 @@ struct ToldHeap {
 [[nodiscard]] std::vector<ToldHeap> toldHeaps(const scene::Scene& scene,
                                               const std::map<collision::Pair, double>& sizes);
 
+// Of all its pairs, those of the first one first; some twice.
+[[nodiscard]] std::vector<std::size_t> bodiesIn(const ToldHeap& heap);
+
 // Fixed, or held by a trajectory at some time.
 [[nodiscard]] bool isHeld(const scene::Scene& scene, std::size_t body);
 

@@ -1,6 +1,7 @@
 #include "reports/instants.h"
 
 #include "equations/prepared_equations.h"
+#include "motion/contact_slips.h"
 #include "physics/forces.h"
 #include "reports/switch_instants.h"
 #include "run/jams.h"
@@ -264,6 +265,100 @@ int stateOf(const solution::Histories& histories, const std::vector<ContactLog::
     return state;
 }
 
+// What the contacts of one pair do from look to look. A slip in which the surfaces move along each
+// other by no more than their resolution is none: contacts that are laid anew, as a body tips,
+// begin with what rounding and the tilt leave of a velocity.
+class PairFollower {
+public:
+    using Tell = std::function<void(double time, const char* kind)>;
+    PairFollower(const ComputedMotion& motion, const ComputedMotion::Part& part,
+                 const std::map<std::size_t, std::size_t>& bodies, Tell tell)
+        : motion_(motion), histories_(*part.histories), bodies_(bodies), tell_(std::move(tell)),
+          from_(motion.start()) {}
+
+    void takeEntry(double time, std::vector<ContactLog::Contact> contacts) {
+        lookUpTo(time);
+        slideUpTo(time);
+        now_ = std::move(contacts);
+        from_ = time;
+        look(time);
+    }
+    void end() {
+        lookUpTo(motion_.computed());
+        if (slips_)
+            goOver(slipsFrom_, slipping);
+    }
+
+private:
+    static constexpr int open = 0, slipping = 2;
+
+    void lookUpTo(double until) {
+        std::set<double> times;
+        for (const ContactLog::Contact& contact : now_)
+            for (const auto* rows : {&contact.normals, &contact.friction})
+                for (const std::size_t row : *rows)
+                    followMode(histories_, row, from_, until,
+                               [&](double time, Mode) { times.insert(time); });
+        for (const double time : times)
+            if (time < until)
+                look(time);
+    }
+    void look(double time) {
+        slideUpTo(time);
+        const int next = stateOf(histories_, now_, time);
+        if (next == slipping && state_ != slipping && !slips_) {
+            slips_ = true;
+            slipsFrom_ = slidUpTo_ = time;
+            slid_ = 0;
+        } else if (next != slipping) {
+            if (std::exchange(slips_, false))
+                goOver(slipsFrom_, 1);
+            goOver(time, next);
+        }
+    }
+    // Of a slip that is not told yet.
+    void slideUpTo(double time) {
+        if (!slips_)
+            return;
+        const double lasts = time - slidUpTo_;
+        double way = 0, resolution = 0;
+        for (const ContactLog::Contact& contact : now_) {
+            resolution = std::max(resolution, contact.surfaces->resolution);
+            for (const double part : {0.0, 0.5})
+                way = std::max(way, lasts * speedOf(contact, slidUpTo_ + part * lasts));
+        }
+        slid_ += way;
+        slidUpTo_ = time;
+        if (slid_ > resolution) {
+            slips_ = false;
+            goOver(slipsFrom_, slipping);
+        }
+    }
+    [[nodiscard]] double speedOf(const ContactLog::Contact& contact, double time) const {
+        return slipSpeedAt(motion_, histories_, contact, bodies_.at(contact.body),
+                           bodies_.at(contact.support), time);
+    }
+    void goOver(double time, int next) {
+        const int before = std::exchange(state_, next);
+        if (before < 0 ? time == motion_.start() || next == open : next == before)
+            return;
+        tell_(time, next == open     ? "open"
+                    : before <= open ? "close"
+                    : next == 1      ? "stick"
+                                     : "slip");
+    }
+
+    const ComputedMotion& motion_;
+    const solution::Histories& histories_;
+    const std::map<std::size_t, std::size_t>& bodies_; // of the scene, by the part's
+    Tell tell_;
+    std::vector<ContactLog::Contact> now_;
+    double from_;
+    int state_ = -1; // that was told; not known yet
+    bool slips_ = false;
+    double slipsFrom_ = 0, slidUpTo_ = 0, slid_ = 0;
+};
+
 void Lister::addContacts(std::size_t part) {
     const ComputedMotion::Part& of = motion_.contents().parts[part];
     std::map<std::size_t, std::size_t> bodies; // of the scene, by the part's
@@ -281,44 +376,20 @@ void Lister::addContacts(std::size_t part) {
             add(jam.time, "inconsistent",
                 namesOf(Pair{bodies.at(jam.bodies.first), bodies.at(jam.bodies.second)}));
     for (const Pair& pair : pairs) {
-        int state = -1; // not known yet
-        std::vector<ContactLog::Contact> now;
-        double from = motion_.start();
-        const auto look = [&](double time) {
-            const int next = stateOf(*of.histories, now, time);
-            const int before = std::exchange(state, next);
-            if (before < 0 ? time == motion_.start() || next == 0 : next == before)
-                return;
-            add(time,
-                next == 0     ? "open"
-                : before <= 0 ? "close"
-                : next == 1   ? "stick"
-                              : "slip",
-                namesOf(Pair{bodies.at(pair.first), bodies.at(pair.second)}));
-        };
-        const auto lookUpTo = [&](double until) {
-            std::set<double> times;
-            for (const ContactLog::Contact& contact : now)
-                for (const auto* rows : {&contact.normals, &contact.friction})
-                    for (const std::size_t row : *rows)
-                        followMode(*of.histories, row, from, until,
-                                   [&](double time, Mode) { times.insert(time); });
-            for (const double time : times)
-                if (time < until)
-                    look(time);
-        };
+        const std::string names = namesOf(Pair{bodies.at(pair.first), bodies.at(pair.second)});
+        PairFollower follower(motion_, of, bodies, [&](double time, const std::string& kind) {
+            add(time, kind, names);
+        });
         for (const auto& entry : entries) {
             if (!entry->moving.contains(pair.first) && !entry->moving.contains(pair.second))
                 continue;
-            lookUpTo(entry->time);
-            now.clear();
+            std::vector<ContactLog::Contact> now;
             std::ranges::copy_if(
                 entry->contacts, std::back_inserter(now),
                 [&](const ContactLog::Contact& contact) { return contact.bodies == pair; });
-            from = entry->time;
-            look(from);
+            follower.takeEntry(entry->time, std::move(now));
         }
-        lookUpTo(motion_.computed());
+        follower.end();
     }
 }
 

@@ -3,6 +3,7 @@
 //
 // They are read off the motion: its impacts, its ends, and the modes of multipliers, which change
 // where the solver located it; switches of expressions off their branches (switch_instants.h).
+// A slip that moves surfaces along each other by less than what an open gap is resolved to is none.
 // LIMIT: a contact that is no condition (docs/numerics.md, "Rest") is not in the list, and of a
 // contact not where its slip turns round.
 // LIMIT: in a motion that is put together from parts, contacts with fixed bodies that another part

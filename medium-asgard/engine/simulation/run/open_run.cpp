@@ -168,13 +168,13 @@ void OpenRun::publish(double known) {
     Run run;
     run.histories = machinery_->solver->snapshot();
     run.equations = machinery_->solver->equations();
-    run.stops = stopsOf(problem_, *run.histories, known);
     run.notes = problem_.equations.notes;
     if (machinery_->collisions) {
         run.impacts = machinery_->collisions->record().impacts(problem_.finish());
         run.contacts = machinery_->collisions->contactLog().upTo(known);
         addNotes(problem_, machinery_->collisions->record(), problem_.finish(), run);
     }
+    run.stops = stopsOf(problem_, *run.histories, run.contacts, known);
     observer_.progress(run.motion(problem_, true));
 }
 
@@ -209,7 +209,6 @@ Run OpenRun::collect(double until) {
             return endsLater(stop, problem_.start(), until);
         }))
         run.histories = run.histories->upTo(until);
-    run.stops = stopsOf(problem_, *run.histories, until);
     run.statistics = machinery_->solver->statistics();
     run.before = std::exchange(counted_, run.statistics);
     run.notes = problem_.equations.notes;
@@ -230,6 +229,7 @@ Run OpenRun::collect(double until) {
         if (problem_.options.explain)
             run.supports = collisions.supports();
     }
+    run.stops = stopsOf(problem_, *run.histories, run.contacts, until);
     run.island = islandsOf(problem_, run.impacts, run.contacts, blocked);
     run.isIntegrated.assign(problem_.bodies->size(), false);
     const std::vector<std::size_t> owners = ownersOf(problem_);

@@ -1,6 +1,7 @@
 #include "run/stops.h"
 
 #include "physics/blame.h"
+#include "run/squeezed.h"
 #include "scene/joint_types.h"
 
 #include <algorithm>
@@ -191,15 +192,20 @@ const scene::Joint* lockedDrive(const Problem& problem, const std::vector<std::s
     return drives[0];
 }
 
+struct Known { // of the motion
+    const solution::Histories& histories;
+    const ContactLog& contacts;
+};
+
 struct Why {
     std::string reason; // no time in it
     std::optional<Stop::Culprit> culprit = {};
 };
 
-Why whyOf(const Problem& problem, const physics::Suspects& suspects,
-          const solution::Histories& histories, const std::vector<std::size_t>& owners,
-          const solution::Stop& stop) {
+Why whyOf(const Problem& problem, const physics::Suspects& suspects, const Known& known,
+          const std::vector<std::size_t>& owners, const solution::Stop& stop) {
     using Reason = solution::Stop::Reason;
+    const solution::Histories& histories = known.histories;
     std::string reason = stop.sentence;
     std::vector<physics::Blame> blames;
     std::vector<std::size_t> bodies;
@@ -207,6 +213,9 @@ Why whyOf(const Problem& problem, const physics::Suspects& suspects,
         bodies.push_back(owners[unknown]);
     std::ranges::sort(bodies);
     bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+    if (stop.reason == Reason::unheld && stop.culprits.empty()) // contacts alone
+        if (auto squeezed = squeezedAt(problem, known.contacts, bodies, stop.time))
+            return {.reason = std::move(*squeezed)};
     const bool contradicts = stop.reason == Reason::contradiction;
     if (contradicts || stop.reason == Reason::notFinite || stop.reason == Reason::overflow ||
         stop.reason == Reason::stepUnderflow || stop.reason == Reason::notConverged)
@@ -274,11 +283,10 @@ const solution::Stop& rootOf(const solution::Histories& histories, const solutio
     return *root;
 }
 
-Stop stopOf(const Problem& problem, const physics::Suspects& suspects,
-            const solution::Histories& histories, const std::vector<std::size_t>& owners,
-            const solution::Stop& stop) {
-    const solution::Stop& root = rootOf(histories, stop);
-    Why why = whyOf(problem, suspects, histories, owners, root);
+Stop stopOf(const Problem& problem, const physics::Suspects& suspects, const Known& known,
+            const std::vector<std::size_t>& owners, const solution::Stop& stop) {
+    const solution::Stop& root = rootOf(known.histories, stop);
+    Why why = whyOf(problem, suspects, known, owners, root);
     if (owners[root.unknowns[0]] != owners[stop.unknowns[0]])
         why.reason = stop.sentence + ": " + why.reason;
     return {.time = stop.time,
@@ -316,8 +324,8 @@ Stop fullStop(const Problem& problem, const solution::Histories& histories,
 }
 
 // Of what is solved, by body.
-std::map<std::size_t, Stop> solversStops(const Problem& problem,
-                                         const solution::Histories& histories) {
+std::map<std::size_t, Stop> solversStops(const Problem& problem, const Known& known) {
+    const solution::Histories& histories = known.histories;
     std::map<std::size_t, Stop> stops;
     if (histories.stops().empty())
         return stops;
@@ -337,7 +345,7 @@ std::map<std::size_t, Stop> solversStops(const Problem& problem,
             if (place != stops.end() && !(stop.time < place->second.time))
                 continue;
             if (!told)
-                told = stopOf(problem, suspects, histories, owners, stop);
+                told = stopOf(problem, suspects, known, owners, stop);
             stops[body] = *told;
         }
     }
@@ -431,8 +439,8 @@ bool areSingular(const scene::Scene& scene, const std::vector<std::size_t>& bodi
 }
 
 std::map<std::size_t, Stop> stopsOf(const Problem& problem, const solution::Histories& histories,
-                                    double until) {
-    std::map<std::size_t, Stop> stops = solversStops(problem, histories);
+                                    const ContactLog& contacts, double until) {
+    std::map<std::size_t, Stop> stops = solversStops(problem, {histories, contacts});
     addOverflows(problem, histories, until, stops);
     return stops;
 }

@@ -18,7 +18,8 @@ namespace simulation {
                                                         const std::vector<std::size_t>& bodies);
 
 // By body, of what is known up to a time.
-[[nodiscard]] std::map<std::size_t, Stop>
-stopsOf(const Problem& problem, const solution::Histories& histories, double until);
+[[nodiscard]] std::map<std::size_t, Stop> stopsOf(const Problem& problem,
+                                                  const solution::Histories& histories,
+                                                  const ContactLog& contacts, double until);
 
 } // namespace simulation

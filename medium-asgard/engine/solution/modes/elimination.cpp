@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 namespace solution {
 namespace {
@@ -29,13 +30,13 @@ bool Elimination::plan(std::size_t size, std::span<const Place> places, double m
         std::ranges::sort(of);
         of.erase(std::unique(of.begin(), of.end()), of.end());
     }
-    rowOf_.clear();
-    mates_.clear();
-    rankOf_.assign(size, 0);
+    *this = {};
+    std::vector<Index> rows; // by rank
+    std::vector<Index> ranks(size, 0);
     std::vector<char> isDone(size, 0);
     std::vector<Index> joined;
     double multiplications = 0;
-    while (rowOf_.size() < size) {
+    while (rows.size() < size) {
         std::size_t least = size;
         for (std::size_t row = 0; row < size; ++row)
             if (isDone[row] == 0 && (least == size || next[row].size() < next[least].size()))
@@ -44,8 +45,8 @@ bool Elimination::plan(std::size_t size, std::span<const Place> places, double m
         multiplications += count * (count + 1) / 2;
         if (multiplications > most)
             return false;
-        rankOf_[least] = static_cast<Index>(rowOf_.size());
-        rowOf_.push_back(static_cast<Index>(least));
+        ranks[least] = static_cast<Index>(rows.size());
+        rows.push_back(static_cast<Index>(least));
         isDone[least] = 1;
         for (const Index row : next[least]) {
             joined.clear();
@@ -54,6 +55,8 @@ bool Elimination::plan(std::size_t size, std::span<const Place> places, double m
             next[row] = joined;
         }
     }
+    rowOf_ = std::move(rows);
+    rankOf_ = std::move(ranks);
     layOut(next);
     return true;
 }

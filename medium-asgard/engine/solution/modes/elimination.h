@@ -36,7 +36,7 @@ public:
 
     // For matrices whose entries are 0 but on the diagonal, at these places and at those that
     // mirror them. False: a factorization takes more than `most` multiplications. Then nothing is
-    // planned.
+    // planned, and what was planned before is gone.
     bool plan(std::size_t size, std::span<const Place> places, double most);
     // Of each row the patch whose point it is, or `noPatch`. The rows of one patch are those of
     // three of them, but for a small tilt, whose square a further pivot is: it counts as none.

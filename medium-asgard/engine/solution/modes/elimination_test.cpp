@@ -113,6 +113,8 @@ TEST(Elimination, AStarStartsWithItsLeaves) {
     ASSERT_TRUE(elimination.plan(star.size(), star.places(), 1e9));
     EXPECT_GE(elimination.multiplications(), 50 * 9u);
     EXPECT_FALSE(elimination.plan(star.size(), star.places(), 1000));
+    EXPECT_EQ(elimination.multiplications(), 0U); // nothing is left of the plan before
+    EXPECT_TRUE(elimination.values().empty());
 }
 
 TEST(Elimination, RefusesWhatMayBeSingular) {
