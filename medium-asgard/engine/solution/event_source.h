@@ -87,14 +87,16 @@ class Turns {
 public:
     virtual ~Turns() = default;
     // An event of these unknowns is to be at `time`. Nothing: their values there are on the
-    // conditions of their multipliers, or no shorter step would bring them nearer. Else their
-    // steps, and those of all that read them, end at this time now, a little before, from where the
-    // source must look again. `isBefore`: with these values the event is yet to come. Where the
-    // conditions have moved them beyond it, steps end earlier.
+    // conditions of their multipliers, no shorter step would bring them nearer, or another event
+    // has just been. Else their steps, and those of all that read them, now end at the time of the
+    // answer, from where the source must look again. That is a hundredth of the step before `time`.
+    // `isBefore`: with the values of an earlier time the event is yet to come. Where the conditions
+    // have moved the values beyond the event, steps end earlier still. It is asked during the call
+    // alone.
     using Values = std::function<double(std::size_t unknown)>;
+    using IsBefore = std::function<bool(double at, const Values& values)>;
     [[nodiscard]] virtual std::optional<double>
-    approach(double time, std::span<const std::size_t> unknowns,
-             const std::function<bool(const Values&)>& isBefore) = 0;
+    approach(double time, std::span<const std::size_t> unknowns, const IsBefore& isBefore) = 0;
     // At `time`, which is that of an event. True: it is done, and the values are what they became.
     // False: the source must announce the event, as if it had not asked.
     [[nodiscard]] virtual bool turn(double time, std::span<Turn> turns) = 0;

@@ -118,37 +118,37 @@ bool Events::turn(double time, std::span<Turn> turns) {
     return true;
 }
 
+// Nothing goes back to before the last event, which is done.
 std::optional<double> Events::approach(double time, std::span<const std::size_t> unknowns,
-                                       const std::function<bool(const Values&)>& isBefore) {
+                                       const IsBefore& isBefore) {
+    constexpr int doublings = 6; // of a hundredth of a step
     const Event event{.time = time, .touched = {unknowns.begin(), unknowns.end()}, .tag = 0};
     const std::vector<std::size_t> touched = network_.touchedBy(event, {});
-    std::optional<double> end;
+    if (std::ranges::any_of(touched, [this](std::size_t c) { return !network_.components[c]; }))
+        return std::nullopt;
+    double end = time;
     for (const std::size_t c : touched)
-        if (const auto before =
-                network_.components[c] ? network_.components[c]->endBefore(time) : std::nullopt)
-            end = std::min(end.value_or(*before), *before);
-    const double earliest = std::max(lastEvent_, network_.options.start); // what is done stays
-    if (end)
-        end = std::max(*end, earliest);
-    if (!end || !(*end < time) ||
-        std::ranges::any_of(touched, [this](std::size_t c) { return !network_.components[c]; }))
+        end = std::min(end, network_.components[c]->endBefore(time).value_or(time));
+    const double earliest = std::max(lastEvent_, network_.options.start);
+    end = std::max(end, earliest);
+    if (!(end < time))
         return std::nullopt;
     flights_.land(touched);
-    const auto goBackTo = [&](double t) {
-        network_.goBack(touched, t);
+    const auto goBack = [&] {
+        network_.goBack(touched, end);
         network_.restart(touched, {});
-        end = t;
     };
     const Values values = [&](std::size_t unknown) {
         const std::size_t c = network_.componentOf[unknown];
         return std::ranges::find(touched, c) != touched.end()
                    ? network_.components[c]->valueOf(unknown)
-                   : network_.histories.value(unknown, *end);
+                   : network_.histories.value(unknown, end);
     };
-    constexpr int doublings = 6; // of a hundredth of a step
-    goBackTo(*end);
-    for (int i = 0; i<doublings&& * end> earliest && !isBefore(values); ++i)
-        goBackTo(std::max(time - 2 * (time - *end), earliest));
+    goBack();
+    for (int i = 0; i < doublings && end > earliest && !isBefore(end, values); ++i) {
+        end = std::max(time - 2 * (time - end), earliest);
+        goBack();
+    }
     network_.noteStops();
     hasGoneBack_ = true;
     return end;

@@ -35,9 +35,8 @@ private:
     [[nodiscard]] bool goesOnAfter(const Event& event);
     void apply(const Event& event);
     [[nodiscard]] bool turn(double time, std::span<Turn> turns) override;
-    [[nodiscard]] std::optional<double>
-    approach(double time, std::span<const std::size_t> unknowns,
-             const std::function<bool(const Values&)>& isBefore) override;
+    [[nodiscard]] std::optional<double> approach(double time, std::span<const std::size_t> unknowns,
+                                                 const IsBefore& isBefore) override;
     void resume(const Event& event, const Changes& changes, std::vector<std::size_t>& touched);
     void stopAll(double time, const std::string& sentence);
 

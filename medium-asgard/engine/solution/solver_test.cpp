@@ -54,7 +54,7 @@ TEST(Solver, LinearMotionTakesNoSteps) {
     EXPECT_LT(statistics.evaluations, 2000u);
 }
 
-// Where all rates are 0, and read neither time nor other components, one look is enough for ever.
+// One look is enough for ever at rates that are all 0 and read neither time nor other components.
 TEST(Solver, WhatRestsTakesNoStep) {
     const Solver solver =
         solved(equationsOf({{"x", "dx", 1, 1}, {"dx", "1-x*x*x", 0}}), 1000, tolerance(1e-4));

@@ -136,7 +136,7 @@ solution::Event CollisionSource::announced(Event event) {
     return event;
 }
 
-// LIMIT: of hollows this is not asked.
+// LIMIT: a hollow body counts as apart from all others.
 bool CollisionSource::areApart(const Instant& at, const Pair& pair, const ChangedStates& states,
                                double tolerance) const {
     if (world_.isHollow(pair.first) || world_.isHollow(pair.second))
@@ -158,12 +158,12 @@ bool CollisionSource::areApart(const Instant& at, const Pair& pair, const Change
 bool CollisionSource::isOffConditions(const Histories& histories, const Found& hit) {
     if (!turns_ || !(contacts_.isIn(hit.pair.first) || contacts_.isIn(hit.pair.second)))
         return false;
+    constexpr double ofSize = 1e-9; // an overlap that is none
     const Instant now = at(histories, hit.time);
     const std::vector<std::size_t> unknowns = now.unknownsOf(hit.pair);
-    constexpr double ofSize = 1e-9; // no body sinks in deeper
     const double tolerance =
         std::max(now.contactTolerance(hit.pair), ofSize * world_.smallerRadius(hit.pair));
-    const auto isBefore = [&](const solution::Turns::Values& valueOf) {
+    const auto isBefore = [&](double time, const solution::Turns::Values& valueOf) {
         ChangedStates states;
         for (const std::size_t body : {hit.pair.first, hit.pair.second})
             if (now.canGiveWay(body)) {
@@ -172,7 +172,7 @@ bool CollisionSource::isOffConditions(const Histories& histories, const Found& h
                     values[i] = valueOf(world_.records[body].firstUnknown + i);
                 states[body] = stateOf(world_.records[body], values);
             }
-        return areApart(now, hit.pair, states, tolerance);
+        return areApart(at(histories, time), hit.pair, states, tolerance);
     };
     const auto end = turns_->approach(hit.time, unknowns, isBefore);
     if (end)

@@ -43,9 +43,8 @@ public:
 
 private:
     [[nodiscard]] bool turn(double time, std::span<solution::Turn> turns) override;
-    [[nodiscard]] std::optional<double>
-    approach(double time, std::span<const std::size_t> unknowns,
-             const std::function<bool(const Values&)>& isBefore) override {
+    [[nodiscard]] std::optional<double> approach(double time, std::span<const std::size_t> unknowns,
+                                                 const IsBefore& isBefore) override {
         return turns_->approach(time, unknowns, isBefore);
     }
     // The velocity that becomes `velocity`, where the largest coordinate is `farthest`.

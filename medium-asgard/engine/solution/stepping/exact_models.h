@@ -46,7 +46,7 @@ private:
 class RestModel final : public StepModel {
 public:
     explicit RestModel(const StepContext& context) : context_(context) {}
-    // Where the component has just begun anew.
+    // The component has just begun anew.
     [[nodiscard]] bool applies() const;
     [[nodiscard]] Proposal propose() override;
 

@@ -380,7 +380,7 @@ bool Integration::swings(const StateCurves& curves) {
 
 // The source of events asks who touches whom at the instant at which a contact begins or loses its
 // place, of states that conditions hold: these may do so elsewhere than a long step's polynomials.
-// The step ends shortly before the first of both.
+// The step ends shortly before these or the polynomials do so, whichever come first.
 std::optional<double> Integration::endBeforeContact(const StateCurves& curves) {
     ComponentEquations& equations = context_.equations();
     if (!found_)
@@ -389,18 +389,18 @@ std::optional<double> Integration::endBeforeContact(const StateCurves& curves) {
     curves.at(found_->time, y);
     if (!equations.movesContacts(*found_, y))
         return std::nullopt;
+    const auto isThere = [&](double t) {
+        curves.at(t, y);
+        return equations.hasMovedContacts(*found_, t, y);
+    };
     constexpr int halvings = 10;
     double before = curves.origin, then = found_->time;
-    for (int i = 0; i < halvings; ++i) {
-        const double t = i == 0 ? then : 0.5 * (before + then);
-        curves.at(t, y);
-        if (equations.hasMovedContacts(*found_, t, y))
-            then = t;
-        else if (i == 0) // it does so later
-            break;
+    const bool isEarlier = isThere(then) && !isThere(before);
+    for (int i = 0; i < halvings && isEarlier; ++i)
+        if (const double middle = 0.5 * (before + then); isThere(middle))
+            then = middle;
         else
-            before = t;
-    }
+            before = middle;
     return shortlyBefore(then, curves.origin);
 }
 

@@ -19,9 +19,9 @@ void StepModels::take(StepModel& model, const char* name, const char* method, co
     context_.counts.why = why;
 }
 
-// Of a component that was integrated before, its method is told.
+// A component that moved before keeps the name of its model.
 void StepModels::takeRest() {
-    if (context_.counts.steps == 0)
+    if (context_.counts.model.empty())
         take(rest_, "closed-form", "exact", "at rest, until something happens");
     else
         current_ = &rest_;
