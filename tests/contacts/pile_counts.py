@@ -40,9 +40,9 @@ def pile(seed, finish, accuracy=random_piles.ACCURACY):
     return re.sub(r"-accuracy \S+", f"-accuracy {accuracy!r}", text, count=1)
 
 
-def chain(links, finish):
+def chain(links, finish, accuracy="1e-6"):
     """Links on hinges that swing in a plane until one hits another."""
-    lines = [f"simulator -finish {finish!r} -accuracy 1e-6", "shape_set l -desc {-sub {-box {0.1 0.02 0.02}}}"]
+    lines = [f"simulator -finish {finish!r} -accuracy {accuracy}", "shape_set l -desc {-sub {-box {0.1 0.02 0.02}}}"]
     for k in range(links):
         to = f" -body2 l{k - 1} -offset2 {{0.05 0 0}}" if k else ""
         lines += [f"body l{k} l -mass 0.1 -init_pos {{{0.05 + 0.1 * k!r} 0 0}}", f"joint j{k} -type hinge -body1 l{k} -offset1 {{-0.05 0 0}}{to}",
@@ -426,6 +426,9 @@ CASES = [
     ("a tower that jams", jammed_tower(), {"steps": 15000, "collisions": 6000}),
     # Rounding beside the plane woke 180 unknowns.
     ("a chain in a plane whose links hit each other", chain(20, 2), {"largest_component": 220, "steps": 2500}),
+    # After the blow the joints moved two links into each other, and the motion stopped.
+    ("three links that hit each other, roughly", chain(3, 3, "1e-2"), {"evaluations": 60000, "collisions": 2}),
+    ("three links that hit each other", chain(3, 3, "3e-3"), {"evaluations": 60000, "collisions": 2}),
     # Velocities of 1e-34 hit each other without end.
     ("a wall that stands", pile(5, 0.1), {"steps": 200, "collisions": 20}),
 ]

@@ -156,7 +156,10 @@ bool CollisionSource::areApart(const Instant& at, const Pair& pair, const Change
 
 // A blow reads which contacts hold, and how near and how fast all is, from places and velocities.
 bool CollisionSource::isOffConditions(const Histories& histories, const Found& hit) {
-    if (!turns_ || !(contacts_.isIn(hit.pair.first) || contacts_.isIn(hit.pair.second)))
+    const auto isBound = [&](std::size_t body) {
+        return contacts_.isIn(body) || world_.joints.isJoined(body);
+    };
+    if (!turns_ || !(isBound(hit.pair.first) || isBound(hit.pair.second)))
         return false;
     constexpr double ofSize = 1e-9; // an overlap that is none
     const Instant now = at(histories, hit.time);

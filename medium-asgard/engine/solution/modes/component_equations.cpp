@@ -129,12 +129,15 @@ void ComponentEquations::takeKept(std::span<const double> states) {
     guards_.refresh();
 }
 
-bool ComponentEquations::isOff(double t, std::span<const double> y, std::span<const double> kept) {
+bool ComponentEquations::isOff(double t, std::span<const double> y, std::span<const double> kept,
+                               Of conditions) {
     const std::vector<complementarity::State> now = mode_.kept;
     takeKept(kept);
     functions_.fill(t, y);
     field_.multipliers().evaluateGaps();
-    const bool isOff = field_.multipliers().isOff(y);
+    const Multipliers& multipliers = field_.multipliers();
+    const bool isOff =
+        multipliers.isOff(y) || (conditions == Of::joints && multipliers.areOffPlaces());
     mode_.kept = now;
     guards_.refresh();
     return isOff;

@@ -314,6 +314,8 @@ bool Multipliers::isOff(std::span<const double> y) const {
     return isStopHeld && isTieOff;
 }
 
+bool Multipliers::areOffPlaces() const { return largestGap() > 1; }
+
 double Multipliers::fastest(std::span<const double> y) const {
     double most = 0;
     for (const ComponentModel::Entry& push : model_.conditions().pushes)

@@ -353,9 +353,10 @@ std::optional<double> Component::endBefore(double t) {
             values.push_back(history.piece(index, place).value(t));
         return values;
     };
-    if (!equations_->isOff(t, valuesOf(equations_->states()), valuesOf(equations_->multipliers())))
-        return std::nullopt;
-    return end;
+    const bool isOff =
+        equations_->isOff(t, valuesOf(equations_->states()), valuesOf(equations_->multipliers()),
+                          ComponentEquations::Of::joints);
+    return isOff ? end : std::nullopt;
 }
 
 void Component::restart(std::span<const Jump> jumps) {
