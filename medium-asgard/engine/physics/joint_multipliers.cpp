@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <numeric>
 #include <set>
 
 namespace physics {
@@ -403,25 +404,39 @@ void JointMultipliers::checkStart(const expression::EquationSet& set, std::size_
         if (miss.isUniversal && miss.before <= none && miss.gap > none) // the last is of its axes
             faults_.push_back(element +
                               ": -axis and -axis2 must be perpendicular; change one of them" +
-                              (madeAtOnce(scene_, connectedWith(miss.body))
+                              (madeAtOnce(scene_, askedAbout(miss.body))
                                    ? " or turn a body"
                                    : ", turn a body, or let \"asgard assemble SCENE\" do it"));
         else
             tell({element + ": ", miss.body}, miss.gap, miss.rate, notes);
 }
 
-// By elements, those that move among them; that one first.
-std::vector<std::size_t> JointMultipliers::connectedWith(std::size_t body) const {
-    std::vector<std::size_t> found{body};
-    const auto isIn = [&](std::size_t one) { return std::ranges::find(found, one) != found.end(); };
-    for (std::size_t before = 0; before != found.size();) {
-        before = found.size();
-        for (const Kept& kept : kept_)
-            if (std::ranges::any_of(kept.element.moving, isIn))
-                std::ranges::copy_if(kept.element.moving, std::back_inserter(found),
-                                     [&](std::size_t one) { return !isIn(one); });
+// That body and, of those that elements connect with it, one that a line makes with others: advice
+// reads no more of them.
+const std::vector<std::size_t>& JointMultipliers::askedAbout(std::size_t body) {
+    if (!asked_.empty())
+        return asked_[body];
+    std::vector<std::size_t> group(bodies_.size());
+    std::iota(group.begin(), group.end(), 0);
+    const auto rootOf = [&](std::size_t of) {
+        while (group[of] != of)
+            of = group[of] = group[group[of]];
+        return of;
+    };
+    for (const Kept& kept : kept_)
+        for (const std::size_t moving : kept.element.moving)
+            group[rootOf(moving)] = rootOf(kept.element.moving.front());
+    std::map<std::size_t, std::size_t> several; // by root
+    asked_.resize(bodies_.size());
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        asked_[b].push_back(b);
+        if (madeAtOnce(scene_, asked_[b]))
+            several.emplace(rootOf(b), b);
     }
-    return found;
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+        if (const auto one = several.find(rootOf(b)); one != several.end())
+            asked_[b].push_back(one->second);
+    return asked_[body];
 }
 
 // `values`: the time, and the unknowns.
@@ -454,7 +469,7 @@ void JointMultipliers::tell(const Where& where, double gap, double rate,
     char text[200];
     if (!(gap <= startResolution * size)) {
         std::snprintf(text, sizeof text, "its bodies miss each other by %.4g at the start; ", gap);
-        faults_.push_back(where.sentence + text + closeAdvice(scene_, connectedWith(where.body)));
+        faults_.push_back(where.sentence + text + closeAdvice(scene_, askedAbout(where.body)));
     } else if (!(rate <= startResolution * speed)) {
         std::snprintf(text, sizeof text,
                       "the velocities at the start differ by %.4g from what it allows; they are "

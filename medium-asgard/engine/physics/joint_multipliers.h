@@ -126,7 +126,7 @@ private:
         std::size_t body = 0; // of that element
     };
     void tell(const Where& where, double gap, double rate, std::vector<std::string>& notes);
-    [[nodiscard]] std::vector<std::size_t> connectedWith(std::size_t body) const;
+    [[nodiscard]] const std::vector<std::size_t>& askedAbout(std::size_t body);
     [[nodiscard]] std::pair<double, double> extents() const;
 
     Graph& g_;
@@ -145,6 +145,7 @@ private:
     std::vector<Located> located_;
     std::vector<ContactReader> contactReaders_;
     std::unordered_map<std::uint32_t, std::size_t> unknownOf_; // by symbol
+    std::vector<std::vector<std::size_t>> asked_;              // by body, once asked
 };
 
 } // namespace physics
