@@ -78,8 +78,9 @@ inline constexpr const char* partButton = "the button Move Apart";
 [[nodiscard]] inline std::string partAdvice() {
     return std::string("place them apart, or let ") + partButton + " place them";
 }
-// 'line 4 makes "b0" and other bodies at once': the text has no numbers of that one of these bodies
-// alone, which a button could rewrite. None: no command makes several bodies.
+// 'line 4 makes "b0" and other bodies at once': that line is run for each of them, and a button
+// that rewrote its numbers would move them all. None: each of these bodies that moves has its own
+// line.
 [[nodiscard]] std::optional<std::string> madeAtOnce(const scene::Scene& scene,
                                                     const std::vector<std::size_t>& bodies);
 // For these bodies, all of which have to move: by the button where it can.

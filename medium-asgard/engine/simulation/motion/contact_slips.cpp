@@ -15,6 +15,11 @@ physics::SurfaceMotion surfaceMotionOf(const BodyState& state) {
 
 } // namespace
 
+bool holdsAt(const solution::Histories& histories, std::size_t row, double time) {
+    const double mode = row < histories.unknowns() ? histories.value(row, time) : 0;
+    return mode == solution::heldMode || mode == solution::jammedMode;
+}
+
 double slipSpeedAt(const ComputedMotion& motion, const solution::Histories& histories,
                    const ContactLog::Contact& contact, std::size_t body, std::size_t support,
                    double time) {
@@ -22,8 +27,7 @@ double slipSpeedAt(const ComputedMotion& motion, const solution::Histories& hist
                                  on = surfaceMotionOf(motion.at(support, time));
     double fastest = 0;
     for (std::size_t k = 0; k < contact.normals.size(); ++k)
-        if (const std::size_t row = contact.normals[k];
-            row < histories.unknowns() && histories.value(row, time) == solution::heldMode)
+        if (holdsAt(histories, contact.normals[k], time))
             fastest = std::max(fastest, physics::slipSpeedOf(*contact.surfaces, k, of, on));
     return fastest;
 }

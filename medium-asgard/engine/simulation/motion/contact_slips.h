@@ -7,6 +7,9 @@
 
 namespace simulation {
 
+// The multiplier of a contact's row keeps its condition then, also where the contact jams.
+[[nodiscard]] bool holdsAt(const solution::Histories& histories, std::size_t row, double time);
+
 // At the fastest of the points that press then. `body` and `support`: those of the contact, as the
 // motion has them.
 [[nodiscard]] double slipSpeedAt(const ComputedMotion& motion, const solution::Histories& histories,

@@ -22,7 +22,8 @@ struct ToldHeap {
 [[nodiscard]] std::vector<ToldHeap> toldHeaps(const scene::Scene& scene,
                                               const std::map<collision::Pair, double>& sizes);
 
-// Of all its pairs, those of the first one first; some twice.
+// The bodies of all its pairs, beginning with the two of the first pair; a body that is in several
+// pairs comes several times.
 [[nodiscard]] std::vector<std::size_t> bodiesIn(const ToldHeap& heap);
 
 // Fixed, or held by a trajectory at some time.

@@ -248,15 +248,12 @@ void Lister::addConditions(const ComputedMotion::Part& part) {
     }
 }
 
-// What a pair's contacts do together: 0 open, 1 they stick, 2 they slip.
+// Of all contacts of a pair: 0 open, 1 they stick, 2 they slip.
 int stateOf(const solution::Histories& histories, const std::vector<ContactLog::Contact>& contacts,
             double time) {
     int state = 0;
     for (const ContactLog::Contact& contact : contacts) {
-        const auto holds = [&](std::size_t row) {
-            const Mode mode = modeAt(histories, row, time);
-            return mode == Mode::holds || mode == Mode::jammed;
-        };
+        const auto holds = [&](std::size_t row) { return holdsAt(histories, row, time); };
         if (std::ranges::none_of(contact.normals, holds))
             continue;
         const bool sticks = !contact.friction.empty() && holds(contact.friction[0]);
@@ -265,9 +262,9 @@ int stateOf(const solution::Histories& histories, const std::vector<ContactLog::
     return state;
 }
 
-// What the contacts of one pair do from look to look. A slip in which the surfaces move along each
-// other by no more than their resolution is none: contacts that are laid anew, as a body tips,
-// begin with what rounding and the tilt leave of a velocity.
+// A pair of bodies closes, sticks, slips and opens; each change is told. A slip is not told when
+// the surfaces move along each other by no more than their resolution: as a body tips, its contacts
+// are laid anew, and begin with a small velocity that rounding and the tilt leave.
 class PairFollower {
 public:
     using Tell = std::function<void(double time, const char* kind)>;
