@@ -18,6 +18,8 @@ PRESS = ("shape_set ground -desc {-sub {-box {4 0.2 4}}}\nbody floor ground -fix
          "foreach {n h} {low 0.2 high 0.6} {body $n b -restitution 0 -friction 0.5 -init_pos [list 10 $h 0]; force -body $n -gravitational {0 -9.81 0}}\n"
          "body press b -restitution 0 -friction 0.5 -init_pos {10 %s 0}\n")
 HOLD = "trajectory way -points {{0 10 %s 0} {2 10 0.9 0}}\ntrajectory turn -bezier {{0 2 {0 0 0}}}\nconstrain press -pos way\nconstrain press -rot turn"
+SIDE = "body side b -restitution 0 -friction 0.5 -init_pos {10.4 0.2 0}\nforce -body side -gravitational {0 -9.81 0}\n"
+STILL = "trajectory still -points {{%s 10.4 0.2 0} {%s 10.4 0.2 0}}\nconstrain side -pos still\n"
 RAM = "joint ram -type slider -body1 press -axis {0 1 0} "
 CRUSH = 'bodies "low" and "high" are pressed between "floor" and "press", neither of which gives way: they would be crushed'
 FLOOR = "shape_set ground -desc {-sub {-plane}}\nbody floor ground -fixed 1 -init_pos {0 %s 0}%s\n"
@@ -58,6 +60,14 @@ CASES = (
     (FLOOR % (-0.05, " -restitution 0") + DOWN + "-speed {t < 1 ? 0 : 1-t}", "Stopped at t = 1: " + DRIVES % "ram"),
     (PRESS % "1" + RAM + "-speed {t < 1 ? 0 : 1-t}", "Stopped at t = 1: " + CRUSH + '; joint "ram" drives on with whatever force it takes'),
     (PRESS % "1" + RAM + "-position {t < 1 ? 0 : -0.2*(t-1)^2}", "Stopped at t = 1: " + CRUSH + '; joint "ram" drives on'),
+    (PRESS % "1" + SIDE + RAM + "-speed {t < 1 ? 0 : 1-t}", "Stopped at t = 1: " + CRUSH + '; joint "ram" drives on'),
+    (PRESS % "1" + SIDE + STILL % (0, 0.5) + RAM + "-speed {t < 1 ? 0 : 1-t}", "Stopped at t = 1: " + CRUSH + '; joint "ram" drives on'),
+    (PRESS % "1" + SIDE + STILL % (1.5, 2) + RAM + "-speed {t < 1 ? 0 : 1-t}", "Stopped at t = 1: " + CRUSH + '; joint "ram" drives on'),
+    (PRESS % "1" + SIDE + "trajectory turn -bezier {{0 2 {0 0 0}}}\nconstrain side -rot turn\n" + RAM + "-speed {t < 1 ? 0 : 1-t}",
+     "Stopped at t = 1: " + CRUSH + '; joint "ram" drives on'),
+    (PRESS % "1" + SIDE + "joint old -type slider -body1 side -axis {0 0 1} -speed 0 -release {t > 0.5}\n" + RAM + "-speed {t < 1 ? 0 : 1-t}",
+     "Stopped at t = 1: " + CRUSH + '; joint "ram" drives on'),
+    (PRESS % "1" + SIDE + RAM + "-speed {t < 1 ? 0 : t-1}", ""),
     (PRESS.replace("{10 %s 0}", "{10 1.2 0} -init_rot {0 0 0.1}") + RAM + "-speed -0.2", CRUSH + '; joint "ram" drives on'),
     (PRESS.replace("{10 %s 0}", "{10 1.2 0} -init_rot {0.03 0 0.05}") + RAM + "-speed -0.2", CRUSH + '; joint "ram" drives on'),
     ("body b rod -mass 1 -init_pos {0.5 -1 0}\nshape_set k -desc {-sub {-box {0.4 0.4 0.4}}}\nbody c k -init_pos {0.5 -0.5 0}\n" + DOWN + "-speed -0.5\n"

@@ -214,7 +214,7 @@ Why whyOf(const Problem& problem, const physics::Suspects& suspects, const Known
     std::ranges::sort(bodies);
     bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
     if (stop.reason == Reason::unheld && stop.culprits.empty()) // contacts alone
-        if (auto squeezed = squeezedAt(problem, known.contacts, bodies, stop.time))
+        if (auto squeezed = squeezedAt(problem, histories, known.contacts, bodies, stop.time))
             return {.reason = std::move(*squeezed)};
     const bool contradicts = stop.reason == Reason::contradiction;
     if (contradicts || stop.reason == Reason::notFinite || stop.reason == Reason::overflow ||
