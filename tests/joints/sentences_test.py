@@ -26,6 +26,11 @@ FLOOR = "shape_set ground -desc {-sub {-plane}}\nbody floor ground -fixed 1 -ini
 DOWN = "joint ram -type slider -body1 a -axis {0 1 0} "
 AGAINST = 'body "a" is pressed against "floor", which does not give way'
 DRIVES = AGAINST + ': joint "%s" drives on with whatever force it takes: let it stop before, or give it -max_motor.'
+# A box a hair above a platform that a driven carriage takes along.
+LIFT = ("shape_set lift -desc {-sub {-box {4 1 4}}}\nshape_set small -desc {-sub {-box {1 1 1}}}\nbody carriage small -mass 1 -init_pos {20 -0.5 0}\n"
+        "joint rail -type slider -body1 carriage -axis {0 1 0} -speed 0.5\nbody lift lift -mass 1 -init_pos {10 -0.5 0}\n"
+        "joint weld -type slider -body1 lift -body2 carriage -axis {1 0 0}\nbody box small -mass 1 -init_pos {10 0.50001 0}%s\n"
+        "force -body box -gravitational {0 -9.81 0}")
 # What is added, and what asgard says; "": nothing, and the motion reaches its end.
 CASES = (
     (PIN + "-speed {t>1 ? 1 : 0}\njoint pin2 -type hinge -body1 a -offset1 {-0.5 0 0} -speed 0",
@@ -114,6 +119,8 @@ CASES = (
     (PIN + "-limits {-1 1} -release {a.x}", ':4:76: error: -release of joint "pin": it wants a comparison, as {t > 2}'),
     ("joint pin -type ball -body1 a -offset1 {-0.5 0 0} -offset2 {0 1 0}",
      ':4:1: error: joint "pin": its bodies miss each other by 1 at the start'),
+    (LIFT % "", ""),
+    (LIFT % " -init_dpos {0 0.5 0}", 'Bodies "lift" and "box" are 1e-05 apart at the start, and bounce without loss: they hop for ever'),
     ("joint pin -type ball -body1 a -offset1 {0 0 0}\nbody b rod -init_pos {0 5 0} -init_dpos {1 0 0}\n"
      "joint nail -type ball -body1 b", ':6:1: warning: joint "nail": the velocities at the start differ by 1 from'),
 )

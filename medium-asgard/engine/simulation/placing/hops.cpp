@@ -48,12 +48,11 @@ std::vector<char> onlyWeighs(const scene::Scene& scene) {
     return all;
 }
 
-bool hasDrive(const scene::Scene& scene, const std::string& body) {
-    return std::ranges::any_of(scene.joints, [&](const scene::Joint& joint) {
-        return (joint.body1 == body || joint.body2 == body) &&
-               std::ranges::any_of(joint.coordinates, [](const scene::JointCoordinate& of) {
-                   return of.speed || of.position;
-               });
+bool isAnyDriven(const scene::Scene& scene) {
+    return std::ranges::any_of(scene.joints, [](const scene::Joint& joint) {
+        return std::ranges::any_of(joint.coordinates, [](const scene::JointCoordinate& of) {
+            return of.speed || of.position;
+        });
     });
 }
 
@@ -62,8 +61,7 @@ class StartMotions {
 public:
     StartMotions(const scene::Scene& scene, const physics::EquationsOfMotion& equations,
                  const std::vector<char>& isLoose)
-        : scene_(scene), isLoose_(isLoose), motions_(equations.bodies.size()),
-          isDriven_(motions_.size(), 0) {
+        : scene_(scene), motions_(equations.bodies.size()), isDriven_(motions_.size(), 1) {
         const double start = scene.simulator.start;
         std::vector<double> values{start};
         for (const expression::Unknown& unknown : equations.set.unknowns)
@@ -76,6 +74,15 @@ public:
                 motions_[b] = body.valuesOf(std::span(values)
                                                 .subspan(1 + body.firstUnknown)
                                                 .first<physics::bodyUnknowns>());
+        const scene::Connections connections(scene);
+        bool mayChange = isAnyDriven(scene);
+        for (std::size_t b = 0; b < motions_.size(); ++b)
+            mayChange = mayChange || (isLoose[b] == 0 && (!motions_[b].velocity.isZero(0) ||
+                                                          !motions_[b].angularVelocity.isZero(0)));
+        for (std::size_t b = 0; b < motions_.size() && mayChange; ++b)
+            isDriven_[b] = equations.bodies[b].isFixed ||
+                           (connections.joints.of(b).empty() && connections.gears.of(b).empty() &&
+                            connections.ropes.of(b).empty());
     }
 
     // The bodies of the gap neither meet nor part there.
@@ -87,8 +94,7 @@ public:
 
 private:
     Vector velocityAt(std::size_t body, const Vector& at) {
-        if (isLoose_[body] == 0 && isDriven_[body] == 0 &&
-            hasDrive(scene_, scene_.bodies[body].name))
+        if (isDriven_[body] == 0)
             drive(body);
         const physics::BodyValues& of = motions_[body];
         return of.velocity + of.angularVelocity.cross(at - of.position);
@@ -105,6 +111,8 @@ private:
         physics::Linkage linkage(scene_, *own_, body);
         const physics::Linkage::Rates rates = linkage.rates();
         const auto& bodies = linkage.bodies();
+        for (const std::size_t of : bodies)
+            isDriven_[of] = 1;
         Eigen::VectorXd moves(6 * static_cast<Eigen::Index>(bodies.size()));
         for (std::size_t i = 0; i < bodies.size(); ++i)
             moves.segment<6>(6 * static_cast<Eigen::Index>(i)) << motions_[bodies[i]].velocity,
@@ -121,16 +129,14 @@ private:
         moves -= physics::Linkage::solverOf(by).solve(missed);
         for (std::size_t i = 0; i < bodies.size(); ++i) {
             const auto first = 6 * static_cast<Eigen::Index>(i);
-            isDriven_[bodies[i]] = 1;
             motions_[bodies[i]].velocity = moves.segment<3>(first);
             motions_[bodies[i]].angularVelocity = moves.segment<3>(first + 3) / linkage.radiusOf(i);
         }
     }
 
     const scene::Scene& scene_;
-    const std::vector<char>& isLoose_;
     std::vector<physics::BodyValues> motions_;
-    std::vector<char> isDriven_; // by body: its drives have been asked
+    std::vector<char> isDriven_; // by body: what drives and joints make of its motion is in it
     std::unique_ptr<physics::EquationsOfMotion> own_;
 };
 

@@ -5,8 +5,9 @@
 // floor, and in turn all that stands on it. Gauss's principle (least_ways.h) over all contacts and
 // narrow gaps at rest tells which of them would bear: two boxes that fall together do not meet.
 //
-// Bodies that trajectories, or joints with a -speed or a -position, move at the start do so here: a
-// stack may ride on a lift.
+// Bodies that trajectories move at the start do so here, and those that hang together by joints,
+// gears and ropes move as these and their -speed and -position let them: a stack may ride on a
+// lift, or on a platform that is joined to one.
 //
 // LIMIT: how these bodies gather speed is not read. Bodies count as equally heavy, without friction
 // and turning. A box that friction holds on a slope a hair above another one is told to hop. Bodies
