@@ -92,7 +92,7 @@ public:
     // answer, from where the source must look again. That is a hundredth of the step before `time`.
     // `isBefore`: with the values of an earlier time the event is yet to come. Where the conditions
     // have moved the values beyond the event, steps end earlier still. It is asked during the call
-    // alone.
+    // alone. LIMIT: no earlier than two thirds of the step; there the event may have passed.
     using Values = std::function<double(std::size_t unknown)>;
     using IsBefore = std::function<bool(double at, const Values& values)>;
     [[nodiscard]] virtual std::optional<double>

@@ -130,14 +130,14 @@ void ComponentEquations::takeKept(std::span<const double> states) {
 }
 
 bool ComponentEquations::isOff(double t, std::span<const double> y, std::span<const double> kept,
-                               Of conditions) {
+                               Conditions asked) {
     const std::vector<complementarity::State> now = mode_.kept;
     takeKept(kept);
     functions_.fill(t, y);
     field_.multipliers().evaluateGaps();
     const Multipliers& multipliers = field_.multipliers();
     const bool isOff =
-        multipliers.isOff(y) || (conditions == Of::joints && multipliers.areOffPlaces());
+        multipliers.isOff(y) || (asked == Conditions::all && multipliers.areOffPlaces());
     mode_.kept = now;
     guards_.refresh();
     return isOff;

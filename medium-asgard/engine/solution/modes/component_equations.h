@@ -128,11 +128,11 @@ public:
     // Whether conditions of multipliers hold, as their histories keep it.
     [[nodiscard]] std::vector<double> kept() const;
     void takeKept(std::span<const double> states);
-    // With conditions that hold as these say, for this question alone: Multipliers::isOff(), or of
-    // joints, too, areOffPlaces().
-    enum class Of { contacts, joints };
+    // With conditions that hold as these say, for this question alone: Multipliers::isOff(), and of
+    // `all` conditions areOffPlaces(), too.
+    enum class Conditions { ofContacts, all };
     [[nodiscard]] bool isOff(double t, std::span<const double> y, std::span<const double> kept,
-                             Of conditions = Of::contacts);
+                             Conditions asked = Conditions::ofContacts);
     // A contact closes or loses its place on a step's polynomials, and elsewhere on states that the
     // conditions hold.
     [[nodiscard]] bool movesContacts(const Violation& violation, std::span<const double> y);

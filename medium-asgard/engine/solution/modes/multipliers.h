@@ -62,7 +62,8 @@ public:
     // Of stops, contacts and friction that hold, a gap or a rate is not 0 but for rounding: so it
     // is within a step, whose polynomials know no conditions. Once gaps are evaluated.
     [[nodiscard]] bool isOff(std::span<const double> y) const;
-    // Places are off what holds, that of joints, too.
+    // Places are off the conditions that hold, those of joints, too, by more than their resolution.
+    // Once gaps are evaluated.
     [[nodiscard]] bool areOffPlaces() const;
     // Moves the states onto the conditions that hold.
     void project(double t, std::span<double> y);

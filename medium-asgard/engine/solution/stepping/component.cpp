@@ -355,7 +355,7 @@ std::optional<double> Component::endBefore(double t) {
     };
     const bool isOff =
         equations_->isOff(t, valuesOf(equations_->states()), valuesOf(equations_->multipliers()),
-                          ComponentEquations::Of::joints);
+                          ComponentEquations::Conditions::all);
     return isOff ? end : std::nullopt;
 }
 
