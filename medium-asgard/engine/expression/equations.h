@@ -43,6 +43,21 @@ struct Friction {
     std::vector<std::vector<Node>> levers = {};
 };
 
+// The second rate of a condition in parts, where many conditions read the same states:
+//
+//     second rate = steady + sum of by * (the rate of its state)
+//
+// and its multiplier adds push * multiplier to the rates of states. All that multipliers add to
+// rates are such pushes.
+struct ConditionParts {
+    struct Factor {
+        Node state, factor;
+    };
+    Node owner; // a symbol: conditions with the same one are of one thing, as of a contact
+    Node steady;
+    std::vector<Factor> by, pushes;
+};
+
 // The initial value of a multiplier whose condition is gone from the start on.
 inline constexpr double goneFromStart = 4;
 
@@ -64,6 +79,7 @@ struct Condition {
     std::optional<Node> patch = {};
     std::vector<Node> valid = {}; // of a contact
     std::optional<Friction> friction = {};
+    std::optional<ConditionParts> parts = {}; // of a contact
     // A value that is 0 where the other rows of its friction bring nothing to it: they do where
     // normal forces press aside.
     std::optional<Node> brought = {};

@@ -172,7 +172,7 @@ void ContactRows::addRow(const ContactPlace& place, Node multiplier, std::option
     condition.gap = gap;
     condition.rate = rate.value;
     condition.resolution = resolved * place.size;
-    rows_.push_back({multiplier, rate.value, std::move(condition), {}});
+    rows_.push_back({owner_, multiplier, rate.value, std::move(condition), {}});
     for (std::size_t k = 0; k < 2; ++k)
         if (const std::size_t body = k == 0 ? place.body : place.support;
             !free_.bodies[body].isFixed)
@@ -420,9 +420,8 @@ void ContactRows::addTurning(std::vector<Node>& moving, std::vector<Node>& rates
     };
     const auto rateOfSpin = [&](Node symbol) {
         const auto unknown = unknownOf_.find(symbol.index);
-        return unknown == unknownOf_.end() || rates_.contains(unknown->second)
-                   ? g_.constant(0)
-                   : rateOf(unknown->second);
+        return unknown == unknownOf_.end() || isPushed(unknown->second) ? g_.constant(0)
+                                                                        : rateOf(unknown->second);
     };
     for (const std::size_t body : bodies_) {
         const BodySymbols& of = symbols(body);
@@ -441,13 +440,46 @@ void ContactRows::addTurning(std::vector<Node>& moving, std::vector<Node>& rates
     }
 }
 
-// Of the rows: of the velocities that contacts push, whose own rates are long, by one product each;
-// of all else together.
-std::vector<Node> ContactRows::secondRates() {
+// A velocity of a body in these contacts that no trajectory holds.
+bool ContactRows::isPushed(std::size_t unknown) const {
+    return std::ranges::any_of(bodies_, [&](std::size_t body) {
+        const BodyMotion& motion = free_.bodies[body];
+        if (motion.isFixed)
+            return false;
+        const std::size_t linear = motion.unknown(dx), angular = motion.unknown(w1);
+        return ((unknown >= linear && unknown < linear + 3) ||
+                (unknown >= angular && unknown < angular + 3)) &&
+               !inForce(free_.set.unknowns[unknown], time_).given;
+    });
+}
+
+void ContactRows::addPushes(expression::ConditionParts& parts, std::size_t body, const Twist& by) {
+    const BodyMotion& motion = free_.bodies[body];
+    const Held held = unyieldingAt(free_, body, time_);
+    const Node inverseMass = g_.constant(1 / motion.mass.mass);
+    const Matrix inverse =
+        held.attitude ? Matrix(Matrix::Zero()) : Matrix(motion.mass.inertia.inverse());
+    const auto add = [&](std::size_t unknown, Node factor, Node push) {
+        if (!isPushed(unknown))
+            return;
+        const Node state = set_.unknowns[unknown].symbol;
+        parts.by.push_back({state, factor});
+        parts.pushes.push_back({state, push});
+    };
+    for (std::size_t i = 0; i < 3; ++i) {
+        add(motion.unknown(dx) + i, by.linear[i],
+            held.position[i] ? g_.constant(0) : g_.multiply(inverseMass, by.linear[i]));
+        const auto row = inverse.row(static_cast<Eigen::Index>(i));
+        add(motion.unknown(w1) + i, by.angular[i], dot(g_, constant(g_, row), by.angular));
+    }
+}
+
+// Of all that rates read but the velocities that contacts push, whose own rates are long, together;
+// of these by one product each.
+void ContactRows::findParts() {
     std::vector<Node> rates, others{set_.time}, ofOthers{g_.constant(1)};
     for (const Row& row : rows_)
         rates.push_back(row.rate);
-    const auto isPushed = [&](std::size_t unknown) { return rates_.contains(unknown); };
     for (const Node symbol : symbolsOf(g_, rates))
         if (const auto unknown = unknownOf_.find(symbol.index);
             unknown != unknownOf_.end() && !isPushed(unknown->second)) {
@@ -455,28 +487,27 @@ std::vector<Node> ContactRows::secondRates() {
             ofOthers.push_back(rateOf(unknown->second));
         }
     addTurning(others, ofOthers);
-    std::vector<Node> found = expression::ratesAlong(g_, rates, others, ofOthers);
-    for (std::size_t i = 0; i < rows_.size(); ++i)
-        for (const auto& [body, by] : rows_[i].by) {
-            const BodyMotion& motion = free_.bodies[body];
-            for (std::size_t k = 0; k < 3; ++k)
-                for (const auto& [unknown, factor] :
-                     {std::pair(motion.unknown(dx) + k, by.linear[k]),
-                      std::pair(motion.unknown(w1) + k, by.angular[k])})
-                    if (isPushed(unknown))
-                        found[i] = g_.add(found[i], g_.multiply(factor, rateOf(unknown)));
-        }
-    return found;
+    const std::vector<Node> steady = expression::ratesAlong(g_, rates, others, ofOthers);
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        expression::ConditionParts parts{
+            .owner = rows_[i].owner, .steady = steady[i], .by = {}, .pushes = {}};
+        for (const auto& [body, by] : rows_[i].by)
+            addPushes(parts, body, by);
+        rows_[i].condition.parts = std::move(parts);
+    }
 }
 
 std::vector<Phase> ContactRows::conditions() {
-    const std::vector<Node> changing = secondRates();
+    findParts();
     std::vector<Phase> phases;
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
+    for (const Row& row : rows_) {
         Phase phase;
         phase.from = time_;
-        phase.derivative = changing[i];
-        phase.condition = rows_[i].condition;
+        phase.condition = row.condition;
+        phase.derivative = row.condition.parts->steady;
+        for (const auto& [state, factor] : row.condition.parts->by)
+            phase.derivative =
+                g_.add(phase.derivative, g_.multiply(factor, rateOf(unknownOf_.at(state.index))));
         phases.push_back(std::move(phase));
     }
     return phases;

@@ -125,7 +125,7 @@ private:
         std::array<Twist, 2> by; // its derivatives by the velocities of the body and of the support
     };
     struct Row {
-        Node multiplier, rate;
+        Node owner, multiplier, rate;
         expression::Condition condition;
         std::vector<std::pair<std::size_t, Twist>> by; // of the bodies that move
     };
@@ -173,7 +173,10 @@ private:
     void addRow(const ContactPlace& place, Node multiplier, std::optional<Node> gap,
                 const Rate& rate, expression::Condition condition);
     [[nodiscard]] std::vector<Node> along(std::span<const Node> values);
-    [[nodiscard]] std::vector<Node> secondRates();
+    [[nodiscard]] bool isPushed(std::size_t unknown) const;
+    void findParts();
+    // A contact's force on a body by its derivatives: what it adds to rates, by unknown.
+    void addPushes(expression::ConditionParts& parts, std::size_t body, const Twist& by);
     void addTurning(std::vector<Node>& moving, std::vector<Node>& rates);
     [[nodiscard]] Node rateOf(std::size_t unknown) const;
     [[nodiscard]] const BodySymbols& symbols(std::size_t body) const {

@@ -4,6 +4,7 @@
 
 #include "dense/polynomial.h"
 #include "equations/component_model.h"
+#include "equations/composition.h"
 #include "equations/partition.h"
 #include "expression/equations.h"
 
@@ -46,7 +47,12 @@ struct BoundModel {
     std::vector<Disc> discs;
     std::vector<std::size_t> inputs; // unknowns of other components, in the model's order
     std::vector<double> constants;
-    bool canPeak = false; // peaks.h
+    bool canPeak = false;                        // peaks.h
+    std::shared_ptr<const Composition> composed; // none: the model has the conditions
+    // Without functions where they are composed.
+    [[nodiscard]] const ComponentModel::Conditions& conditions() const {
+        return composed ? composed->conditions : model->conditions();
+    }
 };
 
 // `phases[i]` is the phase of unknowns[i] that is in force; unknowns are in order. What stays 0 is

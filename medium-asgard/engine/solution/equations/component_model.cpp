@@ -267,6 +267,31 @@ std::unique_ptr<ComponentModel::Jacobian> ComponentModel::derivedJacobian() cons
     return jacobian;
 }
 
+const ComponentModel::Kinematics& ComponentModel::kinematics() const {
+    const std::scoped_lock lock(derivatives_.making);
+    if (!derivatives_.kinematics)
+        derivatives_.kinematics = derivedKinematics();
+    return *derivatives_.kinematics;
+}
+
+std::unique_ptr<ComponentModel::Kinematics> ComponentModel::derivedKinematics() const {
+    auto kinematics = std::make_unique<Kinematics>();
+    Graph graph = graph_;
+    std::vector<Node> rates, slopes;
+    for (const std::size_t i : structure_.configuration)
+        rates.push_back(outputs_[i]);
+    const auto rows =
+        expression::gradients(graph, rates, std::span(symbols_.all).subspan(1, symbols_.states));
+    for (std::size_t place = 0; place < rows.size(); ++place)
+        for (const auto& [state, derivative] : rows[place]) {
+            kinematics->entries.push_back(
+                {static_cast<std::uint32_t>(structure_.configuration[place]), state});
+            slopes.push_back(derivative);
+        }
+    kinematics->slopes = derive(graph, slopes);
+    return kinematics;
+}
+
 const ComponentModel::Gradient& ComponentModel::gradient(std::size_t surface) const {
     const std::scoped_lock lock(derivatives_.making);
     std::unique_ptr<const Gradient>& place = derivatives_.gradients[surface];

@@ -159,6 +159,12 @@ public:
         Derived moves; // entries of pushes, then of shifts
     };
     [[nodiscard]] const Conditions& conditions() const { return conditions_; }
+    // How rates of places and attitudes change with states.
+    struct Kinematics {
+        std::vector<Entry> entries; // states: d y'(row) / d y(column) that are not 0
+        Derived slopes;             // these
+    };
+    [[nodiscard]] const Kinematics& kinematics() const;
     // g'' of one, a node of graph().
     [[nodiscard]] expression::Node secondRate(std::size_t multiplier) const {
         return conditionNodes_[3 * multiplier + 2];
@@ -175,6 +181,7 @@ private:
     [[nodiscard]] PeakFunctions peaksAmong(std::span<const expression::Node> nodes) const;
     [[nodiscard]] std::vector<expression::Node> attitudes() const;
     [[nodiscard]] std::unique_ptr<Jacobian> derivedJacobian() const;
+    [[nodiscard]] std::unique_ptr<Kinematics> derivedKinematics() const;
     [[nodiscard]] Gradient gradientOf(expression::Node node) const;
     [[nodiscard]] Derived derive(expression::Graph& graph, std::span<const expression::Node> nodes,
                                  std::span<const expression::Node> more = {}) const;
@@ -230,6 +237,7 @@ private:
     struct Derivatives { // made when first asked for
         std::mutex making;
         std::unique_ptr<const Jacobian> jacobian;
+        std::unique_ptr<const Kinematics> kinematics;
         std::vector<std::unique_ptr<const Gradient>> gradients;
     };
     mutable Derivatives derivatives_;

@@ -104,13 +104,19 @@ void eachNodeOf(const expression::EquationSet& equations, std::span<const std::s
     }
 }
 
+// Multipliers hold nothing: the rates that they push have what their conditions compare.
+bool isOfContact(const expression::Unknown& unknown) {
+    const auto& condition = unknown.phases.back().condition;
+    return condition && condition->parts;
+}
+
 // Places of those whose rates have a switch, by what it compares.
 std::map<Compared, std::vector<std::size_t>> sharersOf(const expression::EquationSet& equations,
                                                        std::span<const std::size_t> unknowns,
                                                        double from, const ZeroStates& zero) {
     std::vector<std::size_t> awake, places;
     for (std::size_t place = 0; place < unknowns.size(); ++place)
-        if (!zero.contains(unknowns[place])) {
+        if (!zero.contains(unknowns[place]) && !isOfContact(equations.unknowns[unknowns[place]])) {
             awake.push_back(unknowns[place]);
             places.push_back(place);
         }

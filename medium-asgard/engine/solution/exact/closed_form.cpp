@@ -319,7 +319,7 @@ bool areForcesConstant(ComponentEquations& equations, double t, std::span<const 
                        std::vector<double>& rates) {
     if (equations.multipliers().empty())
         return true;
-    if (equations.slips())
+    if (equations.slips() || equations.isComposed())
         return false;
     Evaluation evaluation(equations, t, Evaluation::Kind::ofMultipliers);
     for (std::size_t row = 0; row < equations.multipliers().size(); ++row) {

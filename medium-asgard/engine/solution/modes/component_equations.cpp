@@ -7,7 +7,7 @@ namespace solution {
 
 ComponentEquations::ComponentEquations(std::shared_ptr<const BoundModel> bound,
                                        const Histories& histories)
-    : mode_(modelOf(*bound)), functions_(std::move(bound), histories, mode_),
+    : mode_(modelOf(*bound), bound->laws.size()), functions_(std::move(bound), histories, mode_),
       field_(functions_, mode_), stick_(functions_, field_, mode_),
       active_(functions_, field_.multipliers(), mode_),
       guards_(functions_, field_, stick_, active_, mode_),
@@ -197,10 +197,12 @@ bool ComponentEquations::rest(std::span<const std::size_t> directions, double t,
 // ---------------------------------------------------------------------------------------------
 // The Jacobian
 
-const Pattern& ComponentEquations::jacobianPattern() { return model().jacobian().pattern; }
+const Pattern& ComponentEquations::jacobianPattern() {
+    return isComposed() ? bound()->composed->jacobian : model().jacobian().pattern;
+}
 
 bool ComponentEquations::jacobian(double t, std::span<const double> y, std::span<double> entries) {
-    if (sliding())
+    if (sliding() || isComposed())
         return differences(t, y, entries);
     functions_.fill(t, y);
     const ComponentModel::Jacobian& jacobian = model().jacobian();
@@ -253,12 +255,13 @@ void ComponentEquations::addMultipliers(std::span<const double> derivatives,
 }
 
 // While sliding f is a mixture whose weights depend on y too; few unknowns slide, so differences
-// do, and where derivatives overflow (of 1/cosh(x)^2, far out) while rates do not. What stays on
-// its surface exactly moves nothing, and may have no value beside it.
+// do; so they do where conditions are composed, and where derivatives overflow (of 1/cosh(x)^2, far
+// out) while rates do not. What stays on its surface exactly moves nothing, and may have no value
+// beside it.
 bool ComponentEquations::differences(double t, std::span<const double> y,
                                      std::span<double> entries) {
     std::vector<double> at(y.begin(), y.end()), low(states().size()), high(states().size());
-    const Pattern& pattern = model().jacobian().pattern;
+    const Pattern& pattern = jacobianPattern();
     for (std::size_t column = 0; column < states().size(); ++column) {
         if (std::ranges::any_of(field_.columns(), [&](const HeldField::Column& c) {
                 return field_.gradientOf(c).state == column;

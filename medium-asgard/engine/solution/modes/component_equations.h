@@ -155,6 +155,8 @@ public:
     [[nodiscard]] bool release(std::span<const double> values);
     // As takeKept(), but for those that are gone alone.
     void takeGone(std::span<const double> values);
+    // Its conditions are put together from blocks (equations/composition.h).
+    [[nodiscard]] bool isComposed() const { return bound()->composed != nullptr; }
     // On surfaces, or held at 0 where directions have none.
     [[nodiscard]] bool sliding() const { return mode_.isHeld(); }
     [[nodiscard]] std::size_t watches() const { return guards_.size(); }

@@ -38,7 +38,7 @@ void Guards::watch(double t, std::span<const double> y, std::span<double> values
                                       : mode_.sticking[k] == mode_.leaving
                                           ? stick_.leeway()
                                           : -field_.excess(mode_.sticking[k]);
-    if (!mode_.isHeld() && model_.multipliers() > 0)
+    if (!mode_.isHeld() && f_.bound()->laws.size() > 0)
         field_.findOutputs(); // guards may read them
     active_.watch(values.subspan(watches_.size() + mode_.sticking.size()));
     f_.evaluateGuards();

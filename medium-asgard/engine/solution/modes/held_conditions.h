@@ -32,8 +32,9 @@ namespace solution {
 class HeldConditions {
 public:
     // `mode` outlives them, and says which conditions hold. Ties are not among them.
-    HeldConditions(const ComponentModel& model, const BoundModel& bound, const Mode& mode)
-        : conditions_(model.conditions()), bound_(bound), mode_(mode) {}
+    HeldConditions(const ComponentModel::Conditions& conditions, const BoundModel& bound,
+                   const Mode& mode)
+        : conditions_(conditions), bound_(bound), mode_(mode) {}
 
     // Ways from the places of a point to its conditions, over the size of what these join.
     using Off = std::function<double()>;

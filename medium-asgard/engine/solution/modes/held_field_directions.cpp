@@ -60,9 +60,10 @@ void HeldField::evaluateOutputs(std::span<double> out) {
     isContradictory_ = !multipliers_.solve();
     if (mode_.sticking.empty()) {
         if (mode_.decisions.empty())
-            model_.function().evaluate(f_.in(), out, f_.scratch());
+            model_.function().evaluate(f_.symbols(), out, f_.scratch());
         else
-            model_.function().evaluate(f_.in(), out, f_.scratch(), mode_.decisions);
+            model_.function().evaluate(f_.symbols(), out, f_.scratch(), mode_.decisions);
+        multipliers_.addForces(out);
         return;
     }
     f_.evaluate(model_.directions().outputs, f_.inHeld(), out);

@@ -69,11 +69,11 @@ struct Mode {
 
     const ComponentModel* model; // whose surfaces these are
 
-    explicit Mode(const ComponentModel& of)
+    Mode(const ComponentModel& of, std::size_t multipliers)
         : decisions(of.function().decisions()), sides(of.surfaces().size(), onSurface),
           levels(sides.size(), 0), coincident(sides.size()), isGrazed(sides.size(), 0),
-          wasPassed(sides.size(), 0), kept(of.multipliers(), complementarity::State::inside),
-          touches(of.multipliers(), 0), model(&of) {}
+          wasPassed(sides.size(), 0), kept(multipliers, complementarity::State::inside),
+          touches(multipliers, 0), model(&of) {}
     [[nodiscard]] bool operator==(const Mode&) const = default;
 
     [[nodiscard]] bool isHeld() const { return !sliding.empty() || !sticking.empty(); }

@@ -14,10 +14,15 @@ const ComponentModel& modelOf(const BoundModel& bound) {
     return bound.model ? *bound.model : none;
 }
 
+const ComponentModel::Conditions& conditionsOf(const BoundModel& bound) {
+    return bound.composed ? bound.composed->conditions : modelOf(bound).conditions();
+}
+
 ModelFunctions::ModelFunctions(std::shared_ptr<const BoundModel> bound, const Histories& histories,
                                const Mode& mode)
     : bound_(std::move(bound)), model_(modelOf(*bound_)), mode_(mode),
-      inputs_(histories, bound_->inputs), in_(model_.symbols().size()),
+      inputs_(histories, bound_->inputs),
+      in_(model_.symbols().size() + (bound_->composed ? bound_->laws.size() : 0)),
       guards_(model_.function().decisions()) {
     held_.units.resize(model_.directions().parts);
     std::ranges::copy(bound_->constants,
@@ -41,11 +46,11 @@ void ModelFunctions::plainRates(double t, std::span<const double> y, std::span<d
 }
 
 void ModelFunctions::evaluateGuards() {
-    model_.function().guards(in_, guards_, scratch_, mode_.decisions);
+    model_.function().guards(symbols(), guards_, scratch_, mode_.decisions);
 }
 
 void ModelFunctions::decide(std::vector<Decision>& decisions) {
-    model_.function().tape().decide(in_, decisions, guards_, scratch_);
+    model_.function().tape().decide(symbols(), decisions, guards_, scratch_);
 }
 
 void ModelFunctions::fill(double t, std::span<const double> y) {
@@ -57,7 +62,7 @@ void ModelFunctions::fill(double t, std::span<const double> y) {
 }
 
 void ModelFunctions::evaluate(const ComponentModel::Derived& derived, std::span<double> out) {
-    evaluate(derived, in_, out);
+    evaluate(derived, symbols(), out);
 }
 
 void ModelFunctions::evaluate(const ComponentModel::Derived& derived, std::span<const double> in,
@@ -170,7 +175,7 @@ void ModelFunctions::peakCauses(const ComponentModel::PeakFunctions& peaks, doub
 
 void ModelFunctions::peakHeights(double t, std::span<const double> y, std::span<double> out) {
     fill(t, y);
-    model_.peaks().heights.evaluate(in_, out, scratch_);
+    model_.peaks().heights.evaluate(symbols(), out, scratch_);
 }
 
 std::optional<Decision> ModelFunctions::decisionOf(Node switching) const {

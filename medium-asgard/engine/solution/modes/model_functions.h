@@ -41,9 +41,13 @@ public:
     [[nodiscard]] const std::shared_ptr<const BoundModel>& bound() const { return bound_; }
     [[nodiscard]] const std::vector<std::size_t>& states() const { return bound_->states; }
     [[nodiscard]] Inputs& inputs() { return inputs_; }
-    // Values of the model's symbols at the point; constants stand at the end.
+    // Values of the model's symbols at the point; then constants, then multipliers.
     [[nodiscard]] std::vector<double>& in() { return in_; }
     [[nodiscard]] const std::vector<double>& in() const { return in_; }
+    // Those that the model has: where conditions are composed, it has no multipliers.
+    [[nodiscard]] std::span<const double> symbols() const {
+        return std::span(in_).first(model_.symbols().size());
+    }
     [[nodiscard]] expression::Function::Scratch& scratch() { return scratch_; }
 
     void fill(double t, std::span<const double> y);
@@ -116,5 +120,7 @@ private:
 
 // The model of bound equations; an empty one where held values are defined by each other.
 [[nodiscard]] const ComponentModel& modelOf(const BoundModel& bound);
+// Its conditions.
+[[nodiscard]] const ComponentModel::Conditions& conditionsOf(const BoundModel& bound);
 
 } // namespace solution

@@ -19,11 +19,12 @@ Eigen::Index indexOf(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
 // All conditions at the point.
 void Multipliers::evaluate() {
-    const ComponentModel::Conditions& conditions = model_.conditions();
-    const std::size_t entries = conditions.matrix.size();
+    const std::size_t entries = conditions_.matrix.size();
     second_.resize(entries + size());
-    if (mode_.sticking.empty())
-        f_.evaluate(conditions.second, second_);
+    if (composed_)
+        composed_->second(second_);
+    else if (mode_.sticking.empty())
+        f_.evaluate(conditions_.second, second_);
     else
         f_.evaluate(model_.directions().second, f_.inHeld(), second_);
     rest_ = Eigen::Map<const Eigen::VectorXd>(second_.data() + entries, indexOf(size()));
@@ -97,7 +98,7 @@ bool Multipliers::findContradictory(std::span<const double> y) {
     if (held_.isRegular() || held_.rows().empty())
         return true;
     double fastest = 0;
-    for (const ComponentModel::Entry& push : model_.conditions().pushes)
+    for (const ComponentModel::Entry& push : conditions_.pushes)
         fastest = std::max(fastest, std::abs(y[push.row]));
     const Eigen::VectorXd left = held_.left();
     bool areNone = true;
@@ -118,7 +119,7 @@ bool Multipliers::findContradictory(std::span<const double> y) {
 void Multipliers::addBounds() {
     if (std::ranges::all_of(mode_.kept, [](State kept) { return kept == State::inside; }))
         return;
-    const auto& matrix = model_.conditions().matrix;
+    const auto& matrix = conditions_.matrix;
     for (std::size_t k = 0; k < matrix.size(); ++k)
         if (mode_.kept[matrix[k].column] != State::inside)
             rest_[matrix[k].row] += bound(matrix[k].column) * second_[k];
@@ -182,7 +183,7 @@ void Multipliers::change(std::span<const double> gaps, Eigen::Ref<Eigen::VectorX
 }
 
 double Multipliers::secondRate(std::size_t row) const {
-    const auto& matrix = model_.conditions().matrix;
+    const auto& matrix = conditions_.matrix;
     double rate = second_[matrix.size() + row];
     for (auto entry = std::ranges::lower_bound(matrix, row, {}, &ComponentModel::Entry::row);
          entry != matrix.end() && entry->row == row; ++entry)
@@ -193,7 +194,7 @@ double Multipliers::secondRate(std::size_t row) const {
 Multipliers::Turns Multipliers::turns() {
     constexpr double often = 10; // times on the way to rest
     evaluateGaps();
-    const std::vector<ComponentModel::Entry>& entries = model_.conditions().matrix;
+    const std::vector<ComponentModel::Entry>& entries = conditions_.matrix;
     std::vector<double> ofRow(size(), 0);
     for (std::size_t i = 0; i < entries.size(); ++i)
         if (entries[i].row == entries[i].column)
@@ -237,7 +238,7 @@ std::optional<double> Multipliers::stopOf(std::size_t disc) const {
 }
 
 double Multipliers::weight() const {
-    const auto& matrix = model_.conditions().matrix;
+    const auto& matrix = conditions_.matrix;
     double largest = 0;
     for (std::size_t k = 0; k < matrix.size(); ++k)
         if (const auto [row, column] = matrix[k];
@@ -248,7 +249,7 @@ double Multipliers::weight() const {
 
 Multipliers::System Multipliers::systemOf(std::span<const std::size_t> rows) {
     evaluate();
-    const auto& matrix = model_.conditions().matrix;
+    const auto& matrix = conditions_.matrix;
     constexpr Eigen::Index none = -1;
     std::vector<Eigen::Index> placeOf(size(), none);
     for (std::size_t i = 0; i < rows.size(); ++i)
@@ -284,11 +285,11 @@ void Multipliers::push(std::span<const std::size_t> rows, const Eigen::VectorXd&
     for (std::size_t i = 0; i < rows.size(); ++i)
         by[indexOf(rows[i])] = impulses[indexOf(i)];
     evaluateMoves();
-    move(model_.conditions().pushes, 0, by, y);
+    move(conditions_.pushes, 0, by, y);
 }
 
 void Multipliers::rest(double none, std::span<double> y) const {
-    const auto& pushes = model_.conditions().pushes;
+    const auto& pushes = conditions_.pushes;
     if (std::ranges::all_of(pushes,
                             [&](const auto& push) { return std::abs(y[push.row]) <= none; }))
         for (const ComponentModel::Entry& push : pushes)
@@ -318,14 +319,14 @@ bool Multipliers::areOffPlaces() const { return largestGap() > 1; }
 
 double Multipliers::fastest(std::span<const double> y) const {
     double most = 0;
-    for (const ComponentModel::Entry& push : model_.conditions().pushes)
+    for (const ComponentModel::Entry& push : conditions_.pushes)
         most = std::max(most, std::abs(y[push.row]));
     return most;
 }
 
 void Multipliers::balance(std::span<const double> y, std::span<double> rates) {
     constexpr double rounding = 1e-13; // of the forces
-    const auto& pushes = model_.conditions().pushes;
+    const auto& pushes = conditions_.pushes;
     if (std::ranges::any_of(pushes, [&](const auto& push) { return y[push.row] != 0; }))
         return;
     evaluateMoves();
@@ -340,14 +341,19 @@ void Multipliers::balance(std::span<const double> y, std::span<double> rates) {
 }
 
 void Multipliers::evaluateGaps() {
-    gaps_.resize(2 * size() + model_.conditions().firstLever.back());
-    f_.evaluate(model_.conditions().gaps, gaps_);
+    gaps_.resize(2 * size() + conditions_.firstLever.back());
+    if (composed_)
+        composed_->gaps(gaps_);
+    else
+        f_.evaluate(conditions_.gaps, gaps_);
 }
 
 void Multipliers::evaluateMoves() {
-    const ComponentModel::Conditions& conditions = model_.conditions();
-    moves_.resize(conditions.pushes.size() + conditions.shifts.size());
-    f_.evaluate(conditions.moves, moves_);
+    moves_.resize(conditions_.pushes.size() + conditions_.shifts.size());
+    if (composed_)
+        composed_->moves(moves_);
+    else
+        f_.evaluate(conditions_.moves, moves_);
 }
 
 // Adds entries times `by` to the states.
@@ -376,10 +382,9 @@ bool Multipliers::factorise() {
 }
 
 bool Multipliers::factoriseMoves() {
-    const ComponentModel::Conditions& conditions = model_.conditions();
-    ties_.resize(conditions.ofTies.size());
+    ties_.resize(conditions_.ofTies.size());
     if (!ties_.empty())
-        f_.evaluate(conditions.ties, ties_);
+        f_.evaluate(conditions_.ties, ties_);
     evaluate();
     if (!factorise())
         return false;
@@ -389,7 +394,7 @@ bool Multipliers::factoriseMoves() {
 
 // Multipliers that move states onto their gaps. A tie moves an angle of its own, which others read.
 void Multipliers::solveForGaps() {
-    const std::vector<ComponentModel::Entry>& entries = model_.conditions().ofTies;
+    const std::vector<ComponentModel::Entry>& entries = conditions_.ofTies;
     const auto putTies = [&] {
         for (std::size_t k = 0; k < entries.size(); ++k)
             if (const auto [row, column] = entries[k]; row == column)
@@ -431,7 +436,7 @@ bool Multipliers::moveOntoGaps(double t, std::span<double> y) {
         solveForGaps();
         if (!found_.allFinite())
             break;
-        move(model_.conditions().shifts, model_.conditions().pushes.size(), found_, y);
+        move(conditions_.shifts, conditions_.pushes.size(), found_, y);
         last = gap;
         f_.fill(t, y);
         evaluateGaps();
@@ -448,7 +453,7 @@ void Multipliers::project(double t, std::span<double> y) {
     found_ = Eigen::Map<const Eigen::VectorXd>(gaps_.data() + size(), indexOf(size()));
     held_.solve(found_);
     if (findContradictory(y) && found_.allFinite())
-        move(model_.conditions().pushes, 0, found_, y);
+        move(conditions_.pushes, 0, found_, y);
 }
 
 } // namespace solution

@@ -11,6 +11,7 @@
 // rounding is left, then velocities.
 #pragma once
 
+#include "modes/composed_conditions.h"
 #include "modes/disc_friction.h"
 #include "modes/held_conditions.h"
 #include "modes/mode.h"
@@ -29,12 +30,16 @@ public:
     // `mode` outlives them, and says which conditions hold.
     Multipliers(ModelFunctions& functions, const Mode& mode)
         : f_(functions), model_(modelOf(*functions.bound())), mode_(mode),
-          held_(model_, *functions.bound(), mode), friction_(*functions.bound(), mode, gaps_),
-          slips_(model_, friction_) {}
+          conditions_(conditionsOf(*functions.bound())),
+          held_(conditions_, *functions.bound(), mode), friction_(*functions.bound(), mode, gaps_),
+          slips_(conditions_, friction_) {
+        if (functions.bound()->composed)
+            composed_.emplace(functions);
+    }
     Multipliers(const Multipliers&) = delete;
     Multipliers& operator=(const Multipliers&) = delete;
 
-    [[nodiscard]] std::size_t size() const { return model_.multipliers(); }
+    [[nodiscard]] std::size_t size() const { return conditions_.isTie.size(); }
     // Puts them into the point of the functions, on the branches of the mode. False: none keep the
     // conditions that hold; then they are what errs least.
     bool solve();
@@ -50,6 +55,12 @@ public:
     // How the last forces were found: a clause; "": there are none.
     [[nodiscard]] std::string how() const { return held_.how(); }
     [[nodiscard]] std::span<const double> values() const { return std::span(f_.in()).last(size()); }
+    // Rates without multipliers, at the point of the last solve(), get what these add, where the
+    // model has no multipliers.
+    void addForces(std::span<double> rates) const {
+        if (composed_)
+            composed_->addForces(rates);
+    }
     void put(std::size_t row, double value) { f_.in()[f_.in().size() - size() + row] = value; }
     // The answer of the last solve(): the values, and the second rates of the conditions.
     struct Solution {
@@ -97,7 +108,7 @@ public:
     // A contact that lasts only at some places: the first of the functions that are not negative
     // while it does, and the one behind the last; then the value of one of them.
     [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> confines(std::size_t row) const {
-        const std::vector<std::uint32_t>& first = model_.conditions().firstValid;
+        const std::vector<std::uint32_t>& first = conditions_.firstValid;
         return {first[row], first[row + 1]};
     }
     [[nodiscard]] double confine(std::uint32_t which) const { return gaps_[2 * size() + which]; }
@@ -139,7 +150,7 @@ private:
     }
     void evaluate();
     [[nodiscard]] std::span<const double> matrix() const { // once evaluated
-        return std::span(second_).first(model_.conditions().matrix.size());
+        return std::span(second_).first(conditions_.matrix.size());
     }
     [[nodiscard]] bool factorise();
     [[nodiscard]] bool solveHeld();
@@ -161,6 +172,8 @@ private:
     ModelFunctions& f_;
     const ComponentModel& model_;
     const Mode& mode_;
+    const ComponentModel::Conditions& conditions_;
+    std::optional<ComposedConditions> composed_;
     HeldConditions held_;
     std::vector<double> second_, ties_, gaps_, moves_;
     DiscFriction friction_;

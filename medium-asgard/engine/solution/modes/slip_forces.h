@@ -25,8 +25,8 @@ namespace solution {
 class SlipForces {
 public:
     // `friction` outlives it.
-    SlipForces(const ComponentModel& model, const DiscFriction& friction)
-        : conditions_(model.conditions()), friction_(friction) {}
+    SlipForces(const ComponentModel::Conditions& conditions, const DiscFriction& friction)
+        : conditions_(conditions), friction_(friction) {}
 
     // The discs that slip with a force at this point, out of so many.
     void find(std::size_t discs);
