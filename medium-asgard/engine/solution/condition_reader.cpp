@@ -128,6 +128,7 @@ void ConditionReader::findGroups(Interval& interval, std::size_t unknown) const 
                 std::make_shared<const BoundModel>(
                     boundModel(*set_, *index_, {}, unknowns, phases, *models_)),
                 *histories_);
+            group->equations->solveMultipliersInSteps();
             group->values.resize(unknowns.size());
             group->unknowns = unknowns;
         }

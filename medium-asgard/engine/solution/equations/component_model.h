@@ -16,6 +16,7 @@
 #pragma once
 
 #include "equations/directions.h"
+#include "equations/elimination_order.h"
 #include "equations/surfaces.h"
 #include "expression/function.h"
 #include "integrators/pattern.h"
@@ -165,6 +166,17 @@ public:
         Derived slopes;             // these
     };
     [[nodiscard]] const Kinematics& kinematics() const;
+    // Where all conditions but ties hold and nothing switches: outputs, then multipliers, then what
+    // is positive where these keep the conditions (solved_conditions.h).
+    struct Solved {
+        expression::Function all;
+        // Of rates of these conditions, one for each multiplier behind the symbols, the multipliers
+        // that keep them; then the same checks.
+        expression::Function given;
+        std::size_t rows = 0, multiplications = 0;
+    };
+    // Null: they are not to be had so.
+    [[nodiscard]] const Solved* solved() const;
     // g'' of one, a node of graph().
     [[nodiscard]] expression::Node secondRate(std::size_t multiplier) const {
         return conditionNodes_[3 * multiplier + 2];
@@ -183,6 +195,8 @@ private:
     [[nodiscard]] std::unique_ptr<Jacobian> derivedJacobian() const;
     [[nodiscard]] std::unique_ptr<Kinematics> derivedKinematics() const;
     [[nodiscard]] Gradient gradientOf(expression::Node node) const;
+    [[nodiscard]] std::optional<EliminationOrder> orderOfConditions() const;
+    [[nodiscard]] std::unique_ptr<Solved> derivedSolution() const;
     [[nodiscard]] Derived derive(expression::Graph& graph, std::span<const expression::Node> nodes,
                                  std::span<const expression::Node> more = {}) const;
     struct FoundDirections {
@@ -239,6 +253,8 @@ private:
         std::unique_ptr<const Jacobian> jacobian;
         std::unique_ptr<const Kinematics> kinematics;
         std::vector<std::unique_ptr<const Gradient>> gradients;
+        std::unique_ptr<const Solved> solved;
+        bool isSolvedKnown = false;
     };
     mutable Derivatives derivatives_;
 };

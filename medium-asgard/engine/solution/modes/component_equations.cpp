@@ -51,6 +51,10 @@ bool ComponentEquations::rates(double t, std::span<const double> y, std::span<do
         return areFinite(out);
     }
     functions_.fill(t, y);
+    if (field_.findRatesAtOnce(out)) {
+        slidingFailed_ = false;
+        return areFinite(out);
+    }
     if (sliding()) {
         slidingFailed_ = !field_.weigh();
         if (slidingFailed_)

@@ -42,6 +42,8 @@ public:
     }
     // How they were found: a clause; "": there are none.
     [[nodiscard]] std::string howMultipliersAreFound() const { return field_.multipliers().how(); }
+    // For readers, which ask at any times in any order.
+    void solveMultipliersInSteps() { field_.multipliers().solveInSteps(); }
     // Moves the states onto the conditions that multipliers keep.
     void project(double t, std::span<double> y);
     // Held unknowns whose values depend on each other in a circle; then no other function may be
@@ -64,7 +66,7 @@ public:
     [[nodiscard]] std::size_t size() const override { return states().size(); }
     [[nodiscard]] bool rates(double t, std::span<const double> y, std::span<double> out) override;
     [[nodiscard]] double* place() override {
-        return isPlain_ ? functions_.in().data() + 1 : nullptr;
+        return isPlain_ || field_.findsRatesAtOnce() ? functions_.in().data() + 1 : nullptr;
     }
     [[nodiscard]] Direct direct() override {
         if (!isPlain_ || !functions_.code().entry)

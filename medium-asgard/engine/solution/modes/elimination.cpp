@@ -20,44 +20,15 @@ constexpr double differing = 1e-11;  // mirrored entries do by rounding
 } // namespace
 
 bool Elimination::plan(std::size_t size, std::span<const Place> places, double most) {
-    std::vector<std::vector<Index>> next(size); // of each row, in order
-    for (const auto& [row, column] : places)
-        if (row != column) {
-            next[row].push_back(column);
-            next[column].push_back(row);
-        }
-    for (std::vector<Index>& of : next) {
-        std::ranges::sort(of);
-        of.erase(std::unique(of.begin(), of.end()), of.end());
-    }
     *this = {};
-    std::vector<Index> rows; // by rank
-    std::vector<Index> ranks(size, 0);
-    std::vector<char> isDone(size, 0);
-    std::vector<Index> joined;
-    double multiplications = 0;
-    while (rows.size() < size) {
-        std::size_t least = size;
-        for (std::size_t row = 0; row < size; ++row)
-            if (isDone[row] == 0 && (least == size || next[row].size() < next[least].size()))
-                least = row;
-        const auto count = static_cast<double>(next[least].size());
-        multiplications += count * (count + 1) / 2;
-        if (multiplications > most)
-            return false;
-        ranks[least] = static_cast<Index>(rows.size());
-        rows.push_back(static_cast<Index>(least));
-        isDone[least] = 1;
-        for (const Index row : next[least]) {
-            joined.clear();
-            std::ranges::set_union(next[row], next[least], std::back_inserter(joined));
-            std::erase_if(joined, [&](Index i) { return i == row || i == least; });
-            next[row] = joined;
-        }
-    }
-    rowOf_ = std::move(rows);
-    rankOf_ = std::move(ranks);
-    layOut(next);
+    const auto order = eliminationOrder(size, places, most);
+    if (!order)
+        return false;
+    rowOf_ = order->rows;
+    rankOf_.resize(size);
+    for (std::size_t rank = 0; rank < size; ++rank)
+        rankOf_[rowOf_[rank]] = static_cast<Index>(rank);
+    layOut(order->later);
     return true;
 }
 

@@ -1,10 +1,8 @@
 // Gauss' elimination of a sparse symmetric matrix, L D L', in an order that is found once.
 //
 // A joint couples its conditions with those of neighbouring joints alone. From the leaves of a tree
-// of joints on, elimination makes no entry that was 0 another number (Featherstone, Rigid Body
-// Dynamics Algorithms, 2008, 8.5), so that the multiplications are in proportion to the joints.
-// Loops leave a small dense rest. The order is that of least degree (Tinney and Walker, Proc. IEEE
-// 55, 1967), the first of equals.
+// of joints on, elimination makes no entry that was 0 another number, so that the multiplications
+// are in proportion to the joints (equations/elimination_order.h). Loops leave a small dense rest.
 //
 // Of a positive definite matrix, as J M^-1 J' is, elimination needs no search for pivots: its
 // backward error is rounding for each product (Higham, Accuracy and Stability of Numerical
@@ -17,22 +15,18 @@
 // same entries.
 #pragma once
 
+#include "equations/elimination_order.h"
+
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace solution {
 
-// A pivot that is less, of what the diagonal had, may be what rounding leaves of 0, or what places
-// off their conditions, as those within a step, make of it.
-inline constexpr double leastPivot = 1e-6;
-
 class Elimination {
 public:
-    using Index = std::uint32_t;
-    struct Place {
-        Index row, column;
-    };
+    using Index = EliminationOrder::Index;
+    using Place = EliminationOrder::Place;
 
     // For matrices whose entries are 0 but on the diagonal, at these places and at those that
     // mirror them. False: a factorization takes more than `most` multiplications. Then nothing is

@@ -12,8 +12,6 @@ namespace {
 
 constexpr double noPivot = 1e-13; // of 1, of what is left of a scaled condition that others make
 constexpr double noPivotOfFaces = 1e-9; // where faces lie on each other with a tilt (elimination.h)
-// A dense multiplication costs less than a sparse one, and a dense factorization something besides.
-constexpr double cost = 4, besides = 500;
 // Contacts are redundant as a rule, and a dense factorization that finds their rank costs most.
 constexpr double many = 3e6;
 
@@ -40,8 +38,7 @@ void HeldConditions::makePlan() {
     std::ranges::transform(plan_.terms, std::back_inserter(places), &Term::place);
     plan_.hasContacts = std::ranges::any_of(
         plan_.rows, [this](std::size_t row) { return bound_.laws[row].leaving.has_value(); });
-    const auto n = static_cast<double>(plan_.rows.size());
-    const double dense = n * n * n / 3 / cost + besides;
+    const double dense = worthEliminating(plan_.rows.size());
     std::vector<Elimination::Index> patches;
     for (const std::size_t row : plan_.rows)
         patches.push_back(bound_.laws[row].patch.value_or(Elimination::noPatch));
@@ -175,20 +172,33 @@ bool HeldConditions::factoriseDense(std::span<const double> values, double none,
     return true;
 }
 
+namespace {
+
+std::string forcesOf(std::size_t rows) {
+    return rows == 1 ? "the force of 1 condition is"
+                     : "the forces of " + std::to_string(rows) + " conditions are";
+}
+
+} // namespace
+
+std::string howEliminated(std::size_t rows, std::size_t multiplications) {
+    return rows == 0 ? ""
+                     : forcesOf(rows) + " solved for one after the other, with " +
+                           std::to_string(multiplications) +
+                           (multiplications == 1 ? " multiplication" : " multiplications") +
+                           " (of a full matrix " +
+                           std::to_string(rows * (rows + 1) * (rows - 1) / 6) + ")";
+}
+
 std::string HeldConditions::how() const {
     const std::size_t n = plan_.rows.size();
     if (n == 0)
         return "";
-    const std::string forces = n == 1 ? "the force of 1 condition is"
-                                      : "the forces of " + std::to_string(n) + " conditions are";
     if (!isRegular())
-        return forces + " the shortest of those that keep them";
+        return forcesOf(n) + " the shortest of those that keep them";
     if (way_ == Way::dense)
-        return forces + " solved for together";
-    const std::size_t done = elimination_.multiplications();
-    return forces + " solved for one after the other, with " + std::to_string(done) +
-           (done == 1 ? " multiplication" : " multiplications") + " (of a full matrix " +
-           std::to_string(n * (n + 1) * (n - 1) / 6) + ")";
+        return forcesOf(n) + " solved for together";
+    return howEliminated(n, elimination_.multiplications());
 }
 
 void HeldConditions::findIdle() {

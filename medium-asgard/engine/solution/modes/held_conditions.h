@@ -29,6 +29,9 @@
 
 namespace solution {
 
+// A clause: that many conditions are solved for one after the other.
+[[nodiscard]] std::string howEliminated(std::size_t rows, std::size_t multiplications);
+
 class HeldConditions {
 public:
     // `mode` outlives them, and says which conditions hold. Ties are not among them.
@@ -57,6 +60,8 @@ public:
     [[nodiscard]] bool isRegular() const {
         return way_ == Way::dense || (way_ == Way::sparse && redundancy_.kernel.cols() == 0);
     }
+    // They were solved for one after the other, and none is redundant.
+    [[nodiscard]] bool isEliminated() const { return way_ == Way::sparse && isRegular(); }
     // Where they are, what the last solution left of rates, by row(), scaled; the rates; a scale.
     [[nodiscard]] Eigen::VectorXd left() const;
     [[nodiscard]] const Eigen::VectorXd& right() const { return right_; }

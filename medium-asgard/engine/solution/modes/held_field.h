@@ -38,6 +38,16 @@ public:
     [[nodiscard]] bool weigh();
     // values() in the mode; where it slides and has no solution, on its branches.
     void find();
+    // Rates of a model without held values, without values(). False: they are to be had by find().
+    [[nodiscard]] bool findRatesAtOnce(std::span<double> rates) {
+        const bool isFound = !mode_.isHeld() && model_.held() == 0 && multipliers_.solveWith(rates);
+        isContradictory_ = isContradictory_ && !isFound;
+        return isFound;
+    }
+    // As a rule.
+    [[nodiscard]] bool findsRatesAtOnce() const {
+        return !mode_.isHeld() && model_.held() == 0 && multipliers_.areSolvedAtOnce();
+    }
     [[nodiscard]] std::vector<double> here() {
         find();
         return values_;

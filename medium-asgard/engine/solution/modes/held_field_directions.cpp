@@ -57,6 +57,10 @@ std::optional<HeldField::Response::Departure> HeldField::Response::departure() c
 }
 
 void HeldField::evaluateOutputs(std::span<double> out) {
+    if (multipliers_.solveWith(out)) {
+        isContradictory_ = false;
+        return;
+    }
     isContradictory_ = !multipliers_.solve();
     if (mode_.sticking.empty()) {
         if (mode_.decisions.empty())

@@ -55,8 +55,8 @@ void ModelFunctions::decide(std::vector<Decision>& decisions) {
 
 void ModelFunctions::fill(double t, std::span<const double> y) {
     in_[0] = t;
-    for (std::size_t i = 0; i < y.size(); ++i)
-        in_[1 + i] = y[i];
+    if (y.data() != in_.data() + 1)
+        std::copy_n(y.data(), y.size(), in_.data() + 1);
     if (!inputs_.unknowns().empty())
         inputs_.values(t, std::span(in_).subspan(1 + states().size()));
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace solution {
 
@@ -125,8 +126,51 @@ void Multipliers::addBounds() {
             rest_[matrix[k].row] += bound(matrix[k].column) * second_[k];
 }
 
+bool Multipliers::holdAlways() const {
+    return std::ranges::none_of(f_.bound()->laws, [](const BoundModel::Law& law) {
+        return law.isBounded() || law.isStop || law.release || law.leaving;
+    });
+}
+
+// Conditions that are redundant at the first point are so everywhere, as a rule; the same holds of
+// a matrix that is not symmetric there. For these the code would be made and evaluated in vain.
+bool Multipliers::areSolvedAtOnceHere() {
+    if (!atOnce_.isAsked && mode_.sticking.empty()) {
+        atOnce_.isAsked = true;
+        if (size() > 0 && !composed_ && holdAlways()) {
+            evaluate();
+            if (factorise() && held_.isEliminated())
+                atOnce_.model = model_.solved();
+        }
+    }
+    return areSolvedAtOnce();
+}
+
+bool Multipliers::solveWith(std::span<double> outputs) {
+    atOnce_.isLast = false;
+    if (!areSolvedAtOnceHere())
+        return false;
+    atOnce_.values.resize(atOnce_.model->all.tape().outputs());
+    atOnce_.model->all.evaluate(f_.in(), atOnce_.values, f_.scratch());
+    const double* const values = atOnce_.values.data();
+    const std::size_t forces = model_.outputs().size();
+    if (!atOnce_.isPositive(forces + size()))
+        return false;
+    std::copy_n(values, outputs.size(), outputs.begin());
+    std::copy_n(values + forces, size(), std::span(f_.in()).last(size()).begin());
+    areBalanced_ = true;
+    atOnce_.isLast = true;
+    return true;
+}
+
+std::string Multipliers::how() const {
+    return atOnce_.isLast ? howEliminated(atOnce_.model->rows, atOnce_.model->multiplications)
+                          : held_.how();
+}
+
 bool Multipliers::solve() {
     areBalanced_ = true;
+    atOnce_.isLast = false;
     if (size() == 0)
         return true;
     evaluate();
@@ -193,6 +237,8 @@ double Multipliers::secondRate(std::size_t row) const {
 
 Multipliers::Turns Multipliers::turns() {
     constexpr double often = 10; // times on the way to rest
+    if (f_.bound()->discs.empty())
+        return {};
     evaluateGaps();
     const std::vector<ComponentModel::Entry>& entries = conditions_.matrix;
     std::vector<double> ofRow(size(), 0);
@@ -385,15 +431,35 @@ bool Multipliers::factoriseMoves() {
     ties_.resize(conditions_.ofTies.size());
     if (!ties_.empty())
         f_.evaluate(conditions_.ties, ties_);
-    evaluate();
-    if (!factorise())
-        return false;
+    if (atOnce_.projects) {
+        atOnce_.in = f_.in();
+    } else {
+        evaluate();
+        if (!factorise())
+            return false;
+    }
     evaluateMoves();
     return true;
 }
 
+// Of these rates, in found_, the multipliers that keep them, in their place; by the matrix of the
+// point where factoriseMoves() was called.
+bool Multipliers::solveRates() {
+    if (!atOnce_.projects) {
+        held_.solve(found_);
+        return true;
+    }
+    const expression::Function& given = atOnce_.model->given;
+    atOnce_.in.resize(f_.in().size());
+    atOnce_.in.insert(atOnce_.in.end(), found_.data(), found_.data() + found_.size());
+    atOnce_.values.resize(given.tape().outputs());
+    given.evaluate(atOnce_.in, atOnce_.values, f_.scratch());
+    std::copy_n(atOnce_.values.data(), size(), found_.data());
+    return atOnce_.isPositive(size());
+}
+
 // Multipliers that move states onto their gaps. A tie moves an angle of its own, which others read.
-void Multipliers::solveForGaps() {
+bool Multipliers::solveForGaps() {
     const std::vector<ComponentModel::Entry>& entries = conditions_.ofTies;
     const auto putTies = [&] {
         for (std::size_t k = 0; k < entries.size(); ++k)
@@ -405,8 +471,10 @@ void Multipliers::solveForGaps() {
     for (std::size_t k = 0; k < entries.size(); ++k)
         if (const auto [row, column] = entries[k]; row != column)
             found_[indexOf(row)] += ties_[k] * found_[indexOf(column)];
-    held_.solve(found_);
+    if (!solveRates())
+        return false;
     putTies();
+    return true;
 }
 
 // Newton's method, with the matrix of before where that lets gaps shrink fast enough. At its end
@@ -433,7 +501,8 @@ bool Multipliers::moveOntoGaps(double t, std::span<double> y) {
             isFar = false;
         }
         isFar = isFar || gap > near;
-        solveForGaps();
+        if (!solveForGaps())
+            return false;
         if (!found_.allFinite())
             break;
         move(conditions_.shifts, conditions_.pushes.size(), found_, y);
@@ -448,12 +517,28 @@ void Multipliers::project(double t, std::span<double> y) {
     if (size() == 0)
         return;
     unheld_.contradictory.clear();
+    if (!atOnce_.isAsked)
+        f_.fill(t, y);
+    atOnce_.projects = areSolvedAtOnceHere();
+    if (atOnce_.projects)
+        atOnce_.before.assign(y.begin(), y.end());
+    if (!moveOntoConditions(t, y) && atOnce_.projects) {
+        std::ranges::copy(atOnce_.before, y.begin());
+        atOnce_.projects = false;
+        (void)moveOntoConditions(t, y);
+    }
+}
+
+// False: there is no solution, or not by machine code.
+bool Multipliers::moveOntoConditions(double t, std::span<double> y) {
     if (!moveOntoGaps(t, y))
-        return;
+        return false;
     found_ = Eigen::Map<const Eigen::VectorXd>(gaps_.data() + size(), indexOf(size()));
-    held_.solve(found_);
-    if (findContradictory(y) && found_.allFinite())
+    if (!solveRates())
+        return false;
+    if ((atOnce_.projects || findContradictory(y)) && found_.allFinite())
         move(conditions_.pushes, 0, found_, y);
+    return true;
 }
 
 } // namespace solution

@@ -20,6 +20,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -43,6 +44,15 @@ public:
     // Puts them into the point of the functions, on the branches of the mode. False: none keep the
     // conditions that hold; then they are what errs least.
     bool solve();
+    // The same, and as many of the model's outputs with them, where machine code has both: where
+    // all conditions hold always, and it finds that it keeps them. False: it has not.
+    [[nodiscard]] bool solveWith(std::span<double> outputs);
+    // There is such code. The first point that is solved for says it.
+    [[nodiscard]] bool areSolvedAtOnce() const {
+        return atOnce_.model && areAllInside() && mode_.sticking.empty();
+    }
+    // Never by such code: the way then depends on the point alone.
+    void solveInSteps() { atOnce_.isAsked = true; }
     // At the point that was solved for last, once linearise() was called, how they change where the
     // point does. `change`: of second rates with multipliers as they are; then of the multipliers.
     // `gaps`: of the values of Conditions::gaps.
@@ -53,7 +63,7 @@ public:
     // Conditions that hold are redundant there.
     [[nodiscard]] bool isRedundant() const { return !held_.isRegular(); }
     // How the last forces were found: a clause; "": there are none.
-    [[nodiscard]] std::string how() const { return held_.how(); }
+    [[nodiscard]] std::string how() const;
     [[nodiscard]] std::span<const double> values() const { return std::span(f_.in()).last(size()); }
     // Rates without multipliers, at the point of the last solve(), get what these add, where the
     // model has no multipliers.
@@ -148,6 +158,13 @@ private:
     [[nodiscard]] bool holds(std::size_t row) const {
         return mode_.kept[row] == complementarity::State::inside;
     }
+    [[nodiscard]] bool holdAlways() const;
+    [[nodiscard]] bool areAllInside() const {
+        return std::ranges::all_of(mode_.kept, [](complementarity::State kept) {
+            return kept == complementarity::State::inside;
+        });
+    }
+    [[nodiscard]] bool areSolvedAtOnceHere();
     void evaluate();
     [[nodiscard]] std::span<const double> matrix() const { // once evaluated
         return std::span(second_).first(conditions_.matrix.size());
@@ -166,8 +183,10 @@ private:
     [[nodiscard]] double largestGap() const;
     [[nodiscard]] double placesOff();
     [[nodiscard]] double leftOff();
-    void solveForGaps();
+    [[nodiscard]] bool solveRates();
+    [[nodiscard]] bool solveForGaps();
     [[nodiscard]] bool moveOntoGaps(double t, std::span<double> y);
+    [[nodiscard]] bool moveOntoConditions(double t, std::span<double> y);
 
     ModelFunctions& f_;
     const ComponentModel& model_;
@@ -179,6 +198,19 @@ private:
     DiscFriction friction_;
     SlipForces slips_;
     bool areBalanced_ = true;
+    struct AtOnce {
+        bool isAsked = false, isLast = false;          // was the last solution
+        const ComponentModel::Solved* model = nullptr; // none: never
+        bool projects = false;                         // now
+        std::vector<double> in, values;                // in: of the matrix that projects, and rates
+        std::vector<double> before;                    // it projects
+        [[nodiscard]] bool isPositive(std::size_t first) const {
+            bool isPositive = true;
+            for (std::size_t k = first; k < values.size(); ++k)
+                isPositive = isPositive && values[k] > 0;
+            return isPositive;
+        }
+    } atOnce_;
     Eigen::VectorXd rest_, found_; // second rates without the multipliers that hold; by row
     struct Unheld {                // rows
         std::vector<std::size_t> apart, farApart, contradictory;
