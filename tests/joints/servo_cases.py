@@ -146,4 +146,33 @@ def weak_arm_turning():
     return rows_of(Arm([wanted] * 2, [10, 3], lambda t: (0.5 * (1 - math.cos(t)), 0.5 * math.sin(t))))
 
 
-CASES = (weak_arm, weak_arm_turning)
+def cam(wide=0.15):
+    """Two rods of length 1, at q and q + p from the x axis; the first one's motor keeps q = 0.04 exp(-((p + 1)/wide)^2)."""
+    rows, at, h, across = Rows(), steps(1, 10), 0.5, 1.01 / 12
+
+    def place(p):
+        """q, and its derivatives by p."""
+        x = (p + 1) / wide
+        q = 0.04 * math.exp(-x * x)
+        return q, -2 * x / wide * q, (4 * x * x - 2) / wide ** 2 * q
+
+    def second(p, w):
+        """The second rates of p and q."""
+        q, slope, bend = place(p)
+        c, s, own = h * math.cos(p), h * math.sin(p), h * h + across
+        known = (c + own) * bend * w * w + s * (slope * w) ** 2 + G * h * math.cos(q + p)
+        rate = -known / ((c + own) * slope + own)
+        return rate, slope * rate + bend * w * w
+
+    for t, (p, w) in zip(at, solve(lambda t, y: [y[1], second(*y)[0]], [0.0, 0.0], at)):
+        (q, slope, _), (of_p, of_q) = place(p), second(p, w)
+        turn = slope * w + w
+        rows.put(t, 3, {"j1.q": q, "j2.q": p, "b.x": math.cos(q) + h * math.cos(q + p), "b.y": math.sin(q) + h * math.sin(q + p)})
+        rows.put(t, 60, {"j2.dq": w, "b.wz": turn})
+        couple = ((h * h + 1 + across) * of_q + h * (math.cos(p) * (of_q + of_p) - math.sin(p) * turn ** 2)
+                  + G * (h + 1) * math.cos(q))
+        rows.put(t, 1000, {"j1.motor": couple})
+    return rows
+
+
+CASES = (weak_arm, weak_arm_turning, cam)
