@@ -1,5 +1,6 @@
 #include "complementarity/by_few.h"
 
+#include "complementarity/centres.h"
 #include "complementarity/solve.h"
 
 #include <algorithm>
@@ -113,7 +114,8 @@ std::optional<Answer> solveByFew(const Matrix& a, const Vector& b, const Laws& l
         if (!reduced.takeIn(found->rates, rounding))
             return found;
     }
-    return solve(a, b, laws, guess);
+    const auto found = solve(a, b, laws, guess);
+    return found ? found : solveBesideCentres(a, b, laws);
 }
 
 } // namespace complementarity

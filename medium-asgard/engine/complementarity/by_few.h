@@ -4,6 +4,9 @@
 // Of more than eight in most blows a few have a force. The search begins with four of each such
 // disc and takes in those that would sink in, until none does: the others have no force. Of
 // problems of a tenth of the rows the solver finds answers that it misses of all of them.
+//
+// A blow has an answer wherever bodies can part: where none is found with friction at the centres
+// of the normal forces, friction acts at places of the faces near these (centres.h).
 #pragma once
 
 #include "complementarity/laws.h"

@@ -2,8 +2,10 @@
 
 #include "complementarity/convex.h"
 #include "complementarity/fixed_point.h"
+#include "complementarity/least.h"
 #include "complementarity/newton.h"
 #include "complementarity/search.h"
+#include "complementarity/widened.h"
 
 #include <algorithm>
 
@@ -47,8 +49,12 @@ public:
         return most > 0 ? Vector(pressed / most) : Vector(Vector::Ones(pressed.size()));
     }
 
-    [[nodiscard]] std::optional<Answer> solve(const Vector& centres, const Answer& guess,
-                                              Work& counts) const {
+    // Of the other laws, with these centres.
+    struct Problem {
+        Matrix a;
+        Vector b;
+    };
+    [[nodiscard]] Problem problemAt(const Vector& centres) const {
         Matrix a = a_;
         Vector b = b_;
         eachSlip(centres, [&](const Law& law, const Vector& centre) { join(law, centre, a, b); });
@@ -61,13 +67,37 @@ public:
             const Index last = law.first + law.rows - 1;
             a.middleCols(law.first, law.rows - 1) += a.col(last).eval() * centre.transpose();
         });
+        return {a(rows_, rows_), b(rows_)};
+    }
+    [[nodiscard]] const Laws& others() const { return others_; }
+
+    [[nodiscard]] std::optional<Answer> solve(const Vector& centres, const Answer& guess,
+                                              Work& counts) const {
+        const auto [a, b] = problemAt(centres);
         std::optional<Answer> found = Answer{};
         if (!rows_.empty())
-            found =
-                solveAtMiddles(a(rows_, rows_), b(rows_), others_, guessAt(centres, guess), counts);
+            found = solveAtMiddles(a, b, others_, guessAt(centres, guess), counts);
         if (found)
             found = whole(centres, *found);
         return found;
+    }
+
+    [[nodiscard]] Answer whole(const Vector& centres, const Answer& others) const {
+        Answer answer{Vector::Zero(b_.size()), {}, {}};
+        answer.forces(rows_) = others.forces;
+        auto state = others.states.begin();
+        for (const Law& law : laws_)
+            answer.states.push_back(law.kind == Law::Kind::slip ? State::edge : *state++);
+        eachDisc(centres, [&](const Law& law, const Vector& centre) {
+            answer.forces.segment(law.first, law.rows) =
+                forcesFrom(centre, answer.forces.segment(law.first, law.rows));
+        });
+        eachSlip(centres, [&](const Law& law, const Vector& centre) {
+            answer.forces.segment(law.first, law.rows) =
+                radiusOf(law, answer.forces) * unitForce(law, centre);
+        });
+        answer.rates = a_ * answer.forces + b_;
+        return answer;
     }
 
 private:
@@ -129,24 +159,6 @@ private:
                 at.states.push_back(guess.states[k]);
         return at;
     }
-    [[nodiscard]] Answer whole(const Vector& centres, const Answer& others) const {
-        Answer answer{Vector::Zero(b_.size()), {}, {}};
-        answer.forces(rows_) = others.forces;
-        auto state = others.states.begin();
-        for (const Law& law : laws_)
-            answer.states.push_back(law.kind == Law::Kind::slip ? State::edge : *state++);
-        eachDisc(centres, [&](const Law& law, const Vector& centre) {
-            answer.forces.segment(law.first, law.rows) =
-                forcesFrom(centre, answer.forces.segment(law.first, law.rows));
-        });
-        eachSlip(centres, [&](const Law& law, const Vector& centre) {
-            answer.forces.segment(law.first, law.rows) =
-                radiusOf(law, answer.forces) * unitForce(law, centre);
-        });
-        answer.rates = a_ * answer.forces + b_;
-        return answer;
-    }
-
     const Matrix& a_;
     const Vector& b_;
     const Laws& laws_;
@@ -336,6 +348,38 @@ std::optional<Answer> solveFromCentres(const Matrix& a, const Vector& b, const L
         if (auto found = way.solve(many, at, a, b, laws, counts))
             return found;
     return std::nullopt;
+}
+
+std::optional<Answer> solveBesideCentres(const Matrix& a, const Vector& b, const Laws& laws) {
+    constexpr int most = 10, mostHeld = 40; // convex problems while centres move, and then
+    constexpr double settled = 1e-8, close = 1e-3, hardly = 1e-9, part = 0.5;
+    const auto isSlip = [](const Law& law) { return law.kind == Law::Kind::slip; };
+    if (std::ranges::any_of(laws, isSlip) || !isSymmetric(a))
+        return std::nullopt;
+    const AtCentres at(a, b, laws);
+    Vector centres = at.centresOf(Vector::Zero(b.size())), slips;
+    for (int round = 0; round < most && centres.size() > 0; ++round) {
+        const auto [held, rest] = at.problemAt(centres);
+        Widened widened(held, rest, at.others(), slips);
+        widened.advance();
+        slips = widened.slips();
+        const Vector forces = at.whole(centres, widened.answer()).forces;
+        const Vector ways = at.centresOf(forces) - centres;
+        const Vector moves = (at.weightsOf(forces).array() > hardly).select(ways, 0);
+        centres += part * moves;
+        if (moves.cwiseAbs().maxCoeff() < settled)
+            break;
+    }
+    const auto [held, rest] = at.problemAt(centres);
+    Widened widened(held, rest, at.others(), slips);
+    for (int k = 0; k < mostHeld && !(widened.change() < settled); ++k)
+        widened.advance();
+    Work counts;
+    const auto exact = around(held, rest, at.others(), widened.answer(), counts);
+    const Answer& answer = exact ? *exact : widened.answer();
+    if (!(violation(held, rest, at.others(), answer) < close)) // nothing parts what jams
+        return std::nullopt;
+    return at.whole(centres, answer);
 }
 
 } // namespace complementarity

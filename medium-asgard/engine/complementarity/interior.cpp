@@ -75,8 +75,8 @@ struct Cone {
 
 class Path {
 public:
-    Path(const Matrix& a, const Vector& b, const Laws& laws)
-        : a_(a), b_(b), laws_(laws), forces_(Vector::Zero(b.size())) {
+    Path(const Matrix& a, const Vector& b, const Laws& laws, bool isConvex = false)
+        : a_(a), b_(b), laws_(laws), isConvex_(isConvex), forces_(Vector::Zero(b.size())) {
         const double stiff = std::max(a.diagonal().maxCoeff(), 1e-300);
         rate_ = std::max(b.cwiseAbs().maxCoeff(), 1e-300);
         force_ = rate_ / stiff;
@@ -165,6 +165,11 @@ private:
             rates[law.first] += cone.side * push[0];
         else
             rates.segment(law.first, law.rows) += push.tail(law.rows);
+        if (pushesNormals(law))
+            rates.segment(law.normal, law.normals).array() += law.coefficient * push[0];
+    }
+    [[nodiscard]] bool pushesNormals(const Law& law) const {
+        return isConvex_ && !isInterval(law) && law.normal >= 0;
     }
 
     // Of rooms and pushes.
@@ -210,6 +215,12 @@ private:
             if (law.normal >= 0)
                 change.block(law.first, law.normal, law.rows, law.normals).colwise() +=
                     law.coefficient * stiffness.bottomLeftCorner(law.rows, 1).col(0);
+            if (!pushesNormals(law))
+                continue;
+            change.block(law.normal, law.first, law.normals, law.rows).rowwise() +=
+                law.coefficient * stiffness.topRightCorner(1, law.rows).row(0);
+            change.block(law.normal, law.normal, law.normals, law.normals).array() +=
+                law.coefficient * law.coefficient * stiffness(0, 0);
         }
         for (std::size_t k = 0; k < laws_.size(); ++k)
             for (Index i = laws_[k].first; !hasRoom(k) && i < laws_[k].first + laws_[k].rows; ++i) {
@@ -302,6 +313,7 @@ private:
     const Matrix& a_;
     const Vector& b_;
     const Laws& laws_;
+    bool isConvex_;
     Vector forces_;
     std::vector<Cone> cones_;
     double rate_ = 0, force_ = 0; // sizes
@@ -311,6 +323,15 @@ private:
 
 Approach approach(const Matrix& a, const Vector& b, const Laws& laws) {
     return Path(a, b, laws).follow();
+}
+
+Approach approachConvex(const Matrix& a, const Vector& b, const Laws& laws, const Vector& slips) {
+    Vector widened = b;
+    for (std::size_t k = 0; k < laws.size(); ++k)
+        if (laws[k].kind != Law::Kind::interval && laws[k].normal >= 0)
+            widened.segment(laws[k].normal, laws[k].normals).array() +=
+                laws[k].coefficient * slips[static_cast<Index>(k)];
+    return Path(a, widened, laws, true).follow();
 }
 
 } // namespace complementarity

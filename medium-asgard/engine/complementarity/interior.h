@@ -22,5 +22,10 @@ struct Approach {
 };
 
 [[nodiscard]] Approach approach(const Matrix& a, const Vector& b, const Laws& laws);
+// Of the convex problem beside it, on a symmetric A: the least  f'Af/2 + b'f  of all forces that
+// the laws allow. There a disc that slips by v pushes its normal rates, too, by coefficient * |v|;
+// `slips`, one number for each law, are taken off again in the same proportion.
+[[nodiscard]] Approach approachConvex(const Matrix& a, const Vector& b, const Laws& laws,
+                                      const Vector& slips);
 
 } // namespace complementarity

@@ -110,20 +110,25 @@ private:
     [[nodiscard]] Handled meetEnded(const Instant& instant, const Pair& pair);
     // Both are held, and no impulse at their contact parts them.
     void passThrough(const Instant& instant, const Pair& pair);
-    [[nodiscard]] std::optional<Event> press(const Instant& instant, const Pair& pair);
+    [[nodiscard]] std::optional<Event> press(const Instant& instant, const Pair& pair,
+                                             bool isPressed);
     [[nodiscard]] std::optional<Event> partAnew(const Instant& instant, const Pair& pair);
     // Contacts of these bodies that last from now on; forced: though they be the same as before.
+    // `pressed`: what the search for meetings found to be pressed together, whatever is left of its
+    // rate.
     void settle(const Instant& instant, std::span<const std::size_t> bodies,
-                const ChangedStates& states, Event& event, bool isForced = false);
+                const ChangedStates& states, Event& event, bool isForced = false,
+                const std::optional<Pair>& pressed = {});
     // `entering`: speeds before the blow; `plane`: in which points lie.
     [[nodiscard]] std::vector<LastingContact>
     contactsBetween(const Instant& instant, const Pair& pair, const ChangedStates& states,
-                    double entering, const std::optional<MotionPlane>& plane) const;
+                    double entering, const std::optional<MotionPlane>& plane, bool isPressed) const;
     [[nodiscard]] std::vector<std::size_t> together(std::set<std::size_t> bodies,
                                                     std::span<const LastingContact> found) const;
     [[nodiscard]] std::vector<LastingContact> contactsOf(const Instant& instant,
                                                          std::span<const std::size_t> bodies,
-                                                         const ChangedStates& states) const;
+                                                         const ChangedStates& states,
+                                                         const std::optional<Pair>& pressed) const;
     // Of a pair with a hollow part: what of it is not modelled, and why not.
     [[nodiscard]] std::optional<std::string> unmodelledOf(const Instant& instant,
                                                           const Pair& pair) const;

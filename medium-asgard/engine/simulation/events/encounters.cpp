@@ -50,6 +50,14 @@ void keepInPlane(int axis, const physics::ImpactBody& before, double radius, Bod
             keep(after.angularVelocity[other], before.angularVelocity[other], most / radius);
 }
 
+// What parts slower is pressed back before the search for meetings sees a hop.
+double lostHopSpeed(const Instant& at, const Pair& pair) {
+    const Vector first = at.accelerationOf(pair.first).linear;
+    const Vector second = at.accelerationOf(pair.second).linear;
+    const double lost = resolution::leastHop * at.world.smallerRadius(pair);
+    return std::sqrt(2 * (first - second).norm() * lost);
+}
+
 double speedOf(const Placed& body) {
     if (body.record->isFixed)
         return 0;
@@ -85,7 +93,7 @@ CollisionSource::Handled CollisionSource::handle(const Histories& histories, con
     if (const auto sentence = unmodelledOf(now, pair))
         return {end(now, pair, *sentence)};
     if (hit.isLost) { // they touch for long, whether anything presses them together or not
-        if (auto event = press(now, pair))
+        if (auto event = press(now, pair, false))
             return {std::move(event)};
         const bool bothGiveWay = now.canGiveWay(pair.first) && now.canGiveWay(pair.second);
         return {end(now, pair, sentences::lost(world_, pair, bothGiveWay))};
@@ -101,7 +109,7 @@ CollisionSource::Handled CollisionSource::handle(const Histories& histories, con
         // Blows come first: of what touches at the start, some may approach.
         if (auto event = now.time <= world_.start ? meet(now, pair) : std::nullopt)
             return {std::move(event)};
-        if (auto event = press(now, pair))
+        if (auto event = press(now, pair, true))
             return {std::move(event)};
     }
     if (auto handled = meetInFlight(now, pair))
@@ -112,7 +120,7 @@ CollisionSource::Handled CollisionSource::handle(const Histories& histories, con
         passThrough(now, pair);
         return {};
     }
-    if (auto event = press(now, pair))
+    if (auto event = press(now, pair, false))
         return {std::move(event)};
     return {partAnew(now, pair)};
 }
@@ -275,14 +283,16 @@ void CollisionSource::refuse(const Instant& at, const Pair& pair, const std::str
 
 std::vector<LastingContact>
 CollisionSource::contactsBetween(const Instant& at, const Pair& pair, const ChangedStates& states,
-                                 double entering, const std::optional<MotionPlane>& plane) const {
+                                 double entering, const std::optional<MotionPlane>& plane,
+                                 bool isPressed) const {
     const auto [first, second] = world_.bodyAndSupport(pair);
     const Placed a = at.placed(first, states), b = at.placed(second, states);
+    const double hop = isPressed ? lostHopSpeed(at, pair) : 0;
     const TouchLimits limits{
         .gap = std::min(world_.resolution[first].gap, world_.resolution[second].gap),
         .beyond = std::min(world_.resolution[first].beyond, world_.resolution[second].beyond),
-        .slow = std::max(resolution::rattled * std::max({entering, speedOf(a), speedOf(b)}),
-                         resolution::noRate * world_.smallerRadius(pair)),
+        .slow = std::max({resolution::rattled * std::max({entering, speedOf(a), speedOf(b)}),
+                          resolution::noRate * world_.smallerRadius(pair), hop}),
         .wereInContact = contacts_.areIn(first, second),
         .isStart = at.time == world_.start,
         .stands = contacts_.standsOf(at.histories, first, second, at.time),
@@ -318,7 +328,8 @@ std::vector<std::size_t> CollisionSource::together(std::set<std::size_t> bodies,
 // Points are in a plane where all that hangs together moves in it.
 std::vector<LastingContact> CollisionSource::contactsOf(const Instant& at,
                                                         std::span<const std::size_t> bodies,
-                                                        const ChangedStates& states) const {
+                                                        const ChangedStates& states,
+                                                        const std::optional<Pair>& pressed) const {
     double entering = 0; // what a blow leaves of it is rounding, also of bodies that it has stopped
     for (const auto& [body, after] : states)
         entering = std::max(entering, speedOf(at.placed(body)));
@@ -334,7 +345,7 @@ std::vector<LastingContact> CollisionSource::contactsOf(const Instant& at,
             if (!seen.insert(pair).second || mobility_.hopForEver(body, other, at.time))
                 continue;
             planes[pair] = at.planeOf(std::array{pair.first, pair.second}, states);
-            add(contactsBetween(at, pair, states, entering, planes[pair]));
+            add(contactsBetween(at, pair, states, entering, planes[pair], pair == pressed));
         }
     for (const auto& [pair, plane] : planes)
         if (plane)
@@ -345,13 +356,14 @@ std::vector<LastingContact> CollisionSource::contactsOf(const Instant& at,
         return ofOthers.contains(std::minmax(contact.place.body, contact.place.support));
     });
     for (const auto& [pair, plane] : ofOthers)
-        add(contactsBetween(at, pair, states, entering, plane));
+        add(contactsBetween(at, pair, states, entering, plane, pair == pressed));
     return found;
 }
 
 void CollisionSource::settle(const Instant& at, std::span<const std::size_t> bodies,
-                             const ChangedStates& states, Event& event, bool isForced) {
-    std::vector<LastingContact> contacts = contactsOf(at, bodies, states);
+                             const ChangedStates& states, Event& event, bool isForced,
+                             const std::optional<Pair>& pressed) {
+    std::vector<LastingContact> contacts = contactsOf(at, bodies, states, pressed);
     std::vector<std::size_t> together;
     for (const std::size_t body : bodies)
         if (contacts_.isIn(body) ||
@@ -365,7 +377,7 @@ void CollisionSource::settle(const Instant& at, std::span<const std::size_t> bod
         if (const auto all = this->together({together.begin(), together.end()}, contacts);
             all.size() > together.size() && contacts_.isAnyInPlane(all)) {
             together = all; // contacts that were in a plane are no longer
-            contacts = contactsOf(at, together, states);
+            contacts = contactsOf(at, together, states, pressed);
         }
     for (const LastingContact& contact : contacts)
         if (!contact.isModelled) {
@@ -409,14 +421,14 @@ Event CollisionSource::renewContacts(const Instant& at, const Pair& pair) {
 
 // Pushed together without approaching, with all that touches them: of a stack or of four wheels
 // none is found to carry all before the others are known.
-std::optional<Event> CollisionSource::press(const Instant& at, const Pair& pair) {
+std::optional<Event> CollisionSource::press(const Instant& at, const Pair& pair, bool isPressed) {
     Event event{.time = at.time, .touched = {}, .tag = 0};
     outcome_ = {};
     std::vector<std::size_t> settling;
     for (const std::size_t body : clusterAt(at, pair).bodies)
         if (at.canGiveWay(body))
             settling.push_back(body);
-    settle(at, settling, {}, event);
+    settle(at, settling, {}, event, false, isPressed ? std::optional(pair) : std::nullopt);
     return event.touched.empty() ? std::nullopt : std::optional(event);
 }
 

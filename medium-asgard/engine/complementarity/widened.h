@@ -1,0 +1,40 @@
+// Coulomb's law as a fixed point of convex problems.
+//
+// The least of  f'Af/2 + b'f  among forces that the laws allow is a convex problem, which always
+// has an end; there what slips parts, too, by the coefficient times its slip. With that taken off
+// the normal rates, for slips that the answer itself has, it is Coulomb's law (Cadoux,
+// Computational kinematics and dynamics of multibody systems with friction, thesis, Grenoble 2009;
+// Acary, Cadoux, Lemarechal and Malick, ZAMM 91, 2011, prove that a solution exists wherever bodies
+// can part). A dozen problems lead there from nothing, also in a wall of bricks, whose forces are
+// not unique.
+#pragma once
+
+#include "complementarity/fixed_point.h"
+#include "complementarity/laws.h"
+
+namespace complementarity {
+
+// Of discs without levers and intervals, on a symmetric A.
+class Widened {
+public:
+    // The slips of the first problem, one for each law; none: 0.
+    Widened(const Matrix& a, const Vector& b, const Laws& laws, const Vector& slips = {});
+
+    // One problem more, with the slips that the last answers lead to.
+    void advance();
+    [[nodiscard]] const Answer& answer() const { return answer_; }
+    // Of the next problem.
+    [[nodiscard]] const Vector& slips() const { return slips_.at(); }
+    // Of slips by the last problem, over the largest of b; no number where it has no end.
+    [[nodiscard]] double change() const { return change_; }
+
+private:
+    const Matrix& a_;
+    const Vector& b_;
+    const Laws& laws_;
+    FixedPoint slips_;
+    Answer answer_;
+    double change_ = unbounded;
+};
+
+} // namespace complementarity

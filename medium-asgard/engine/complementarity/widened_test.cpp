@@ -1,0 +1,115 @@
+#include "complementarity/widened.h"
+
+#include "complementarity/centres.h"
+#include "complementarity/testing.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace complementarity {
+namespace {
+
+double sizeOf(const Vector& b) { return b.cwiseAbs().maxCoeff(); }
+
+// Bodies that touch with faces of four points: rows of the normals, of friction along two
+// directions at the middle, and of turning.
+Heap heapOfFaces(std::mt19937_64& random, Index bodies, Index faces, double friction) {
+    std::normal_distribution<double> normal;
+    std::uniform_int_distribution<Index> body(0, bodies - 1);
+    constexpr Index points = 4, rows = points + 3;
+    Matrix j = Matrix::Zero(rows * faces, 6 * bodies);
+    Heap heap;
+    for (Index c = 0; c < faces; ++c) {
+        const Vector way = Vector::NullaryExpr(6, [&] { return normal(random); });
+        Matrix of(rows, 6); // the normal, tilted by the place of each point
+        for (Index k = 0; k < points; ++k) {
+            const double x = k % 2 == 0 ? -1 : 1, z = k < 2 ? -1 : 1;
+            of.row(k) = way;
+            of(k, 3) += z;
+            of(k, 5) -= x;
+        }
+        for (Index row = points; row < rows; ++row)
+            for (Index k = 0; k < 6; ++k)
+                of(row, k) = normal(random);
+        const Index first = body(random), second = body(random);
+        j.block(rows * c, 6 * first, rows, 6) += of;
+        if (first != second)
+            j.block(rows * c, 6 * second, rows, 6) -= of;
+        for (Index k = 0; k < points; ++k)
+            addUnilateral(heap.laws);
+        addFriction(heap.laws, 3, rows * c, friction, points);
+        heap.laws.back().levers = Matrix(2, points);
+        heap.laws.back().levers << -1, 1, -1, 1, -1, -1, 1, 1;
+        heap.laws.back().levers *= 0.7;
+    }
+    Vector inverse(6 * bodies), free(6 * bodies);
+    for (Index i = 0; i < inverse.size(); ++i) {
+        inverse[i] = std::pow(10, -0.3 * std::abs(normal(random)));
+        free[i] = normal(random);
+    }
+    heap.a = j * inverse.asDiagonal() * j.transpose();
+    heap.b = j * free;
+    return heap;
+}
+
+} // namespace
+
+TEST(Widened, SettlesAtCoulombsLaw) {
+    std::mt19937_64 random(5);
+    for (int heap = 0; heap < 40; ++heap) {
+        const Heap of = randomHeap(random, 6, 12, 0.1 * (1 + heap % 9));
+        Widened widened(of.a, of.b, of.laws);
+        int problems = 0;
+        for (; problems < 60 && !(widened.change() < 1e-8); ++problems)
+            widened.advance();
+        EXPECT_LT(widened.change(), 1e-3) << heap;
+        EXPECT_LT(violation(of.a, of.b, of.laws, widened.answer()), 1e-3) << heap;
+    }
+}
+
+// Whatever the centres do: no surfaces that approach, no force that pulls, friction within its
+// bound, and no energy from nothing.
+TEST(Widened, ABlowOnManyFacesHasAnAnswer) {
+    std::mt19937_64 random(7);
+    constexpr double some = 1e-6;
+    int without = 0;
+    for (int heap = 0; heap < 40; ++heap) {
+        const Heap of = heapOfFaces(random, 8, 12, 0.1 * (1 + heap % 9));
+        const auto answer = solveBesideCentres(of.a, of.b, of.laws);
+        without += answer ? 0 : 1;
+        if (!answer)
+            continue;
+        const Vector rates = of.a * answer->forces + of.b;
+        const double most = answer->forces.cwiseAbs().maxCoeff();
+        for (const Law& law : of.laws) {
+            if (law.kind == Law::Kind::interval) {
+                EXPECT_GT(answer->forces[law.first], -some * most) << heap;
+                EXPECT_GT(rates[law.first], -some * sizeOf(of.b)) << heap;
+                continue;
+            }
+            const Vector force = answer->forces.segment(law.first, law.rows);
+            EXPECT_LT(force.head(2).norm(), radiusOf(law, answer->forces) + some * most) << heap;
+        }
+        const double energy =
+            answer->forces.dot(of.b) + answer->forces.dot(of.a * answer->forces) / 2;
+        EXPECT_LT(energy, some * most * sizeOf(of.b)) << heap;
+    }
+    EXPECT_LE(without, 1); // slips that find no end
+}
+
+// A body that two walls crush: no impulses part it from both.
+TEST(Widened, NothingPartsWhatIsCrushed) {
+    Laws laws;
+    addUnilateral(laws);
+    addUnilateral(laws);
+    addFriction(laws, 2, 0, 0.5);
+    Matrix a = Matrix::Identity(4, 4);
+    a(0, 1) = a(1, 0) = -1;
+    EXPECT_FALSE(solveBesideCentres(a, Vector::Constant(4, -1), laws).has_value());
+    a(0, 1) = a(1, 0) = -0.9;
+    EXPECT_TRUE(solveBesideCentres(a, Vector::Constant(4, -1), laws).has_value());
+}
+
+} // namespace complementarity
