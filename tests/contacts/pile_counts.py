@@ -332,10 +332,10 @@ CASES = [
     # Friction at the centres of pressure had no answer that was found: these stopped at the ball's blow.
     ("a ball hits a wall with friction", wall(33, 0.2363, 0.00104), {"steps": 900}),
     ("a ball hits a wall with friction, again", wall(33, 0.2363, 0.00105), {"steps": 900}),
+    # Redundant conditions with a tilt made forces negative that the laws had found, at one instant again and again.
+    ("bricks without friction that bounce", wall(10, 0.571, 0.001), {"steps": 900}),
     # What was left of a rate by rounding was no contact, and no hop: bricks "came to rest on each other" 200 times.
     ("bricks without friction that lean", wall(29, 0.2827, 0.00102), {"steps": 2600}),
-]
-CASES += [
     # A rim that slides bends its gap, which pulls it down where its points go up: it hopped without end.
     ("a pin that rattles down", pin(0.4), {"evaluations": 30000, "collisions": 150}),
     ("a disc on a disc that lies", LOG_AND_DISC, {"collisions": 150}),

@@ -62,9 +62,11 @@ public:
     }
 
 private:
-    // What is held may read multipliers in any way.
+    // What is held may read multipliers in any way. Friction that slips asks for implicit steps,
+    // and the derivatives of composed rates are differences, of which each takes as long as a rate.
     [[nodiscard]] bool compose(Composer& composer, ComponentModels& models) const {
-        if (bound_.multipliers.size() < leastComposed || !bound_.held.empty())
+        if (bound_.multipliers.size() < leastComposed || !bound_.held.empty() ||
+            !bound_.discs.empty())
             return false;
         std::vector<Composer::Row> rows;
         for (std::size_t row = 0; row < bound_.multipliers.size(); ++row)

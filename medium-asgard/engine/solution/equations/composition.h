@@ -52,8 +52,8 @@ struct Composition {
     Pattern jacobian; // full
 };
 
-// From how many multipliers on the conditions of a component are composed: fewer are one
-// expression, whose code is the fastest where it stays.
+// From how many multipliers on the conditions of a component without friction are composed: fewer
+// are one expression, whose code is the fastest where it stays.
 inline constexpr std::size_t leastComposed = 20;
 
 class Composer {

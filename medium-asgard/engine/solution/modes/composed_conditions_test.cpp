@@ -23,7 +23,7 @@ public:
             for (const char* name : {"x", "y"})
                 rates.emplace_back(of(name, i), of(*name == 'x' ? "u" : "v", i));
         for (std::size_t i = 0; i < beads; ++i) {
-            std::string ofU = "0.1*sin(t)", ofV = "-9.81-0.2*" + of("v", i);
+            std::string ofU = "0.1*sin(t)+exp(-((t-1)/0.01)^2)", ofV = "-9.81-0.2*" + of("v", i);
             for (const auto& [which, sign] : {std::pair(i - 1, "+"), {i, "-"}})
                 if (which < beads - 1) {
                     ofU += sign + push(which, i, "x");
@@ -160,6 +160,21 @@ TEST(ComposedConditions, HaveTheDerivativesOfOneExpression) {
         return matrix;
     };
     EXPECT_LT(distance(full(blocks), full(whole)), 1e-5);
+}
+
+// Multipliers stand behind the symbols of the model, which has none.
+TEST(ComposedConditions, HaveTheirPeaksSeen) {
+    Rope blocks(true);
+    ASSERT_TRUE(blocks->bound()->canPeak);
+    const auto& peaks = blocks->model().peaks();
+    const std::vector<double> y = places();
+    std::vector<double> rates(y.size()), causes(peaks.causes.tape().outputs());
+    ASSERT_TRUE(blocks->rates(0.7, y, rates));
+    blocks->functions().peakCauses(peaks, 0.7, y, rates, causes);
+    std::vector<double> heights(peaks.heights.tape().outputs());
+    blocks->functions().peakHeights(1, y, heights);
+    ASSERT_FALSE(heights.empty());
+    EXPECT_NEAR(heights[0], 1, 1e-12);
 }
 
 // A block of two beads is the same model wherever it is.

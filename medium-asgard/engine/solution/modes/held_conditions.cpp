@@ -11,6 +11,8 @@ using complementarity::State;
 namespace {
 
 constexpr double noPivot = 1e-13; // of 1, of what is left of a scaled condition that others make
+// Where laws have shared the forces: what less tilt than that tells of them is rounding.
+constexpr double noPivotOfShares = 1e-10;
 constexpr double noPivotOfFaces = 1e-9; // where faces lie on each other with a tilt (elimination.h)
 // Contacts are redundant as a rule, and a dense factorization that finds their rank costs most.
 constexpr double many = 3e6;
@@ -139,9 +141,12 @@ bool HeldConditions::factorise(std::span<const double> values, const Off& off) {
     followMode();
     takeRooms();
     way_ = Way::sparse;
-    if (plan_.isSparse && eliminate(values))
+    // Forces that laws have shared are none of those that the tilt of faces makes.
+    const bool isShared = !mode_.share.forces.empty();
+    if (plan_.isSparse && !isShared && eliminate(values))
         return true;
-    return factoriseDense(values, plan_.hasFaces ? noPivotOfFaces : noPivot, off);
+    const double none = isShared ? noPivotOfShares : plan_.hasFaces ? noPivotOfFaces : noPivot;
+    return factoriseDense(values, none, off);
 }
 
 bool HeldConditions::factoriseClosely(std::span<const double> values) {

@@ -166,7 +166,7 @@ void ModelFunctions::peakCauses(const ComponentModel::PeakFunctions& peaks, doub
                                 std::span<const double> y, std::span<const double> rates,
                                 std::span<double> out) {
     fill(t, y);
-    inMoving_.assign(in_.begin(), in_.end());
+    inMoving_.assign(symbols().begin(), symbols().end());
     inMoving_.insert(inMoving_.end(), rates.begin(), rates.end());
     inMoving_.resize(inMoving_.size() + model_.inputs());
     inputs_.rates(t, std::span(inMoving_).last(model_.inputs()));
