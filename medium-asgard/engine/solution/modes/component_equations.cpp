@@ -202,7 +202,9 @@ bool ComponentEquations::rest(std::span<const std::size_t> directions, double t,
 // The Jacobian
 
 const Pattern& ComponentEquations::jacobianPattern() {
-    return isComposed() ? bound()->composed->jacobian : model().jacobian().pattern;
+    if (const Composition* const composed = bound()->composed.get())
+        return composed->jacobian;
+    return model().jacobian().pattern;
 }
 
 bool ComponentEquations::jacobian(double t, std::span<const double> y, std::span<double> entries) {
